@@ -1,0 +1,2 @@
+//! Groundtruth.
+fn main() {}
