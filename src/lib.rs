@@ -1,1 +1,7 @@
 //! Groundtruth.
+
+pub mod accel;
+pub mod invalid;
+pub mod kinds;
+pub mod math;
+pub mod shapes;

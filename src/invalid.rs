@@ -1,0 +1,115 @@
+//! What is wrong with a value a person gave: where it stands, what was found, what would fit.
+
+use std::fmt;
+
+use crate::math::{Normal, Point, Vector};
+
+/// A value that does not fit. `path` grows from the inside out while the error travels up.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{}: {problem}", path_text(path))]
+pub struct Invalid {
+    /// The keys and places that lead to the value, outermost first.
+    pub path: Vec<Key>,
+    /// What was found and what would fit, as a sentence.
+    pub problem: String,
+}
+
+/// One step of a path into a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Key {
+    /// A field of a table.
+    Field(String),
+    /// An element of a list, with its name if it has one.
+    Item(usize, Option<String>),
+}
+
+impl From<&str> for Key {
+    fn from(field: &str) -> Self {
+        Key::Field(field.to_owned())
+    }
+}
+
+impl From<usize> for Key {
+    fn from(index: usize) -> Self {
+        Key::Item(index, None)
+    }
+}
+
+fn path_text(path: &[Key]) -> String {
+    use fmt::Write;
+    let mut text = String::new();
+    for key in path {
+        let _ = match key {
+            Key::Field(name) if text.is_empty() => write!(text, "{name}"),
+            Key::Field(name) if text.ends_with('"') => write!(text, ", {name}"),
+            Key::Field(name) => write!(text, ".{name}"),
+            Key::Item(index, None) => write!(text, "[{index}]"),
+            Key::Item(index, Some(name)) => write!(text, "[{index}] \"{name}\""),
+        };
+    }
+    text
+}
+
+impl Invalid {
+    /// The value itself does not fit.
+    pub fn new(problem: impl Into<String>) -> Self {
+        Self { path: Vec::new(), problem: problem.into() }
+    }
+
+    /// The field of this name does not fit.
+    pub fn field(name: &str, problem: impl Into<String>) -> Self {
+        Self::new(problem).inside(name)
+    }
+
+    /// The same problem seen from one level further out.
+    pub fn inside(mut self, key: impl Into<Key>) -> Self {
+        self.path.insert(0, key.into());
+        self
+    }
+}
+
+/// `value`, if it is finite.
+pub fn finite(field: &str, value: f64) -> Result<f64, Invalid> {
+    if value.is_finite() {
+        return Ok(value);
+    }
+    Err(Invalid::field(field, format!("found {value}, but a finite number is needed")))
+}
+
+/// `value`, if it is finite and above zero.
+pub fn positive(field: &str, value: f64) -> Result<f64, Invalid> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(value);
+    }
+    Err(Invalid::field(field, format!("found {value}, but a positive, finite number is needed")))
+}
+
+/// `value`, if it is finite and not negative.
+pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
+    if value.is_finite() && value >= 0.0 {
+        return Ok(value);
+    }
+    Err(Invalid::field(field, format!("found {value}, but a finite number of at least 0 is needed")))
+}
+
+/// `p`, if its coordinates are finite.
+pub fn finite_point(field: &str, p: Point) -> Result<Point, Invalid> {
+    if p.is_finite() {
+        return Ok(p);
+    }
+    Err(Invalid::field(field, format!("found {:?}, but finite coordinates are needed", p.to_array())))
+}
+
+/// `v`, if its components are finite.
+pub fn finite_vector(field: &str, v: Vector) -> Result<Vector, Invalid> {
+    finite_point(field, Point::ORIGIN + v)?;
+    Ok(v)
+}
+
+/// The unit vector along `v`, which must be finite and not zero.
+pub fn direction(field: &str, v: Vector) -> Result<Normal, Invalid> {
+    Normal::new(v).ok_or_else(|| {
+        let found = v.to_array();
+        Invalid::field(field, format!("found {found:?}, but a finite vector other than zero is needed"))
+    })
+}

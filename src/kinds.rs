@@ -1,0 +1,125 @@
+//! Kinds: how one file and one entry add a shape, camera, sampler, light, material or texture.
+//!
+//! A kind's file holds plain data that a scene file can say, and a [`Specification`] that checks
+//! it and builds the thing itself. The list in the folder's `mod.rs`, written with
+//! [`kinds!`](crate::kinds!), makes of all of them one enum: it gives each its tag, and its
+//! specimens to the contract tests.
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use crate::invalid::Invalid;
+
+/// Plain data that describes one thing of a kind.
+pub trait Specification: Sized {
+    /// What is built.
+    type Built;
+    /// What building needs to know beside the data.
+    type Context;
+
+    /// Checks the data and builds.
+    ///
+    /// # Errors
+    /// [`Invalid`] names the field that does not fit.
+    fn build(&self, context: &mut Self::Context) -> Result<Self::Built, Invalid>;
+
+    /// Valid examples, on which the contract of the trait is tested.
+    fn specimens() -> Vec<Self>;
+}
+
+/// One line of the list of kinds.
+pub struct Entry<Kind> {
+    /// The chapter that brings the kind, as `ch19`.
+    pub chapter: &'static str,
+    /// The file it lives in, without `.rs`.
+    pub module: &'static str,
+    /// Valid examples.
+    pub specimens: fn() -> Vec<Kind>,
+}
+
+/// A thing of a user's own, for which there is no data: it cannot be written to a scene file.
+#[derive(Debug)]
+pub struct Custom<T: ?Sized>(pub Arc<T>);
+
+impl<T: ?Sized> Clone for Custom<T> {
+    fn clone(&self) -> Self {
+        Self(Arc::clone(&self.0))
+    }
+}
+
+/// `OpenCylinder` as scene files write it: `open_cylinder`.
+pub fn tag(name: &str) -> String {
+    let mut tag = String::new();
+    for (i, c) in name.char_indices() {
+        if c.is_uppercase() && i > 0 {
+            tag.push('_');
+        }
+        tag.extend(c.to_lowercase());
+    }
+    tag
+}
+
+/// Writes the enum of a folder's kinds from its list of entries.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! kinds {
+    (
+        $(#[$doc:meta])*
+        $Kind:ident builds dyn $Trait:ident with $Context:ty;
+        $($chapter:ident $module:ident::$Data:ident),* $(,)?
+    ) => {
+        $(pub use $module::$Data;)*
+
+        $(#[$doc])*
+        #[derive(Clone, Debug, ::serde::Serialize, ::serde::Deserialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum $Kind {
+            $(
+                #[doc = concat!("See [`", stringify!($Data), "`].")]
+                $Data($Data),
+            )*
+            /// A kind of a user's own; not in scene files.
+            #[serde(skip)]
+            Custom($crate::kinds::Custom<dyn $Trait>),
+        }
+
+        $(
+            impl From<$Data> for $Kind {
+                fn from(data: $Data) -> Self {
+                    Self::$Data(data)
+                }
+            }
+        )*
+
+        impl $Kind {
+            /// Every kind, in the order of the list.
+            pub const ENTRIES: &'static [$crate::kinds::Entry<Self>] = &[$(
+                $crate::kinds::Entry {
+                    chapter: stringify!($chapter),
+                    module: stringify!($module),
+                    specimens: || {
+                        let all = <$Data as $crate::kinds::Specification>::specimens();
+                        all.into_iter().map(Self::from).collect()
+                    },
+                },
+            )*];
+
+            /// Checks the data and builds the thing.
+            ///
+            /// # Errors
+            /// [`Invalid`](crate::invalid::Invalid) names the field that does not fit.
+            pub fn build(
+                &self,
+                context: &mut $Context,
+            ) -> Result<::std::sync::Arc<dyn $Trait>, $crate::invalid::Invalid> {
+                match self {
+                    $(Self::$Data(data) => {
+                        $crate::kinds::Specification::build(data, context)
+                            .map_err(|e| e.inside($crate::kinds::tag(stringify!($Data)).as_str()))
+                    })*
+                    Self::Custom(custom) => Ok(::std::sync::Arc::clone(&custom.0)),
+                }
+            }
+        }
+    };
+}

@@ -1,0 +1,127 @@
+//! Axis-aligned boxes, and where a ray crosses them.
+
+use super::UNIT_ROUNDOFF;
+use super::ray::Ray;
+use super::vectors::{Point, Vector};
+
+/// A box with faces along the axes; empty if `min > max`, unbounded if a coordinate is infinite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// The corner with the smallest coordinates.
+    pub min: Point,
+    /// The corner with the largest coordinates.
+    pub max: Point,
+}
+
+/// A ray prepared for slab tests: the reciprocals are taken once.
+#[derive(Clone, Copy, Debug)]
+pub struct SlabRay {
+    origin: [f64; 3],
+    inverse: [f64; 3],
+    backward: [bool; 3],
+}
+
+impl SlabRay {
+    /// Prepares a ray.
+    pub fn new(ray: &Ray) -> Self {
+        let inverse = ray.direction.to_array().map(|d| 1.0 / d);
+        let backward = inverse.map(f64::is_sign_negative);
+        Self { origin: ray.origin.to_array(), inverse, backward }
+    }
+}
+
+/// Relative slack on the two distances of [`Aabb::crossing`]: three roundings in each, and as many
+/// in the `t` that is compared with them, with room to spare (Ize, "Robust BVH Ray Traversal",
+/// JCGT 2(2), 2013).
+const SLACK: f64 = 16.0 * UNIT_ROUNDOFF;
+
+impl Aabb {
+    /// Contains nothing; the start of a union.
+    pub const EMPTY: Self = Self {
+        min: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
+        max: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
+    };
+    /// Contains everything: the bounds of what is infinite.
+    pub const EVERYTHING: Self = Self { min: Self::EMPTY.max, max: Self::EMPTY.min };
+
+    /// The smallest box around these points.
+    pub fn around(points: impl IntoIterator<Item = Point>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
+    }
+
+    /// The smallest box around both.
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Whether no coordinate is infinite or NaN.
+    pub fn is_bounded(&self) -> bool {
+        self.min.is_finite() && self.max.is_finite()
+    }
+
+    /// Whether the point is inside or on the surface.
+    pub fn contains(&self, p: Point) -> bool {
+        (0..3).all(|i| self.min.along(i) <= p.along(i) && p.along(i) <= self.max.along(i))
+    }
+
+    /// Diagonal.
+    pub fn extent(&self) -> Vector {
+        self.max - self.min
+    }
+
+    /// The middle.
+    pub fn center(&self) -> Point {
+        self.min + 0.5 * self.extent()
+    }
+
+    /// Half the surface area, which is what a surface-area heuristic compares.
+    pub fn half_area(&self) -> f64 {
+        let [x, y, z] = self.extent().to_array();
+        x * y + y * z + z * x
+    }
+
+    /// The eight corners.
+    pub fn corners(&self) -> [Point; 8] {
+        let ends = [self.min, self.max];
+        std::array::from_fn(|i| {
+            Point::new(ends[i & 1].x(), ends[i >> 1 & 1].y(), ends[i >> 2].z())
+        })
+    }
+
+    /// The box grown by what the rounding of its own corners can move a hit: a few u of its
+    /// largest coordinate.
+    pub fn padded(self) -> Self {
+        let largest = self.min.to_vector().max_abs().max(self.max.to_vector().max_abs());
+        if !largest.is_finite() {
+            return self;
+        }
+        let pad = 16.0 * UNIT_ROUNDOFF * largest * Vector::new(1.0, 1.0, 1.0);
+        Self { min: self.min - pad, max: self.max + pad }
+    }
+
+    /// The distances `t` at which the ray enters and leaves; the entry is beyond the exit if it
+    /// misses.
+    ///
+    /// A zero direction component gives NaN where the origin lies on a slab (0·∞): the comparisons
+    /// drop it, so such a ray is inside that slab. Every operation is monotone, so the interval of
+    /// a box contains that of every box inside it, to the last bit.
+    pub fn crossing(&self, ray: &SlabRay) -> (f64, f64) {
+        let (mut entry, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
+        for i in 0..3 {
+            let (low, high) = (self.min.along(i), self.max.along(i));
+            let (near, far) = if ray.backward[i] { (high, low) } else { (low, high) };
+            let t_near = (near - ray.origin[i]) * ray.inverse[i];
+            let t_far = (far - ray.origin[i]) * ray.inverse[i];
+            if t_near > entry {
+                entry = t_near;
+            }
+            if t_far < exit {
+                exit = t_far;
+            }
+        }
+        (
+            if entry > 0.0 { entry * (1.0 - SLACK) } else { entry * (1.0 + SLACK) },
+            if exit > 0.0 { exit * (1.0 + SLACK) } else { exit * (1.0 - SLACK) },
+        )
+    }
+}

@@ -1,0 +1,79 @@
+//! Products without rounding error, for the few places where cancellation would lose the answer
+//! (thin triangles). Dekker, "A floating-point technique for extending the available precision"
+//! (1971); no fused multiply-add, which is a slow library call where the processor has none.
+
+use super::vectors::{Point, Vector};
+
+/// `a·b` as an unevaluated sum of two numbers (exact unless it overflows or underflows).
+fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let (a_high, a_low) = split(a);
+    let (b_high, b_low) = split(b);
+    let product = a * b;
+    let error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    (product, error)
+}
+
+/// Halves of 26 bits whose sum is `a`.
+fn split(a: f64) -> (f64, f64) {
+    let c = 134_217_729.0 * a; // 2^27 + 1
+    let high = c - (c - a);
+    (high, a - high)
+}
+
+/// `a + b` as an unevaluated sum of two numbers, exactly (Knuth).
+fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let b_part = sum - a;
+    (sum, (a - (sum - b_part)) + (b - b_part))
+}
+
+/// `a·b − c·d` with a relative error of a few u, however much cancels.
+pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let (ab, ab_error) = two_product(a, b);
+    let (cd, cd_error) = two_product(c, d);
+    let (difference, error) = two_sum(ab, -cd);
+    difference + (error + (ab_error - cd_error))
+}
+
+/// `(b − a) × (c − a)` correct to a few u in every component, for triangles of any aspect.
+///
+/// The rounded edges `e` differ from the true ones by `δ`, which two-sum gives exactly; so the
+/// product is `e₁ × e₂ + δ₁ × e₂ + e₁ × δ₂ + O(u²)`, the first part without cancellation error.
+pub fn exact_cross(a: Point, b: Point, c: Point) -> Vector {
+    let edge = |to: Point, axis: usize| two_sum(to.along(axis), -a.along(axis));
+    let [e1, e2] = [b, c].map(|to| [edge(to, 0), edge(to, 1), edge(to, 2)]);
+    let component = |i: usize, j: usize| {
+        let ((p, dp), (q, dq)) = (e1[i], e1[j]);
+        let ((r, dr), (s, ds)) = (e2[i], e2[j]);
+        // the sum p·s − q·r in two parts, then the corrections of first order
+        let (ps, ps_error) = two_product(p, s);
+        let (qr, qr_error) = two_product(q, r);
+        let (difference, error) = two_sum(ps, -qr);
+        difference + (error + (ps_error - qr_error) + ((dp * s - dq * r) + (p * ds - q * dr)))
+    };
+    Vector::new(component(1, 2), component(2, 0), component(0, 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn difference_of_products_survives_cancellation() {
+        // (2^27 + 1)(2^27 − 1) − 2^54 = −1, which plain arithmetic rounds to 0
+        let big = 134_217_728.0;
+        assert_eq!(difference_of_products(big + 1.0, big - 1.0, big, big), -1.0);
+        let plain: f64 = (1.0 + f64::EPSILON) * (1.0 - f64::EPSILON) - 1.0;
+        assert_eq!(plain, 0.0);
+        let exact = difference_of_products(1.0 + f64::EPSILON, 1.0 - f64::EPSILON, 1.0, 1.0);
+        assert_eq!(exact, -f64::EPSILON * f64::EPSILON);
+    }
+
+    #[test]
+    fn two_sum_and_two_product_lose_nothing() {
+        let (s, e) = two_sum(1.0, 1e-30);
+        assert_eq!((s, e), (1.0, 1e-30));
+        let (p, e) = two_product(1.0 + f64::EPSILON, 1.0 + f64::EPSILON);
+        assert_eq!((p, e), (1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
+    }
+}

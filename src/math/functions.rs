@@ -1,0 +1,61 @@
+//! Transcendental functions with the same bits on every platform, by the crate `libm`; and powers.
+//!
+//! The platform's own `sin`, `pow` … differ in the last bit, so clippy forbids them.
+
+use std::f64::consts::PI;
+
+pub use libm::{acos, atan2, cos, exp, floor, log as ln, sin, tan};
+
+/// `base^exponent` for `base ≥ 0`; whole exponents up to 2³⁰ by multiplication, as `pow` is not
+/// exact even for 3.
+pub fn power(base: f64, exponent: f64) -> f64 {
+    if exponent == floor(exponent) && (0.0..=1_073_741_824.0).contains(&exponent) {
+        return by_squaring(base, exponent as u32);
+    }
+    libm::pow(base, exponent)
+}
+
+fn by_squaring(mut base: f64, mut exponent: u32) -> f64 {
+    let mut result = 1.0;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result *= base;
+        }
+        base *= base;
+        exponent >>= 1;
+    }
+    result
+}
+
+/// Degrees to radians: `π/180` times. (The book's errata: it prints the inverse factor.)
+pub fn to_radians(degrees: f64) -> f64 {
+    degrees * (PI / 180.0)
+}
+
+/// Radians to degrees.
+pub fn to_degrees(radians: f64) -> f64 {
+    radians * (180.0 / PI)
+}
+
+/// The sine of an angle in degrees; exact at multiples of 90°.
+pub fn sin_degrees(degrees: f64) -> f64 {
+    sin_cos_degrees(degrees).0
+}
+
+/// The cosine of an angle in degrees; exact at multiples of 90°.
+pub fn cos_degrees(degrees: f64) -> f64 {
+    sin_cos_degrees(degrees).1
+}
+
+fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
+    // the remainder is exact, so 360° and 0° are the same angle to the last bit
+    let quarter = libm::rint(degrees / 90.0);
+    let rest = to_radians(degrees - 90.0 * quarter);
+    let (s, c) = (sin(rest), cos(rest));
+    match quarter.rem_euclid(4.0) as u8 {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    }
+}

@@ -1,0 +1,36 @@
+//! Mathematics (Suffern, ch. 2 and 20): typed points, vectors and normals, rays, frames, bounds,
+//! transforms, random numbers, and the functions that have the same bits on every platform.
+//!
+//! The only module that names glam. Everything is `f64`; angles are radians unless the name says
+//! degrees. Nothing here has an absolute epsilon: multiplying all lengths by a power of two
+//! multiplies every result by one.
+
+mod bounds;
+mod exact;
+mod frame;
+mod functions;
+mod random;
+mod ray;
+mod roots;
+mod transform;
+mod vectors;
+
+pub use bounds::{Aabb, SlabRay};
+pub use exact::exact_cross;
+pub(crate) use exact::difference_of_products;
+pub use frame::Frame;
+pub use functions::{
+    acos, atan2, cos, cos_degrees, exp, floor, ln, power, sin, sin_degrees, tan, to_degrees,
+    to_radians,
+};
+pub use random::{Pcg32, hash, splitmix};
+pub use ray::{Ray, Span};
+pub use roots::{perpendicular_roots, quadratic};
+pub use transform::{Axis, Singular, Step, Transform};
+pub use vectors::{Normal, Point, Vector};
+
+/// Half the distance from 1 to the next `f64`: the largest relative error of one rounding.
+pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+/// The largest `f64` below 1.
+pub const ONE_MINUS: f64 = 1.0 - UNIT_ROUNDOFF;

@@ -1,0 +1,200 @@
+//! Affine transformations (Suffern, ch. 20): a list of steps, applied in order, and its inverse.
+
+use glam::{DAffine3, DMat3, DVec3};
+use serde::{Deserialize, Serialize};
+
+use super::functions::{cos_degrees, sin_degrees};
+use super::vectors::{Normal, Point, Vector};
+use super::{Aabb, Ray};
+
+/// One step of a transformation, as a person types it: angles in degrees, counter-clockwise for an
+/// eye on the positive axis that looks at the origin.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Step {
+    /// Moves by this vector.
+    Translate(Vector),
+    /// Scales along the axes by these factors, none of them zero.
+    Scale(Vector),
+    /// Rotates about the x axis.
+    RotateX(f64),
+    /// Rotates about the y axis.
+    RotateY(f64),
+    /// Rotates about the z axis.
+    RotateZ(f64),
+    /// Rotates about the line through `point` along `direction`.
+    RotateAbout {
+        /// A point of the line.
+        point: Point,
+        /// The direction of the line; not zero.
+        direction: Vector,
+        /// Angle in degrees.
+        degrees: f64,
+    },
+    /// Reflects across a coordinate plane: `"x"` sends x to −x.
+    Reflect(Axis),
+    /// The six-factor shear `x' = x + a y + b z`, `y' = c x + y + d z`, `z' = e x + f y + z`, as
+    /// `[a, b, c, d, e, f]`.
+    Shear([f64; 6]),
+}
+
+/// A coordinate axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[allow(missing_docs)]
+pub enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+/// A transformation that has no inverse, or whose inverse would have no correct digits.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("the transformation is singular (condition number {condition:.1e}; at most 1e12 fits)")]
+pub struct Singular {
+    /// Frobenius norm of the matrix times that of its inverse; infinite if there is none.
+    pub condition: f64,
+}
+
+/// An affine map and its inverse. Points, vectors and normals each transform in their own way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transform {
+    forward: DAffine3,
+    inverse: DAffine3,
+}
+
+impl Step {
+    /// The matrix of the step and that of its inverse; an inverse that does not exist is not finite.
+    fn matrices(&self) -> [DAffine3; 2] {
+        let linear = |m: DMat3, inverse: DMat3| [m, inverse].map(DAffine3::from_mat3);
+        let rotation = |m: DMat3| linear(m, m.transpose());
+        match *self {
+            Step::Translate(v) => [v, -v].map(|v| DAffine3::from_translation(v.0)),
+            Step::Scale(s) => linear(DMat3::from_diagonal(s.0), DMat3::from_diagonal(s.0.recip())),
+            Step::RotateX(degrees) => rotation(rotation_about(DVec3::X, degrees)),
+            Step::RotateY(degrees) => rotation(rotation_about(DVec3::Y, degrees)),
+            Step::RotateZ(degrees) => rotation(rotation_about(DVec3::Z, degrees)),
+            Step::RotateAbout { point, direction, degrees } => {
+                let axis = Normal::new(direction).map_or(DVec3::NAN, |n| n.0);
+                rotation(rotation_about(axis, degrees)).map(|turn| {
+                    DAffine3::from_translation(point.0)
+                        * turn
+                        * DAffine3::from_translation(-point.0)
+                })
+            }
+            Step::Reflect(axis) => {
+                let mut s = DVec3::ONE;
+                s[axis as usize] = -1.0;
+                linear(DMat3::from_diagonal(s), DMat3::from_diagonal(s))
+            }
+            Step::Shear([a, b, c, d, e, f]) => {
+                let m = DMat3::from_cols_array(&[1.0, c, e, a, 1.0, f, b, d, 1.0]);
+                linear(m, inverse_of(m))
+            }
+        }
+    }
+}
+
+/// The inverse by cofactors, not finite if there is none. (glam's asserts instead.)
+fn inverse_of(m: DMat3) -> DMat3 {
+    let rows = [
+        m.y_axis.cross(m.z_axis),
+        m.z_axis.cross(m.x_axis),
+        m.x_axis.cross(m.y_axis),
+    ];
+    let determinant = m.x_axis.dot(rows[0]);
+    DMat3::from_cols(rows[0], rows[1], rows[2]).transpose() * (1.0 / determinant)
+}
+
+/// Rodrigues' rotation about a unit axis.
+fn rotation_about(axis: DVec3, degrees: f64) -> DMat3 {
+    let (s, c) = (sin_degrees(degrees), cos_degrees(degrees));
+    let turned = |v: DVec3| v * c + axis.cross(v) * s + axis * (axis.dot(v) * (1.0 - c));
+    DMat3::from_cols(turned(DVec3::X), turned(DVec3::Y), turned(DVec3::Z))
+}
+
+impl Transform {
+    /// Changes nothing.
+    pub const IDENTITY: Self = Self { forward: DAffine3::IDENTITY, inverse: DAffine3::IDENTITY };
+
+    /// The steps applied one after the other: `M = Tₙ … T₂ T₁`, `M⁻¹ = T₁⁻¹ T₂⁻¹ … Tₙ⁻¹`.
+    ///
+    /// # Errors
+    /// [`Singular`] if the result has no inverse worth the name.
+    pub fn from_steps(steps: &[Step]) -> Result<Self, Singular> {
+        let whole = steps.iter().fold(Self::IDENTITY, |so_far, step| {
+            let [forward, inverse] = step.matrices();
+            Self { forward: forward * so_far.forward, inverse: so_far.inverse * inverse }
+        });
+        let condition = whole.condition();
+        if condition <= 1e12 && whole.forward.is_finite() && whole.inverse.is_finite() {
+            Ok(whole)
+        } else {
+            Err(Singular { condition: if condition.is_nan() { f64::INFINITY } else { condition } })
+        }
+    }
+
+    /// Frobenius norm of the linear part times that of its inverse.
+    pub fn condition(&self) -> f64 {
+        let norm = |m: DMat3| m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt();
+        norm(self.forward.matrix3) * norm(self.inverse.matrix3)
+    }
+
+    /// The map that undoes this one.
+    pub fn inverse(&self) -> Self {
+        Self { forward: self.inverse, inverse: self.forward }
+    }
+
+    /// This map after `first`.
+    pub fn after(&self, first: &Self) -> Self {
+        Self { forward: self.forward * first.forward, inverse: first.inverse * self.inverse }
+    }
+
+    /// The three rows `[m0, m1, m2, translation]` of the matrix.
+    pub fn rows(&self) -> [[f64; 4]; 3] {
+        let (m, t) = (self.forward.matrix3, self.forward.translation);
+        std::array::from_fn(|i| [m.x_axis[i], m.y_axis[i], m.z_axis[i], t[i]])
+    }
+
+    /// Moves a point.
+    pub fn point(&self, p: Point) -> Point {
+        Point(self.forward.transform_point3(p.0))
+    }
+
+    /// Turns and stretches a vector; translations leave it alone.
+    pub fn vector(&self, v: Vector) -> Vector {
+        Vector(self.forward.transform_vector3(v.0))
+    }
+
+    /// `M⁻ᵀ n`, not normalised: perpendicular to the transformed surface. Its length is by how much
+    /// distances along the normal shrink.
+    pub fn covector(&self, n: Normal) -> Vector {
+        Vector(self.inverse.matrix3.transpose() * n.0)
+    }
+
+    /// The ray in the coordinates before the transformation; its direction is not normalised, so
+    /// `t` means the same on both sides.
+    pub fn ray_back(&self, ray: &Ray) -> Ray {
+        Ray::new(
+            Point(self.inverse.transform_point3(ray.origin.0)),
+            Vector(self.inverse.transform_vector3(ray.direction.0)),
+        )
+    }
+
+    /// The box around the transformed corners of a box.
+    pub fn bounds(&self, bounds: &Aabb) -> Aabb {
+        if bounds.is_bounded() {
+            Aabb::around(bounds.corners().map(|corner| self.point(corner)))
+        } else {
+            Aabb::EVERYTHING
+        }
+    }
+
+    /// `|M| |p| + |t|` for each coordinate: times a few u, a bound of the rounding error of
+    /// [`Transform::point`].
+    pub fn magnitude(&self, p: Point) -> Vector {
+        let (m, t) = (self.forward.matrix3, self.forward.translation.abs());
+        let p = p.0.abs();
+        Vector(m.x_axis.abs() * p.x + m.y_axis.abs() * p.y + m.z_axis.abs() * p.z + t)
+    }
+}

@@ -1,0 +1,313 @@
+//! Points, vectors and normals: three types, so that what has no meaning does not compile.
+//!
+//! ```compile_fail
+//! use groundtruth::math::Point;
+//! let _ = Point::new(0.0, 0.0, 0.0) + Point::new(1.0, 0.0, 0.0);
+//! ```
+//! ```compile_fail
+//! use groundtruth::math::Point;
+//! let _ = 2.0 * Point::new(1.0, 0.0, 0.0);
+//! ```
+//! ```compile_fail
+//! use groundtruth::math::{Normal, Vector};
+//! let v = Vector::new(0.0, 2.0, 0.0);
+//! let n: Normal = v; // a normal is unit by construction: `Normal::new(v)` may fail
+//! ```
+//! ```compile_fail
+//! use groundtruth::math::{Point, Vector};
+//! let _ = Point::new(0.0, 0.0, 0.0).dot(Vector::new(1.0, 0.0, 0.0));
+//! ```
+//! The sum of normals is a vector, and says so:
+//! ```
+//! use groundtruth::math::{Normal, Vector};
+//! let (n, m) = (Normal::X, Normal::Y);
+//! let sum: Vector = n + m;
+//! assert_eq!(sum, Vector::new(1.0, 1.0, 0.0));
+//! ```
+
+use std::fmt;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
+
+/// A place. `Point − Point` is a [`Vector`]; points cannot be added or scaled.
+#[derive(Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(from = "[f64; 3]", into = "[f64; 3]")]
+pub struct Point(pub(super) DVec3);
+
+/// A displacement or direction, of any length.
+#[derive(Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(from = "[f64; 3]", into = "[f64; 3]")]
+pub struct Vector(pub(super) DVec3);
+
+/// A unit vector perpendicular to a surface; every way to make one normalises.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Normal(pub(super) DVec3);
+
+macro_rules! coordinates {
+    ($($kind:ident),*) => {$(
+        impl $kind {
+            /// The x coordinate.
+            pub fn x(self) -> f64 {
+                self.0.x
+            }
+
+            /// The y coordinate.
+            pub fn y(self) -> f64 {
+                self.0.y
+            }
+
+            /// The z coordinate.
+            pub fn z(self) -> f64 {
+                self.0.z
+            }
+
+            /// The coordinate along axis 0, 1 or 2.
+            pub fn along(self, axis: usize) -> f64 {
+                self.0[axis]
+            }
+
+            /// The three coordinates.
+            pub fn to_array(self) -> [f64; 3] {
+                self.0.to_array()
+            }
+
+            /// Whether no coordinate is NaN or infinite.
+            pub fn is_finite(self) -> bool {
+                self.0.is_finite()
+            }
+        }
+
+        impl From<$kind> for [f64; 3] {
+            fn from(it: $kind) -> Self {
+                it.0.to_array()
+            }
+        }
+
+        impl fmt::Debug for $kind {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                let [x, y, z] = self.to_array();
+                write!(f, concat!(stringify!($kind), "({:?}, {:?}, {:?})"), x, y, z)
+            }
+        }
+    )*};
+}
+coordinates!(Point, Vector, Normal);
+
+macro_rules! from_array {
+    ($($kind:ident),*) => {$(
+        impl From<[f64; 3]> for $kind {
+            fn from(it: [f64; 3]) -> Self {
+                Self(DVec3::from_array(it))
+            }
+        }
+    )*};
+}
+from_array!(Point, Vector);
+
+impl Point {
+    /// The origin of coordinates.
+    pub const ORIGIN: Self = Self(DVec3::ZERO);
+
+    /// The point with these coordinates.
+    pub const fn new(x: f64, y: f64, z: f64) -> Self {
+        Self(DVec3::new(x, y, z))
+    }
+
+    /// The distance to another point.
+    pub fn distance(self, other: Point) -> f64 {
+        (other - self).length()
+    }
+
+    /// The square of the distance to another point.
+    pub fn distance_squared(self, other: Point) -> f64 {
+        (other - self).length_squared()
+    }
+
+    /// This point with the coordinate along `axis` replaced.
+    pub fn with(mut self, axis: usize, value: f64) -> Self {
+        self.0[axis] = value;
+        self
+    }
+
+    /// The smaller of each coordinate.
+    pub fn min(self, other: Point) -> Self {
+        Self(self.0.min(other.0))
+    }
+
+    /// The larger of each coordinate.
+    pub fn max(self, other: Point) -> Self {
+        Self(self.0.max(other.0))
+    }
+
+    /// The vector from the origin to this point.
+    pub fn to_vector(self) -> Vector {
+        Vector(self.0)
+    }
+}
+
+impl Vector {
+    /// The vector of length 0.
+    pub const ZERO: Self = Self(DVec3::ZERO);
+    /// The unit vector along x.
+    pub const X: Self = Self(DVec3::X);
+    /// The unit vector along y.
+    pub const Y: Self = Self(DVec3::Y);
+    /// The unit vector along z.
+    pub const Z: Self = Self(DVec3::Z);
+
+    /// The vector with these components.
+    pub const fn new(x: f64, y: f64, z: f64) -> Self {
+        Self(DVec3::new(x, y, z))
+    }
+
+    /// The scalar product.
+    pub fn dot(self, other: impl Into<Vector>) -> f64 {
+        self.0.dot(other.into().0)
+    }
+
+    /// The vector product, `self ^ other` in the book.
+    pub fn cross(self, other: impl Into<Vector>) -> Vector {
+        Vector(self.0.cross(other.into().0))
+    }
+
+    /// The length.
+    pub fn length(self) -> f64 {
+        self.0.length()
+    }
+
+    /// The square of the length.
+    pub fn length_squared(self) -> f64 {
+        self.0.length_squared()
+    }
+
+    /// The unit vector of the same direction, the book's `hat`; `None` for a vector that is zero
+    /// or not finite.
+    pub fn unit(self) -> Option<Vector> {
+        Normal::new(self).map(Vector::from)
+    }
+
+    /// The largest component, without its sign.
+    pub fn max_abs(self) -> f64 {
+        self.0.abs().max_element()
+    }
+
+    /// Each component without its sign.
+    pub fn abs(self) -> Vector {
+        Vector(self.0.abs())
+    }
+
+    /// The axis (0, 1, 2) along which the component is largest, without its sign.
+    pub fn dominant_axis(self) -> usize {
+        let a = self.0.abs();
+        if a.x > a.y {
+            if a.x > a.z { 0 } else { 2 }
+        } else if a.y > a.z {
+            1
+        } else {
+            2
+        }
+    }
+}
+
+impl Normal {
+    /// Along x.
+    pub const X: Self = Self(DVec3::X);
+    /// Along y.
+    pub const Y: Self = Self(DVec3::Y);
+    /// Along z.
+    pub const Z: Self = Self(DVec3::Z);
+
+    /// The normal in the direction of `v`, unit within 4u; `None` if `v` is zero or not finite.
+    pub fn new(v: Vector) -> Option<Self> {
+        let largest = v.max_abs();
+        if !(largest > 0.0 && largest.is_finite()) {
+            return None;
+        }
+        // far from 1 the squares would overflow or vanish; a power of two changes no digit
+        let v = match largest {
+            l if l < 1e-140 => v * TWO_TO_600,
+            l if l > 1e140 => v * (1.0 / TWO_TO_600),
+            _ => v,
+        };
+        Some(Self(v.0 / v.length()))
+    }
+
+    /// The scalar product.
+    pub fn dot(self, other: impl Into<Vector>) -> f64 {
+        self.0.dot(other.into().0)
+    }
+
+    /// The vector product.
+    pub fn cross(self, other: impl Into<Vector>) -> Vector {
+        Vector(self.0.cross(other.into().0))
+    }
+}
+
+impl From<Normal> for Vector {
+    fn from(n: Normal) -> Self {
+        Vector(n.0)
+    }
+}
+
+macro_rules! operators {
+    ($($left:ident $op:ident $method:ident $right:ident = $out:ident;)*) => {$(
+        impl $op<$right> for $left {
+            type Output = $out;
+            fn $method(self, other: $right) -> $out {
+                $out(self.0.$method(other.0))
+            }
+        }
+    )*};
+}
+operators! {
+    Vector Add add Vector = Vector;
+    Vector Sub sub Vector = Vector;
+    Point Add add Vector = Point;
+    Point Sub sub Vector = Point;
+    Point Sub sub Point = Vector;
+    Normal Add add Normal = Vector;
+    Normal Add add Vector = Vector;
+    Vector Add add Normal = Vector;
+    Vector Sub sub Normal = Vector;
+}
+
+macro_rules! scaling {
+    ($($kind:ident),*) => {$(
+        impl Mul<f64> for $kind {
+            type Output = Vector;
+            fn mul(self, a: f64) -> Vector {
+                Vector(self.0 * a)
+            }
+        }
+        impl Mul<$kind> for f64 {
+            type Output = Vector;
+            fn mul(self, v: $kind) -> Vector {
+                Vector(v.0 * self)
+            }
+        }
+        impl Neg for $kind {
+            type Output = $kind;
+            fn neg(self) -> $kind {
+                $kind(-self.0)
+            }
+        }
+    )*};
+}
+scaling!(Vector, Normal);
+
+impl Div<f64> for Vector {
+    type Output = Vector;
+    fn div(self, a: f64) -> Vector {
+        Vector(self.0 / a)
+    }
+}
+
+impl AddAssign for Vector {
+    fn add_assign(&mut self, other: Vector) {
+        self.0 += other.0;
+    }
+}

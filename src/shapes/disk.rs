@@ -1,0 +1,72 @@
+//! The disk (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Candidate, Context, Shape, Surface, plane_distance};
+use crate::invalid::{Invalid, direction, finite_point, positive};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+
+/// The points of a plane within `radius` of `center`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Disk {
+    /// The centre.
+    pub center: Point,
+    /// Perpendicular to the disk; not zero, need not be unit.
+    pub normal: Vector,
+    /// Positive.
+    pub radius: f64,
+}
+
+#[derive(Debug)]
+struct Built {
+    center: Point,
+    normal: Normal,
+    radius: f64,
+}
+
+impl Specification for Disk {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        Ok(Arc::new(Built {
+            center: finite_point("center", self.center)?,
+            normal: direction("normal", self.normal)?,
+            radius: positive("radius", self.radius)?,
+        }))
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { center: Point::ORIGIN, normal: Vector::Y, radius: 1.0 },
+            Self { center: Point::new(0.5, 0.25, -0.5), normal: Vector::new(1.0, 2.0, -3.0), radius: 0.75 },
+        ]
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let t = plane_distance(ray, self.center, self.normal);
+        if !span.contains(t) {
+            return None;
+        }
+        let within = ray.at(t).distance_squared(self.center) <= self.radius * self.radius;
+        within.then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), self.center, self.normal)
+    }
+
+    fn bounds(&self) -> Aabb {
+        // along an axis the disk reaches r sin of the angle between axis and normal
+        let [x, y, z] = self.normal.to_array();
+        let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
+        let half = self.radius * Vector::new(sine(y, z), sine(z, x), sine(x, y));
+        Aabb { min: self.center - half, max: self.center + half }
+    }
+}

@@ -1,0 +1,100 @@
+//! Instances (Suffern, ch. 21): a shape seen through a transformation.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Candidate, Context, Kind, Shape, Surface};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
+
+/// A shape transformed by a list of steps, first to last. The texture moves with the shape.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Instance {
+    /// What is transformed; it may be an instance itself.
+    pub of: Box<Kind>,
+    /// The steps, in the order in which they are applied.
+    pub transform: Vec<Step>,
+}
+
+#[derive(Debug)]
+struct Built {
+    shape: Arc<dyn Shape>,
+    transform: Transform,
+}
+
+impl Specification for Instance {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let transform = Transform::from_steps(&self.transform)
+            .map_err(|singular| Invalid::field("transform", singular.to_string()))?;
+        let shape = context.nested(|context| self.of.build(context)).map_err(|e| e.inside("of"))?;
+        Ok(Arc::new(Built { shape, transform }))
+    }
+
+    fn specimens() -> Vec<Self> {
+        let sphere = || Box::new(Kind::from(super::Sphere { center: Point::ORIGIN, radius: 1.0 }));
+        let ellipsoid = Self {
+            of: sphere(),
+            transform: vec![
+                Step::Scale(Vector::new(2.0, 3.0, 1.0)),
+                Step::RotateX(-45.0),
+                Step::Translate(Vector::Y),
+            ],
+        };
+        let sheared = Self {
+            of: Box::new(Kind::from(super::Box {
+                min: Point::new(-1.0, -0.5, -1.0),
+                max: Point::new(0.5, 1.0, 1.0),
+            })),
+            transform: vec![
+                Step::Shear([0.5, 0.0, 0.0, 0.25, 0.0, 0.0]),
+                Step::Reflect(crate::math::Axis::X),
+            ],
+        };
+        let nested = Self {
+            of: Box::new(Kind::from(ellipsoid.clone())),
+            transform: vec![Step::RotateZ(30.0), Step::Scale(Vector::new(0.5, 0.25, 1.0))],
+        };
+        vec![ellipsoid, sheared, nested]
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.shape.hit(&self.transform.ray_back(ray), span)
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.shape.shadow_hit(&self.transform.ray_back(ray), span)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let inner = self.shape.surface(&self.transform.ray_back(ray), at);
+        let point = self.transform.point(inner.point);
+        let outer = |n: Normal| {
+            Normal::new(self.transform.covector(n)).expect("the transformation is not singular")
+        };
+        let normal = outer(inner.normal);
+        // how much longer a step along the normal is outside than inside
+        let stretch = 1.0 / self.transform.covector(inner.normal).length();
+        // rounding of this point, and of the next ray's origin when it is moved back
+        let forward = self.transform.magnitude(inner.point).dot(Vector::from(normal).abs());
+        let back = self.transform.inverse().magnitude(point);
+        let back = back.dot(Vector::from(inner.normal).abs());
+        let error = stretch * inner.error + 6.0 * UNIT_ROUNDOFF * (forward + stretch * back);
+        Surface { point, error, normal, shading: outer(inner.shading), local: inner.local }
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.shape.roots(&self.transform.ray_back(ray), span)
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.transform.bounds(&self.shape.bounds())
+    }
+}

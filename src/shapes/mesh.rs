@@ -1,0 +1,195 @@
+//! Triangle meshes (Suffern, ch. 23): shared vertices, and an acceleration of their own.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::watertight::{self, ShearedRay};
+use super::{Candidate, Context, Shape, Surface};
+use crate::accel::{self, Accel, Primitives};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+
+/// The triangles of a PLY or OBJ file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// The file, relative to the scene file.
+    pub file: PathBuf,
+    /// Shade with interpolated vertex normals: those of the file, or the book's mean of the
+    /// adjacent faces' normals.
+    #[serde(default)]
+    pub smooth: bool,
+    /// Turn all normals around, for files wound clockwise.
+    #[serde(default)]
+    pub reverse_normals: bool,
+    /// How rays find its triangles; as the scene if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<accel::Method>,
+}
+
+impl Specification for Mesh {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let data = context.mesh(&self.file)?;
+        let vertices = data.vertices.iter().copied().map(Point::from).collect();
+        let normals = data.normals.as_ref().filter(|_| self.smooth).map(|normals| {
+            let unit = |&n: &[f64; 3]| Normal::new(n.into()).unwrap_or(Normal::Y);
+            normals.iter().map(unit).collect()
+        });
+        let mut mesh = TriangleMesh::new(vertices, data.triangles.clone());
+        if self.smooth {
+            mesh.normals = Some(normals.unwrap_or_else(|| mesh.mean_normals()));
+        }
+        if self.reverse_normals {
+            mesh.reverse();
+        }
+        Ok(Arc::new(mesh.accelerated(self.accel.unwrap_or(context.accel()))))
+    }
+
+    fn specimens() -> Vec<Self> {
+        let file = |smooth| Self {
+            file: concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply").into(),
+            smooth,
+            reverse_normals: false,
+            accel: None,
+        };
+        vec![file(false), file(true)]
+    }
+}
+
+/// Triangles on shared vertices. Triangles of area zero are left out: no ray meets them.
+#[derive(Clone, Debug)]
+pub struct TriangleMesh {
+    vertices: Vec<Point>,
+    normals: Option<Vec<Normal>>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl TriangleMesh {
+    /// A flat mesh. Indices must be below the number of vertices.
+    pub fn new(vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Self {
+        let mut mesh = Self { vertices, normals: None, triangles };
+        let triangles = std::mem::take(&mut mesh.triangles);
+        let has_area = |&t: &[u32; 3]| watertight::normal(mesh.corners(t)).is_some();
+        mesh.triangles = triangles.into_iter().filter(has_area).collect();
+        mesh
+    }
+
+    /// The same mesh shaded smoothly with these vertex normals, one for each vertex.
+    pub fn with_normals(self, normals: Vec<Normal>) -> Self {
+        Self { normals: Some(normals), ..self }
+    }
+
+    /// For each vertex the normalised sum of the normals of its faces, unweighted as in the book;
+    /// (0, 1, 0) where the sum is zero.
+    pub fn mean_normals(&self) -> Vec<Normal> {
+        let mut sums = vec![Vector::ZERO; self.vertices.len()];
+        for &triangle in &self.triangles {
+            if let Some(normal) = watertight::normal(self.corners(triangle)) {
+                for vertex in triangle {
+                    sums[vertex as usize] += normal.into();
+                }
+            }
+        }
+        sums.into_iter().map(|sum| Normal::new(sum).unwrap_or(Normal::Y)).collect()
+    }
+
+    /// Turns all normals around.
+    pub fn reverse(&mut self) {
+        for [_, b, c] in &mut self.triangles {
+            std::mem::swap(b, c);
+        }
+        for normal in self.normals.iter_mut().flatten() {
+            *normal = -*normal;
+        }
+    }
+
+    /// Ready for rays.
+    pub fn accelerated(self, method: accel::Method) -> impl Shape {
+        let bounds: Vec<Aabb> =
+            self.triangles.iter().map(|&t| watertight::bounds(self.corners(t))).collect();
+        let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        Built { accel: Accel::build(method, &bounds), bounds: whole, mesh: self }
+    }
+
+    fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
+        triangle.map(|vertex| self.vertices[vertex as usize])
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    mesh: TriangleMesh,
+    accel: Accel,
+    bounds: Aabb,
+}
+
+/// The triangles as one ray sees them.
+struct Seen<'a> {
+    mesh: &'a TriangleMesh,
+    ray: ShearedRay,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let triangle = self.mesh.triangles[index as usize];
+        let meeting = self.ray.meet(self.mesh.corners(triangle))?;
+        span.contains(meeting.t).then_some(Candidate {
+            t: meeting.t,
+            part: index,
+            parameters: meeting.barycentric,
+        })
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        watertight::bounds(self.mesh.corners(self.mesh.triangles[index as usize]))
+    }
+}
+
+impl Built {
+    fn seen(&self, ray: &Ray) -> Seen<'_> {
+        Seen { mesh: &self.mesh, ray: ShearedRay::new(ray) }
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.accel.nearest(&self.seen(ray), ray, span).map(|(_, candidate)| candidate)
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.accel.any(&self.seen(ray), ray, span).map(|(_, candidate)| candidate.t)
+    }
+
+    fn surface(&self, _: &Ray, at: &Candidate) -> Surface {
+        let triangle = self.mesh.triangles[at.part as usize];
+        let corners = self.mesh.corners(triangle);
+        let normal = watertight::normal(corners).expect("triangles of area zero were left out");
+        let (point, error) = watertight::point_on(corners, at.parameters, normal);
+        let mut surface = Surface::new(point, error, normal);
+        if let Some(normals) = &self.mesh.normals {
+            let [n0, n1, n2] = triangle.map(|vertex| normals[vertex as usize]);
+            let [beta, gamma] = at.parameters;
+            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
+            surface.shading = Normal::new(mean).unwrap_or(normal);
+        }
+        surface
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        let seen = self.seen(ray);
+        let all = 0..self.mesh.triangles.len() as u32;
+        let mut roots: Vec<_> = all.filter_map(|index| seen.hit(index, span)).collect();
+        roots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        roots
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+}

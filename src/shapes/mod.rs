@@ -1,0 +1,141 @@
+//! Shapes: what a ray can hit (Suffern, ch. 3, 19, 21, 23).
+//!
+//! A hit is found in two steps. [`Shape::hit`] answers with a small [`Candidate`]; for the nearest
+//! one of all objects, [`Shape::surface`] then works out point, error bound and normals, once. The
+//! book's `hit` does both at a time and its callers must remember to keep the nearest record.
+//!
+//! Each kind is a file with its plain data (what a scene says), the check that builds it, and its
+//! `Shape`; its entry in the list at the end gives it its tag in scene files and enrols it in the
+//! contract tests.
+
+use std::fmt::Debug;
+
+use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
+
+/// A hit that may turn out not to be the nearest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Candidate {
+    /// Where along the ray, in units of its direction.
+    pub t: f64,
+    /// Which face of a box, which triangle of a mesh; 0 for shapes of one part.
+    pub part: u32,
+    /// Two parameters on that part, such as barycentric coordinates; 0 where none are needed.
+    pub parameters: [f64; 2],
+}
+
+impl Candidate {
+    /// A hit of a shape of one part.
+    pub fn at(t: f64) -> Self {
+        Self { t, part: 0, parameters: [0.0; 2] }
+    }
+}
+
+/// The surface at a hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// The point, moved onto the surface: closer to it than `ray.at(t)`.
+    pub point: Point,
+    /// Bound on the distance, along the geometric normal, between `point` and the surface as the
+    /// shape's own `hit` sees it: a ray that starts farther off than this does not hit it again.
+    pub error: f64,
+    /// Perpendicular to the surface; outward for what has an inside. Never turned to the viewer.
+    pub normal: Normal,
+    /// The normal that shading uses; differs from `normal` on smooth meshes only.
+    pub shading: Normal,
+    /// The point in the coordinates of the innermost shape, where textures live.
+    pub local: Point,
+}
+
+impl Surface {
+    /// A surface with one normal, in its own coordinates.
+    pub fn new(point: Point, error: f64, normal: Normal) -> Self {
+        Self { point, error, normal, shading: normal, local: point }
+    }
+
+    /// A plane through `anchor`, hit near `point`, which is moved onto it.
+    pub fn flat(point: Point, anchor: Point, normal: Normal) -> Self {
+        let point = point - (point - anchor).dot(normal) * normal;
+        // the sum of three products of differences, rounded: γ₅ of the magnitudes, doubled
+        let magnitude = point.to_vector().abs() + anchor.to_vector().abs();
+        let error = 10.0 * UNIT_ROUNDOFF * magnitude.dot(Vector::from(normal).abs());
+        Self::new(point, error, normal)
+    }
+
+    /// Where a ray that leaves in this direction starts: off the surface by three error bounds,
+    /// on the side it leaves to. There is no constant epsilon: see Pharr, Jakob & Humphreys,
+    /// *PBRT*, "Managing rounding error".
+    pub fn leave(&self, direction: Vector) -> Point {
+        let side = 3.0_f64.copysign(self.normal.dot(direction));
+        self.point + (side * self.error) * self.normal
+    }
+}
+
+/// Something a ray can hit.
+///
+/// `t` depends on the ray and the shape alone, never on the span: accelerators rely on it to give
+/// the same bits as the list. Contract: `tests/contracts/shape.rs`.
+pub trait Shape: Debug + Send + Sync {
+    /// The nearest hit inside the span.
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate>;
+
+    /// Some hit inside the span, for shadows: its `t`. Any will do, and the first found may be
+    /// cheaper than the nearest.
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.hit(ray, span).map(|candidate| candidate.t)
+    }
+
+    /// Everything about the surface at a hit of this ray.
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface;
+
+    /// Every hit inside the span in ascending order; a double root counts once or twice. The
+    /// default serves shapes that a line meets at most once.
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.hit(ray, span).into_iter().collect()
+    }
+
+    /// A box that contains every point of the surface.
+    fn bounds(&self) -> Aabb;
+}
+
+/// The candidates of a shape of one part at those `ts` (ascending) that the span contains.
+fn inside(span: Span, ts: Option<[f64; 2]>) -> impl Iterator<Item = Candidate> {
+    ts.into_iter().flatten().filter(move |&t| span.contains(t)).map(Candidate::at)
+}
+
+/// Where a ray meets the plane through `anchor` with this normal; infinite or NaN for a ray in or
+/// beside the plane, which no span contains.
+fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
+    (anchor - ray.origin).dot(normal) / ray.direction.dot(normal)
+}
+
+// shared by the kinds
+mod context;
+mod watertight;
+
+mod cuboid;
+mod disk;
+mod instance;
+mod mesh;
+mod open_cylinder;
+mod plane;
+mod rectangle;
+mod sphere;
+mod tessellated_sphere;
+mod triangle;
+
+pub use context::Context;
+
+crate::kinds! {
+    /// A shape as a scene file says it.
+    Kind builds dyn Shape with Context;
+    ch03 plane::Plane,
+    ch03 sphere::Sphere,
+    ch19 cuboid::Box,
+    ch19 triangle::Triangle,
+    ch19 rectangle::Rectangle,
+    ch19 disk::Disk,
+    ch19 open_cylinder::OpenCylinder,
+    ch21 instance::Instance,
+    ch23 mesh::Mesh,
+    ch23 tessellated_sphere::TessellatedSphere,
+}

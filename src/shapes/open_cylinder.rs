@@ -1,0 +1,82 @@
+//! The open cylinder (Suffern, ch. 19): a wall without end caps.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Candidate, Context, Shape, Surface, inside};
+use crate::invalid::{Invalid, finite, positive};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
+
+/// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OpenCylinder {
+    /// The lower end.
+    pub y0: f64,
+    /// The upper end, above `y0`.
+    pub y1: f64,
+    /// Positive.
+    pub radius: f64,
+}
+
+impl Specification for OpenCylinder {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let (y0, y1) = (finite("y0", self.y0)?, finite("y1", self.y1)?);
+        if y0 >= y1 {
+            return Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")));
+        }
+        positive("radius", self.radius)?;
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { y0: -1.0, y1: 1.0, radius: 1.0 },
+            Self { y0: 0.25, y1: 0.5, radius: 0.375 },
+        ]
+    }
+}
+
+/// `v` without its part along the axis.
+fn across(v: Vector) -> Vector {
+    Vector::new(v.x(), 0.0, v.z())
+}
+
+impl OpenCylinder {
+    /// Both roots are tried: when the near one lies beyond an end, the far one may be on the wall.
+    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
+        let (f, d) = (across(ray.origin.to_vector()), across(ray.direction));
+        let (y, dy) = (ray.origin.y(), ray.direction.y());
+        let wall = self.y0..=self.y1;
+        inside(span, perpendicular_roots(f, d, self.radius))
+            .filter(move |at| wall.contains(&(y + at.t * dy)))
+    }
+}
+
+impl Shape for OpenCylinder {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.hits(ray, span).next()
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let raw = ray.at(at.t);
+        let normal = Normal::new(across(raw.to_vector())).expect("a hit is a radius off the axis");
+        let r = self.radius * normal;
+        let point = Point::new(r.x(), raw.y(), r.z());
+        Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.hits(ray, span).collect()
+    }
+
+    fn bounds(&self) -> Aabb {
+        let r = self.radius;
+        Aabb { min: Point::new(-r, self.y0, -r), max: Point::new(r, self.y1, r) }
+    }
+}

@@ -1,0 +1,92 @@
+//! The rectangle (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Candidate, Context, Shape, Surface, plane_distance};
+use crate::invalid::{Invalid, finite_point, finite_vector};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross};
+
+/// The rectangle from `corner` along `a` and `b`; its normal is `a × b` normalised.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rectangle {
+    /// A corner, `p0` in the book.
+    pub corner: Point,
+    /// One side.
+    pub a: Vector,
+    /// The other side, perpendicular to `a`.
+    pub b: Vector,
+}
+
+#[derive(Debug)]
+struct Built {
+    data: Rectangle,
+    normal: Normal,
+}
+
+/// How far from perpendicular the sides may be, as the cosine between them: more than the rounding
+/// of typed numbers, less than anyone could see.
+const SKEW: f64 = 1e-9;
+
+impl Specification for Rectangle {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        finite_point("corner", self.corner)?;
+        let (a, b) = (finite_vector("a", self.a)?, finite_vector("b", self.b)?);
+        let zero = Point::ORIGIN;
+        let normal = Normal::new(exact_cross(zero, zero + a, zero + b)).ok_or_else(|| {
+            Invalid::field("b", format!("found {:?}, but the sides must span an area", b.to_array()))
+        })?;
+        let cosine = a.dot(b) / (a.length() * b.length());
+        if cosine.abs() > SKEW {
+            let (a, b) = (a.to_array(), b.to_array());
+            return Err(Invalid::field(
+                "b",
+                format!("found {b:?}, but it must be perpendicular to a, {a:?}"),
+            ));
+        }
+        Ok(Arc::new(Built { data: self.clone(), normal }))
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self {
+                corner: Point::new(-1.0, 0.0, -1.0),
+                a: Vector::new(0.0, 0.0, 2.0),
+                b: Vector::new(2.0, 0.0, 0.0),
+            },
+            Self {
+                corner: Point::new(-0.5, 0.25, 0.5),
+                a: Vector::new(1.0, 2.0, 2.0),
+                b: Vector::new(0.5, -0.5, 0.25),
+            },
+        ]
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let Rectangle { corner, a, b } = self.data;
+        let t = plane_distance(ray, corner, self.normal);
+        if !span.contains(t) {
+            return None;
+        }
+        let d = ray.at(t) - corner;
+        let inside = |side: Vector| (0.0..=side.length_squared()).contains(&d.dot(side));
+        (inside(a) && inside(b)).then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), self.data.corner, self.normal)
+    }
+
+    fn bounds(&self) -> Aabb {
+        let Rectangle { corner, a, b } = self.data;
+        Aabb::around([corner, corner + a, corner + b, corner + (a + b)])
+    }
+}
