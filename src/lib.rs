@@ -1,1 +1,3 @@
 //! Groundtruth.
+
+pub mod mesh_file;
