@@ -118,8 +118,8 @@ pub enum MeshFileError {
         /// What was being read.
         place: Place,
     },
-    /// A line of a PLY file with fewer values than the header says.
-    #[error("{place}: no value for `{property}`; the header asks for one")]
+    /// A line with fewer values than it needs.
+    #[error("{place}: the line ends before the value of `{property}`")]
     MissingValue {
         /// The line.
         place: Place,

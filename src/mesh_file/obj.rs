@@ -127,17 +127,21 @@ fn parse_corner(
 ) -> Result<Corner, MeshFileError> {
     let expected = "a corner `v`, `v/vt`, `v//vn` or `v/vt/vn` of integers";
     let wrong = || MeshFileError::Syntax { line, found: quoted(word), expected };
-    let mut found = [None; 3];
-    for (at, part) in word.split(|&b| b == b'/').enumerate() {
-        if at == 3 {
-            return Err(wrong());
-        }
+    let mut parts = word.split(|&b| b == b'/');
+    let mut indices = [None; 3];
+    for (index, part) in indices.iter_mut().zip(&mut parts) {
         if !part.is_empty() {
-            let index = parse_word(part).ok_or_else(wrong)?;
-            found[at] = Some(resolve(line, KINDS[at], index, before[at], counts[at])?);
+            *index = Some(parse_word(part).ok_or_else(wrong)?);
         }
     }
-    Ok((found[0].ok_or_else(wrong)?, found[1], found[2]))
+    if indices[0].is_none() || parts.next().is_some() {
+        return Err(wrong());
+    }
+    let at = |kind: usize| {
+        let index = indices[kind];
+        index.map(|i| resolve(line, KINDS[kind], i, before[kind], counts[kind])).transpose()
+    };
+    Ok((at(0)?.ok_or_else(wrong)?, at(1)?, at(2)?))
 }
 
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
