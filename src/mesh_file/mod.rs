@@ -1,0 +1,103 @@
+//! Mesh files: PLY (all three encodings) and Wavefront OBJ, read into plain arrays (Suffern, ch. 23).
+//!
+//! A file is read whole, and its header is believed only as far as the bytes that follow it reach:
+//! besides the file itself, reading takes less than 64 bytes for each byte of the file, whatever
+//! the file says. What comes out is complete and in range: finite numbers, indices of vertices
+//! that exist, one normal and one uv per vertex or none at all. Triangles without area, normals
+//! that are not unit and vertices that no triangle uses are left to the mesh.
+//!
+//! The readers are our own. `tobj` 4.0 overflows on a texture or normal index out of range, shifts
+//! the texture coordinates when only some corners have one, turns polylines into triangles and
+//! knows no line numbers; `ply-rs-bw` 4.0 allocates whatever a header promises for an element
+//! without properties, drops a property that is declared twice and refuses `.5` and `1.`.
+
+mod error;
+mod obj;
+mod ply;
+
+use std::path::Path;
+use std::str::FromStr;
+
+pub use error::{MeshFileError, Place};
+pub use obj::parse_obj;
+pub use ply::{Encoding, parse_ply, write_ply};
+
+/// What a mesh file holds; polygons are already split into triangles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MeshData {
+    /// Positions, finite.
+    pub vertices: Vec<[f64; 3]>,
+    /// One for each vertex, as the file has them: finite, perhaps not unit.
+    pub normals: Option<Vec<[f64; 3]>>,
+    /// Texture coordinates, one for each vertex, finite.
+    pub uvs: Option<Vec<[f64; 2]>>,
+    /// Indices into `vertices`, wound as in the file; at least one triangle, and less than 2³².
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Reads a `.ply` or `.obj` file; upper and lower case are the same.
+///
+/// # Errors
+/// A file that cannot be opened, has another extension or is damaged; the message has the path.
+pub fn read(path: &Path) -> Result<MeshData, MeshFileError> {
+    let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    let parse = match extension.as_deref() {
+        Some("ply") => parse_ply,
+        Some("obj") => parse_obj,
+        _ => return Err(MeshFileError::Extension { path: path.into() }),
+    };
+    let bytes = std::fs::read(path)
+        .map_err(|source| MeshFileError::Unreadable { path: path.into(), source })?;
+    parse(&bytes)
+        .map_err(|source| MeshFileError::InFile { path: path.into(), source: Box::new(source) })
+}
+
+/// Splits a polygon as a fan around its first corner: right for convex polygons, and for others
+/// the usual convention.
+fn push_fan(
+    triangles: &mut Vec<[u32; 3]>,
+    corners: &[u32],
+    place: impl Fn() -> Place,
+) -> Result<(), MeshFileError> {
+    if corners.len() < 3 {
+        return Err(MeshFileError::FewCorners { place: place(), count: corners.len() });
+    }
+    triangles.extend(corners[1..].windows(2).map(|edge| [corners[0], edge[0], edge[1]]));
+    Ok(())
+}
+
+/// The data, unless it has no triangle or more than an index can count.
+fn checked(data: MeshData) -> Result<MeshData, MeshFileError> {
+    if data.triangles.is_empty() {
+        return Err(MeshFileError::NoFaces);
+    }
+    at_most_u32("triangles", data.triangles.len() as u64)?;
+    Ok(data)
+}
+
+/// As many as a `u32` can count?
+fn at_most_u32(what: &'static str, count: u64) -> Result<(), MeshFileError> {
+    if count > u64::from(u32::MAX) {
+        return Err(MeshFileError::TooMany { what, count });
+    }
+    Ok(())
+}
+
+/// The byte that ends a line: `\r` where the first line ends in a lone one, else `\n`, with a `\r`
+/// before it counted as white space.
+fn line_end(bytes: &[u8]) -> u8 {
+    match bytes.iter().position(|b| matches!(b, b'\r' | b'\n')) {
+        Some(at) if bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n') => b'\r',
+        _ => b'\n',
+    }
+}
+
+/// The words of a line.
+fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
+    line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
+}
+
+/// The word as a number of type `T`, if it is one.
+fn parse_word<T: FromStr>(word: &[u8]) -> Option<T> {
+    std::str::from_utf8(word).ok()?.parse().ok()
+}

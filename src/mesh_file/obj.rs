@@ -1,0 +1,207 @@
+//! Wavefront OBJ (*Advanced Visualizer manual*, appendix B): `v`, `vt`, `vn` and `f`.
+//!
+//! A face's corner names a position, a texture coordinate and a normal apart; a mesh has one index
+//! for all three. So each different corner becomes a vertex, in the order of first use, and a
+//! position used with two normals becomes two. Groups, materials, lines and all else is passed
+//! over. The text is read twice: first the points, so that a face may name one that comes later.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use super::error::quoted;
+use super::{MeshData, MeshFileError, Place};
+use super::{at_most_u32, checked, line_end, parse_word, push_fan, words};
+
+/// Reads the bytes of an OBJ file.
+///
+/// # Errors
+/// The first thing that is wrong; the message says in which line.
+pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
+    let points = Points::read(bytes)?;
+    let mut vertices = Vertices::default();
+    let mut triangles = Vec::new();
+    let mut face = Vec::new();
+    let mut before = [0; 3]; // points before this line: negative indices count from here
+    for (line, text) in statements(bytes) {
+        let mut words = words(&text);
+        match words.next() {
+            Some(b"v") => before[0] += 1,
+            Some(b"vt") => before[1] += 1,
+            Some(b"vn") => before[2] += 1,
+            Some(b"f") => {
+                face.clear();
+                for word in words {
+                    let corner = parse_corner(line, word, before, points.counts())?;
+                    face.push(vertices.index_of(line, corner)?);
+                }
+                push_fan(&mut triangles, &face, || Place::Line(line))?;
+            }
+            _ => {}
+        }
+    }
+    checked(vertices.into_data(&points, triangles))
+}
+
+/// The file's lines with their numbers, without comments; a `\` at the end joins the next line on.
+fn statements(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
+    let end = line_end(bytes);
+    let mut lines = bytes.split(move |&b| b == end).zip(1..);
+    std::iter::from_fn(move || {
+        let (line, number) = lines.next()?;
+        let mut text = Cow::Borrowed(code(line));
+        while text.last() == Some(&b'\\') {
+            let text = text.to_mut();
+            text.pop();
+            let Some((more, _)) = lines.next() else { break };
+            text.push(b' ');
+            text.extend(code(more));
+        }
+        Some((number, text))
+    })
+}
+
+/// The line before its comment.
+fn code(line: &[u8]) -> &[u8] {
+    line.split(|&b| b == b'#').next().unwrap_or_default().trim_ascii()
+}
+
+/// All points of the file, in their order.
+#[derive(Default)]
+struct Points {
+    positions: Vec<[f64; 3]>,
+    uvs: Vec<[f64; 2]>,
+    normals: Vec<[f64; 3]>,
+}
+
+impl Points {
+    fn read(bytes: &[u8]) -> Result<Points, MeshFileError> {
+        let mut points = Points::default();
+        for (line, text) in statements(bytes) {
+            let mut words = words(&text);
+            match words.next() {
+                // what may follow, a weight or a colour, is not for us; nor is a third uvw
+                Some(b"v") => points.positions.push(numbers(line, ["x", "y", "z"], words)?),
+                Some(b"vt") => points.uvs.push(numbers(line, ["u", "v"], words)?),
+                Some(b"vn") => points.normals.push(numbers(line, ["nx", "ny", "nz"], words)?),
+                _ => {}
+            }
+        }
+        points.counts().iter().try_for_each(|&count| at_most_u32("vertices", count as u64))?;
+        Ok(points)
+    }
+
+    fn counts(&self) -> [usize; 3] {
+        [self.positions.len(), self.uvs.len(), self.normals.len()]
+    }
+}
+
+fn numbers<'a, const N: usize>(
+    line: usize,
+    names: [&str; N],
+    mut words: impl Iterator<Item = &'a [u8]>,
+) -> Result<[f64; N], MeshFileError> {
+    let mut values = [0.0; N];
+    for (value, name) in values.iter_mut().zip(names) {
+        let (place, property) = (Place::Line(line), name.to_string());
+        let Some(word) = words.next() else {
+            return Err(MeshFileError::MissingValue { place, property });
+        };
+        let Some(number) = parse_word(word).filter(|number: &f64| number.is_finite()) else {
+            let (found, expected) = (quoted(word), "a finite number");
+            return Err(MeshFileError::Value { place, property, found, expected });
+        };
+        *value = number;
+    }
+    Ok(values)
+}
+
+/// Places in the lists of positions, texture coordinates and normals, counted from 0.
+type Corner = (u32, Option<u32>, Option<u32>);
+
+/// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+fn parse_corner(
+    line: usize,
+    word: &[u8],
+    before: [usize; 3],
+    counts: [usize; 3],
+) -> Result<Corner, MeshFileError> {
+    let expected = "a corner `v`, `v/vt`, `v//vn` or `v/vt/vn` of integers";
+    let wrong = || MeshFileError::Syntax { line, found: quoted(word), expected };
+    let mut parts = word.split(|&b| b == b'/');
+    let mut indices = [None; 3];
+    for (index, part) in indices.iter_mut().zip(&mut parts) {
+        if !part.is_empty() {
+            *index = Some(parse_word(part).ok_or_else(wrong)?);
+        }
+    }
+    if indices[0].is_none() || parts.next().is_some() {
+        return Err(wrong());
+    }
+    let at = |kind: usize| {
+        let index = indices[kind];
+        index.map(|i| resolve(line, KINDS[kind], i, before[kind], counts[kind])).transpose()
+    };
+    Ok((at(0)?.ok_or_else(wrong)?, at(1)?, at(2)?))
+}
+
+const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
+
+/// From 1 up to `count`, or from −1 back to −`before`.
+fn resolve(
+    line: usize,
+    what: &'static str,
+    index: i64,
+    before: usize,
+    count: usize,
+) -> Result<u32, MeshFileError> {
+    let (first, known) = if index < 0 { (before as i64, before) } else { (-1, count) };
+    let at = first.saturating_add(index);
+    if index != 0 && at >= 0 && at < known as i64 {
+        return Ok(at as u32); // there are at most u32::MAX points
+    }
+    let allowed = match (known, index < 0) {
+        (0, true) => "none stands before this line".into(),
+        (0, false) => "the file has none".into(),
+        (_, true) => format!("negative indices go from -1 to -{before} here"),
+        (_, false) => format!("indices go from 1 to {count}"),
+    };
+    Err(MeshFileError::Index { place: Place::Line(line), what, index, allowed })
+}
+
+/// The different corners of all faces.
+#[derive(Default)]
+struct Vertices {
+    corners: Vec<Corner>,
+    known: HashMap<Corner, u32>,
+}
+
+impl Vertices {
+    fn index_of(&mut self, line: usize, corner: Corner) -> Result<u32, MeshFileError> {
+        if let Some(&index) = self.known.get(&corner) {
+            return Ok(index);
+        }
+        // the first corner of the file decides for all
+        let first = self.corners.first().unwrap_or(&corner);
+        for (what, one, other) in [(KINDS[1], first.1, corner.1), (KINDS[2], first.2, corner.2)] {
+            if one.is_some() != other.is_some() {
+                return Err(MeshFileError::MixedCorners { line, what });
+            }
+        }
+        at_most_u32("vertices", self.corners.len() as u64 + 1)?;
+        let index = self.corners.len() as u32;
+        self.known.insert(corner, index);
+        self.corners.push(corner);
+        Ok(index)
+    }
+
+    fn into_data(self, points: &Points, triangles: Vec<[u32; 3]>) -> MeshData {
+        let corners = self.corners.iter();
+        MeshData {
+            vertices: corners.clone().map(|c| points.positions[c.0 as usize]).collect(),
+            // `None` for one corner is `None` for all
+            uvs: corners.clone().map(|c| c.1.map(|at| points.uvs[at as usize])).collect(),
+            normals: corners.map(|c| c.2.map(|at| points.normals[at as usize])).collect(),
+            triangles,
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! Laws of the mesh file readers: what a file says is what comes out, and a damaged file gives an
+//! error, never a panic and never more memory than its size allows.
+
+#[path = "mesh_file/damage.rs"]
+mod damage;
+#[path = "mesh_file/obj.rs"]
+mod obj;
+#[path = "mesh_file/obj_errors.rs"]
+mod obj_errors;
+#[path = "mesh_file/ply.rs"]
+mod ply;
+#[path = "mesh_file/ply_body_errors.rs"]
+mod ply_body_errors;
+#[path = "mesh_file/ply_header_errors.rs"]
+mod ply_header_errors;
+#[path = "mesh_file/samples.rs"]
+mod samples;
