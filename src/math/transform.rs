@@ -64,6 +64,17 @@ pub struct Transform {
 }
 
 impl Step {
+    /// The same step in a scene whose lengths are multiplied by `factor`.
+    pub fn scaled(&self, factor: f64) -> Self {
+        match *self {
+            Step::Translate(v) => Step::Translate(factor * v),
+            Step::RotateAbout { point, direction, degrees } => {
+                Step::RotateAbout { point: point.scaled(factor), direction, degrees }
+            }
+            _ => self.clone(),
+        }
+    }
+
     /// The matrix of the step and that of its inverse; an inverse that does not exist is not finite.
     fn matrices(&self) -> [DAffine3; 2] {
         let linear = |m: DMat3, inverse: DMat3| [m, inverse].map(DAffine3::from_mat3);

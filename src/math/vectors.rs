@@ -133,6 +133,11 @@ impl Point {
         self
     }
 
+    /// The point `factor` times as far from the origin, in the same direction.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self(self.0 * factor)
+    }
+
     /// The smaller of each coordinate.
     pub fn min(self, other: Point) -> Self {
         Self(self.0.min(other.0))

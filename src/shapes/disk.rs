@@ -40,6 +40,10 @@ impl Specification for Disk {
         }))
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        Self { center: self.center.scaled(factor), radius: factor * self.radius, ..*self }
+    }
+
     fn specimens() -> Vec<Self> {
         vec![
             Self { center: Point::ORIGIN, normal: Vector::Y, radius: 1.0 },

@@ -36,6 +36,11 @@ impl Specification for Instance {
         Ok(Arc::new(Built { shape, transform }))
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        let transform = self.transform.iter().map(|step| step.scaled(factor)).collect();
+        Self { of: Box::new(self.of.scaled(factor)), transform }
+    }
+
     fn specimens() -> Vec<Self> {
         let sphere = || Box::new(Kind::from(super::Sphere { center: Point::ORIGIN, radius: 1.0 }));
         let ellipsoid = Self {

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::watertight::{self, ShearedRay};
 use super::{Candidate, Context, Shape, Surface};
 use crate::accel::{self, Accel, Primitives};
-use crate::invalid::Invalid;
+use crate::invalid::{Invalid, positive};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
@@ -18,6 +18,9 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 pub struct Mesh {
     /// The file, relative to the scene file.
     pub file: PathBuf,
+    /// The file's coordinates are multiplied by this.
+    #[serde(default = "one")]
+    pub scale: f64,
     /// Shade with interpolated vertex normals: those of the file, or the book's mean of the
     /// adjacent faces' normals.
     #[serde(default)]
@@ -30,13 +33,18 @@ pub struct Mesh {
     pub accel: Option<accel::Method>,
 }
 
+fn one() -> f64 {
+    1.0
+}
+
 impl Specification for Mesh {
     type Built = Arc<dyn Shape>;
     type Context = Context;
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let data = context.mesh(&self.file)?;
-        let vertices = data.vertices.iter().copied().map(Point::from).collect();
+        let scale = positive("scale", self.scale)?;
+        let vertices = data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
         let normals = data.normals.as_ref().filter(|_| self.smooth).map(|normals| {
             let unit = |&n: &[f64; 3]| Normal::new(n.into()).unwrap_or(Normal::Y);
             normals.iter().map(unit).collect()
@@ -51,9 +59,14 @@ impl Specification for Mesh {
         Ok(Arc::new(mesh.accelerated(self.accel.unwrap_or(context.accel()))))
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        Self { scale: factor * self.scale, ..self.clone() }
+    }
+
     fn specimens() -> Vec<Self> {
         let file = |smooth| Self {
             file: concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply").into(),
+            scale: 1.0,
             smooth,
             reverse_normals: false,
             accel: None,

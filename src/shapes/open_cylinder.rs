@@ -34,6 +34,10 @@ impl Specification for OpenCylinder {
         Ok(Arc::new(self.clone()))
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        Self { y0: factor * self.y0, y1: factor * self.y1, radius: factor * self.radius }
+    }
+
     fn specimens() -> Vec<Self> {
         vec![
             Self { y0: -1.0, y1: 1.0, radius: 1.0 },

@@ -34,6 +34,10 @@ impl Specification for Plane {
         Ok(Arc::new(Built { point, normal: direction("normal", self.normal)? }))
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        Self { point: self.point.scaled(factor), ..*self }
+    }
+
     fn specimens() -> Vec<Self> {
         vec![
             Self { point: Point::ORIGIN, normal: Vector::Y },

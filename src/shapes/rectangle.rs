@@ -53,6 +53,10 @@ impl Specification for Rectangle {
         Ok(Arc::new(Built { data: self.clone(), normal }))
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        Self { corner: self.corner.scaled(factor), a: factor * self.a, b: factor * self.b }
+    }
+
     fn specimens() -> Vec<Self> {
         vec![
             Self {

@@ -28,6 +28,10 @@ impl Specification for Sphere {
         Ok(Arc::new(Self { center, radius: positive("radius", self.radius)? }))
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        Self { center: self.center.scaled(factor), radius: factor * self.radius }
+    }
+
     fn specimens() -> Vec<Self> {
         vec![
             Self { center: Point::ORIGIN, radius: 1.0 },

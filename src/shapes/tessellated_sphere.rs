@@ -1,4 +1,4 @@
-//! The tessellated unit sphere (Suffern, ch. 23), flat or smooth.
+//! The tessellated sphere (Suffern, ch. 23), flat or smooth.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::mesh::TriangleMesh;
 use super::{Context, Shape};
-use crate::invalid::Invalid;
+use crate::invalid::{Invalid, positive};
 use crate::kinds::Specification;
 use crate::math::{Normal, Point, cos, sin};
 
-/// A sphere of radius 1 about the origin made of `2 h (v − 1)` triangles.
+/// A sphere about the origin made of `2 h (v − 1)` triangles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TessellatedSphere {
@@ -19,9 +19,16 @@ pub struct TessellatedSphere {
     pub horizontal: u32,
     /// Steps from pole to pole, 2 to 4096.
     pub vertical: u32,
+    /// Positive.
+    #[serde(default = "one")]
+    pub radius: f64,
     /// Shade with interpolated normals.
     #[serde(default)]
     pub smooth: bool,
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 impl Specification for TessellatedSphere {
@@ -35,13 +42,18 @@ impl Specification for TessellatedSphere {
                 return Err(Invalid::field(field, problem));
             }
         }
+        positive("radius", self.radius)?;
         Ok(Arc::new(self.mesh().accelerated(context.accel())))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {
         vec![
-            Self { horizontal: 3, vertical: 2, smooth: false },
-            Self { horizontal: 10, vertical: 5, smooth: true },
+            Self { horizontal: 3, vertical: 2, radius: 1.0, smooth: false },
+            Self { horizontal: 10, vertical: 5, radius: 0.75, smooth: true },
         ]
     }
 }
@@ -51,16 +63,17 @@ impl TessellatedSphere {
     /// point outward.
     pub fn mesh(&self) -> TriangleMesh {
         let (h, v) = (self.horizontal, self.vertical);
-        let mut vertices = vec![Point::new(0.0, 1.0, 0.0)];
+        let r = self.radius;
+        let mut vertices = vec![Point::new(0.0, r, 0.0)];
         for k in 1..v {
             let theta = PI * f64::from(k) / f64::from(v);
             for j in 0..h {
                 let phi = 2.0 * PI * f64::from(j) / f64::from(h);
                 let (x, y, z) = (sin(phi) * sin(theta), cos(theta), cos(phi) * sin(theta));
-                vertices.push(Point::new(x, y, z));
+                vertices.push(Point::new(r * x, r * y, r * z));
             }
         }
-        vertices.push(Point::new(0.0, -1.0, 0.0));
+        vertices.push(Point::new(0.0, -r, 0.0));
 
         let bottom = vertices.len() as u32 - 1;
         let on_ring = |j: u32, k: u32| 1 + (k - 1) * h + j % h;

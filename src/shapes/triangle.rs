@@ -41,6 +41,10 @@ impl Specification for Triangle {
         Ok(Arc::new(Built { vertices: self.vertices, normal }))
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        Self { vertices: self.vertices.map(|v| v.scaled(factor)) }
+    }
+
     fn specimens() -> Vec<Self> {
         let triangle = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Self {
             vertices: [a, b, c].map(Point::from),

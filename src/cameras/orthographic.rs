@@ -1,0 +1,47 @@
+//! The orthographic camera (Suffern, ch. 3): parallel rays.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Camera;
+use crate::invalid::{Invalid, positive};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector};
+
+/// Rays along −w from a plane through the eye.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Orthographic {
+    /// The picture is this many times as large.
+    #[serde(default = "one")]
+    pub zoom: f64,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Specification for Orthographic {
+    type Built = Arc<dyn Camera>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Camera>, Invalid> {
+        positive("zoom", self.zoom)?;
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { zoom: 1.0 }, Self { zoom: 2.5 }]
+    }
+}
+
+impl Camera for Orthographic {
+    fn ray(&self, [x, y]: [f64; 2]) -> (Point, Vector) {
+        (Point::new(x / self.zoom, y / self.zoom, 0.0), -Vector::Z)
+    }
+}

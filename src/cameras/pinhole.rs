@@ -1,0 +1,50 @@
+//! The pinhole camera (Suffern, ch. 8 and 9): perspective.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Camera;
+use crate::invalid::{Invalid, positive};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector};
+
+/// Rays from the eye through a view plane at a distance.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pinhole {
+    /// From the eye to the view plane, `d` in the book; positive.
+    pub distance: f64,
+    /// The picture is this many times as large.
+    #[serde(default = "one")]
+    pub zoom: f64,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Specification for Pinhole {
+    type Built = Arc<dyn Camera>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Camera>, Invalid> {
+        positive("distance", self.distance)?;
+        positive("zoom", self.zoom)?;
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { distance: factor * self.distance, zoom: self.zoom }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { distance: 500.0, zoom: 1.0 }, Self { distance: 2.5, zoom: 2.0 }]
+    }
+}
+
+impl Camera for Pinhole {
+    fn ray(&self, [x, y]: [f64; 2]) -> (Point, Vector) {
+        (Point::ORIGIN, Vector::new(x / self.zoom, y / self.zoom, -self.distance))
+    }
+}

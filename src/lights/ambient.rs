@@ -1,0 +1,59 @@
+//! Ambient light (Suffern, ch. 14).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Illumination, Light, Place};
+use crate::invalid::{Invalid, not_negative};
+use crate::kinds::Specification;
+use crate::rgb::Rgb;
+
+/// The same radiance `l_s c_l` everywhere and from everywhere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ambient {
+    /// Radiance scaling factor.
+    #[serde(default = "one")]
+    pub ls: f64,
+    /// Colour.
+    #[serde(default = "white")]
+    pub color: Rgb,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn white() -> Rgb {
+    Rgb::WHITE
+}
+
+#[derive(Debug)]
+struct Built {
+    radiance: Rgb,
+}
+
+impl Specification for Ambient {
+    type Built = Arc<dyn Light>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Light>, Invalid> {
+        let radiance = not_negative("ls", self.ls)? * self.color.checked("color")?;
+        Ok(Arc::new(Built { radiance }))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { ls: 0.25, color: Rgb::new(1.0, 0.5, 0.75) }]
+    }
+}
+
+impl Light for Built {
+    fn illuminate(&self, _: Place) -> Illumination {
+        Illumination::Ambient(self.radiance)
+    }
+}

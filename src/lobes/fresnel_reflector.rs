@@ -1,0 +1,43 @@
+//! The Fresnel reflector (Suffern, ch. 28): a mirror whose strength depends on the angle.
+
+use serde::{Deserialize, Serialize};
+
+use super::perfect_transmitter::relative;
+use super::{Claims, LobeSample, fresnel, mirrored};
+use crate::math::Vector;
+use crate::rgb::Rgb;
+
+/// Light from the mirror direction, by Fresnel's equations; all of it on total internal reflection.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FresnelReflector {
+    /// The index of refraction inside over the one outside.
+    pub eta: f64,
+}
+
+impl FresnelReflector {
+    pub(super) const SPECULAR: bool = true;
+    pub(super) const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+
+    pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
+        Rgb::BLACK
+    }
+
+    pub(super) fn pdf(&self, _: Vector, _: Vector) -> f64 {
+        0.0
+    }
+
+    pub(super) fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
+        let reflected = fresnel(wo.z().abs(), relative(self.eta, wo)).reflected;
+        let weight = Rgb::grey(reflected);
+        (reflected > 0.0).then_some(LobeSample { wi: mirrored(wo), weight, pdf: f64::INFINITY })
+    }
+
+    pub(super) fn albedo(&self, wo: Vector) -> Rgb {
+        Rgb::grey(fresnel(wo.z().abs(), relative(self.eta, wo)).reflected)
+    }
+
+    pub(super) fn specimens() -> Vec<Self> {
+        vec![Self { eta: 1.5 }, Self { eta: 0.75 }, Self { eta: 2.42 }]
+    }
+}

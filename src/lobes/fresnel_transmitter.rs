@@ -1,0 +1,46 @@
+//! The Fresnel transmitter (Suffern, ch. 28): refraction whose strength depends on the angle.
+
+use serde::{Deserialize, Serialize};
+
+use super::perfect_transmitter::relative;
+use super::{Claims, LobeSample, fresnel, normal_towards, refract};
+use crate::math::Vector;
+use crate::rgb::Rgb;
+
+/// Light from the refracted direction, by Fresnel's equations, times the `1/η²` of radiance.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FresnelTransmitter {
+    /// The index of refraction inside over the one outside.
+    pub eta: f64,
+}
+
+impl FresnelTransmitter {
+    pub(super) const SPECULAR: bool = true;
+    // as the perfect transmitter
+    pub(super) const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
+
+    pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
+        Rgb::BLACK
+    }
+
+    pub(super) fn pdf(&self, _: Vector, _: Vector) -> f64 {
+        0.0
+    }
+
+    pub(super) fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
+        let eta = relative(self.eta, wo);
+        let wi = refract(wo, normal_towards(wo), eta)?;
+        let transmitted = fresnel(wo.z().abs(), eta).transmitted;
+        let weight = Rgb::grey(transmitted / (eta * eta));
+        (transmitted > 0.0).then_some(LobeSample { wi, weight, pdf: f64::INFINITY })
+    }
+
+    pub(super) fn albedo(&self, wo: Vector) -> Rgb {
+        self.sample(wo, [0.0; 2]).map_or(Rgb::BLACK, |sample| sample.weight)
+    }
+
+    pub(super) fn specimens() -> Vec<Self> {
+        vec![Self { eta: 1.5 }, Self { eta: 0.75 }, Self { eta: 1.0 }]
+    }
+}

@@ -1,0 +1,141 @@
+//! Lobes: BRDFs and BTDFs, pure functions of directions (Suffern, ch. 13–15, 24, 27, 28).
+//!
+//! Directions are unit, in a local frame whose z axis is the surface's stored normal, and point
+//! away from the surface: `wo` to where the light goes, `wi` to where it comes from. A negative z
+//! is the inner side. A material builds the lobes of a hit once, on the stack; lobes never trace.
+
+mod fresnel_reflector;
+mod fresnel_transmitter;
+mod glossy_specular;
+mod lambertian;
+mod perfect_specular;
+mod perfect_transmitter;
+
+// shared by the kinds
+mod fresnel;
+mod refract;
+
+use arrayvec::ArrayVec;
+
+use crate::math::{Normal, Vector};
+use crate::rgb::Rgb;
+
+pub use fresnel::{Fresnel, fresnel};
+pub use refract::refract;
+
+/// A direction drawn by a lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LobeSample {
+    /// Where light is to be looked for.
+    pub wi: Vector,
+    /// What the light from there counts: `f |cos θ_i| / pdf`.
+    pub weight: Rgb,
+    /// Per steradian; infinite for the single direction of a mirror or a refraction.
+    pub pdf: f64,
+}
+
+/// What a lobe promises; the contract suite proves each promise, and for the book's lobes that do
+/// not keep one, proves the break.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Claims {
+    /// `f(wi, wo) = f(wo, wi)`.
+    pub reciprocal: bool,
+    /// No more light leaves than arrives, for any parameters.
+    pub conserves_energy: bool,
+}
+
+macro_rules! lobes {
+    ($($chapter:ident $module:ident::$Lobe:ident $name:literal),* $(,)?) => {
+        $(pub use $module::$Lobe;)*
+
+        /// One of the ways in which a surface scatters light.
+        #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum Lobe {
+            $(#[doc = concat!("See [`", stringify!($Lobe), "`].")] $Lobe($Lobe),)*
+        }
+
+        $(impl From<$Lobe> for Lobe {
+            fn from(lobe: $Lobe) -> Self {
+                Self::$Lobe(lobe)
+            }
+        })*
+
+        impl Lobe {
+            /// Chapter, file and examples of every lobe.
+            pub const ENTRIES: &'static [crate::kinds::Entry<Self>] = &[$(crate::kinds::Entry {
+                chapter: stringify!($chapter),
+                module: stringify!($module),
+                specimens: || $Lobe::specimens().into_iter().map(Self::from).collect(),
+            }),*];
+
+            /// The book's name, in words.
+            pub fn name(&self) -> &'static str {
+                match self { $(Self::$Lobe(_) => $name),* }
+            }
+
+            /// Radiance towards `wo` for irradiance from `wi`, per steradian; black for lobes of a
+            /// single direction.
+            pub fn f(&self, wo: Vector, wi: Vector) -> Rgb {
+                match self { $(Self::$Lobe(lobe) => lobe.f(wo, wi)),* }
+            }
+
+            /// The density of [`Lobe::sample`] at `wi`, per steradian; 0 for lobes of a single
+            /// direction.
+            pub fn pdf(&self, wo: Vector, wi: Vector) -> f64 {
+                match self { $(Self::$Lobe(lobe) => lobe.pdf(wo, wi)),* }
+            }
+
+            /// A direction for two numbers in `[0, 1)`; `None` where nothing is scattered.
+            pub fn sample(&self, wo: Vector, u: [f64; 2]) -> Option<LobeSample> {
+                match self { $(Self::$Lobe(lobe) => lobe.sample(wo, u)),* }
+            }
+
+            /// The share of uniform light that is sent to `wo`, `∫ f |cos θ_i| dω_i`.
+            pub fn albedo(&self, wo: Vector) -> Rgb {
+                match self { $(Self::$Lobe(lobe) => lobe.albedo(wo)),* }
+            }
+
+            /// Whether light comes from a single direction, which only a ray can find.
+            pub fn is_specular(&self) -> bool {
+                match self { $(Self::$Lobe(_) => $Lobe::SPECULAR),* }
+            }
+
+            /// What it promises.
+            pub fn claims(&self) -> Claims {
+                match self { $(Self::$Lobe(_) => $Lobe::CLAIMS),* }
+            }
+        }
+    };
+}
+
+lobes! {
+    ch13 lambertian::Lambertian "Lambertian",
+    ch15 glossy_specular::GlossySpecular "glossy specular",
+    ch24 perfect_specular::PerfectSpecular "perfect specular",
+    ch27 perfect_transmitter::PerfectTransmitter "perfect transmitter",
+    ch28 fresnel_reflector::FresnelReflector "Fresnel reflector",
+    ch28 fresnel_transmitter::FresnelTransmitter "Fresnel transmitter",
+}
+
+/// Which normal the z axis of a lobe's frame is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum About {
+    /// The interpolated normal of a smooth mesh.
+    Shading,
+    /// The true normal: sides and refraction must not be fooled by interpolation.
+    Geometry,
+}
+
+/// The lobes of one hit.
+pub type Lobes = ArrayVec<(Lobe, About), 4>;
+
+/// The normal of the local frame on the side of `w`.
+fn normal_towards(w: Vector) -> Normal {
+    if w.z() < 0.0 { -Normal::Z } else { Normal::Z }
+}
+
+/// The mirror image of `w` about the local normal.
+fn mirrored(w: Vector) -> Vector {
+    Vector::new(-w.x(), -w.y(), w.z())
+}

@@ -1,0 +1,64 @@
+//! The perfect transmitter (Suffern, ch. 27): refraction with a constant weight.
+
+use serde::{Deserialize, Serialize};
+
+use super::refract::cos_refracted;
+use super::{Claims, LobeSample, normal_towards, refract};
+use crate::math::Vector;
+use crate::rgb::Rgb;
+
+/// All light from the refracted direction. Radiance changes by `1/η²` where it crosses into a
+/// medium of relative index η, as seen along the ray.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PerfectTransmitter {
+    /// `k_t`.
+    pub transmittance: f64,
+    /// The index of refraction inside over the one outside.
+    pub eta: f64,
+}
+
+impl PerfectTransmitter {
+    pub(super) const SPECULAR: bool = true;
+    // the index of refraction enters once, on one side: reciprocal in basic radiance L/η² only
+    pub(super) const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
+
+    /// Whether a viewer at this cosine (negative inside) sees total internal reflection, the
+    /// book's `tir`.
+    pub fn reflects_totally(&self, cos_o: f64) -> bool {
+        let eta = if cos_o < 0.0 { 1.0 / self.eta } else { self.eta };
+        cos_refracted(cos_o, eta).is_none()
+    }
+
+    pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
+        Rgb::BLACK
+    }
+
+    pub(super) fn pdf(&self, _: Vector, _: Vector) -> f64 {
+        0.0
+    }
+
+    pub(super) fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
+        let eta = relative(self.eta, wo);
+        let wi = refract(wo, normal_towards(wo), eta)?;
+        let weight = Rgb::grey(self.transmittance / (eta * eta));
+        Some(LobeSample { wi, weight, pdf: f64::INFINITY })
+    }
+
+    pub(super) fn albedo(&self, wo: Vector) -> Rgb {
+        self.sample(wo, [0.0; 2]).map_or(Rgb::BLACK, |sample| sample.weight)
+    }
+
+    pub(super) fn specimens() -> Vec<Self> {
+        vec![
+            Self { transmittance: 0.9, eta: 1.5 },
+            Self { transmittance: 0.5, eta: 0.75 },
+            Self { transmittance: 1.0, eta: 1.0 },
+        ]
+    }
+}
+
+/// The index behind the surface over the one in front of it, for a viewer in direction `wo`.
+pub(super) fn relative(eta: f64, wo: Vector) -> f64 {
+    if wo.z() < 0.0 { 1.0 / eta } else { eta }
+}

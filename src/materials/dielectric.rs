@@ -1,0 +1,81 @@
+//! The dielectric (Suffern, ch. 28): realistic transparency with colour filtering.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::phong::{self, Phong};
+use super::{Boundary, Material, Medium};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::lobes::{About, FresnelReflector, FresnelTransmitter, Lobes};
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+
+/// A boundary between two media: Fresnel reflection and refraction, and absorption on either side.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Dielectric {
+    /// Highlights of the direct light.
+    #[serde(default)]
+    pub phong: Phong,
+    /// The medium the normal comes from.
+    pub inside: Medium,
+    /// The medium the normal points to; air if left out.
+    #[serde(default)]
+    pub outside: Medium,
+}
+
+#[derive(Debug)]
+struct Built {
+    phong: phong::Built,
+    eta: f64,
+    boundary: Boundary,
+}
+
+impl Specification for Dielectric {
+    type Built = Arc<dyn Material>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+        let (inside, outside) = (self.inside.checked("inside")?, self.outside.checked("outside")?);
+        Ok(Arc::new(Built {
+            phong: self.phong.check().map_err(|e| e.inside("phong"))?,
+            eta: inside.eta / outside.eta,
+            boundary: Boundary { inside: inside.absorption, outside: outside.absorption },
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            phong: self.phong.scaled(factor),
+            inside: self.inside.scaled(factor),
+            outside: self.outside.scaled(factor),
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let phong = Phong { ks: 0.2, exponent: 2000.0, ..Phong::default() };
+        let tinted = Medium { eta: 1.5, absorption: Rgb::new(0.5, 0.125, 0.25) };
+        vec![
+            Self { phong, inside: Medium::clear(1.5), outside: Medium::default() },
+            Self { inside: tinted, outside: Medium::clear(1.33), ..Self::default() },
+        ]
+    }
+}
+
+impl Material for Built {
+    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes) {
+        self.phong.lobes(at, cos_o, lobes);
+        lobes.push((FresnelReflector { eta: self.eta }.into(), About::Geometry));
+        lobes.push((FresnelTransmitter { eta: self.eta }.into(), About::Geometry));
+    }
+
+    fn ambient(&self, at: &Surface) -> Rgb {
+        self.phong.ambient(at)
+    }
+
+    fn boundary(&self) -> Option<Boundary> {
+        Some(self.boundary)
+    }
+}

@@ -1,0 +1,64 @@
+//! The emissive material (Suffern, ch. 18 and 24): a surface that shines.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Material;
+use crate::invalid::{Invalid, not_negative};
+use crate::kinds::Specification;
+use crate::lobes::Lobes;
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+use crate::textures::{Paint, Texture};
+
+/// Radiance `l_s c_e` in every direction on the outer side; black on the inner.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Emissive {
+    /// Radiance scaling factor.
+    #[serde(default = "one")]
+    pub ls: f64,
+    /// Colour.
+    #[serde(default = "white")]
+    pub ce: Paint,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn white() -> Paint {
+    Rgb::WHITE.into()
+}
+
+#[derive(Debug)]
+struct Built {
+    ls: f64,
+    ce: Arc<dyn Texture>,
+}
+
+impl Specification for Emissive {
+    type Built = Arc<dyn Material>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+        Ok(Arc::new(Built { ls: not_negative("ls", self.ls)?, ce: self.ce.build("ce")? }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { ce: self.ce.scaled(factor), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { ls: 2.5, ce: Rgb::new(1.0, 1.0, 0.5).into() }]
+    }
+}
+
+impl Material for Built {
+    fn lobes(&self, _: &Surface, _: f64, _: &mut Lobes) {}
+
+    fn emitted(&self, at: &Surface, cos_o: f64) -> Rgb {
+        if cos_o > 0.0 { self.ls * self.ce.color(at) } else { Rgb::BLACK }
+    }
+}

@@ -1,0 +1,75 @@
+//! The matte material (Suffern, ch. 14).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Material;
+use crate::invalid::{Invalid, not_negative};
+use crate::kinds::Specification;
+use crate::lobes::{About, Lambertian, Lobes};
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+use crate::textures::{Paint, Texture};
+
+/// A perfectly diffuse surface; ambient and diffuse reflection share a colour.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Matte {
+    /// Ambient reflection coefficient.
+    #[serde(default)]
+    pub ka: f64,
+    /// Diffuse reflection coefficient.
+    #[serde(default)]
+    pub kd: f64,
+    /// Diffuse colour.
+    pub cd: Paint,
+}
+
+/// A matte surface ready to be asked.
+#[derive(Debug)]
+pub(super) struct Built {
+    ka: f64,
+    kd: f64,
+    cd: Arc<dyn Texture>,
+}
+
+impl Matte {
+    pub(super) fn check(&self) -> Result<Built, Invalid> {
+        Ok(Built {
+            ka: not_negative("ka", self.ka)?,
+            kd: not_negative("kd", self.kd)?,
+            cd: self.cd.build("cd")?,
+        })
+    }
+}
+
+impl Specification for Matte {
+    type Built = Arc<dyn Material>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+        Ok(Arc::new(self.check()?))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { cd: self.cd.scaled(factor), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { ka: 0.25, kd: 0.75, cd: Rgb::new(1.0, 0.5, 0.25).into() }]
+    }
+}
+
+impl Material for Built {
+    fn lobes(&self, at: &Surface, _: f64, lobes: &mut Lobes) {
+        if self.kd > 0.0 {
+            let reflectance = self.kd * self.cd.color(at);
+            lobes.push((Lambertian { reflectance }.into(), About::Shading));
+        }
+    }
+
+    fn ambient(&self, at: &Surface) -> Rgb {
+        if self.ka > 0.0 { self.ka * self.cd.color(at) } else { Rgb::BLACK }
+    }
+}

@@ -1,0 +1,104 @@
+//! Materials: recipes that turn textures at a hit into lobes (Suffern, ch. 14, 15, 24, 27, 28).
+//!
+//! The book folds everything into `Material::shade`, which also loops over the lights and traces
+//! rays. Here a material only says of what its surface is made; `trace` does the rest.
+
+mod dielectric;
+mod emissive;
+mod matte;
+mod phong;
+mod reflective;
+mod transparent;
+
+use std::fmt::Debug;
+
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, positive};
+use crate::lobes::Lobes;
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+
+/// What a surface is made of. Contract: `tests/contracts/material.rs`.
+pub trait Material: Debug + Send + Sync {
+    /// Adds the lobes of the surface seen under `cos_o = n·ω_o`; negative on the inner side.
+    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes);
+
+    /// What the surface makes of ambient light, `ρ = k_a c_d`.
+    fn ambient(&self, _: &Surface) -> Rgb {
+        Rgb::BLACK
+    }
+
+    /// Radiance it sends out by itself towards a viewer at `cos_o`.
+    fn emitted(&self, _: &Surface, _cos_o: f64) -> Rgb {
+        Rgb::BLACK
+    }
+
+    /// What is on either side, for boundaries between media; `None` for opaque surfaces, whose
+    /// rays stay in the medium they came through.
+    fn boundary(&self) -> Option<Boundary> {
+        None
+    }
+}
+
+/// The absorption `σ` on each side of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Boundary {
+    /// On the side the normal comes from.
+    pub inside: Rgb,
+    /// On the side the normal points to.
+    pub outside: Rgb,
+}
+
+/// A transparent medium.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Medium {
+    /// The index of refraction; positive.
+    #[serde(default = "one")]
+    pub eta: f64,
+    /// `σ` per unit length: the book's colour filter is `exp(−σ)`, so clear is 0. It may be
+    /// infinite in code, not in a scene file.
+    #[serde(default)]
+    pub absorption: Rgb,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Default for Medium {
+    fn default() -> Self {
+        Self { eta: 1.0, absorption: Rgb::BLACK }
+    }
+}
+
+impl Medium {
+    /// A medium without absorption.
+    pub const fn clear(eta: f64) -> Self {
+        Self { eta, absorption: Rgb::BLACK }
+    }
+
+    pub(crate) fn checked(self, field: &str) -> Result<Self, Invalid> {
+        positive("eta", self.eta).map_err(|e| e.inside(field))?;
+        self.absorption.checked("absorption").map_err(|e| e.inside(field))?;
+        Ok(self)
+    }
+
+    /// The same medium where lengths are `factor` times as long.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self { absorption: (1.0 / factor) * self.absorption, ..self }
+    }
+}
+
+crate::kinds! {
+    /// A material as a scene file says it.
+    Kind builds dyn Material with ();
+    ch14 matte::Matte,
+    ch15 phong::Phong,
+    ch24 reflective::Reflective,
+    ch24 emissive::Emissive,
+    ch27 transparent::Transparent,
+    ch28 dielectric::Dielectric,
+}

@@ -1,0 +1,75 @@
+//! The reflective material (Suffern, ch. 24): a mirror over Phong shading.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::phong::{self, Phong};
+use super::Material;
+use crate::invalid::{Invalid, not_negative};
+use crate::kinds::Specification;
+use crate::lobes::{About, Lobes, PerfectSpecular};
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+use crate::textures::{Paint, Texture};
+
+/// A mirror of reflectance `k_r c_r` over a Phong base.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reflective {
+    /// What is under the mirror; nothing if left out.
+    #[serde(default)]
+    pub phong: Phong,
+    /// Mirror reflection coefficient.
+    pub kr: f64,
+    /// Mirror colour.
+    #[serde(default = "white")]
+    pub cr: Paint,
+}
+
+fn white() -> Paint {
+    Rgb::WHITE.into()
+}
+
+#[derive(Debug)]
+struct Built {
+    phong: phong::Built,
+    kr: f64,
+    cr: Arc<dyn Texture>,
+}
+
+impl Specification for Reflective {
+    type Built = Arc<dyn Material>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+        Ok(Arc::new(Built {
+            phong: self.phong.check().map_err(|e| e.inside("phong"))?,
+            kr: not_negative("kr", self.kr)?,
+            cr: self.cr.build("cr")?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { phong: self.phong.scaled(factor), cr: self.cr.scaled(factor), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let phong = Phong::specimens().remove(0);
+        vec![Self { phong, kr: 0.75, cr: Rgb::new(0.9, 1.0, 0.9).into() }]
+    }
+}
+
+impl Material for Built {
+    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes) {
+        self.phong.lobes(at, cos_o, lobes);
+        if self.kr > 0.0 {
+            let reflectance = self.kr * self.cr.color(at);
+            lobes.push((PerfectSpecular { reflectance }.into(), About::Shading));
+        }
+    }
+
+    fn ambient(&self, at: &Surface) -> Rgb {
+        self.phong.ambient(at)
+    }
+}

@@ -1,0 +1,99 @@
+//! The simple transparent material (Suffern, ch. 27): constant shares, reflected and refracted.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::phong::{self, Phong};
+use super::{Boundary, Material};
+use crate::invalid::{Invalid, not_negative, positive};
+use crate::kinds::Specification;
+use crate::lobes::{About, Lobes, PerfectSpecular, PerfectTransmitter};
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+use crate::textures::{Paint, Texture};
+
+/// A clear body that reflects `k_r` and lets through `k_t`, whatever the angle; on total internal
+/// reflection it reflects everything.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Transparent {
+    /// Highlights.
+    #[serde(default)]
+    pub phong: Phong,
+    /// Reflection coefficient.
+    #[serde(default)]
+    pub kr: f64,
+    /// Reflection colour.
+    #[serde(default = "white")]
+    pub cr: Paint,
+    /// Transmission coefficient; `k_r + k_t` should be 1.
+    pub kt: f64,
+    /// The index of refraction inside over the one outside, `ior` in the book; positive.
+    pub eta: f64,
+}
+
+fn white() -> Paint {
+    Rgb::WHITE.into()
+}
+
+#[derive(Debug)]
+struct Built {
+    phong: phong::Built,
+    kr: f64,
+    cr: Arc<dyn Texture>,
+    kt: f64,
+    eta: f64,
+}
+
+impl Specification for Transparent {
+    type Built = Arc<dyn Material>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+        Ok(Arc::new(Built {
+            phong: self.phong.check().map_err(|e| e.inside("phong"))?,
+            kr: not_negative("kr", self.kr)?,
+            cr: self.cr.build("cr")?,
+            kt: not_negative("kt", self.kt)?,
+            eta: positive("eta", self.eta)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { phong: self.phong.scaled(factor), cr: self.cr.scaled(factor), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let phong = Phong { ks: 0.2, exponent: 2000.0, ..Phong::default() };
+        let glass = Self { phong, kr: 0.1, cr: white(), kt: 0.9, eta: 1.5 };
+        vec![Self { eta: 0.75, ..glass.clone() }, glass]
+    }
+}
+
+impl Material for Built {
+    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes) {
+        self.phong.lobes(at, cos_o, lobes);
+        let transmitter = PerfectTransmitter { transmittance: self.kt, eta: self.eta };
+        // weight 1, not k_r: nothing passes that could make up for the rest
+        let reflectance = if transmitter.reflects_totally(cos_o) {
+            Rgb::WHITE
+        } else {
+            self.kr * self.cr.color(at)
+        };
+        if !reflectance.is_black() {
+            lobes.push((PerfectSpecular { reflectance }.into(), About::Geometry));
+        }
+        if self.kt > 0.0 {
+            lobes.push((transmitter.into(), About::Geometry));
+        }
+    }
+
+    fn ambient(&self, at: &Surface) -> Rgb {
+        self.phong.ambient(at)
+    }
+
+    fn boundary(&self) -> Option<Boundary> {
+        Some(Boundary { inside: Rgb::BLACK, outside: Rgb::BLACK })
+    }
+}

@@ -1,0 +1,46 @@
+//! Jittered samples (Suffern, ch. 4 and 5): one anywhere in each cell of a grid.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Sampler, next_square, side};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{ONE_MINUS, Pcg32};
+
+/// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that is
+/// no square is rounded up to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Jittered {}
+
+impl Specification for Jittered {
+    type Built = Arc<dyn Sampler>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Sampler>, Invalid> {
+        Ok(Arc::new(*self))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        *self
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self {}]
+    }
+}
+
+impl Sampler for Jittered {
+    fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {
+        let side = side(n);
+        let mut jitter =
+            |i: u32| ((f64::from(i) + random.uniform()) / f64::from(side)).min(ONE_MINUS);
+        (0..side * side).map(|i| [jitter(i % side), jitter(i / side)]).collect()
+    }
+
+    fn round_up(&self, n: u32) -> u32 {
+        next_square(n)
+    }
+}

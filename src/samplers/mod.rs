@@ -1,0 +1,49 @@
+//! Samplers: well-spread points of the unit square (Suffern, ch. 5), the same on every thread.
+//!
+//! A sampler fills one *set* of points; [`SampleSets`] keeps 83, made once from a seed. A draw names
+//! what it is for: its set and permutation follow from seed, pixel and that name, its place in them
+//! from the sample's index, and from nothing else.
+
+mod jittered;
+mod multi_jittered;
+mod random;
+mod regular;
+
+// shared by the kinds
+pub mod maps;
+mod sets;
+
+use std::fmt::Debug;
+
+use crate::math::Pcg32;
+
+pub use sets::{Key, Purpose, SampleSets};
+
+/// A way to spread points over the unit square. Contract: `tests/contracts/sampler.rs`.
+pub trait Sampler: Debug + Send + Sync {
+    /// One set of `n` points in `[0, 1)²`; `n` comes from [`Sampler::round_up`].
+    fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]>;
+
+    /// The least number of points, at least `n`, that the pattern can have.
+    fn round_up(&self, n: u32) -> u32;
+}
+
+crate::kinds! {
+    /// A sampler as a scene file says it.
+    Kind builds dyn Sampler with ();
+    ch04 regular::Regular,
+    ch04 random::Random,
+    ch04 jittered::Jittered,
+    ch05 multi_jittered::MultiJittered,
+}
+
+/// The side of the smallest square grid of at least `n` cells.
+fn side(n: u32) -> u32 {
+    let root = n.isqrt();
+    if root * root < n { root + 1 } else { root }
+}
+
+/// `n` rounded up to the next square.
+fn next_square(n: u32) -> u32 {
+    side(n) * side(n)
+}

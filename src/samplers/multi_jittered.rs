@@ -1,0 +1,63 @@
+//! Multi-jittered samples (Suffern, ch. 5; Chiu, Shirley & Wang, Graphics Gems IV, 1994).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Sampler, next_square, side};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{ONE_MINUS, Pcg32};
+
+/// One point in each cell of an `n × n` grid and, at the same time, one in each of the `n²` rows and
+/// columns. A count that is no square is rounded up to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MultiJittered {}
+
+impl Specification for MultiJittered {
+    type Built = Arc<dyn Sampler>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Sampler>, Invalid> {
+        Ok(Arc::new(*self))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        *self
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self {}]
+    }
+}
+
+impl Sampler for MultiJittered {
+    fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {
+        let side = side(n);
+        // the canonical arrangement: in cell (i, j), column i n + j and row j n + i of n²
+        let mut columns: Vec<Vec<u32>> = Vec::new();
+        let mut rows: Vec<Vec<u32>> = Vec::new();
+        for i in 0..side {
+            columns.push((0..side).map(|j| i * side + j).collect());
+            rows.push((0..side).map(|j| i * side + j).collect());
+        }
+        // within a column of cells any order of its fine columns will do, and so for rows
+        columns.iter_mut().for_each(|fine| random.shuffle(fine));
+        rows.iter_mut().for_each(|fine| random.shuffle(fine));
+
+        let fine_side = f64::from(side * side);
+        let mut jitter = |fine: u32| ((f64::from(fine) + random.uniform()) / fine_side).min(ONE_MINUS);
+        let mut points = Vec::with_capacity((side * side) as usize);
+        for i in 0..side as usize {
+            for j in 0..side as usize {
+                points.push([jitter(columns[i][j]), jitter(rows[j][i])]);
+            }
+        }
+        points
+    }
+
+    fn round_up(&self, n: u32) -> u32 {
+        next_square(n)
+    }
+}

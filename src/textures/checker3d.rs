@@ -1,0 +1,72 @@
+//! The solid checker (Suffern, ch. 30).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Texture;
+use crate::invalid::{Invalid, positive};
+use crate::kinds::Specification;
+use crate::math::floor;
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+
+/// Cubes of alternating colours, in the local coordinates of the object.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Checker3d {
+    /// The side of a cube; positive.
+    #[serde(default = "one")]
+    pub size: f64,
+    /// The colour of the cube at the origin.
+    #[serde(default = "white")]
+    pub color1: Rgb,
+    /// The colour of its neighbours.
+    #[serde(default = "half_grey")]
+    pub color2: Rgb,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn white() -> Rgb {
+    Rgb::WHITE
+}
+
+fn half_grey() -> Rgb {
+    Rgb::grey(0.5)
+}
+
+/// The book's odd offset, so that a face that lies on a border of cubes has one colour. Here it is
+/// a fraction of the size: the book's absolute one would not scale with the scene.
+const OFFSET: f64 = -0.000_187_453_738;
+
+impl Specification for Checker3d {
+    type Built = Arc<dyn Texture>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Texture>, Invalid> {
+        positive("size", self.size)?;
+        self.color1.checked("color1")?;
+        self.color2.checked("color2")?;
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { size: factor * self.size, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { size: 0.75, color1: Rgb::WHITE, color2: Rgb::new(0.1, 0.4, 0.8) }]
+    }
+}
+
+impl Texture for Checker3d {
+    fn color(&self, at: &Surface) -> Rgb {
+        let cell = |x: f64| floor(x / self.size + OFFSET);
+        let parity: f64 = at.local.to_array().into_iter().map(cell).sum();
+        // Euclidean: the remainder of a negative number is not negative
+        if parity.rem_euclid(2.0) == 0.0 { self.color1 } else { self.color2 }
+    }
+}

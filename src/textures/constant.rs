@@ -1,0 +1,43 @@
+//! The constant texture (Suffern, ch. 29): a plain colour.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Texture;
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+
+/// The same colour everywhere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Constant {
+    /// The colour.
+    pub color: Rgb,
+}
+
+impl Specification for Constant {
+    type Built = Arc<dyn Texture>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Texture>, Invalid> {
+        self.color.checked("color")?;
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { color: Rgb::new(0.2, 0.4, 0.6) }]
+    }
+}
+
+impl Texture for Constant {
+    fn color(&self, _: &Surface) -> Rgb {
+        self.color
+    }
+}

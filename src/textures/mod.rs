@@ -1,0 +1,110 @@
+//! Textures: colours that vary over a surface (Suffern, ch. 29–31). Every colour of a material is
+//! one; a plain colour is the constant texture.
+
+mod checker3d;
+mod constant;
+mod plane_checker;
+
+use std::fmt::{self, Debug};
+use std::sync::Arc;
+
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{self, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::invalid::Invalid;
+use crate::rgb::{ColorVisitor, Rgb};
+use crate::shapes::Surface;
+
+/// A colour for each point of a surface. Contract: `tests/contracts/texture.rs`.
+pub trait Texture: Debug + Send + Sync {
+    /// The colour at a hit; solid textures look at the local point.
+    fn color(&self, at: &Surface) -> Rgb;
+}
+
+crate::kinds! {
+    /// A texture as a scene file says it.
+    Kind builds dyn Texture with ();
+    ch30 constant::Constant,
+    ch30 checker3d::Checker3d,
+    ch30 plane_checker::PlaneChecker,
+}
+
+/// A colour of a material: in scene files `[r, g, b]`, one number for a grey, or a texture, as
+/// `{ checker3d = { size = 4.0 } }`.
+#[derive(Clone, Debug)]
+pub struct Paint(pub Kind);
+
+impl Paint {
+    /// One colour everywhere.
+    pub const fn plain(color: Rgb) -> Self {
+        Self(Kind::Constant(Constant { color }))
+    }
+
+    /// Checks the data of the field of this name and builds the texture.
+    pub(crate) fn build(&self, field: &str) -> Result<Arc<dyn Texture>, Invalid> {
+        match &self.0 {
+            Kind::Constant(constant) => {
+                constant.color.checked(field)?;
+                Ok(Arc::new(constant.clone()))
+            }
+            kind => kind.build(&mut ()).map_err(|e| e.inside(field)),
+        }
+    }
+
+    /// The same paint with every length multiplied by `factor`.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self(self.0.scaled(factor))
+    }
+}
+
+impl From<Rgb> for Paint {
+    fn from(color: Rgb) -> Self {
+        Self::plain(color)
+    }
+}
+
+impl Serialize for Paint {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match &self.0 {
+            Kind::Constant(constant) => constant.color.serialize(serializer),
+            kind => kind.serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Paint {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(PaintVisitor)
+    }
+}
+
+struct PaintVisitor;
+
+impl<'de> Visitor<'de> for PaintVisitor {
+    type Value = Paint;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a colour [r, g, b], one number for a grey, or a texture")
+    }
+
+    fn visit_f64<E: de::Error>(self, grey: f64) -> Result<Paint, E> {
+        ColorVisitor.visit_f64(grey).map(Paint::plain)
+    }
+
+    fn visit_i64<E: de::Error>(self, grey: i64) -> Result<Paint, E> {
+        ColorVisitor.visit_i64(grey).map(Paint::plain)
+    }
+
+    fn visit_u64<E: de::Error>(self, grey: u64) -> Result<Paint, E> {
+        ColorVisitor.visit_u64(grey).map(Paint::plain)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Paint, A::Error> {
+        Rgb::deserialize(SeqAccessDeserializer::new(seq)).map(Paint::plain)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Paint, A::Error> {
+        Kind::deserialize(MapAccessDeserializer::new(map)).map(Paint)
+    }
+}
