@@ -35,6 +35,7 @@ fn what_is_no_ply_file_is_told_so() {
         "line 3: found `element vert`, expected `element NAME COUNT`",
     );
     assert_ply_error("ply\nformat ascii 1.0\nend_hea", endless);
+    assert_ply_error("ply\nformat ascii 1.0\nelement vertex 0\nend_header", endless);
 }
 
 #[test]
