@@ -168,4 +168,24 @@ fn a_header_that_promises_too_much_says_how_much() {
         file.bytes,
         "element `vertex`: the header promises 1000000 of at least 14 bytes each, but only 100 bytes are left; the file is cut off or its header is wrong",
     );
+    // a name is quoted like any other text of the file: short, and without control characters
+    let name = format!("\u{1b}{}", "n".repeat(500));
+    let shown = format!("\u{fffd}{}…", "n".repeat(39));
+    assert_spoilt(
+        "element vertex",
+        &format!("element {name} 99\nproperty char c\nelement vertex"),
+        &format!(
+            "element `{shown}`: the header promises 99 of at least 2 bytes each, but only 26 bytes are left; the file is cut off or its header is wrong"
+        ),
+    );
+    assert_spoilt(
+        "property float y",
+        &format!("property float {name}\nproperty float y"),
+        &format!("line 11: the line ends before the value of `{shown}`").replace(&shown, "z"),
+    );
+    assert_spoilt(
+        "property float z",
+        &format!("property float z\nproperty float {name}"),
+        &format!("line 11: the line ends before the value of `{shown}`"),
+    );
 }
