@@ -179,11 +179,6 @@ fn a_header_that_promises_too_much_says_how_much() {
         ),
     );
     assert_spoilt(
-        "property float y",
-        &format!("property float {name}\nproperty float y"),
-        &format!("line 11: the line ends before the value of `{shown}`").replace(&shown, "z"),
-    );
-    assert_spoilt(
         "property float z",
         &format!("property float z\nproperty float {name}"),
         &format!("line 11: the line ends before the value of `{shown}`"),

@@ -111,9 +111,12 @@ impl Columns {
             has_normals: false,
             has_uvs: false,
         };
-        for (name, quoted) in [("x", "`x`"), ("y", "`y`"), ("z", "`z`")] {
+        for (name, in_words) in [("x", "`x`"), ("y", "`y`"), ("z", "`z`")] {
             if position(vertex, "vertex", name)?.is_none() {
-                return Err(MeshFileError::MissingProperty { element: "vertex", property: quoted });
+                return Err(MeshFileError::MissingProperty {
+                    element: "vertex",
+                    property: in_words,
+                });
             }
         }
         columns.assign(vertex, 0, ["x", "y", "z"])?;
