@@ -9,7 +9,7 @@
 //! The readers are our own. `tobj` 4.0 overflows on a texture or normal index out of range, shifts
 //! the texture coordinates when only some corners have one, turns polylines into triangles and
 //! knows no line numbers; `ply-rs-bw` 4.0 allocates whatever a header promises for an element
-//! without properties, drops a property that is declared twice and refuses `.5` and `1.`.
+//! without properties, misreads a property that is declared twice and refuses `.5` and `1.`.
 
 mod error;
 mod obj;

@@ -146,7 +146,7 @@ fn parse_corner(
 
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
-/// From 1 up to `count`, or from −1 back to −`before`.
+/// From 1 up to `count`, or from −1 back to −`before`; 0 is neither.
 fn resolve(
     line: usize,
     what: &'static str,
@@ -156,7 +156,7 @@ fn resolve(
 ) -> Result<u32, MeshFileError> {
     let (first, known) = if index < 0 { (before as i64, before) } else { (-1, count) };
     let at = first.saturating_add(index);
-    if index != 0 && at >= 0 && at < known as i64 {
+    if at >= 0 && at < known as i64 {
         return Ok(at as u32); // there are at most u32::MAX points
     }
     let allowed = match (known, index < 0) {

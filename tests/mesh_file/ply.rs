@@ -151,6 +151,14 @@ fn empty_lines_spaces_and_foreign_letters_in_comments_change_nothing() {
 }
 
 #[test]
+fn the_last_word_of_a_file_needs_no_white_space_after_it() {
+    let file = String::from_utf8(ornate_pyramid_ply(Encoding::Ascii)).unwrap();
+    let tight = file.replace("4000000000 \n", "4");
+    assert!(tight.ends_with("\n4"));
+    assert_eq!(parse_ply(tight.as_bytes()).unwrap(), pyramid());
+}
+
+#[test]
 fn all_common_names_of_texture_coordinates_are_known() {
     for (u, v) in [("u", "v"), ("s", "t"), ("texture_u", "texture_v"), ("texture_s", "texture_t")] {
         let file = String::from_utf8(ornate_pyramid_ply(Encoding::Ascii)).unwrap();

@@ -34,6 +34,17 @@ fn a_line_of_the_body_that_is_wrong_has_its_number() {
         "3 0 1 2.0",
         "line 13: `2.0` found for `vertex_indices`, expected an integer of 32 bits",
     );
+    assert_spoilt(
+        "3 0 1 2",
+        "3 0 1 2 0",
+        "line 13: `0` is one value too many; the header has no property for it",
+    );
+    let (list, other) =
+        ("property list uchar int vertex_indices", "element other 1\nproperty char c");
+    assert_ply_error(
+        TRIANGLE.replace(list, &format!("{list}\n{other}")) + "5 6\n",
+        "line 16: `6` is one value too many; the header has no property for it",
+    );
     let with_empty_lines = TRIANGLE.replace("\n1 0 0", "\n\n\r\n1 0 x");
     assert_ply_error(with_empty_lines, "line 13: `x` found for `z`, expected a number");
     assert_spoilt(

@@ -35,6 +35,7 @@ fn what_is_no_ply_file_is_told_so() {
         "line 3: found `element vert`, expected `element NAME COUNT`",
     );
     assert_ply_error("ply\nformat ascii 1.0\nend_hea", endless);
+    assert_ply_error("ply\nformat ascii 1.0\nelement vertex 0\nend_header", endless);
 }
 
 #[test]
@@ -166,5 +167,20 @@ fn a_header_that_promises_too_much_says_how_much() {
     assert_ply_error(
         file.bytes,
         "element `vertex`: the header promises 1000000 of at least 14 bytes each, but only 100 bytes are left; the file is cut off or its header is wrong",
+    );
+    // a name is quoted like any other text of the file: short, and without control characters
+    let name = format!("\u{1b}{}", "n".repeat(500));
+    let shown = format!("\u{fffd}{}…", "n".repeat(39));
+    assert_spoilt(
+        "element vertex",
+        &format!("element {name} 99\nproperty char c\nelement vertex"),
+        &format!(
+            "element `{shown}`: the header promises 99 of at least 2 bytes each, but only 26 bytes are left; the file is cut off or its header is wrong"
+        ),
+    );
+    assert_spoilt(
+        "property float z",
+        &format!("property float z\nproperty float {name}"),
+        &format!("line 11: the line ends before the value of `{shown}`"),
     );
 }

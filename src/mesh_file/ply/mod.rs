@@ -9,6 +9,7 @@ mod header;
 mod values;
 mod write;
 
+use super::error::quoted;
 use super::{MeshData, MeshFileError, at_most_u32, checked, push_fan};
 use header::{Element, Header, Property};
 use values::{Binary, Text, Values};
@@ -86,7 +87,7 @@ fn check_promise(
     let (size, left) = (element.least_size(encoding), values.left().len());
     // one more: the last word of a file may lack its white space
     if element.count.saturating_mul(size) > left as u64 + 1 {
-        let (element, count) = (element.name.into(), element.count);
+        let (element, count) = (quoted(element.name.as_bytes()), element.count);
         return Err(MeshFileError::Promise { element, count, size, left });
     }
     Ok(())
@@ -110,9 +111,12 @@ impl Columns {
             has_normals: false,
             has_uvs: false,
         };
-        for (name, quoted) in [("x", "`x`"), ("y", "`y`"), ("z", "`z`")] {
+        for (name, in_words) in [("x", "`x`"), ("y", "`y`"), ("z", "`z`")] {
             if position(vertex, "vertex", name)?.is_none() {
-                return Err(MeshFileError::MissingProperty { element: "vertex", property: quoted });
+                return Err(MeshFileError::MissingProperty {
+                    element: "vertex",
+                    property: in_words,
+                });
             }
         }
         columns.assign(vertex, 0, ["x", "y", "z"])?;
@@ -183,7 +187,7 @@ fn finite(values: &mut impl Values, property: &Property) -> Result<f64, MeshFile
     }
     Err(MeshFileError::Value {
         place: values.place(),
-        property: property.name.into(),
+        property: quoted(property.name.as_bytes()),
         found: value.to_string(),
         expected: "a finite number",
     })

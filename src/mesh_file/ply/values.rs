@@ -30,7 +30,7 @@ pub(super) trait Values {
     fn length(&mut self, length: Scalar, property: &Property) -> Result<u64, MeshFileError> {
         let count = self.value(length, property)?;
         if count < 0.0 {
-            let (place, property) = (self.place(), property.name.into());
+            let (place, property) = (self.place(), quoted(property.name.as_bytes()));
             let (found, expected) = (count.to_string(), "the length of a list");
             return Err(MeshFileError::Value { place, property, found, expected });
         }
@@ -65,7 +65,7 @@ impl<'a> Text<'a> {
     fn word(&mut self, property: &Property) -> Result<&'a [u8], MeshFileError> {
         self.next_word().ok_or_else(|| MeshFileError::MissingValue {
             place: self.place(),
-            property: property.name.into(),
+            property: quoted(property.name.as_bytes()),
         })
     }
 }
@@ -113,7 +113,7 @@ impl Values for Text<'_> {
         };
         value.ok_or_else(|| MeshFileError::Value {
             place: self.place(),
-            property: property.name.into(),
+            property: quoted(property.name.as_bytes()),
             found: quoted(word),
             expected,
         })
@@ -165,7 +165,7 @@ impl<'a> Binary<'a> {
 impl Values for Binary<'_> {
     fn begin(&mut self, name: &str, index: u64) -> Result<(), MeshFileError> {
         if index == 0 {
-            self.name = name.into();
+            self.name = quoted(name.as_bytes());
         }
         self.index = index;
         Ok(())
