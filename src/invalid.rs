@@ -89,7 +89,10 @@ pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
     }
-    Err(Invalid::field(field, format!("found {value}, but a finite number of at least 0 is needed")))
+    Err(Invalid::field(
+        field,
+        format!("found {value}, but a finite number of at least 0 is needed"),
+    ))
 }
 
 /// `p`, if its coordinates are finite.
@@ -97,7 +100,10 @@ pub fn finite_point(field: &str, p: Point) -> Result<Point, Invalid> {
     if p.is_finite() {
         return Ok(p);
     }
-    Err(Invalid::field(field, format!("found {:?}, but finite coordinates are needed", p.to_array())))
+    Err(Invalid::field(
+        field,
+        format!("found {:?}, but finite coordinates are needed", p.to_array()),
+    ))
 }
 
 /// `v`, if its components are finite.
@@ -110,6 +116,9 @@ pub fn finite_vector(field: &str, v: Vector) -> Result<Vector, Invalid> {
 pub fn direction(field: &str, v: Vector) -> Result<Normal, Invalid> {
     Normal::new(v).ok_or_else(|| {
         let found = v.to_array();
-        Invalid::field(field, format!("found {found:?}, but a finite vector other than zero is needed"))
+        Invalid::field(
+            field,
+            format!("found {found:?}, but a finite vector other than zero is needed"),
+        )
     })
 }

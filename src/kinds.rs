@@ -137,3 +137,13 @@ macro_rules! kinds {
         }
     };
 }
+
+/// The default of many factors in scene files.
+pub(crate) fn one() -> f64 {
+    1.0
+}
+
+/// The default of many colours in scene files.
+pub(crate) fn white<T: From<crate::rgb::Rgb>>() -> T {
+    crate::rgb::Rgb::WHITE.into()
+}

@@ -1,8 +1,31 @@
-//! Groundtruth.
+//! Groundtruth: a readable ray tracer after Suffern's *Ray Tracing from the Ground Up*.
+//!
+//! A [`Scene`](scene::Scene) is plain data, from a [`gallery`] function or a TOML file. It is
+//! checked and built into a [`World`](world::World). [`render`] turns each pixel of each sample
+//! into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of which
+//! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
+//! listen to every ray ([`trace::RayTree`]) and [`trace::explain`] says in words why a pixel has
+//! its colour.
+//!
+//! Arrows between modules run one way: `gallery, scene → render → trace → world → materials,
+//! lights, cameras, samplers → lobes, textures → accel ⇄ shapes → math`.
 
 pub mod accel;
+pub mod cameras;
+pub mod film;
+pub mod gallery;
 pub mod invalid;
 pub mod kinds;
+pub mod lights;
+pub mod lobes;
+pub mod materials;
 pub mod math;
 pub mod mesh_file;
+pub mod render;
+pub mod rgb;
+pub mod samplers;
+pub mod scene;
 pub mod shapes;
+pub mod textures;
+pub mod trace;
+pub mod world;

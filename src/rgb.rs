@@ -83,7 +83,8 @@ impl Rgb {
             return Ok(self);
         }
         let found = self.to_array();
-        let problem = format!("found {found:?}, but a colour of finite numbers of at least 0 is needed");
+        let problem =
+            format!("found {found:?}, but a colour of finite numbers of at least 0 is needed");
         Err(Invalid::field(field, problem))
     }
 }

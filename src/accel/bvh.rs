@@ -74,7 +74,8 @@ impl Bvh {
         self.unbounded.iter().for_each(|&index| search.consider(index));
         let mut stack = [(0_u32, 0.0_f64); STACK];
         let mut waiting = 0;
-        let mut current = self.nodes.first().and_then(|root| search.enters(&root.bounds)).map(|_| 0);
+        let mut current =
+            self.nodes.first().and_then(|root| search.enters(&root.bounds)).map(|_| 0);
         loop {
             let Some(at) = current else {
                 // equal distance is not farther: ties are settled by the order of objects
@@ -213,10 +214,10 @@ impl Plane {
 fn cheapest_plane(items: &[Item], bounds: &Aabb) -> Option<(f64, Plane)> {
     let mut best: Option<(f64, Plane)> = None;
     for axis in 0..3 {
-        let (low, high) = items.iter().map(|item| item.center(axis)).fold(
-            (f64::INFINITY, f64::NEG_INFINITY),
-            |(low, high), c| (low.min(c), high.max(c)),
-        );
+        let (low, high) = items
+            .iter()
+            .map(|item| item.center(axis))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)));
         let bins_per_length = BINS as f64 / (high - low);
         if !(high > low && bins_per_length.is_finite()) {
             continue;

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Camera;
 use crate::invalid::{Invalid, positive};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
 
 /// Rays along −w from a plane through the eye.
@@ -14,12 +14,8 @@ use crate::math::{Point, Vector};
 #[serde(deny_unknown_fields)]
 pub struct Orthographic {
     /// The picture is this many times as large.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub zoom: f64,
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 impl Specification for Orthographic {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Camera;
 use crate::invalid::{Invalid, positive};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
 
 /// Rays from the eye through a view plane at a distance.
@@ -16,12 +16,8 @@ pub struct Pinhole {
     /// From the eye to the view plane, `d` in the book; positive.
     pub distance: f64,
     /// The picture is this many times as large.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub zoom: f64,
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 impl Specification for Pinhole {

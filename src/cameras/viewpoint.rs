@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::kinds;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, Kind};
@@ -26,7 +27,7 @@ pub struct Viewpoint {
     #[serde(default)]
     pub roll: f64,
     /// Multiplies every pixel.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub exposure_time: f64,
     /// What the eye is in.
     #[serde(default, skip_serializing_if = "is_air")]
@@ -37,10 +38,6 @@ pub struct Viewpoint {
 
 fn up() -> Vector {
     Vector::Y
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 fn is_air(medium: &Medium) -> bool {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Illumination, Light, Place};
 use crate::invalid::{Invalid, not_negative};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::rgb::Rgb;
 
 /// The same radiance `l_s c_l` everywhere and from everywhere.
@@ -14,19 +14,11 @@ use crate::rgb::Rgb;
 #[serde(deny_unknown_fields)]
 pub struct Ambient {
     /// Radiance scaling factor.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub ls: f64,
     /// Colour.
-    #[serde(default = "white")]
+    #[serde(default = "kinds::white")]
     pub color: Rgb,
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn white() -> Rgb {
-    Rgb::WHITE
 }
 
 #[derive(Debug)]

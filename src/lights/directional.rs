@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Illumination, Light, LightSample, Place, Reach};
 use crate::invalid::{Invalid, direction, not_negative};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -15,21 +15,13 @@ use crate::rgb::Rgb;
 #[serde(deny_unknown_fields)]
 pub struct Directional {
     /// Radiance scaling factor.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub ls: f64,
     /// Colour.
-    #[serde(default = "white")]
+    #[serde(default = "kinds::white")]
     pub color: Rgb,
     /// Towards the light; not zero, need not be unit.
     pub direction: Vector,
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn white() -> Rgb {
-    Rgb::WHITE
 }
 
 #[derive(Debug)]

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Illumination, Light, LightSample, Place, Reach};
 use crate::invalid::{Invalid, finite, finite_point, not_negative};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::math::{Vector, power};
 use crate::rgb::Rgb;
 
@@ -15,24 +15,16 @@ use crate::rgb::Rgb;
 #[serde(deny_unknown_fields)]
 pub struct Point {
     /// Radiance scaling factor.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub ls: f64,
     /// Colour.
-    #[serde(default = "white")]
+    #[serde(default = "kinds::white")]
     pub color: Rgb,
     /// Where it is.
     pub location: Place,
     /// `k`: 0, the book's default, for none; 2 for the physical one.
     #[serde(default)]
     pub attenuation: f64,
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn white() -> Rgb {
-    Rgb::WHITE
 }
 
 #[derive(Debug)]
@@ -85,6 +77,12 @@ impl Light for Built {
         // at the light itself there is no direction, and no surface that faces it
         let direction = to_light.unit().unwrap_or(Vector::ZERO);
         let reach = Reach::To(self.location);
-        Illumination::From(LightSample { direction, reach, radiance, blocked: Rgb::BLACK, pdf: 1.0 })
+        Illumination::From(LightSample {
+            direction,
+            reach,
+            radiance,
+            blocked: Rgb::BLACK,
+            pdf: 1.0,
+        })
     }
 }

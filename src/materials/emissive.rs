@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Material;
 use crate::invalid::{Invalid, not_negative};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::lobes::Lobes;
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
@@ -17,19 +17,11 @@ use crate::textures::{Paint, Texture};
 #[serde(deny_unknown_fields)]
 pub struct Emissive {
     /// Radiance scaling factor.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub ls: f64,
     /// Colour.
-    #[serde(default = "white")]
+    #[serde(default = "kinds::white")]
     pub ce: Paint,
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn white() -> Paint {
-    Rgb::WHITE.into()
 }
 
 #[derive(Debug)]

@@ -12,6 +12,7 @@ mod transparent;
 
 use std::fmt::Debug;
 
+use crate::kinds;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, positive};
@@ -55,16 +56,12 @@ pub struct Boundary {
 #[serde(deny_unknown_fields)]
 pub struct Medium {
     /// The index of refraction; positive.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub eta: f64,
     /// `σ` per unit length: the book's colour filter is `exp(−σ)`, so clear is 0. It may be
     /// infinite in code, not in a scene file.
     #[serde(default)]
     pub absorption: Rgb,
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 impl Default for Medium {

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::phong::{self, Phong};
 use super::Material;
+use super::phong::{self, Phong};
 use crate::invalid::{Invalid, not_negative};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::lobes::{About, Lobes, PerfectSpecular};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
@@ -23,12 +23,8 @@ pub struct Reflective {
     /// Mirror reflection coefficient.
     pub kr: f64,
     /// Mirror colour.
-    #[serde(default = "white")]
+    #[serde(default = "kinds::white")]
     pub cr: Paint,
-}
-
-fn white() -> Paint {
-    Rgb::WHITE.into()
 }
 
 #[derive(Debug)]

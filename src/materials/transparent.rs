@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::phong::{self, Phong};
 use super::{Boundary, Material};
 use crate::invalid::{Invalid, not_negative, positive};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::lobes::{About, Lobes, PerfectSpecular, PerfectTransmitter};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
@@ -25,16 +25,12 @@ pub struct Transparent {
     #[serde(default)]
     pub kr: f64,
     /// Reflection colour.
-    #[serde(default = "white")]
+    #[serde(default = "kinds::white")]
     pub cr: Paint,
     /// Transmission coefficient; `k_r + k_t` should be 1.
     pub kt: f64,
     /// The index of refraction inside over the one outside, `ior` in the book; positive.
     pub eta: f64,
-}
-
-fn white() -> Paint {
-    Rgb::WHITE.into()
 }
 
 #[derive(Debug)]
@@ -66,7 +62,7 @@ impl Specification for Transparent {
 
     fn specimens() -> Vec<Self> {
         let phong = Phong { ks: 0.2, exponent: 2000.0, ..Phong::default() };
-        let glass = Self { phong, kr: 0.1, cr: white(), kt: 0.9, eta: 1.5 };
+        let glass = Self { phong, kr: 0.1, cr: Rgb::WHITE.into(), kt: 0.9, eta: 1.5 };
         vec![Self { eta: 0.75, ..glass.clone() }, glass]
     }
 }

@@ -83,9 +83,7 @@ impl Aabb {
     /// The eight corners.
     pub fn corners(&self) -> [Point; 8] {
         let ends = [self.min, self.max];
-        std::array::from_fn(|i| {
-            Point::new(ends[i & 1].x(), ends[i >> 1 & 1].y(), ends[i >> 2].z())
-        })
+        std::array::from_fn(|i| Point::new(ends[i & 1].x(), ends[i >> 1 & 1].y(), ends[i >> 2].z()))
     }
 
     /// The box grown by what the rounding of its own corners can move a hit: a few u of its

@@ -108,11 +108,7 @@ impl Step {
 
 /// The inverse by cofactors, not finite if there is none. (glam's asserts instead.)
 fn inverse_of(m: DMat3) -> DMat3 {
-    let rows = [
-        m.y_axis.cross(m.z_axis),
-        m.z_axis.cross(m.x_axis),
-        m.x_axis.cross(m.y_axis),
-    ];
+    let rows = [m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis)];
     let determinant = m.x_axis.dot(rows[0]);
     DMat3::from_cols(rows[0], rows[1], rows[2]).transpose() * (1.0 / determinant)
 }

@@ -47,7 +47,8 @@ impl Sampler for MultiJittered {
         rows.iter_mut().for_each(|fine| random.shuffle(fine));
 
         let fine_side = f64::from(side * side);
-        let mut jitter = |fine: u32| ((f64::from(fine) + random.uniform()) / fine_side).min(ONE_MINUS);
+        let mut jitter =
+            |fine: u32| ((f64::from(fine) + random.uniform()) / fine_side).min(ONE_MINUS);
         let mut points = Vec::with_capacity((side * side) as usize);
         for i in 0..side as usize {
             for j in 0..side as usize {

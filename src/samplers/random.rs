@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler};
+use super::Sampler;
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Pcg32};
+use crate::math::Pcg32;
 
 /// Independent uniform points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

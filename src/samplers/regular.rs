@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{Sampler, next_square, side};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Pcg32};
+use crate::math::Pcg32;
 
 /// The point `((k + ½)/n, (j + ½)/n)` in row `j` and column `k` of an `n × n` grid. A count that is no
 /// square is rounded up to the next.

@@ -47,7 +47,11 @@ impl Specification for Disk {
     fn specimens() -> Vec<Self> {
         vec![
             Self { center: Point::ORIGIN, normal: Vector::Y, radius: 1.0 },
-            Self { center: Point::new(0.5, 0.25, -0.5), normal: Vector::new(1.0, 2.0, -3.0), radius: 0.75 },
+            Self {
+                center: Point::new(0.5, 0.25, -0.5),
+                normal: Vector::new(1.0, 2.0, -3.0),
+                radius: 0.75,
+            },
         ]
     }
 }

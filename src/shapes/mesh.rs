@@ -9,7 +9,7 @@ use super::watertight::{self, ShearedRay};
 use super::{Candidate, Context, Shape, Surface};
 use crate::accel::{self, Accel, Primitives};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
 /// The triangles of a PLY or OBJ file.
@@ -19,7 +19,7 @@ pub struct Mesh {
     /// The file, relative to the scene file.
     pub file: PathBuf,
     /// The file's coordinates are multiplied by this.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub scale: f64,
     /// Shade with interpolated vertex normals: those of the file, or the book's mean of the
     /// adjacent faces' normals.
@@ -31,10 +31,6 @@ pub struct Mesh {
     /// How rays find its triangles; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<accel::Method>,
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 impl Specification for Mesh {

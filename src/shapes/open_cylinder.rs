@@ -39,10 +39,7 @@ impl Specification for OpenCylinder {
     }
 
     fn specimens() -> Vec<Self> {
-        vec![
-            Self { y0: -1.0, y1: 1.0, radius: 1.0 },
-            Self { y0: 0.25, y1: 0.5, radius: 0.375 },
-        ]
+        vec![Self { y0: -1.0, y1: 1.0, radius: 1.0 }, Self { y0: 0.25, y1: 0.5, radius: 0.375 }]
     }
 }
 

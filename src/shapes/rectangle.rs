@@ -40,7 +40,10 @@ impl Specification for Rectangle {
         let (a, b) = (finite_vector("a", self.a)?, finite_vector("b", self.b)?);
         let zero = Point::ORIGIN;
         let normal = Normal::new(exact_cross(zero, zero + a, zero + b)).ok_or_else(|| {
-            Invalid::field("b", format!("found {:?}, but the sides must span an area", b.to_array()))
+            Invalid::field(
+                "b",
+                format!("found {:?}, but the sides must span an area", b.to_array()),
+            )
         })?;
         let cosine = a.dot(b) / (a.length() * b.length());
         if cosine.abs() > SKEW {

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::mesh::TriangleMesh;
 use super::{Context, Shape};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::math::{Normal, Point, cos, sin};
 
 /// A sphere about the origin made of `2 h (v − 1)` triangles.
@@ -20,15 +20,11 @@ pub struct TessellatedSphere {
     /// Steps from pole to pole, 2 to 4096.
     pub vertical: u32,
     /// Positive.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub radius: f64,
     /// Shade with interpolated normals.
     #[serde(default)]
     pub smooth: bool,
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 impl Specification for TessellatedSphere {
@@ -36,7 +32,9 @@ impl Specification for TessellatedSphere {
     type Context = Context;
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        for (field, value, least) in [("horizontal", self.horizontal, 3), ("vertical", self.vertical, 2)] {
+        for (field, value, least) in
+            [("horizontal", self.horizontal, 3), ("vertical", self.vertical, 2)]
+        {
             if !(least..=4096).contains(&value) {
                 let problem = format!("found {value}, but {least} to 4096 steps are needed");
                 return Err(Invalid::field(field, problem));

@@ -29,7 +29,8 @@ impl Specification for Triangle {
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         for (i, &vertex) in self.vertices.iter().enumerate() {
-            finite_point("", vertex).map_err(|e| Invalid::new(e.problem).inside(i).inside("vertices"))?;
+            finite_point("", vertex)
+                .map_err(|e| Invalid::new(e.problem).inside(i).inside("vertices"))?;
         }
         let normal = watertight::normal(self.vertices).ok_or_else(|| {
             let found = self.vertices.map(Point::to_array);
@@ -46,9 +47,8 @@ impl Specification for Triangle {
     }
 
     fn specimens() -> Vec<Self> {
-        let triangle = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Self {
-            vertices: [a, b, c].map(Point::from),
-        };
+        let triangle =
+            |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Self { vertices: [a, b, c].map(Point::from) };
         vec![
             triangle([-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]),
             triangle([-1.1, -0.85, 0.8], [1.2, 0.1, 0.2], [-0.4, 0.5, -0.3]),

@@ -6,8 +6,8 @@
 //! zero is inside: two triangles that share an edge leave no gap. A hit computes them again without
 //! cancellation, so that `t` keeps its digits on triangles a million times longer than wide.
 
-use crate::math::{Aabb, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross};
 use crate::math::Normal;
+use crate::math::{Aabb, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross};
 
 /// A ray prepared for triangles.
 #[derive(Clone, Copy, Debug)]

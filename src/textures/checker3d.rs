@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Texture;
 use crate::invalid::{Invalid, positive};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::math::floor;
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
@@ -16,22 +16,14 @@ use crate::shapes::Surface;
 #[serde(deny_unknown_fields)]
 pub struct Checker3d {
     /// The side of a cube; positive.
-    #[serde(default = "one")]
+    #[serde(default = "kinds::one")]
     pub size: f64,
     /// The colour of the cube at the origin.
-    #[serde(default = "white")]
+    #[serde(default = "kinds::white")]
     pub color1: Rgb,
     /// The colour of its neighbours.
     #[serde(default = "half_grey")]
     pub color2: Rgb,
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn white() -> Rgb {
-    Rgb::WHITE
 }
 
 fn half_grey() -> Rgb {

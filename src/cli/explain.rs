@@ -1,0 +1,49 @@
+//! `groundtruth explain`.
+
+use clap::Args;
+use groundtruth::trace::explain;
+
+use super::scene::SceneArguments;
+use super::{Outcome, print};
+
+#[derive(Args)]
+pub struct Explain {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Column of the pixel, from 0 at the left
+    x: u32,
+    /// Row of the pixel, from 0 at the top
+    y: u32,
+    /// Explain this sample only; the first if neither this nor --all is given
+    #[arg(long, value_name = "I")]
+    sample: Option<u32>,
+    /// Explain every sample of the pixel
+    #[arg(long, conflicts_with = "sample")]
+    all: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Explain {
+    pub fn run(&self) -> Outcome {
+        let (scene, world) = self.scene.load()?;
+        let (width, height) = (world.image.width, world.image.height);
+        if self.x >= width || self.y >= height {
+            let (x, y) = (self.x, self.y);
+            return Err(
+                format!("pixel ({x}, {y}) is outside the picture of {width}x{height}").into()
+            );
+        }
+        let only = if self.all { None } else { Some(self.sample.unwrap_or(0)) };
+        if let Some(index) = only.filter(|&index| index >= world.samples_per_pixel()) {
+            let count = world.samples_per_pixel();
+            return Err(format!("no sample {index}: the pixel has {count}, numbered from 0").into());
+        }
+        let explanation = explain::pixel(&scene, &world, [self.x, self.y], only);
+        if self.json {
+            return print(&(serde_json::to_string_pretty(&explanation)? + "\n"));
+        }
+        print(&explanation.to_string())
+    }
+}

@@ -1,0 +1,72 @@
+//! The command line: one file for each command.
+//!
+//! Exit status 0 means yes, 1 means the answer is no, 2 means it could not be answered, and 130
+//! that the person interrupted it.
+
+mod explain;
+mod export;
+mod list;
+mod render;
+mod scene;
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Ray tracing from the ground up, verified chapter by chapter.
+#[derive(Parser)]
+#[command(name = "groundtruth", version, propagate_version = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// List the gallery's scenes, by chapter
+    List(list::List),
+    /// Render a scene to a picture file (.png, or .exr for linear radiance)
+    Render(render::Render),
+    /// Say why a pixel has its colour: the tree of its rays
+    Explain(explain::Explain),
+    /// Write a scene as a scene file
+    Export(export::Export),
+}
+
+/// What a command comes to.
+enum Answer {
+    /// Exit status 0.
+    Yes,
+    /// Exit status 130.
+    Interrupted,
+}
+
+type Outcome = Result<Answer, Box<dyn Error>>;
+
+/// Runs the command that the arguments say.
+pub fn run() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        Command::List(command) => command.run(),
+        Command::Render(command) => command.run(),
+        Command::Explain(command) => command.run(),
+        Command::Export(command) => command.run(),
+    };
+    match outcome {
+        Ok(Answer::Yes) => ExitCode::SUCCESS,
+        Ok(Answer::Interrupted) => ExitCode::from(130),
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Writes to standard output; a reader that has gone (`| head`) is not an error.
+fn print(text: &str) -> Outcome {
+    use std::io::Write;
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(Answer::Yes),
+    }
+}

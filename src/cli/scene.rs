@@ -1,0 +1,123 @@
+//! The arguments that name a scene and change how it is rendered, the same for every command.
+
+use std::error::Error;
+use std::path::Path;
+use std::str::FromStr;
+
+use clap::Args;
+use groundtruth::gallery;
+use groundtruth::render::Crop;
+use groundtruth::scene::{self, Scene};
+use groundtruth::world::{DEFAULT_SEED, World};
+
+#[derive(Args)]
+pub struct SceneArguments {
+    /// A gallery name such as ch28/glass-sphere (see `list`), or a scene file
+    scene: String,
+    /// Width and height of the picture in pixels, as 300x200; the view stays the same
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+    /// Samples for each pixel
+    #[arg(long, value_name = "N")]
+    samples: Option<u32>,
+    /// The seed of all random choices
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
+    seed: u64,
+}
+
+impl SceneArguments {
+    /// The scene as asked for, and its world.
+    pub fn load(&self) -> Result<(Scene, World), Box<dyn Error>> {
+        let (mut scene, folder) = self.find()?;
+        if let Some(Size { width, height }) = self.size {
+            scene.image.resize(width, height);
+        }
+        if let Some(samples) = self.samples {
+            scene.image.samples = samples;
+        }
+        let world = World::build_seeded(&scene, folder, self.seed)?;
+        let (asked, used) = (scene.image.samples, world.samples_per_pixel());
+        if asked != used {
+            eprintln!(
+                "note: {asked} samples rounded up to {used}, which the sampler's pattern needs"
+            );
+        }
+        Ok((scene, world))
+    }
+
+    fn find(&self) -> Result<(Scene, &Path), Box<dyn Error>> {
+        if let Some(entry) = gallery::find(&self.scene) {
+            return Ok(((entry.build)(), Path::new("")));
+        }
+        let path = Path::new(&self.scene);
+        if path.extension().is_none() && !path.exists() {
+            let name = &self.scene;
+            return Err(format!(
+                "no scene `{name}`: neither a gallery name (`groundtruth list` shows them) nor a file"
+            )
+            .into());
+        }
+        let (scene, _) = scene::read(path)?;
+        Ok((scene, path.parent().unwrap_or(Path::new(""))))
+    }
+}
+
+/// `300x200`.
+#[derive(Clone, Copy)]
+struct Size {
+    width: u32,
+    height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts =
+            text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+        match parts {
+            Some((width, height)) if width > 0 && height > 0 => Ok(Self { width, height }),
+            _ => Err("a size is written as 300x200".to_owned()),
+        }
+    }
+}
+
+/// `X,Y,WxH`: a part of the picture.
+#[derive(Clone, Copy)]
+pub struct CropArgument(Crop);
+
+impl FromStr for CropArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || "a crop is written as X,Y,WxH, such as 100,50,64x48".to_owned();
+        let mut parts = text.splitn(3, ',');
+        let mut next = || parts.next().ok_or_else(wrong);
+        let (x, y) = (next()?.parse(), next()?.parse());
+        let Size { width, height } = next()?.parse().map_err(|_| wrong())?;
+        let (Ok(x), Ok(y)) = (x, y) else { return Err(wrong()) };
+        Ok(Self(Crop { x, y, width, height }))
+    }
+}
+
+impl CropArgument {
+    /// The part, if it lies inside the picture.
+    pub fn inside(self, world: &World) -> Result<Crop, Box<dyn Error>> {
+        let Crop { x, y, width, height } = self.0;
+        let fits = |start: u32, length: u32, whole: u32| {
+            start.checked_add(length).is_some_and(|end| end <= whole)
+        };
+        let image = &world.image;
+        if fits(x, width, image.width) && fits(y, height, image.height) {
+            return Ok(self.0);
+        }
+        let (w, h) = (image.width, image.height);
+        Err(format!("--crop {x},{y},{width}x{height} reaches beyond the picture of {w}x{h}").into())
+    }
+}
+
+/// Starts the rayon pool with this many threads; all cores if none is named.
+pub fn start_threads(threads: Option<usize>) -> Result<(), Box<dyn Error>> {
+    let threads = threads.unwrap_or(0);
+    Ok(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?)
+}

@@ -1,0 +1,129 @@
+//! Picture files: PNG for eyes, EXR for linear radiance.
+
+use std::io::{BufWriter, Cursor, Write};
+use std::path::{Path, PathBuf};
+
+use exr::prelude::{Image as ExrImage, SpecificChannels, WritableImage};
+
+use super::{Film, Tone};
+use crate::rgb::Rgb;
+
+/// A picture file that cannot be written or read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ImageError {
+    /// The name does not say which format.
+    #[error("{}: unknown picture format; end the name with .png or .exr", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file cannot be written; nothing was left behind.
+    #[error("{}: cannot be written: {source}", path.display())]
+    Unwritable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// The file cannot be read, or is not a picture of three channels.
+    #[error("{}: cannot be read: {problem}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        problem: String,
+    },
+}
+
+/// Writes a picture: `.png` as shown by `tone`, `.exr` as linear radiance in single precision. It
+/// is written to a temporary file beside its place and then renamed: whole, or not at all.
+///
+/// # Errors
+/// [`ImageError::Format`] and [`ImageError::Unwritable`].
+pub fn write(film: &Film, tone: &Tone, path: &Path) -> Result<(), ImageError> {
+    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    let bytes = match extension.as_deref() {
+        Some("png") => png(film, tone),
+        Some("exr") => exr(film),
+        _ => return Err(ImageError::Format { path: path.to_owned() }),
+    };
+    let unwritable = |source| ImageError::Unwritable { path: path.to_owned(), source };
+    replace(path, &bytes.map_err(unwritable)?).map_err(unwritable)
+}
+
+/// Whether a picture can be written there, found out before it is rendered.
+///
+/// # Errors
+/// As [`write`].
+pub fn writable(path: &Path) -> Result<(), ImageError> {
+    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    if !matches!(extension.as_deref(), Some("png" | "exr")) {
+        return Err(ImageError::Format { path: path.to_owned() });
+    }
+    let probe = temporary_beside(path).map(drop);
+    let not_a_file = || std::io::Error::other("it is a folder");
+    let probe = if path.is_dir() { Err(not_a_file()) } else { probe };
+    probe.map_err(|source| ImageError::Unwritable { path: path.to_owned(), source })
+}
+
+/// A file in the same folder, gone again unless it is renamed.
+fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(folder)
+}
+
+/// Puts `bytes` in the place of a file, whole or not at all.
+pub fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let mut temporary = temporary_beside(path)?;
+    temporary.write_all(bytes)?;
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // temporary files are private; pictures are for others too
+        temporary.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))?;
+    }
+    temporary.persist(path).map_err(|e| e.error)?;
+    Ok(())
+}
+
+fn png(film: &Film, tone: &Tone) -> std::io::Result<Vec<u8>> {
+    let bytes = film.pixels().iter().flat_map(|&pixel| tone.to_bytes(pixel)).collect();
+    let picture = image::RgbImage::from_raw(film.width(), film.height(), bytes)
+        .expect("three bytes for each pixel");
+    let mut encoded = Cursor::new(Vec::new());
+    picture
+        .write_to(&mut BufWriter::new(&mut encoded), image::ImageFormat::Png)
+        .map_err(std::io::Error::other)?;
+    Ok(encoded.into_inner())
+}
+
+fn exr(film: &Film) -> std::io::Result<Vec<u8>> {
+    let size = (film.width() as usize, film.height() as usize);
+    let channels = SpecificChannels::rgb(|at: exr::math::Vec2<usize>| {
+        let [r, g, b] = film.get([at.0 as u32, at.1 as u32]).to_array().map(|c| c as f32);
+        (r, g, b)
+    });
+    let mut encoded = Cursor::new(Vec::new());
+    ExrImage::from_channels(size, channels)
+        .write()
+        .to_buffered(&mut encoded)
+        .map_err(|e| std::io::Error::other(e.to_string()))?;
+    Ok(encoded.into_inner())
+}
+
+/// Reads the first layer of an EXR file as linear radiance.
+///
+/// # Errors
+/// [`ImageError::Unreadable`].
+pub fn read_exr(path: &Path) -> Result<Film, ImageError> {
+    exr::prelude::read_first_rgba_layer_from_file(
+        path,
+        |size, _| Film::new(size.width() as u32, size.height() as u32),
+        |film: &mut Film, at, (r, g, b, _): (f32, f32, f32, f32)| {
+            film.set([at.x() as u32, at.y() as u32], Rgb::new(r.into(), g.into(), b.into()));
+        },
+    )
+    .map(|image| image.layer_data.channel_data.pixels)
+    .map_err(|e| ImageError::Unreadable { path: path.to_owned(), problem: e.to_string() })
+}

@@ -1,0 +1,55 @@
+//! Film: finished pixels, how they become colours of a screen, and picture files.
+
+mod files;
+mod tone;
+
+use crate::rgb::Rgb;
+
+pub use files::{ImageError, read_exr, replace, writable, write};
+pub use tone::{OutOfGamut, Tone};
+
+/// A picture of linear radiance, row by row from the top left. Pixels that are not rendered yet are
+/// black.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    width: u32,
+    height: u32,
+    pixels: Vec<Rgb>,
+}
+
+impl Film {
+    /// A black picture.
+    pub fn new(width: u32, height: u32) -> Self {
+        Self { width, height, pixels: vec![Rgb::BLACK; width as usize * height as usize] }
+    }
+
+    /// Pixels across.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Pixels down.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// The pixel at x, y, counted from the top left.
+    pub fn get(&self, [x, y]: [u32; 2]) -> Rgb {
+        self.pixels[y as usize * self.width as usize + x as usize]
+    }
+
+    /// Sets the pixel at x, y.
+    pub fn set(&mut self, [x, y]: [u32; 2], color: Rgb) {
+        self.pixels[y as usize * self.width as usize + x as usize] = color;
+    }
+
+    /// All pixels, row by row from the top left.
+    pub fn pixels(&self) -> &[Rgb] {
+        &self.pixels
+    }
+
+    /// All channels as they are stored in files: single precision.
+    pub fn to_f32(&self) -> impl Iterator<Item = [f32; 3]> {
+        self.pixels.iter().map(|pixel| pixel.to_array().map(|c| c as f32))
+    }
+}

@@ -1,0 +1,44 @@
+//! Chapter 3: bare-bones ray tracing. Without lights, a colour is what the surface sends out.
+
+use super::List;
+use super::parts::*;
+use crate::cameras::{Orthographic, Viewpoint};
+use crate::materials::Emissive;
+use crate::math::Point;
+use crate::rgb::Rgb;
+use crate::scene::{Image, Material, Object, Scene};
+use crate::shapes::{self, Plane};
+
+pub const SCENES: List =
+    &[("ch03/single-sphere", single_sphere), ("ch03/three-objects", three_objects)];
+
+/// The chapter's view: parallel rays along −z from z = 100.
+fn from_above_the_plane() -> Viewpoint {
+    Viewpoint::new(point(0.0, 0.0, 100.0), Point::ORIGIN, Orthographic { zoom: 1.0 })
+}
+
+/// An object of one flat colour, as chapter 3 has them before materials exist.
+fn flat(scene: &mut Scene, name: &str, shape: impl Into<shapes::Kind>, color: Rgb) {
+    let mut material = Material::new(name, Emissive { ls: 1.0, ce: color.into() });
+    material.two_sided = true;
+    scene.objects.push(Object::new(name, name, shape));
+    scene.materials.push(material);
+}
+
+fn single_sphere() -> Scene {
+    let image = Image { pixel_size: 0.5, ..Image::new(400, 400) };
+    let about = "figure 3.18: a red sphere of radius 85 fills the picture as a flat disk";
+    let mut scene = Scene::new(about, image, from_above_the_plane());
+    flat(&mut scene, "sphere", sphere(Point::ORIGIN, 85.0), rgb(1.0, 0.0, 0.0));
+    scene
+}
+
+fn three_objects() -> Scene {
+    let about = "figure 3.20: two spheres and a plane cut into each other";
+    let mut scene = Scene::new(about, Image::new(200, 200), from_above_the_plane());
+    flat(&mut scene, "red sphere", sphere(point(0.0, -25.0, 0.0), 80.0), rgb(1.0, 0.0, 0.0));
+    flat(&mut scene, "yellow sphere", sphere(point(0.0, 30.0, 0.0), 60.0), rgb(1.0, 1.0, 0.0));
+    let plane = Plane { point: Point::ORIGIN, normal: vector(0.0, 1.0, 1.0) };
+    flat(&mut scene, "green plane", plane, rgb(0.0, 0.25, 0.0));
+    scene
+}

@@ -1,0 +1,119 @@
+//! Chapter 24: mirror reflection.
+
+use super::List;
+use super::parts::*;
+use crate::cameras::{Pinhole, Viewpoint};
+use crate::materials::{Phong, Reflective};
+use crate::math::{Point, Vector};
+use crate::rgb::Rgb;
+use crate::scene::{Image, Material, Object, Scene, Tracer, Whitted};
+use crate::shapes::{Disk, OpenCylinder, Rectangle};
+use crate::textures::{Kind as TextureKind, Paint, PlaneChecker};
+
+pub const SCENES: List =
+    &[("ch24/reflective-set", reflective_set), ("ch24/hall-of-mirrors", hall_of_mirrors)];
+
+fn mirror(phong: Phong, kr: f64, cr: Rgb) -> Reflective {
+    Reflective { phong, kr, cr: cr.into() }
+}
+
+/// Figure 24.6 at depth 10.
+fn reflective_set() -> Scene {
+    let lens = Pinhole { distance: 360.0, zoom: 1.0 };
+    let camera = Viewpoint::new(point(75.0, 40.0, 100.0), point(-10.0, 39.0, 0.0), lens);
+    let image = Image { samples: 16, ..Image::new(600, 400) };
+    let about = "figure 24.6: mirrors among matte things, up to ten reflections of one another";
+    let mut scene = Scene::new(about, image, camera);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
+    scene.background = grey(0.15);
+    scene.lights.push(ambient(0.5));
+    scene.lights.push(point_light("lamp", point(150.0, 150.0, 0.0), 3.0));
+
+    let mut add = |(object, material): (Object, Material)| {
+        scene.objects.push(object);
+        scene.materials.push(material);
+    };
+    let yellow = mirror(phong(0.25, 0.5, rgb(0.75, 0.75, 0.0), 0.15, 100.0), 0.75, Rgb::WHITE);
+    add(object("yellow mirror sphere", sphere(point(38.0, 23.0, -25.0), 23.0), yellow));
+    let orange = matte(0.45, 0.75, rgb(0.75, 0.25, 0.0));
+    add(object("orange sphere", sphere(point(-7.0, 10.0, 42.0), 20.0), orange));
+    let black = mirror(phong(0.0, 0.0, Rgb::BLACK, 0.15, 100.0), 0.75, Rgb::WHITE);
+    add(object("black mirror sphere", sphere(point(-30.0, 59.0, 35.0), 20.0), black));
+    let wall = OpenCylinder { y0: 0.0, y1: 85.0, radius: 22.0 };
+    let chrome = mirror(phong(0.2, 0.3, rgb(0.0, 0.5, 0.75), 0.2, 100.0), 0.5, Rgb::WHITE);
+    add(object("mirror cylinder", wall, chrome));
+    let slab = boxed(point(-35.0, 0.0, -110.0), point(-25.0, 60.0, 65.0));
+    add(object("box", slab, matte(0.15, 0.5, rgb(0.75, 1.0, 0.75))));
+    let checker = PlaneChecker {
+        size: 20.0,
+        color1: Rgb::WHITE,
+        color2: grey(0.75),
+        outline_width: 2.0,
+        outline_color: Rgb::BLACK,
+    };
+    add(object("ground", ground(0.0), matte(0.3, 0.9, Paint(TextureKind::from(checker)))));
+    for (name, y, normal) in
+        [("cylinder top", 85.0, Vector::Y), ("cylinder bottom", 0.0, -Vector::Y)]
+    {
+        let disk = Disk { center: point(0.0, y, 0.0), normal, radius: 22.0 };
+        scene.objects.push(Object::new(name, "mirror cylinder", disk));
+    }
+    scene
+}
+
+/// Figures 24.17 and 24.18: half the size of the room, of its mirrors, and the gap before a mirror.
+const ROOM: f64 = 11.0;
+const MIRROR: f64 = 8.0;
+const GAP: f64 = 1.0;
+
+fn hall_of_mirrors() -> Scene {
+    let lens = Pinhole { distance: 300.0, zoom: 1.0 };
+    let camera = Viewpoint::new(point(7.5, 3.0, 9.5), Point::ORIGIN, lens);
+    let image = Image { samples: 16, ..Image::new(600, 400) };
+    let about = "figure 24.17: a sphere in a room with mirrors on three walls and on the floor";
+    let mut scene = Scene::new(about, image, camera);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 19 });
+    scene.lights.push(ambient(1.0));
+    let lamps = [(10.0, 0.0), (-10.0, 0.0), (0.0, 10.0), (0.0, -10.0)];
+    for (i, (x, z)) in lamps.into_iter().enumerate() {
+        let name = format!("lamp {}", i + 1);
+        scene.lights.push(point_light(&name, point(x, 10.0, z), 2.0).without_shadows());
+    }
+
+    let mut add = |(object, material): (Object, Material)| {
+        scene.objects.push(object);
+        scene.materials.push(material);
+    };
+    let chrome = mirror(phong(0.0, 0.2, grey(0.5), 0.0, 1.0), 0.85, rgb(0.75, 0.75, 1.0));
+    add(object("sphere", sphere(point(0.0, 0.5, 0.0), 4.0), chrome));
+
+    let rectangle = |corner: Point, a: Vector, b: Vector| Rectangle { corner, a, b };
+    let (x, y, z) = (2.0 * ROOM * Vector::X, 2.0 * ROOM * Vector::Y, 2.0 * ROOM * Vector::Z);
+    let r = ROOM;
+    let floor = rectangle(point(-r, -r, -r), z, x);
+    add(object("floor", floor, matte(0.1, 0.5, grey(0.25))));
+    let ceiling = rectangle(point(-r, r, -r), x, z);
+    add(object("ceiling", ceiling, matte(0.35, 0.5, Rgb::WHITE)));
+    let back = rectangle(point(-r, -r, -r), x, y);
+    add(object("back wall", back, matte(0.15, 0.6, rgb(0.5, 0.75, 0.75))));
+    let front = rectangle(point(r, -r, r), -x, y);
+    add(object("front wall", front, matte(0.15, 0.6, rgb(0.5, 0.75, 0.75))));
+    let left = rectangle(point(-r, -r, r), -z, y);
+    add(object("left wall", left, matte(0.15, 0.6, rgb(0.71, 0.4, 0.2))));
+    let right = rectangle(point(r, -r, -r), z, y);
+    add(object("right wall", right, matte(0.15, 0.6, rgb(0.71, 0.4, 0.2))));
+
+    let m = MIRROR;
+    let d = ROOM - GAP;
+    let (mx, my, mz) = (2.0 * m * Vector::X, 2.0 * m * Vector::Y, 2.0 * m * Vector::Z);
+    let tinted = mirror(Phong::default(), 0.9, rgb(0.9, 1.0, 0.9));
+    let yellowish = mirror(Phong::default(), 1.0, rgb(1.0, 1.0, 0.5));
+    add(object("floor mirror", rectangle(point(-m, -4.0, -m), mz, mx), yellowish));
+    add(object("back mirror", rectangle(point(-m, -m, -d), mx, my), tinted));
+    for (name, corner, a) in
+        [("front mirror", point(m, -m, d), -mx), ("left mirror", point(-d, -m, m), -mz)]
+    {
+        scene.objects.push(Object::new(name, "back mirror", rectangle(corner, a, my)));
+    }
+    scene
+}

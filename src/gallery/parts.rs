@@ -1,0 +1,67 @@
+//! What the chapters' scenes are put together from.
+
+use crate::lights::{Ambient, Directional, Point as PointLight};
+use crate::materials::{Matte, Phong};
+use crate::math::{Point, Vector};
+use crate::rgb::Rgb;
+use crate::scene::{Light, Material, Object};
+use crate::shapes::{self, Plane, Sphere};
+use crate::textures::Paint;
+
+pub fn point(x: f64, y: f64, z: f64) -> Point {
+    Point::new(x, y, z)
+}
+
+pub fn vector(x: f64, y: f64, z: f64) -> Vector {
+    Vector::new(x, y, z)
+}
+
+pub fn rgb(r: f64, g: f64, b: f64) -> Rgb {
+    Rgb::new(r, g, b)
+}
+
+pub fn grey(value: f64) -> Rgb {
+    Rgb::grey(value)
+}
+
+pub fn sphere(center: Point, radius: f64) -> Sphere {
+    Sphere { center, radius }
+}
+
+pub fn boxed(min: Point, max: Point) -> shapes::Box {
+    shapes::Box { min, max }
+}
+
+/// The plane at this height, facing up.
+pub fn ground(y: f64) -> Plane {
+    Plane { point: point(0.0, y, 0.0), normal: Vector::Y }
+}
+
+pub fn matte(ka: f64, kd: f64, cd: impl Into<Paint>) -> Matte {
+    Matte { ka, kd, cd: cd.into() }
+}
+
+pub fn phong(ka: f64, kd: f64, cd: impl Into<Paint>, ks: f64, exponent: f64) -> Phong {
+    Phong { ka, kd, cd: cd.into(), ks, exponent, ..Phong::default() }
+}
+
+pub fn ambient(ls: f64) -> Light {
+    Light::new("ambient", Ambient { ls, color: Rgb::WHITE })
+}
+
+pub fn directional(name: &str, direction: Vector, ls: f64) -> Light {
+    Light::new(name, Directional { ls, color: Rgb::WHITE, direction })
+}
+
+pub fn point_light(name: &str, location: Point, ls: f64) -> Light {
+    Light::new(name, PointLight { ls, color: Rgb::WHITE, location, attenuation: 0.0 })
+}
+
+/// An object and a material of its own, of the same name.
+pub fn object(
+    name: &str,
+    shape: impl Into<shapes::Kind>,
+    recipe: impl Into<crate::materials::Kind>,
+) -> (Object, Material) {
+    (Object::new(name, name, shape), Material::new(name, recipe))
+}

@@ -1,0 +1,168 @@
+//! From a world to pixels.
+//!
+//! A sample is a pure function of world (with its seed), pixel and index: a whole picture, one
+//! pixel of it, and any number of threads agree bit for bit. Users count pixels from the top left;
+//! the book's rows count up, only here.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+use rayon::prelude::*;
+
+use crate::film::Film;
+use crate::math::Ray;
+use crate::rgb::Rgb;
+use crate::samplers::{Key, Purpose};
+use crate::trace::{self, Recorder};
+use crate::world::World;
+
+/// The camera ray of a sample, and its place on the view plane.
+pub fn camera_ray(world: &World, pixel: [u32; 2], index: u32) -> (Ray, [f64; 2]) {
+    let key = Key::new(world.seed, pixel, Purpose::Pixel);
+    let [sx, sy] = world.pixel_samples.draw(key, index);
+    let image = &world.image;
+    let (column, row) = (f64::from(pixel[0]), f64::from(image.height - 1 - pixel[1]));
+    // half of the real number of pixels: an integer half would shift odd pictures
+    let x = image.pixel_size * (column - 0.5 * f64::from(image.width) + sx);
+    let y = image.pixel_size * (row - 0.5 * f64::from(image.height) + sy);
+    (world.view.ray([x, y]), [x, y])
+}
+
+/// The radiance of one sample of one pixel (x right, y down, from 0 at the top left).
+pub fn sample<R: Recorder>(world: &World, pixel: [u32; 2], index: u32, recorder: &mut R) -> Rgb {
+    let (ray, _) = camera_ray(world, pixel, index);
+    trace::radiance(world, &ray, recorder)
+}
+
+/// A pixel: the mean of its samples times the exposure time.
+pub fn pixel(world: &World, pixel: [u32; 2]) -> Rgb {
+    let samples = (0..world.samples_per_pixel()).map(|i| sample(world, pixel, i, &mut ()));
+    expose(world, samples)
+}
+
+/// The mean of the samples of a pixel, in their order, times the exposure time.
+pub fn expose(world: &World, samples: impl Iterator<Item = Rgb>) -> Rgb {
+    world.view.exposure_time * mean(samples)
+}
+
+/// The mean, by compensated summation (Neumaier 1974), so that a million samples lose nothing.
+pub fn mean(samples: impl Iterator<Item = Rgb>) -> Rgb {
+    let (mut sums, mut errors, mut count) = ([0.0_f64; 3], [0.0; 3], 0_u32);
+    for sample in samples {
+        count += 1;
+        for (channel, value) in sample.to_array().into_iter().enumerate() {
+            let (sum, error) = (&mut sums[channel], &mut errors[channel]);
+            let next = *sum + value;
+            *error += if sum.abs() >= value.abs() {
+                (*sum - next) + value
+            } else {
+                (value - next) + *sum
+            };
+            *sum = next;
+        }
+    }
+    let total = |i: usize| (sums[i] + errors[i]) / f64::from(count);
+    Rgb::new(total(0), total(1), total(2))
+}
+
+/// A rectangle of pixels: `x`, `y`, `width`, `height`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Crop {
+    /// The left column.
+    pub x: u32,
+    /// The top row.
+    pub y: u32,
+    /// Columns; at least 1.
+    pub width: u32,
+    /// Rows; at least 1.
+    pub height: u32,
+}
+
+/// A picture that is being rendered: anyone may look at it, and stop it.
+#[derive(Debug)]
+pub struct Canvas {
+    film: Mutex<Film>,
+    crop: Crop,
+    done: AtomicU64,
+    cancelled: AtomicBool,
+}
+
+/// Pixels are rendered in squares of this side.
+const TILE: u32 = 16;
+
+impl Canvas {
+    /// An empty picture of the whole view of a world.
+    pub fn new(world: &World) -> Self {
+        let (width, height) = (world.image.width, world.image.height);
+        Self::cropped(Crop { x: 0, y: 0, width, height })
+    }
+
+    /// An empty picture of a part of the view. The part must lie inside it.
+    pub fn cropped(crop: Crop) -> Self {
+        Self {
+            film: Mutex::new(Film::new(crop.width, crop.height)),
+            crop,
+            done: AtomicU64::new(0),
+            cancelled: AtomicBool::new(false),
+        }
+    }
+
+    /// The picture so far.
+    pub fn film(&self) -> Film {
+        self.lock().clone()
+    }
+
+    /// Looks at the picture so far without copying it.
+    pub fn look<T>(&self, look: impl FnOnce(&Film) -> T) -> T {
+        look(&self.lock())
+    }
+
+    /// Finished pixels, and how many there will be.
+    pub fn progress(&self) -> (u64, u64) {
+        let whole = u64::from(self.crop.width) * u64::from(self.crop.height);
+        (self.done.load(Ordering::Relaxed), whole)
+    }
+
+    /// Asks the rendering to stop soon.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether someone asked to stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Film> {
+        self.film.lock().expect("nothing panics while it holds the film")
+    }
+
+    /// Renders every pixel, in parallel on the current rayon pool; returns early if cancelled.
+    pub fn render(&self, world: &World) {
+        let Crop { x, y, width, height } = self.crop;
+        let (across, down) = (width.div_ceil(TILE), height.div_ceil(TILE));
+        (0..across * down).into_par_iter().for_each(|tile| {
+            let (left, top) = (tile % across * TILE, tile / across * TILE);
+            let (right, bottom) = ((left + TILE).min(width), (top + TILE).min(height));
+            let mut finished = Vec::with_capacity((TILE * TILE) as usize);
+            for row in top..bottom {
+                for column in left..right {
+                    if self.is_cancelled() {
+                        return;
+                    }
+                    finished.push(([column, row], pixel(world, [x + column, y + row])));
+                }
+            }
+            self.done.fetch_add(finished.len() as u64, Ordering::Relaxed);
+            let mut film = self.lock();
+            finished.into_iter().for_each(|(at, color)| film.set(at, color));
+        });
+    }
+}
+
+/// Renders a whole picture on the current rayon pool.
+pub fn render(world: &World) -> Film {
+    let canvas = Canvas::new(world);
+    canvas.render(world);
+    canvas.film()
+}

@@ -1,0 +1,67 @@
+//! What can be wrong with a scene.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use crate::invalid::Invalid;
+
+/// A scene that cannot be read, built or written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// The file cannot be read.
+    #[error("{}: cannot be read: {source}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// Not a scene; `source` has line, column and the words that would fit.
+    #[error("{}: {source}", path.display())]
+    Syntax {
+        /// The file.
+        path: PathBuf,
+        /// Where and what.
+        source: Box<toml::de::Error>,
+    },
+    /// A value that does not fit.
+    #[error("{place}{invalid}")]
+    Invalid {
+        /// File and line, if the scene came from a file.
+        place: Place,
+        /// Object, field, what was found and what would fit.
+        invalid: Invalid,
+    },
+    /// A scene that a file cannot say.
+    #[error("{invalid}")]
+    NotPlain {
+        /// The object that is no plain data.
+        invalid: Invalid,
+    },
+}
+
+/// A line of a file, printed as `scene.toml:12: `; nothing for a scene built in code.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Place(Option<(PathBuf, usize)>);
+
+impl Place {
+    pub(super) fn line(path: &Path, line: usize) -> Self {
+        Self(Some((path.to_owned(), line)))
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Some((path, line)) => write!(f, "{}:{line}: ", path.display()),
+            None => Ok(()),
+        }
+    }
+}
+
+impl From<Invalid> for SceneError {
+    fn from(invalid: Invalid) -> Self {
+        Self::Invalid { place: Place::default(), invalid }
+    }
+}

@@ -1,0 +1,247 @@
+//! Scenes: plain data, written by a gallery function or a TOML file, and turned into a
+//! [`World`](crate::world::World) to be rendered.
+
+mod error;
+mod file;
+
+use serde::{Deserialize, Serialize};
+
+use crate::cameras::Viewpoint;
+use crate::film::OutOfGamut;
+use crate::rgb::Rgb;
+use crate::{accel, lights, materials, samplers, shapes};
+
+pub use error::SceneError;
+pub use file::{from_toml, read, to_toml};
+
+/// Everything a picture needs.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// What it shows, in one line.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub about: String,
+    /// How light is followed.
+    #[serde(default)]
+    pub tracer: Tracer,
+    /// How objects are searched.
+    #[serde(default)]
+    pub accel: accel::Method,
+    /// What a ray sees that hits nothing.
+    #[serde(default)]
+    pub background: Rgb,
+    /// The picture.
+    pub image: Image,
+    /// Where it is seen from.
+    pub camera: Viewpoint,
+    /// The lights.
+    #[serde(default)]
+    pub lights: Vec<Light>,
+    /// The materials that objects name.
+    #[serde(default)]
+    pub materials: Vec<Material>,
+    /// The objects. Of two hit at the same distance, the first is seen.
+    #[serde(default)]
+    pub objects: Vec<Object>,
+}
+
+/// How light is followed: the book's tracers as settings of one recursion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Tracer {
+    /// Direct light only (ch. 14): mirrors and glass are not followed.
+    #[default]
+    RayCast,
+    /// Mirrors and glass are followed (ch. 24).
+    Whitted(Whitted),
+}
+
+/// The setting of the Whitted tracer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Whitted {
+    /// The largest number of edges from the camera's ray to a ray that is still cast; what lies
+    /// beyond is black. At most 128.
+    pub max_depth: u32,
+}
+
+/// The picture: the book's view plane.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Image {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// The side of a pixel on the view plane, in world units.
+    #[serde(default = "crate::kinds::one")]
+    pub pixel_size: f64,
+    /// Samples for each pixel; rounded up where the sampler's pattern needs it.
+    #[serde(default = "one_sample")]
+    pub samples: u32,
+    /// How they are spread. If left out: regular for one sample, else multi-jittered, as in the
+    /// book.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sampler: Option<samplers::Kind>,
+    /// The picture is shown to the power of 1/gamma.
+    #[serde(default = "crate::kinds::one")]
+    pub gamma: f64,
+    /// What becomes of colours above 1.
+    #[serde(default)]
+    pub out_of_gamut: OutOfGamut,
+}
+
+fn one_sample() -> u32 {
+    1
+}
+
+fn yes() -> bool {
+    true
+}
+
+fn is_yes(it: &bool) -> bool {
+    *it
+}
+
+fn is_no(it: &bool) -> bool {
+    !*it
+}
+
+/// A light and its switches.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Light {
+    /// What people call it; no two lights share a name.
+    pub name: String,
+    /// Whether it is on.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub enabled: bool,
+    /// Whether objects stand in its way. (Off by default in the book's sample code; on here.)
+    #[serde(default = "yes")]
+    pub shadows: bool,
+    /// What kind it is.
+    pub source: lights::Kind,
+}
+
+/// A material and its switches.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// What objects call it; no two materials share a name.
+    pub name: String,
+    /// Whether the back of a surface is shaded as its front, with the normal turned around. For
+    /// open surfaces; never for transparent ones, which must know their inside.
+    #[serde(default, skip_serializing_if = "is_no")]
+    pub two_sided: bool,
+    /// Whether objects of it stand in the way of light.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub casts_shadows: bool,
+    /// What it is made of.
+    pub recipe: materials::Kind,
+}
+
+/// An object and its switches.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Object {
+    /// What people call it.
+    pub name: String,
+    /// The name of a material.
+    pub material: String,
+    /// Whether it is there at all.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub enabled: bool,
+    /// Whether it stands in the way of light.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub casts_shadows: bool,
+    /// Its form.
+    pub shape: shapes::Kind,
+}
+
+impl Image {
+    /// A picture with the book's defaults: square pixels of side 1, one sample, gamma 1.
+    pub fn new(width: u32, height: u32) -> Self {
+        Self {
+            width,
+            height,
+            pixel_size: 1.0,
+            samples: 1,
+            sampler: None,
+            gamma: 1.0,
+            out_of_gamut: OutOfGamut::default(),
+        }
+    }
+
+    /// The same view in another number of pixels: their size is changed so that the width of the
+    /// view plane stays.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        self.pixel_size *= f64::from(self.width) / f64::from(width);
+        (self.width, self.height) = (width, height);
+    }
+}
+
+impl Light {
+    /// A light that is on and casts shadows.
+    pub fn new(name: &str, source: impl Into<lights::Kind>) -> Self {
+        Self { name: name.to_owned(), enabled: true, shadows: true, source: source.into() }
+    }
+
+    /// The same light without shadows, as lights are until chapter 16.
+    #[must_use]
+    pub fn without_shadows(self) -> Self {
+        Self { shadows: false, ..self }
+    }
+}
+
+impl Material {
+    /// A one-sided material.
+    pub fn new(name: &str, recipe: impl Into<materials::Kind>) -> Self {
+        let (name, recipe) = (name.to_owned(), recipe.into());
+        Self { name, two_sided: false, casts_shadows: true, recipe }
+    }
+}
+
+impl Object {
+    /// An object that is there and casts shadows.
+    pub fn new(name: &str, material: &str, shape: impl Into<shapes::Kind>) -> Self {
+        let (name, material, shape) = (name.to_owned(), material.to_owned(), shape.into());
+        Self { name, material, enabled: true, casts_shadows: true, shape }
+    }
+}
+
+impl Scene {
+    /// An empty scene: no objects, no lights, a black background.
+    pub fn new(about: &str, image: Image, camera: Viewpoint) -> Self {
+        Self {
+            about: about.to_owned(),
+            tracer: Tracer::RayCast,
+            accel: accel::Method::default(),
+            background: Rgb::BLACK,
+            image,
+            camera,
+            lights: Vec::new(),
+            materials: Vec::new(),
+            objects: Vec::new(),
+        }
+    }
+
+    /// The scene with every length multiplied by `2^exponent`, |exponent| ≤ 30: it renders the same
+    /// picture, bit for bit. Objects of custom kinds stay as they are.
+    #[must_use]
+    pub fn scaled(&self, exponent: i32) -> Self {
+        let factor = crate::math::power_of_two(exponent.clamp(-30, 30));
+        let mut scene = self.clone();
+        scene.image.pixel_size *= factor;
+        scene.camera = scene.camera.scaled(factor);
+        for light in &mut scene.lights {
+            light.source = light.source.scaled(factor);
+        }
+        for material in &mut scene.materials {
+            material.recipe = material.recipe.scaled(factor);
+        }
+        for object in &mut scene.objects {
+            object.shape = object.shape.scaled(factor);
+        }
+        scene
+    }
+}

@@ -1,0 +1,165 @@
+//! The recorder that keeps everything.
+
+use super::recorder::{Outcome, RayKind, Recorder, Term, What};
+use crate::math::{Normal, Point, Ray};
+use crate::rgb::Rgb;
+
+/// All rays of a sample, each after the one that sent it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RayTree {
+    nodes: Vec<Node>,
+    /// The rays that have begun and not ended.
+    open: Vec<usize>,
+}
+
+/// One ray.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Node {
+    /// What it is for.
+    pub kind: RayKind,
+    /// The ray.
+    pub ray: Ray,
+    /// The number of edges before it; 0 for shadow rays, which end the tree.
+    pub depth: u32,
+    /// What it counts for the ray before it.
+    pub weight: Rgb,
+    /// What became of it.
+    pub outcome: RecordedOutcome,
+    /// The terms of its sum, in order.
+    pub terms: Vec<RecordedTerm>,
+    /// What its medium lets through.
+    pub transmittance: Rgb,
+    /// What arrives at its origin.
+    pub radiance: Rgb,
+    /// The rays it sent, in order.
+    pub children: Vec<usize>,
+}
+
+/// What became of a ray.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RecordedOutcome {
+    /// It met a surface.
+    Hit(RecordedHit),
+    /// It met nothing.
+    Background,
+    /// It was beyond the largest depth and not cast.
+    TooDeep,
+    /// A shadow ray that reached its light.
+    Unblocked,
+    /// A shadow ray that met this object.
+    Blocked {
+        /// The object's place in the scene.
+        object: u32,
+    },
+}
+
+/// A surface that was met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecordedHit {
+    /// Along the ray.
+    pub t: f64,
+    /// The object's place in the scene.
+    pub object: u32,
+    /// Where.
+    pub point: Point,
+    /// Bound of the distance between the point and the true surface.
+    pub error: f64,
+    /// Perpendicular to the surface.
+    pub normal: Normal,
+    /// The normal used for shading.
+    pub shading: Normal,
+    /// Whether the ray met the side the normal points to.
+    pub front: bool,
+}
+
+/// A term, and the ray it comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecordedTerm {
+    /// The term.
+    pub term: Term,
+    /// The ray whose radiance it weighs; `None` for a local term.
+    pub child: Option<usize>,
+}
+
+impl RayTree {
+    /// The rays; a ray stands before those it sent.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The camera's ray.
+    ///
+    /// # Panics
+    /// If nothing was recorded.
+    pub fn root(&self) -> &Node {
+        &self.nodes[0]
+    }
+
+    /// What arrives along the ray by the law `T · Σ terms`, worked out again from its terms.
+    pub fn folded(&self, node: &Node) -> Rgb {
+        let value = |recorded: &RecordedTerm| match recorded.child {
+            Some(child) => recorded.term.weight * self.nodes[child].radiance,
+            None => recorded.term.value,
+        };
+        node.transmittance * node.terms.iter().map(value).sum()
+    }
+
+    fn current(&mut self) -> &mut Node {
+        let at = *self.open.last().expect("a ray has begun");
+        &mut self.nodes[at]
+    }
+}
+
+impl Recorder for RayTree {
+    fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
+        let at = self.nodes.len();
+        if !self.open.is_empty() {
+            self.current().children.push(at);
+        }
+        self.open.push(at);
+        self.nodes.push(Node {
+            kind,
+            ray: *ray,
+            depth,
+            weight,
+            outcome: RecordedOutcome::Background,
+            terms: Vec::new(),
+            transmittance: Rgb::WHITE,
+            radiance: Rgb::BLACK,
+            children: Vec::new(),
+        });
+    }
+
+    fn outcome(&mut self, outcome: Outcome<'_>) {
+        self.current().outcome = match outcome {
+            Outcome::Hit(hit) => RecordedOutcome::Hit(RecordedHit {
+                t: hit.t,
+                object: hit.object.place,
+                point: hit.surface.point,
+                error: hit.surface.error,
+                normal: hit.surface.normal,
+                shading: hit.surface.shading,
+                front: hit.front,
+            }),
+            Outcome::Background => RecordedOutcome::Background,
+            Outcome::TooDeep => RecordedOutcome::TooDeep,
+            Outcome::Unblocked => RecordedOutcome::Unblocked,
+            Outcome::Blocked(object) => RecordedOutcome::Blocked { object: object.place },
+        };
+    }
+
+    fn term(&mut self, term: Term) {
+        let node = self.current();
+        let from_child =
+            matches!(term.what, What::Traced { .. } | What::Direct { traced: true, .. });
+        let child = if from_child { node.children.last().copied() } else { None };
+        node.terms.push(RecordedTerm { term, child });
+    }
+
+    fn leave(&mut self, transmittance: Rgb, arriving: Rgb) {
+        let node = self.current();
+        node.transmittance = transmittance;
+        node.radiance = arriving;
+        self.open.pop();
+    }
+}

@@ -1,0 +1,309 @@
+//! A scene checked and built: immutable, shared by all threads, ready to be traced.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::accel::{Accel, Primitives};
+use crate::cameras::View;
+use crate::invalid::{Invalid, Key, positive};
+use crate::lights::Light;
+use crate::materials::Material;
+use crate::math::{Aabb, Ray, Span};
+use crate::rgb::Rgb;
+use crate::samplers::{Kind as SamplerKind, MultiJittered, Regular, SampleSets};
+use crate::scene::{Image, Scene, SceneError, Tracer};
+use crate::shapes::{Candidate, Context, Shape, Surface};
+
+/// The seed of a picture that names none.
+pub const DEFAULT_SEED: u64 = 1;
+
+/// More pixels would take gigabytes.
+const MOST_PIXELS: u64 = 1 << 25;
+/// More samples for a pixel would take gigabytes for their sets.
+const MOST_SAMPLES: u32 = 1 << 16;
+/// Deeper rays would need a larger stack than a thread has.
+const DEEPEST: u32 = 128;
+
+/// A scene ready to be traced.
+#[derive(Debug)]
+pub struct World {
+    /// The picture, as the scene says it.
+    pub image: Image,
+    /// The camera.
+    pub view: View,
+    /// What a ray sees that hits nothing.
+    pub background: Rgb,
+    /// How light is followed.
+    pub tracer: Tracer,
+    /// The seed of all random choices.
+    pub seed: u64,
+    /// Where in a pixel the samples are.
+    pub pixel_samples: SampleSets,
+    /// The lights that are on.
+    pub lights: Vec<PlacedLight>,
+    objects: Objects,
+    accel: Accel,
+}
+
+/// A light that is on.
+#[derive(Debug)]
+pub struct PlacedLight {
+    /// Its name.
+    pub name: String,
+    /// Its place in the scene, counted with those switched off.
+    pub place: u32,
+    /// Whether objects stand in its way.
+    pub shadows: bool,
+    /// The light.
+    pub light: Arc<dyn Light>,
+}
+
+/// An object that is there.
+#[derive(Debug)]
+pub struct PlacedObject {
+    /// Its name.
+    pub name: String,
+    /// Its place in the scene, counted with those switched off.
+    pub place: u32,
+    /// The name of its material.
+    pub material_name: String,
+    /// Its material.
+    pub material: Arc<dyn Material>,
+    /// Whether the back is shaded as the front.
+    pub two_sided: bool,
+    /// Whether it stands in the way of light.
+    pub casts_shadows: bool,
+    shape: Arc<dyn Shape>,
+    bounds: Aabb,
+}
+
+/// What a ray meets first.
+#[derive(Debug)]
+pub struct Hit<'a> {
+    /// Along the ray.
+    pub t: f64,
+    /// The object.
+    pub object: &'a PlacedObject,
+    /// Its surface there.
+    pub surface: Surface,
+    /// Whether the ray meets the side the normal points to.
+    pub front: bool,
+}
+
+impl World {
+    /// Builds a scene whose files are relative to the current folder.
+    ///
+    /// # Errors
+    /// [`SceneError::Invalid`] names object and field.
+    pub fn build(scene: &Scene) -> Result<Self, SceneError> {
+        Self::build_in(scene, Path::new(""))
+    }
+
+    /// Builds a scene whose files are relative to `folder`.
+    ///
+    /// # Errors
+    /// As [`World::build`].
+    pub fn build_in(scene: &Scene, folder: &Path) -> Result<Self, SceneError> {
+        Ok(Self::checked(scene, folder, DEFAULT_SEED)?)
+    }
+
+    /// Builds a scene with another seed.
+    ///
+    /// # Errors
+    /// As [`World::build`].
+    pub fn build_seeded(scene: &Scene, folder: &Path, seed: u64) -> Result<Self, SceneError> {
+        Ok(Self::checked(scene, folder, seed)?)
+    }
+
+    fn checked(scene: &Scene, folder: &Path, seed: u64) -> Result<Self, Invalid> {
+        let pixel_samples = samples(&scene.image, seed).map_err(|e| e.inside("image"))?;
+        scene.background.checked("background")?;
+        if let Tracer::Whitted(whitted) = scene.tracer
+            && whitted.max_depth > DEEPEST
+        {
+            let problem = format!("found {}, but at most {DEEPEST} fits", whitted.max_depth);
+            return Err(Invalid::field("max_depth", problem).inside("whitted").inside("tracer"));
+        }
+        let objects = Objects(placed_objects(scene, folder)?);
+        let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
+        Ok(Self {
+            image: scene.image.clone(),
+            view: scene.camera.build().map_err(|e| e.inside("camera"))?,
+            background: scene.background,
+            tracer: scene.tracer,
+            seed,
+            pixel_samples,
+            lights: placed_lights(scene)?,
+            accel: Accel::build(scene.accel, &bounds),
+            objects,
+        })
+    }
+
+    /// What the ray meets first.
+    pub fn hit(&self, ray: &Ray, span: Span) -> Option<Hit<'_>> {
+        let seen = Seen { objects: &self.objects, ray };
+        let (index, candidate) = self.accel.nearest(&seen, ray, span)?;
+        let object = &self.objects.0[index as usize];
+        let surface = object.shape.surface(ray, &candidate);
+        let front = surface.normal.dot(ray.direction) <= 0.0;
+        Some(Hit { t: candidate.t, object, surface, front })
+    }
+
+    /// An object that stands in the way of light along the ray, if there is one.
+    pub fn occluder(&self, ray: &Ray, span: Span) -> Option<&PlacedObject> {
+        let seen = Seen { objects: &self.objects, ray };
+        let (index, _) = self.accel.any(&seen, ray, span)?;
+        Some(&self.objects.0[index as usize])
+    }
+
+    /// The objects that are there.
+    pub fn objects(&self) -> &[PlacedObject] {
+        &self.objects.0
+    }
+
+    /// Samples for each pixel.
+    pub fn samples_per_pixel(&self) -> u32 {
+        self.pixel_samples.per_set()
+    }
+
+    /// The most rays the whole picture can take, shadow rays left out.
+    pub fn most_rays(&self) -> f64 {
+        let image = &self.image;
+        let samples = f64::from(image.width) * f64::from(image.height);
+        let samples = samples * f64::from(self.samples_per_pixel());
+        let opaque = self.objects().iter().all(|object| object.material.boundary().is_none());
+        match self.tracer {
+            Tracer::RayCast => samples,
+            // a chain of mirrors, or a tree of glass
+            Tracer::Whitted(whitted) if opaque => samples * f64::from(whitted.max_depth + 1),
+            Tracer::Whitted(whitted) => {
+                samples * crate::math::power(2.0, f64::from(whitted.max_depth + 1))
+            }
+        }
+    }
+}
+
+fn samples(image: &Image, seed: u64) -> Result<SampleSets, Invalid> {
+    let (width, height) = (u64::from(image.width), u64::from(image.height));
+    if width * height == 0 {
+        let problem = format!("found {width} × {height}, but a picture has at least one pixel");
+        return Err(Invalid::field(if width == 0 { "width" } else { "height" }, problem));
+    }
+    if width * height > MOST_PIXELS {
+        let problem = format!("{width} × {height} pixels are too many; at most {MOST_PIXELS} fit");
+        return Err(Invalid::field("width", problem));
+    }
+    if !(1..=MOST_SAMPLES).contains(&image.samples) {
+        let problem = format!("found {}, but 1 to {MOST_SAMPLES} fit", image.samples);
+        return Err(Invalid::field("samples", problem));
+    }
+    positive("pixel_size", image.pixel_size)?;
+    positive("gamma", image.gamma)?;
+    let sampler = image.sampler.clone().unwrap_or(match image.samples {
+        1 => SamplerKind::from(Regular {}),
+        _ => SamplerKind::from(MultiJittered {}),
+    });
+    let sampler = sampler.build(&mut ()).map_err(|e| e.inside("sampler"))?;
+    Ok(SampleSets::new(&*sampler, image.samples, seed))
+}
+
+/// An element of a list, for error messages.
+fn item(list: &str, index: usize, name: &str) -> impl Fn(Invalid) -> Invalid {
+    let key = Key::Item(index, Some(name.to_owned()));
+    move |invalid| invalid.inside(key.clone()).inside(list)
+}
+
+/// Refuses a name that an earlier element has.
+fn unique<'a>(list: &str, names: impl Iterator<Item = &'a str>) -> Result<(), Invalid> {
+    let mut known = std::collections::HashMap::new();
+    for (index, name) in names.enumerate() {
+        if let Some(first) = known.insert(name, index) {
+            let problem = format!("`{name}` is the name of {list}[{first}] already");
+            return Err(item(list, index, name)(Invalid::field("name", problem)));
+        }
+    }
+    Ok(())
+}
+
+fn placed_lights(scene: &Scene) -> Result<Vec<PlacedLight>, Invalid> {
+    unique("lights", scene.lights.iter().map(|light| light.name.as_str()))?;
+    let mut lights = Vec::new();
+    for (index, light) in scene.lights.iter().enumerate() {
+        let built = light.source.build(&mut ()).map_err(|e| e.inside("source"));
+        let built = built.map_err(item("lights", index, &light.name))?;
+        if light.enabled {
+            let (name, place, shadows) = (light.name.clone(), index as u32, light.shadows);
+            lights.push(PlacedLight { name, place, shadows, light: built });
+        }
+    }
+    Ok(lights)
+}
+
+fn placed_objects(scene: &Scene, folder: &Path) -> Result<Vec<PlacedObject>, Invalid> {
+    unique("materials", scene.materials.iter().map(|material| material.name.as_str()))?;
+    let mut materials = std::collections::BTreeMap::new();
+    for (index, material) in scene.materials.iter().enumerate() {
+        let built = material.recipe.build(&mut ()).map_err(|e| e.inside("recipe"));
+        let built = built.map_err(item("materials", index, &material.name))?;
+        if material.two_sided && built.boundary().is_some() {
+            let problem = "a transparent material must know its inside and cannot be two-sided";
+            return Err(item("materials", index, &material.name)(Invalid::field(
+                "two_sided",
+                problem,
+            )));
+        }
+        materials.insert(material.name.as_str(), (material, built));
+    }
+    let mut context = Context::new(folder, scene.accel);
+    let mut objects = Vec::new();
+    for (index, object) in scene.objects.iter().enumerate() {
+        let here = item("objects", index, &object.name);
+        let Some((material, built)) = materials.get(object.material.as_str()) else {
+            let known: Vec<&str> = materials.keys().copied().collect();
+            let (wanted, known) = (&object.material, known.join(", "));
+            let problem = format!("no material `{wanted}`; defined are: {known}");
+            return Err(here(Invalid::field("material", problem)));
+        };
+        let shape = object.shape.build(&mut context).map_err(|e| here(e.inside("shape")))?;
+        if object.enabled {
+            objects.push(PlacedObject {
+                name: object.name.clone(),
+                place: index as u32,
+                material_name: object.material.clone(),
+                material: Arc::clone(built),
+                two_sided: material.two_sided,
+                casts_shadows: object.casts_shadows && material.casts_shadows,
+                bounds: shape.bounds(),
+                shape,
+            });
+        }
+    }
+    Ok(objects)
+}
+
+#[derive(Debug)]
+struct Objects(Vec<PlacedObject>);
+
+/// The objects as one ray sees them.
+struct Seen<'a> {
+    objects: &'a Objects,
+    ray: &'a Ray,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        self.objects.0[index as usize].shape.hit(self.ray, span)
+    }
+
+    fn shadow_hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let object = &self.objects.0[index as usize];
+        if !object.casts_shadows {
+            return None;
+        }
+        object.shape.shadow_hit(self.ray, span).map(Candidate::at)
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.objects.0[index as usize].bounds
+    }
+}
