@@ -12,7 +12,7 @@ pub const SCENES: List = &[("ch16/coloured-shadows", coloured_shadows)];
 fn coloured_shadows() -> Scene {
     let lens = Pinhole { distance: 1200.0, zoom: 1.0 };
     let camera = Viewpoint::new(point(0.0, 7.0, 10.0), point(0.0, -1.5, 0.0), lens);
-    let image = Image { samples: 16, ..Image::new(600, 400) };
+    let image = Image { samples: 16, ..Image::new(600, 540) };
     let about =
         "figure 16.11b: three coloured point lights; where one is blocked, the other two mix";
     let mut scene = Scene::new(about, image, camera);

@@ -1,0 +1,1 @@
+//! Chapter 1: ray tracer design and programming.

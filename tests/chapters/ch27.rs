@@ -1,0 +1,1 @@
+//! Chapter 27: simple transparency.

@@ -1,0 +1,1 @@
+//! Chapter 30: procedural textures.

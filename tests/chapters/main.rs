@@ -1,0 +1,28 @@
+//! Each chapter's laws: `cargo test ch19` runs all that chapter 19 promises.
+//!
+//! One binary with a module for each chapter. The contracts of traits and the golden images are in
+//! `tests/contracts`, under the same names.
+
+mod support;
+
+mod ch01;
+mod ch02;
+mod ch03;
+mod ch04;
+mod ch05;
+mod ch08;
+mod ch09;
+mod ch13;
+mod ch14;
+mod ch15;
+mod ch16;
+mod ch19;
+mod ch20;
+mod ch21;
+mod ch22;
+mod ch23;
+mod ch24;
+mod ch27;
+mod ch28;
+mod ch30;
+mod pictures;

@@ -1,0 +1,33 @@
+//! What the chapters' laws share: how cases are drawn.
+
+use groundtruth::math::{Normal, Point, Vector};
+use proptest::prelude::*;
+use proptest::test_runner::{FileFailurePersistence, RngSeed};
+
+/// Half the distance from 1 to the next number: the largest relative error of one rounding.
+pub const U: f64 = f64::EPSILON / 2.0;
+
+/// How laws are tested: the same cases every time, and those that ever failed first. The variable
+/// `LAWS_SEED` draws other cases, `LAWS_CASES` more of them.
+pub fn laws() -> ProptestConfig {
+    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
+    ProptestConfig {
+        cases: number("LAWS_CASES").unwrap_or(512) as u32,
+        rng_seed: RngSeed::Fixed(number("LAWS_SEED").unwrap_or(2007)),
+        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
+        ..ProptestConfig::default()
+    }
+}
+
+/// Directions all over the sphere, among them the axes and those within rounding of them.
+pub fn unit() -> impl Strategy<Value = Normal> {
+    let component = || prop_oneof![6 => -1.0..1.0_f64, 1 => Just(0.0), 1 => -1e-12..1e-12_f64];
+    (component(), component(), component())
+        .prop_filter_map("not zero", |(x, y, z)| Normal::new(Vector::new(x, y, z)))
+}
+
+/// Points within `reach` of the origin on each axis.
+pub fn point(reach: f64) -> impl Strategy<Value = Point> {
+    let c = move || -reach..reach;
+    (c(), c(), c()).prop_map(|(x, y, z)| Point::new(x, y, z))
+}
