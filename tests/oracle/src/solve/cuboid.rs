@@ -42,30 +42,26 @@ pub(super) fn cuboid(corners: [&V; 2], beam: &Beam) -> Found {
 
 impl Slabs<'_> {
     fn hits(&self) -> Vec<Hit> {
-        let (mut enter, mut leave): (Option<(Real, usize)>, Option<(Real, usize)>) = (None, None);
+        let (mut enter, mut leave) = (Vec::new(), Vec::new());
         for i in 0..3 {
             let d = &self.beam.d.0[i];
             let [low, high] = from_fn(|k| &self.from_o[k].0[i]);
-            if sign(d).is_eq() {
-                if sign(low).is_gt() || sign(high).is_lt() {
-                    return Vec::new();
-                }
-                continue;
-            }
-            let (near, far) =
-                if sign(d).is_gt() { (low / d, high / d) } else { (high / d, low / d) };
-            if enter.as_ref().is_none_or(|(t, _)| near > *t) {
-                enter = Some((near, i));
-            }
-            if leave.as_ref().is_none_or(|(t, _)| far < *t) {
-                leave = Some((far, i));
+            if sign(d).is_ne() {
+                let up = sign(d).is_gt();
+                enter.push((if up { low } else { high } / d, i));
+                leave.push((if up { high } else { low } / d, i));
+            } else if sign(low).is_gt() || sign(high).is_lt() {
+                return Vec::new(); // beside the slab
             }
         }
-        let (Some((near, i)), Some((far, j))) = (enter, leave) else { return Vec::new() };
-        if near > far {
-            return Vec::new();
+        let last = enter.into_iter().max_by(|a, b| a.0.cmp(&b.0));
+        let first = leave.into_iter().min_by(|a, b| a.0.cmp(&b.0));
+        match (last, first) {
+            (Some((near, i)), Some((far, j))) if near <= far => {
+                vec![self.hit(near, i, false), self.hit(far, j, true)]
+            }
+            _ => Vec::new(),
         }
-        vec![self.hit(near, i, false), self.hit(far, j, true)]
     }
 
     fn hit(&self, t: Real, axis: usize, leaving: bool) -> Hit {
