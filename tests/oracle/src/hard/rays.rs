@@ -31,10 +31,13 @@ pub(super) fn ray(shape: &Shape, family: Family, rng: &mut SplitMix64) -> Ray {
     }
 }
 
-/// At a point of the surface, or (as often) beside it by up to its size; unit direction or not.
+/// At a point of the surface, or (as often) beside it by up to its size, or away from it, which is
+/// the only way to miss a plane; unit direction or not.
 fn aimed(shape: &Shape, origin: V, rng: &mut SplitMix64) -> Ray {
     let target = beside(shape, surface(shape, rng).point, rng);
-    let direction = minus(target, origin);
+    let unbounded = matches!(shape, Shape::Plane { .. }) && rng.coin();
+    let away = if unbounded || rng.below(16) == 0 { -1.0 } else { 1.0 };
+    let direction = scale(away, minus(target, origin));
     Ray { origin, direction: if rng.coin() { unit(direction) } else { direction } }
 }
 
@@ -44,11 +47,18 @@ fn beside(shape: &Shape, point: V, rng: &mut SplitMix64) -> V {
     if rng.coin() { point } else { along(point, distance, rng.direction()) }
 }
 
-/// From a place near the surface of a huge shape, or far from it, outside or inside.
+/// From a place near the surface of a huge shape, or far from it, outside or (one in eight) inside;
+/// mostly anywhere, as a shape that fills half the sky is hit by half of such rays.
 fn huge(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     let Feature { point, out, .. } = surface(shape, rng);
     let distance = if rng.coin() { rng.decades(-3, 1) } else { size * rng.unit() };
-    aimed(shape, along(point, distance * rng.sign(), out), rng)
+    let side = if rng.below(8) == 0 { -1.0 } else { 1.0 };
+    let origin = along(point, distance * side, out);
+    if rng.below(3) == 0 {
+        aimed(shape, origin, rng)
+    } else {
+        Ray { origin, direction: rng.direction() }
+    }
 }
 
 /// Almost along the surface at a point of it.
@@ -62,12 +72,22 @@ fn grazing(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
 
 /// Past a silhouette or border, by a hair inside or outside.
 fn tangent(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
+    let smooth = round(shape) && rng.coin();
     let Feature { point, out, silhouette } =
-        if rng.coin() { border(shape, rng) } else { surface(shape, rng) };
+        if smooth { surface(shape, rng) } else { border(shape, rng) };
     let target = along(point, rng.sign() * size * rng.decades(-14, -5), out);
     let free = rng.direction();
     let direction = if silhouette { unit(perpendicular(free, out)) } else { free };
     Ray { origin: along(target, -size * rng.between(1.0, 10.0), direction), direction }
+}
+
+/// Whether rays touch the shape elsewhere than at its border.
+fn round(shape: &Shape) -> bool {
+    match shape {
+        Shape::Sphere { .. } | Shape::OpenCylinder { .. } => true,
+        Shape::Instance { of, .. } => round(of),
+        _ => false,
+    }
 }
 
 /// From the surface, anywhere.
@@ -78,11 +98,12 @@ fn on_surface(shape: &Shape, rng: &mut SplitMix64) -> Ray {
     Ray { origin, direction: if other { across } else { rng.direction() } }
 }
 
-/// Along a coordinate axis, zeros of either sign.
+/// Along a coordinate axis, zeros of either sign; from before the shape, or one in four from behind.
 fn along_axis(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     let axis = rng.axis();
     let target = beside(shape, surface(shape, rng).point, rng);
-    let origin = along(target, -size * rng.between(0.0, 5.0), axis);
+    let back = if rng.below(4) == 0 { -1.0 } else { 1.0 };
+    let origin = along(target, -back * size * rng.between(0.0, 5.0), axis);
     Ray { origin, direction: signed_zeros(axis, rng) }
 }
 
@@ -98,18 +119,24 @@ fn signed_zeros(v: V, rng: &mut SplitMix64) -> V {
     })
 }
 
-/// Through a point of an edge or corner: exactly, where point and origin have few bits.
+/// Through a point of an edge or corner: exactly, where point and origin have few bits. Convex
+/// shapes are touched there half the time; one ray in eight runs away.
 fn through_border(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
-    let target = border(shape, rng).point;
-    let offset = scale(size.max(1.0 / 64.0), rng.place(4.0)).map(|x| (x * 16.0).round() / 16.0);
-    let mut direction = if offset == [0.0; 3] { [1.0, 0.0, 0.0] } else { offset };
+    let Feature { point, out, silhouette } = border(shape, rng);
+    let free = rng.place(4.0);
+    let across = if silhouette && rng.coin() { perpendicular(free, out) } else { free };
+    let mut direction = across.map(|x| (size * x * 16.0).round() / 16.0);
     if rng.below(4) == 0 {
-        direction[rng.below(2)] = 0.0; // within a plane through the point
-        direction[2] = if direction[2] == 0.0 { 1.0 } else { direction[2] };
+        direction[rng.below(3)] = 0.0; // within a plane through the point
     }
-    let ray = Ray { origin: minus(target, direction), direction };
-    let exact = add(ray.origin, ray.direction) == target;
-    if exact { ray } else { Ray { direction: minus(target, ray.origin), ..ray } }
+    if direction == [0.0; 3] {
+        direction = rng.axis();
+    }
+    let origin = minus(point, direction);
+    if add(origin, direction) != point {
+        direction = minus(point, origin); // the nearest to it
+    }
+    Ray { origin, direction: if rng.below(8) == 0 { scale(-1.0, direction) } else { direction } }
 }
 
 /// Along planes and generators; from the plane of a face; with zeros of either sign.

@@ -155,8 +155,11 @@ fn instance(want: &Want, rng: &mut SplitMix64) -> Shape {
     let kind = rng.pick(&[Kind::Sphere, Kind::Cuboid, Kind::Disk]);
     let family = if want.family == Family::Thin { Family::Thin } else { Family::Ordinary };
     let inner = shape(kind, family, rng);
-    let wild =
-        matches!(want.family, Family::Thin | Family::Scaled | Family::Grazing) || rng.below(4) == 0;
+    let wild = match want.family {
+        Family::Ordinary => false,
+        Family::Thin | Family::Scaled | Family::Grazing => true,
+        _ => rng.below(4) == 0,
+    };
     let outer = affine(want, wild, rng);
     let inner = if rng.below(3) == 0 {
         let plain = Want { size: 1.0, aspect: 1.0, center: rng.place(1.0), family };

@@ -26,17 +26,16 @@ fn all_inputs_are_finite_and_no_direction_is_zero() {
     }
 }
 
-/// Where the family allows it: rays in a plane never hit it.
 #[test]
 fn about_half_of_the_rays_hit() {
     for kind in Kind::ALL {
         for family in Family::ALL {
             let cases = cases(kind, family, 11, 200);
             let hits = cases.iter().filter(|(s, r)| !intersect(s, r).roots.is_empty()).count();
-            let (least, most) = match (kind, family) {
-                (Kind::Plane, _) => (20, 200),
-                (_, Family::Degenerate | Family::OnSurface) => (20, 180),
-                _ => (40, 180),
+            let (least, most) = match family {
+                Family::EdgesAndCorners => (40, 185), // the border counts, unless the ray turns away
+                Family::Degenerate => (25, 170),      // a ray in a plane misses it
+                _ => (40, 170),
             };
             assert!((least..=most).contains(&hits), "{kind:?} {family:?}: {hits} of 200 hit");
         }
@@ -130,7 +129,8 @@ fn rays_through_edges_meet_them() {
         let cases = cases(kind, Family::EdgesAndCorners, 1, 200);
         let exact = cases.iter().filter(|(s, r)| intersect(s, r).margin == 0.0).count();
         assert!(exact > 50, "{kind:?}: {exact} exact");
-        assert!(cases.iter().all(|(s, r)| intersect(s, r).margin < 1e-14));
+        let answers = || cases.iter().map(|(s, r)| intersect(s, r));
+        assert!(answers().all(|a| a.roots.is_empty() || a.margin < 1e-14));
     }
 }
 

@@ -4,7 +4,9 @@ use dashu_ratio::RBig;
 
 use super::everything;
 use crate::{
-    Ray, Shape, intersect,
+    Ray, Shape,
+    hard::Kind,
+    intersect,
     real::{nearest, real},
 };
 
@@ -196,6 +198,9 @@ fn the_exact_function_changes_sign_at_every_root() {
     let mut seen = 0;
     for (kind, family, shape, ray) in everything(30) {
         let answer = intersect(&shape, &ray);
+        if matches!(kind, Kind::Cuboid | Kind::Instance) && answer.margin == 0.0 {
+            continue; // along a face or edge the function stays 0 or touches it
+        }
         let line = Line::new(&ray);
         for (i, root) in answer.roots.iter().enumerate() {
             let next = answer.roots.get(i + 1).or(i.checked_sub(1).map(|j| &answer.roots[j]));
