@@ -64,23 +64,17 @@ fn starts_on_wall(y: [&Real; 2], r: &Real, beam: &Beam) -> f64 {
 }
 
 /// What it takes to make the part of the ray between the rims touch the wall: the distance of its
-/// point nearest to the axis, as for the sphere. Its ends are asked as well: along a ray nearly
-/// parallel to the axis all points are equally near, and the farthest moves most.
+/// point nearest to the axis, as for the sphere. (Its ends are at a rim or at the origin, and asked
+/// there.)
 fn touches(y: [&Real; 2], r: &Real, closest: Option<Real>, beam: &Beam) -> f64 {
     let Some((start, end)) = between_rims(y, beam) else { return f64::INFINITY };
-    let mut nearest_to_axis = closest.unwrap_or_else(|| start.clone()).max(start.clone());
-    if let Some(end) = &end {
-        nearest_to_axis = nearest_to_axis.min(end.clone());
-    }
-    let asked = [Some(start), Some(nearest_to_axis), end];
-    let margins = asked.into_iter().flatten().map(|t| {
-        let distance = flat(&beam.at(&t)).norm();
-        let drift = beam.d_reach / beam.d.len();
-        let first = beam.o_reach + nearest(&t) * beam.d_reach + nearest(r);
-        let second = 0.5 * drift * drift * nearest(&distance);
-        Gate::new(&(distance - r), first, second).not_negative().margin
-    });
-    margins.fold(f64::INFINITY, f64::min)
+    let after_start = closest.unwrap_or_else(|| start.clone()).max(start);
+    let t = end.map_or(after_start.clone(), |end| after_start.min(end));
+    let distance = flat(&beam.at(&t)).norm();
+    let drift = beam.d_reach / beam.d.len();
+    let first = beam.o_reach + nearest(&t) * beam.d_reach + nearest(r);
+    let second = 0.5 * drift * drift * nearest(&distance);
+    Gate::new(&(distance - r), first, second).not_negative().margin
 }
 
 /// The span of t ≥ 0 between the rims, without end for a level ray.

@@ -41,6 +41,23 @@ impl Case {
         }
         case
     }
+
+    /// Moves every group by `epsilon` times its length along its part of a gradient, which has one
+    /// number for each component of each group.
+    pub(super) fn pushed(&self, epsilon: &Real, gradient: &[Vec<Real>]) -> Case {
+        let mut case = Case { shape: self.shape.clone(), ray: self.ray.clone() };
+        for (group, along) in case.groups().into_iter().zip(gradient) {
+            let steepness = length(along.iter());
+            if steepness == real(0.0) {
+                continue;
+            }
+            let step = epsilon * length(group.iter().map(|x| &**x)) / steepness;
+            for (x, g) in group.into_iter().zip(along) {
+                *x += &step * g;
+            }
+        }
+        case
+    }
 }
 
 pub(super) fn length<'a>(group: impl Iterator<Item = &'a Real>) -> Real {
