@@ -123,7 +123,7 @@ fn down_the_steepest_way_the_answer_flips_when_the_margin_is_used_up() {
             let safe = if rim { 0.5 } else { 0.9 } / shape.condition();
             assert!(!flips(safe), "{kind:?} margin {:e}\n{shape:?}\n{ray:?}", before.margin);
             judged += 1;
-            flipped += usize::from(flips(4.0));
+            flipped += usize::from([1.1, 1.5, 2.0, 4.0].into_iter().any(flips));
         }
         assert!(judged > 40, "{kind:?}: only {judged} cases near tangency");
         assert!(flipped * 10 >= judged * 9, "{kind:?}: {flipped} of {judged} flipped");
