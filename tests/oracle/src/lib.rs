@@ -1,1 +1,24 @@
-//! Groundtruth.
+//! Exact answers for rays and shapes, in arbitrary precision.
+//!
+//! The oracle judges the library `groundtruth` and knows nothing of it: inputs and answers are
+//! plain `f64`, taken as exact numbers; everything between is computed with 512 bits. It says where
+//! a ray meets a shape ([`intersect`]), how much each answer depends on rounding ([`Root::cond`],
+//! [`Answer::margin`]), and makes inputs that bite ([`hard`]).
+//!
+//! A *relative change by ε* moves every input point and vector by at most ε times its length, in
+//! any direction, each independently of the others; a radius, a height and the 3×3 part of a matrix
+//! (Frobenius norm) are inputs of their own. Margins are lower bounds to first order, made safe by a
+//! second-order term; conditions are exact derivatives.
+
+mod answer;
+pub mod hard;
+mod margin;
+mod real;
+mod shape;
+mod solve;
+#[cfg(test)]
+mod verified;
+
+pub use answer::{Answer, Root, intersect};
+pub use shape::{Ray, Shape};
+pub use solve::condition;

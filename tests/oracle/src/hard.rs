@@ -1,0 +1,110 @@
+//! Cases on which textbook intersections fail, the same for the same seed everywhere.
+//!
+//! A case is made backwards: a shape, a point of its surface or border, then a ray through it or a
+//! little beside it. About half of the rays hit. Nothing here is rounded to look nice; what an `f64`
+//! cannot express (a point *exactly* on a sphere) is off by its rounding, and the oracle judges the
+//! numbers as they are.
+
+mod features;
+mod rays;
+mod rng;
+mod shapes;
+mod vector;
+
+use crate::{Ray, Shape};
+pub use rng::SplitMix64;
+
+/// The kinds of shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// [`Shape::Plane`].
+    Plane,
+    /// [`Shape::Sphere`].
+    Sphere,
+    /// [`Shape::Cuboid`].
+    Cuboid,
+    /// [`Shape::Triangle`].
+    Triangle,
+    /// [`Shape::Rectangle`].
+    Rectangle,
+    /// [`Shape::Disk`].
+    Disk,
+    /// [`Shape::OpenCylinder`].
+    OpenCylinder,
+    /// [`Shape::Instance`] of a sphere, cuboid or disk, one in three nested twice.
+    Instance,
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Kind; 8] = [
+        Kind::Plane,
+        Kind::Sphere,
+        Kind::Cuboid,
+        Kind::Triangle,
+        Kind::Rectangle,
+        Kind::Disk,
+        Kind::OpenCylinder,
+        Kind::Instance,
+    ];
+}
+
+/// What makes a case hard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Nothing: sizes and distances near 1.
+    Ordinary,
+    /// Origins 10³ to 10⁸ away.
+    FarOrigin,
+    /// Rays that make an angle of 10⁻³ to 10⁻⁹ with the surface where they meet it.
+    Grazing,
+    /// Rays that pass a silhouette or border at a relative distance of 10⁻⁵ to 10⁻¹⁴, on either side.
+    Tangent,
+    /// Sizes of 10⁻⁶ to 10⁻³ at places and distances near 1.
+    TinyShape,
+    /// Sizes of 10³ to 10⁶, seen from near and far.
+    HugeShape,
+    /// Origins on the surface, to rounding.
+    OnSurface,
+    /// Rays along a coordinate axis.
+    AxisParallel,
+    /// Rays through edges, corners, rims and poles, exactly where the numbers allow it.
+    EdgesAndCorners,
+    /// Aspects of 10³ to 10⁶: needles, caps, plates, rods; for a sphere, a small one far off.
+    Thin,
+    /// Zero and negative-zero components, rays in or parallel to a plane, along a generator, through
+    /// a centre, starting on a face's plane.
+    Degenerate,
+    /// Scenes and, independently, directions scaled by 10⁻⁶ to 10⁶.
+    Scaled,
+}
+
+impl Family {
+    /// All families.
+    pub const ALL: [Family; 12] = [
+        Family::Ordinary,
+        Family::FarOrigin,
+        Family::Grazing,
+        Family::Tangent,
+        Family::TinyShape,
+        Family::HugeShape,
+        Family::OnSurface,
+        Family::AxisParallel,
+        Family::EdgesAndCorners,
+        Family::Thin,
+        Family::Degenerate,
+        Family::Scaled,
+    ];
+}
+
+/// The first `n` cases of a kind and family under a seed.
+pub fn cases(kind: Kind, family: Family, seed: u64, n: usize) -> Vec<(Shape, Ray)> {
+    let stream = (kind as u64) << 8 | family as u64;
+    let mut rng = SplitMix64::new(SplitMix64::new(seed).next_u64() ^ stream);
+    let case = |_| {
+        let shape = shapes::shape(kind, family, &mut rng);
+        let ray = rays::ray(&shape, family, &mut rng);
+        (shape, ray)
+    };
+    (0..n).map(case).collect()
+}

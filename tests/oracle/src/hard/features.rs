@@ -1,0 +1,184 @@
+//! Points of a shape worth aiming at.
+
+use super::{
+    rng::SplitMix64,
+    vector::{V, add, along, cross, dot, length, minus, perpendicular, scale, unit},
+};
+use crate::Shape;
+
+/// A point of the surface and a unit vector that points away from the shape there: the normal, or
+/// at a border the way out.
+pub(super) struct Feature {
+    pub(super) point: V,
+    pub(super) out: V,
+    /// Whether rays perpendicular to `out` touch the shape (else all rays do that pass the point).
+    pub(super) silhouette: bool,
+}
+
+/// A box about the shape, roughly: a centre and a size.
+pub(super) fn place(shape: &Shape) -> (V, f64) {
+    match shape {
+        Shape::Plane { point, .. } => (*point, 1.0),
+        Shape::Sphere { center, radius } | Shape::Disk { center, radius, .. } => (*center, *radius),
+        Shape::Cuboid { min, max } => (scale(0.5, add(*min, *max)), length(minus(*max, *min))),
+        Shape::Triangle { vertices: [a, b, c] } => {
+            let size = length(minus(*b, *a)).max(length(minus(*c, *a)));
+            (scale(1.0 / 3.0, add(add(*a, *b), *c)), size)
+        }
+        Shape::Rectangle { corner, a, b } => {
+            (along(along(*corner, 0.5, *a), 0.5, *b), length(*a).max(length(*b)))
+        }
+        Shape::OpenCylinder { y0, y1, radius } => {
+            ([0.0, 0.5 * (y0 + y1), 0.0], radius.max(y1 - y0))
+        }
+        Shape::Instance { matrix, of } => {
+            let (center, size) = place(of);
+            let stretch = columns(matrix).map(length).into_iter().fold(0.0, f64::max);
+            (moved(matrix, center), stretch * size)
+        }
+    }
+}
+
+/// A point inside the surface.
+pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
+    let (point, out) = match shape {
+        Shape::Plane { point, normal } => {
+            let n = unit(*normal);
+            (add(*point, perpendicular(rng.place(2.0), n)), n)
+        }
+        Shape::Sphere { center, radius } => {
+            let n = rng.direction();
+            (along(*center, *radius, n), n)
+        }
+        Shape::Cuboid { min, max } => {
+            let n = rng.axis();
+            let mut p = std::array::from_fn(|i| min[i] + (max[i] - min[i]) * rng.unit());
+            let i = n.iter().position(|x| *x != 0.0).unwrap_or(0);
+            p[i] = if n[i] > 0.0 { max[i] } else { min[i] };
+            (p, n)
+        }
+        Shape::Triangle { vertices: [a, b, c] } => {
+            let (mut u, mut v) = (rng.unit(), rng.unit());
+            if u + v > 1.0 {
+                (u, v) = (1.0 - u, 1.0 - v);
+            }
+            let (ab, ac) = (minus(*b, *a), minus(*c, *a));
+            (along(along(*a, u, ab), v, ac), unit(cross(ab, ac)))
+        }
+        Shape::Rectangle { corner, a, b } => {
+            (along(along(*corner, rng.unit(), *a), rng.unit(), *b), unit(cross(*a, *b)))
+        }
+        Shape::Disk { center, normal, radius } => {
+            let n = unit(*normal);
+            let u = unit(perpendicular(rng.direction(), n));
+            (along(*center, radius * rng.unit(), u), n)
+        }
+        Shape::OpenCylinder { y0, y1, radius } => {
+            let n = around_y(rng);
+            (along([0.0, rng.between(*y0, *y1), 0.0], *radius, n), n)
+        }
+        Shape::Instance { matrix, of } => return carried(matrix, surface(of, rng)),
+    };
+    Feature { point, out, silhouette: true }
+}
+
+/// A point of an edge, corner, rim; a pole where there is none.
+pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
+    let quarter = |rng: &mut SplitMix64| 0.25 * rng.below(5) as f64;
+    let (point, out, silhouette) = match shape {
+        Shape::Plane { .. } => return surface(shape, rng),
+        Shape::Sphere { center, radius } => {
+            let n = rng.axis();
+            (along(*center, *radius, n), n, true)
+        }
+        Shape::Cuboid { min, max } => {
+            let free = rng.below(3);
+            let mut out = [(); 3].map(|()| rng.sign() * rng.between(0.2, 1.0));
+            out[free] = 0.0;
+            let middle = quarter(rng);
+            let p = std::array::from_fn(|i| match i {
+                i if i == free => min[i] + middle * (max[i] - min[i]),
+                i if out[i] > 0.0 => max[i],
+                _ => min[i],
+            });
+            (p, unit(out), true)
+        }
+        Shape::Triangle { vertices } => {
+            let k = rng.below(3);
+            let [a, b, c] = [0, 1, 2].map(|i| vertices[(k + i) % 3]);
+            let edge = minus(b, a);
+            let inward = perpendicular(minus(c, a), unit(edge));
+            (along(a, quarter(rng), edge), unit(scale(-1.0, inward)), false)
+        }
+        Shape::Rectangle { corner, a, b } => {
+            let (side, other) = if rng.coin() { (a, b) } else { (b, a) };
+            let start = along(*corner, quarter(rng), *side);
+            if rng.coin() {
+                (add(start, *other), unit(*other), false)
+            } else {
+                (start, unit(scale(-1.0, *other)), false)
+            }
+        }
+        Shape::Disk { center, normal, radius } => {
+            let u = unit(perpendicular(rng.direction(), unit(*normal)));
+            (along(*center, *radius, u), u, false)
+        }
+        Shape::OpenCylinder { y0, y1, radius } => {
+            let u = around_y(rng);
+            let (y, up) = if rng.coin() { (*y1, 1.0) } else { (*y0, -1.0) };
+            (along([0.0, y, 0.0], *radius, u), [0.0, up, 0.0], false)
+        }
+        Shape::Instance { matrix, of } => return carried(matrix, border(of, rng)),
+    };
+    Feature { point, out, silhouette }
+}
+
+/// A direction in which a plane of the shape, a generator or an axis of it runs.
+pub(super) fn generator(shape: &Shape, rng: &mut SplitMix64) -> V {
+    match shape {
+        Shape::Plane { normal, .. } | Shape::Disk { normal, .. } => in_plane(*normal, rng),
+        Shape::Sphere { .. } | Shape::Cuboid { .. } => rng.axis(),
+        Shape::Triangle { vertices: [a, b, c] } => minus(rng.pick(&[*b, *c]), *a),
+        Shape::Rectangle { a, b, .. } => rng.pick(&[*a, *b]),
+        Shape::OpenCylinder { .. } => [0.0, rng.sign(), 0.0],
+        Shape::Instance { matrix, of } => {
+            let inner = generator(of, rng);
+            columns(matrix).into_iter().zip(inner).fold([0.0; 3], |sum, (c, x)| along(sum, x, c))
+        }
+    }
+}
+
+/// A vector exactly perpendicular to one coordinate of `n` and one other: `(n_y, −n_x, 0)` turned.
+fn in_plane(n: V, rng: &mut SplitMix64) -> V {
+    let i = rng.below(3);
+    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+    let mut v = [0.0; 3];
+    (v[i], v[j]) = (n[j], -n[i]);
+    if v == [0.0; 3] {
+        v[i] = if n[i] == 0.0 { 1.0 } else { 0.0 };
+        v[j] = if n[j] == 0.0 { 1.0 } else { 0.0 };
+        v[k] = 0.0;
+    }
+    unit(v)
+}
+
+fn around_y(rng: &mut SplitMix64) -> V {
+    unit(perpendicular(rng.direction(), [0.0, 1.0, 0.0]))
+}
+
+fn columns(matrix: &[[f64; 4]; 3]) -> [V; 3] {
+    std::array::from_fn(|j| std::array::from_fn(|i| matrix[i][j]))
+}
+
+fn moved(matrix: &[[f64; 4]; 3], p: V) -> V {
+    std::array::from_fn(|i| dot([matrix[i][0], matrix[i][1], matrix[i][2]], p) + matrix[i][3])
+}
+
+/// The way out moves like a normal, by the cofactors; a mirror turns those round.
+fn carried(matrix: &[[f64; 4]; 3], feature: Feature) -> Feature {
+    let [a, b, c] = columns(matrix);
+    let cofactors = [cross(b, c), cross(c, a), cross(a, b)];
+    let side = if dot(a, cofactors[0]) < 0.0 { -1.0 } else { 1.0 };
+    let out = feature.out.iter().zip(cofactors).fold([0.0; 3], |sum, (x, c)| along(sum, *x, c));
+    Feature { point: moved(matrix, feature.point), out: unit(scale(side, out)), ..feature }
+}

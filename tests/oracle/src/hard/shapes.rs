@@ -1,0 +1,187 @@
+//! The shapes of the hard cases.
+
+use super::{
+    Family, Kind,
+    rng::SplitMix64,
+    vector::{V, add, along, cross, perpendicular, scale, unit},
+};
+use crate::Shape;
+
+/// What a family asks of a shape.
+struct Want {
+    /// The overall size.
+    size: f64,
+    /// The short extent over the long one.
+    aspect: f64,
+    center: V,
+    family: Family,
+}
+
+impl Want {
+    /// Coordinates that a few bits hold, so that points of edges are exact.
+    fn exact(&self) -> bool {
+        matches!(self.family, Family::EdgesAndCorners | Family::Degenerate)
+    }
+}
+
+pub(super) fn shape(kind: Kind, family: Family, rng: &mut SplitMix64) -> Shape {
+    let size = match family {
+        Family::TinyShape => rng.decades(-6, -3),
+        Family::HugeShape => rng.decades(3, 6),
+        Family::Scaled => rng.decades(-6, 6),
+        _ => rng.between(0.5, 2.0),
+    };
+    let aspect = if family == Family::Thin { rng.decades(-6, -3) } else { rng.between(0.3, 1.0) };
+    let spread = if family == Family::TinyShape { 1.0 } else { size };
+    let center = if rng.below(4) == 0 { [0.0; 3] } else { rng.place(3.0 * spread) };
+    let mut want = Want { size, aspect, center, family };
+    if want.exact() {
+        (want.size, want.center) = (snapped(want.size), want.center.map(snapped));
+    }
+    match kind {
+        Kind::Plane => Shape::Plane { point: want.center, normal: normal(&want, rng) },
+        Kind::Sphere => sphere(&want),
+        Kind::Cuboid => cuboid(&want, rng),
+        Kind::Triangle => triangle(&want, rng),
+        Kind::Rectangle => rectangle(&want, rng),
+        Kind::Disk => {
+            Shape::Disk { center: want.center, normal: normal(&want, rng), radius: want.size }
+        }
+        Kind::OpenCylinder => cylinder(&want, rng),
+        Kind::Instance => instance(&want, rng),
+    }
+}
+
+/// To the nearest 64th, and not to 0.
+fn snapped(x: f64) -> f64 {
+    let whole = (x * 64.0).round();
+    if whole == 0.0 { 1.0 / 64.0 } else { whole / 64.0 }
+}
+
+/// Of any length from 10⁻³ to 10³; along an axis half the time where planes are to be parallel to rays.
+fn normal(want: &Want, rng: &mut SplitMix64) -> V {
+    if want.family == Family::Degenerate && rng.coin() {
+        return rng.axis();
+    }
+    let length = if rng.coin() { 1.0 } else { rng.decades(-3, 3) };
+    scale(length, rng.direction())
+}
+
+/// A sphere cannot be thin; a small one at a distance is the nearest to it.
+fn sphere(want: &Want) -> Shape {
+    let thin = want.family == Family::Thin;
+    Shape::Sphere {
+        center: want.center,
+        radius: if thin { want.size * want.aspect } else { want.size },
+    }
+}
+
+fn cuboid(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let mut half = [(); 3].map(|()| want.size * rng.between(0.3, 1.0));
+    if want.family == Family::Thin {
+        half[rng.below(3)] *= want.aspect; // a plate, or with another a rod
+        half[rng.below(3)] *= want.aspect;
+    }
+    if want.exact() {
+        half = half.map(snapped);
+    }
+    Shape::Cuboid {
+        min: std::array::from_fn(|i| want.center[i] - half[i]),
+        max: std::array::from_fn(|i| want.center[i] + half[i]),
+    }
+}
+
+/// When thin, half are needles (one short side), half are caps (a corner near the opposite side).
+fn triangle(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let u = rng.direction();
+    let v = unit(perpendicular(rng.direction(), u));
+    let (long, short) = (scale(want.size, u), scale(want.size * want.aspect, v));
+    let at = if want.family == Family::Thin && rng.coin() { 0.0 } else { rng.between(0.2, 0.8) };
+    let mut vertices =
+        [want.center, add(want.center, long), add(along(want.center, at, long), short)];
+    if want.exact() {
+        let flat = want.family == Family::Degenerate && rng.coin();
+        let axis = rng.below(3);
+        vertices = vertices.map(|vertex| vertex.map(snapped));
+        for vertex in &mut vertices {
+            if flat {
+                vertex[axis] = want.center[axis];
+            }
+        }
+    }
+    vertices.rotate_left(rng.below(3));
+    Shape::Triangle { vertices }
+}
+
+/// Sides by Gram–Schmidt, or exactly perpendicular: `(p, q, 0)` and `(−q, p, 0)` with axes permuted.
+fn rectangle(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let (mut a, mut b);
+    if want.exact() || rng.below(3) == 0 {
+        let (p, q) = (snapped(rng.between(-1.0, 1.0)), snapped(rng.between(-1.0, 1.0)));
+        let power = if want.exact() { 1.0 } else { want.size };
+        (a, b) = (scale(power, [p, q, 0.0]), scale(power, [-q, p, 0.0]));
+        let turn = rng.below(3);
+        a.rotate_left(turn);
+        b.rotate_left(turn);
+    } else {
+        let u = rng.direction();
+        a = scale(want.size, u);
+        b = scale(want.size * rng.between(0.3, 1.0), unit(perpendicular(rng.direction(), u)));
+    }
+    if want.family == Family::Thin {
+        b = scale(want.aspect, b);
+    }
+    if rng.coin() {
+        (a, b) = (b, a);
+    }
+    Shape::Rectangle { corner: want.center, a, b }
+}
+
+/// When thin, a ring or a rod.
+fn cylinder(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let (mut height, mut radius) = (want.size * rng.between(0.5, 2.0), want.size);
+    if want.family == Family::Thin {
+        let short = if rng.coin() { &mut height } else { &mut radius };
+        *short *= want.aspect;
+    }
+    if want.exact() {
+        (height, radius) = (snapped(height), snapped(radius));
+    }
+    let y0 = want.center[1] - 0.5 * height;
+    Shape::OpenCylinder { y0, y1: y0 + height, radius }
+}
+
+fn instance(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let kind = rng.pick(&[Kind::Sphere, Kind::Cuboid, Kind::Disk]);
+    let family = if want.family == Family::Thin { Family::Thin } else { Family::Ordinary };
+    let inner = shape(kind, family, rng);
+    let wild = match want.family {
+        Family::Ordinary => false,
+        Family::Thin | Family::Scaled | Family::Grazing => true,
+        _ => rng.below(4) == 0,
+    };
+    let outer = affine(want, wild, rng);
+    let inner = if rng.below(3) == 0 {
+        let plain = Want { size: 1.0, aspect: 1.0, center: rng.place(1.0), family };
+        Shape::Instance { matrix: affine(&plain, false, rng), of: Box::new(inner) }
+    } else {
+        inner
+    };
+    Shape::Instance { matrix: outer, of: Box::new(inner) }
+}
+
+/// A rotation, shear (half the time), scales (10⁻⁴ to 10⁴ each when wild) and mirror, then a shift.
+fn affine(want: &Want, wild: bool, rng: &mut SplitMix64) -> [[f64; 4]; 3] {
+    let x = rng.direction();
+    let y = unit(perpendicular(rng.direction(), x));
+    let frame = [x, y, cross(x, y)];
+    let mut columns = frame.map(|axis| {
+        let stretch = if wild { rng.decades(-4, 4) } else { rng.between(0.5, 2.0) };
+        scale(want.size * stretch * rng.sign(), axis)
+    });
+    if rng.coin() {
+        columns[1] = along(columns[1], rng.between(-1.0, 1.0), columns[0]);
+        columns[2] = along(columns[2], rng.between(-1.0, 1.0), columns[1]);
+    }
+    std::array::from_fn(|i| [columns[0][i], columns[1][i], columns[2][i], want.center[i]])
+}

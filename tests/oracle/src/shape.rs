@@ -1,0 +1,124 @@
+//! What is asked about: a ray and a shape, as plain numbers.
+
+use crate::real::{Real, real};
+
+/// A half-line `origin + t·direction`, `t > 0`; the direction need not be unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ray<T = f64> {
+    /// The point at `t = 0`.
+    pub origin: [T; 3],
+    /// Not zero; `t` counts in its length.
+    pub direction: [T; 3],
+}
+
+/// A surface (`T` is `f64` everywhere outside the oracle).
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape<T = f64> {
+    /// All `p` with `(p − point)·normal = 0`.
+    Plane {
+        /// A point of it.
+        point: [T; 3],
+        /// Any length but 0.
+        normal: [T; 3],
+    },
+    /// All `p` at distance `radius > 0` from `center`; the normal points outwards.
+    Sphere {
+        /// The centre.
+        center: [T; 3],
+        /// More than 0.
+        radius: T,
+    },
+    /// The surface of the box between `min ≤ max`; the normal points outwards.
+    Cuboid {
+        /// The corner of least coordinates.
+        min: [T; 3],
+        /// The corner of greatest coordinates.
+        max: [T; 3],
+    },
+    /// The triangle with its border; the normal is `(v₁ − v₀) × (v₂ − v₀)`.
+    Triangle {
+        /// The three corners.
+        vertices: [[T; 3]; 3],
+    },
+    /// All `p = corner + x` in the plane of `a` and `b` with `0 ≤ x·a ≤ a·a` and `0 ≤ x·b ≤ b·b`;
+    /// `a` and `b` are perpendicular but for rounding. The normal is `a × b`.
+    Rectangle {
+        /// Where both sides start.
+        corner: [T; 3],
+        /// The first side.
+        a: [T; 3],
+        /// The second side.
+        b: [T; 3],
+    },
+    /// All `p` of the plane `(p − center)·normal = 0` no farther than `radius` from `center`.
+    Disk {
+        /// The centre.
+        center: [T; 3],
+        /// Any length but 0.
+        normal: [T; 3],
+        /// More than 0.
+        radius: T,
+    },
+    /// All `p` with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points away from the axis.
+    OpenCylinder {
+        /// The lower rim.
+        y0: T,
+        /// The upper rim.
+        y1: T,
+        /// More than 0.
+        radius: T,
+    },
+    /// `of`, moved by the affine `matrix`; the normal moves by the inverse transpose.
+    Instance {
+        /// The rows of the map from object to world, translation last; not singular.
+        matrix: [[T; 4]; 3],
+        /// What is moved.
+        of: Box<Shape<T>>,
+    },
+}
+
+impl Ray {
+    pub(crate) fn exact(&self) -> Ray<Real> {
+        Ray { origin: self.origin.map(real), direction: self.direction.map(real) }
+    }
+}
+
+impl Shape {
+    /// The product of the [`condition`](crate::condition)s of all nested instances; 1 for others.
+    pub fn condition(&self) -> f64 {
+        match self {
+            Shape::Instance { matrix, of } => crate::condition(matrix) * of.condition(),
+            _ => 1.0,
+        }
+    }
+
+    pub(crate) fn exact(&self) -> Shape<Real> {
+        match self {
+            Shape::Plane { point, normal } => {
+                Shape::Plane { point: point.map(real), normal: normal.map(real) }
+            }
+            Shape::Sphere { center, radius } => {
+                Shape::Sphere { center: center.map(real), radius: real(*radius) }
+            }
+            Shape::Cuboid { min, max } => Shape::Cuboid { min: min.map(real), max: max.map(real) },
+            Shape::Triangle { vertices } => {
+                Shape::Triangle { vertices: vertices.map(|v| v.map(real)) }
+            }
+            Shape::Rectangle { corner, a, b } => {
+                Shape::Rectangle { corner: corner.map(real), a: a.map(real), b: b.map(real) }
+            }
+            Shape::Disk { center, normal, radius } => Shape::Disk {
+                center: center.map(real),
+                normal: normal.map(real),
+                radius: real(*radius),
+            },
+            Shape::OpenCylinder { y0, y1, radius } => {
+                Shape::OpenCylinder { y0: real(*y0), y1: real(*y1), radius: real(*radius) }
+            }
+            Shape::Instance { matrix, of } => Shape::Instance {
+                matrix: matrix.map(|row| row.map(real)),
+                of: Box::new(of.exact()),
+            },
+        }
+    }
+}

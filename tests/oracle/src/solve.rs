@@ -1,0 +1,107 @@
+//! Each kind of shape: its meetings with a ray, its derivatives, its margin.
+
+mod cuboid;
+mod cylinder;
+mod disk;
+mod flat;
+mod instance;
+mod sphere;
+
+pub use instance::condition;
+
+use crate::{
+    margin::Gate,
+    real::{M, Real, V},
+    shape::{Ray, Shape},
+};
+
+/// A ray in the space of a shape.
+pub(crate) struct Beam {
+    pub(crate) o: V,
+    pub(crate) d: V,
+    /// A relative change of all inputs outside the shape by ε moves `o` by at most `o_reach·ε` …
+    pub(crate) o_reach: f64,
+    /// … and `d` by at most `d_reach·ε`.
+    pub(crate) d_reach: f64,
+}
+
+impl Beam {
+    pub(crate) fn new(ray: &Ray<Real>) -> Beam {
+        let (o, d) = (V(ray.origin.clone()), V(ray.direction.clone()));
+        let (o_reach, d_reach) = (o.len(), d.len());
+        assert!(d_reach > 0.0, "a ray has a direction");
+        Beam { o, d, o_reach, d_reach }
+    }
+
+    pub(crate) fn at(&self, t: &Real) -> V {
+        &self.o + &(&self.d * t)
+    }
+}
+
+/// A root of `F(o + t d) = 0`, and what is known of `F` there.
+pub(crate) struct Hit {
+    pub(crate) t: Real,
+    /// `∇F`, along the outward normal.
+    pub(crate) gradient: V,
+    /// The sum over the shape's inputs `x` of `|∂F/∂x|·|x|`.
+    pub(crate) inputs: f64,
+    /// Second derivatives of `F`; `None` where the surface is flat.
+    pub(crate) hessian: Option<M>,
+    pub(crate) face_margin: f64,
+}
+
+impl Hit {
+    fn flat(t: Real, gradient: V, inputs: f64) -> Hit {
+        Hit { t, gradient, inputs, hessian: None, face_margin: f64::INFINITY }
+    }
+}
+
+/// All roots, also behind the origin, and the margin of the answer for `t > 0`.
+pub(crate) struct Found {
+    pub(crate) hits: Vec<Hit>,
+    pub(crate) margin: f64,
+}
+
+pub(crate) fn solve(shape: &Shape<Real>, beam: &Beam) -> Found {
+    let v = |x: &[Real; 3]| V(x.clone());
+    match shape {
+        Shape::Plane { point, normal } => flat::plane(&v(point), &v(normal), beam),
+        Shape::Sphere { center, radius } => sphere::sphere(&v(center), radius, beam),
+        Shape::Cuboid { min, max } => cuboid::cuboid([&v(min), &v(max)], beam),
+        Shape::Triangle { vertices } => flat::triangle(vertices.each_ref().map(v), beam),
+        Shape::Rectangle { corner, a, b } => flat::rectangle(&v(corner), &v(a), &v(b), beam),
+        Shape::Disk { center, normal, radius } => disk::disk(&v(center), &v(normal), radius, beam),
+        Shape::OpenCylinder { y0, y1, radius } => cylinder::cylinder([y0, y1], radius, beam),
+        Shape::Instance { matrix, of } => instance::instance(matrix, of, beam),
+    }
+}
+
+/// The sign of `n·d`: 0 when the ray runs in the plane.
+fn facing(n: &V, beam: &Beam) -> Gate {
+    let (n_len, d_len) = (n.len(), beam.d.len());
+    Gate::new(&n.dot(&beam.d), n_len * (beam.d_reach + d_len), n_len * beam.d_reach)
+}
+
+/// The sign of `(p − o)·n`: 0 when the ray starts in the plane.
+fn height(p: &V, n: &V, beam: &Beam) -> Gate {
+    let (w, n_len) = (p - &beam.o, n.len());
+    let shift = n_len * (beam.o_reach + p.len());
+    Gate::new(&w.dot(n), shift + w.len() * n_len, shift)
+}
+
+/// Both real roots of `a t² + 2 b t + c` for a discriminant `b² − a c` known otherwise, ascending;
+/// the one away from `−b/a` first, so that nothing cancels.
+fn quadratic(a: &Real, b: &Real, c: &Real, discriminant: &Real) -> Vec<Real> {
+    use crate::real::{real, sign};
+    if sign(a).is_eq() || sign(discriminant).is_lt() {
+        return Vec::new();
+    }
+    let root = discriminant.sqrt();
+    let q = if sign(b).is_lt() { root - b } else { -(root + b) };
+    if sign(&q).is_eq() {
+        return vec![real(0.0), real(0.0)]; // b = 0 and c = 0
+    }
+    let mut roots = vec![&q / a, c / &q];
+    roots.sort();
+    roots
+}

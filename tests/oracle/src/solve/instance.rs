@@ -1,0 +1,47 @@
+//! A shape moved by an affine map: the ray is moved back, t stays.
+
+use super::{Beam, Found, solve};
+use crate::{
+    real::{M, Real, V, real},
+    shape::Shape,
+};
+
+/// The condition `‖A‖·‖A⁻¹‖` of the 3×3 part of an affine matrix, in the Frobenius norm (so 3 for a
+/// rotation); infinite if it is singular.
+pub fn condition(matrix: &[[f64; 4]; 3]) -> f64 {
+    let (linear, _) = parts(&matrix.map(|row| row.map(real)));
+    linear.inverse().map_or(f64::INFINITY, |inverse| linear.len() * inverse.len())
+}
+
+fn parts(matrix: &[[Real; 4]; 3]) -> (M, V) {
+    let row = |[x, y, z, _]: &[Real; 4]| V([x.clone(), y.clone(), z.clone()]);
+    (M(matrix.each_ref().map(row)), V(matrix.each_ref().map(|row| row[3].clone())))
+}
+
+/// With `x = A p + b`: `F_world(x) = F(A⁻¹ (x − b))`, so the gradient is `A⁻ᵀ g`, the Hessian
+/// `A⁻ᵀ H A⁻¹`, and a change of A and b moves `p` by `−A⁻¹ (ΔA p + Δb)`, which gives
+/// `F_A = −(A⁻ᵀ g) pᵀ` and `F_b = −A⁻ᵀ g`.
+///
+/// A relative change by ε moves the inner origin by at most
+/// `‖A⁻¹‖ (reach of o + |b| + ‖A‖ |o'|) ε`; the condition `‖A‖ ‖A⁻¹‖` is left to the user of the
+/// margin, the rest is the inner ray's reach. Likewise for the direction.
+pub(super) fn instance(matrix: &[[Real; 4]; 3], of: &Shape<Real>, beam: &Beam) -> Found {
+    let (linear, shift) = parts(matrix);
+    let back = linear.inverse().expect("an instance's matrix is not singular");
+    let (o, d) = (back.times(&(&beam.o - &shift)), back.times(&beam.d));
+    let (size, shift) = (linear.len(), shift.len());
+    let inner = Beam {
+        o_reach: (beam.o_reach + shift) / size + o.len(),
+        d_reach: beam.d_reach / size + d.len(),
+        o,
+        d,
+    };
+    let mut found = solve(of, &inner);
+    let normal_map = back.transposed();
+    for hit in &mut found.hits {
+        hit.gradient = normal_map.times(&hit.gradient);
+        hit.hessian = hit.hessian.as_ref().map(|h| normal_map.product(h).product(&back));
+        hit.inputs += hit.gradient.len() * (size * inner.at(&hit.t).len() + shift);
+    }
+    found
+}

@@ -1,0 +1,147 @@
+//! The hard cases are as hard as they say.
+
+use super::everything;
+use crate::{
+    Ray, Shape,
+    hard::{Family, Kind, cases},
+    intersect,
+};
+
+fn length(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+#[test]
+fn the_same_seed_gives_the_same_cases_and_another_others() {
+    let debug = |seed| format!("{:?}", cases(Kind::Instance, Family::Scaled, seed, 5));
+    assert_eq!(debug(1), debug(1));
+    assert_ne!(debug(1), debug(2));
+}
+
+#[test]
+fn all_inputs_are_finite_and_no_direction_is_zero() {
+    for (_, _, _, Ray { origin, direction }) in everything(100) {
+        assert!(origin.iter().chain(&direction).all(|x| x.is_finite()));
+        assert!(length(direction) > 0.0);
+    }
+}
+
+#[test]
+fn about_half_of_the_rays_hit() {
+    for kind in Kind::ALL {
+        for family in Family::ALL {
+            let cases = cases(kind, family, 11, 200);
+            let hits = cases.iter().filter(|(s, r)| !intersect(s, r).roots.is_empty()).count();
+            let (least, most) = match family {
+                Family::EdgesAndCorners => (40, 185), // the border counts, unless the ray turns away
+                Family::Degenerate => (25, 170),      // a ray in a plane misses it
+                _ => (40, 170),
+            };
+            assert!((least..=most).contains(&hits), "{kind:?} {family:?}: {hits} of 200 hit");
+        }
+    }
+}
+
+#[test]
+fn far_origins_are_far() {
+    let far = cases(Kind::Sphere, Family::FarOrigin, 1, 200);
+    assert!(far.iter().filter(|(_, ray)| length(ray.origin) > 1e6).count() > 50);
+}
+
+/// The angle with the surface, as `|d·n|/|d|`.
+#[test]
+fn grazing_rays_graze() {
+    for kind in [Kind::Plane, Kind::Sphere, Kind::Triangle, Kind::Disk, Kind::OpenCylinder] {
+        let mut flattest = f64::INFINITY;
+        for (shape, ray) in cases(kind, Family::Grazing, 1, 200) {
+            for root in intersect(&shape, &ray).roots {
+                let cos: f64 = (0..3).map(|i| root.normal[i] * ray.direction[i]).sum();
+                flattest = flattest.min(cos.abs() / length(ray.direction));
+            }
+        }
+        assert!(flattest < 1e-8, "{kind:?}: {flattest:e}");
+    }
+}
+
+#[test]
+fn tangents_pass_within_1e_12_on_both_sides() {
+    for kind in Kind::ALL {
+        let answers = cases(kind, Family::Tangent, 1, 400);
+        let answers: Vec<_> = answers.iter().map(|(s, r)| intersect(s, r)).collect();
+        let close = |hit: bool| {
+            let close = answers.iter().filter(|a| a.margin < 1e-12 && a.roots.is_empty() != hit);
+            close.count()
+        };
+        assert!(
+            close(true) >= 5 && close(false) >= 5,
+            "{kind:?}: {} {}",
+            close(true),
+            close(false)
+        );
+    }
+}
+
+/// The long side over the height on it.
+#[test]
+fn thin_triangles_are_needles_and_caps_of_aspect_1e5_and_more() {
+    let (mut needles, mut caps) = (0, 0);
+    for (shape, _) in cases(Kind::Triangle, Family::Thin, 1, 200) {
+        let Shape::Triangle { vertices: v } = shape else { unreachable!() };
+        let side = |i: usize, j: usize| length(std::array::from_fn(|k| v[i][k] - v[j][k]));
+        let mut sides = [side(0, 1), side(1, 2), side(2, 0)];
+        sides.sort_by(f64::total_cmp);
+        needles += usize::from(sides[0] < 1e-5 * sides[2]);
+        caps += usize::from(sides[0] > 0.1 * sides[2]);
+    }
+    assert!(needles > 20 && caps > 50, "{needles} needles, {caps} caps");
+}
+
+#[test]
+fn sizes_reach_from_a_millionth_to_a_million() {
+    let radii = |family| {
+        let radii = cases(Kind::Sphere, family, 1, 200).into_iter().map(|(shape, _)| {
+            let Shape::Sphere { radius, .. } = shape else { unreachable!() };
+            radius
+        });
+        radii.collect::<Vec<_>>()
+    };
+    assert!(radii(Family::TinyShape).iter().any(|r| *r < 3e-6));
+    assert!(radii(Family::HugeShape).iter().any(|r| *r > 3e5));
+    let scaled = cases(Kind::Disk, Family::Scaled, 1, 200);
+    assert!(scaled.iter().any(|(_, ray)| length(ray.direction) < 1e-5));
+    assert!(scaled.iter().any(|(_, ray)| length(ray.direction) > 1e5));
+}
+
+#[test]
+fn degenerate_rays_have_zeros_of_both_signs() {
+    for family in [Family::Degenerate, Family::AxisParallel] {
+        let cases = cases(Kind::Cuboid, family, 1, 100);
+        let components = || cases.iter().flat_map(|(_, ray)| ray.direction);
+        assert!(components().any(|x| x == 0.0 && x.is_sign_negative()));
+        assert!(components().any(|x| x == 0.0 && x.is_sign_positive()));
+    }
+}
+
+/// A ray through an edge hangs by a thread: its margin is 0 or a few roundings.
+#[test]
+fn rays_through_edges_meet_them() {
+    for kind in [Kind::Triangle, Kind::Rectangle] {
+        let cases = cases(kind, Family::EdgesAndCorners, 1, 200);
+        let exact = cases.iter().filter(|(s, r)| intersect(s, r).margin == 0.0).count();
+        assert!(exact > 50, "{kind:?}: {exact} exact");
+        let answers = || cases.iter().map(|(s, r)| intersect(s, r));
+        assert!(answers().all(|a| a.roots.is_empty() || a.margin < 1e-14));
+    }
+}
+
+/// The oracle takes sides as given; the inside test by projections means what it says only then.
+#[test]
+fn sides_of_rectangles_are_perpendicular_to_rounding() {
+    for family in Family::ALL {
+        for (shape, _) in cases(Kind::Rectangle, family, 1, 100) {
+            let Shape::Rectangle { a, b, .. } = shape else { unreachable!() };
+            let dot: f64 = (0..3).map(|i| a[i] * b[i]).sum();
+            assert!(dot.abs() <= 4.0 * f64::EPSILON * length(a) * length(b), "{family:?}");
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! The inputs of a case as groups (a point, a vector, a radius, a matrix), to be moved.
+
+use crate::{
+    hard::SplitMix64,
+    real::{Real, real},
+    shape::{Ray, Shape},
+};
+
+pub(super) struct Case {
+    pub(super) shape: Shape<Real>,
+    pub(super) ray: Ray<Real>,
+}
+
+impl Case {
+    pub(super) fn new(shape: &Shape, ray: &Ray) -> Case {
+        Case { shape: shape.exact(), ray: ray.exact() }
+    }
+
+    pub(super) fn groups(&mut self) -> Vec<Vec<&mut Real>> {
+        let Ray { origin, direction } = &mut self.ray;
+        let mut groups = vec![origin.iter_mut().collect(), direction.iter_mut().collect()];
+        of_shape(&mut self.shape, &mut groups);
+        groups
+    }
+
+    /// Moves every group by `epsilon` times its length, each in its own random direction.
+    pub(super) fn shaken(&self, epsilon: &Real, rng: &mut SplitMix64) -> Case {
+        let mut case = Case { shape: self.shape.clone(), ray: self.ray.clone() };
+        for group in case.groups() {
+            let random =
+                |rng: &mut SplitMix64| (rng.next_u64() >> 11) as f64 - (1_u64 << 52) as f64;
+            // a component or all of them: bounds along an axis are met by single components
+            let only = rng.next_u64() as usize % (2 * group.len());
+            let direction: Vec<Real> = (0..group.len())
+                .map(|i| real(if only < group.len() && i != only { 0.0 } else { random(rng) }))
+                .collect();
+            let step = epsilon * length(group.iter().map(|x| &**x)) / length(direction.iter());
+            for (x, d) in group.into_iter().zip(&direction) {
+                *x += &step * d;
+            }
+        }
+        case
+    }
+
+    /// Moves every group by `epsilon` times its length along its part of a gradient, which has one
+    /// number for each component of each group.
+    pub(super) fn pushed(&self, epsilon: &Real, gradient: &[Vec<Real>]) -> Case {
+        let mut case = Case { shape: self.shape.clone(), ray: self.ray.clone() };
+        for (group, along) in case.groups().into_iter().zip(gradient) {
+            let steepness = length(along.iter());
+            if steepness == real(0.0) {
+                continue;
+            }
+            let step = epsilon * length(group.iter().map(|x| &**x)) / steepness;
+            for (x, g) in group.into_iter().zip(along) {
+                *x += &step * g;
+            }
+        }
+        case
+    }
+}
+
+pub(super) fn length<'a>(group: impl Iterator<Item = &'a Real>) -> Real {
+    group.fold(real(0.0), |sum, x| sum + x * x).sqrt()
+}
+
+fn of_shape<'a>(shape: &'a mut Shape<Real>, groups: &mut Vec<Vec<&'a mut Real>>) {
+    match shape {
+        Shape::Plane { point: p, normal: q } | Shape::Cuboid { min: p, max: q } => {
+            groups.extend([p, q].map(|g| g.iter_mut().collect()));
+        }
+        Shape::Sphere { center, radius } => {
+            groups.extend([center.iter_mut().collect(), vec![radius]]);
+        }
+        Shape::Triangle { vertices } => {
+            groups.extend(vertices.iter_mut().map(|v| v.iter_mut().collect()));
+        }
+        Shape::Rectangle { corner, a, b } => {
+            groups.extend([corner, a, b].map(|g| g.iter_mut().collect()));
+        }
+        Shape::Disk { center, normal, radius } => {
+            groups.extend([center, normal].map(|g| g.iter_mut().collect()));
+            groups.push(vec![radius]);
+        }
+        Shape::OpenCylinder { y0, y1, radius } => groups.extend([vec![y0], vec![y1], vec![radius]]),
+        Shape::Instance { matrix, of } => {
+            let (mut linear, mut shift) = (Vec::new(), Vec::new());
+            for [x, y, z, b] in matrix {
+                linear.extend([x, y, z]);
+                shift.push(b);
+            }
+            groups.extend([linear, shift]);
+            of_shape(of, groups);
+        }
+    }
+}

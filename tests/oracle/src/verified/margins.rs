@@ -1,0 +1,144 @@
+//! Margins against perturbed inputs.
+
+use super::{
+    everything,
+    inputs::{Case, length},
+};
+use crate::{
+    Ray, Shape,
+    answer::{answer, intersect},
+    hard::{Family, Kind, SplitMix64, cases},
+    real::{Real, V, real, sign},
+    shape,
+};
+
+/// Oracle: the answer itself, for inputs moved by a quarter of the margin in random directions.
+#[test]
+fn no_change_below_the_margin_changes_the_answer() {
+    let mut rng = SplitMix64::new(7);
+    for (kind, family, shape, ray) in everything(25) {
+        let case = Case::new(&shape, &ray);
+        let expected = answer(&case.shape, &case.ray);
+        assert!(expected.margin >= 0.0, "{kind:?} {family:?} margin {}", expected.margin);
+        let epsilon = real(expected.margin.min(1.0) / 4.0 / shape.condition());
+        for _ in 0..6 {
+            let shaken = case.shaken(&epsilon, &mut rng);
+            let roots = answer(&shaken.shape, &shaken.ray).roots;
+            assert_eq!(
+                roots.len(),
+                expected.roots.len(),
+                "{kind:?} {family:?} margin {:e}\n{shape:?}\n{ray:?}",
+                expected.margin
+            );
+        }
+    }
+}
+
+/// The worst direction is the one from the centre to the ray's nearest point: ray, centre and radius
+/// all change along it, towards the other answer.
+#[test]
+fn a_change_of_four_margins_flips_a_tangent_sphere() {
+    let mut judged = 0;
+    for (shape, ray) in cases(Kind::Sphere, Family::Tangent, 3, 300) {
+        let before = intersect(&shape, &ray);
+        let mut case = Case::new(&shape, &ray);
+        let shape::Shape::Sphere { center, radius } = &mut case.shape else { unreachable!() };
+        let (o, d) = (V(case.ray.origin.clone()), V(case.ray.direction.clone()));
+        let c = V(center.clone());
+        let closest = (&c - &o).dot(&d) / d.dot(&d);
+        if sign(&closest).is_le() || before.margin > 1e-3 {
+            continue;
+        }
+        let away = (&(&o + &(&d * &closest)) - &c).unit().expect("tangents pass the centre");
+        let epsilon = real(if before.roots.is_empty() { -4.0 } else { 4.0 } * before.margin);
+        let moved = |v: &V, side: f64| (v + &(&away * &(&epsilon * v.norm() * real(side)))).0;
+        case.ray.origin = moved(&o, 1.0);
+        case.ray.direction = moved(&d, 1.0);
+        *center = moved(&c, -1.0);
+        *radius -= &epsilon * radius.clone();
+        let after = answer(&case.shape, &case.ray);
+        assert_eq!(after.roots.is_empty(), !before.roots.is_empty(), "{shape:?}\n{ray:?}");
+        judged += 1;
+    }
+    assert!(judged > 100, "only {judged} cases near tangency");
+}
+
+/// A margin of 0 everywhere would be a true lower bound, and would judge nothing.
+#[test]
+fn ordinary_cases_have_ample_margins() {
+    for kind in Kind::ALL {
+        let margins = cases(kind, Family::Ordinary, 5, 300);
+        let scarce = margins.iter().filter(|(shape, ray)| intersect(shape, ray).margin < 1e-4);
+        let scarce = scarce.count();
+        assert!(scarce < 30, "{kind:?}: {scarce} of 300");
+    }
+}
+
+/// Closed form: the ray at height 1 − h over the x axis, from x = −5, against the unit sphere at the
+/// origin: h over 5 (origin, nearly), 5 (direction over five units of length), 1 (radius).
+#[test]
+fn the_margin_of_a_near_tangent_is_its_distance_over_what_moves() {
+    let height = 1.0 - 1e-9;
+    let ray = Ray { origin: [-5.0, height, 0.0], direction: [1.0, 0.0, 0.0] };
+    let sphere = Shape::Sphere { center: [0.0; 3], radius: 1.0 };
+    let expected = 1e-9 / (26.0_f64.sqrt() + 5.0 + 1.0);
+    let margin = intersect(&sphere, &ray).margin;
+    assert!((margin / expected - 1.0).abs() < 1e-6, "{margin:e}, expected {expected:e}");
+}
+
+/// Which way the margin falls, by difference quotients.
+fn downhill(case: &mut Case, margin: f64) -> Vec<Vec<Real>> {
+    let mut gradient = Vec::new();
+    for g in 0..case.groups().len() {
+        let step = length(case.groups()[g].iter().map(|x| &**x)) * real(1e-3 * margin);
+        let rates = (0..case.groups()[g].len()).map(|i| {
+            *case.groups()[g][i] += &step;
+            let moved = answer(&case.shape, &case.ray).margin;
+            *case.groups()[g][i] -= &step;
+            real(margin - moved)
+        });
+        gradient.push(rates.collect());
+    }
+    gradient
+}
+
+/// All inputs move the way that the margin falls: not before the margin is used up does the answer
+/// flip (a rim's margin is sought on a grid, hence half), and before it is used up four times it does.
+#[test]
+fn down_the_steepest_way_the_answer_flips_when_the_margin_is_used_up() {
+    for kind in Kind::ALL {
+        let rim = matches!(kind, Kind::Disk | Kind::OpenCylinder);
+        let (mut judged, mut flipped) = (0, 0);
+        for (shape, ray) in cases(kind, Family::Tangent, 4, 60) {
+            let before = intersect(&shape, &ray);
+            if !(1e-30..1e-6).contains(&before.margin) {
+                continue;
+            }
+            let mut case = Case::new(&shape, &ray);
+            let gradient = downhill(&mut case, before.margin);
+            let flips = |part: f64| {
+                let pushed = case.pushed(&real(part * before.margin), &gradient);
+                answer(&pushed.shape, &pushed.ray).roots.len() != before.roots.len()
+            };
+            let safe = if rim { 0.5 } else { 0.9 } / shape.condition();
+            assert!(!flips(safe), "{kind:?} margin {:e}\n{shape:?}\n{ray:?}", before.margin);
+            judged += 1;
+            flipped += usize::from([1.1, 1.5, 2.0, 4.0].into_iter().any(flips));
+        }
+        assert!(judged > 40, "{kind:?}: only {judged} cases near tangency");
+        assert!(flipped * 10 >= judged * 9, "{kind:?}: {flipped} of {judged} flipped");
+    }
+}
+
+/// An instance far from the origin: its inner ray is near, and yet moves as the numbers 10⁶ do.
+#[test]
+fn the_margin_of_a_far_instance_counts_its_translation() {
+    let matrix = [[1.0, 0.0, 0.0, 1e6], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let unit = Shape::Sphere { center: [0.0; 3], radius: 1.0 };
+    let instance = Shape::Instance { matrix, of: Box::new(unit) };
+    let ray = Ray { origin: [1e6 - 5.0, 1.0 - 1e-8, 0.0], direction: [1.0, 0.0, 0.0] };
+    // o and b are 10⁶ long; the matrix's norm √3 is part of the condition
+    let expected = 1e-8 / (2e6 / 3.0_f64.sqrt());
+    let margin = intersect(&instance, &ray).margin;
+    assert!((margin / expected - 1.0).abs() < 1e-3, "{margin:e}, expected {expected:e}");
+}
