@@ -8,8 +8,9 @@
 use std::fmt;
 use std::sync::Arc;
 
-use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
-use groundtruth::shapes::{self, Context, Instance};
+use groundtruth::accel::{Accel, Method, Primitives};
+use groundtruth::math::{Aabb, Point, Ray, Span, Step, Transform, Vector};
+use groundtruth::shapes::{self, Candidate, Context, Instance};
 use oracle::hard::{Family, Kind, cases};
 
 use crate::support::U;
@@ -61,20 +62,38 @@ impl fmt::Display for Worst {
     }
 }
 
-/// `count` cases of each family; fails with the worst of them.
-pub fn sweep(kind: Kind, seed: u64, count: usize, pair: impl Fn(&oracle::Shape) -> Option<Pair>) {
+/// Judges `count` cases of each family; fails with the worst of them.
+pub fn sweep(kind: Kind, seed: u64, count: usize) {
+    sweep_as(kind, seed, count, |shape, ray, _| pair(shape).map(|pair| (pair, ray.clone())));
+}
+
+/// As [`sweep`], each case turned into another by `change`, which also gets its number; `None`
+/// where the library refuses the shape.
+pub fn sweep_as(
+    kind: Kind,
+    seed: u64,
+    count: usize,
+    change: impl Fn(&oracle::Shape, &oracle::Ray, usize) -> Option<(Pair, oracle::Ray)>,
+) {
+    let families = Family::ALL.into_iter().flat_map(|family| {
+        let numbered = cases(kind, family, seed, count).into_iter().enumerate();
+        numbered.map(move |(index, case)| (family, index, case))
+    });
+    judge_all(families.filter_map(|(family, index, (shape, ray))| {
+        let name = format!("{kind:?} {family:?} seed {seed} index {index}");
+        change(&shape, &ray, index).map(|(pair, ray)| (name, pair, ray))
+    }));
+}
+
+/// Judges named cases; fails with the worst of them, or if too few have an answer to judge.
+pub fn judge_all(cases: impl Iterator<Item = (String, Pair, oracle::Ray)>) {
     let mut worst = Worst::default();
-    for family in Family::ALL {
-        for (index, (shape, ray)) in cases(kind, family, seed, count).into_iter().enumerate() {
-            let Some(pair) = pair(&shape) else { continue };
-            let case = || format!("{kind:?} {family:?} seed {seed} index {index}");
-            worst.judge(&pair, &ray, &case);
-        }
+    for (name, pair, ray) in cases {
+        worst.judge(&pair, &ray, &|| name.clone());
     }
-    println!("{kind:?}: {worst}");
+    println!("{worst}");
     assert!(worst.failures.is_empty(), "{} failures: {worst}", worst.failures.len());
-    let enough = 12 * count / 2;
-    assert!(worst.judged > enough, "only {} cases had an answer to judge", worst.judged);
+    assert!(2 * worst.judged > worst.cases && worst.cases > 0, "too few to judge: {worst}");
 }
 
 impl Worst {
@@ -108,6 +127,9 @@ impl Worst {
             fail(format!("found {found:?} for {exact:?}, margin {:e}, κ {condition:e}", answer.margin));
             return;
         }
+        if through_accelerator(&**ours, &ray) != nearest {
+            fail(format!("the rule of the own box loses {nearest:?}"));
+        }
         for (hit, root) in found.iter().zip(&answer.roots) {
             let t = root.t_error(hit.t) / (U * condition * root.cond.max(root.t.abs()));
             self.t.meet(t, case);
@@ -134,10 +156,40 @@ impl Worst {
     }
 }
 
+/// The first hit of a scene with this shape alone.
+fn through_accelerator(shape: &dyn shapes::Shape, ray: &Ray) -> Option<Candidate> {
+    struct Alone<'a>(&'a dyn shapes::Shape, &'a Ray);
+    impl Primitives for Alone<'_> {
+        fn hit(&self, _: u32, span: Span) -> Option<Candidate> {
+            self.0.hit(self.1, span)
+        }
+        fn bounds(&self, _: u32) -> Aabb {
+            self.0.bounds()
+        }
+    }
+    let accel = Accel::build(Method::List, &[shape.bounds()]);
+    accel.nearest(&Alone(shape, ray), ray, Span::AHEAD).map(|(_, candidate)| candidate)
+}
+
 /// The library's shape of the same data; `None` where it refuses them.
 pub fn pair(exact: &oracle::Shape) -> Option<Pair> {
     let (kind, exact) = ours(exact);
     Some(Pair { ours: kind.build(&mut Context::default()).ok()?, exact })
+}
+
+/// An instance of the same shape, and the ray moved with it.
+pub fn instanced(
+    shape: &oracle::Shape,
+    ray: &oracle::Ray,
+    matrix: [[f64; 4]; 3],
+) -> Option<(Pair, oracle::Ray)> {
+    let moved = oracle::Shape::Instance { matrix, of: Box::new(shape.clone()) };
+    let transform = Transform::from_steps(&steps(&matrix)).expect("not singular");
+    let ray = oracle::Ray {
+        origin: transform.point(ray.origin.into()).into(),
+        direction: transform.vector(ray.direction.into()).into(),
+    };
+    Some((pair(&moved)?, ray))
 }
 
 /// The library's description of a shape; and the oracle's with the matrices that the library has.
