@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::functions::{cos_degrees, sin_degrees};
 use super::vectors::{Normal, Point, Vector};
-use super::{Aabb, Ray};
+use super::{Aabb, Ray, UNIT_ROUNDOFF};
 
 /// One step of a transformation, as a person types it: angles in degrees, counter-clockwise for an
 /// eye on the positive axis that looks at the origin.
@@ -113,6 +113,10 @@ fn inverse_of(m: DMat3) -> DMat3 {
     DMat3::from_cols(rows[0], rows[1], rows[2]).transpose() * (1.0 / determinant)
 }
 
+fn frobenius(m: DMat3) -> f64 {
+    m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
 /// Rodrigues' rotation about a unit axis.
 fn rotation_about(axis: DVec3, degrees: f64) -> DMat3 {
     let (s, c) = (sin_degrees(degrees), cos_degrees(degrees));
@@ -133,6 +137,7 @@ impl Transform {
             let [forward, inverse] = step.matrices();
             Self { forward: forward * so_far.forward, inverse: so_far.inverse * inverse }
         });
+        let whole = whole.refined();
         let condition = whole.condition();
         if condition <= 1e12 && whole.forward.is_finite() && whole.inverse.is_finite() {
             Ok(whole)
@@ -141,10 +146,24 @@ impl Transform {
         }
     }
 
+    /// The product of the steps' inverses `X` is as good as the worst of them (a stretch undone by
+    /// a later one); where `M X` is not the identity within rounding, a step of Newton's iteration,
+    /// `X + X (I − M X)`, makes it as good as the whole.
+    fn refined(self) -> Self {
+        let (m, x) = (self.forward.matrix3, self.inverse.matrix3);
+        let residual = DMat3::IDENTITY - m * x;
+        let rounding = 4.0 * UNIT_ROUNDOFF * self.condition();
+        if residual.to_cols_array().iter().all(|error| error.abs() <= rounding) {
+            return self;
+        }
+        let matrix3 = x + x * residual;
+        let translation = -(matrix3 * self.forward.translation);
+        Self { inverse: DAffine3 { matrix3, translation }, ..self }
+    }
+
     /// Frobenius norm of the linear part times that of its inverse.
     pub fn condition(&self) -> f64 {
-        let norm = |m: DMat3| m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt();
-        norm(self.forward.matrix3) * norm(self.inverse.matrix3)
+        frobenius(self.forward.matrix3) * frobenius(self.inverse.matrix3)
     }
 
     /// The map that undoes this one.

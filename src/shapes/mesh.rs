@@ -118,6 +118,21 @@ impl TriangleMesh {
         }
     }
 
+    /// The corners that triangles share.
+    pub fn vertices(&self) -> &[Point] {
+        &self.vertices
+    }
+
+    /// One normal for each vertex, on a smooth mesh.
+    pub fn normals(&self) -> Option<&[Normal]> {
+        self.normals.as_deref()
+    }
+
+    /// The triangles, as places in [`TriangleMesh::vertices`].
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
     /// Ready for rays.
     pub fn accelerated(self, method: accel::Method) -> impl Shape {
         let bounds: Vec<Aabb> =

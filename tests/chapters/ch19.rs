@@ -1,1 +1,3 @@
 //! Chapter 19: ray-object intersections.
+
+mod hard;

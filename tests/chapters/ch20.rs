@@ -1,1 +1,259 @@
 //! Chapter 20: affine transformations.
+
+use groundtruth::math::{Axis, Point, Step, Transform, Vector, cos_degrees, sin_degrees};
+use proptest::prelude::*;
+
+use crate::support::{U, laws, point, unit};
+
+/// Each step rounds a few times and turns or stretches what the earlier ones have rounded: ten of
+/// them stay well below this, times the condition of the whole.
+const COMPOSED: f64 = 100.0 * U;
+
+fn transform(steps: &[Step]) -> Transform {
+    Transform::from_steps(steps).expect("not singular")
+}
+
+/// A step of any kind; scales from 1/4 to 4, shears that are far from singular.
+fn step() -> impl Strategy<Value = Step> {
+    let factor = || (0.25..4.0_f64, any::<bool>()).prop_map(|(f, turn)| if turn { -f } else { f });
+    let shear = || -0.4..0.4_f64;
+    let angle = || prop_oneof![-360.0..360.0_f64, Just(90.0), Just(-180.0)];
+    prop_oneof![
+        point(3.0).prop_map(|p| Step::Translate(p.to_vector())),
+        [factor(), factor(), factor()].prop_map(|s| Step::Scale(s.into())),
+        angle().prop_map(Step::RotateX),
+        angle().prop_map(Step::RotateY),
+        angle().prop_map(Step::RotateZ),
+        (point(3.0), unit(), angle()).prop_map(|(point, n, degrees)| {
+            Step::RotateAbout { point, direction: n.into(), degrees }
+        }),
+        prop_oneof![Just(Axis::X), Just(Axis::Y), Just(Axis::Z)].prop_map(Step::Reflect),
+        [shear(), shear(), shear(), shear(), shear(), shear()].prop_map(Step::Shear),
+    ]
+}
+
+fn steps() -> impl Strategy<Value = Vec<Step>> {
+    prop::collection::vec(step(), 1..6)
+}
+
+/// The 3×3 part by rows.
+fn linear(t: &Transform) -> [[f64; 3]; 3] {
+    t.rows().map(|[x, y, z, _]| [x, y, z])
+}
+
+fn determinant(t: &Transform) -> f64 {
+    let [a, b, c] = linear(t).map(Vector::from);
+    a.dot(b.cross(c))
+}
+
+/// The product of two maps as 4×4 matrices, by the schoolbook sum.
+fn product(a: &Transform, b: &Transform) -> [[f64; 4]; 3] {
+    let (a, b) = (a.rows(), b.rows());
+    let entry = |i: usize, j: usize| {
+        let sum: f64 = (0..3).map(|k| a[i][k] * b[k][j]).sum();
+        if j == 3 { sum + a[i][3] } else { sum }
+    };
+    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+}
+
+/// The largest difference of two matrices.
+fn difference(a: [[f64; 4]; 3], b: [[f64; 4]; 3]) -> f64 {
+    let entries = a.iter().flatten().zip(b.iter().flatten());
+    entries.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}
+
+/// The sizes that rounding errors of a product are relative to.
+fn size(t: &Transform) -> f64 {
+    let all = t.rows();
+    1.0 + all.iter().flatten().fold(0.0, |most, x| x.abs().max(most))
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: `M M⁻¹ = M⁻¹ M = I` to 1e-12 for steps of every kind, shears included. Oracle: the
+    /// schoolbook product. (Invariant 1; the book's errata have a wrong shear inverse.)
+    #[test]
+    fn a_map_and_its_inverse_cancel(steps in steps()) {
+        let t = transform(&steps);
+        let identity = Transform::IDENTITY.rows();
+        let scale = size(&t) * size(&t.inverse());
+        prop_assert!(difference(product(&t, &t.inverse()), identity) < 1e-12_f64.min(COMPOSED * scale));
+        prop_assert!(difference(product(&t.inverse(), &t), identity) < 1e-12_f64.min(COMPOSED * scale));
+    }
+
+    /// Law: steps are applied first to last, `M = Tₙ … T₂ T₁`. Oracle: a point moved step by step.
+    #[test]
+    fn steps_are_applied_in_their_order(steps in steps(), p in point(3.0)) {
+        let one_by_one = steps.iter().fold(p, |p, step| transform(std::slice::from_ref(step)).point(p));
+        let at_once = transform(&steps).point(p);
+        let stretch: f64 = steps.iter().map(|s| size(&transform(std::slice::from_ref(s)))).product();
+        prop_assert!(one_by_one.distance(at_once) <= COMPOSED * stretch * 10.0);
+    }
+
+    /// Law: `(A B)⁻¹ = B⁻¹ A⁻¹`, and `after` composes. Oracle: the schoolbook product.
+    #[test]
+    fn the_inverse_of_a_product_is_the_product_of_inverses_turned_round(a in steps(), b in steps()) {
+        let (a, b) = (transform(&a), transform(&b));
+        let both = a.after(&b);
+        prop_assert!(difference(both.rows(), product(&a, &b)) <= COMPOSED * size(&a) * size(&b));
+        let (x, y) = (a.inverse(), b.inverse());
+        let wrong = difference(both.inverse().rows(), product(&y, &x));
+        prop_assert!(wrong <= COMPOSED * size(&x) * size(&y) * size(&a) * size(&b));
+    }
+
+    /// Law: determinants: rotation +1, reflection −1, translation 1, scale `abc`, shear
+    /// `1 − df − ac − be + ade + bcf`; of a composition their product. Oracle: those formulas.
+    #[test]
+    fn determinants_are_those_of_the_steps(steps in steps()) {
+        let of = |step: &Step| match *step {
+            Step::Scale(s) => s.x() * s.y() * s.z(),
+            Step::Reflect(_) => -1.0,
+            Step::Shear([a, b, c, d, e, f]) => 1.0 - d * f - a * c - b * e + a * d * e + b * c * f,
+            _ => 1.0,
+        };
+        let expected: f64 = steps.iter().map(of).product();
+        let t = transform(&steps);
+        let scale = size(&t) * size(&t) * size(&t);
+        prop_assert!((determinant(&t) - expected).abs() <= COMPOSED * scale);
+    }
+
+    /// Law: vectors ignore translation, points do not, and `M p − M q = M (p − q)`.
+    #[test]
+    fn vectors_ignore_translation(steps in steps(), shift in point(9.0), p in point(3.0), q in point(3.0)) {
+        let t = transform(&steps);
+        let mut more = steps;
+        more.push(Step::Translate(shift.to_vector()));
+        let shifted = transform(&more);
+        let v = p - q;
+        prop_assert_eq!(shifted.vector(v), t.vector(v));
+        let rounding = COMPOSED * (9.0 + 10.0 * size(&t));
+        prop_assert!(((shifted.point(p) - t.point(p)) - shift.to_vector()).length() <= rounding);
+        prop_assert!(((t.point(p) - t.point(q)) - t.vector(v)).length() <= rounding);
+    }
+
+    /// Law: affine maps keep parallels, ratios and midpoints. Oracle: the midpoint moved.
+    #[test]
+    fn midpoints_stay_midpoints(steps in steps(), p in point(3.0), q in point(3.0), f in 0.0..1.0_f64) {
+        let t = transform(&steps);
+        let between = t.point(p + f * (q - p));
+        let moved = t.point(p) + f * (t.point(q) - t.point(p));
+        prop_assert!(between.distance(moved) <= COMPOSED * 10.0 * size(&t));
+    }
+
+    /// Law: a turn about a line fixes its points, keeps distances to it, turns by its angle
+    /// counter-clockwise for an eye the direction points to, and 360° do nothing. Oracle: geometry.
+    #[test]
+    fn a_turn_about_a_line_keeps_it(q in point(3.0), n in unit(), degrees in -180.0..180.0_f64, p in point(3.0), s in -3.0..3.0_f64) {
+        let about = |degrees| transform(&[Step::RotateAbout { point: q, direction: 2.5 * n, degrees }]);
+        let t = about(degrees);
+        let on_line = q + s * n;
+        prop_assert!(t.point(on_line).distance(on_line) <= COMPOSED * 10.0);
+        prop_assert!(about(degrees + 360.0).point(p).distance(t.point(p)) <= 1e4 * U);
+        let across = |p: Point| (p - q) - (p - q).dot(n) * n;
+        let (before, after) = (across(p), across(t.point(p)));
+        prop_assert!((before.length() - after.length()).abs() <= COMPOSED * 10.0);
+        let square = before.length_squared();
+        prop_assert!((before.dot(after) - square * cos_degrees(degrees)).abs() <= COMPOSED * 100.0);
+        let sine = before.cross(after).dot(n);
+        prop_assert!((sine - square * sin_degrees(degrees)).abs() <= COMPOSED * 100.0);
+    }
+
+    /// Law: a covector stays perpendicular to what moves with the surface: `(M⁻ᵀ n)·(M v) = n·v`.
+    #[test]
+    fn covectors_pair_with_vectors_as_before(steps in steps(), n in unit(), v in point(3.0)) {
+        let (t, v) = (transform(&steps), v.to_vector());
+        let paired = t.covector(n).dot(t.vector(v));
+        prop_assert!((paired - n.dot(v)).abs() <= COMPOSED * 10.0 * size(&t) * size(&t.inverse()));
+    }
+
+    /// Law: a singular map is refused, with its condition number in the message; one that is
+    /// nearly so is accepted up to 1e12. Oracle: the condition of `diag(1, 1, s)`, `√(2 + s²)·√(2 + s⁻²)`.
+    #[test]
+    fn singular_maps_are_refused_with_their_condition(exponent in -320..-1_i32, turn in -180.0..180.0_f64) {
+        let s = groundtruth::math::power(10.0, f64::from(exponent));
+        let flat = [Step::RotateX(turn), Step::Scale(Vector::new(1.0, 1.0, s))];
+        let condition = (2.0 + s * s).sqrt() * (2.0 * s * s + 1.0).sqrt() / s;
+        match Transform::from_steps(&flat) {
+            Ok(t) => {
+                prop_assert!(condition < 1.001e12);
+                prop_assert!((t.condition() / condition - 1.0).abs() < 1e-6);
+            }
+            Err(singular) => {
+                prop_assert!(condition > 0.999e12);
+                let same = singular.condition == condition
+                    || (singular.condition / condition - 1.0).abs() < 1e-6
+                    || (singular.condition.is_infinite() && condition > 1e150);
+                prop_assert!(same, "{} for {condition:e}", singular);
+                let number = format!("{:.1e}", singular.condition);
+                prop_assert!(singular.to_string().contains(&number));
+            }
+        }
+    }
+
+    /// Law: the inverse is as good as the whole map's condition, however bad its steps are: here
+    /// stretched and put back. Oracle: the schoolbook product.
+    #[test]
+    fn the_inverse_is_right_whatever_the_steps_between(degrees in -180.0..180.0_f64, exponent in 0.0..6.0_f64) {
+        let stretch = groundtruth::math::power(10.0, exponent);
+        let t = transform(&[
+            Step::RotateX(degrees),
+            Step::Scale(Vector::new(1.0, 1.0, stretch)),
+            Step::RotateZ(0.5 * degrees),
+            Step::RotateY(-degrees),
+            Step::RotateY(degrees),
+            Step::RotateZ(-0.5 * degrees),
+            Step::Scale(Vector::new(1.0, 1.0, 1.0 / stretch)),
+        ]);
+        prop_assert!(t.condition() < 4.0);
+        prop_assert!(difference(product(&t, &t.inverse()), Transform::IDENTITY.rows()) <= COMPOSED);
+    }
+}
+
+/// Law: the printed images of the axes under quarter turns, exactly. (Invariant 3.)
+#[test]
+fn quarter_turns_send_axes_to_axes() {
+    let turned = |step, v: Vector| transform(&[step]).vector(v);
+    assert_eq!(turned(Step::RotateX(90.0), Vector::Y), Vector::Z);
+    assert_eq!(turned(Step::RotateY(90.0), Vector::Z), Vector::X);
+    assert_eq!(turned(Step::RotateZ(90.0), Vector::X), Vector::Y);
+    let about = Step::RotateAbout {
+        point: Point::ORIGIN,
+        direction: Vector::new(1.0, 1.0, 1.0),
+        degrees: 120.0,
+    };
+    assert!((turned(about, Vector::X) - Vector::Y).length() < 8.0 * U);
+}
+
+/// Law: a reflection is its own inverse and turns one coordinate. Oracle: the coordinates.
+#[test]
+fn reflections_turn_one_coordinate() {
+    let p = Point::new(2.0, 3.0, 5.0);
+    let images = [
+        (Axis::X, Point::new(-2.0, 3.0, 5.0)),
+        (Axis::Y, Point::new(2.0, -3.0, 5.0)),
+        (Axis::Z, Point::new(2.0, 3.0, -5.0)),
+    ];
+    for (axis, image) in images {
+        let t = transform(&[Step::Reflect(axis)]);
+        assert_eq!((t.point(p), t.point(image)), (image, p));
+        assert_eq!(t.inverse().rows(), t.rows());
+    }
+}
+
+/// Law: the six factors of a shear stand where the documentation says. Oracle: worked by hand.
+#[test]
+fn shears_have_their_factors_in_rows() {
+    let t = transform(&[Step::Shear([0.5, 0.25, -0.5, 0.125, 0.75, -0.25])]);
+    // x' = x + a y + b z, y' = c x + y + d z, z' = e x + f y + z at (2, 4, 8)
+    assert_eq!(t.point(Point::new(2.0, 4.0, 8.0)), Point::new(6.0, 4.0, 8.5));
+}
+
+/// Law: the order of steps matters: turned, then moved is not moved, then turned.
+#[test]
+fn order_matters() {
+    let (turn, shift) = (Step::RotateZ(90.0), Step::Translate(Vector::X));
+    let p = Point::new(1.0, 0.0, 0.0);
+    assert_eq!(transform(&[turn.clone(), shift.clone()]).point(p), Point::new(1.0, 1.0, 0.0));
+    assert_eq!(transform(&[shift, turn]).point(p), Point::new(0.0, 2.0, 0.0));
+}

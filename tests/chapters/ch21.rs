@@ -1,1 +1,3 @@
 //! Chapter 21: transforming objects.
+
+mod hard;

@@ -3,6 +3,8 @@
 //! One binary with a module for each chapter. The contracts of traits and the golden images are in
 //! `tests/contracts`, under the same names.
 
+mod draw;
+mod hard_cases;
 mod support;
 
 mod ch01;

@@ -1,0 +1,59 @@
+//! Every shape against exact arithmetic, on hard cases.
+
+use oracle::hard::Kind;
+
+use crate::draw::Draw;
+use crate::hard_cases::{Pair, judge_all, pair, sweep};
+
+macro_rules! sweeps {
+    ($($law:ident $thorough:ident $kind:ident;)*) => {$(
+        /// Law: hit or miss, every distance and every normal are right within their condition.
+        /// Oracle: 512-bit arithmetic.
+        #[test]
+        fn $law() {
+            sweep(Kind::$kind, 19, 100);
+        }
+
+        /// The same, ten thousand cases a family.
+        #[test]
+        #[ignore = "cost: cargo test ch19 -- --ignored"]
+        fn $thorough() {
+            sweep(Kind::$kind, 1919, 10_000);
+        }
+    )*};
+}
+sweeps! {
+    planes_are_exact_within_their_condition planes_thoroughly Plane;
+    spheres_are_exact_within_their_condition spheres_thoroughly Sphere;
+    boxes_are_exact_within_their_condition boxes_thoroughly Cuboid;
+    triangles_are_exact_within_their_condition triangles_thoroughly Triangle;
+    rectangles_are_exact_within_their_condition rectangles_thoroughly Rectangle;
+    disks_are_exact_within_their_condition disks_thoroughly Disk;
+    cylinders_are_exact_within_their_condition cylinders_thoroughly OpenCylinder;
+}
+
+/// Rays that make an angle of 10⁻³ to 10⁻¹² with the axis of a tall cylinder, from inside and from
+/// beside the wall: there the quadratic's leading coefficient is nearly zero.
+fn nearly_along_the_axis(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
+    let mut draw = Draw::new(1912);
+    (0..count).map(move |index| {
+        let radius = draw.decades(-3.0, 3.0);
+        let slope = draw.decades(-12.0, -3.0);
+        let height = radius * draw.decades(0.0, 13.0);
+        let cylinder = oracle::Shape::OpenCylinder { y0: -height, y1: height, radius };
+        let [x, _, z] = draw.direction().to_array();
+        let [dx, _, dz] = draw.direction().to_array();
+        let off = radius * if draw.coin() { draw.between(0.0, 2.0) } else { 1.0 };
+        let ray = oracle::Ray {
+            origin: [off * x, height * draw.between(-0.5, 0.5), off * z],
+            direction: [slope * dx, draw.sign(), slope * dz],
+        };
+        (format!("cylinder {index}"), pair(&cylinder).expect("valid"), ray)
+    })
+}
+
+/// Law and oracle as above, for the leading coefficient near zero.
+#[test]
+fn cylinders_are_exact_for_rays_nearly_along_their_axis() {
+    judge_all(nearly_along_the_axis(2_000));
+}

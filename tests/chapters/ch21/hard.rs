@@ -1,0 +1,101 @@
+//! Instances against exact arithmetic, on hard cases.
+
+use groundtruth::math::{Point, Step, Transform, Vector};
+use groundtruth::shapes::{Context, Instance, Kind, Rectangle};
+use oracle::Shape;
+use oracle::hard::{Family, Kind as Hard, cases};
+
+use crate::draw::Draw;
+use crate::hard_cases::{Pair, instanced, judge_all, sweep, sweep_as};
+
+/// Law: an instance is hit as exactly as the condition of its matrix allows. Oracle: 512-bit
+/// arithmetic on the matrix as the library has it.
+#[test]
+fn instances_are_exact_within_their_condition() {
+    sweep(Hard::Instance, 21, 100);
+}
+
+/// The same, ten thousand cases a family.
+#[test]
+#[ignore = "cost: cargo test ch21 -- --ignored"]
+fn instances_thoroughly() {
+    sweep(Hard::Instance, 2121, 10_000);
+}
+
+/// The matrices of the hard instances: scales from 10⁻⁴ to 10⁴, sheared and mirrored.
+fn matrices(count: usize) -> Vec<[[f64; 4]; 3]> {
+    let all = [Family::Ordinary, Family::Scaled].map(|f| cases(Hard::Instance, f, 2100, count));
+    let matrix = |(shape, _)| match shape {
+        Shape::Instance { matrix, .. } => Some(matrix),
+        _ => None,
+    };
+    all.into_iter().flatten().filter_map(matrix).collect()
+}
+
+fn sweep_instances_of(kind: Hard, seed: u64, count: usize) {
+    let matrices = matrices(50);
+    sweep_as(kind, seed, count, |shape, ray, i| instanced(shape, ray, matrices[i % matrices.len()]));
+}
+
+/// Law and oracle as above, for instances of what the generator does not nest.
+#[test]
+fn instances_of_cylinders_triangles_and_rectangles_are_exact_within_their_condition() {
+    for kind in [Hard::OpenCylinder, Hard::Triangle, Hard::Rectangle, Hard::Plane] {
+        sweep_instances_of(kind, 212, 100);
+    }
+}
+
+/// The same, ten thousand cases a family.
+#[test]
+#[ignore = "cost: cargo test ch21 -- --ignored"]
+fn instances_of_cylinders_triangles_and_rectangles_thoroughly() {
+    for kind in [Hard::OpenCylinder, Hard::Triangle, Hard::Rectangle, Hard::Plane] {
+        sweep_instances_of(kind, 2122, 10_000);
+    }
+}
+
+/// Flat rectangles that are stretched, turned and put back, so that they lie flat again but for
+/// rounding, which is all that the box around them is thick; and rays that graze it from far away.
+fn turned_flat(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
+    let mut draw = Draw::new(2101);
+    (0..count).map(move |index| {
+        let height = draw.between(-1.0, 1.0);
+        let rectangle = Rectangle {
+            corner: Point::new(-1.0, height, -1.0),
+            a: 2.0 * Vector::Z,
+            b: 2.0 * Vector::X,
+        };
+        let [a, b] = [(); 2].map(|()| draw.between(-80.0, 80.0));
+        let transform = vec![
+            Step::RotateX(a),
+            Step::Scale(Vector::new(1.0, 1.0, 1e4)),
+            Step::RotateZ(b),
+            Step::RotateZ(-b),
+            Step::Scale(Vector::new(1.0, 1.0, 1e-4)),
+            Step::RotateX(-a),
+        ];
+        let matrix = Transform::from_steps(&transform).expect("a rotation").rows();
+        let Rectangle { corner, a, b } = rectangle;
+        let exact = Shape::Instance {
+            matrix,
+            of: Box::new(Shape::Rectangle { corner: corner.into(), a: a.into(), b: b.into() }),
+        };
+        let instance = Instance { of: Box::new(rectangle.into()), transform };
+        let ours = Kind::from(instance).build(&mut Context::default()).expect("valid");
+        let distance = draw.decades(0.0, 6.0);
+        let away = draw.direction();
+        let across = Vector::new(away.x(), 0.0, away.z());
+        let slope = draw.decades(-6.0, 0.0) * across.length();
+        let [x, y, z] = (across + slope * Vector::Y).to_array();
+        let aim = draw.vector(0.9);
+        let origin = [aim.x() + distance * x, height + distance * y, aim.z() + distance * z];
+        let ray = oracle::Ray { origin, direction: [-x, -y, -z] };
+        (format!("turned {index}"), Pair { ours, exact }, ray)
+    })
+}
+
+/// Law: no hit is lost to the box around the instance. Oracle: as above.
+#[test]
+fn instances_turned_flat_keep_every_hit() {
+    judge_all(turned_flat(2_000));
+}
