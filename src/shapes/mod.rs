@@ -54,10 +54,12 @@ impl Surface {
 
     /// A plane through `anchor`, hit near `point`, which is moved onto it.
     pub fn flat(point: Point, anchor: Point, normal: Normal) -> Self {
-        let point = point - (point - anchor).dot(normal) * normal;
-        // the sum of three products of differences, rounded: γ₅ of the magnitudes, doubled
+        let off = (point - anchor).dot(normal);
+        let point = point - off * normal;
+        // the sum of three products of differences, rounded: γ₅ of the magnitudes, doubled; and the
+        // way back to the plane, which counts where the point itself is almost zero
         let magnitude = point.to_vector().abs() + anchor.to_vector().abs();
-        let error = 10.0 * UNIT_ROUNDOFF * magnitude.dot(Vector::from(normal).abs());
+        let error = 10.0 * UNIT_ROUNDOFF * (magnitude.dot(Vector::from(normal).abs()) + off.abs());
         Self::new(point, error, normal)
     }
 

@@ -1,1 +1,235 @@
 //! Chapter 13: theoretical foundations.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use groundtruth::lights::Directional;
+use groundtruth::lobes::{GlossySpecular, Lambertian, Lobe};
+use groundtruth::materials::{Emissive, Matte};
+use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, cos, sin};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::{Box as Cuboid, Instance, Kind as Shape, Sphere};
+use proptest::prelude::*;
+
+use crate::ch14::stage::*;
+use crate::support::{U, laws, unit};
+
+/// Steps of a quadrature in each of two angles.
+const STEPS: u32 = 400;
+
+/// The midpoint rule errs by `h²/6` in `∫ sin 2θ`, `h = π/800`; cosine powers up to 20 have second
+/// derivatives up to 40 times as large.
+const QUADRATURE: f64 = 40.0 * (FRAC_PI_2 / 400.0) * (FRAC_PI_2 / 400.0) / 6.0;
+
+/// `∫ g(ω) cosθ dω` over directions within `half_angle` of the normal, by midpoints of the angles.
+fn projected_integral(half_angle: f64, g: impl Fn(Vector) -> f64) -> f64 {
+    let (dtheta, dphi) = (half_angle / f64::from(STEPS), TAU / f64::from(STEPS));
+    let mut sum = 0.0;
+    for i in 0..STEPS {
+        let theta = (f64::from(i) + 0.5) * dtheta;
+        let (s, c) = (sin(theta), cos(theta));
+        for j in 0..STEPS {
+            let phi = (f64::from(j) + 0.5) * dphi;
+            sum += g(Vector::new(s * cos(phi), s * sin(phi), c)) * c * s;
+        }
+    }
+    sum * dtheta * dphi
+}
+
+fn every_lobe() -> impl Iterator<Item = Lobe> {
+    Lobe::ENTRIES.iter().flat_map(|entry| (entry.specimens)())
+}
+
+/// Law: `∫ f cosθ dω = k_d c_d`, which `albedo` says too. Oracle: quadrature in angles (ch. 13).
+#[test]
+fn lambertian_reflectance_is_the_integral_of_its_brdf() {
+    let reflectance = Rgb::new(0.8, 0.4, 0.1);
+    let lobe = Lobe::from(Lambertian { reflectance });
+    for cosine in [1.0, 0.5, 1e-3] {
+        let wo = at_angle(Normal::Z, cosine, 1.0);
+        for (channel, expected) in reflectance.to_array().into_iter().enumerate() {
+            let integral = projected_integral(FRAC_PI_2, |wi| lobe.f(wo, wi).to_array()[channel]);
+            assert!((integral - expected).abs() <= QUADRATURE * expected, "{integral} {expected}");
+        }
+        assert_eq!(lobe.albedo(wo), reflectance);
+    }
+}
+
+/// Law: uniform radiance within half angle α of the normal is the irradiance `π L sin²α`; a white
+/// diffuse surface makes of it `L sin²α`. Oracle: the closed form.
+#[test]
+fn a_cone_of_light_gives_the_irradiance_of_its_projected_solid_angle() {
+    let lobe = Lobe::from(Lambertian { reflectance: Rgb::WHITE });
+    for alpha in [0.1, 0.5, 1.0, FRAC_PI_2] {
+        let radiance = projected_integral(alpha, |wi| lobe.f(Vector::Z, wi).r);
+        let expected = sin(alpha) * sin(alpha);
+        assert!((radiance - expected).abs() <= QUADRATURE * expected, "{alpha}: {radiance}");
+    }
+}
+
+/// Law: what `albedo` says of the glossy lobe is the integral of its BRDF, also where the lobe is cut
+/// off by the horizon. Oracle: quadrature in angles about the normal; the code's is about the
+/// mirror direction.
+#[test]
+fn glossy_albedo_is_the_integral_of_its_brdf() {
+    for (exponent, cosine) in [(1.0, 0.9), (4.0, 0.3), (20.0, 0.6), (20.0, 0.05), (2.5, 1.0)] {
+        let lobe = Lobe::from(GlossySpecular { reflectance: Rgb::grey(0.3), exponent });
+        let wo = at_angle(Normal::Z, cosine, 0.7);
+        let integral = projected_integral(FRAC_PI_2, |wi| lobe.f(wo, wi).r);
+        let albedo = lobe.albedo(wo).r;
+        // the kink at the horizon costs both quadratures a step of their own
+        let tolerance = QUADRATURE + 1.0 / 256.0 * (1.0 - cosine);
+        assert!(
+            (integral - albedo).abs() <= tolerance * integral,
+            "{exponent}: {integral} {albedo}"
+        );
+    }
+}
+
+/// Law: a lobe that claims to conserve energy sends out no more than arrives, and the glossy lobe,
+/// which does not claim it, does not: `2π/(e + 2) > 1` for small `e` (ch. 13, 15). The refracted
+/// lobes count radiance, which grows by η² in the denser medium.
+#[test]
+fn no_lobe_that_conserves_energy_reflects_more_than_all() {
+    for lobe in every_lobe().filter(|lobe| lobe.claims().conserves_energy) {
+        for cosine in [1.0, 0.7, 0.2, 1e-6] {
+            let eta = match lobe {
+                Lobe::PerfectTransmitter(lobe) => lobe.eta,
+                Lobe::FresnelTransmitter(lobe) => lobe.eta,
+                _ => 1.0,
+            };
+            let albedo = lobe.albedo(at_angle(Normal::Z, cosine, 2.0));
+            assert!(eta * eta * albedo.max() <= 1.0 + 8.0 * U, "{lobe:?} {cosine}: {albedo:?}");
+        }
+    }
+    let broad = Lobe::from(GlossySpecular { reflectance: Rgb::WHITE, exponent: 0.0 });
+    assert!(!broad.claims().conserves_energy && broad.albedo(Vector::Z).r > 3.0);
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: `f(ω_i, ω_o) = f(ω_o, ω_i)` and `f ≥ 0`, for each lobe that claims reciprocity. Oracle:
+    /// the other order (Helmholtz; ch. 13).
+    #[test]
+    fn reflection_is_reciprocal_and_never_negative(a in local(), b in local()) {
+        for lobe in every_lobe().filter(|lobe| lobe.claims().reciprocal) {
+            let (there, back) = (lobe.f(a, b), lobe.f(b, a));
+            prop_assert!(close(there, back, 4.0 * U), "{lobe:?}: {there:?} {back:?}");
+            prop_assert!(there.to_array().into_iter().all(|c| c >= 0.0));
+        }
+    }
+
+    /// Law: `f` is proportional to the reflectance. Oracle: the product, exact for a power of two.
+    #[test]
+    fn a_brdf_is_linear_in_its_reflectance(a in local(), b in local(), e in 0.0..50.0_f64) {
+        let reflectance = Rgb::new(0.75, 0.3, 0.1);
+        let diffuse = |reflectance| Lobe::from(Lambertian { reflectance });
+        let glossy = |reflectance| Lobe::from(GlossySpecular { reflectance, exponent: e });
+        prop_assert_eq!(diffuse(0.5 * reflectance).f(a, b), 0.5 * diffuse(reflectance).f(a, b));
+        prop_assert_eq!(glossy(0.5 * reflectance).f(a, b), 0.5 * glossy(reflectance).f(a, b));
+        prop_assert!(diffuse(reflectance).f(a, b).g > 0.0);
+    }
+
+    /// Law: a sample's weight is `f cosθ_i / pdf`. Oracle: that quotient from `f` and `pdf` (the Monte
+    /// Carlo estimator of the reflection equation).
+    #[test]
+    fn a_sample_weighs_its_brdf_by_its_density(wo in local(), u in 0.0..1.0_f64, v in 0.0..1.0_f64) {
+        for lobe in every_lobe().filter(|lobe| !lobe.is_specular()) {
+            let Some(sample) = lobe.sample(wo, [u, v]) else { continue };
+            let expected = (sample.wi.z() / lobe.pdf(wo, sample.wi)) * lobe.f(wo, sample.wi);
+            prop_assert!((sample.wi.length() - 1.0).abs() <= 16.0 * U);
+            prop_assert!(close(sample.weight, expected, 8.0 * U), "{lobe:?} {sample:?} {expected:?}");
+        }
+    }
+
+    /// Law: with directions drawn by the cosine, the estimate of a diffuse surface's reflection has no
+    /// variance: each sample says `ρ`. Oracle: the closed form (ch. 13).
+    #[test]
+    fn cosine_sampling_of_a_diffuse_surface_has_no_variance(
+        wo in local(),
+        u in 0.0..1.0_f64,
+        v in 0.0..1.0_f64,
+    ) {
+        let lobe = Lobe::from(Lambertian { reflectance: Rgb::grey(0.7) });
+        let Some(sample) = lobe.sample(wo, [u, v]) else { return Ok(()) };
+        prop_assert_eq!(sample.weight, Rgb::grey(0.7));
+        let estimate = lobe.f(wo, sample.wi).r * sample.wi.z() / sample.pdf;
+        prop_assert!((estimate - 0.7).abs() <= 4.0 * U);
+    }
+
+    /// Law: radiance does not change along a ray: an emitter is as bright from any distance and at
+    /// any angle, to the last bit. Oracle: its `l_s c_e` (ch. 13).
+    #[test]
+    fn radiance_is_constant_along_a_ray(to_eye in unit(), far in 1.5..1e9_f64) {
+        let mut scene = stage(Rgb::BLACK);
+        let emitter = Emissive { ls: 2.5, ce: Rgb::new(1.0, 0.5, 0.25).into() };
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0 }, emitter);
+        let eye = Point::ORIGIN + far * to_eye;
+        let seen = look(&built(&scene), eye, -Vector::from(to_eye));
+        prop_assert_eq!(seen, Rgb::new(2.5, 1.25, 0.625));
+    }
+}
+
+/// Replicas of an estimate, and how far the ratio of two sample variances of that many normal values
+/// may be from its expectation: five standard deviations `√(2·2/4096)` (one test, significance 1e-6).
+const REPLICAS: u32 = 4096;
+const VARIANCE_RATIO: f64 = 5.0 * 0.03125;
+
+/// Law: four times as many samples halve the standard error of a Monte Carlo estimate (slope −1/2).
+/// Oracle: the variance of replicas, against that of the mean of one sample (ch. 13).
+#[test]
+fn four_times_as_many_samples_halve_the_error() {
+    let lobe = Lobe::from(GlossySpecular { reflectance: Rgb::WHITE, exponent: 10.0 });
+    let wo = at_angle(Normal::Z, 0.3, 0.0);
+    let mut random = Pcg32::new(13, 1);
+    let mut variance = |samples: u32| {
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for _ in 0..REPLICAS {
+            let one = |random: &mut Pcg32| {
+                let u = [random.uniform(), random.uniform()];
+                lobe.sample(wo, u).map_or(0.0, |sample| sample.weight.r)
+            };
+            let mean = (0..samples).map(|_| one(&mut random)).sum::<f64>() / f64::from(samples);
+            sum += mean;
+            squares += mean * mean;
+        }
+        let n = f64::from(REPLICAS);
+        (squares - sum * sum / n) / (n - 1.0)
+    };
+    let (four, sixteen, sixty_four) = (variance(4), variance(16), variance(64));
+    assert!((four / sixteen / 4.0 - 1.0).abs() < VARIANCE_RATIO, "{four} {sixteen}");
+    assert!((sixteen / sixty_four / 4.0 - 1.0).abs() < VARIANCE_RATIO, "{sixteen} {sixty_four}");
+}
+
+/// The lights of the furnace: as many points of a Fibonacci spiral, each an equal share of 4π.
+const FURNACE: u32 = 2000;
+/// They integrate `max(0, cosθ)`, whose kink limits them, to about `N^(−3/4) = 3e-3` of its `π`.
+const FURNACE_ERROR: f64 = 3e-3;
+
+/// Law: a convex body of albedo ρ in uniform light L shines with ρL everywhere: light falls on each
+/// point from its whole hemisphere, and no part of the body shades another. Oracle: the reflection
+/// equation for uniform light (the furnace, ch. 13); the environment is a sum of many directions.
+#[test]
+fn a_convex_body_in_a_furnace_shines_with_its_albedo() {
+    let ball = Sphere { center: Point::ORIGIN, radius: 1.0 };
+    let shear = vec![Step::Scale(Vector::new(2.0, 0.5, 1.0)), Step::RotateZ(30.0)];
+    let block = Cuboid { min: Point::new(-1.0, -0.5, -0.7), max: Point::new(0.8, 0.9, 1.0) };
+    let ellipsoid = Instance { of: Box::new(Shape::from(ball.clone())), transform: shear };
+    for shape in [Shape::from(ball), ellipsoid.into(), block.into()] {
+        let mut scene = stage(Rgb::BLACK);
+        put(&mut scene, shape, Matte { ka: 0.0, kd: 0.5, cd: Rgb::new(1.0, 0.5, 0.2).into() });
+        for i in 0..FURNACE {
+            let y = 1.0 - (2.0 * f64::from(i) + 1.0) / f64::from(FURNACE);
+            let direction = at_angle(Normal::Y, y, f64::from(i) * 2.399_963_229_728_653);
+            let ls = 4.0 * PI / f64::from(FURNACE);
+            shine(&mut scene, Directional { ls, color: Rgb::WHITE, direction });
+        }
+        let world = built(&scene);
+        for (x, y, z) in [(3.0, 1.0, 2.0), (-1.0, 4.0, 0.5), (0.2, -3.0, 1.0), (-2.0, -1.0, -3.0)] {
+            let eye = Point::new(x, y, z);
+            let seen = look(&world, eye, Point::new(0.1, 0.0, -0.1) - eye);
+            let expected = 0.5 * Rgb::new(1.0, 0.5, 0.2);
+            assert!(close(seen, expected, FURNACE_ERROR), "{seen:?} {expected:?}");
+        }
+    }
+}

@@ -1,1 +1,289 @@
 //! Chapter 14: lights and materials.
+
+pub mod stage;
+
+use std::f64::consts::{FRAC_1_PI, PI};
+
+use groundtruth::film::{OutOfGamut, Tone};
+use groundtruth::lights::{Ambient, Directional, Point as Lamp};
+use groundtruth::materials::{Emissive, Matte};
+use groundtruth::math::{Normal, Point, Vector, power};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::shapes::{Plane, Rectangle, Sphere};
+use proptest::prelude::*;
+use stage::*;
+
+use crate::support::{U, laws, point, unit};
+
+/// A few products and one sum of positive terms: each rounds once or twice.
+const PRODUCTS: f64 = 12.0 * U;
+
+/// A plane through the origin, lit from nowhere yet.
+fn lit_plane(normal: Normal, matte: Matte) -> Scene {
+    let mut scene = stage(Rgb::BLACK);
+    put(&mut scene, Plane { point: Point::ORIGIN, normal: normal.into() }, matte);
+    scene
+}
+
+fn matte(ka: f64, kd: f64, cd: Rgb) -> Matte {
+    Matte { ka, kd, cd: cd.into() }
+}
+
+fn sun(ls: f64, color: Rgb, direction: Vector) -> Directional {
+    Directional { ls, color, direction }
+}
+
+fn lamp(ls: f64, location: Point, attenuation: f64) -> Lamp {
+    Lamp { ls, color: Rgb::WHITE, location, attenuation }
+}
+
+/// What an eye sees that looks along `−towards` at the origin.
+fn seen(scene: &Scene, towards: Vector) -> Rgb {
+    look(&built(scene), Point::ORIGIN + 3.0 * towards, -towards)
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: `L = k_a c_d L_a + (k_d c_d/π) l_s c_l (n·ω_i)`, whatever the eye's place. Oracle: the formula
+    /// (ch. 14), channel by channel: the colours of light and surface multiply component-wise.
+    #[test]
+    fn lambert_shading_is_exact_on_a_plane(
+        (n, wi) in normal_and_direction_above(),
+        (to_eye, length) in (0.05..1.0_f64, 1e-3..1e3_f64),
+        (cd, ca, cl) in (color(), color(), color()),
+        (ka, kd, ls) in (0.0..1.0_f64, 0.0..1.0_f64, 0.0..10.0_f64),
+    ) {
+        let mut scene = lit_plane(n, matte(ka, kd, cd));
+        shine(&mut scene, Ambient { ls: 0.5, color: ca });
+        shine(&mut scene, sun(ls, cl, length * wi));
+        let seen = seen(&scene, at_angle(n, to_eye, 5.0));
+        let cosine = n.dot(wi);
+        let expected = (ka * 0.5) * (cd * ca) + (kd * ls * cosine * FRAC_1_PI) * (cd * cl);
+        // the cosine of a grazing light is known to u absolutely
+        let rounding = kd * ls * 4.0 * U;
+        for (a, b) in seen.to_array().into_iter().zip(expected.to_array()) {
+            prop_assert!((a - b).abs() <= PRODUCTS * b + rounding, "{a} {b}");
+        }
+    }
+
+    /// Law: a light of strength π straight above a white surface makes it 1. Oracle: the formula.
+    #[test]
+    fn light_of_strength_pi_makes_a_white_surface_white(n in unit()) {
+        let mut scene = lit_plane(n, matte(0.0, 1.0, Rgb::WHITE));
+        shine(&mut scene, sun(PI, Rgb::WHITE, n.into()));
+        prop_assert!(close(seen(&scene, at_angle(n, 0.5, 1.0)), Rgb::WHITE, PRODUCTS));
+    }
+
+    /// Law: lights add, and two equal ones are one of twice the strength, bit for bit. Oracle: the
+    /// sum of the pictures of each light alone (linearity of the reflection equation).
+    #[test]
+    fn lights_add(n in unit(), a in unit(), place in point(5.0), cd in color()) {
+        let alone = |scene: &mut Scene, which: &[usize]| {
+            for (i, light) in scene.lights.iter_mut().enumerate() {
+                light.enabled = which.contains(&i);
+            }
+            seen(scene, at_angle(n, 0.5, 1.0))
+        };
+        let mut scene = lit_plane(n, matte(0.25, 0.75, cd));
+        shine(&mut scene, sun(2.0, Rgb::new(1.0, 0.5, 0.2), a.into()));
+        shine(&mut scene, lamp(3.0, place, 2.0));
+        shine(&mut scene, Ambient { ls: 0.3, color: Rgb::WHITE });
+        shine(&mut scene, sun(2.0, Rgb::new(1.0, 0.5, 0.2), a.into()));
+        shine(&mut scene, sun(4.0, Rgb::new(1.0, 0.5, 0.2), a.into()));
+        let sum = alone(&mut scene, &[0]) + alone(&mut scene, &[1]) + alone(&mut scene, &[2]);
+        prop_assert_eq!(alone(&mut scene, &[0, 1, 2]), sum);
+        prop_assert_eq!(alone(&mut scene, &[0, 3]), alone(&mut scene, &[4]));
+    }
+
+    /// Law: a directional light is the same everywhere, and only its direction counts, not its
+    /// length. Oracle: the same scene moved, and the direction doubled; bit for bit.
+    #[test]
+    fn a_directional_light_knows_no_place((n, wi) in normal_and_direction_above(), at in point(1e6)) {
+        let shading = |at: Point, wi: Vector| {
+            let mut scene = stage(Rgb::BLACK);
+            put(&mut scene, Plane { point: at, normal: n.into() }, matte(0.0, 1.0, Rgb::WHITE));
+            shine(&mut scene, sun(1.0, Rgb::WHITE, wi));
+            let to_eye = at_angle(n, 0.5, 1.0);
+            look(&built(&scene), at + 3.0 * to_eye, -to_eye)
+        };
+        prop_assert_eq!(shading(at, wi), shading(Point::ORIGIN, wi));
+        prop_assert_eq!(shading(at, 2.0 * wi), shading(at, wi));
+        prop_assert!(close(shading(at, 0.3 * wi), shading(at, wi), 8.0 * U / n.dot(wi)));
+    }
+
+    /// Law: a point light straight above at distance d gives `k_d l_s/(π d^k)`; k = 0 knows no distance.
+    /// Oracle: the formula, with the power by repeated division (ch. 14, exercises).
+    #[test]
+    fn a_point_light_fades_with_the_power_of_its_distance(
+        n in unit(),
+        d in 1e-3..1e3_f64,
+        k in 0_u32..4,
+    ) {
+        let mut scene = lit_plane(n, matte(0.0, 1.0, Rgb::WHITE));
+        shine(&mut scene, lamp(PI, Point::ORIGIN + d * n, f64::from(k)));
+        let expected = (0..k).fold(1.0, |light, _| light / d);
+        // the hit is a few u of the eye's distance off, which counts against a near lamp
+        let tolerance = PRODUCTS + f64::from(k + 1) * 64.0 * U / d;
+        let seen = seen(&scene, n.into());
+        prop_assert!(close(seen, Rgb::grey(expected), tolerance), "{seen:?} {expected}");
+    }
+
+    /// Law: twice as far, `2^k` times as dark, for fractional k too. Oracle: that factor.
+    #[test]
+    fn doubling_the_distance_divides_by_two_to_the_exponent(d in 0.5..100.0_f64, k in 0.0..4.0_f64) {
+        let at = |d: f64| {
+            let mut scene = lit_plane(Normal::Y, matte(0.0, 1.0, Rgb::WHITE));
+            shine(&mut scene, lamp(1.0, Point::new(0.0, d, 0.0), k));
+            seen(&scene, Vector::Y).r
+        };
+        prop_assert!((at(d) / at(2.0 * d) / power(2.0, k) - 1.0).abs() <= 2.0 * PRODUCTS);
+    }
+
+    /// Law: a point that faces away from a light gets ambient light only, and no shadow ray is cast
+    /// for it. Oracle: the ambient term, and the counters.
+    #[test]
+    fn points_that_face_away_get_ambient_light_only((n, up) in normal_and_direction_above()) {
+        let mut scene = stage(Rgb::BLACK);
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0 }, matte(0.5, 1.0, Rgb::WHITE));
+        shine(&mut scene, sun(1.0, Rgb::WHITE, -up));
+        shine(&mut scene, lamp(1.0, Point::ORIGIN - 5.0 * up, 0.0));
+        shine(&mut scene, Ambient { ls: 0.5, color: Rgb::WHITE });
+        let world = built(&scene);
+        let eye = Point::ORIGIN + 3.0 * n;
+        prop_assert_eq!(look(&world, eye, -Vector::from(n)), Rgb::grey(0.25));
+        prop_assert_eq!(counted(&world, eye, -Vector::from(n)).shadow, 0);
+    }
+
+    /// Law: a scene and its eye moved together look the same. Oracle: the scene before.
+    #[test]
+    fn moving_everything_changes_nothing(by in point(100.0), a in unit(), b in unit()) {
+        let shading = |by: Vector| {
+            let mut scene = stage(Rgb::BLACK);
+            let ball = Sphere { center: Point::new(0.5, 0.0, 0.0) + by, radius: 1.0 };
+            put(&mut scene, ball, matte(0.25, 0.75, Rgb::WHITE));
+            shine(&mut scene, lamp(2.0, Point::ORIGIN + 4.0 * a + by, 2.0));
+            shine(&mut scene, sun(1.0, Rgb::new(1.0, 0.5, 0.0), a.cross(b) + b));
+            look(&built(&scene), Point::new(0.5, 0.0, 0.0) + 3.0 * b + by, -Vector::from(b))
+        };
+        let (here, there) = (shading(Vector::ZERO), shading(by.to_vector()));
+        // places are rounded to 100 u; the light's strength at distance 2 depends on it linearly
+        let change = (here + -1.0 * there).to_array().map(f64::abs);
+        prop_assert!(change.into_iter().all(|c| c <= 1000.0 * U), "{here:?} {there:?}");
+    }
+
+    /// Law: a two-sided surface is lit and seen on its back as on its front; a one-sided one shows
+    /// its back in ambient light only. Oracle: the mirror image of light and eye.
+    #[test]
+    fn only_two_sided_surfaces_are_lit_from_behind((n, wi) in normal_and_direction_above()) {
+        let shading = |two_sided: bool, side: f64| {
+            let mut scene = lit_plane(n, matte(0.5, 1.0, Rgb::new(0.9, 0.6, 0.3)));
+            scene.materials[0].two_sided = two_sided;
+            shine(&mut scene, Ambient { ls: 0.5, color: Rgb::WHITE });
+            shine(&mut scene, sun(2.0, Rgb::WHITE, side * wi));
+            seen(&scene, side * at_angle(n, 0.5, 2.0))
+        };
+        let front = shading(true, 1.0);
+        prop_assert_eq!(front, shading(false, 1.0));
+        prop_assert!(close(front, shading(true, -1.0), 4.0 * U));
+        prop_assert_eq!(shading(false, -1.0), 0.25 * Rgb::new(0.9, 0.6, 0.3));
+    }
+
+    /// Law: a light on the other side of a surface from the eye does not shine through it, even if
+    /// the surface is two-sided. Oracle: black.
+    #[test]
+    fn light_does_not_shine_through_a_surface(
+        (n, wi) in normal_and_direction_above(),
+        two_sided in any::<bool>(),
+        back in any::<bool>(),
+    ) {
+        let side = if back { -1.0 } else { 1.0 };
+        let mut scene = lit_plane(n, matte(0.0, 1.0, Rgb::WHITE));
+        scene.materials[0].two_sided = two_sided;
+        shine(&mut scene, sun(2.0, Rgb::WHITE, side * wi));
+        shine(&mut scene, lamp(2.0, Point::ORIGIN + side * wi, 0.0));
+        prop_assert_eq!(seen(&scene, -side * at_angle(n, 0.5, 2.0)), Rgb::BLACK);
+    }
+
+    /// Law: an emitter shines on its outer side only, `l_s c_e` in each direction; turned to the eye it
+    /// shines on both. Oracle: the product.
+    #[test]
+    fn an_emitter_is_one_sided((n, wo) in normal_and_direction_above(), two_sided in any::<bool>()) {
+        let mut scene = stage(Rgb::new(0.0, 0.0, 1.0));
+        let ce = Rgb::new(1.0, 0.5, 0.0);
+        let plane = Plane { point: Point::ORIGIN, normal: n.into() };
+        put(&mut scene, plane, Emissive { ls: 3.0, ce: ce.into() });
+        scene.materials[0].two_sided = two_sided;
+        prop_assert_eq!(seen(&scene, wo), 3.0 * ce);
+        prop_assert_eq!(seen(&scene, -wo), if two_sided { 3.0 * ce } else { Rgb::BLACK });
+    }
+
+    /// Law: out-of-gamut colours are divided by their largest channel, or become red; the others stay.
+    /// Oracle: ratios of channels, by cross-multiplication (ch. 3, 14).
+    #[test]
+    fn a_colour_out_of_gamut_keeps_its_hue_or_turns_red(c in color(), strength in 0.1..20.0_f64) {
+        let tone = |out_of_gamut| Tone { exposure: 1.0, gamma: 1.0, out_of_gamut };
+        let radiance = strength * c;
+        let shown = tone(OutOfGamut::MaxToOne).map(radiance);
+        let flagged = tone(OutOfGamut::ClampToColor).map(radiance);
+        if radiance.max() > 1.0 {
+            prop_assert_eq!(shown.max(), 1.0);
+            for (a, b) in [(0, 1), (1, 2), (2, 0)] {
+                let (s, r) = (shown.to_array(), radiance.to_array());
+                prop_assert!((s[a] * r[b] - s[b] * r[a]).abs() <= 4.0 * U * r[a].max(r[b]));
+            }
+            prop_assert_eq!(flagged, Rgb::new(1.0, 0.0, 0.0));
+        } else {
+            prop_assert_eq!(shown, radiance);
+            prop_assert_eq!(flagged, radiance);
+        }
+    }
+}
+
+/// Law: green light on a red surface is black, and coloured ambient light meets `k_a` with the same
+/// colour `c_d`. Oracle: the component-wise product (ch. 14).
+#[test]
+fn green_light_on_a_red_surface_is_black() {
+    let (red, green) = (Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 1.0, 0.0));
+    let mut scene = lit_plane(Normal::Y, matte(1.0, 1.0, red));
+    shine(&mut scene, sun(1.0, green, Vector::Y));
+    shine(&mut scene, Ambient { ls: 1.0, color: green });
+    assert_eq!(seen(&scene, Vector::Y), Rgb::BLACK);
+    shine(&mut scene, Ambient { ls: 0.5, color: Rgb::WHITE });
+    assert_eq!(seen(&scene, Vector::Y), 0.5 * red);
+}
+
+/// Law: what is switched off is not there: the picture is that of the scene without it, bit for bit.
+/// Oracle: that scene.
+#[test]
+fn what_is_switched_off_is_not_there() {
+    let with = |on: bool, there: bool| {
+        let mut scene = lit_plane(Normal::Y, matte(0.1, 0.9, Rgb::WHITE));
+        shine(&mut scene, sun(1.0, Rgb::WHITE, Vector::new(1.0, 2.0, 3.0)));
+        if there {
+            let ball = Sphere { center: Point::new(0.1, 1.0, 0.2), radius: 0.5 };
+            let ball = put(&mut scene, ball, matte(1.0, 1.0, Rgb::WHITE));
+            let ambient = shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+            scene.objects[ball].enabled = on;
+            scene.lights[ambient].enabled = on;
+        }
+        let rays = (0..50).map(|i| Vector::new(0.02 * f64::from(i) - 0.5, 1.0, 0.1));
+        rays.map(|to_eye| seen(&scene, to_eye)).collect::<Vec<_>>()
+    };
+    assert_eq!(with(false, true), with(false, false));
+    assert_ne!(with(true, true), with(false, false));
+}
+
+/// Law: a rectangle's front is where `a × b` points: light above lights it, seen from above. Oracle:
+/// the right-hand rule.
+#[test]
+fn a_rectangle_faces_along_a_cross_b() {
+    for (a, b, expected) in [(Vector::Z, Vector::X, FRAC_1_PI), (Vector::X, Vector::Z, 0.0)] {
+        let mut scene = stage(Rgb::BLACK);
+        let corner = Point::ORIGIN - 0.5 * (a + b);
+        put(&mut scene, Rectangle { corner, a, b }, matte(0.0, 1.0, Rgb::WHITE));
+        shine(&mut scene, sun(1.0, Rgb::WHITE, Vector::Y));
+        assert!(close(seen(&scene, Vector::Y), Rgb::grey(expected), PRODUCTS));
+    }
+}

@@ -1,0 +1,113 @@
+//! Small scenes for the laws of light: a few objects in uniform surroundings, and rays into them.
+
+use std::f64::consts::TAU;
+
+use groundtruth::cameras::{Orthographic, Viewpoint};
+use groundtruth::math::{Frame, Normal, Point, Ray, Vector, cos, power, sin};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
+use groundtruth::trace::{RayCounts, RayTree, radiance};
+use groundtruth::world::World;
+use groundtruth::{lights, materials, shapes};
+use proptest::prelude::*;
+
+use crate::support::unit;
+
+/// An empty stage for ray casting.
+pub fn stage(background: Rgb) -> Scene {
+    let eye = Point::new(0.0, 0.0, 10.0);
+    let camera = Viewpoint::new(eye, Point::ORIGIN, Orthographic { zoom: 1.0 });
+    Scene { background, ..Scene::new("", Image::new(1, 1), camera) }
+}
+
+/// An empty stage on which mirrors and glass are followed.
+pub fn deep_stage(background: Rgb, max_depth: u32) -> Scene {
+    Scene { tracer: Tracer::Whitted(Whitted { max_depth }), ..stage(background) }
+}
+
+/// Adds an object with a material of its own; the name of both is its place.
+pub fn put(
+    scene: &mut Scene,
+    shape: impl Into<shapes::Kind>,
+    recipe: impl Into<materials::Kind>,
+) -> usize {
+    let place = scene.objects.len();
+    let name = place.to_string();
+    scene.objects.push(Object::new(&name, &name, shape));
+    scene.materials.push(Material::new(&name, recipe));
+    place
+}
+
+/// Adds a light that casts shadows; its name is its place.
+pub fn shine(scene: &mut Scene, source: impl Into<lights::Kind>) -> usize {
+    let place = scene.lights.len();
+    scene.lights.push(Light::new(&place.to_string(), source));
+    place
+}
+
+/// The scene built; the scenes of these laws are valid.
+pub fn built(scene: &Scene) -> World {
+    World::build(scene).expect("the scene is valid")
+}
+
+/// A ray with a unit direction.
+pub fn ray(origin: Point, direction: Vector) -> Ray {
+    Ray::new(origin, direction.unit().expect("a direction"))
+}
+
+/// What arrives at the origin from that direction.
+pub fn look(world: &World, origin: Point, direction: Vector) -> Rgb {
+    radiance(world, &ray(origin, direction), &mut ())
+}
+
+/// The ray tree of [`look`].
+pub fn recorded(world: &World, origin: Point, direction: Vector) -> RayTree {
+    let mut tree = RayTree::default();
+    radiance(world, &ray(origin, direction), &mut tree);
+    tree
+}
+
+/// The ray counts of [`look`].
+pub fn counted(world: &World, origin: Point, direction: Vector) -> RayCounts {
+    let mut counts = RayCounts::default();
+    radiance(world, &ray(origin, direction), &mut counts);
+    counts
+}
+
+/// Whether each channel differs by no more than `tolerance` of the larger value.
+pub fn close(a: Rgb, b: Rgb, tolerance: f64) -> bool {
+    let pairs = a.to_array().into_iter().zip(b.to_array());
+    pairs.into_iter().all(|(a, b)| (a - b).abs() <= tolerance * a.abs().max(b.abs()))
+}
+
+/// The unit vector at angle `acos(cosine)` from `n`, turned by `phi` about it.
+pub fn at_angle(n: Normal, cosine: f64, phi: f64) -> Vector {
+    let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
+    let local = Vector::new(sine * cos(phi), sine * sin(phi), cosine);
+    Frame::around(n).to_world(local).unit().expect("unit already, up to rounding")
+}
+
+/// Cosines from straight down to grazing within 1e-12.
+pub fn cosine() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        6 => 0.001..1.0_f64,
+        1 => Just(1.0),
+        2 => (-12.0..-3.0_f64).prop_map(|exponent| power(10.0, exponent)),
+    ]
+}
+
+/// A normal and a unit direction above its surface.
+pub fn normal_and_direction_above() -> impl Strategy<Value = (Normal, Vector)> {
+    (unit(), cosine(), 0.0..TAU).prop_map(|(n, cosine, phi)| (n, at_angle(n, cosine, phi)))
+}
+
+/// A direction above the local surface, whose normal is z.
+pub fn local() -> impl Strategy<Value = Vector> {
+    (cosine(), 0.0..TAU).prop_map(|(cosine, phi)| at_angle(Normal::Z, cosine, phi))
+}
+
+/// Colours, some channels black.
+pub fn color() -> impl Strategy<Value = Rgb> {
+    let channel = || prop_oneof![4 => 0.0..1.0_f64, 1 => Just(0.0), 1 => Just(1.0)];
+    (channel(), channel(), channel()).prop_map(|(r, g, b)| Rgb::new(r, g, b))
+}
