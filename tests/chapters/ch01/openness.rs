@@ -1,0 +1,239 @@
+//! A user's own kinds, which the library has never heard of, work like its own.
+
+use std::sync::Arc;
+
+use groundtruth::cameras::{self, Camera};
+use groundtruth::kinds::Custom;
+use groundtruth::lights::{self, Directional, Illumination, Light as LightKind};
+use groundtruth::lobes::Lobes;
+use groundtruth::materials::{self, Material as MaterialKind, Matte};
+use groundtruth::math::{Aabb, Normal, Pcg32, Point, Ray, Span, Step, Vector};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::{self, Sampler};
+use groundtruth::scene::{Light, Material, Object, Scene, to_toml};
+use groundtruth::shapes::{self, Candidate, Instance, Plane, Shape, Surface};
+use groundtruth::textures::{self, Paint, Texture};
+use groundtruth::trace::{RayTree, RecordedOutcome};
+
+use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
+
+/// The square |x| < 1, |y| < 1 of the plane z = 0, facing +z.
+#[derive(Debug)]
+struct Tile;
+
+impl Shape for Tile {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let t = -ray.origin.z() / ray.direction.z();
+        let p = ray.at(t);
+        let inside = span.contains(t) && p.x().abs() < 1.0 && p.y().abs() < 1.0;
+        inside.then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), Point::ORIGIN, Normal::Z)
+    }
+
+    fn bounds(&self) -> Aabb {
+        Aabb::around([Point::new(-1.0, -1.0, 0.0), Point::new(1.0, 1.0, 0.0)])
+    }
+}
+
+fn tile() -> shapes::Kind {
+    shapes::Kind::Custom(Custom(Arc::new(Tile)))
+}
+
+/// Whether pixel (x, y) of a picture of 16 × 16 pixels of side ¼ has its centre within these
+/// bounds; the pixels' centres are at odd multiples of ⅛.
+fn center_within([x, y]: [u32; 2], xs: [f64; 2], ys: [f64; 2]) -> bool {
+    let at = [(f64::from(x) - 7.5) / 4.0, (7.5 - f64::from(y)) / 4.0];
+    xs[0] < at[0] && at[0] < xs[1] && ys[0] < at[1] && at[1] < ys[1]
+}
+
+/// Law: a shape of one's own is seen where it is. Oracle: the pixels' centres, counted by hand.
+#[test]
+fn a_shape_defined_here_is_rendered() {
+    let mut scene = from_front(16, 16, 0.25);
+    add_flat(&mut scene, "tile", tile(), RED);
+    let film = render::render(&built(&scene));
+    for at in pixels(16, 16) {
+        let seen = center_within(at, [-1.0, 1.0], [-1.0, 1.0]);
+        assert_eq!(film.get(at), if seen { RED } else { Rgb::BLACK }, "{at:?}");
+    }
+}
+
+/// Law: it can be transformed as any shape: moved, stretched, turned, with its normal. Oracle: the
+/// transformed rectangle and normal, worked out by hand.
+#[test]
+fn a_shape_defined_here_sits_in_an_instance() {
+    let mut scene = from_front(16, 16, 0.25);
+    let transform = vec![
+        Step::Scale(Vector::new(0.5, 1.0, 3.0)),
+        Step::RotateZ(90.0),
+        Step::Translate(Vector::new(0.5, 1.0, -2.0)),
+    ];
+    add_flat(&mut scene, "tile", Instance { of: Box::new(tile()), transform }, RED);
+    let film = render::render(&built(&scene));
+    for at in pixels(16, 16) {
+        // half as wide in x, then x and y change places
+        let seen = center_within(at, [-0.5, 1.5], [0.5, 1.5]);
+        assert_eq!(film.get(at), if seen { RED } else { Rgb::BLACK }, "{at:?}");
+    }
+
+    let mut scene = from_front(1, 1, 1.0);
+    let turn = vec![Step::RotateX(-60.0)];
+    add_flat(&mut scene, "tile", Instance { of: Box::new(tile()), transform: turn }, RED);
+    let mut tree = RayTree::default();
+    render::sample(&built(&scene), [0, 0], 0, &mut tree);
+    let RecordedOutcome::Hit(hit) = &tree.root().outcome else { panic!("the tile is ahead") };
+    // counter-clockwise about x by −60°: z turns towards +y
+    let expected = Vector::new(0.0, 0.75_f64.sqrt(), 0.5);
+    assert!((Vector::from(hit.normal) - expected).length() < 1e-15, "{:?}", hit.normal);
+}
+
+/// Law: it stands in the way of light. Oracle: the tile at height 0, light along (0, 1, 1)/√2 and a
+/// wall at z = −2 put the shadow two units lower.
+#[test]
+fn a_shape_defined_here_casts_shadows() {
+    let mut scene = from_front(16, 16, 0.25);
+    let sun = Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::new(0.0, 1.0, 1.0) };
+    scene.lights.push(Light::new("sun", sun));
+    scene.materials.push(Material::new("white", Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }));
+    let wall = Plane { point: Point::new(0.0, 0.0, -2.0), normal: Vector::Z };
+    scene.objects.push(Object::new("wall", "white", wall));
+    scene.objects.push(Object::new("tile", "white", tile()));
+    let film = render::render(&built(&scene));
+    for at in pixels(16, 16) {
+        let tile = center_within(at, [-1.0, 1.0], [-1.0, 1.0]);
+        let shadow = !tile && center_within(at, [-1.0, 1.0], [-3.0, -1.0]);
+        assert_eq!(film.get(at).is_black(), shadow, "{at:?}");
+    }
+}
+
+/// Parallel rays along −z, upside down.
+#[derive(Debug)]
+struct UpsideDown;
+
+impl Camera for UpsideDown {
+    fn ray(&self, [x, y]: [f64; 2]) -> (Point, Vector) {
+        (Point::new(x, -y, 0.0), -Vector::Z)
+    }
+}
+
+/// Every sample in the lower left quarter of the pixel.
+#[derive(Debug)]
+struct Quarter;
+
+impl Sampler for Quarter {
+    fn fill(&self, n: u32, _: &mut Pcg32) -> Vec<[f64; 2]> {
+        vec![[0.25, 0.25]; n as usize]
+    }
+
+    fn round_up(&self, n: u32) -> u32 {
+        n
+    }
+}
+
+/// A red light from everywhere.
+#[derive(Debug)]
+struct RedSky;
+
+impl LightKind for RedSky {
+    fn illuminate(&self, _: Point) -> Illumination {
+        Illumination::Ambient(RED)
+    }
+}
+
+/// Takes a quarter of the ambient light, and shines in green as far as its texture says.
+#[derive(Debug)]
+struct Glow(Arc<dyn Texture>);
+
+impl MaterialKind for Glow {
+    fn lobes(&self, _: &Surface, _: f64, _: &mut Lobes) {}
+
+    fn ambient(&self, _: &Surface) -> Rgb {
+        Rgb::grey(0.25)
+    }
+
+    fn emitted(&self, at: &Surface, _: f64) -> Rgb {
+        Rgb::new(0.0, 1.0, 0.0) * self.0.color(at)
+    }
+}
+
+/// The coordinates of the point as a colour.
+#[derive(Debug)]
+struct Coordinates;
+
+impl Texture for Coordinates {
+    fn color(&self, at: &Surface) -> Rgb {
+        Rgb::new(at.local.x(), at.local.y(), at.local.z())
+    }
+}
+
+/// A scene of whose parts the library knows none.
+fn all_my_own() -> Scene {
+    let mut scene = from_front(2, 2, 0.5);
+    scene.camera.lens = cameras::Kind::Custom(Custom(Arc::new(UpsideDown)));
+    scene.image.sampler = Some(samplers::Kind::Custom(Custom(Arc::new(Quarter))));
+    let sky = lights::Kind::Custom(Custom(Arc::new(RedSky)));
+    scene.lights.push(Light::new("sky", sky));
+    let glow = materials::Kind::Custom(Custom(Arc::new(Glow(Arc::new(Coordinates)))));
+    scene.materials.push(Material::new("glow", glow));
+    scene.objects.push(Object::new("tile", "glow", tile()));
+    scene
+}
+
+/// Law: shape, camera, sampler, light, material and texture can all be a user's own at once.
+/// Oracle: the one pixel worked out by hand: the top left pixel spans x from −½ to 0 and y from 0 to
+/// ½; a quarter of it is (−⅜, ⅛), upside down y = −⅛ there.
+#[test]
+fn every_kind_of_thing_can_be_a_users_own() {
+    let film = render::render(&built(&all_my_own()));
+    assert_eq!(film.get([0, 0]), Rgb::new(0.25, -0.125, 0.0));
+    assert_eq!(film.get([1, 1]), Rgb::new(0.25, 0.375, 0.0));
+}
+
+/// Law: what a scene file cannot say is refused, and the message names it. Oracle: each custom part
+/// in turn made plain, the next one is named.
+#[test]
+fn export_of_a_users_own_kind_names_it() {
+    let mut scene = all_my_own();
+    let plain = from_front(2, 2, 0.5);
+    let refusal = |scene: &Scene| to_toml(scene).expect_err("it is not plain data").to_string();
+    let text = refusal(&scene);
+    assert!(text.starts_with("objects[0] \"tile\", shape: "), "{text}");
+
+    scene.objects[0].shape = Plane { point: Point::ORIGIN, normal: Vector::Z }.into();
+    let text = refusal(&scene);
+    assert!(text.starts_with("lights[0] \"sky\", source: "), "{text}");
+
+    scene.lights.clear();
+    let text = refusal(&scene);
+    assert!(text.starts_with("materials[0] \"glow\", recipe: "), "{text}");
+
+    let texture = Paint(textures::Kind::Custom(Custom(Arc::new(Coordinates))));
+    scene.materials[0].recipe = Matte { ka: 1.0, kd: 1.0, cd: texture }.into();
+    let text = refusal(&scene);
+    assert!(text.starts_with("materials[0] \"glow\", recipe: "), "{text}");
+
+    scene.materials[0].recipe = Matte { ka: 1.0, kd: 1.0, cd: RED.into() }.into();
+    let text = refusal(&scene);
+    assert!(text.starts_with("camera.lens: "), "{text}");
+
+    scene.camera = plain.camera;
+    let text = refusal(&scene);
+    assert!(text.starts_with("image.sampler: "), "{text}");
+
+    scene.image = plain.image;
+    assert!(to_toml(&scene).is_ok());
+}
+
+/// Law: a custom shape inside instances is found out too. Oracle: as above.
+#[test]
+fn export_of_an_instance_of_a_users_own_shape_names_the_object() {
+    let mut scene = from_front(1, 1, 1.0);
+    let inner = Instance { of: Box::new(tile()), transform: vec![Step::RotateZ(10.0)] };
+    add_flat(&mut scene, "turned", Instance { of: Box::new(inner.into()), transform: vec![] }, RED);
+    let text = to_toml(&scene).expect_err("it is not plain data").to_string();
+    assert!(text.contains("objects[0] \"turned\"") && text.contains("custom"), "{text}");
+}

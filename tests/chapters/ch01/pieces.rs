@@ -1,0 +1,193 @@
+//! Whole pictures and their pieces: threads, crops, single pixels, the picture so far, seeds.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use std::sync::{Arc, OnceLock};
+
+use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::film::Film;
+use groundtruth::kinds::Custom;
+use groundtruth::lights::Ambient;
+use groundtruth::math::{Aabb, Point, Ray, Span, Vector};
+use groundtruth::render::{self, Canvas, Crop};
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::{Jittered, Random, Regular};
+use groundtruth::scene::{Image, Scene};
+use groundtruth::shapes::{self, Candidate, Plane, Shape, Surface};
+use groundtruth::textures::Paint;
+use groundtruth::trace::{RayTree, RecordedOutcome};
+use groundtruth::world::World;
+use serde::Deserialize;
+
+use crate::pictures::studio::{
+    RED, add_flat, assert_same_bits, bits, built, from_front, pixels, small,
+};
+
+fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.expect("threads can be started").install(work)
+}
+
+/// Law: the picture does not depend on the number of threads. Oracle: one thread.
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    let mut scene = small("ch24/hall-of-mirrors", 40, 35, 3);
+    scene.image.sampler = Some(Random {}.into());
+    let world = built(&scene);
+    let alone = on_threads(1, || render::render(&world));
+    for threads in [2, 3, 7] {
+        let together = on_threads(threads, || render::render(&world));
+        assert_same_bits(&format!("{threads} threads"), &together, &alone);
+    }
+}
+
+/// Law: a 1 × 1 picture of a box seen from +z has the normal (0, 0, 1), exactly (the book's own
+/// anecdote). Oracle: the face itself.
+#[test]
+fn one_pixel_of_a_box_has_the_normal_of_its_front() {
+    let lens = Pinhole { distance: 3.0, zoom: 1.0 };
+    let perspective = Viewpoint::new(Point::new(0.0, 0.0, 7.0), Point::ORIGIN, lens);
+    for camera in [from_front(1, 1, 1.0).camera, perspective] {
+        let mut scene = Scene::new("", Image::new(1, 1), camera);
+        let (min, max) = (Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.0, 1.0));
+        add_flat(&mut scene, "box", shapes::Box { min, max }, RED);
+        let mut tree = RayTree::default();
+        render::sample(&built(&scene), [0, 0], 0, &mut tree);
+        let RecordedOutcome::Hit(hit) = &tree.root().outcome else { panic!("the box is ahead") };
+        assert_eq!(hit.normal.to_array(), [0.0, 0.0, 1.0]);
+        assert_eq!(hit.point, Point::new(0.0, 0.0, 1.0));
+        assert!(hit.front);
+    }
+}
+
+/// Law: one replayed pixel, and any part of the view, are those of the whole picture. Oracle: the
+/// whole picture; the parts cross the borders of tiles.
+#[test]
+fn parts_and_single_pixels_are_those_of_the_whole() {
+    let mut scene = small("ch28/glass-sphere", 37, 35, 4);
+    scene.image.sampler = Some(Jittered {}.into());
+    let world = built(&scene);
+    let whole = render::render(&world);
+    for at in pixels(37, 35) {
+        assert_eq!(bits(render::pixel(&world, at)), bits(whole.get(at)), "{at:?}");
+    }
+    for crop in [
+        Crop { x: 0, y: 0, width: 37, height: 1 },
+        Crop { x: 5, y: 7, width: 20, height: 28 },
+        Crop { x: 36, y: 34, width: 1, height: 1 },
+    ] {
+        let canvas = Canvas::cropped(crop);
+        canvas.render(&world);
+        let part = canvas.film();
+        assert_eq!((part.width(), part.height()), (crop.width, crop.height));
+        for [x, y] in pixels(crop.width, crop.height) {
+            let expected = whole.get([crop.x + x, crop.y + y]);
+            assert_eq!(bits(part.get([x, y])), bits(expected), "({x}, {y}) of {crop:?}");
+        }
+    }
+}
+
+/// The plane z = 0, which at its 300th ray looks at the canvas and stops it.
+#[derive(Debug)]
+struct Interrupter {
+    rays: AtomicU32,
+    canvas: OnceLock<Arc<Canvas>>,
+    seen: OnceLock<Film>,
+    plane: Arc<dyn Shape>,
+}
+
+impl Shape for Interrupter {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        if self.rays.fetch_add(1, Relaxed) == 299 {
+            let canvas = self.canvas.get().expect("set before rendering");
+            let _ = self.seen.set(canvas.film());
+            canvas.cancel();
+        }
+        self.plane.hit(ray, span)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.plane.surface(ray, at)
+    }
+
+    fn bounds(&self) -> Aabb {
+        Aabb::EVERYTHING
+    }
+}
+
+/// Law: while it renders, anyone can see the finished pixels, and stop it; the others are black and
+/// not counted as done. Oracle: one thread and one sample for each pixel, so that at the 300th ray
+/// one tile of 16 × 16 is finished and the second begun.
+#[test]
+fn the_picture_so_far_can_be_seen_and_stopped() {
+    let mut scene = from_front(48, 16, 1.0);
+    let plane = shapes::Kind::from(Plane { point: Point::ORIGIN, normal: Vector::Z });
+    let interrupter = Arc::new(Interrupter {
+        rays: AtomicU32::new(0),
+        canvas: OnceLock::new(),
+        seen: OnceLock::new(),
+        plane: plane.build(&mut shapes::Context::default()).expect("a valid plane"),
+    });
+    let shape = shapes::Kind::Custom(Custom(Arc::<Interrupter>::clone(&interrupter)));
+    add_flat(&mut scene, "plane", shape, RED);
+    let world = built(&scene);
+    let canvas = Arc::new(Canvas::new(&world));
+    interrupter.canvas.set(Arc::clone(&canvas)).expect("set once");
+    assert_eq!((canvas.progress(), canvas.is_cancelled()), ((0, 768), false));
+
+    on_threads(1, || canvas.render(&world));
+
+    let finished = |film: &Film| film.pixels().iter().filter(|&&pixel| pixel == RED).count();
+    let black = |film: &Film| film.pixels().iter().filter(|pixel| pixel.is_black()).count();
+    let seen = interrupter.seen.get().expect("more than 300 rays were cast");
+    for film in [seen, &canvas.film()] {
+        assert_eq!((finished(film), black(film)), (256, 512));
+    }
+    assert_eq!(canvas.look(finished), 256);
+    assert_eq!((canvas.progress(), canvas.is_cancelled()), ((256, 768), true));
+    assert!(interrupter.rays.load(Relaxed) <= 301, "it went on after it was stopped");
+}
+
+/// Law: the same seed gives the same picture, another seed another one, unless nothing is random.
+/// Oracle: rebuilding.
+#[test]
+fn the_seed_is_the_only_source_of_chance() {
+    let mut scene = small("ch14/page-one", 32, 32, 4);
+    let seeded = |scene: &Scene, seed| {
+        let world = World::build_seeded(scene, Path::new(""), seed).expect("the scene is valid");
+        render::render(&world)
+    };
+    for sampler in [Random {}.into(), Jittered {}.into()] {
+        scene.image.sampler = Some(sampler);
+        assert_same_bits("reseeded", &seeded(&scene, 7), &seeded(&scene, 7));
+        assert_ne!(seeded(&scene, 7), seeded(&scene, 8));
+    }
+    scene.image.sampler = Some(Regular {}.into());
+    assert_same_bits("nothing random", &seeded(&scene, 7), &seeded(&scene, 8));
+}
+
+/// Law: a colour is an `[r, g, b]`, or one number for a grey, wherever a colour stands. Oracle: the
+/// definition of a grey.
+#[test]
+fn a_colour_can_be_one_number() {
+    #[derive(Deserialize)]
+    struct Colors {
+        plain: Rgb,
+        paint: Paint,
+        light: Ambient,
+    }
+    let read = |grey: &str| {
+        let text = format!("plain = {grey}\npaint = {grey}\nlight = {{ color = {grey} }}");
+        let Colors { plain, paint, light } = toml::from_str(&text).expect("three colours");
+        (plain, serde_json::to_value(paint).expect("plain data"), light)
+    };
+    for (one, three, value) in [("0.3", "[0.3, 0.3, 0.3]", 0.3), ("1", "[1, 1.0, 1]", 1.0)] {
+        let (plain, paint, light) = read(one);
+        assert_eq!((plain, paint.clone(), light.clone()), read(three));
+        let grey = Rgb::new(value, value, value);
+        assert_eq!((plain, light.color), (grey, grey));
+        assert_eq!(paint, serde_json::json!([value, value, value]));
+    }
+    assert!(toml::from_str::<Colors>("plain = [1, 2]\npaint = 1\nlight = {}").is_err());
+    assert!(toml::from_str::<Colors>("plain = [1, 2, 3, 4]\npaint = 1\nlight = {}").is_err());
+}

@@ -1,0 +1,121 @@
+//! Degrees and radians, spherical coordinates, solid angles, integrals over the hemisphere.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use groundtruth::math::{
+    Frame, Normal, Vector, acos, atan2, cos, cos_degrees, power, sin, sin_degrees, tan, to_degrees,
+    to_radians,
+};
+use proptest::prelude::*;
+
+use crate::support::{U, laws, unit};
+
+/// Law: 180° = π, 1 rad = 57.295 779 513 082 32°. (The book prints the inverse factor.)
+#[test]
+fn half_a_turn_is_pi() {
+    assert_eq!((to_radians(180.0), to_degrees(PI)), (PI, 180.0));
+    assert_eq!(to_radians(90.0), FRAC_PI_2);
+    assert!((to_degrees(1.0) - 57.295_779_513_082_32).abs() < 1e-14);
+    assert!((to_radians(1.0) - 0.017_453_292_519_943_295).abs() < 1e-17);
+}
+
+/// Law: sines and cosines of quarter turns are exact, however many turns. Oracle: 0, 1, 0, −1.
+#[test]
+fn quarter_turns_are_exact() {
+    let table = [0.0, 1.0, 0.0, -1.0];
+    for quarter in (-1000..1000).chain([1 << 40, (1 << 40) + 1, -(1 << 40) - 1]) {
+        let degrees = 90.0 * quarter as f64;
+        let sine = |quarter: i64| table[quarter.rem_euclid(4) as usize];
+        assert_eq!(sin_degrees(degrees), sine(quarter), "{degrees}");
+        assert_eq!(cos_degrees(degrees), sine(quarter + 1), "{degrees}");
+    }
+}
+
+/// The angle in radians is rounded once and the function once, at slope 1; twice that.
+const SINE: f64 = 4.0 * U;
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: a whole turn changes no bit; the sine is odd, the cosine even, and `cos x = sin(90° − x)`;
+    /// `cos(x ± 90°) = ∓ sin x` (the book misprints it). Oracle: these identities.
+    #[test]
+    fn sines_of_degrees_are_periodic(eighths in -2880..2880_i32, turns in -5..6_i32) {
+        let x = f64::from(eighths) / 8.0;
+        let turned = x + 360.0 * f64::from(turns);
+        prop_assert_eq!(sin_degrees(turned), sin_degrees(x));
+        prop_assert_eq!(cos_degrees(turned), cos_degrees(x));
+        prop_assert_eq!(sin_degrees(-x), -sin_degrees(x));
+        prop_assert_eq!(cos_degrees(-x), cos_degrees(x));
+        prop_assert!((cos_degrees(x) - sin_degrees(90.0 - x)).abs() < SINE);
+        prop_assert!((cos_degrees(x + 90.0) + sin_degrees(x)).abs() < SINE);
+        prop_assert!((cos_degrees(x - 90.0) - sin_degrees(x)).abs() < SINE);
+        let (s, c) = (sin_degrees(x), cos_degrees(x));
+        prop_assert!((s * s + c * c - 1.0).abs() < 2.0 * SINE);
+    }
+
+    /// Law: `sin(a + b) = sin a cos b + cos a sin b`, in degrees and in radians alike.
+    #[test]
+    fn sines_add(a in -360.0..360.0_f64, b in -360.0..360.0_f64) {
+        let sum = sin_degrees(a) * cos_degrees(b) + cos_degrees(a) * sin_degrees(b);
+        // a + b is rounded: half a unit of 720, in radians
+        let rounding = 4.0 * SINE + to_radians(720.0) * U;
+        prop_assert!((sin_degrees(a + b) - sum).abs() < rounding);
+        prop_assert!((sin_degrees(a) - sin(to_radians(a))).abs() < SINE + 8.0 * to_radians(360.0) * U);
+        prop_assert!((tan(to_radians(a)) * cos(to_radians(a)) - sin(to_radians(a))).abs() < SINE);
+    }
+
+    /// Law: degrees to radians and back.
+    #[test]
+    fn degrees_survive_radians(degrees in -1e6..1e6_f64) {
+        prop_assert!((to_degrees(to_radians(degrees)) - degrees).abs() <= 4.0 * U * degrees.abs());
+    }
+
+    /// Law: (θ, φ) → point → (θ, φ), with θ from +y and φ from +z towards +x, as the book counts.
+    #[test]
+    fn spherical_coordinates_go_there_and_back(theta in 0.01..3.13_f64, phi in 0.0..6.28_f64) {
+        let p = Vector::new(sin(theta) * sin(phi), cos(theta), sin(theta) * cos(phi));
+        let azimuth = atan2(p.x(), p.z());
+        let azimuth = if azimuth < 0.0 { azimuth + TAU } else { azimuth };
+        prop_assert!((acos(p.y()) - theta).abs() < 1e-12, "θ");
+        prop_assert!((azimuth - phi).abs() < 1e-12, "φ");
+    }
+
+    /// Law: an octant is π/2, whichever way the frame is turned. Oracle: the solid angle of a
+    /// triangle (van Oosterom & Strackee 1983), `tan(Ω/2) = a·(b × c) / (1 + a·b + b·c + c·a)`.
+    #[test]
+    fn octants_share_the_sphere(n in unit()) {
+        let Frame { u, v, w } = Frame::around(n);
+        let volume = u.dot(v.cross(w));
+        let omega = 2.0 * atan2(volume, 1.0 + u.dot(v) + v.dot(w) + w.dot(u));
+        prop_assert!((omega - FRAC_PI_2).abs() < 1e-14);
+        prop_assert!((8.0 * omega - 4.0 * PI).abs() < 1e-13);
+    }
+}
+
+/// Law: the axes have the book's angles: φ(+x) = π/2, φ(+z) = 0, φ(−x) = 3π/2, θ(+y) = 0.
+#[test]
+fn the_axes_have_the_books_angles() {
+    let azimuth = |n: Normal| atan2(n.x(), n.z()).rem_euclid(TAU);
+    assert_eq!(azimuth(Normal::X), FRAC_PI_2);
+    assert_eq!(azimuth(Normal::Z), 0.0);
+    assert_eq!(azimuth(-Normal::X), 1.5 * PI);
+    assert_eq!(acos(Normal::Y.y()), 0.0);
+    assert_eq!(acos((-Normal::Y).y()), PI);
+}
+
+/// Law: `∫ cosⁿθ dω = 2π/(n + 1)` over the hemisphere. Oracle: the midpoint rule in θ, whose error is
+/// h²/24 times the change of slope, here at most n; so 1e-6 with 4000 steps.
+#[test]
+fn powers_of_the_cosine_integrate_over_the_hemisphere() {
+    const STEPS: u32 = 4000;
+    let h = FRAC_PI_2 / f64::from(STEPS);
+    for n in [0.0, 1.0, 1.5, 2.0, 3.0, 10.0, 25.5] {
+        let slice = |i: u32| {
+            let theta = (f64::from(i) + 0.5) * h;
+            TAU * power(cos(theta), n) * sin(theta) * h
+        };
+        let integral: f64 = (0..STEPS).map(slice).sum();
+        assert!((integral - TAU / (n + 1.0)).abs() < 1e-6, "{n}: {integral}");
+    }
+}

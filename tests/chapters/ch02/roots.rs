@@ -1,0 +1,118 @@
+//! Roots of quadratics, on which spheres, cylinders and cones stand.
+
+use groundtruth::math::{Vector, perpendicular_roots, power_of_two, quadratic};
+use proptest::prelude::*;
+
+use crate::support::{U, laws, unit};
+
+/// `a t² + 2 b t + c` with these roots; their sum must be even.
+fn with_roots(a: i64, [r, s]: [i64; 2]) -> [f64; 3] {
+    [a as f64, (-a * (r + s) / 2) as f64, (a * r * s) as f64]
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: the roots of a quadratic of whole numbers, in ascending order, to the bit. Oracle: the
+    /// equation is made from its roots; the discriminant, its square root and both quotients are
+    /// whole numbers.
+    #[test]
+    fn whole_roots_are_exact(a in prop_oneof![-50..0_i64, 1..50_i64], r: i16, s: i16) {
+        let roots = [i64::from(r), i64::from(s) + (i64::from(r) + i64::from(s)).rem_euclid(2)];
+        let [qa, qb, qc] = with_roots(a, roots);
+        let expected = [roots[0].min(roots[1]) as f64, roots[0].max(roots[1]) as f64];
+        prop_assert_eq!(quadratic(qa, qb, qc, qb * qb - qa * qc), Some(expected));
+    }
+
+    /// Law: a small root beside a huge one keeps its digits; the textbook's formula loses them all.
+    /// Oracle: as above, the discriminant `(a (s − r)/2)²` given as it is.
+    #[test]
+    fn small_roots_survive_beside_huge_ones(r in 1..100_i64, exponent in 30..50_u32, a in 1..5_i64) {
+        let s = (1_i64 << exponent) + r;
+        let [qa, qb, qc] = with_roots(a, [r, s]);
+        let half = (a * (s - r) / 2) as f64;
+        let [first, second] = quadratic(qa, qb, qc, half * half).expect("two roots");
+        prop_assert!((first - r as f64).abs() <= 4.0 * U * r as f64, "{first} for {r}");
+        prop_assert!((second - s as f64).abs() <= 4.0 * U * s as f64);
+    }
+
+    /// Law: for any coefficients, what comes out are roots of a quadratic that differs from the given
+    /// one by a few u: backward error. Oracle: the residual, against the sum of its magnitudes.
+    #[test]
+    fn residuals_are_rounding(
+        (a, b, c) in (-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64),
+        (i, j, k) in (-40..40_i32, -40..40_i32, -40..40_i32),
+    ) {
+        let scale = power_of_two;
+        let (a, b, c) = (a * scale(i), b * scale(j), c * scale(k));
+        prop_assume!(a != 0.0);
+        let discriminant = b * b - a * c;
+        let Some([first, second]) = quadratic(a, b, c, discriminant) else {
+            prop_assert!(discriminant < 0.0);
+            return Ok(());
+        };
+        prop_assert!(first <= second);
+        for t in [first, second] {
+            let residual = (a * t + 2.0 * b) * t + c;
+            let magnitude = (a * t * t).abs() + (2.0 * b * t).abs() + c.abs();
+            prop_assert!(residual.abs() <= 16.0 * U * magnitude, "{t}: {}", residual / magnitude);
+        }
+    }
+
+    /// Law: no real roots below zero, a double one at zero. Oracle: a double root made of whole
+    /// numbers, and the same with the constant term changed.
+    #[test]
+    fn double_roots_are_double(a in 1..50_i64, r in -1000..1000_i64) {
+        let [qa, qb, qc] = with_roots(a, [r, r]);
+        prop_assert_eq!(quadratic(qa, qb, qc, qb * qb - qa * qc), Some([r as f64; 2]));
+        prop_assert_eq!(quadratic(qa, qb, qc + 1.0, qb * qb - qa * (qc + 1.0)), None);
+        prop_assert_eq!(quadratic(qa, qb, qc, f64::NAN), None);
+    }
+
+    /// Law: a line meets a sphere where the right triangle says, also from very far away. Oracle:
+    /// whole numbers, m² + n² for the radius and (m² − n²) for the height, so half the chord is 2mn
+    /// (Pythagoras).
+    #[test]
+    fn spheres_are_met_where_pythagoras_says(
+        (m, n) in (2..40_i64, 1..40_i64),
+        away in prop_oneof![-1000..1000_i64, Just(1_i64 << 30), Just(-(1_i64 << 40))],
+        stretch in 0..5_i32,
+    ) {
+        prop_assume!(m > n);
+        let [r, height, half] = [m * m + n * n, m * m - n * n, 2 * m * n].map(|x| x as f64);
+        let f = Vector::new(-away as f64, height, 0.0);
+        let d = power_of_two(stretch) * Vector::X;
+        let [first, second] = perpendicular_roots(f, d, r).expect("it is met");
+        let expected = [away as f64 - half, away as f64 + half].map(|t| t / power_of_two(stretch));
+        // backward error: as if the way, height and radius were off by a few u; half the chord,
+        // √(r² − h²), feels that as (h + r)²/half
+        let way = (away as f64).abs() + half + (height + r) * (height + r) / half;
+        let tolerance = 8.0 * U * way / power_of_two(stretch);
+        prop_assert!((first - expected[0]).abs() <= tolerance, "{first} for {expected:?}");
+        prop_assert!((second - expected[1]).abs() <= tolerance, "{second} for {expected:?}");
+    }
+
+    /// Law: a tangent's roots are where it touches; a hair farther out it misses, nearer it hits
+    /// twice. Oracle: along an axis the discriminant is exact; a radius off by 4u would move the
+    /// roots by `r √(8u)`.
+    #[test]
+    fn tangents_touch_once(r in 1e-3..1e6_f64, away in 1..1_000_000_i64) {
+        let from = |height| Vector::new(-away as f64, height, 0.0);
+        let touches = perpendicular_roots(from(r), Vector::X, r).expect("it touches");
+        prop_assert!(touches.iter().all(|t| (t - away as f64).abs() <= r * (8.0 * U).sqrt()));
+        prop_assert_eq!(perpendicular_roots(from(r.next_up()), Vector::X, r), None);
+        let [first, second] = perpendicular_roots(from(r * (1.0 - 1e-9)), Vector::X, r).expect("two");
+        prop_assert!(first <= away as f64 && away as f64 <= second && first < second);
+    }
+
+    /// Law: doubling the direction halves the roots, to the bit; turning it around swaps their signs.
+    #[test]
+    fn roots_count_in_the_direction(f in unit(), d in unit(), far in 0.0..9.0_f64, r in 0.1..5.0_f64) {
+        let (f, d) = (far * f, Vector::from(d));
+        let roots = perpendicular_roots(f, d, r);
+        let doubled = perpendicular_roots(f, 2.0 * d, r).map(|ts| ts.map(|t| 2.0 * t));
+        let around = perpendicular_roots(f, -d, r).map(|[a, b]| [-b, -a]);
+        prop_assert_eq!(doubled, roots);
+        prop_assert_eq!(around, roots);
+    }
+}

@@ -1,1 +1,0 @@
-//! Metamorphic laws on whole pictures.

@@ -1,0 +1,123 @@
+//! Light is linear: it adds up, and lights know nothing of one another.
+
+use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::lights::Ambient;
+use groundtruth::materials::{Phong, Reflective};
+use groundtruth::math::{Point, Ray};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
+use groundtruth::shapes::{self, Sphere};
+use groundtruth::trace::{RayKind, RayTree};
+use proptest::prelude::*;
+
+use super::studio::{built, pixels, small};
+use crate::support::laws;
+
+/// Sums of some ten terms in two orders.
+const ROUNDING: f64 = 1e-12;
+
+const LIT: [&str; 5] = [
+    "ch14/set",
+    "ch16/coloured-shadows",
+    "ch23/smooth-sphere",
+    "ch24/hall-of-mirrors",
+    "ch28/glass-sphere",
+];
+
+/// Law: the picture in the light of several lamps is the sum of the pictures in the light of each,
+/// where the background is dark. Oracle: the sum.
+#[test]
+fn lights_add() {
+    for name in LIT {
+        let mut scene = small(name, 24, 24, 2);
+        scene.background = Rgb::BLACK;
+        let together = render::render(&built(&scene));
+        let alone: Vec<_> = (0..scene.lights.len())
+            .map(|only| {
+                let mut scene = scene.clone();
+                scene.lights.iter_mut().enumerate().for_each(|(i, l)| l.enabled = i == only);
+                render::render(&built(&scene))
+            })
+            .collect();
+        for at in pixels(24, 24) {
+            let sum: Rgb = alone.iter().map(|film| film.get(at)).sum();
+            let (sum, whole) = (sum.to_array(), together.get(at).to_array());
+            assert!((0..3).all(|i| (sum[i] - whole[i]).abs() < ROUNDING), "{name} {at:?}");
+        }
+    }
+}
+
+/// Law: switching a light off takes its own shadow rays away and moves no other ray. Oracle: the tree
+/// with all lights on, its rays to that light left out.
+#[test]
+fn switching_a_light_off_moves_no_other_ray() {
+    fn rays(tree: &RayTree, except: u32) -> Vec<(RayKind, Ray)> {
+        let other = |kind: &RayKind| !matches!(kind, RayKind::Shadow { light } if *light == except);
+        tree.nodes().iter().map(|node| (node.kind, node.ray)).filter(|(k, _)| other(k)).collect()
+    }
+    for name in LIT {
+        let scene = small(name, 16, 16, 1);
+        let all = built(&scene);
+        for off in 0..scene.lights.len() {
+            let mut scene = scene.clone();
+            scene.lights[off].enabled = false;
+            let fewer = built(&scene);
+            for at in pixels(16, 16) {
+                let [with, without] = [&all, &fewer].map(|world| {
+                    let mut tree = RayTree::default();
+                    render::sample(world, at, 0, &mut tree);
+                    tree
+                });
+                let without: Vec<_> = without.nodes().iter().map(|n| (n.kind, n.ray)).collect();
+                assert_eq!(rays(&with, off as u32), without, "{name} {at:?} light {off}");
+            }
+        }
+    }
+}
+
+/// The inside of a sphere that sends back `kr` of what it gets and shines with `emission`, all in
+/// ambient light; the eye is in it.
+fn furnace(emission: f64, kr: f64, max_depth: u32, eye: Point) -> Scene {
+    let mut camera =
+        Viewpoint::new(eye, Point::new(0.0, 0.0, -9.0), Pinhole { distance: 1.0, zoom: 1.0 });
+    camera.up = groundtruth::math::Vector::X;
+    let mut scene = Scene::new("", Image { pixel_size: 1.0, ..Image::new(3, 3) }, camera);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth });
+    scene.lights.push(Light::new("ambient", Ambient { ls: emission, color: Rgb::WHITE }));
+    let phong = Phong { ka: 1.0, kd: 0.0, cd: Rgb::WHITE.into(), ..Phong::default() };
+    let mut mirror = Material::new("mirror", Reflective { phong, kr, cr: Rgb::WHITE.into() });
+    mirror.two_sided = true;
+    scene.materials.push(mirror);
+    let shape = shapes::Kind::from(Sphere { center: Point::ORIGIN, radius: 2.0 });
+    scene.objects.push(Object::new("furnace", "mirror", shape));
+    scene
+}
+
+/// Law: a closed mirror in which every surface adds 1 and passes half on shows the geometric series
+/// of chapter 2: with six surfaces 1.96875, exactly. Oracle: the series.
+#[test]
+fn a_furnace_of_half_mirrors_shows_the_geometric_series() {
+    let film = render::render(&built(&furnace(1.0, 0.5, 5, Point::ORIGIN)));
+    film.pixels().iter().for_each(|&pixel| assert_eq!(pixel, Rgb::grey(1.96875)));
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: `e (1 − kr^(n+1))/(1 − kr)` for n reflections, wherever the eye is: no ray leaks out, none
+    /// is lost. Oracle: adding up the series.
+    #[test]
+    fn no_light_is_lost_in_a_furnace(
+        emission in 0.1..2.0_f64,
+        kr in 0.0..1.0_f64,
+        max_depth in 0..20_u32,
+        eye in crate::support::point(1.1),
+    ) {
+        let film = render::render(&built(&furnace(emission, kr, max_depth, eye)));
+        let series = (0..max_depth).fold(emission, |sum, _| emission + kr * sum);
+        for pixel in film.pixels() {
+            prop_assert!((pixel.g - series).abs() <= 1e-14 * series * 20.0, "{pixel:?} {series}");
+        }
+    }
+}

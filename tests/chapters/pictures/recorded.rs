@@ -1,0 +1,98 @@
+//! Recording changes nothing, and what is recorded adds up to the picture.
+
+use groundtruth::film::Film;
+use groundtruth::render;
+use groundtruth::trace::{RayKind, RayTree, explain};
+
+use super::studio::{assert_same_bits, bits, built, gallery_in_small, pixels, small};
+
+/// Law: a recorded sample has the bits of a silent one, for every pixel of every scene. At every ray
+/// what arrives is `T · Σ terms`, each term local or `weight · L(child)`, to the bit. Oracle: the
+/// silent rendering, and the sum worked out again from the tree.
+#[test]
+fn recorded_is_silent_and_every_node_is_the_sum_of_its_terms() {
+    for (name, scene) in gallery_in_small(2) {
+        let world = built(&scene);
+        let silent = render::render(&world);
+        let mut recorded = Film::new(24, 24);
+        for at in pixels(24, 24) {
+            let samples = (0..world.samples_per_pixel()).map(|i| {
+                let mut tree = RayTree::default();
+                let radiance = render::sample(&world, at, i, &mut tree);
+                assert_eq!(bits(radiance), bits(tree.root().radiance), "{name} {at:?}");
+                for node in tree.nodes() {
+                    assert_eq!(bits(node.radiance), bits(tree.folded(node)), "{name} {at:?}");
+                }
+                radiance
+            });
+            recorded.set(at, render::expose(&world, samples));
+        }
+        assert_same_bits(name, &silent, &recorded);
+    }
+}
+
+/// Law: in a tree each child is one edge deeper than its parent, starts after it in the list, has one
+/// parent, and shadow rays have no children. Oracle: the definition of a tree.
+#[test]
+fn recorded_rays_form_a_tree() {
+    for (name, scene) in gallery_in_small(1) {
+        let world = built(&scene);
+        for at in pixels(24, 24) {
+            let mut tree = RayTree::default();
+            render::sample(&world, at, 0, &mut tree);
+            let mut parents = vec![0; tree.nodes().len()];
+            for (i, node) in tree.nodes().iter().enumerate() {
+                for &child in &node.children {
+                    parents[child] += 1;
+                    let shadow = matches!(tree.nodes()[child].kind, RayKind::Shadow { .. });
+                    let depth = if shadow { 0 } else { node.depth + 1 };
+                    assert!(child > i && tree.nodes()[child].depth == depth, "{name} {at:?}");
+                }
+                let shadow = matches!(node.kind, RayKind::Shadow { .. });
+                assert!(!shadow || node.children.is_empty(), "{name} {at:?}");
+            }
+            assert_eq!(parents[0], 0);
+            assert!(parents[1..].iter().all(|&count| count == 1), "{name} {at:?}");
+        }
+    }
+}
+
+/// Law: the explanation's pixel and samples are the film's. The radiance of a sample is the sum of
+/// what its rays add where light enters: terms of its leaves. Oracle: the silent rendering; the
+/// contributions worked out from the weights, another order of the same products.
+#[test]
+fn the_explanation_is_the_picture() {
+    let scene = small("ch28/glass-sphere", 24, 24, 4);
+    let world = built(&scene);
+    for at in pixels(24, 24) {
+        let explained = explain::pixel(&scene, &world, at, None);
+        assert_eq!(bits(explained.radiance), bits(render::pixel(&world, at)), "{at:?}");
+        let one = explain::pixel(&scene, &world, at, Some(2));
+        assert_eq!(bits(one.radiance), bits(explained.radiance), "{at:?}");
+        assert_eq!(bits(one.samples[0].radiance), bits(explained.samples[2].radiance), "{at:?}");
+        for sample in &explained.samples {
+            let added = added(&sample.ray);
+            let error = (0..3).map(|i| (added[i] - sample.radiance.to_array()[i]).abs());
+            assert!(error.fold(0.0, f64::max) < 1e-12, "{at:?}: {added:?}");
+        }
+    }
+}
+
+/// What a ray's own terms and all rays after it add to the sample.
+fn added(ray: &explain::RayExplanation) -> [f64; 3] {
+    if ray.kind == "shadow" {
+        return ray.contribution.to_array();
+    }
+    let [own, sum, contribution] = [
+        ray.terms.iter().filter(|term| term.child.is_none()).map(|term| term.value).sum(),
+        ray.terms.iter().map(|term| term.value).sum::<groundtruth::rgb::Rgb>(),
+        ray.contribution,
+    ]
+    .map(groundtruth::rgb::Rgb::to_array);
+    let mut total = [0.0; 3];
+    for i in 0..3 {
+        total[i] = if sum[i] > 0.0 { contribution[i] * (own[i] / sum[i]) } else { 0.0 };
+        total[i] += ray.children.iter().map(|child| added(child)[i]).sum::<f64>();
+    }
+    total
+}
