@@ -200,7 +200,6 @@ fn tracing_and_rendering_name_no_kind_of_anything() {
             continue;
         }
         for (path, code) in files {
-            // a lobe says whether it is specular; which one it is, only its own file knows
             for folder in KINDS {
                 for kind in entries(folder).values() {
                     let default =

@@ -89,7 +89,7 @@ fn kolmogorov(lambda: f64) -> f64 {
         let j = f64::from(j);
         exp(-2.0 * j * j * lambda * lambda)
     };
-    let sum: f64 = (1..=50).map(|j| if j % 2 == 1 { term(j) } else { -term(j) }).sum();
+    let sum: f64 = (1..=50).map(|j| if j & 1 == 1 { term(j) } else { -term(j) }).sum();
     (2.0 * sum).clamp(0.0, 1.0)
 }
 
