@@ -28,4 +28,5 @@ pub mod scene;
 pub mod shapes;
 pub mod textures;
 pub mod trace;
+pub mod verify;
 pub mod world;

@@ -5,6 +5,7 @@
 
 mod explain;
 mod export;
+mod goldens;
 mod list;
 mod render;
 mod scene;
@@ -32,12 +33,16 @@ enum Command {
     Explain(explain::Explain),
     /// Write a scene as a scene file
     Export(export::Export),
+    /// Check, review and accept the golden images
+    Goldens(goldens::Goldens),
 }
 
 /// What a command comes to.
 enum Answer {
     /// Exit status 0.
     Yes,
+    /// Exit status 1.
+    No,
     /// Exit status 130.
     Interrupted,
 }
@@ -51,9 +56,11 @@ pub fn run() -> ExitCode {
         Command::Render(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Goldens(command) => command.run(),
     };
     match outcome {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
+        Ok(Answer::No) => ExitCode::FAILURE,
         Ok(Answer::Interrupted) => ExitCode::from(130),
         Err(error) => {
             eprintln!("error: {error}");

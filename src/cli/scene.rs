@@ -64,9 +64,11 @@ impl SceneArguments {
 
 /// `300x200`.
 #[derive(Clone, Copy)]
-struct Size {
-    width: u32,
-    height: u32,
+pub struct Size {
+    /// Columns; at least 1.
+    pub width: u32,
+    /// Rows; at least 1.
+    pub height: u32,
 }
 
 impl FromStr for Size {

@@ -1,0 +1,197 @@
+//! `groundtruth goldens`: check, review, accept.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::{Args, Subcommand};
+use groundtruth::film;
+use groundtruth::verify::compare;
+use groundtruth::verify::golden::{Finding, Goldens as Folder, Status, Wishes};
+use groundtruth::verify::review;
+
+use super::scene::Size;
+use super::{Answer, Outcome, print};
+
+#[derive(Args)]
+pub struct Goldens {
+    #[command(subcommand)]
+    command: Command,
+    /// The folder with manifest.toml
+    #[arg(long, value_name = "DIR", default_value = "goldens", global = true)]
+    folder: PathBuf,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Render every golden and compare; exit status 0 if all are the same
+    Check(Check),
+    /// Write one HTML page: expected, got and difference of each golden that is not the same
+    Review(Review),
+    /// Keep pictures as they are now, for a reason
+    Accept(Accept),
+}
+
+#[derive(Args)]
+struct Check {
+    /// Check this golden only (may be repeated)
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+}
+
+#[derive(Args)]
+struct Review {
+    /// Goldens to show; those that are not the same if none is named
+    names: Vec<String>,
+    /// Show all
+    #[arg(long, conflicts_with = "names")]
+    all: bool,
+    /// The page to write
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+}
+
+#[derive(Args)]
+struct Accept {
+    /// Goldens, as ch24/hall-of-mirrors; .normals or .hits for another view of a scene
+    #[arg(required_unless_present = "all_drifted")]
+    names: Vec<String>,
+    /// Accept every golden that differs by rounding only
+    #[arg(long, conflicts_with = "names")]
+    all_drifted: bool,
+    /// What the pictures were checked against; the manifest keeps it
+    #[arg(long, value_name = "REASON")]
+    because: String,
+    /// Width and height in pixels; as before, or 96 pixels wide
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+    /// Samples for each pixel; as before, or at most 4
+    #[arg(long, value_name = "N")]
+    samples: Option<u32>,
+    /// What to look for; as before, or the scene's own line
+    #[arg(long, value_name = "TEXT")]
+    shows: Option<String>,
+}
+
+impl Goldens {
+    pub fn run(&self) -> Outcome {
+        match &self.command {
+            Command::Check(check) => check.run(&self.folder),
+            Command::Review(review) => review.run(&self.folder),
+            Command::Accept(accept) => accept.run(&self.folder),
+        }
+    }
+}
+
+/// The findings for these names; for all if there are none.
+fn findings(goldens: &Folder, names: &[String]) -> Result<Vec<Finding>, Box<dyn Error>> {
+    let known = goldens.names();
+    let names = if names.is_empty() { &known } else { names };
+    if let Some(unknown) = names.iter().find(|name| !known.contains(name)) {
+        return Err(format!("no golden `{unknown}`: neither in the manifest nor a scene of the gallery (`groundtruth list`)").into());
+    }
+    names.iter().map(|name| Ok(goldens.check(name)?)).collect()
+}
+
+impl Check {
+    fn run(&self, folder: &Path) -> Outcome {
+        let findings = findings(&Folder::open(folder)?, &self.only)?;
+        let text: String = findings.iter().map(line).collect();
+        print(&text)?;
+        let bad: Vec<&Finding> = findings.iter().filter(|f| f.status != Status::Same).collect();
+        if bad.is_empty() {
+            print(&format!("all {} are the same\n", findings.len()))?;
+            return Ok(Answer::Yes);
+        }
+        let mut advice = format!(
+            "{} of {} are not the same\nto look:   groundtruth goldens review -o review.html\n",
+            bad.len(),
+            findings.len()
+        );
+        for finding in bad.iter().filter(|f| f.status != Status::Drift) {
+            advice += &format!("to accept: {}\n", review::accept_command(finding));
+        }
+        if bad.iter().any(|f| f.status == Status::Drift) {
+            advice += "to accept: groundtruth goldens accept --all-drifted --because \"…\"\n";
+        }
+        print(&advice)?;
+        Ok(Answer::No)
+    }
+}
+
+/// `changed   ch24/hall-of-mirrors: 312 of 6144 pixels differ, the most by 1.2e-1 at (40, 12)`.
+fn line(finding: &Finding) -> String {
+    let why = match (&finding.status, &finding.expected, &finding.got) {
+        (Status::Same, ..) => String::new(),
+        (Status::Missing, ..) if finding.golden.is_none() => ": the scene has no golden".to_owned(),
+        (Status::Missing, ..) => ": its .exr file is not there".to_owned(),
+        (Status::Mismatch, ..) => {
+            ": its .exr file is not the one that the manifest's digest names".to_owned()
+        }
+        (Status::NoScene, ..) => ": the gallery has no such scene".to_owned(),
+        (_, Some(a), Some(b)) if a.width() == b.width() && a.height() == b.height() => {
+            let differences = compare::differences(a, b);
+            let (count, pixels) = (differences.len(), a.pixels().len());
+            differences.first().map_or(String::new(), |worst| {
+                let [x, y] = worst.pixel;
+                let size = worst.size;
+                format!(": {count} of {pixels} pixels differ, the most by {size:.1e} at ({x}, {y})")
+            })
+        }
+        _ => ": the size differs".to_owned(),
+    };
+    format!("{:9} {}{why}\n", review::words(&finding.status), finding.name)
+}
+
+impl Review {
+    fn run(&self, folder: &Path) -> Outcome {
+        let mut findings = findings(&Folder::open(folder)?, &self.names)?;
+        if self.names.is_empty() && !self.all {
+            findings.retain(|finding| finding.status != Status::Same);
+        }
+        let path = self.output.display();
+        film::replace(&self.output, review::page(&findings).as_bytes())
+            .map_err(|e| format!("{path}: cannot be written: {e}"))?;
+        print(&format!("{path}: shows {}\n", findings.len()))
+    }
+}
+
+impl Accept {
+    fn run(&self, folder: &Path) -> Outcome {
+        let mut goldens = match folder.join("manifest.toml").try_exists() {
+            Ok(false) => Folder::none(folder),
+            _ => Folder::open(folder)?,
+        };
+        // an interrupt counts until the first file is moved, and not after that
+        let interrupted = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&interrupted);
+        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+
+        let wishes = Wishes {
+            size: self.size.map(|size| [size.width, size.height]),
+            samples: self.samples,
+            shows: self.shows.clone(),
+        };
+        let names = if self.all_drifted { drifted(&goldens)? } else { self.names.clone() };
+        let mut proposals = Vec::new();
+        for name in &names {
+            proposals.push(goldens.propose(name, &self.because, &wishes)?);
+            if interrupted.load(Ordering::Relaxed) {
+                eprintln!("interrupted; nothing was accepted");
+                return Ok(Answer::Interrupted);
+            }
+        }
+        goldens.accept(proposals)?;
+        let text: String = names.iter().map(|name| format!("accepted  {name}\n")).collect();
+        print(&text)?;
+        print(&format!("{}: {} goldens\n", folder.display(), goldens.all().len()))
+    }
+}
+
+/// The goldens that differ by rounding only.
+fn drifted(goldens: &Folder) -> Result<Vec<String>, Box<dyn Error>> {
+    let findings = findings(goldens, &[])?;
+    let drifted = findings.into_iter().filter(|finding| finding.status == Status::Drift);
+    Ok(drifted.map(|finding| finding.name).collect())
+}

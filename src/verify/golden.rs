@@ -1,0 +1,499 @@
+//! Golden images: small pictures that were looked at once and are compared ever since.
+//!
+//! `goldens/manifest.toml` says of each what it shows and why it was accepted; the EXR beside it is
+//! the truth, the PNG is for eyes. The digest ties them together: an image and a manifest that do
+//! not belong to one another are found out.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::compare::{self, Verdict};
+use super::{GoldenError, View};
+use crate::film::{self, Film};
+use crate::gallery;
+use crate::scene::Scene;
+use crate::world::World;
+
+/// One golden image, as the manifest says it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Golden {
+    /// A scene of the gallery.
+    pub scene: String,
+    /// What is shown of it.
+    #[serde(default, skip_serializing_if = "View::is_radiance")]
+    pub view: View,
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Samples for each pixel.
+    pub samples: u32,
+    /// [`digest`] of the picture.
+    pub digest: String,
+    /// What to look for, in words.
+    pub shows: String,
+    /// Why this picture was accepted: what it was checked against.
+    pub because: String,
+}
+
+impl Golden {
+    /// `ch24/hall-of-mirrors`, or `ch24/hall-of-mirrors.normals` for another view.
+    pub fn name(&self) -> String {
+        format!("{}{}", self.scene, self.view.suffix())
+    }
+
+    /// The scene at the size and with the samples of this golden.
+    ///
+    /// # Errors
+    /// [`GoldenError::NoScene`].
+    pub fn small_scene(&self) -> Result<Scene, GoldenError> {
+        let entry = gallery::find(&self.scene).ok_or_else(|| GoldenError::NoScene(self.name()))?;
+        let mut scene = (entry.build)();
+        scene.image.resize(self.size[0], self.size[1]);
+        scene.image.samples = self.samples;
+        Ok(scene)
+    }
+
+    /// The picture as it is now.
+    ///
+    /// # Errors
+    /// [`GoldenError::NoScene`] and [`GoldenError::Scene`].
+    pub fn render(&self) -> Result<Film, GoldenError> {
+        let world = World::build(&self.small_scene()?)
+            .map_err(|e| GoldenError::Scene { name: self.scene.clone(), source: Box::new(e) })?;
+        Ok(self.view.render(&world))
+    }
+}
+
+/// SHA-256, as hexadecimal digits, of width and height (32 bits each) and the channels in single
+/// precision, all little-endian.
+pub fn digest(film: &Film) -> String {
+    let mut hash = Sha256::new();
+    hash.update(film.width().to_le_bytes());
+    hash.update(film.height().to_le_bytes());
+    for channel in film.to_f32().flatten() {
+        hash.update(channel.to_le_bytes());
+    }
+    hash.finalize().iter().fold(String::new(), |mut hex, byte| {
+        let _ = write!(hex, "{byte:02x}");
+        hex
+    })
+}
+
+/// What a check found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Status {
+    /// The same bits.
+    Same,
+    /// Different bits, within [`compare::DRIFT`].
+    Drift,
+    /// A different picture.
+    Changed,
+    /// The manifest has no such golden, or its image is not there.
+    Missing,
+    /// The image is not the one whose digest the manifest keeps.
+    Mismatch,
+    /// The gallery has no such scene (any more).
+    NoScene,
+}
+
+/// A golden checked.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The golden's name.
+    pub name: String,
+    /// What was found.
+    pub status: Status,
+    /// The golden, if the manifest has it.
+    pub golden: Option<Golden>,
+    /// The accepted picture, if it could be read.
+    pub expected: Option<Film>,
+    /// The picture as it is now.
+    pub got: Option<Film>,
+}
+
+impl Finding {
+    fn without_pictures(name: String, status: Status, golden: Option<Golden>) -> Self {
+        Self { name, status, golden, expected: None, got: None }
+    }
+}
+
+#[derive(Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Manifest {
+    #[serde(default)]
+    golden: Vec<Golden>,
+}
+
+/// The folder of golden images.
+#[derive(Clone, Debug)]
+pub struct Goldens {
+    folder: PathBuf,
+    all: Vec<Golden>,
+}
+
+/// A picture that would be accepted.
+#[derive(Clone, Debug)]
+pub struct Proposal {
+    golden: Golden,
+    film: Film,
+}
+
+/// What a new golden looks like; what is left out stays as it was, or takes its default.
+#[derive(Clone, Debug, Default)]
+pub struct Wishes {
+    /// Width and height in pixels; 96 pixels wide in the form of the scene.
+    pub size: Option<[u32; 2]>,
+    /// Samples for each pixel; 4, or 1 where the scene has 1 and for views other than radiance.
+    pub samples: Option<u32>,
+    /// What to look for; the scene's own line.
+    pub shows: Option<String>,
+}
+
+const WIDTH: u32 = 96;
+const SAMPLES: u32 = 4;
+
+const HEADER: &str = "\
+# Golden images: `groundtruth goldens check`, `review` and `accept NAME --because \"…\"`.
+# digest: SHA-256 of width, height and the linear pixels (f32, little-endian); the EXR file beside
+# is the truth, the PNG file is for eyes.
+
+";
+
+impl Goldens {
+    /// Reads the manifest of a folder.
+    ///
+    /// # Errors
+    /// [`GoldenError::File`] and [`GoldenError::Manifest`].
+    pub fn open(folder: &Path) -> Result<Self, GoldenError> {
+        let path = folder.join("manifest.toml");
+        let text = std::fs::read_to_string(&path)
+            .map_err(|source| GoldenError::File { path: path.clone(), source })?;
+        let wrong = |problem| GoldenError::Manifest { path: path.clone(), problem };
+        let manifest: Manifest = toml::from_str(&text).map_err(|e| wrong(e.to_string()))?;
+        let mut names = std::collections::BTreeSet::new();
+        for golden in &manifest.golden {
+            let name = golden.name();
+            if golden.because.trim().is_empty() {
+                return Err(wrong(format!("{name} does not say why it was accepted (`because`)")));
+            }
+            if !names.insert(name.clone()) {
+                return Err(wrong(format!("{name} is there twice")));
+            }
+        }
+        Ok(Self { folder: folder.to_owned(), all: manifest.golden })
+    }
+
+    /// An empty folder's goldens: none. Nothing is written until something is accepted.
+    pub fn none(folder: &Path) -> Self {
+        Self { folder: folder.to_owned(), all: Vec::new() }
+    }
+
+    /// What the manifest has, in its order.
+    pub fn all(&self) -> &[Golden] {
+        &self.all
+    }
+
+    /// The golden of this name.
+    pub fn find(&self, name: &str) -> Option<&Golden> {
+        self.all.iter().find(|golden| golden.name() == name)
+    }
+
+    /// Everything that should be the same: the manifest's goldens, and each scene of the gallery.
+    pub fn names(&self) -> Vec<String> {
+        let mut names: Vec<String> = self.all.iter().map(Golden::name).collect();
+        names.extend(gallery::scenes().map(|entry| entry.name.to_owned()));
+        names.sort();
+        names.dedup();
+        names
+    }
+
+    /// The file of a golden's picture with this extension.
+    pub fn file(&self, name: &str, extension: &str) -> PathBuf {
+        self.folder.join(format!("{name}.{extension}"))
+    }
+
+    /// Renders one and compares.
+    ///
+    /// # Errors
+    /// [`GoldenError`] if it cannot be answered: a scene that does not build, a damaged file.
+    pub fn check(&self, name: &str) -> Result<Finding, GoldenError> {
+        let golden = self.find(name).cloned();
+        let alone = |status| Ok(Finding::without_pictures(name.to_owned(), status, golden.clone()));
+        let Some(known) = &golden else {
+            let in_gallery = named(name).is_some();
+            return alone(if in_gallery { Status::Missing } else { Status::NoScene });
+        };
+        let got = match known.render() {
+            Err(GoldenError::NoScene(_)) => return alone(Status::NoScene),
+            other => other?,
+        };
+        let image = self.file(name, "exr");
+        let expected = match image.try_exists() {
+            Ok(false) => None,
+            _ => Some(film::read_exr(&image)?),
+        };
+        let status = match &expected {
+            None => Status::Missing,
+            Some(expected) if digest(expected) != known.digest => Status::Mismatch,
+            Some(expected) => match compare::verdict(expected, &got) {
+                Verdict::Same => Status::Same,
+                Verdict::Drift => Status::Drift,
+                Verdict::Changed => Status::Changed,
+            },
+        };
+        Ok(Finding { name: name.to_owned(), status, golden, expected, got: Some(got) })
+    }
+
+    /// Renders what would be accepted under this name, for this reason.
+    ///
+    /// # Errors
+    /// [`GoldenError::NoReason`], [`GoldenError::NoScene`] and [`GoldenError::Scene`].
+    pub fn propose(
+        &self,
+        name: &str,
+        because: &str,
+        wishes: &Wishes,
+    ) -> Result<Proposal, GoldenError> {
+        if because.trim().is_empty() {
+            return Err(GoldenError::NoReason);
+        }
+        let mut golden = match self.find(name) {
+            Some(known) => known.clone(),
+            None => first_version(name)?,
+        };
+        golden.size = wishes.size.unwrap_or(golden.size);
+        golden.samples = wishes.samples.unwrap_or(golden.samples);
+        golden.shows = wishes.shows.clone().unwrap_or(golden.shows);
+        golden.because = because.trim().to_owned();
+        let film = golden.render()?;
+        golden.digest = digest(&film);
+        Ok(Proposal { golden, film })
+    }
+
+    /// Keeps the proposed pictures: all of them, or none. Everything is written beside its place
+    /// before the first file is moved, and the manifest is moved last; should the machine stop
+    /// between two moves, the digests tell.
+    ///
+    /// # Errors
+    /// [`GoldenError::File`] and [`GoldenError::Image`].
+    pub fn accept(&mut self, proposals: Vec<Proposal>) -> Result<(), GoldenError> {
+        let folder = self.folder.clone();
+        let file = |path: &Path, source| GoldenError::File { path: path.to_owned(), source };
+        std::fs::create_dir_all(&folder).map_err(|e| file(&folder, e))?;
+        let staged = tempfile::Builder::new()
+            .prefix(".accepting-")
+            .tempdir_in(&folder)
+            .map_err(|e| file(&folder, e))?;
+
+        let mut all = self.all.clone();
+        let mut moves = Vec::new();
+        for (i, Proposal { golden, film }) in proposals.into_iter().enumerate() {
+            let name = golden.name();
+            let scene = golden.small_scene()?;
+            let tone = golden.view.tone(&scene);
+            let shown = golden.view.for_eyes(&film);
+            for (extension, film) in [("exr", &film), ("png", &shown)] {
+                let (from, to) =
+                    (staged.path().join(format!("{i}.{extension}")), self.file(&name, extension));
+                film::write(film, &tone, &from)?;
+                moves.push((from, to));
+            }
+            all.retain(|other| other.name() != name);
+            all.push(golden);
+        }
+        all.sort_by_key(Golden::name);
+        let manifest = folder.join("manifest.toml");
+        let text = toml::to_string(&Manifest { golden: all.clone() }).map_err(|e| {
+            GoldenError::Manifest { path: manifest.clone(), problem: e.to_string() }
+        })?;
+
+        for (_, to) in &moves {
+            let folder = to.parent().unwrap_or(&folder);
+            std::fs::create_dir_all(folder).map_err(|e| file(folder, e))?;
+        }
+        for (from, to) in &moves {
+            std::fs::rename(from, to).map_err(|e| file(to, e))?;
+        }
+        film::replace(&manifest, (HEADER.to_owned() + &text).as_bytes())
+            .map_err(|e| file(&manifest, e))?;
+        self.all = all;
+        Ok(())
+    }
+}
+
+/// The scene and the view that a golden's name means, if the gallery has the scene.
+fn named(name: &str) -> Option<(gallery::Entry, View)> {
+    View::ALL
+        .into_iter()
+        .find_map(|view| Some((gallery::find(name.strip_suffix(view.suffix())?)?, view)))
+}
+
+/// The golden of a scene that has none.
+fn first_version(name: &str) -> Result<Golden, GoldenError> {
+    let (entry, view) = named(name).ok_or_else(|| GoldenError::NoScene(name.to_owned()))?;
+    let Scene { about, image, .. } = (entry.build)();
+    let height = f64::from(WIDTH) * f64::from(image.height) / f64::from(image.width);
+    Ok(Golden {
+        scene: entry.name.to_owned(),
+        view,
+        size: [WIDTH, (height.round() as u32).max(1)],
+        samples: if view == View::Radiance { image.samples.min(SAMPLES) } else { 1 },
+        digest: String::new(),
+        shows: about,
+        because: String::new(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rgb::Rgb;
+
+    const NAME: &str = "ch03/three-objects";
+
+    fn small() -> Wishes {
+        Wishes { size: Some([12, 12]), ..Wishes::default() }
+    }
+
+    /// A folder with one golden.
+    fn one_golden() -> (tempfile::TempDir, Goldens) {
+        let folder = tempfile::tempdir().unwrap();
+        let mut goldens = Goldens::none(folder.path());
+        let proposal = goldens.propose(NAME, "looked at it", &small()).unwrap();
+        goldens.accept(vec![proposal]).unwrap();
+        (folder, goldens)
+    }
+
+    #[test]
+    fn an_accepted_golden_is_the_same_when_read_again() {
+        let (folder, goldens) = one_golden();
+        let again = Goldens::open(folder.path()).unwrap();
+        assert_eq!(again.all(), goldens.all());
+        assert_eq!(again.all()[0].because, "looked at it");
+        assert_eq!(again.check(NAME).unwrap().status, Status::Same);
+        let files: Vec<_> = std::fs::read_dir(folder.path())
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        assert_eq!(files.len(), 2, "the chapter's folder, the manifest, nothing else: {files:?}");
+        assert!(again.file(NAME, "png").exists());
+    }
+
+    #[test]
+    fn a_reason_is_needed() {
+        let goldens = Goldens::none(Path::new("nowhere"));
+        for because in ["", "  \n"] {
+            let refused = goldens.propose(NAME, because, &small()).unwrap_err();
+            assert!(matches!(refused, GoldenError::NoReason));
+            assert!(refused.to_string().contains("--because"));
+        }
+    }
+
+    #[test]
+    fn a_scene_without_a_golden_is_missing_and_a_golden_without_a_scene_is_told() {
+        let (_folder, goldens) = one_golden();
+        assert!(goldens.names().contains(&"ch28/glass-sphere".to_owned()));
+        assert_eq!(goldens.check("ch28/glass-sphere").unwrap().status, Status::Missing);
+        assert_eq!(goldens.check("ch99/nothing").unwrap().status, Status::NoScene);
+        assert!(matches!(
+            goldens.propose("ch99/nothing", "why not", &small()),
+            Err(GoldenError::NoScene(_))
+        ));
+    }
+
+    #[test]
+    fn an_image_that_is_gone_is_missing() {
+        let (_folder, goldens) = one_golden();
+        std::fs::remove_file(goldens.file(NAME, "exr")).unwrap();
+        assert_eq!(goldens.check(NAME).unwrap().status, Status::Missing);
+    }
+
+    /// As when the machine stops between moving the image and moving the manifest.
+    #[test]
+    fn an_image_and_a_manifest_that_do_not_belong_together_are_found_out() {
+        let (_folder, goldens) = one_golden();
+        let mut other = goldens.find(NAME).unwrap().render().unwrap();
+        other.set([3, 4], Rgb::grey(0.25));
+        let tone = View::Radiance.tone(&goldens.all()[0].small_scene().unwrap());
+        film::write(&other, &tone, &goldens.file(NAME, "exr")).unwrap();
+        assert_eq!(goldens.check(NAME).unwrap().status, Status::Mismatch);
+    }
+
+    #[test]
+    fn a_golden_of_another_picture_is_changed_and_one_of_nearly_the_same_has_drifted() {
+        let (_folder, mut goldens) = one_golden();
+        for (factor, status) in
+            [(1.02, Status::Changed), (1.0 + 3e-7, Status::Drift), (1.0, Status::Same)]
+        {
+            let golden = goldens.find(NAME).unwrap().clone();
+            let mut film = golden.render().unwrap();
+            for i in 0..144 {
+                let at = [i % 12, i / 12];
+                film.set(at, factor * film.get(at));
+            }
+            let proposal = Proposal { golden: Golden { digest: digest(&film), ..golden }, film };
+            goldens.accept(vec![proposal]).unwrap();
+            assert_eq!(goldens.check(NAME).unwrap().status, status, "times {factor}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_kept_if_one_of_several_cannot_be() {
+        let (folder, mut goldens) = one_golden();
+        let before = std::fs::read(folder.path().join("manifest.toml")).unwrap();
+        let other = goldens.propose("ch03/single-sphere", "looked", &small()).unwrap();
+        let mut broken = other.clone();
+        broken.golden.scene = "ch99/nothing".to_owned();
+        assert!(goldens.accept(vec![other, broken]).is_err());
+        assert_eq!(std::fs::read(folder.path().join("manifest.toml")).unwrap(), before);
+        assert!(!goldens.file("ch03/single-sphere", "exr").exists());
+        assert_eq!(goldens.all().len(), 1);
+    }
+
+    #[test]
+    fn the_digest_depends_on_every_bit_and_on_the_size() {
+        let film = Film::new(4, 3);
+        let mut other = film.clone();
+        other.set([3, 2], Rgb::new(0.0, 0.0, -0.0));
+        assert_ne!(digest(&film), digest(&other));
+        assert_ne!(digest(&film), digest(&Film::new(3, 4)));
+        // `python3 -c "import hashlib, struct; print(hashlib.sha256(struct.pack('<2I3f', 1, 1, 1, .5, 0)).hexdigest())"`
+        let mut pixel = Film::new(1, 1);
+        pixel.set([0, 0], Rgb::new(1.0, 0.5, 0.0));
+        assert_eq!(
+            digest(&pixel),
+            "9352f72dc1c9740aa7ec80aaf12bcf7124f4f5fbc6a6edb0dfe70e29f736a301"
+        );
+    }
+
+    #[test]
+    fn a_manifest_that_gives_no_reason_or_a_name_twice_is_refused() {
+        let (folder, _) = one_golden();
+        let path = folder.path().join("manifest.toml");
+        let text = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(&path, text.replace("looked at it", " ")).unwrap();
+        let error = Goldens::open(folder.path()).unwrap_err().to_string();
+        assert!(error.contains("ch03/three-objects does not say why"), "{error}");
+        std::fs::write(&path, text.clone() + &text).unwrap();
+        let error = Goldens::open(folder.path()).unwrap_err().to_string();
+        assert!(error.contains("ch03/three-objects is there twice"), "{error}");
+    }
+
+    #[test]
+    fn views_show_distance_object_rays_and_normal_of_the_first_hit() {
+        let mut golden = first_version(NAME).unwrap();
+        golden.size = [3, 3];
+        golden.view = View::Hits;
+        // the middle pixel sees the red sphere, (0, −25, 0) of radius 80, from z = 100
+        let t = 100.0 - (80.0_f64 * 80.0 - 25.0 * 25.0).sqrt();
+        let hits = golden.render().unwrap();
+        assert!((hits.get([1, 1]).r - t).abs() < 1e-12);
+        assert_eq!((hits.get([1, 1]).g, hits.get([1, 1]).b), (1.0, 1.0));
+        golden.view = View::Normals;
+        let normal = golden.render().unwrap().get([1, 1]);
+        assert!((normal.g - 25.0 / 80.0).abs() < 1e-12 && normal.b > 0.9, "{normal:?}");
+    }
+}

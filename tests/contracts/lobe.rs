@@ -1,0 +1,205 @@
+//! The contract of [`Lobe`]: what each promises, proved; and where one does not promise, the break.
+//!
+//! Sources: Suffern, ch. 13 (BRDFs, reciprocity, energy), 15, 24, 27, 28.
+
+use std::f64::consts::PI;
+
+use groundtruth::lobes::Lobe;
+use groundtruth::math::{ONE_MINUS, Pcg32, Vector, cos, sin};
+use groundtruth::rgb::Rgb;
+use libtest_mimic::Trial;
+
+use super::{Holds, ensure, lobe_sampling};
+
+pub fn trials() -> Vec<Trial> {
+    let mut trials = super::trials(
+        Lobe::ENTRIES,
+        &[
+            ("f_is_finite_and_not_negative", f_is_finite_and_not_negative),
+            ("reciprocity_holds_if_claimed", reciprocity_holds_if_claimed),
+            ("albedo_is_the_integral_of_f", albedo_is_the_integral_of_f),
+            ("energy_is_conserved_if_claimed", energy_is_conserved_if_claimed),
+            ("samples_agree_with_f_and_pdf", samples_agree_with_f_and_pdf),
+            ("samples_follow_the_pdf", lobe_sampling::samples_follow_the_pdf),
+        ],
+    );
+    for entry in Lobe::ENTRIES {
+        let name = |law: &str| format!("{}::{}::contract::{law}", entry.chapter, entry.module);
+        let claims = (entry.specimens)().first().map(Lobe::claims);
+        if claims.is_some_and(|claims| !claims.reciprocal) {
+            trials.push(Trial::test(name("reciprocity_is_broken_as_it_says"), || {
+                let broken = (entry.specimens)().iter().any(|l| reciprocal(l).is_err());
+                if broken { Ok(()) } else { Err("it is reciprocal after all".into()) }
+            }));
+        }
+        if claims.is_some_and(|claims| !claims.conserves_energy) {
+            trials.push(Trial::test(name("energy_is_gained_as_it_says"), || {
+                let broken = (entry.specimens)().iter().any(|l| conserves_energy(l).is_err());
+                if broken { Ok(()) } else { Err("it conserves energy after all".into()) }
+            }));
+        }
+    }
+    trials
+}
+
+/// Viewers from straight above to grazing, and two on the inner side.
+pub fn viewers() -> Vec<Vector> {
+    let direction = |z: f64, phi: f64| {
+        let sine = f64::sqrt((1.0 - z) * (1.0 + z));
+        Vector::new(sine * cos(phi), sine * sin(phi), z)
+    };
+    [(1.0, 0.0), (0.8, 0.7), (0.5, 3.0), (0.1, 5.0), (1e-3, 2.0), (-0.8, 1.0), (-0.1, 4.0)]
+        .map(|(z, phi)| direction(z, phi))
+        .to_vec()
+}
+
+/// A direction, uniform on the sphere.
+pub fn anywhere(random: &mut Pcg32) -> Vector {
+    let z = 2.0 * random.uniform() - 1.0;
+    let (phi, sine) = (2.0 * PI * random.uniform(), f64::sqrt((1.0 - z) * (1.0 + z)));
+    Vector::new(sine * cos(phi), sine * sin(phi), z)
+}
+
+const PAIRS: u32 = 2000;
+
+/// A few roundings in each of two evaluations, and in a power of up to 2000.
+const ROUNDING: f64 = 1e-11;
+
+fn close(a: Rgb, b: Rgb, relative: f64) -> bool {
+    let pairs = a.to_array().into_iter().zip(b.to_array());
+    pairs.into_iter().all(|(a, b)| (a - b).abs() <= relative * a.abs().max(b.abs()))
+}
+
+fn sound(color: Rgb) -> bool {
+    color.to_array().iter().all(|c| c.is_finite() && *c >= 0.0)
+}
+
+fn f_is_finite_and_not_negative(lobe: &Lobe) -> Holds {
+    let mut random = Pcg32::new(13, 0);
+    for _ in 0..PAIRS {
+        let (wo, wi) = (anywhere(&mut random), anywhere(&mut random));
+        let (f, pdf) = (lobe.f(wo, wi), lobe.pdf(wo, wi));
+        ensure!(sound(f), "f({wo:?}, {wi:?}) = {f:?}");
+        ensure!(pdf.is_finite() && pdf >= 0.0, "pdf({wo:?}, {wi:?}) = {pdf}");
+        ensure!(!lobe.is_specular() || (f.is_black() && pdf == 0.0), "a single direction");
+        ensure!(sound(lobe.albedo(wo)), "albedo({wo:?}) = {:?}", lobe.albedo(wo));
+    }
+    Ok(())
+}
+
+fn reciprocity_holds_if_claimed(lobe: &Lobe) -> Holds {
+    if lobe.claims().reciprocal { reciprocal(lobe) } else { Ok(()) }
+}
+
+/// Law: `f(ω_i, ω_o) = f(ω_o, ω_i)`; for a single direction, its light goes back the same way with
+/// the same weight.
+fn reciprocal(lobe: &Lobe) -> Holds {
+    let mut random = Pcg32::new(13, 1);
+    for i in 0..PAIRS {
+        let (wo, mut wi) = (anywhere(&mut random), anywhere(&mut random));
+        if let Some(sample) = lobe.sample(wo, [random.uniform(), random.uniform()])
+            && (i % 2 == 0 || lobe.is_specular())
+        {
+            wi = sample.wi; // where the lobe is large
+        }
+        let (there, back) = (lobe.f(wo, wi), lobe.f(wi, wo));
+        ensure!(close(there, back, ROUNDING), "{wo:?}, {wi:?}: {there:?} and {back:?}");
+        if !lobe.is_specular() {
+            continue;
+        }
+        let Some(there) = lobe.sample(wo, [0.5; 2]) else { continue };
+        let Some(back) = lobe.sample(there.wi, [0.5; 2]) else {
+            return Err(format!("{wo:?}: nothing comes back from {:?}", there.wi));
+        };
+        ensure!((back.wi - wo).length() < 1e-7, "{wo:?} comes back as {:?}", back.wi);
+        let same = close(there.weight, back.weight, 1e-7);
+        ensure!(same, "{wo:?}: weights {:?} and {:?}", there.weight, back.weight);
+    }
+    Ok(())
+}
+
+/// Law: the albedo is `∫ f |cosθ_i| dω_i`; of a single direction, its weight. Oracle: the midpoint
+/// rule in θ and φ.
+fn albedo_is_the_integral_of_f(lobe: &Lobe) -> Holds {
+    /// The rule errs by `h²/24σ²` at the pole, and the narrowest specimen's width σ is six steps h.
+    const QUADRATURE: f64 = 2e-3;
+    const STEPS: u32 = 900;
+    let step = PI / f64::from(STEPS);
+    let around: Vec<(f64, f64)> = (0..2 * STEPS)
+        .map(|j| (f64::from(j) + 0.5) * step)
+        .map(|phi| (cos(phi), sin(phi)))
+        .collect();
+    for wo in viewers() {
+        let mut integral = Rgb::BLACK;
+        if lobe.is_specular() {
+            integral = lobe.sample(wo, [0.5; 2]).map_or(Rgb::BLACK, |sample| sample.weight);
+        } else {
+            for i in 0..STEPS {
+                let theta = (f64::from(i) + 0.5) * step;
+                let (sine, cosine) = (sin(theta), cos(theta));
+                let mut ring = Rgb::BLACK;
+                for (x, y) in &around {
+                    ring += lobe.f(wo, Vector::new(sine * x, sine * y, cosine));
+                }
+                integral += (cosine.abs() * sine * step * step) * ring;
+            }
+        }
+        let albedo = lobe.albedo(wo);
+        ensure!(close(albedo, integral, QUADRATURE), "{wo:?}: {albedo:?}, but {integral:?}");
+    }
+    Ok(())
+}
+
+fn energy_is_conserved_if_claimed(lobe: &Lobe) -> Holds {
+    if lobe.claims().conserves_energy { conserves_energy(lobe) } else { Ok(()) }
+}
+
+/// Law: the albedo is at most 1. Radiance that crosses into another medium is counted as `L/η²`,
+/// which is what light conserves; `η = sinθ_o/sinθ_t` by Snell's law.
+fn conserves_energy(lobe: &Lobe) -> Holds {
+    for wo in viewers() {
+        let mut albedo = lobe.albedo(wo);
+        let across = lobe.sample(wo, [0.5; 2]).filter(|sample| sample.wi.z() * wo.z() < 0.0);
+        if let Some(sample) = across {
+            let sine_squared = |w: Vector| w.x() * w.x() + w.y() * w.y();
+            let eta_squared = sine_squared(wo) / sine_squared(sample.wi);
+            if eta_squared.is_finite() && sine_squared(wo) > 0.0 {
+                albedo = eta_squared * albedo;
+            } else {
+                continue; // straight through: the angles do not tell η
+            }
+        }
+        ensure!(albedo.max() <= 1.0 + ROUNDING, "{wo:?}: albedo {albedo:?}");
+    }
+    Ok(())
+}
+
+/// Law: a sample's direction is unit, its pdf is `pdf`, its weight `f |cosθ_i| / pdf`, at the ends of
+/// `[0, 1)` too; a single direction has an infinite density.
+fn samples_agree_with_f_and_pdf(lobe: &Lobe) -> Holds {
+    let mut random = Pcg32::new(13, 2);
+    let ends = [0.0, 0.5, ONE_MINUS];
+    let corners = (0..9).map(|i| [ends[i / 3], ends[i % 3]]);
+    let inside: Vec<[f64; 2]> =
+        (0..500).map(|_| [random.uniform(), random.uniform()]).chain(corners).collect();
+    for wo in viewers() {
+        for &u in &inside {
+            let Some(sample) = lobe.sample(wo, u) else { continue };
+            let wi = sample.wi;
+            ensure!((wi.length() - 1.0).abs() < 1e-14, "{wo:?}, {u:?}: {wi:?} is not unit");
+            ensure!(sound(sample.weight), "{wo:?}, {u:?}: weight {:?}", sample.weight);
+            if lobe.is_specular() {
+                ensure!(sample.pdf == f64::INFINITY, "{wo:?}: density {}", sample.pdf);
+                continue;
+            }
+            let pdf = lobe.pdf(wo, wi);
+            ensure!(sample.pdf > 0.0 && sample.pdf.is_finite(), "{wo:?}, {u:?}: {}", sample.pdf);
+            let same = (sample.pdf - pdf).abs() <= ROUNDING * pdf;
+            ensure!(same, "{wo:?}, {u:?}: pdf {} and {pdf}", sample.pdf);
+            let weight = (wi.z().abs() / pdf) * lobe.f(wo, wi);
+            let same = close(sample.weight, weight, ROUNDING);
+            ensure!(same, "{wo:?}, {u:?}: weight {:?}, not {weight:?}", sample.weight);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,121 @@
+//! The contract of [`Material`] (Suffern, ch. 14, 15, 24, 27, 28).
+
+use std::sync::Arc;
+
+use groundtruth::lobes::Lobes;
+use groundtruth::materials::{Boundary, Kind, Material};
+use groundtruth::math::{Pcg32, power_of_two};
+use groundtruth::rgb::Rgb;
+use libtest_mimic::Trial;
+
+use super::lobe::anywhere;
+use super::texture::{scaled, surfaces};
+use super::{Holds, ensure};
+
+pub fn trials() -> Vec<Trial> {
+    super::trials(
+        Kind::ENTRIES,
+        &[
+            ("there_are_at_most_four_lobes_and_all_are_finite", lobes_are_few_and_finite),
+            ("ambient_and_emission_are_finite_and_not_negative", other_light_is_finite),
+            ("what_transmits_is_a_boundary_between_media", what_transmits_is_a_boundary),
+            ("scaling_by_a_power_of_two_keeps_every_bit", scaling_keeps_every_bit),
+        ],
+    )
+}
+
+fn built(kind: &Kind) -> Arc<dyn Material> {
+    kind.build(&mut ()).expect("specimens are valid")
+}
+
+const COSINES: [f64; 8] = [1.0, 0.7, 0.1, 1e-6, -1e-6, -0.1, -0.7, -1.0];
+
+fn sound(color: Rgb) -> bool {
+    color.to_array().iter().all(|c| c.is_finite() && *c >= 0.0)
+}
+
+fn lobes(material: &dyn Material, at: &groundtruth::shapes::Surface, cos_o: f64) -> Lobes {
+    let mut lobes = Lobes::new();
+    material.lobes(at, cos_o, &mut lobes);
+    lobes
+}
+
+/// Law: the lobes fit where they are kept (one more would panic), and each answers with finite
+/// numbers of at least 0.
+fn lobes_are_few_and_finite(kind: &Kind) -> Holds {
+    let material = built(kind);
+    let mut random = Pcg32::new(14, 1);
+    for at in surfaces().take(200) {
+        for cos_o in COSINES {
+            for (lobe, _) in lobes(&*material, &at, cos_o) {
+                let (wo, wi) = (anywhere(&mut random), anywhere(&mut random));
+                ensure!(sound(lobe.f(wo, wi)), "{lobe:?}: f {:?}", lobe.f(wo, wi));
+                let weight = lobe.sample(wo, [0.5; 2]).map(|sample| sample.weight);
+                ensure!(weight.is_none_or(sound), "{lobe:?}: weight {weight:?}");
+            }
+        }
+    }
+    Ok(())
+}
+
+fn other_light_is_finite(kind: &Kind) -> Holds {
+    let material = built(kind);
+    for at in surfaces() {
+        ensure!(sound(material.ambient(&at)), "{at:?}: {:?}", material.ambient(&at));
+        for cos_o in COSINES {
+            let emitted = material.emitted(&at, cos_o);
+            ensure!(sound(emitted), "{at:?} at {cos_o}: {emitted:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Law: a material that sends light to the other side says what media are there, and one that says
+/// so sends light there; absorption is never negative.
+fn what_transmits_is_a_boundary(kind: &Kind) -> Holds {
+    let material = built(kind);
+    let at = surfaces().next().expect("there are some");
+    let mut random = Pcg32::new(14, 2);
+    let mut transmits = false;
+    for _ in 0..200 {
+        let wo = anywhere(&mut random);
+        for (lobe, _) in lobes(&*material, &at, wo.z()) {
+            let sample = lobe.sample(wo, [0.5; 2]);
+            transmits |= sample.is_some_and(|sample| sample.wi.z() * wo.z() < 0.0);
+        }
+    }
+    let boundary = material.boundary();
+    ensure!(transmits == boundary.is_some(), "transmits: {transmits}, boundary: {boundary:?}");
+    if let Some(Boundary { inside, outside }) = boundary {
+        let fine = [inside, outside].iter().all(|c| c.to_array().iter().all(|c| *c >= 0.0));
+        ensure!(fine, "{boundary:?}");
+    }
+    Ok(())
+}
+
+/// Law: with all lengths times 2ᵏ the lobes, ambient light and emission are the same bits, and
+/// absorption per length is divided by 2ᵏ.
+fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
+    let material = built(kind);
+    for k in [1, -7, 30, -30] {
+        let factor = power_of_two(k);
+        let larger = built(&kind.scaled(factor));
+        for at in surfaces().take(500) {
+            let far = scaled(&at, factor);
+            for cos_o in COSINES {
+                let (here, there) = (lobes(&*material, &at, cos_o), lobes(&*larger, &far, cos_o));
+                ensure!(here == there, "2^{k}, {cos_o}: {there:?}, not {here:?}");
+                let same = material.emitted(&at, cos_o) == larger.emitted(&far, cos_o);
+                ensure!(same, "2^{k}, {cos_o}: emission differs");
+            }
+            ensure!(material.ambient(&at) == larger.ambient(&far), "2^{k}: ambient differs");
+        }
+        let expected = material.boundary().map(|Boundary { inside, outside }| Boundary {
+            inside: inside / factor,
+            outside: outside / factor,
+        });
+        let found = larger.boundary();
+        ensure!(found == expected, "2^{k}: {found:?}, not {expected:?}");
+    }
+    Ok(())
+}

@@ -1,0 +1,277 @@
+//! The contract of [`Shape`](groundtruth::shapes::Shape): laws up to rounding.
+//!
+//! Sources: Suffern, ch. 3 and 19 (hits, normals), 16 (shadow hits), 21 (instances); for leaving a
+//! surface, Pharr, Jakob & Humphreys, *PBRT*, "Managing rounding error".
+
+use groundtruth::math::{Frame, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
+use groundtruth::shapes::{Candidate, Kind, Shape};
+use libtest_mimic::Trial;
+
+use super::rays::{Met, Rays, beside, built, cosine};
+use super::{Holds, ensure, shape_exact};
+
+pub fn trials() -> Vec<Trial> {
+    let mut trials = super::trials(
+        Kind::ENTRIES,
+        &[
+            ("hits_lie_inside_the_bounds", hits_lie_inside_the_bounds),
+            ("hits_lie_on_the_surface", hits_lie_on_the_surface),
+            ("the_normal_is_the_gradient", the_normal_is_the_gradient),
+            ("shadow_hits_agree_with_hits", shadow_hits_agree_with_hits),
+            ("roots_are_the_hits_in_order", roots_are_the_hits_in_order),
+            ("sides_alternate_along_a_line", sides_alternate_along_a_line),
+            ("moving_the_origin_along_the_ray_moves_t", moving_the_origin_moves_t),
+            ("a_ray_that_leaves_finds_the_next_hit", a_ray_that_leaves_finds_the_next_hit),
+            ("t_is_a_number_inside_the_span", t_is_a_number_inside_the_span),
+        ],
+    );
+    trials.extend(shape_exact::trials());
+    trials
+}
+
+const RAYS: usize = 500;
+
+/// Rounding, as a share of the largest coordinate: a hit and a surface point take some twenty
+/// operations each, an instance twice as many, and its transform stretches them up to six times.
+const ROUNDING: f64 = 256.0 * UNIT_ROUNDOFF;
+
+/// Law: a hit's point is inside the bounds, padded as the accelerators pad them.
+fn hits_lie_inside_the_bounds(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let bounds = shape.bounds().padded();
+    for Met { ray, surface, .. } in Rays::new(&*shape).hits(&*shape, 4 * RAYS) {
+        ensure!(bounds.contains(surface.point), "{ray:?} hits at {:?}", surface.point);
+    }
+    Ok(())
+}
+
+/// Law: a ray aimed at the point from elsewhere hits there (its `t` is 1), and the point's error
+/// bound is a few roundings.
+fn hits_lie_on_the_surface(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    for Met { ray, surface, .. } in rays.smooth_hits(&*shape, RAYS) {
+        let origin = surface.point + 2.0 * rays.size() * rays.unit();
+        let direction = surface.point - origin;
+        let cosine = surface.normal.dot(direction).abs() / direction.length();
+        if cosine < 0.1 {
+            continue;
+        }
+        let other = Ray::new(origin, direction);
+        let nearest = nearest_to(1.0, &shape.roots(&other, Span::LINE));
+        let rounding = ROUNDING * 3.0 * rays.size();
+        let off = nearest.map(|t| (t - 1.0).abs() * surface.normal.dot(direction).abs());
+        ensure!(
+            off.is_some_and(|off| off <= rounding),
+            "{ray:?} hits at {:?}, which from {origin:?} is off by {off:?}",
+            surface.point
+        );
+        ensure!(surface.error <= rounding, "error bound {:e}", surface.error);
+    }
+    Ok(())
+}
+
+fn nearest_to(t: f64, roots: &[Candidate]) -> Option<f64> {
+    roots.iter().map(|root| root.t).min_by(|a, b| (a - t).abs().total_cmp(&(b - t).abs()))
+}
+
+/// Law: the normal is perpendicular to the surface, up to the curvature times the square of the
+/// step. Oracle: central difference quotients of the points that rays beside it hit.
+fn the_normal_is_the_gradient(kind: &Kind) -> Holds {
+    /// Steps of 1e-6 leave 1e-12 of curvature, a thousand times as much with slanted rays at the ends
+    /// of flat ellipsoids, and 1e-9 of rounding.
+    const SLOPE: f64 = 1e-6;
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    let hits = rays.smooth_hits(&*shape, RAYS);
+    for Met { ray, surface, at } in hits.into_iter().filter(|met| cosine(met) > 0.3) {
+        let points = beside(&ray, 1e-6 * rays.size()).map(|ray| {
+            let beside = shape.hit(&ray, Span::AHEAD).filter(|beside| beside.part == at.part)?;
+            Some(shape.surface(&ray, &beside).point)
+        });
+        let [Some(a), Some(b), Some(c), Some(d)] = points else { continue };
+        for quotient in [a - b, c - d] {
+            let slope = surface.normal.dot(quotient).abs() / quotient.length();
+            ensure!(slope <= SLOPE, "{ray:?}: {:?} slopes by {slope:e}", surface.normal);
+        }
+        let shading = surface.shading.dot(surface.normal);
+        ensure!(shading > 0.0, "{ray:?}: the shading normal is on the other side");
+    }
+    Ok(())
+}
+
+/// Law: in any span, `shadow_hit` finds something exactly if `hit` does, and what it finds is one of
+/// the roots.
+fn shadow_hits_agree_with_hits(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    for _ in 0..2 * RAYS {
+        let ray = rays.next();
+        let roots = shape.roots(&ray, Span::LINE);
+        let t = roots.first().map_or(1.0, |root| root.t);
+        for span in [
+            Span::AHEAD,
+            Span::SEGMENT,
+            Span::LINE,
+            Span { min: 0.0, max: t },
+            Span { min: t, max: f64::INFINITY },
+            Span { min: 0.5 * t, max: 2.0 * t },
+        ] {
+            let (shadow, hit) = (shape.shadow_hit(&ray, span), shape.hit(&ray, span));
+            ensure!(shadow.is_some() == hit.is_some(), "{ray:?} in {span:?}: {shadow:?}, {hit:?}");
+            ensure!(shadow.is_none_or(|t| span.contains(t)), "{ray:?} in {span:?}: {shadow:?}");
+            let is_root = |t: f64| roots.iter().any(|root| root.t.to_bits() == t.to_bits());
+            ensure!(shadow.is_none_or(is_root), "{ray:?} in {span:?}: {shadow:?} of {roots:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Law: the roots ascend, and `hit` finds them one after the other, bit for bit, when the span
+/// begins at the one before.
+fn roots_are_the_hits_in_order(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    for _ in 0..2 * RAYS {
+        let ray = rays.next();
+        let roots = shape.roots(&ray, Span::LINE);
+        ensure!(roots.is_sorted_by(|a, b| a.t <= b.t), "{ray:?}: {roots:?} do not ascend");
+        let mut ts: Vec<f64> = roots.iter().map(|root| root.t).collect();
+        ts.dedup();
+        let mut after = f64::NEG_INFINITY;
+        for &t in &ts {
+            let next = shape.hit(&ray, Span { min: after, max: f64::INFINITY });
+            let next = next.map(|at| at.t.to_bits());
+            ensure!(next == Some(t.to_bits()), "{ray:?}: after {after}, {next:?} of {ts:?}");
+            after = t;
+        }
+        let beyond = shape.hit(&ray, Span { min: after, max: f64::INFINITY });
+        ensure!(beyond.is_none(), "{ray:?}: {beyond:?} is no root");
+    }
+    Ok(())
+}
+
+/// Law: if every line meets the surface an even number of times (it has an inside), then lines
+/// enter and leave in turn: the normal points outward everywhere.
+fn sides_alternate_along_a_line(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    let mut out_of_order = None;
+    for _ in 0..2 * RAYS {
+        let ray = rays.next();
+        let roots = shape.roots(&ray, Span::LINE);
+        // lines through an edge may count it once or twice
+        if roots.windows(2).any(|pair| pair[1].t - pair[0].t < 1e-9 * pair[1].t.abs()) {
+            continue;
+        }
+        if roots.len() % 2 == 1 {
+            return Ok(()); // open: it has no inside
+        }
+        for (i, root) in roots.iter().enumerate() {
+            let enters = shape.surface(&ray, root).normal.dot(ray.direction) < 0.0;
+            if enters != (i % 2 == 0) {
+                out_of_order = Some((ray, i));
+            }
+        }
+    }
+    match out_of_order {
+        None => Ok(()),
+        Some((ray, i)) => Err(format!("{ray:?}: root {i} is on the wrong side")),
+    }
+}
+
+/// Law: a ray whose origin is moved along it hits the same place, at a `t` that is smaller by as
+/// much.
+fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    for Met { ray, at, surface } in rays.smooth_hits(&*shape, RAYS) {
+        for share in [0.5, -3.0] {
+            let moved = Ray::new(ray.at(share * at.t), ray.direction);
+            let span = Span { min: -0.75 * at.t, max: f64::INFINITY };
+            let expected = at.t - share * at.t;
+            let t = nearest_to(expected, &shape.roots(&moved, span));
+            let reach = rays.size() + (1.0 + share.abs()) * (at.t * ray.direction).length();
+            let off = t.map(|t| (t - expected).abs() * surface.normal.dot(ray.direction).abs());
+            ensure!(off.is_some_and(|off| off <= ROUNDING * reach), "{ray:?}: off by {off:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Law: a ray that leaves a surface never meets it at the same place again, also at grazing angles:
+/// what it hits next it meets from the side it left to. From inside a closed shape it hits
+/// something.
+fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    let closed = is_closed(&*shape, &mut rays);
+    for Met { surface, .. } in rays.smooth_hits(&*shape, RAYS) {
+        let n = surface.normal;
+        let tangent = Frame::around(n).to_world(across(rays.unit()));
+        for cosine in [1.0, 0.1, 1e-3, 1e-6, 1e-9, -1.0, -0.1, -1e-3, -1e-6, -1e-9] {
+            let sine = f64::sqrt((1.0 - cosine) * (1.0 + cosine));
+            let direction = cosine * Vector::from(n) + sine * tangent;
+            let ray = Ray::new(surface.leave(direction), direction);
+            match shape.hit(&ray, Span::AHEAD) {
+                None => ensure!(
+                    !closed || cosine > 0.0,
+                    "from {:?} inward at {cosine:e}: no way out",
+                    surface.point
+                ),
+                Some(at) => {
+                    let next = shape.surface(&ray, &at).normal.dot(direction);
+                    ensure!(
+                        next * cosine < 0.0,
+                        "from {:?} at {cosine:e}: hit again at t {:e}",
+                        surface.point,
+                        at.t
+                    );
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The unit vector across z.
+fn across(v: Normal) -> Vector {
+    Vector::new(v.x(), v.y(), 0.0).unit().unwrap_or(Vector::X)
+}
+
+/// Whether every line meets it an even number of times, and some do.
+fn is_closed(shape: &dyn Shape, rays: &mut Rays) -> bool {
+    let counts: Vec<usize> =
+        (0..RAYS).map(|_| shape.roots(&rays.next(), Span::LINE).len()).collect();
+    counts.iter().all(|count| count % 2 == 0) && counts.iter().any(|&count| count > 0)
+}
+
+/// Law: whatever the finite ray, a hit's `t` is a number inside the span.
+fn t_is_a_number_inside_the_span(kind: &Kind) -> Holds {
+    const UGLY: [f64; 12] =
+        [0.0, -0.0, 1.0, -1.0, 0.5, 5e-324, -1e-300, 1e-160, 1e160, -1e300, f64::MAX, 1e-9];
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    let mut random = groundtruth::math::Pcg32::new(7, 7);
+    let mut any = |x: f64| match random.below(3) {
+        0 => UGLY[random.below(12) as usize],
+        _ => x,
+    };
+    for _ in 0..2 * RAYS {
+        let plain = rays.next();
+        let origin = Point::from(plain.origin.to_array().map(&mut any));
+        let direction = Vector::from(plain.direction.to_array().map(&mut any));
+        if direction == Vector::ZERO {
+            continue;
+        }
+        let ray = Ray::new(origin, direction);
+        for span in [Span::AHEAD, Span::SEGMENT, Span::LINE] {
+            let ts = [shape.hit(&ray, span).map(|at| at.t), shape.shadow_hit(&ray, span)];
+            let roots = shape.roots(&ray, span).into_iter().map(|root| root.t);
+            for t in ts.into_iter().flatten().chain(roots) {
+                ensure!(span.contains(t), "{ray:?} in {span:?}: t {t}");
+            }
+        }
+    }
+    Ok(())
+}

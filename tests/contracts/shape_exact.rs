@@ -1,0 +1,131 @@
+//! The contract of [`Shape`](groundtruth::shapes::Shape): laws to the last bit.
+//!
+//! Powers of two, signs and exchanged axes round nowhere, so what they change is known exactly.
+
+use groundtruth::math::{Axis, Point, Ray, Span, Step, Vector, power_of_two};
+use groundtruth::shapes::{Candidate, Instance, Kind};
+use libtest_mimic::Trial;
+
+use super::rays::{Rays, built};
+use super::{Holds, ensure};
+
+pub fn trials() -> Vec<Trial> {
+    super::trials(
+        Kind::ENTRIES,
+        &[
+            ("t_halves_when_the_direction_doubles", t_halves_when_the_direction_doubles),
+            ("t_does_not_depend_on_the_span", t_does_not_depend_on_the_span),
+            ("scaling_by_a_power_of_two_scales_every_bit", scaling_scales_every_bit),
+            ("a_transformed_shape_is_hit_as_by_the_ray_moved_back", transforms_commute),
+        ],
+    )
+}
+
+const RAYS: usize = 2000;
+
+/// Law: `hit(o, 2ᵏ d).t = 2⁻ᵏ hit(o, d).t`.
+fn t_halves_when_the_direction_doubles(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    for _ in 0..RAYS {
+        let ray = rays.next();
+        let hit = shape.hit(&ray, Span::AHEAD);
+        for k in [1, -1, 7] {
+            let longer = Ray::new(ray.origin, power_of_two(k) * ray.direction);
+            let found = shape.hit(&longer, Span::AHEAD);
+            let expected = hit.map(|at| Candidate { t: at.t * power_of_two(-k), ..at });
+            ensure!(found == expected, "{ray:?} times 2^{k}: {found:?}, not {expected:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Law: a span only selects. It is open: a hit at its end does not count.
+fn t_does_not_depend_on_the_span(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    for met in rays.hits(&*shape, RAYS) {
+        let (ray, t) = (met.ray, met.at.t);
+        for span in [
+            Span { min: t.next_down(), max: t.next_up() },
+            Span { min: 0.0, max: t.next_up() },
+            Span { min: 0.999 * t, max: 1e300 },
+            Span::AHEAD.through(t),
+        ] {
+            let found = shape.hit(&ray, span);
+            ensure!(found == Some(met.at), "{ray:?} in {span:?}: {found:?}, not {:?}", met.at);
+        }
+        let before = shape.hit(&ray, Span { min: 0.0, max: t });
+        ensure!(before.is_none(), "{ray:?}: {before:?} before the first hit at {t}");
+        let after = shape.hit(&ray, Span { min: t, max: f64::INFINITY });
+        ensure!(after.is_none_or(|at| at.t > t), "{ray:?}: {after:?} is not after {t}");
+    }
+    Ok(())
+}
+
+/// Law: with all lengths times 2ᵏ (the ray's origin too), `t` and everything about the surface is
+/// the same to the last bit, lengths times 2ᵏ.
+fn scaling_scales_every_bit(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    for k in [1, -1, 30, -30] {
+        let factor = power_of_two(k);
+        let larger = built(&kind.scaled(factor));
+        let mut rays = Rays::new(&*shape);
+        for _ in 0..RAYS {
+            let ray = rays.next();
+            let far = Ray::new(ray.origin.scaled(factor), ray.direction);
+            let (small, large) = (shape.hit(&ray, Span::AHEAD), larger.hit(&far, Span::AHEAD));
+            let expected = small.map(|at| Candidate { t: factor * at.t, ..at });
+            ensure!(large == expected, "{ray:?} times 2^{k}: {large:?}, not {expected:?}");
+            let (Some(small), Some(large)) = (small, large) else { continue };
+            let mut expected = shape.surface(&ray, &small);
+            expected.point = expected.point.scaled(factor);
+            expected.local = expected.local.scaled(factor);
+            expected.error *= factor;
+            let found = larger.surface(&far, &large);
+            ensure!(found == expected, "{ray:?} times 2^{k}: {found:?}, not {expected:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Law: an instance whose transform rounds nowhere is hit where, and as, the shape itself is hit by
+/// the ray before the transform; the texture's point stays; normals turn as `M⁻ᵀ`. Oracle: the
+/// steps written out here.
+fn transforms_commute(kind: &Kind) -> Holds {
+    let steps = vec![
+        Step::Translate(Vector::new(0.5, -3.0, 1.25)),
+        Step::Scale(Vector::new(4.0, 0.5, 2.0)),
+        Step::RotateZ(90.0),
+        Step::Reflect(Axis::Y),
+        Step::Translate(Vector::new(-2.0, 0.0, 0.75)),
+    ];
+    // the linear part of the steps, and all of them
+    let turned = |v: Vector| Vector::new(-0.5 * v.y(), -4.0 * v.x(), 2.0 * v.z());
+    let moved = |p: Point| {
+        let p = p + Vector::new(0.5, -3.0, 1.25);
+        Point::ORIGIN + turned(p.to_vector()) + Vector::new(-2.0, 0.0, 0.75)
+    };
+    let shape = built(kind);
+    let instance = built(&Instance { of: Box::new(kind.clone()), transform: steps }.into());
+    let mut rays = Rays::new(&*shape);
+    for _ in 0..RAYS {
+        let ray = rays.next_dyadic();
+        let outside = Ray::new(moved(ray.origin), turned(ray.direction));
+        let (inner, outer) = (shape.hit(&ray, Span::AHEAD), instance.hit(&outside, Span::AHEAD));
+        ensure!(inner == outer, "{ray:?}: {outer:?}, not {inner:?}");
+        let Some(at) = inner else { continue };
+        let (inner, outer) = (shape.surface(&ray, &at), instance.surface(&outside, &at));
+        ensure!(inner.local == outer.local, "{ray:?}: {:?}, not {:?}", outer.local, inner.local);
+        let off = outer.point.distance(moved(inner.point));
+        ensure!(off <= 1e-14 * rays.size(), "{ray:?}: the point is off by {off:e}");
+        let frame = groundtruth::math::Frame::around(inner.normal);
+        for tangent in [frame.u, frame.v] {
+            let slope = outer.normal.dot(turned(tangent)).abs();
+            ensure!(slope <= 1e-14, "{ray:?}: {:?} slopes by {slope:e}", outer.normal);
+        }
+        let outward = outer.normal.dot(turned(inner.normal.into()));
+        ensure!(outward > 0.0, "{ray:?}: {:?} points inward", outer.normal);
+    }
+    Ok(())
+}

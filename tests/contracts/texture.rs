@@ -1,0 +1,85 @@
+//! The contract of [`Texture`] (Suffern, ch. 29 and 30).
+
+use std::sync::Arc;
+
+use groundtruth::math::{Normal, Pcg32, Point, Vector, power_of_two};
+use groundtruth::shapes::Surface;
+use groundtruth::textures::{Kind, Texture};
+use libtest_mimic::Trial;
+
+use super::{Holds, ensure};
+
+pub fn trials() -> Vec<Trial> {
+    super::trials(
+        Kind::ENTRIES,
+        &[
+            ("colours_are_reflectances", colours_are_reflectances),
+            ("the_colour_moves_with_the_object", the_colour_moves_with_the_object),
+            ("scaling_by_a_power_of_two_keeps_every_bit", scaling_keeps_every_bit),
+        ],
+    )
+}
+
+fn built(kind: &Kind) -> Arc<dyn Texture> {
+    kind.build(&mut ()).expect("specimens are valid")
+}
+
+/// Surfaces all over, among them points on the borders of cells and far away.
+pub fn surfaces() -> impl Iterator<Item = Surface> {
+    let mut random = Pcg32::new(30, 0);
+    (0..2000).map(move |i| {
+        let reach = [1.0, 10.0, 1e6][i % 3];
+        let mut c = || match random.below(4) {
+            0 => f64::from(random.below(16)) - 8.0,
+            _ => reach * (2.0 * random.uniform() - 1.0),
+        };
+        let point = Point::new(c(), c(), c());
+        let normal = Normal::new(Vector::new(c(), c(), c())).unwrap_or(Normal::Y);
+        Surface::new(point, 1e-12, normal)
+    })
+}
+
+/// Law: a specimen's colours lie between 0 and 1 (all specimens are made of such).
+fn colours_are_reflectances(kind: &Kind) -> Holds {
+    let texture = built(kind);
+    for at in surfaces() {
+        let color = texture.color(&at);
+        let fine = color.to_array().iter().all(|c| (0.0..=1.0).contains(c));
+        ensure!(fine, "{:?}: {color:?}", at.local);
+        ensure!(texture.color(&at) == color, "{:?}: two answers", at.local);
+    }
+    Ok(())
+}
+
+/// Law: where the object stands in the world does not matter, only the place on it (ch. 30: textures
+/// live in the object's own coordinates).
+fn the_colour_moves_with_the_object(kind: &Kind) -> Holds {
+    let texture = built(kind);
+    for at in surfaces() {
+        let moved = Surface { point: at.point + Vector::new(0.3, -7.0, 11.1), ..at };
+        let (here, there) = (texture.color(&at), texture.color(&moved));
+        ensure!(here == there, "{:?}: {here:?}, moved {there:?}", at.local);
+    }
+    Ok(())
+}
+
+/// A surface with lengths times a power of two.
+pub fn scaled(at: &Surface, factor: f64) -> Surface {
+    let mut at = *at;
+    at.point = at.point.scaled(factor);
+    at.local = at.local.scaled(factor);
+    at.error *= factor;
+    at
+}
+
+fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
+    let texture = built(kind);
+    for k in [1, -7, 30, -30] {
+        let larger = built(&kind.scaled(power_of_two(k)));
+        for at in surfaces() {
+            let (here, there) = (texture.color(&at), larger.color(&scaled(&at, power_of_two(k))));
+            ensure!(here == there, "{:?}, 2^{k}: {there:?}, not {here:?}", at.local);
+        }
+    }
+    Ok(())
+}
