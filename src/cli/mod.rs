@@ -6,6 +6,7 @@
 mod explain;
 mod export;
 mod list;
+mod probe;
 mod render;
 mod scene;
 
@@ -32,12 +33,16 @@ enum Command {
     Explain(explain::Explain),
     /// Write a scene as a scene file
     Export(export::Export),
+    /// Answer questions in JSON Lines, to check a ray tracer in any language
+    Probe(probe::Probe),
 }
 
 /// What a command comes to.
 enum Answer {
     /// Exit status 0.
     Yes,
+    /// Exit status 2, when the reasons have been said already.
+    Unanswered,
     /// Exit status 130.
     Interrupted,
 }
@@ -51,9 +56,11 @@ pub fn run() -> ExitCode {
         Command::Render(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Probe(command) => command.run(),
     };
     match outcome {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
+        Ok(Answer::Unanswered) => ExitCode::from(2),
         Ok(Answer::Interrupted) => ExitCode::from(130),
         Err(error) => {
             eprintln!("error: {error}");

@@ -46,6 +46,11 @@ pub enum SceneError {
 pub struct Place(Option<(PathBuf, usize)>);
 
 impl Place {
+    /// Whether the scene came from no file.
+    pub fn is_unknown(&self) -> bool {
+        self.0.is_none()
+    }
+
     pub(super) fn line(path: &Path, line: usize) -> Self {
         Self(Some((path.to_owned(), line)))
     }

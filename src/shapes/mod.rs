@@ -61,6 +61,11 @@ impl Surface {
         Self::new(point, error, normal)
     }
 
+    /// Whether a ray in this direction meets the side the normal points to.
+    pub fn is_front(&self, direction: Vector) -> bool {
+        self.normal.dot(direction) <= 0.0
+    }
+
     /// Where a ray that leaves in this direction starts: off the surface by three error bounds,
     /// on the side it leaves to. There is no constant epsilon: see Pharr, Jakob & Humphreys,
     /// *PBRT*, "Managing rounding error".
@@ -124,6 +129,7 @@ mod tessellated_sphere;
 mod triangle;
 
 pub use context::Context;
+pub(crate) use instance::transform_of;
 
 crate::kinds! {
     /// A shape as a scene file says it.
