@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Kind, Shape, Surface};
+use super::{Candidate, Context, Kind, Shape, Surface, normal_along};
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
@@ -109,9 +109,7 @@ impl Shape for Built {
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let inner = self.shape.surface(&self.transform.ray_back(ray), at);
         let point = self.transform.point(inner.point);
-        let outer = |n: Normal| {
-            Normal::new(self.transform.covector(n)).expect("the transformation is not singular")
-        };
+        let outer = |n: Normal| normal_along(self.transform.covector(n), ray);
         let normal = outer(inner.normal);
         // how much longer a step along the normal is outside than inside
         let stretch = 1.0 / self.transform.covector(inner.normal).length();

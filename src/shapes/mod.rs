@@ -107,6 +107,12 @@ fn inside(span: Span, ts: Option<[f64; 2]>) -> impl Iterator<Item = Candidate> {
     ts.into_iter().flatten().filter(move |&t| span.contains(t)).map(Candidate::at)
 }
 
+/// The normal along `v`. Where lengths are so far from 1 that nothing is left of `v`, or of the
+/// place of a hit, it faces the ray.
+fn normal_along(v: Vector, ray: &Ray) -> Normal {
+    Normal::new(v).or_else(|| Normal::new(-ray.direction)).unwrap_or(Normal::Y)
+}
+
 /// Where a ray meets the plane through `anchor` with this normal; infinite or NaN for a ray in or
 /// beside the plane, which no span contains.
 fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
