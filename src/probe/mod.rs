@@ -28,7 +28,7 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
-use crate::invalid::Invalid;
+use crate::invalid::{Invalid, plain_words};
 
 pub use limits::{LONGEST_LINE, MOST_POINTS, MOST_TRIANGLES, MOST_WORK};
 pub use lines::serve;
@@ -180,7 +180,7 @@ fn id_of(line: &str) -> Option<Value> {
 fn place(error: &serde_json::Error) -> String {
     let (text, at) = (error.to_string(), error.column());
     match text.strip_suffix(&format!(" at line 1 column {at}")) {
-        Some(problem) => format!("column {at}: {problem}"),
+        Some(problem) => format!("column {at}: {}", plain_words(problem)),
         None => text,
     }
 }

@@ -155,6 +155,9 @@ fn named(name: &str) -> Result<(Scene, &Path), Invalid> {
         return Ok(((entry.build)(), Path::new("")));
     }
     let path = Path::new(name);
+    if path.extension().is_none() && !path.exists() {
+        return Err(Invalid::new(gallery::unknown(name)));
+    }
     let (scene, _) = scene::read(path).map_err(invalid)?;
     Ok((scene, path.parent().unwrap_or(Path::new(""))))
 }
