@@ -81,12 +81,18 @@ impl Invalid {
     }
 }
 
+/// A number as people write it: without three hundred digits.
+pub(crate) fn shown(value: f64) -> String {
+    let plain = value == 0.0 || (1e-6..1e16).contains(&value.abs());
+    if plain || !value.is_finite() { format!("{value}") } else { format!("{value:e}") }
+}
+
 /// `value`, if it is finite.
 pub fn finite(field: &str, value: f64) -> Result<f64, Invalid> {
     if value.is_finite() {
         return Ok(value);
     }
-    Err(Invalid::field(field, format!("found {value}, but a finite number is needed")))
+    Err(Invalid::field(field, format!("found {}, but a finite number is needed", shown(value))))
 }
 
 /// `value`, if it is finite and above zero.
@@ -94,7 +100,10 @@ pub fn positive(field: &str, value: f64) -> Result<f64, Invalid> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(Invalid::field(field, format!("found {value}, but a positive, finite number is needed")))
+    Err(Invalid::field(
+        field,
+        format!("found {}, but a positive, finite number is needed", shown(value)),
+    ))
 }
 
 /// `value`, if it is finite and not negative.
@@ -104,7 +113,7 @@ pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
     }
     Err(Invalid::field(
         field,
-        format!("found {value}, but a finite number of at least 0 is needed"),
+        format!("found {}, but a finite number of at least 0 is needed", shown(value)),
     ))
 }
 
@@ -143,7 +152,7 @@ pub(crate) fn plain_words(message: &str) -> String {
     for (technical, plain) in [
         ("expected u32", COUNT),
         ("expected f64", "expected a number"),
-        ("expected usize", "expected a whole number"),
+        ("expected u64", "expected a whole number that is not negative"),
     ] {
         if let Some(start) = message.strip_suffix(technical) {
             return format!("{start}{plain}");

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::accel::{Accel, Primitives};
 use crate::cameras::View;
-use crate::invalid::{Invalid, Key, positive};
+use crate::invalid::{Invalid, Key, positive, shown};
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
@@ -217,7 +217,7 @@ pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
     let [x, y] = [image.width, image.height].map(|n| image.pixel_size * f64::from(n));
     for corner in [[x, y], [-x, y], [x, -y], [-x, -y]] {
         if !view.reaches(corner) {
-            let size = image.pixel_size;
+            let size = shown(image.pixel_size);
             let problem = format!("found {size}, but the picture is then too large for this lens");
             return Err(Invalid::field("pixel_size", problem).inside("image"));
         }
