@@ -6,7 +6,7 @@ use crate::math::{Normal, Point, Vector};
 
 /// A value that does not fit. `path` grows from the inside out while the error travels up.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}: {problem}", path_text(path))]
+#[error("{}{problem}", path_text(path))]
 pub struct Invalid {
     /// The keys and places that lead to the value, outermost first.
     pub path: Vec<Key>,
@@ -35,10 +35,20 @@ impl From<usize> for Key {
     }
 }
 
+/// More steps of a path help nobody.
+const SHOWN: usize = 16;
+
+/// The path and a colon; nothing for the thing as a whole.
 fn path_text(path: &[Key]) -> String {
     use fmt::Write;
     let mut text = String::new();
-    for key in path {
+    for (place, key) in path.iter().enumerate() {
+        if path.len() > SHOWN && (SHOWN - 2..path.len() - 2).contains(&place) {
+            if !text.ends_with('…') {
+                text.push('…');
+            }
+            continue;
+        }
         let _ = match key {
             Key::Field(name) if text.is_empty() => write!(text, "{name}"),
             Key::Field(name) if text.ends_with('"') => write!(text, ", {name}"),
@@ -46,6 +56,9 @@ fn path_text(path: &[Key]) -> String {
             Key::Item(index, None) => write!(text, "[{index}]"),
             Key::Item(index, Some(name)) => write!(text, "[{index}] \"{name}\""),
         };
+    }
+    if !text.is_empty() {
+        text.push_str(": ");
     }
     text
 }
@@ -68,12 +81,18 @@ impl Invalid {
     }
 }
 
+/// A number as people write it: without three hundred digits.
+pub(crate) fn shown(value: f64) -> String {
+    let plain = value == 0.0 || (1e-6..1e16).contains(&value.abs());
+    if plain || !value.is_finite() { format!("{value}") } else { format!("{value:e}") }
+}
+
 /// `value`, if it is finite.
 pub fn finite(field: &str, value: f64) -> Result<f64, Invalid> {
     if value.is_finite() {
         return Ok(value);
     }
-    Err(Invalid::field(field, format!("found {value}, but a finite number is needed")))
+    Err(Invalid::field(field, format!("found {}, but a finite number is needed", shown(value))))
 }
 
 /// `value`, if it is finite and above zero.
@@ -81,7 +100,10 @@ pub fn positive(field: &str, value: f64) -> Result<f64, Invalid> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(Invalid::field(field, format!("found {value}, but a positive, finite number is needed")))
+    Err(Invalid::field(
+        field,
+        format!("found {}, but a positive, finite number is needed", shown(value)),
+    ))
 }
 
 /// `value`, if it is finite and not negative.
@@ -91,7 +113,7 @@ pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
     }
     Err(Invalid::field(
         field,
-        format!("found {value}, but a finite number of at least 0 is needed"),
+        format!("found {}, but a finite number of at least 0 is needed", shown(value)),
     ))
 }
 
@@ -121,4 +143,26 @@ pub fn direction(field: &str, v: Vector) -> Result<Normal, Invalid> {
             format!("found {found:?}, but a finite vector other than zero is needed"),
         )
     })
+}
+
+/// What a reader of text says, in words for a person who does not know Rust.
+pub(crate) fn plain_words(message: &str) -> String {
+    const COUNT: &str = "expected a whole number from 0 to 4294967295";
+    let message = message.replace('\n', "; ");
+    for (technical, plain) in [
+        ("expected u32", COUNT),
+        ("expected f64", "expected a number"),
+        ("expected u64", "expected a whole number that is not negative"),
+    ] {
+        if let Some(start) = message.strip_suffix(technical) {
+            return format!("{start}{plain}");
+        }
+    }
+    if message.starts_with("wanted exactly 1 element") {
+        return "exactly one kind is needed here, as `kind = { … }`".to_owned();
+    }
+    if message == "invalid type: unit variant, expected newtype variant" {
+        return "a kind needs a table of fields, as `kind = { … }`; it may be empty".to_owned();
+    }
+    message
 }

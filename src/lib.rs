@@ -21,6 +21,7 @@ pub mod lobes;
 pub mod materials;
 pub mod math;
 pub mod mesh_file;
+pub mod probe;
 pub mod render;
 pub mod rgb;
 pub mod samplers;

@@ -13,19 +13,24 @@ use crate::film::Film;
 use crate::math::Ray;
 use crate::rgb::Rgb;
 use crate::samplers::{Key, Purpose};
+use crate::scene::Image;
 use crate::trace::{self, Recorder};
 use crate::world::World;
 
 /// The camera ray of a sample, and its place on the view plane.
 pub fn camera_ray(world: &World, pixel: [u32; 2], index: u32) -> (Ray, [f64; 2]) {
     let key = Key::new(world.seed, pixel, Purpose::Pixel);
-    let [sx, sy] = world.pixel_samples.draw(key, index);
-    let image = &world.image;
+    let film = film_place(&world.image, pixel, world.pixel_samples.draw(key, index));
+    (world.view.ray(film), film)
+}
+
+/// Where a place in a pixel, `[0, 1]²` from its lower left corner, lies on the view plane.
+pub fn film_place(image: &Image, pixel: [u32; 2], [sx, sy]: [f64; 2]) -> [f64; 2] {
     let (column, row) = (f64::from(pixel[0]), f64::from(image.height - 1 - pixel[1]));
     // half of the real number of pixels: an integer half would shift odd pictures
     let x = image.pixel_size * (column - 0.5 * f64::from(image.width) + sx);
     let y = image.pixel_size * (row - 0.5 * f64::from(image.height) + sy);
-    (world.view.ray([x, y]), [x, y])
+    [x, y]
 }
 
 /// The radiance of one sample of one pixel (x right, y down, from 0 at the top left).

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::accel::{Accel, Primitives};
 use crate::cameras::View;
-use crate::invalid::{Invalid, Key, positive};
+use crate::invalid::{Invalid, Key, positive, shown};
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
@@ -124,11 +124,13 @@ impl World {
             let problem = format!("found {}, but at most {DEEPEST} fits", whitted.max_depth);
             return Err(Invalid::field("max_depth", problem).inside("whitted").inside("tracer"));
         }
+        let view = scene.camera.build().map_err(|e| e.inside("camera"))?;
+        check_view(&view, &scene.image)?;
         let objects = Objects(placed_objects(scene, folder)?);
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
         Ok(Self {
             image: scene.image.clone(),
-            view: scene.camera.build().map_err(|e| e.inside("camera"))?,
+            view,
             background: scene.background,
             tracer: scene.tracer,
             seed,
@@ -139,13 +141,19 @@ impl World {
         })
     }
 
+    /// Makes all random choices anew, from another seed.
+    pub fn reseed(&mut self, seed: u64) {
+        self.seed = seed;
+        self.pixel_samples = samples(&self.image, seed).expect("the image was checked");
+    }
+
     /// What the ray meets first.
     pub fn hit(&self, ray: &Ray, span: Span) -> Option<Hit<'_>> {
         let seen = Seen { objects: &self.objects, ray };
         let (index, candidate) = self.accel.nearest(&seen, ray, span)?;
         let object = &self.objects.0[index as usize];
         let surface = object.shape.surface(ray, &candidate);
-        let front = surface.normal.dot(ray.direction) <= 0.0;
+        let front = surface.is_front(ray.direction);
         Some(Hit { t: candidate.t, object, surface, front })
     }
 
@@ -183,7 +191,8 @@ impl World {
     }
 }
 
-fn samples(image: &Image, seed: u64) -> Result<SampleSets, Invalid> {
+/// Refuses a picture without pixels, or of too many, or whose numbers do not fit.
+pub(crate) fn check_image(image: &Image) -> Result<(), Invalid> {
     let (width, height) = (u64::from(image.width), u64::from(image.height));
     if width * height == 0 {
         let problem = format!("found {width} × {height}, but a picture has at least one pixel");
@@ -199,6 +208,25 @@ fn samples(image: &Image, seed: u64) -> Result<SampleSets, Invalid> {
     }
     positive("pixel_size", image.pixel_size)?;
     positive("gamma", image.gamma)?;
+    Ok(())
+}
+
+/// Refuses a view whose rays are no numbers: the corners of the picture lie too far off.
+pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
+    // twice as far: sums on the way to a ray within the picture cannot overflow either
+    let [x, y] = [image.width, image.height].map(|n| image.pixel_size * f64::from(n));
+    for corner in [[x, y], [-x, y], [x, -y], [-x, -y]] {
+        if !view.reaches(corner) {
+            let size = shown(image.pixel_size);
+            let problem = format!("found {size}, but the picture is then too large for this lens");
+            return Err(Invalid::field("pixel_size", problem).inside("image"));
+        }
+    }
+    Ok(())
+}
+
+fn samples(image: &Image, seed: u64) -> Result<SampleSets, Invalid> {
+    check_image(image)?;
     let sampler = image.sampler.clone().unwrap_or(match image.samples {
         1 => SamplerKind::from(Regular {}),
         _ => SamplerKind::from(MultiJittered {}),

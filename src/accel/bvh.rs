@@ -219,7 +219,8 @@ fn cheapest_plane(items: &[Item], bounds: &Aabb) -> Option<(f64, Plane)> {
             .map(|item| item.center(axis))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)));
         let bins_per_length = BINS as f64 / (high - low);
-        if !(high > low && bins_per_length.is_finite()) {
+        // an extent that overflows would put everything into one bin
+        if !(high > low && (high - low).is_finite() && bins_per_length.is_finite()) {
             continue;
         }
         let mut plane = Plane { axis, start: low, bins_per_length, first_high: 0 };

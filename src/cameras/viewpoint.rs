@@ -134,6 +134,13 @@ impl View {
         Ray::new(self.eye + offset, direction.unit().expect("cameras look somewhere"))
     }
 
+    /// Whether the ray for a point of the view plane exists: far enough out, numbers overflow.
+    pub(crate) fn reaches(&self, film: [f64; 2]) -> bool {
+        let (origin, direction) = self.camera.ray(film);
+        let origin = self.eye + self.frame.to_world(origin.to_vector());
+        origin.is_finite() && self.frame.to_world(direction).unit().is_some()
+    }
+
     /// The axes u, v, w of the camera in the world.
     pub fn frame(&self) -> &Frame {
         &self.frame

@@ -7,6 +7,7 @@ mod explain;
 mod export;
 mod goldens;
 mod list;
+mod probe;
 mod render;
 mod scene;
 
@@ -35,6 +36,8 @@ enum Command {
     Export(export::Export),
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
+    /// Answer questions in JSON Lines, to check a ray tracer in any language
+    Probe(probe::Probe),
 }
 
 /// What a command comes to.
@@ -43,6 +46,8 @@ enum Answer {
     Yes,
     /// Exit status 1.
     No,
+    /// Exit status 2, when the reasons have been said already.
+    Unanswered,
     /// Exit status 130.
     Interrupted,
 }
@@ -57,10 +62,12 @@ pub fn run() -> ExitCode {
         Command::Explain(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Goldens(command) => command.run(),
+        Command::Probe(command) => command.run(),
     };
     match outcome {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::FAILURE,
+        Ok(Answer::Unanswered) => ExitCode::from(2),
         Ok(Answer::Interrupted) => ExitCode::from(130),
         Err(error) => {
             eprintln!("error: {error}");

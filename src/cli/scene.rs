@@ -51,11 +51,7 @@ impl SceneArguments {
         }
         let path = Path::new(&self.scene);
         if path.extension().is_none() && !path.exists() {
-            let name = &self.scene;
-            return Err(format!(
-                "no scene `{name}`: neither a gallery name (`groundtruth list` shows them) nor a file"
-            )
-            .into());
+            return Err(gallery::unknown(&self.scene).into());
         }
         let (scene, _) = scene::read(path)?;
         Ok((scene, path.parent().unwrap_or(Path::new(""))))

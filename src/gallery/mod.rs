@@ -47,5 +47,33 @@ pub fn find(name: &str) -> Option<Entry> {
     scenes().find(|entry| entry.name == name)
 }
 
+/// What to say of a name that is neither a scene's nor a file's.
+pub fn unknown(name: &str) -> String {
+    let problem = format!(
+        "no scene `{name}`: neither a gallery name (`groundtruth list` shows them) nor a file"
+    );
+    let closest = scenes().map(|entry| (edits(name, entry.name), entry.name)).min();
+    match closest {
+        Some((edits, known)) if edits <= name.len() / 3 => {
+            format!("{problem}; did you mean `{known}`?")
+        }
+        _ => problem,
+    }
+}
+
+/// How many bytes must be put in, left out or changed to make `a` into `b` (Levenshtein 1965).
+fn edits(a: &str, b: &str) -> usize {
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, byte) in a.bytes().take(100).enumerate() {
+        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
+        for (j, other) in b.bytes().enumerate() {
+            let change = diagonal + usize::from(byte != other);
+            diagonal = row[j + 1];
+            row[j + 1] = change.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
 /// What a chapter's file lists: names and build functions.
 type List = &'static [(&'static str, fn() -> Scene)];

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::perfect_transmitter::relative;
 use super::{Claims, LobeSample, fresnel, mirrored};
+use crate::invalid::{Invalid, positive};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -18,6 +19,10 @@ pub struct FresnelReflector {
 impl FresnelReflector {
     pub(super) const SPECULAR: bool = true;
     pub(super) const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+
+    pub(super) fn check(&self) -> Result<(), Invalid> {
+        positive("eta", self.eta).map(drop)
+    }
 
     pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
         Rgb::BLACK

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::perfect_transmitter::relative;
 use super::{Claims, LobeSample, fresnel, normal_towards, refract};
+use crate::invalid::{Invalid, positive};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -19,6 +20,10 @@ impl FresnelTransmitter {
     pub(super) const SPECULAR: bool = true;
     // as the perfect transmitter
     pub(super) const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
+
+    pub(super) fn check(&self) -> Result<(), Invalid> {
+        positive("eta", self.eta).map(drop)
+    }
 
     pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
         Rgb::BLACK

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
 use super::{Claims, LobeSample, mirrored};
+use crate::invalid::{Invalid, not_negative};
 use crate::math::{Frame, Normal, Vector, cos, power, sin};
 use crate::rgb::Rgb;
 use crate::samplers::maps;
@@ -23,6 +24,11 @@ pub struct GlossySpecular {
 impl GlossySpecular {
     pub(super) const SPECULAR: bool = false;
     pub(super) const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: false };
+
+    pub(super) fn check(&self) -> Result<(), Invalid> {
+        not_negative("exponent", self.exponent)?;
+        self.reflectance.checked("reflectance").map(drop)
+    }
 
     pub(super) fn f(&self, wo: Vector, wi: Vector) -> Rgb {
         let cosine = mirrored(wi).dot(wo);

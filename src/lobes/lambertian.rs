@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use serde::{Deserialize, Serialize};
 
 use super::{Claims, LobeSample};
+use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
 use crate::samplers::maps;
@@ -20,6 +21,10 @@ pub struct Lambertian {
 impl Lambertian {
     pub(super) const SPECULAR: bool = false;
     pub(super) const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+
+    pub(super) fn check(&self) -> Result<(), Invalid> {
+        self.reflectance.checked("reflectance").map(drop)
+    }
 
     pub(super) fn f(&self, wo: Vector, wi: Vector) -> Rgb {
         if wo.z() > 0.0 && wi.z() > 0.0 { FRAC_1_PI * self.reflectance } else { Rgb::BLACK }

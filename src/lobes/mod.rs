@@ -17,6 +17,7 @@ mod refract;
 
 use arrayvec::ArrayVec;
 
+use crate::invalid::Invalid;
 use crate::math::{Normal, Vector};
 use crate::rgb::Rgb;
 
@@ -68,6 +69,18 @@ macro_rules! lobes {
                 module: stringify!($module),
                 specimens: || $Lobe::specimens().into_iter().map(Self::from).collect(),
             }),*];
+
+            /// Whether its data fit: nothing else checks a lobe that no material made.
+            ///
+            /// # Errors
+            /// [`Invalid`] names the field that does not fit.
+            pub fn check(&self) -> Result<(), Invalid> {
+                match self {
+                    $(Self::$Lobe(lobe) => lobe.check().map_err(|e| {
+                        e.inside($crate::kinds::tag(stringify!($Lobe)).as_str())
+                    })),*
+                }
+            }
 
             /// The book's name, in words.
             pub fn name(&self) -> &'static str {

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Claims, LobeSample, mirrored};
+use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -20,6 +21,10 @@ pub struct PerfectSpecular {
 impl PerfectSpecular {
     pub(super) const SPECULAR: bool = true;
     pub(super) const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+
+    pub(super) fn check(&self) -> Result<(), Invalid> {
+        self.reflectance.checked("reflectance").map(drop)
+    }
 
     pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
         Rgb::BLACK

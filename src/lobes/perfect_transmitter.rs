@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::refract::cos_refracted;
 use super::{Claims, LobeSample, normal_towards, refract};
+use crate::invalid::{Invalid, not_negative, positive};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -22,6 +23,11 @@ impl PerfectTransmitter {
     pub(super) const SPECULAR: bool = true;
     // the index of refraction enters once, on one side: reciprocal in basic radiance L/η² only
     pub(super) const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
+
+    pub(super) fn check(&self) -> Result<(), Invalid> {
+        not_negative("transmittance", self.transmittance)?;
+        positive("eta", self.eta).map(drop)
+    }
 
     /// Whether a viewer at this cosine (negative inside) sees total internal reflection, the
     /// book's `tir`.

@@ -17,7 +17,7 @@ use std::fmt::Debug;
 
 use crate::math::Pcg32;
 
-pub use sets::{Key, Purpose, SampleSets};
+pub use sets::{Key, Purpose, SETS, SampleSets};
 
 /// A way to spread points over the unit square. Contract: `tests/contracts/sampler.rs`.
 pub trait Sampler: Debug + Send + Sync {

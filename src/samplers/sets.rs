@@ -3,8 +3,8 @@
 use super::Sampler;
 use crate::math::{Pcg32, hash};
 
-/// As many as in the book: a prime.
-const SETS: usize = 83;
+/// As many sets as in the book: a prime.
+pub const SETS: usize = 83;
 
 /// 83 sets of samples and as many permutations of their indices, made once from a seed.
 #[derive(Debug)]
@@ -51,6 +51,12 @@ impl SampleSets {
     /// The number of samples that use up a set: `n`, or the next square where the pattern needs one.
     pub fn per_set(&self) -> u32 {
         self.per_set
+    }
+
+    /// Set `index`, below [`SETS`], in the order in which the sampler made it.
+    pub fn set(&self, index: usize) -> &[[f64; 2]] {
+        let n = self.per_set as usize;
+        &self.samples[index * n..(index + 1) * n]
     }
 
     /// Sample `index` of a draw. Each run of [`SampleSets::per_set`] indices returns every sample

@@ -17,15 +17,7 @@ pub enum SceneError {
         /// Why.
         source: std::io::Error,
     },
-    /// Not a scene; `source` has line, column and the words that would fit.
-    #[error("{}: {source}", path.display())]
-    Syntax {
-        /// The file.
-        path: PathBuf,
-        /// Where and what.
-        source: Box<toml::de::Error>,
-    },
-    /// A value that does not fit.
+    /// A value that does not fit, a key that is not known, or a text that is not TOML.
     #[error("{place}{invalid}")]
     Invalid {
         /// File and line, if the scene came from a file.
@@ -41,20 +33,30 @@ pub enum SceneError {
     },
 }
 
-/// A line of a file, printed as `scene.toml:12: `; nothing for a scene built in code.
+/// A file, or a line of it, printed as `scene.toml:12: `; nothing for a scene built in code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Place(Option<(PathBuf, usize)>);
+pub struct Place(Option<(PathBuf, Option<usize>)>);
 
 impl Place {
+    /// Whether the scene came from no file.
+    pub fn is_unknown(&self) -> bool {
+        self.0.is_none()
+    }
+
+    pub(super) fn file(path: &Path) -> Self {
+        Self(Some((path.to_owned(), None)))
+    }
+
     pub(super) fn line(path: &Path, line: usize) -> Self {
-        Self(Some((path.to_owned(), line)))
+        Self(Some((path.to_owned(), Some(line))))
     }
 }
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
-            Some((path, line)) => write!(f, "{}:{line}: ", path.display()),
+            Some((path, None)) => write!(f, "{}: ", path.display()),
+            Some((path, Some(line))) => write!(f, "{}:{line}: ", path.display()),
             None => Ok(()),
         }
     }

@@ -1,12 +1,10 @@
 //! Scenes as TOML text.
 
+use std::io::Read;
 use std::path::Path;
 
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
 use super::error::Place;
-use super::{Scene, SceneError};
+use super::{Scene, SceneError, places};
 use crate::invalid::{Invalid, Key};
 use crate::world::World;
 
@@ -19,12 +17,14 @@ const LARGEST_FILE: u64 = 64 << 20;
 /// [`SceneError`] with file, line, object and field.
 pub fn read(path: &Path) -> Result<(Scene, World), SceneError> {
     let unreadable = |source| SceneError::Unreadable { path: path.to_owned(), source };
-    let size = std::fs::metadata(path).map_err(unreadable)?.len();
-    if size > LARGEST_FILE {
-        let problem = format!("{size} bytes are too large for a scene (at most {LARGEST_FILE})");
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    let mut text = String::new();
+    // no more than fits is read, whatever the file says about its size: it may be a pipe
+    file.take(LARGEST_FILE + 1).read_to_string(&mut text).map_err(unreadable)?;
+    if text.len() as u64 > LARGEST_FILE {
+        let problem = format!("it is too large for a scene (at most {LARGEST_FILE} bytes fit)");
         return Err(unreadable(std::io::Error::other(problem)));
     }
-    let text = std::fs::read_to_string(path).map_err(unreadable)?;
     from_toml(&text, path)
 }
 
@@ -33,36 +33,16 @@ pub fn read(path: &Path) -> Result<(Scene, World), SceneError> {
 /// # Errors
 /// As [`read`].
 pub fn from_toml(text: &str, path: &Path) -> Result<(Scene, World), SceneError> {
-    let syntax = |source| SceneError::Syntax { path: path.to_owned(), source: Box::new(source) };
-    let scene: Scene = toml::from_str(text).map_err(syntax)?;
+    let scene: Scene = toml::from_str(text).map_err(|e| places::unreadable(text, path, &e))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let world = World::build_in(&scene, folder).map_err(|error| match error {
         SceneError::Invalid { invalid, .. } => {
-            let place = Place::line(path, line_of(text, &invalid.path));
+            let place = Place::line(path, places::line_of(text, &invalid.path));
             SceneError::Invalid { place, invalid }
         }
         other => other,
     })?;
     Ok((scene, world))
-}
-
-/// The line (from 1) of the value at this path, or of the innermost part of the path that the text
-/// has: a field with a default need not be written.
-fn line_of(text: &str, path: &[Key]) -> usize {
-    let Ok(document) = DeTable::parse(text) else { return 1 };
-    let span = document.span();
-    let mut value = &Spanned::new(span, DeValue::Table(document.into_inner()));
-    let mut start = 0;
-    for key in path {
-        let next = match key {
-            Key::Field(name) => value.as_ref().get(name.as_str()),
-            Key::Item(index, _) => value.as_ref().get(*index),
-        };
-        let Some(next) = next else { break };
-        value = next;
-        start = value.span().start;
-    }
-    1 + text.as_bytes()[..start.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
 }
 
 /// The scene as text that reads back to the same scene, every bit of it.

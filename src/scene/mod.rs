@@ -3,6 +3,7 @@
 
 mod error;
 mod file;
+mod places;
 
 use serde::{Deserialize, Serialize};
 

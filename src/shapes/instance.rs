@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Kind, Shape, Surface};
-use crate::invalid::Invalid;
+use super::{Candidate, Context, Kind, Shape, Surface, normal_along};
+use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
 
@@ -30,8 +30,7 @@ impl Specification for Instance {
     type Context = Context;
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let transform = Transform::from_steps(&self.transform)
-            .map_err(|singular| Invalid::field("transform", singular.to_string()))?;
+        let transform = transform_of("transform", &self.transform)?;
         let shape = context.nested(|context| self.of.build(context)).map_err(|e| e.inside("of"))?;
         Ok(Arc::new(Built { shape, transform }))
     }
@@ -69,6 +68,35 @@ impl Specification for Instance {
     }
 }
 
+/// The steps of the field of this name as one transformation.
+pub(crate) fn transform_of(field: &str, steps: &[Step]) -> Result<Transform, Invalid> {
+    for (index, step) in steps.iter().enumerate() {
+        check(step).map_err(|e| e.inside(index).inside(field))?;
+    }
+    Transform::from_steps(steps).map_err(|singular| Invalid::field(field, singular.to_string()))
+}
+
+/// Refuses what no scale or angle can be. A zero factor is left to the condition number.
+fn check(step: &Step) -> Result<(), Invalid> {
+    match step {
+        Step::Translate(by) => finite_vector("translate", *by).map(drop),
+        Step::Scale(factors) => finite_vector("scale", *factors).map(drop),
+        Step::RotateX(degrees) => finite("rotate_x", *degrees).map(drop),
+        Step::RotateY(degrees) => finite("rotate_y", *degrees).map(drop),
+        Step::RotateZ(degrees) => finite("rotate_z", *degrees).map(drop),
+        Step::RotateAbout { point, direction: along, degrees } => finite_point("point", *point)
+            .and(direction("direction", *along))
+            .and(finite("degrees", *degrees).map(drop))
+            .map_err(|e| e.inside("rotate_about")),
+        Step::Reflect(_) => Ok(()),
+        Step::Shear(factors) if factors.iter().all(|f| f.is_finite()) => Ok(()),
+        Step::Shear(factors) => {
+            let problem = format!("found {factors:?}, but six finite numbers are needed");
+            Err(Invalid::field("shear", problem))
+        }
+    }
+}
+
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         self.shape.hit(&self.transform.ray_back(ray), span)
@@ -81,9 +109,7 @@ impl Shape for Built {
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let inner = self.shape.surface(&self.transform.ray_back(ray), at);
         let point = self.transform.point(inner.point);
-        let outer = |n: Normal| {
-            Normal::new(self.transform.covector(n)).expect("the transformation is not singular")
-        };
+        let outer = |n: Normal| normal_along(self.transform.covector(n), ray);
         let normal = outer(inner.normal);
         // how much longer a step along the normal is outside than inside
         let stretch = 1.0 / self.transform.covector(inner.normal).length();

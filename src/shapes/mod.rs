@@ -63,6 +63,11 @@ impl Surface {
         Self::new(point, error, normal)
     }
 
+    /// Whether a ray in this direction meets the side the normal points to.
+    pub fn is_front(&self, direction: Vector) -> bool {
+        self.normal.dot(direction) <= 0.0
+    }
+
     /// Where a ray that leaves in this direction starts: off the surface by three error bounds,
     /// on the side it leaves to. There is no constant epsilon: see Pharr, Jakob & Humphreys,
     /// *PBRT*, "Managing rounding error".
@@ -104,6 +109,12 @@ fn inside(span: Span, ts: Option<[f64; 2]>) -> impl Iterator<Item = Candidate> {
     ts.into_iter().flatten().filter(move |&t| span.contains(t)).map(Candidate::at)
 }
 
+/// The normal along `v`. Where lengths are so far from 1 that nothing is left of `v`, or of the
+/// place of a hit, it faces the ray.
+fn normal_along(v: Vector, ray: &Ray) -> Normal {
+    Normal::new(v).or_else(|| Normal::new(-ray.direction)).unwrap_or(Normal::Y)
+}
+
 /// Where a ray meets the plane through `anchor` with this normal; infinite or NaN for a ray in or
 /// beside the plane, which no span contains.
 fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
@@ -127,6 +138,7 @@ mod triangle;
 
 pub use context::Context;
 pub use mesh::TriangleMesh;
+pub(crate) use instance::transform_of;
 
 crate::kinds! {
     /// A shape as a scene file says it.

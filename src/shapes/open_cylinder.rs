@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, inside};
+use super::{Candidate, Context, Shape, Surface, inside, normal_along};
 use crate::invalid::{Invalid, finite, positive};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
+use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
 
 /// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -66,7 +66,7 @@ impl Shape for OpenCylinder {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let raw = ray.at(at.t);
-        let normal = Normal::new(across(raw.to_vector())).expect("a hit is a radius off the axis");
+        let normal = normal_along(across(raw.to_vector()), ray);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
         Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)

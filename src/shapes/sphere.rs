@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, inside};
+use super::{Candidate, Context, Shape, Surface, inside, normal_along};
 use crate::invalid::{Invalid, finite_point, positive};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
+use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
 
 /// All points `p` with `|p − center| = radius`; the normal points outward.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -53,7 +53,7 @@ impl Shape for Sphere {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let from_center = ray.at(at.t) - self.center;
-        let normal = Normal::new(from_center).expect("a hit is a radius away from the centre");
+        let normal = normal_along(from_center, ray);
         let point = self.center + self.radius * normal;
         // the sum above, and the next ray's difference from the centre and its |f| − r
         let magnitude = point.to_vector().abs() + self.center.to_vector().abs();

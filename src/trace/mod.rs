@@ -200,7 +200,9 @@ impl<R: Recorder> Tracing<'_, R> {
             Some(boundary) => boundary.inside,
             None => traveller.medium,
         };
-        let direction = direction.unit().expect("lobes return unit directions");
+        let Some(direction) = direction.unit() else {
+            return; // an index of refraction so far from 1 that the direction overflows
+        };
         let child = Traveller {
             ray: Ray::new(side.hit.surface.leave(direction), direction),
             kind: if transmits { RayKind::Transmitted } else { RayKind::Reflected },

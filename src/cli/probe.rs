@@ -1,0 +1,23 @@
+//! `groundtruth probe`.
+
+use clap::Args;
+use groundtruth::probe;
+
+use super::{Answer, Outcome};
+
+/// Each line asks one question, as {"intersect": {…}}, and gets one line with its answer; the
+/// questions are described in docs/probe.md. The exit status is 2 if any line got an error.
+#[derive(Args)]
+pub struct Probe {}
+
+impl Probe {
+    pub fn run(&self) -> Outcome {
+        match probe::serve(std::io::stdin().lock(), std::io::stdout().lock()) {
+            Ok(true) => Ok(Answer::Yes),
+            Ok(false) => Ok(Answer::Unanswered),
+            // a reader that has gone (`| head`) is not an error
+            Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(Answer::Yes),
+            Err(error) => Err(error.into()),
+        }
+    }
+}

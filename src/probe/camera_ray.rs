@@ -1,0 +1,69 @@
+//! The ray of a camera for a place in a pixel.
+
+use serde::{Deserialize, Serialize};
+
+use super::numbers::{CLOSED, Real, Triple, in_square, triple};
+use crate::cameras::Viewpoint;
+use crate::invalid::Invalid;
+use crate::render;
+use crate::scene::Image;
+use crate::world;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CameraRay {
+    camera: Viewpoint,
+    image: Picture,
+    pixel: [u32; 2],
+    #[serde(default = "middle")]
+    place: [f64; 2],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Picture {
+    width: u32,
+    height: u32,
+    #[serde(default = "crate::kinds::one")]
+    pixel_size: f64,
+}
+
+fn middle() -> [f64; 2] {
+    [0.5; 2]
+}
+
+#[derive(Serialize)]
+pub struct Answer {
+    origin: Triple,
+    direction: Triple,
+    /// The place on the view plane.
+    film: [Real; 2],
+}
+
+impl super::Question for CameraRay {
+    type Answer = Answer;
+
+    fn answer(&self) -> Result<Answer, Invalid> {
+        let Picture { width, height, pixel_size } = self.image;
+        let image = Image { pixel_size, ..Image::new(width, height) };
+        world::check_image(&image).map_err(|e| e.inside("image"))?;
+        inside(self.pixel, &image)?;
+        let place = in_square("place", self.place, CLOSED)?;
+        let view = self.camera.build().map_err(|e| e.inside("camera"))?;
+        world::check_view(&view, &image)?;
+        let film = render::film_place(&image, self.pixel, place);
+        let ray = view.ray(film);
+        let (origin, direction) = (triple(ray.origin), triple(ray.direction));
+        Ok(Answer { origin, direction, film: film.map(Real) })
+    }
+}
+
+/// Refuses a pixel outside the picture.
+pub(super) fn inside([x, y]: [u32; 2], image: &Image) -> Result<(), Invalid> {
+    let (width, height) = (image.width, image.height);
+    if x < width && y < height {
+        return Ok(());
+    }
+    let problem = format!("found [{x}, {y}], which is outside the picture of {width} × {height}");
+    Err(Invalid::field("pixel", problem))
+}

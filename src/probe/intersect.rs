@@ -1,0 +1,90 @@
+//! Where a ray meets a shape.
+
+use serde::{Deserialize, Serialize};
+
+use super::limits;
+use super::numbers::{RayData, Real, SpanData, Triple, triple};
+use crate::invalid::{Invalid, Key};
+use crate::kinds::Specification;
+use crate::math::{Ray, Step};
+use crate::shapes::{Candidate, Context, Instance, Kind, Shape};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Intersect {
+    shape: Kind,
+    #[serde(default)]
+    transform: Vec<Step>,
+    ray: RayData,
+    span: Option<SpanData>,
+    #[serde(default)]
+    all: bool,
+}
+
+/// One hit.
+#[derive(Serialize)]
+pub struct Hit {
+    t: Real,
+    point: Triple,
+    /// Geometric.
+    normal: Triple,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shading_normal: Option<Triple>,
+    front: bool,
+    error: Real,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum Hits {
+    All(Vec<Hit>),
+    Nearest(Option<Hit>),
+}
+
+impl super::Question for Intersect {
+    type Answer = Hits;
+
+    fn answer(&self) -> Result<Hits, Invalid> {
+        let ray = self.ray.ray()?;
+        let span = SpanData::span(self.span)?;
+        let shape = build(&self.shape, &self.transform)?;
+        if self.all {
+            let roots = shape.roots(&ray, span);
+            return Ok(Hits::All(roots.iter().map(|at| hit(&*shape, &ray, at)).collect()));
+        }
+        Ok(Hits::Nearest(shape.hit(&ray, span).map(|at| hit(&*shape, &ray, &at))))
+    }
+}
+
+fn hit(shape: &dyn Shape, ray: &Ray, at: &Candidate) -> Hit {
+    let surface = shape.surface(ray, at);
+    let differs = surface.shading != surface.normal;
+    Hit {
+        t: Real(at.t),
+        point: triple(surface.point),
+        normal: triple(surface.normal),
+        shading_normal: differs.then(|| triple(surface.shading)),
+        front: surface.is_front(ray.direction),
+        error: Real(surface.error),
+    }
+}
+
+/// The shape seen through the steps, if there are any.
+pub(super) fn build(
+    shape: &Kind,
+    transform: &[Step],
+) -> Result<std::sync::Arc<dyn Shape>, Invalid> {
+    limits::buildable(std::iter::once(shape)).map_err(|e| e.inside("shape"))?;
+    let mut context = Context::default();
+    if transform.is_empty() {
+        return shape.build(&mut context).map_err(|e| e.inside("shape"));
+    }
+    let instance = Instance { of: Box::new(shape.clone()), transform: transform.to_vec() };
+    instance.build(&mut context).map_err(|mut e| {
+        // what an instance calls `of` is the line's `shape`
+        if let Some(key) = e.path.first_mut().filter(|key| **key == Key::from("of")) {
+            *key = "shape".into();
+        }
+        e
+    })
+}

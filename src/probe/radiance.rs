@@ -1,0 +1,182 @@
+//! The radiance of a pixel or along a ray.
+
+use std::fmt;
+use std::path::Path;
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::numbers::{RayData, Triple, color};
+use super::{camera_ray, limits};
+use crate::invalid::Invalid;
+use crate::rgb::Rgb;
+use crate::scene::{self, Scene, SceneError};
+use crate::world::{DEFAULT_SEED, World};
+use crate::{gallery, render, trace};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Radiance {
+    scene: Source,
+    pixel: Option<[u32; 2]>,
+    ray: Option<RayData>,
+    samples: Option<u32>,
+    replicas: Option<u32>,
+    seed: Option<u64>,
+}
+
+/// A gallery name, a file, or the scene itself.
+enum Source {
+    Named(String),
+    Inline(Box<Scene>),
+}
+
+impl<'de> Deserialize<'de> for Source {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(SourceVisitor)
+    }
+}
+
+struct SourceVisitor;
+
+impl<'de> Visitor<'de> for SourceVisitor {
+    type Value = Source;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a gallery name, a scene file's path, or a scene")
+    }
+
+    fn visit_str<E: de::Error>(self, name: &str) -> Result<Source, E> {
+        Ok(Source::Named(name.to_owned()))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Source, A::Error> {
+        Scene::deserialize(MapAccessDeserializer::new(map)).map(|it| Source::Inline(Box::new(it)))
+    }
+}
+
+#[derive(Serialize)]
+pub struct Answer {
+    mean: Triple,
+    /// Of the mean, from the differences between the replicas; null for a single one.
+    standard_error: Option<Triple>,
+    /// Samples of a replica.
+    samples: u32,
+    /// Pictures of independent seeds.
+    replicas: u32,
+}
+
+/// Enough for a standard error that is itself good to about 20 %.
+const REPLICAS: u32 = 16;
+/// More add nothing that more samples would not.
+const MOST_REPLICAS: u32 = 1024;
+
+impl super::Question for Radiance {
+    type Answer = Answer;
+
+    fn answer(&self) -> Result<Answer, Invalid> {
+        match (self.pixel, self.ray) {
+            (Some(pixel), None) => self.of_pixel(pixel),
+            (None, Some(ray)) => self.along(ray),
+            _ => Err(Invalid::new("needs either `pixel` or `ray`")),
+        }
+    }
+}
+
+impl Radiance {
+    /// Replica `i` is the pixel as it is rendered with `seed + i`.
+    fn of_pixel(&self, pixel: [u32; 2]) -> Result<Answer, Invalid> {
+        let replicas = self.replicas.unwrap_or(REPLICAS);
+        if !(1..=MOST_REPLICAS).contains(&replicas) {
+            let problem = format!("found {replicas}, but 1 to {MOST_REPLICAS} fit");
+            return Err(Invalid::field("replicas", problem));
+        }
+        let seed = self.seed.unwrap_or(DEFAULT_SEED);
+        let mut world = self.world(seed, f64::from(replicas))?;
+        camera_ray::inside(pixel, &world.image)?;
+        let mut values = Vec::with_capacity(replicas as usize);
+        for i in 0..replicas {
+            if i > 0 {
+                world.reseed(seed.wrapping_add(u64::from(i)));
+            }
+            values.push(render::pixel(&world, pixel));
+        }
+        let mean = render::mean(values.iter().copied());
+        Ok(Answer {
+            mean: color(mean),
+            standard_error: (replicas > 1).then(|| color(standard_error(mean, &values))),
+            samples: world.samples_per_pixel(),
+            replicas,
+        })
+    }
+
+    /// What arrives along one ray; nothing in it is random.
+    fn along(&self, ray: RayData) -> Result<Answer, Invalid> {
+        let given = [
+            ("samples", self.samples.is_some()),
+            ("replicas", self.replicas.is_some()),
+            ("seed", self.seed.is_some()),
+        ];
+        if let Some((field, _)) = given.into_iter().find(|(_, given)| *given) {
+            return Err(Invalid::field(field, "goes with `pixel`; along a ray nothing is random"));
+        }
+        let ray = ray.unit_ray()?;
+        let world = self.world(DEFAULT_SEED, 1.0)?;
+        let mean = color(trace::radiance(&world, &ray, &mut ()));
+        Ok(Answer { mean, standard_error: None, samples: 1, replicas: 1 })
+    }
+
+    fn world(&self, seed: u64, replicas: f64) -> Result<World, Invalid> {
+        let outer = |e: Invalid| e.inside("scene");
+        let mut read = None;
+        let (scene, folder) = match &self.scene {
+            Source::Inline(scene) => (&**scene, Path::new("")),
+            Source::Named(name) => {
+                let (scene, folder) = named(name).map_err(outer)?;
+                (&*read.insert(scene), folder)
+            }
+        };
+        let mut scene = scene.clone();
+        if let Some(samples) = self.samples {
+            scene.image.samples = samples;
+        }
+        let shapes = scene.objects.iter().map(|object| &object.shape);
+        let primitives = limits::buildable(shapes).map_err(outer)?;
+        let world = World::build_seeded(&scene, folder, seed).map_err(|e| outer(invalid(e)))?;
+        let samples = if self.ray.is_some() { 1.0 } else { f64::from(world.samples_per_pixel()) };
+        limits::traceable(&scene, &world, primitives, samples * replicas)?;
+        Ok(world)
+    }
+}
+
+fn named(name: &str) -> Result<(Scene, &Path), Invalid> {
+    if let Some(entry) = gallery::find(name) {
+        return Ok(((entry.build)(), Path::new("")));
+    }
+    let path = Path::new(name);
+    if path.extension().is_none() && !path.exists() {
+        return Err(Invalid::new(gallery::unknown(name)));
+    }
+    let (scene, _) = scene::read(path).map_err(invalid)?;
+    Ok((scene, path.parent().unwrap_or(Path::new(""))))
+}
+
+/// A scene's error as one of the line; a file's keeps file and line.
+fn invalid(error: SceneError) -> Invalid {
+    match error {
+        SceneError::Invalid { place, invalid } if place.is_unknown() => invalid,
+        other => Invalid::new(other.to_string()),
+    }
+}
+
+/// `√(Σ(xᵢ − x̄)² / (n (n − 1)))` of `n` independent values.
+fn standard_error(mean: Rgb, values: &[Rgb]) -> Rgb {
+    let n = values.len() as f64;
+    let squares = values.iter().map(|&value| {
+        let difference = value + (-1.0) * mean;
+        difference * difference
+    });
+    let sum: Rgb = squares.sum();
+    (sum / (n * (n - 1.0))).map(f64::sqrt)
+}

@@ -1,0 +1,101 @@
+//! Where things stand in a scene file: from a path to its line, and from a place to its path.
+
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::SceneError;
+use super::error::Place;
+use crate::invalid::{Invalid, Key, plain_words};
+
+/// The line (from 1) of the value at this path, or of the innermost part of the path that the text
+/// has: a field with a default need not be written.
+pub(super) fn line_of(text: &str, path: &[Key]) -> usize {
+    let Some(document) = parse(text) else { return 1 };
+    let mut value = &document;
+    let mut start = 0;
+    for key in path {
+        let next = match key {
+            Key::Field(name) => value.as_ref().get(name.as_str()),
+            Key::Item(index, _) => value.as_ref().get(*index),
+        };
+        let Some(next) = next else { break };
+        value = next;
+        start = value.span().start;
+    }
+    line_at(text, start)
+}
+
+fn parse(text: &str) -> Option<Spanned<DeValue<'_>>> {
+    let document = DeTable::parse(text).ok()?;
+    Some(Spanned::new(document.span(), DeValue::Table(document.into_inner())))
+}
+
+/// The line (from 1) of a byte.
+fn line_at(text: &str, at: usize) -> usize {
+    1 + text.as_bytes()[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
+}
+
+/// What the reader of a text says, with the line and the path of what it speaks of.
+pub(super) fn unreadable(text: &str, file: &Path, error: &toml::de::Error) -> SceneError {
+    let problem = match error.message() {
+        "recursion limit" | "cannot recurse further; max recursion depth met" => {
+            "nested too deeply for a scene file; combine the transforms of instances".to_owned()
+        }
+        message => plain_words(message),
+    };
+    let Some(span) = error.span() else {
+        return SceneError::Invalid { place: Place::file(file), invalid: Invalid::new(problem) };
+    };
+    // of a table with a header, the header's last key says which table it is
+    let header = text[span.start..].starts_with('[') && problem.starts_with("missing field");
+    let end = if header { text[span.start..].find(']').unwrap_or(0) } else { 0 };
+    let path = parse(text).map(|it| path_at(&it, span.start + end)).unwrap_or_default();
+    let place = Place::line(file, line_at(text, span.start));
+    SceneError::Invalid { place, invalid: Invalid { path, problem } }
+}
+
+/// The path of the last key or element that begins at or before this byte.
+fn path_at(value: &Spanned<DeValue<'_>>, at: usize) -> Vec<Key> {
+    let mut last = None;
+    let mut path = Vec::new();
+    latest((value, 0), at, &mut path, &mut last);
+    last.map(|(_, path)| path).unwrap_or_default()
+}
+
+fn latest(
+    (value, begin): (&Spanned<DeValue<'_>>, usize),
+    at: usize,
+    path: &mut Vec<Key>,
+    last: &mut Option<(usize, Vec<Key>)>,
+) {
+    let mut visit = |key: Key, start: usize, value: &Spanned<DeValue<'_>>| {
+        let start = start.max(begin);
+        path.push(key);
+        if start <= at && last.as_ref().is_none_or(|(latest, _)| *latest <= start) {
+            *last = Some((start, path.clone()));
+        }
+        latest((value, start), at, path, last);
+        path.pop();
+    };
+    match value.as_ref() {
+        DeValue::Table(table) => {
+            for (key, value) in table {
+                visit(Key::Field(key.as_ref().to_string()), key.span().start, value);
+            }
+        }
+        DeValue::Array(array) => {
+            // numbers of a vector are not worth a path of their own
+            let things = array.iter().enumerate().filter(|(_, value)| value.as_ref().is_table());
+            for (index, value) in things {
+                visit(Key::Item(index, name(value.as_ref())), value.span().start, value);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn name(value: &DeValue<'_>) -> Option<String> {
+    value.get("name")?.as_ref().as_str().map(str::to_owned)
+}

@@ -1,0 +1,36 @@
+//! Laws of the probe: each question against an oracle of its own, and what lines promise.
+
+#[path = "probe/answers.rs"]
+mod answers;
+#[path = "probe/errors.rs"]
+mod errors;
+#[path = "probe/lines.rs"]
+mod lines;
+#[path = "probe/radiance.rs"]
+mod radiance;
+#[path = "chapters/support.rs"]
+#[allow(dead_code)] // the chapters use the rest of it
+mod support;
+
+use serde_json::Value;
+
+/// The answer to a question.
+fn ask(question: &Value) -> Value {
+    let line = groundtruth::probe::answer(&question.to_string());
+    let mut reply: Value = serde_json::from_str(&line).expect("answers are JSON");
+    assert_eq!(reply.get("error"), None, "{question}");
+    reply["answer"].take()
+}
+
+/// The numbers of an answer.
+fn numbers(value: &Value) -> Vec<f64> {
+    let list = value.as_array().expect("a list");
+    list.iter().map(|x| x.as_f64().expect("a number")).collect()
+}
+
+/// Within `tolerance` in each place.
+fn close(found: &Value, expected: &[f64], tolerance: f64) -> bool {
+    let found = numbers(found);
+    found.len() == expected.len()
+        && found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= tolerance)
+}

@@ -1,0 +1,323 @@
+//! Every error text a person can meet.
+
+use groundtruth::probe;
+
+/// Questions, and the errors they get.
+const ERRORS: &[(&str, &str)] = &[
+    (r#""#, "column 0: EOF while parsing a value"),
+    (r#"hello"#, "column 1: expected value"),
+    (
+        r#"[1]"#,
+        r#"column 0: invalid type: sequence, expected an object with one question, as {"intersect": {…}}"#,
+    ),
+    (
+        r#"{}"#,
+        "column 2: no question; there are: intersect, occluded, camera_ray, samples, lobe, fresnel, light, texture, transform, radiance",
+    ),
+    (
+        r#"{"id": 3}"#,
+        "column 9: no question; there are: intersect, occluded, camera_ray, samples, lobe, fresnel, light, texture, transform, radiance",
+    ),
+    (
+        r#"{"intersekt": {}}"#,
+        "column 12: no question `intersekt`; there are: intersect, occluded, camera_ray, samples, lobe, fresnel, light, texture, transform, radiance",
+    ),
+    (
+        r#"{"fresnel": {"cos_i": 1, "eta": 1}, "light": {"light": {"ambient": {}}, "from": [0, 0, 0]}}"#,
+        "column 91: a second question; a line asks one",
+    ),
+    (r#"{"id": 1, "id": 2, "fresnel": {"cos_i": 1, "eta": 1}}"#, "column 17: duplicate field `id`"),
+    (r#"{"fresnel": {"cos_i": 1, "eta": 1}} x"#, "column 37: trailing characters"),
+    (r#"{"fresnel": {"cos_i": 1, "eta": 1}"#, "column 34: EOF while parsing an object"),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, 0]}}}"#,
+        "intersect.ray.direction: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, NaN], "direction": [0, 0, 1]}}}"#,
+        "column 98: expected value",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 1e999], "direction": [0, 0, 1]}}}"#,
+        "column 102: number out of range",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0], "direction": [0, 0, 1]}}}"#,
+        "column 96: invalid length 2, expected an array of length 3",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, "5"], "direction": [0, 0, 1]}}}"#,
+        r#"column 100: invalid type: string "5", expected a number"#,
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "span": [3, 1]}}"#,
+        "intersect.span: found [3, 1], but the first must be below the second",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "span": [0, "infinity"]}}"#,
+        r#"column 149: invalid value: string "infinity", expected a number, "inf" or "-inf""#,
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "al": true}}"#,
+        "column 131: unknown field `al`, expected one of `shape`, `transform`, `ray`, `span`, `all`",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 0}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "intersect.shape.sphere.radius: found 0, but a positive, finite number is needed",
+    ),
+    (
+        r#"{"intersect": {"shape": {"spheer": {}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "column 33: unknown variant `spheer`, expected one of `plane`, `sphere`, `box`, `triangle`, `rectangle`, `disk`, `open_cylinder`, `instance`, `mesh`, `tessellated_sphere`",
+    ),
+    (
+        r#"{"intersect": {"shape": "sphere", "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "column 32: a kind needs a table of fields, as `kind = { … }`; it may be empty",
+    ),
+    (
+        r#"{"intersect": {"shape": {"mesh": {"file": "no.ply"}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "intersect.shape.mesh.file: no.ply: the file cannot be read: No such file or directory (os error 2)",
+    ),
+    (
+        r#"{"intersect": {"shape": {"tessellated_sphere": {"horizontal": 4096, "vertical": 4096}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "intersect.shape: 33554432 triangles are too many for a line; at most 262144 fit",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": -1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "transform": [{"translate": [0, 0, 1]}]}}"#,
+        "intersect.shape.sphere.radius: found -1, but a positive, finite number is needed",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "transform": [{"scale": [1, 1, 1e-20]}]}}"#,
+        "intersect.transform: the transformation is singular (condition number 1.4e20; at most 1e12 fits)",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "transform": [{"rotate_about": {"point": [0, 0, 0], "direction": [0, 0, 0], "degrees": 3}}]}}"#,
+        "intersect.transform[0].rotate_about.direction: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "transform": [{"rotate_about": {"point": [0, 0, 0], "direction": [0, 0, 1], "degrees": 3, "sense": 1}}]}}"#,
+        "column 224: unknown field `sense`, expected one of `point`, `direction`, `degrees`",
+    ),
+    (
+        r#"{"occluded": {"ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "occluded: needs either `shape` or `shapes`",
+    ),
+    (
+        r#"{"occluded": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}}"#,
+        "occluded: needs either `ray` or `segment`",
+    ),
+    (
+        r#"{"occluded": {"shapes": [{"sphere": {"center": [0, 0, 0], "radius": 1}}, {"disk": {"center": [0, 0, 0], "normal": [0, 0, 0], "radius": 1}}], "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "occluded.shapes[1].disk.normal: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        r#"{"occluded": {"shapes": [{"sphere": {"center": [0, 0, 0], "radius": 1}}], "transform": [{"rotate_x": 1}], "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "occluded.transform: goes with `shape`; in a list, each shape can be an instance",
+    ),
+    (
+        r#"{"occluded": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "segment": {"from": [1, 1, 1], "to": [1, 1, 1]}}}"#,
+        "occluded.segment.to: the segment has no length, or overflows",
+    ),
+    (
+        r#"{"occluded": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "segment": {"from": [1, 1, 1], "to": [1, 1, 2]}, "span": [0, 1]}}"#,
+        "occluded.span: goes with `ray`; a segment ends by itself",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [6, 0]}}"#,
+        "camera_ray.pixel: found [6, 0], which is outside the picture of 6 × 2",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [0, -1]}}"#,
+        "column 135: invalid value: integer `-1`, expected a whole number from 0 to 4294967295",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 0, "height": 2}, "pixel": [0, 0]}}"#,
+        "camera_ray.image.width: found 0 × 2, but a picture has at least one pixel",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2, "pixel_size": 1e308}, "pixel": [0, 0]}}"#,
+        "camera_ray.image.pixel_size: found 1e308, but the picture is then too large for this lens",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 0], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [0, 0]}}"#,
+        "camera_ray.camera.look_at: found [0.0, 0.0, 0.0], which is the eye: there is no view direction",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [0, 0], "place": [0, 1.5]}}"#,
+        "camera_ray.place: found [0.0, 1.5], but two numbers from 0 to 1 are needed",
+    ),
+    (
+        r#"{"samples": {"sampler": {"regular": {}}, "n": 0}}"#,
+        "samples.n: found 0, but 1 to 16384 fit",
+    ),
+    (
+        r#"{"samples": {"sampler": {"regular": {}}, "n": 4000000000}}"#,
+        "samples.n: found 4000000000, but 1 to 16384 fit",
+    ),
+    (
+        r#"{"samples": {"sampler": {"regular": {}}, "n": 1e3}}"#,
+        "column 49: invalid type: floating point `1000.0`, expected a whole number from 0 to 4294967295",
+    ),
+    (
+        r#"{"samples": {"sampler": {"regular": {}}, "n": 1000, "sets": 83}}"#,
+        "samples.sets: found 83, but 1 to 16 sets of 1000 fit",
+    ),
+    (
+        r#"{"samples": {"sampler": {"hammersley": {}}, "n": 4}}"#,
+        "column 37: unknown variant `hammersley`, expected one of `regular`, `random`, `jittered`, `multi_jittered`",
+    ),
+    (
+        r#"{"samples": {"sampler": {"regular": {}}, "n": 4, "sets": 1, "draw": {"pixel": [0, 0], "index": 0}}}"#,
+        "samples: needs either `sets` or `draw`, not both",
+    ),
+    (
+        r#"{"samples": {"sampler": {"regular": {}}, "n": 4, "seed": -1}}"#,
+        "column 59: invalid value: integer `-1`, expected a whole number that is not negative",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"lambertian": {"reflectance": -1}}, "wo": [0, 0, 1]}}"#,
+        "lobe.lobe.lambertian.reflectance: found [-1.0, -1.0, -1.0], but a colour of finite numbers of at least 0 is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"glossy_specular": {"reflectance": 1, "exponent": -1}}, "wo": [0, 0, 1]}}"#,
+        "lobe.lobe.glossy_specular.exponent: found -1, but a finite number of at least 0 is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"perfect_transmitter": {"transmittance": 1, "eta": 0}}, "wo": [0, 0, 1]}}"#,
+        "lobe.lobe.perfect_transmitter.eta: found 0, but a positive, finite number is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"perfect_transmitter": {"transmittance": -1, "eta": 1}}, "wo": [0, 0, 1]}}"#,
+        "lobe.lobe.perfect_transmitter.transmittance: found -1, but a finite number of at least 0 is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"fresnel_reflector": {"eta": 0}}, "wo": [0, 0, 1]}}"#,
+        "lobe.lobe.fresnel_reflector.eta: found 0, but a positive, finite number is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"fresnel_transmitter": {"eta": -1}}, "wo": [0, 0, 1]}}"#,
+        "lobe.lobe.fresnel_transmitter.eta: found -1, but a positive, finite number is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"perfect_specular": {"reflectance": [1, 1, -1]}}, "wo": [0, 0, 1]}}"#,
+        "lobe.lobe.perfect_specular.reflectance: found [1.0, 1.0, -1.0], but a colour of finite numbers of at least 0 is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"lambertian": {"reflectance": 1}}, "wo": [0, 0, 0]}}"#,
+        "lobe.wo: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"lambertian": {"reflectance": 1}}, "wo": [0, 0, 1], "wi": [0, 0, 0]}}"#,
+        "lobe.wi: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        r#"{"lobe": {"lobe": {"lambertian": {"reflectance": 1}}, "wo": [0, 0, 1], "u": [0, 1]}}"#,
+        "lobe.u: found [0.0, 1.0], but two numbers of at least 0 and below 1 are needed",
+    ),
+    (r#"{"fresnel": {"eta": 1.5}}"#, "fresnel: needs either `cos_i`, or `wo` and `n`"),
+    (
+        r#"{"fresnel": {"eta": 1.5, "cos_i": 1.5}}"#,
+        "fresnel.cos_i: found 1.5, but a cosine from 0 to 1 is needed",
+    ),
+    (
+        r#"{"fresnel": {"eta": 1.5, "cos_i": 1, "wo": [0, 0, 1], "n": [0, 0, 1]}}"#,
+        "fresnel: needs either `cos_i`, or `wo` and `n`",
+    ),
+    (
+        r#"{"fresnel": {"eta": 1.5, "wo": [0, 0, 1], "n": [0, 0, -1]}}"#,
+        "fresnel.wo: is behind the surface; turn `n` around and ask with 1/eta",
+    ),
+    (
+        r#"{"light": {"light": {"point": {"location": [0, 0, 1]}}, "from": [0, 0, 1]}}"#,
+        "light.from: is the place of the light: there is no direction",
+    ),
+    (
+        r#"{"light": {"light": {"point": {"location": [0, 0, 1], "attenuation": -1}}, "from": [0, 0, 0]}}"#,
+        "light.light.point.attenuation: found -1, but a finite number of at least 0 is needed",
+    ),
+    (
+        r#"{"light": {"light": {"sun": {}}, "from": [0, 0, 0]}}"#,
+        "column 26: unknown variant `sun`, expected one of `ambient`, `directional`, `point`",
+    ),
+    (
+        r#"{"texture": {"texture": {"checker3d": {"size": 0}}, "point": [0, 0, 0]}}"#,
+        "texture.texture.checker3d.size: found 0, but a positive, finite number is needed",
+    ),
+    (
+        r#"{"texture": {"texture": "red", "point": [0, 0, 0]}}"#,
+        r#"column 29: invalid type: string "red", expected a colour [r, g, b], one number for a grey, or a texture"#,
+    ),
+    (
+        r#"{"texture": {"texture": [1, 2], "point": [0, 0, 0]}}"#,
+        "column 30: invalid length 2, expected a colour: [r, g, b], or one number for a grey",
+    ),
+    (
+        r#"{"transform": {"steps": [{"shear": [1, 0, 1, 0, 0, 0]}]}}"#,
+        "transform.steps: the transformation is singular (condition number inf; at most 1e12 fits)",
+    ),
+    (
+        r#"{"transform": {"steps": [{"turn": 3}]}}"#,
+        "column 32: unknown variant `turn`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`",
+    ),
+    (r#"{"radiance": {"scene": "ch28/glass-sphere"}}"#, "radiance: needs either `pixel` or `ray`"),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [600, 0]}}"#,
+        "radiance.pixel: found [600, 0], which is outside the picture of 600 × 600",
+    ),
+    (
+        r#"{"radiance": {"scene": "nothing-like-it", "pixel": [0, 0]}}"#,
+        "radiance.scene: no scene `nothing-like-it`: neither a gallery name (`groundtruth list` shows them) nor a file",
+    ),
+    (
+        r#"{"radiance": {"scene": "no.toml", "pixel": [0, 0]}}"#,
+        "radiance.scene: no.toml: cannot be read: No such file or directory (os error 2)",
+    ),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [0, 0], "samples": 0}}"#,
+        "radiance.scene.image.samples: found 0, but 1 to 65536 fit",
+    ),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [0, 0], "samples": 4000000000}}"#,
+        "radiance.scene.image.samples: found 4000000000, but 1 to 65536 fit",
+    ),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [0, 0], "samples": 65536}}"#,
+        "radiance: this may take 1e9 tests of a ray and an object, and at most 2e8 fit; ask for fewer samples or replicas, or lower the scene's max_depth",
+    ),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [0, 0], "replicas": 100000}}"#,
+        "radiance.replicas: found 100000, but 1 to 1024 fit",
+    ),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "ray": {"origin": [0, 0, 9], "direction": [0, 0, -1]}, "seed": 3}}"#,
+        "radiance.seed: goes with `pixel`; along a ray nothing is random",
+    ),
+    (
+        r#"{"radiance": {"scene": {"image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": -1}}}]}, "pixel": [0, 0]}}"#,
+        r#"radiance.scene.objects[0] "ball", shape.sphere.radius: found -1, but a positive, finite number is needed"#,
+    ),
+    (
+        r#"{"radiance": {"scene": {"image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"tessellated_sphere": {"horizontal": 4000, "vertical": 4000}}}]}, "pixel": [0, 0]}}"#,
+        "radiance.scene: 32000000 triangles are too many for a line; at most 262144 fit",
+    ),
+    (
+        r#"{"radiance": {"scene": {"tracer": {"whitted": {"max_depth": 128}}, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}, "pixel": [0, 0]}}"#,
+        "radiance: this may take 1e40 tests of a ray and an object, and at most 2e8 fit; ask for fewer samples or replicas, or lower the scene's max_depth",
+    ),
+    (
+        r#"{"radiance": {"scene": {"tracer": {"whitted": {"max_depth": 129}}, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}, "pixel": [0, 0]}}"#,
+        "radiance.scene.tracer.whitted.max_depth: found 129, but at most 128 fits",
+    ),
+    (
+        r#"{"radiance": {"scene": {"trace": 1, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}, "pixel": [0, 0]}}"#,
+        "column 31: unknown field `trace`, expected one of `about`, `tracer`, `accel`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+    ),
+];
+
+#[test]
+fn errors_say_where_what_and_what_would_fit() {
+    for (line, error) in ERRORS {
+        let reply: serde_json::Value =
+            serde_json::from_str(&probe::answer(line)).expect("answers are JSON");
+        assert_eq!(reply["error"], *error, "{line}");
+    }
+}

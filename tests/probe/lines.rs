@@ -1,0 +1,166 @@
+//! What lines promise: one answer for each, exact numbers, marks that come back.
+
+use std::io::{BufRead, BufReader, Write};
+use std::process::{Command, Stdio};
+
+use groundtruth::probe;
+use proptest::prelude::*;
+use serde_json::{Value, json};
+
+use super::support::laws;
+
+const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
+
+fn served(input: &[u8]) -> (String, bool) {
+    let mut output = Vec::new();
+    let all_answered = probe::serve(input, &mut output).expect("memory can be written");
+    (String::from_utf8(output).expect("answers are UTF-8"), all_answered)
+}
+
+/// Law: every example of the document gives the line that the document says.
+#[test]
+fn the_examples_of_the_document_are_true() {
+    let document = include_str!("../../docs/probe.md");
+    let mut lines = document.lines();
+    let mut count = 0;
+    while let Some(line) = lines.next() {
+        let Some(question) = line.strip_prefix("→ ") else { continue };
+        let expected = lines.next().and_then(|next| next.strip_prefix("← "));
+        assert_eq!(Some(probe::answer(question).as_str()), expected, "{question}");
+        count += 1;
+    }
+    assert_eq!(count, 33, "examples in docs/probe.md");
+}
+
+fn any_finite() -> impl Strategy<Value = f64> {
+    let bits = any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite());
+    prop_oneof![8 => bits, 1 => -1e3..1e3_f64, 1 => prop_oneof![Just(0.0), Just(-0.0)]]
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: a number survives reading and printing, every bit of it. Oracle: the standard
+    /// library's own printing and parsing; the answer is taken apart by hand.
+    #[test]
+    fn numbers_come_back_bit_for_bit(x in any_finite(), y in any_finite(), z in any_finite()) {
+        let color = [x.abs(), y.abs(), z.abs()];
+        let light = format!(r#"{{"ambient": {{"color": [{:e}, {:?}, {:e}]}}}}"#, color[0], color[1], color[2]);
+        let line = format!(r#"{{"id": {x:?}, "light": {{"light": {light}, "from": [0, 0, 0]}}}}"#);
+        let answer = probe::answer(&line);
+        let id = answer.strip_prefix(r#"{"id":"#).and_then(|rest| rest.split_once(','));
+        let (id, rest) = id.expect("the mark comes first");
+        prop_assert_eq!(id.parse::<f64>().expect("a number").to_bits(), x.to_bits());
+        let list = rest.split(['[', ']']).nth(1).expect("a list");
+        let back: Vec<u64> = list.split(',').map(|n| n.parse::<f64>().expect("a number").to_bits()).collect();
+        prop_assert_eq!(back, color.map(f64::to_bits).to_vec());
+    }
+
+    /// Law: as many answers as lines that are not blank, whatever the bytes; each is JSON with an
+    /// answer or an error, and the status tells which.
+    #[test]
+    fn every_line_gets_one_line_back(
+        pieces in prop::collection::vec(prop_oneof![
+            any::<Vec<u8>>(),
+            Just(b"\n".to_vec()),
+            Just(b" \t\r\n".to_vec()),
+            Just(b"{\"fresnel\": {\"cos_i\": 1, \"eta\": 1.5}}\n".to_vec()),
+            Just(b"{\"intersect\": {\"shape\": {\"instance\":".to_vec()),
+        ], 0..20)
+    ) {
+        let input = pieces.concat();
+        let blank = |line: &[u8]| line.iter().all(u8::is_ascii_whitespace);
+        let asked = input.split(|&byte| byte == b'\n').filter(|line| !blank(line)).count();
+        let (output, all_answered) = served(&input);
+        prop_assert_eq!(output.lines().count(), asked);
+        let mut errors = 0;
+        for line in output.lines() {
+            let reply: Value = serde_json::from_str(line).expect("JSON");
+            let keys: Vec<&str> = reply.as_object().expect("an object").keys().map(String::as_str).collect();
+            prop_assert!(keys == ["answer"] || keys == ["error"]);
+            errors += usize::from(keys == ["error"]);
+        }
+        prop_assert_eq!(all_answered, errors == 0);
+    }
+
+    /// Law: any JSON comes back as the mark, of an answer and of an error.
+    #[test]
+    fn marks_come_back(text in any::<String>(), n in any::<i64>(), deep in 0_usize..20) {
+        let mut id = json!({"text": text, "n": n, "none": null});
+        for _ in 0..deep {
+            id = json!([id]);
+        }
+        for question in [json!({"cos_i": 1, "eta": 1}), json!({"cos_i": 2, "eta": 1}), json!({"co": 1})] {
+            let line = json!({"id": id, "fresnel": question}).to_string();
+            let reply: Value = serde_json::from_str(&probe::answer(&line)).expect("JSON");
+            prop_assert_eq!(&reply["id"], &id);
+        }
+    }
+}
+
+#[test]
+fn null_is_a_mark_too() {
+    let answer = probe::answer(r#"{"id": null, "fresnel": {"cos_i": 1, "eta": 1}}"#);
+    assert_eq!(answer, r#"{"id":null,"answer":{"reflected":0.0,"transmitted":1.0}}"#);
+    let error = probe::answer(r#"{"id": null, "fresnel": {}}"#);
+    assert_eq!(error, r#"{"id":null,"error":"column 26: missing field `eta`"}"#);
+}
+
+/// Law: a line that is too long gets one error, and the line after it its answer.
+#[test]
+fn a_long_line_is_refused_and_the_next_one_answered() {
+    let error = r#"{"error":"the line is longer than 1048576 bytes; put large things into files"}"#;
+    let good = r#"{"fresnel": {"cos_i": 1, "eta": 1}}"#;
+    let answer = r#"{"answer":{"reflected":0.0,"transmitted":1.0}}"#;
+    for extra in [1, 2, 3, 1000, 3 << 20] {
+        let long = "x".repeat(probe::LONGEST_LINE + extra);
+        let (output, _) = served(format!("{long}\n{good}\n").as_bytes());
+        assert_eq!(output, format!("{error}\n{answer}\n"), "{extra} bytes too long");
+    }
+    let padded = format!("{good}{}", " ".repeat(probe::LONGEST_LINE - good.len()));
+    assert_eq!(served(padded.as_bytes()).0, format!("{answer}\n"), "just as long as fits");
+}
+
+fn probe_process(input: &[u8]) -> (Option<i32>, String) {
+    let mut child = Command::new(GROUNDTRUTH)
+        .arg("probe")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    child.stdin.take().expect("piped").write_all(input).expect("it reads");
+    let output = child.wait_with_output().expect("it ends");
+    (output.status.code(), String::from_utf8(output.stdout).expect("UTF-8"))
+}
+
+#[test]
+fn the_exit_status_is_0_unless_a_line_got_an_error() {
+    let good = "{\"fresnel\": {\"cos_i\": 1, \"eta\": 1}}\n";
+    assert_eq!(probe_process(b"").0, Some(0));
+    assert_eq!(probe_process(format!("{good}\n{good}").as_bytes()).0, Some(0));
+    let (status, output) = probe_process(format!("{good}{{}}\n{good}").as_bytes());
+    assert_eq!(status, Some(2));
+    assert_eq!(output.lines().count(), 3);
+}
+
+/// Law: an answer can be read before the next question is asked.
+#[test]
+fn each_answer_is_written_at_once() {
+    let mut child = Command::new(GROUNDTRUTH)
+        .arg("probe")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    let mut stdin = child.stdin.take().expect("piped");
+    let mut stdout = BufReader::new(child.stdout.take().expect("piped"));
+    for id in 0..3 {
+        writeln!(stdin, r#"{{"id": {id}, "fresnel": {{"cos_i": 1, "eta": 1}}}}"#)
+            .expect("it reads");
+        let mut answer = String::new();
+        stdout.read_line(&mut answer).expect("it answers");
+        assert!(answer.starts_with(&format!(r#"{{"id":{id},"#)), "{answer}");
+    }
+    drop(stdin);
+    assert!(child.wait().expect("it ends").success());
+}
