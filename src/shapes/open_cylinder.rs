@@ -66,7 +66,8 @@ impl Shape for OpenCylinder {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let raw = ray.at(at.t);
-        let normal = Normal::new(across(raw.to_vector())).expect("a hit is a radius off the axis");
+        // a hit is a radius off the axis, unless that is beyond the range of f64
+        let normal = Normal::new(across(raw.to_vector())).unwrap_or(Normal::X);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
         Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)

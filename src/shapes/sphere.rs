@@ -53,7 +53,8 @@ impl Shape for Sphere {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let from_center = ray.at(at.t) - self.center;
-        let normal = Normal::new(from_center).expect("a hit is a radius away from the centre");
+        // a hit is a radius away from the centre, unless that is beyond the range of f64
+        let normal = Normal::new(from_center).unwrap_or(Normal::Y);
         let point = self.center + self.radius * normal;
         // the sum above, and the next ray's difference from the centre and its |f| − r
         let magnitude = point.to_vector().abs() + self.center.to_vector().abs();
