@@ -124,6 +124,7 @@ mod tessellated_sphere;
 mod triangle;
 
 pub use context::Context;
+pub use mesh::TriangleMesh;
 
 crate::kinds! {
     /// A shape as a scene file says it.
