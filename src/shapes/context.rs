@@ -4,19 +4,28 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::Shape;
 use crate::accel;
 use crate::invalid::Invalid;
 use crate::mesh_file::{self, MeshData};
 
 /// How deep instances may be nested: far more than any scene, far less than any stack.
 const MAX_NESTING: usize = 64;
+/// More triangles in one scene would take gigabytes, up to 300 bytes each while trees are built.
+const MOST_TRIANGLES: u64 = 1 << 22;
+/// More bytes in its mesh files would, too: they are read whole.
+const MOST_BYTES: u64 = 1 << 28;
 
-/// Where files are found, and what has been read already: instances of one mesh file share it.
+/// Where files are found, what has been built already, and how much more may be: equal meshes and
+/// instances of one mesh file are built once and shared.
 #[derive(Debug, Default)]
 pub struct Context {
     folder: PathBuf,
     accel: accel::Method,
     meshes: HashMap<PathBuf, Arc<MeshData>>,
+    shared: HashMap<String, Arc<dyn Shape>>,
+    triangles: u64,
+    bytes: u64,
     depth: usize,
 }
 
@@ -37,10 +46,58 @@ impl Context {
         if let Some(known) = self.meshes.get(&path) {
             return Ok(Arc::clone(known));
         }
+        self.take_bytes(&path).map_err(|problem| Invalid::field("file", problem))?;
         let mesh = mesh_file::read(&path).map_err(|e| Invalid::field("file", e.to_string()))?;
         let mesh = Arc::new(mesh);
         self.meshes.insert(path, Arc::clone(&mesh));
         Ok(mesh)
+    }
+
+    /// Takes the size of a file off the budget; a file that cannot be looked at is left to the
+    /// reader.
+    fn take_bytes(&mut self, path: &Path) -> Result<(), String> {
+        let Ok(file) = std::fs::metadata(path) else { return Ok(()) };
+        if !file.is_file() {
+            return Err(format!("{}: not a file", path.display()));
+        }
+        self.bytes += file.len();
+        if self.bytes > MOST_BYTES {
+            let (path, size, all) = (path.display(), file.len(), self.bytes);
+            return Err(format!(
+                "{path}: {size} bytes, with the meshes before it {all}, are too many; \
+                 at most {MOST_BYTES} fit"
+            ));
+        }
+        Ok(())
+    }
+
+    /// Takes so many triangles off the scene's budget.
+    pub(super) fn take_triangles(&mut self, count: u64) -> Result<(), Invalid> {
+        self.triangles += count;
+        if self.triangles > MOST_TRIANGLES {
+            return Err(Invalid::new(format!(
+                "{count} triangles, with the meshes before it {}, are too many; \
+                 at most {MOST_TRIANGLES} fit",
+                self.triangles
+            )));
+        }
+        Ok(())
+    }
+
+    /// What was built from equal data before, or what is built now. Data are equal if they print
+    /// the same: numbers print every digit.
+    pub(super) fn shared<T: std::fmt::Debug>(
+        &mut self,
+        data: &T,
+        build: impl FnOnce(&mut Self) -> Result<Arc<dyn Shape>, Invalid>,
+    ) -> Result<Arc<dyn Shape>, Invalid> {
+        let key = format!("{data:?}");
+        if let Some(known) = self.shared.get(&key) {
+            return Ok(Arc::clone(known));
+        }
+        let built = build(self)?;
+        self.shared.insert(key, Arc::clone(&built));
+        Ok(built)
     }
 
     /// Builds what stands inside an instance, unless that is too deep.

@@ -38,21 +38,7 @@ impl Specification for Mesh {
     type Context = Context;
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let data = context.mesh(&self.file)?;
-        let scale = positive("scale", self.scale)?;
-        let vertices = data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
-        let normals = data.normals.as_ref().filter(|_| self.smooth).map(|normals| {
-            let unit = |&n: &[f64; 3]| Normal::new(n.into()).unwrap_or(Normal::Y);
-            normals.iter().map(unit).collect()
-        });
-        let mut mesh = TriangleMesh::new(vertices, data.triangles.clone());
-        if self.smooth {
-            mesh.normals = Some(normals.unwrap_or_else(|| mesh.mean_normals()));
-        }
-        if self.reverse_normals {
-            mesh.reverse();
-        }
-        Ok(Arc::new(mesh.accelerated(self.accel.unwrap_or(context.accel()))))
+        context.shared(self, |context| self.build_new(context))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -68,6 +54,27 @@ impl Specification for Mesh {
             accel: None,
         };
         vec![file(false), file(true)]
+    }
+}
+
+impl Mesh {
+    fn build_new(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let data = context.mesh(&self.file)?;
+        let scale = positive("scale", self.scale)?;
+        context.take_triangles(data.triangles.len() as u64).map_err(|e| e.inside("file"))?;
+        let vertices = data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
+        let normals = data.normals.as_ref().filter(|_| self.smooth).map(|normals| {
+            let unit = |&n: &[f64; 3]| Normal::new(n.into()).unwrap_or(Normal::Y);
+            normals.iter().map(unit).collect()
+        });
+        let mut mesh = TriangleMesh::new(vertices, data.triangles.clone());
+        if self.smooth {
+            mesh.normals = Some(normals.unwrap_or_else(|| mesh.mean_normals()));
+        }
+        if self.reverse_normals {
+            mesh.reverse();
+        }
+        Ok(Arc::new(mesh.accelerated(self.accel.unwrap_or(context.accel()))))
     }
 }
 

@@ -41,7 +41,10 @@ impl Specification for TessellatedSphere {
             }
         }
         positive("radius", self.radius)?;
-        Ok(Arc::new(self.mesh().accelerated(context.accel())))
+        context.shared(self, |context| {
+            context.take_triangles(self.triangles())?;
+            Ok(Arc::new(self.mesh().accelerated(context.accel())))
+        })
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -57,6 +60,10 @@ impl Specification for TessellatedSphere {
 }
 
 impl TessellatedSphere {
+    fn triangles(&self) -> u64 {
+        2 * u64::from(self.horizontal) * (u64::from(self.vertical) - 1)
+    }
+
     /// The triangles: fans at the poles, two for each field between them, wound so that normals
     /// point outward.
     pub fn mesh(&self) -> TriangleMesh {
@@ -75,7 +82,7 @@ impl TessellatedSphere {
 
         let bottom = vertices.len() as u32 - 1;
         let on_ring = |j: u32, k: u32| 1 + (k - 1) * h + j % h;
-        let mut triangles = Vec::with_capacity(2 * h as usize * (v as usize - 1));
+        let mut triangles = Vec::with_capacity(self.triangles() as usize);
         triangles.extend((0..h).map(|j| [0, on_ring(j, 1), on_ring(j + 1, 1)]));
         for k in 1..v - 1 {
             for j in 0..h {

@@ -1,0 +1,66 @@
+//! Acceleration: the tree answers as the list does, for every ray, to the last bit; on the grid
+//! both answer as a loop over all shapes.
+
+use std::sync::Arc;
+
+use groundtruth::accel::{Accel, Method, Primitives};
+use groundtruth::math::{Aabb, Ray, Span};
+use groundtruth::shapes::{Candidate, Shape};
+
+use super::input::{Input, Mode};
+
+const MOST_SHAPES: usize = 64;
+const MOST_RAYS: usize = 16;
+
+/// Shapes as one ray sees them.
+struct Seen<'a> {
+    shapes: &'a [Arc<dyn Shape>],
+    ray: &'a Ray,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        self.shapes[index as usize].hit(self.ray, span)
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.shapes[index as usize].bounds()
+    }
+}
+
+/// Some shapes, then rays to the end of the bytes.
+pub fn run(data: &[u8]) {
+    let mut input = Input::new(data);
+    let count = usize::from(input.byte()) % (MOST_SHAPES + 1);
+    let shapes: Vec<_> = (0..count).filter_map(|_| input.shape()).collect();
+    let bounds: Vec<Aabb> = shapes.iter().map(|shape| shape.bounds()).collect();
+    let [list, bvh] = [Method::List, Method::Bvh].map(|method| Accel::build(method, &bounds));
+    for _ in 0..MOST_RAYS {
+        let ray = input.ray();
+        let seen = Seen { shapes: &shapes, ray: &ray };
+        for span in [Span::AHEAD, Span::LINE, Span { min: input.number(), max: input.number() }] {
+            let by_list = list.nearest(&seen, &ray, span);
+            let by_bvh = bvh.nearest(&seen, &ray, span);
+            assert_eq!(by_list.map(bits), by_bvh.map(bits), "{ray:?} {span:?}");
+            assert!(by_list.is_none_or(|(_, hit)| span.contains(hit.t)));
+            let some = [&list, &bvh].map(|accel| accel.any(&seen, &ray, span));
+            assert!(some.iter().all(|hit| hit.is_some() == by_list.is_some()), "{ray:?} {span:?}");
+            if input.mode == Mode::Grid {
+                assert_eq!(by_list.map(bits), loop_over(&seen, span).map(bits), "{ray:?} {span:?}");
+            }
+        }
+        if input.is_empty() {
+            break;
+        }
+    }
+}
+
+/// The smallest `t`, and of equal ones the first.
+fn loop_over(seen: &Seen<'_>, span: Span) -> Option<(u32, Candidate)> {
+    let hits = (0..).zip(seen.shapes).map(|(i, shape)| Some((i, shape.hit(seen.ray, span)?)));
+    hits.flatten().min_by(|(_, a), (_, b)| a.t.partial_cmp(&b.t).expect("t is a number"))
+}
+
+fn bits((index, hit): (u32, Candidate)) -> (u32, u64, u32, [u64; 2]) {
+    (index, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits))
+}

@@ -1,0 +1,154 @@
+//! Numbers and things from bytes. Where the bytes end, zeros follow.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use groundtruth::accel::Method;
+use groundtruth::math::{Point, Ray, Vector};
+use groundtruth::shapes::{self, Context, Shape};
+
+/// How numbers are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Whole numbers from −8 to 7: everything up to products of four is exact.
+    Grid,
+    /// Any finite `f64`.
+    Chaos,
+}
+
+/// Numbers where something often goes wrong.
+const NASTY: [f64; 24] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    1e-3,
+    f64::EPSILON,
+    1.0 - f64::EPSILON / 2.0,
+    1.0 + f64::EPSILON,
+    f64::MIN_POSITIVE,
+    5e-324,
+    -5e-324,
+    f64::MAX,
+    f64::MIN,
+    1e160,
+    1e-160,
+    1e150,
+    -1e150,
+    1e100,
+    1e-100,
+    1e16,
+    -1e16,
+    1e8,
+    90.0,
+];
+
+/// Bytes that are being used up.
+pub struct Input<'a> {
+    bytes: &'a [u8],
+    pub mode: Mode,
+}
+
+impl<'a> Input<'a> {
+    /// The first byte says the mode.
+    pub fn new(bytes: &'a [u8]) -> Self {
+        let mut it = Self { bytes, mode: Mode::Grid };
+        if it.byte() % 2 == 1 {
+            it.mode = Mode::Chaos;
+        }
+        it
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.bytes.is_empty()
+    }
+
+    pub fn byte(&mut self) -> u8 {
+        let Some((&first, rest)) = self.bytes.split_first() else { return 0 };
+        self.bytes = rest;
+        first
+    }
+
+    /// A whole number from −8 to 7.
+    pub fn integer(&mut self) -> i64 {
+        i64::from(self.byte() % 16) - 8
+    }
+
+    /// A number of the mode: in chaos a nasty one, a whole one, or any 64 bits that are finite.
+    pub fn number(&mut self) -> f64 {
+        if self.mode == Mode::Grid {
+            return self.integer() as f64;
+        }
+        match self.byte() {
+            choice @ 0..96 => NASTY[usize::from(choice) % NASTY.len()],
+            choice @ 96..160 => f64::from(choice) - 128.0,
+            choice @ 160..192 => f64::from(choice) / f64::from(self.byte()).max(1.0) - 2.0,
+            _ => {
+                let bits: [u8; 8] = std::array::from_fn(|_| self.byte());
+                let any = f64::from_bits(u64::from_le_bytes(bits));
+                if any.is_finite() { any } else { 0.25 }
+            }
+        }
+    }
+
+    pub fn array(&mut self) -> [f64; 3] {
+        std::array::from_fn(|_| self.number())
+    }
+
+    pub fn point(&mut self) -> Point {
+        self.array().into()
+    }
+
+    pub fn vector(&mut self) -> Vector {
+        self.array().into()
+    }
+
+    /// A ray with a direction other than zero.
+    pub fn ray(&mut self) -> Ray {
+        let (origin, direction) = (self.point(), self.vector());
+        Ray::new(origin, if direction == Vector::ZERO { Vector::Y } else { direction })
+    }
+
+    /// A shape that a scene could hold; `None` if building refuses it.
+    pub fn shape(&mut self) -> Option<Arc<dyn Shape>> {
+        let kind = match self.byte() % 8 {
+            0 => shapes::Plane { point: self.point(), normal: self.vector() }.into(),
+            1 => shapes::Box { min: self.point(), max: self.point() }.into(),
+            2 => shapes::Triangle { vertices: std::array::from_fn(|_| self.point()) }.into(),
+            3 => shapes::Rectangle { corner: self.point(), a: self.vector(), b: self.vector() }
+                .into(),
+            4 => shapes::Disk {
+                center: self.point(),
+                normal: self.vector(),
+                radius: self.number(),
+            }
+            .into(),
+            5 => shapes::OpenCylinder {
+                y0: self.number(),
+                y1: self.number(),
+                radius: self.number(),
+            }
+            .into(),
+            6 => shapes::TessellatedSphere {
+                horizontal: 3 + u32::from(self.byte() % 8),
+                vertical: 2 + u32::from(self.byte() % 8),
+                radius: self.number(),
+                smooth: self.byte() % 2 == 1,
+            }
+            .into(),
+            _ => {
+                shapes::Kind::from(shapes::Sphere { center: self.point(), radius: self.number() })
+            }
+        };
+        let kind = match self.byte() % 8 {
+            7 => {
+                let steps = 1 + self.byte() % 3;
+                let transform = (0..steps).map(|_| super::transforms::step(self)).collect();
+                shapes::Instance { of: Box::new(kind), transform }.into()
+            }
+            _ => kind,
+        };
+        kind.build(&mut Context::new(Path::new("no-such-folder"), Method::Bvh)).ok()
+    }
+}

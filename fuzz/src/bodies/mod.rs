@@ -1,0 +1,25 @@
+//! The bodies of the fuzz targets: each panics if a law is broken, for any bytes.
+
+// shared by the targets
+mod exact;
+mod input;
+
+pub mod bvh;
+pub mod obj;
+pub mod ply;
+pub mod scene_file;
+pub mod shapes;
+pub mod transforms;
+
+/// A target's name, which is that of its corpus folder, and its body.
+pub type Target = (&'static str, fn(&[u8]));
+
+/// Every target.
+pub const TARGETS: &[Target] = &[
+    ("bvh", bvh::run),
+    ("obj", obj::run),
+    ("ply", ply::run),
+    ("scene_file", scene_file::run),
+    ("shapes", shapes::run),
+    ("transforms", transforms::run),
+];

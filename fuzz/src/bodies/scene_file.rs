@@ -1,0 +1,46 @@
+//! The scene file: any text is a world or one error with a place, in bounded time and memory.
+
+use std::path::Path;
+
+use groundtruth::scene::{from_toml, to_toml};
+use groundtruth::{render, trace};
+
+/// Pixels that are looked at in each world.
+const CORNERS: u32 = 2;
+/// Deeper trees of glass take too long to follow here.
+const DEEP: f64 = 1e6;
+
+/// Reads a scene, traces a few of its rays, writes it and reads it again.
+pub fn run(data: &[u8]) {
+    let Ok(text) = std::str::from_utf8(data) else { return };
+    let path = Path::new("fuzz/no-such-folder/scene.toml");
+    let (scene, world) = match from_toml(text, path) {
+        Ok(read) => read,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.starts_with("fuzz/no-such-folder/scene.toml"), "no place: {message}");
+            return;
+        }
+    };
+
+    let written = to_toml(&scene).expect("a scene from a file can be written");
+    let (again, _) = from_toml(&written, path).expect("what is written can be read");
+    let twice = to_toml(&again).expect("a scene from a file can be written");
+    assert_eq!(written, twice, "writing and reading change nothing");
+
+    let pixels = f64::from(world.image.width) * f64::from(world.image.height);
+    let per_pixel = world.most_rays() / pixels * (1.0 + world.lights.len() as f64);
+    if per_pixel * (1.0 + world.objects().len() as f64) > DEEP {
+        return;
+    }
+    for y in 0..CORNERS.min(world.image.height) {
+        for x in 0..CORNERS.min(world.image.width) {
+            let mut counts = trace::RayCounts::default();
+            let heard = render::sample(&world, [x, y], 0, &mut counts);
+            let silent = render::sample(&world, [x, y], 0, &mut ());
+            let bits = |color: groundtruth::rgb::Rgb| color.to_array().map(f64::to_bits);
+            assert_eq!(bits(heard), bits(silent), "a recorder cannot change the picture");
+            assert_eq!(counts.camera, 1);
+        }
+    }
+}
