@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use eframe::egui::{
-    self, CentralPanel, Context, Frame, Margin, Panel, RichText, Theme, Ui, ViewportCommand,
+    self, CentralPanel, Color32, Context, Frame, Margin, Panel, RichText, Theme, Ui,
+    ViewportCommand,
 };
 use groundtruth::film;
 use groundtruth::scene::Scene;
@@ -39,8 +40,6 @@ pub struct Inspector {
 impl Inspector {
     /// Starts to render a scene.
     pub fn new(ctx: &Context, loaded: Loaded) -> Self {
-        // colours are judged against dark surroundings
-        ctx.set_theme(Theme::Dark);
         let wanted = loaded.scene.clone();
         let rendering = Rendering::start(ctx, loaded);
         let picture = Picture::new(picture::tone_of(&rendering));
@@ -96,7 +95,7 @@ impl Inspector {
         self.drop_files(&ctx);
 
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 6));
-        let mut wish = Panel::top("files").frame(bar).show(ui, |ui| {
+        let wish = Panel::top("files").frame(bar).show(ui, |ui| {
             let wish = panels::files(ui, &mut self.fields, &self.rendering.source);
             self.message_line(ui);
             wish
@@ -111,13 +110,13 @@ impl Inspector {
         if changed.inner {
             self.rebuild(&ctx);
         }
-        Panel::right("explanation").frame(bar).default_size(540.0).min_size(300.0).show(ui, |ui| {
+        Panel::right("explanation").frame(bar).default_size(580.0).min_size(300.0).show(ui, |ui| {
+            ui.take_available_width();
             self.selection.show(ui, &self.rendering, &self.picture.tone);
         });
-        let look = Panel::top("look")
+        Panel::top("look")
             .frame(bar)
-            .show(ui, |ui| panels::look(ui, &mut self.fields, &mut self.picture, &self.rendering));
-        wish.inner = wish.inner.or(look.inner);
+            .show(ui, |ui| panels::look(ui, &mut self.picture, &self.rendering));
         CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
             let size = self.rendering.size();
             self.mouse = self.picture.show(ui, size, self.selection.pixel);
@@ -245,6 +244,19 @@ impl Inspector {
 fn set_title(ctx: &Context, source: &Source) {
     let title = format!("{} · Groundtruth inspector", source.name());
     ctx.send_viewport_cmd(ViewportCommand::Title(title));
+}
+
+/// Dark surroundings, against which colours are judged, and text that stands out from them.
+pub fn set_style(ctx: &Context) {
+    ctx.set_theme(Theme::Dark);
+    ctx.style_mut_of(Theme::Dark, |style| {
+        let widgets = &mut style.visuals.widgets;
+        widgets.noninteractive.fg_stroke.color = Color32::from_gray(215);
+        widgets.inactive.fg_stroke.color = Color32::from_gray(225);
+        style.visuals.weak_text_color = Some(Color32::from_gray(165));
+        style.visuals.error_fg_color = Color32::from_rgb(255, 120, 110);
+        style.spacing.slider_width = 80.0;
+    });
 }
 
 impl eframe::App for Inspector {

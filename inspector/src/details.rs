@@ -15,12 +15,14 @@ pub fn exact(numbers: [f64; 3]) -> String {
 /// Shows all fields of a ray and of what it hit.
 pub fn show(ui: &mut Ui, ray: &RayExplanation) {
     ui.label(RichText::new(ray.line()).color(kind_color(ray)).strong());
-    ui.add_space(4.0);
-    Grid::new("ray").num_columns(2).striped(true).show(ui, |ui| fields(ui, ray));
     if !ray.terms.is_empty() {
-        ui.add_space(6.0);
+        ui.add_space(4.0);
         terms(ui, ray);
     }
+    ui.add_space(6.0);
+    ui.strong("all its numbers");
+    let grid = Grid::new("ray").num_columns(2).striped(true).min_row_height(16.0);
+    grid.spacing([10.0, 1.0]).show(ui, |ui| fields(ui, ray));
 }
 
 fn fields(ui: &mut Ui, ray: &RayExplanation) {
@@ -69,7 +71,8 @@ fn row(ui: &mut Ui, name: &str, value: String) {
 /// The sum that is the ray's radiance.
 fn terms(ui: &mut Ui, ray: &RayExplanation) {
     ui.strong("radiance = transmittance × the sum of these terms");
-    Grid::new("terms").num_columns(4).striped(true).show(ui, |ui| {
+    let grid = Grid::new("terms").num_columns(4).striped(true).min_row_height(16.0);
+    grid.spacing([14.0, 1.0]).show(ui, |ui| {
         for title in ["", "adds", "is weight", "times"] {
             ui.weak(title);
         }

@@ -229,7 +229,7 @@ fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     };
     ui.label(format!("The pixel is {what}{exposure}:"));
     let total = format!("= {}", details::exact(answer.radiance.to_array()));
-    ui.label(RichText::new(total).monospace().strong());
+    ui.label(RichText::new(total).monospace().size(12.0).strong());
     let bits = |color: Rgb| color.to_array().map(f64::to_bits);
     match rendered {
         None => ui.weak("the picture has not come to this pixel yet"),

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use eframe::egui;
-use inspector::app::Inspector;
+use inspector::app::{Inspector, set_style};
 use inspector::view::parse_pixel;
 use inspector::worker::{Loaded, Source};
 
@@ -37,11 +37,12 @@ fn main() -> ExitCode {
 fn open(loaded: Loaded, pixel: Option<[u32; 2]>) -> Result<(), Box<dyn Error>> {
     let viewport = egui::ViewportBuilder::default()
         .with_title("Groundtruth inspector")
-        .with_inner_size([1360.0, 820.0])
+        .with_inner_size([1400.0, 830.0])
         .with_min_inner_size([800.0, 500.0])
         .with_position([0.0, 0.0]);
     let options = eframe::NativeOptions { viewport, ..Default::default() };
     let start = move |context: &eframe::CreationContext<'_>| {
+        set_style(&context.egui_ctx);
         let mut inspector = Inspector::new(&context.egui_ctx, loaded);
         if let Some(pixel) = pixel {
             inspector.select(pixel);

@@ -30,7 +30,7 @@ pub enum Wish {
     Select(String),
 }
 
-/// The scene, the file to open and the file to save.
+/// The scene, the file to open, the file to save and the pixel to explain.
 pub fn files(ui: &mut Ui, fields: &mut Fields, source: &Source) -> Option<Wish> {
     let mut wish = None;
     ui.horizontal(|ui| {
@@ -47,6 +47,10 @@ pub fn files(ui: &mut Ui, fields: &mut Fields, source: &Source) -> Option<Wish> 
         let hint = "picture.png or .exr";
         if entry(ui, "Picture", &mut fields.save, hint, 190.0, "Save") {
             wish = Some(Wish::Save(fields.save.trim().into()));
+        }
+        ui.separator();
+        if entry(ui, "Pixel", &mut fields.pixel, "x, y", 70.0, "Explain") {
+            wish = Some(Wish::Select(fields.pixel.clone()));
         }
     });
     wish
@@ -87,14 +91,8 @@ fn entry(ui: &mut Ui, name: &str, text: &mut String, hint: &str, width: f32, ver
     (entered || pressed) && !text.trim().is_empty()
 }
 
-/// How to look at the picture, and the pixel to explain.
-pub fn look(
-    ui: &mut Ui,
-    fields: &mut Fields,
-    picture: &mut Picture,
-    rendering: &Rendering,
-) -> Option<Wish> {
-    let mut wish = None;
+/// How to look at the picture.
+pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Exposure");
         let exposure = Slider::new(&mut picture.tone.exposure, 0.01..=100.0).logarithmic(true);
@@ -112,17 +110,12 @@ pub fn look(
         if ui.button("Whole").on_hover_text("The whole picture").clicked() {
             picture.view = crate::view::View::WHOLE;
         }
-        for zoom in [1.0_f32, 4.0, 16.0] {
+        for zoom in [1.0_f32, 4.0, 12.0] {
             if ui.button(format!("{zoom}×")).on_hover_text("Points for a pixel").clicked() {
                 picture.set_zoom(size, zoom);
             }
         }
-        ui.separator();
-        if entry(ui, "Pixel", &mut fields.pixel, "x, y", 70.0, "Explain") {
-            wish = Some(Wish::Select(fields.pixel.clone()));
-        }
     });
-    wish
 }
 
 /// What is under the mouse, how far the picture is, and which keys there are.
@@ -160,5 +153,5 @@ pub fn status(ui: &mut Ui, rendering: &Rendering, over: Option<[u32; 2]>, loadin
         }
     });
     let help = "Click: explain a pixel · arrows: next pixel (Shift: 10) · wheel: zoom · drag: pan";
-    ui.add(Label::new(eframe::egui::RichText::new(help).weak().small()).truncate());
+    ui.add(Label::new(eframe::egui::RichText::new(help).weak()).truncate());
 }

@@ -1,6 +1,6 @@
 //! Lights and objects, to be switched off and on: what is left explains itself.
 
-use eframe::egui::{RichText, ScrollArea, Ui};
+use eframe::egui::{Align, Layout, RichText, ScrollArea, TextWrapMode, Ui, vec2};
 use groundtruth::scene::Scene;
 
 /// Shows the switches; says whether the scene was changed.
@@ -34,14 +34,18 @@ fn list(ui: &mut Ui, title: &str, thing: &str, mut things: Vec<(&str, &mut bool)
     let mut only = None;
     for (index, (name, on)) in things.iter_mut().enumerate() {
         ui.push_id((thing, index), |ui| {
-            ui.horizontal(|ui| {
-                let label =
-                    if name.is_empty() { format!("{thing} {index}") } else { (*name).to_owned() };
-                changed |= ui.checkbox(on, label).changed();
+            let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+            ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
                 let hint = format!("Switch every other {thing} off");
                 if ui.small_button("only").on_hover_text(hint).clicked() {
                     only = Some(index);
                 }
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+                    let unnamed = format!("{thing} {index}");
+                    let label = if name.is_empty() { &unnamed } else { *name };
+                    changed |= ui.checkbox(on, label).on_hover_text(label).changed();
+                });
             });
         });
     }

@@ -32,7 +32,7 @@ pub fn legend(ui: &mut Ui) {
             ("shadow, unblocked", Color32::from_rgb(250, 225, 100)),
             ("shadow, blocked", Color32::from_rgb(165, 150, 185)),
         ] {
-            ui.label(RichText::new(name).color(color).small());
+            ui.label(RichText::new(name).color(color));
         }
     });
 }
@@ -49,6 +49,9 @@ pub fn count(ray: &RayExplanation) -> usize {
 
 /// Shows the tree; a click on a line puts its path into `selected`.
 pub fn show(ui: &mut Ui, root: &RayExplanation, tone: &Tone, selected: &mut Vec<usize>) {
+    ui.spacing_mut().item_spacing.y = 1.0;
+    ui.spacing_mut().interact_size.y = 17.0;
+    ui.spacing_mut().button_padding.x = 3.0;
     let all_open = count(root) <= OPEN_RAYS;
     branch(ui, root, &mut Vec::new(), &mut Look { tone, selected, all_open });
 }

@@ -76,8 +76,8 @@ impl View {
         if self.zoom.is_none() || seen.contains_rect(wanted) {
             return;
         }
-        let inside = wanted.center().clamp(seen.min, seen.max - wanted.size());
-        self.pan(area, size, inside - wanted.center());
+        let last = (seen.max - wanted.size()).max(seen.min);
+        self.pan(area, size, wanted.min.clamp(seen.min, last) - wanted.min);
     }
 
     /// The middle of the area always shows some of the picture, so that it is not lost.
