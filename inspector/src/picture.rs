@@ -1,0 +1,274 @@
+//! The picture on the screen: its textures, the pixel grid, and what the mouse does to it.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use eframe::egui::{
+    self, Color32, ColorImage, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape,
+    Stroke, StrokeKind, TextureFilter, TextureHandle, TextureOptions, Ui, WidgetInfo,
+    accesskit::Role, pos2,
+};
+use groundtruth::film::Tone;
+use groundtruth::render::Canvas;
+use groundtruth::rgb::Rgb;
+
+use crate::view::{Placed, View};
+use crate::worker::{Background, Rendering};
+
+/// Screens refuse larger textures; a picture is shown as tiles of this side.
+const TILE: u32 = 1024;
+/// A picture on its way is shown anew this often.
+const REFRESH: Duration = Duration::from_millis(150);
+/// The grid appears when a pixel is at least this large on the screen.
+const GRID_FROM: f32 = 8.0;
+
+/// The picture as shown, and how the person looks at it.
+pub struct Picture {
+    /// Zoom and pan.
+    pub view: View,
+    /// How radiance is shown.
+    pub tone: Tone,
+    tiles: Vec<([u32; 2], TextureHandle)>,
+    /// What the tiles show.
+    shown: Option<Version>,
+    developed: Instant,
+    developing: Background<(Version, Tiles)>,
+    /// Where the picture was last drawn.
+    area: Rect,
+    /// The widget, once it was drawn.
+    id: Option<Id>,
+}
+
+/// Which picture, how much of it, and how it is shown.
+#[derive(Clone, Copy, PartialEq)]
+struct Version {
+    generation: u64,
+    done: u64,
+    tone: Tone,
+}
+
+type Tiles = Vec<([u32; 2], ColorImage)>;
+
+/// What the mouse is about.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Mouse {
+    /// The pixel under it.
+    pub over: Option<[u32; 2]>,
+    /// The pixel that was clicked.
+    pub clicked: Option<[u32; 2]>,
+}
+
+/// The tone that the scene asks for.
+pub fn tone_of(rendering: &Rendering) -> Tone {
+    let image = &rendering.world.image;
+    Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut }
+}
+
+/// A colour of the screen.
+pub fn color(tone: &Tone, radiance: Rgb) -> Color32 {
+    let [r, g, b] = tone.to_bytes(radiance);
+    Color32::from_rgb(r, g, b)
+}
+
+/// The picture so far as tiles. The film is locked for one tile at a time.
+fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
+    let (width, height) = canvas.look(|film| (film.width(), film.height()));
+    let corners = (0..height)
+        .step_by(TILE as usize)
+        .flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| [x, y]));
+    let tile = |[x, y]: [u32; 2]| {
+        let (right, bottom) = ((x + TILE).min(width), (y + TILE).min(height));
+        let pixels: Vec<Rgb> = canvas.look(|film| {
+            (y..bottom).flat_map(|row| (x..right).map(move |c| film.get([c, row]))).collect()
+        });
+        let size = [(right - x) as usize, (bottom - y) as usize];
+        let colors = pixels.into_iter().map(|radiance| color(tone, radiance)).collect();
+        ([x, y], ColorImage::new(size, colors))
+    };
+    corners.map(tile).collect()
+}
+
+impl Picture {
+    /// A picture that is still to come.
+    pub fn new(tone: Tone) -> Self {
+        Self {
+            view: View::WHOLE,
+            tone,
+            tiles: Vec::new(),
+            shown: None,
+            developed: Instant::now(),
+            developing: Background::default(),
+            area: Rect::ZERO,
+            id: None,
+        }
+    }
+
+    /// Brings the textures up to date, as far as that is worked out.
+    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, generation: u64) {
+        if let Some(Ok((version, tiles))) = self.developing.poll() {
+            if version.generation == generation {
+                self.upload(ctx, tiles);
+                self.shown = Some(version);
+            }
+        }
+        let wanted = Version { generation, done: rendering.canvas.progress().0, tone: self.tone };
+        let more_of_it =
+            self.shown.is_some_and(|shown| Version { done: wanted.done, ..shown } == wanted);
+        let too_soon = more_of_it && self.developed.elapsed() < REFRESH;
+        if self.shown == Some(wanted) || too_soon || self.developing.is_busy() {
+            return;
+        }
+        self.developed = Instant::now();
+        let canvas = Arc::clone(&rendering.canvas);
+        self.developing.start(ctx, move || (wanted, develop(&canvas, &wanted.tone)));
+    }
+
+    /// Whether the screen shows this picture as far as it is rendered.
+    pub fn is_fresh(&self, rendering: &Rendering, generation: u64) -> bool {
+        let done = rendering.canvas.progress().0;
+        self.shown == Some(Version { generation, done, tone: self.tone })
+    }
+
+    fn upload(&mut self, ctx: &egui::Context, tiles: Tiles) {
+        let same = self.tiles.len() == tiles.len()
+            && self.tiles.iter().zip(&tiles).all(|((_, old), (_, new))| old.size() == new.size);
+        let options = TextureOptions {
+            magnification: TextureFilter::Nearest,
+            minification: TextureFilter::Linear,
+            ..TextureOptions::default()
+        };
+        if same {
+            for ((_, texture), (_, image)) in self.tiles.iter_mut().zip(tiles) {
+                texture.set(image, options);
+            }
+        } else {
+            let load = |(at, image)| (at, ctx.load_texture("picture", image, options));
+            self.tiles = tiles.into_iter().map(load).collect();
+        }
+    }
+
+    /// Zooms to this many points for a pixel.
+    pub fn set_zoom(&mut self, size: [u32; 2], zoom: f32) {
+        self.view.set_zoom(self.area, size, zoom);
+    }
+
+    /// Whether the keys are for the picture: no other widget has them.
+    pub fn has_keys(&self, ctx: &egui::Context) -> bool {
+        ctx.memory(|memory| memory.focused()).is_none_or(|focused| Some(focused) == self.id)
+    }
+
+    /// Where the picture is on the screen.
+    pub fn placed(&self, size: [u32; 2]) -> Placed {
+        self.view.place(self.area, size)
+    }
+
+    /// Moves the picture if the pixel is not to be seen.
+    pub fn reveal(&mut self, size: [u32; 2], pixel: [u32; 2]) {
+        self.view.reveal(self.area, size, pixel);
+    }
+
+    /// Draws it and listens to the mouse.
+    pub fn show(&mut self, ui: &mut Ui, size: [u32; 2], selected: Option<[u32; 2]>) -> Mouse {
+        let (response, painter) = ui.allocate_painter(ui.available_size(), Sense::click_and_drag());
+        (self.area, self.id) = (response.rect, Some(response.id));
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "picture"));
+        let pointer = response.hover_pos();
+        if let Some(at) = pointer {
+            let (wheel, pinch) =
+                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+            if wheel != 0.0 || pinch != 1.0 {
+                self.view.zoom_at(self.area, size, at, (wheel * 0.005).exp() * pinch);
+            }
+        }
+        if response.dragged() {
+            self.view.pan(self.area, size, response.drag_delta());
+        }
+        let placed = self.placed(size);
+        let over = pointer.and_then(|at| placed.pixel(at));
+        let cursor = match (response.dragged(), over) {
+            (true, _) => CursorIcon::Grabbing,
+            (false, Some(_)) => CursorIcon::Crosshair,
+            (false, None) => CursorIcon::Default,
+        };
+        let response = response.on_hover_cursor(cursor);
+        if response.clicked() || response.dragged() {
+            response.request_focus();
+        }
+        // arrows step through pixels here, and do not walk to other widgets
+        let keys =
+            EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
+
+        self.paint(&painter, &placed, selected);
+        let clicked = response.clicked().then(|| response.interact_pointer_pos()).flatten();
+        Mouse { over, clicked: clicked.and_then(|at| placed.pixel(at)) }
+    }
+
+    fn paint(&self, painter: &Painter, placed: &Placed, selected: Option<[u32; 2]>) {
+        let whole = placed.whole();
+        painter.rect_filled(painter.clip_rect(), 0.0, Color32::from_gray(24));
+        painter.rect_filled(whole, 0.0, Color32::BLACK);
+        let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        for (at, texture) in &self.tiles {
+            let [width, height] = texture.size().map(|side| side as u32);
+            let rect = placed.part(*at, [width, height]);
+            if rect.intersects(painter.clip_rect()) {
+                painter.image(texture.id(), rect, uv, Color32::WHITE);
+            }
+        }
+        if placed.scale >= GRID_FROM {
+            grid(painter, placed);
+        }
+        let edge = Stroke::new(1.0, Color32::from_gray(70));
+        painter.rect_stroke(whole, 0.0, edge, StrokeKind::Outside);
+        if let Some(pixel) = selected {
+            mark(painter, placed.rect(pixel));
+        }
+    }
+}
+
+/// Lines between the pixels that are on the screen.
+fn grid(painter: &Painter, placed: &Placed) {
+    let seen = painter.clip_rect().intersect(placed.whole());
+    let stroke = Stroke::new(1.0, Color32::from_rgba_unmultiplied(128, 128, 128, 110));
+    let lines = |from: f32, to: f32, start: f32| {
+        let (first, last) = ((from - start) / placed.scale, (to - start) / placed.scale);
+        let scale = placed.scale;
+        (first.ceil() as i64..=last.floor() as i64).map(move |line| start + line as f32 * scale)
+    };
+    for x in lines(seen.left(), seen.right(), placed.corner.x) {
+        painter.vline(x, seen.y_range(), stroke);
+    }
+    for y in lines(seen.top(), seen.bottom(), placed.corner.y) {
+        painter.hline(seen.x_range(), y, stroke);
+    }
+}
+
+/// A frame around the selected pixel, and four strokes that lead to it.
+fn mark(painter: &Painter, pixel: Rect) {
+    let frame = pixel.expand((3.0 - 0.5 * pixel.width()).max(1.0));
+    for (stroke, color) in [(4.0, Color32::BLACK), (2.0, Color32::from_rgb(255, 230, 60))] {
+        let stroke = Stroke::new(stroke, color);
+        painter.rect_stroke(frame, 0.0, stroke, StrokeKind::Outside);
+        for (inner, outward) in [
+            (frame.left_center(), egui::vec2(-1.0, 0.0)),
+            (frame.right_center(), egui::vec2(1.0, 0.0)),
+            (frame.center_top(), egui::vec2(0.0, -1.0)),
+            (frame.center_bottom(), egui::vec2(0.0, 1.0)),
+        ] {
+            painter
+                .add(Shape::line_segment([inner + 3.0 * outward, inner + 10.0 * outward], stroke));
+        }
+    }
+}
+
+/// The step that the arrow keys ask for; with shift, ten pixels.
+pub fn arrow_step(ui: &Ui) -> [i64; 2] {
+    ui.input(|input| {
+        let length = if input.modifiers.shift { 10 } else { 1 };
+        let pressed = |key| input.num_presses(key) as i64;
+        let x = pressed(Key::ArrowRight) - pressed(Key::ArrowLeft);
+        let y = pressed(Key::ArrowDown) - pressed(Key::ArrowUp);
+        [length * x, length * y]
+    })
+}

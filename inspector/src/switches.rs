@@ -1,0 +1,60 @@
+//! Lights and objects, to be switched off and on: what is left explains itself.
+
+use eframe::egui::{Align, Layout, RichText, ScrollArea, TextWrapMode, Ui, vec2};
+use groundtruth::scene::Scene;
+
+/// Shows the switches; says whether the scene was changed.
+pub fn show(ui: &mut Ui, scene: &mut Scene) -> bool {
+    let mut changed = false;
+    if !scene.about.is_empty() {
+        ui.label(RichText::new(&scene.about).italics());
+        ui.add_space(6.0);
+    }
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let lights = scene.lights.iter_mut().map(|light| (light.name.as_str(), &mut light.enabled));
+        changed |= list(ui, "Lights", "light", lights.collect());
+        ui.add_space(8.0);
+        let objects =
+            scene.objects.iter_mut().map(|object| (object.name.as_str(), &mut object.enabled));
+        changed |= list(ui, "Objects", "object", objects.collect());
+    });
+    changed
+}
+
+fn list(ui: &mut Ui, title: &str, thing: &str, mut things: Vec<(&str, &mut bool)>) -> bool {
+    let mut changed = false;
+    ui.horizontal(|ui| {
+        ui.strong(title);
+        let some_off = things.iter().any(|(_, on)| !**on);
+        if some_off && ui.small_button("all on").clicked() {
+            things.iter_mut().for_each(|(_, on)| **on = true);
+            changed = true;
+        }
+    });
+    let mut only = None;
+    for (index, (name, on)) in things.iter_mut().enumerate() {
+        ui.push_id((thing, index), |ui| {
+            let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+            ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
+                let hint = format!("Switch every other {thing} off");
+                if ui.small_button("only").on_hover_text(hint).clicked() {
+                    only = Some(index);
+                }
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+                    let unnamed = format!("{thing} {index}");
+                    let label = if name.is_empty() { &unnamed } else { *name };
+                    changed |= ui.checkbox(on, label).on_hover_text(label).changed();
+                });
+            });
+        });
+    }
+    if let Some(only) = only {
+        things.iter_mut().enumerate().for_each(|(index, (_, on))| **on = index == only);
+        changed = true;
+    }
+    if things.is_empty() {
+        ui.weak("none");
+    }
+    changed
+}

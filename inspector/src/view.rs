@@ -1,0 +1,137 @@
+//! Where the pixels of a picture are on the screen: zoom and pan.
+
+use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
+
+/// Points of the screen for a pixel, at least and at most.
+const ZOOM: std::ops::RangeInclusive<f32> = 0.02..=160.0;
+
+/// What the person chose to see.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// Points of the screen for a pixel; the whole picture if `None`.
+    zoom: Option<f32>,
+    /// The place of the picture in the middle of the area, in pixels.
+    center: Vec2,
+}
+
+/// The picture on the screen.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed {
+    /// Points of the screen for a pixel.
+    pub scale: f32,
+    /// Its top left corner on the screen.
+    pub corner: Pos2,
+    /// Pixels across and down.
+    pub size: [u32; 2],
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self::WHOLE
+    }
+}
+
+impl View {
+    /// The whole picture.
+    pub const WHOLE: Self = Self { zoom: None, center: Vec2::ZERO };
+
+    /// The picture in its area of the screen.
+    pub fn place(&self, area: Rect, size: [u32; 2]) -> Placed {
+        let whole = extent(size);
+        let (scale, center) = match self.zoom {
+            Some(zoom) => (zoom, self.center),
+            None => (whole_in(area, whole), 0.5 * whole),
+        };
+        let corner = area.center() - scale * center;
+        Placed { scale, corner: corner.round(), size }
+    }
+
+    /// The same size for each pixel.
+    pub fn set_zoom(&mut self, area: Rect, size: [u32; 2], zoom: f32) {
+        self.zoom_at(area, size, area.center(), zoom / self.place(area, size).scale);
+    }
+
+    /// Zooms so that what lies under `at` stays there.
+    pub fn zoom_at(&mut self, area: Rect, size: [u32; 2], at: Pos2, factor: f32) {
+        let placed = self.place(area, size);
+        let zoom = (placed.scale * factor).clamp(*ZOOM.start(), *ZOOM.end());
+        let under = (at - placed.corner) / placed.scale;
+        self.center = under + (area.center() - at) / zoom;
+        self.zoom = Some(zoom);
+        self.keep_inside(size);
+    }
+
+    /// Moves the picture by this much of the screen.
+    pub fn pan(&mut self, area: Rect, size: [u32; 2], by: Vec2) {
+        let placed = self.place(area, size);
+        self.center = (area.center() - placed.corner - by) / placed.scale;
+        self.zoom = Some(placed.scale);
+        self.keep_inside(size);
+    }
+
+    /// Moves the picture as little as needed for a pixel to be seen.
+    pub fn reveal(&mut self, area: Rect, size: [u32; 2], pixel: [u32; 2]) {
+        let placed = self.place(area, size);
+        let (seen, wanted) = (area.shrink(4.0), placed.rect(pixel));
+        if self.zoom.is_none() || seen.contains_rect(wanted) {
+            return;
+        }
+        let last = (seen.max - wanted.size()).max(seen.min);
+        self.pan(area, size, wanted.min.clamp(seen.min, last) - wanted.min);
+    }
+
+    /// The middle of the area always shows some of the picture, so that it is not lost.
+    fn keep_inside(&mut self, size: [u32; 2]) {
+        self.center = self.center.clamp(Vec2::ZERO, extent(size));
+    }
+}
+
+/// Whole points for each pixel if there is room: all pixels look equally large.
+fn whole_in(area: Rect, whole: Vec2) -> f32 {
+    let scale = (area.width() / whole.x).min(area.height() / whole.y);
+    if scale >= 1.0 { scale.floor().min(32.0) } else { scale.max(*ZOOM.start() / 4.0) }
+}
+
+fn extent([width, height]: [u32; 2]) -> Vec2 {
+    vec2(width as f32, height as f32)
+}
+
+impl Placed {
+    /// The pixel at a place of the screen.
+    pub fn pixel(&self, at: Pos2) -> Option<[u32; 2]> {
+        let inside = (at - self.corner) / self.scale;
+        let [width, height] = self.size;
+        let whole = inside.x >= 0.0 && inside.y >= 0.0;
+        let pixel = [inside.x as u32, inside.y as u32];
+        (whole && pixel[0] < width && pixel[1] < height).then_some(pixel)
+    }
+
+    /// A pixel on the screen.
+    pub fn rect(&self, [x, y]: [u32; 2]) -> Rect {
+        self.part([x, y], [1, 1])
+    }
+
+    /// A part of the picture on the screen.
+    pub fn part(&self, [x, y]: [u32; 2], size: [u32; 2]) -> Rect {
+        let at = self.corner + self.scale * extent([x, y]);
+        Rect::from_min_size(pos2(at.x, at.y), self.scale * extent(size))
+    }
+
+    /// The whole picture on the screen.
+    pub fn whole(&self) -> Rect {
+        self.part([0, 0], self.size)
+    }
+}
+
+/// `200,150`, with spaces or parentheses if one likes.
+///
+/// # Errors
+/// Says how coordinates are written.
+pub fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
+    let bare = text.trim().trim_start_matches('(').trim_end_matches(')');
+    let (x, y) = bare.split_once([',', ' ']).unwrap_or((bare, ""));
+    match (x.trim().parse(), y.trim().parse()) {
+        (Ok(x), Ok(y)) => Ok([x, y]),
+        _ => Err(format!("`{text}` is no pixel; column and row are written as 200,150")),
+    }
+}

@@ -1,0 +1,223 @@
+//! Everything slow runs on threads of its own: reading and building scenes, rendering, explaining.
+//! The window asks again in each frame and never waits.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::sync::{Arc, OnceLock};
+use std::thread::{Builder, JoinHandle};
+use std::time::{Duration, Instant};
+
+use eframe::egui;
+use groundtruth::gallery;
+use groundtruth::render::Canvas;
+use groundtruth::scene::{self, Scene};
+use groundtruth::world::World;
+
+/// Rays of depth 128 are traced on the stack; unoptimised builds need more than the usual 2 MB.
+const STACK: usize = 16 << 20;
+
+/// One thing that is being worked out on a thread of its own.
+#[derive(Debug)]
+pub struct Background<T> {
+    result: Option<Receiver<T>>,
+}
+
+/// The thread ended without a result.
+#[derive(Clone, Copy, Debug)]
+pub struct Lost;
+
+impl fmt::Display for Lost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the work stopped unexpectedly; the terminal says why")
+    }
+}
+
+impl<T> Default for Background<T> {
+    fn default() -> Self {
+        Self { result: None }
+    }
+}
+
+impl<T: Send + 'static> Background<T> {
+    /// Starts the work. If there was other work under way, its result is forgotten.
+    pub fn start(&mut self, ctx: &egui::Context, work: impl FnOnce() -> T + Send + 'static) {
+        let (sender, receiver) = mpsc::sync_channel(1);
+        let ctx = ctx.clone();
+        // where no thread can be had, the sender is dropped, and `poll` says so
+        let _ = Builder::new().stack_size(STACK).spawn(move || {
+            // nobody listens any more if other work was started meanwhile
+            let _ = sender.send(work());
+            ctx.request_repaint();
+        });
+        self.result = Some(receiver);
+    }
+
+    /// Whether work is under way.
+    pub fn is_busy(&self) -> bool {
+        self.result.is_some()
+    }
+
+    /// The result, once, when it is there.
+    pub fn poll(&mut self) -> Option<Result<T, Lost>> {
+        let result = match self.result.as_ref()?.try_recv() {
+            Ok(result) => Ok(result),
+            Err(TryRecvError::Empty) => return None,
+            Err(TryRecvError::Disconnected) => Err(Lost),
+        };
+        self.result = None;
+        Some(result)
+    }
+}
+
+/// Where a scene comes from.
+#[derive(Clone, Debug)]
+pub enum Source {
+    /// The gallery.
+    Gallery(gallery::Entry),
+    /// A scene file.
+    File(PathBuf),
+}
+
+impl Source {
+    /// A gallery name or a file.
+    ///
+    /// # Errors
+    /// If it is a gallery name that does not exist.
+    pub fn named(name: &str) -> Result<Self, String> {
+        if let Some(entry) = gallery::find(name) {
+            return Ok(Self::Gallery(entry));
+        }
+        let path = Path::new(name);
+        if path.extension().is_none() && !path.exists() {
+            return Err(format!("no scene `{name}`: neither a gallery name nor a file"));
+        }
+        Ok(Self::File(path.to_owned()))
+    }
+
+    /// As a person knows it.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Gallery(entry) => entry.name.to_owned(),
+            Self::File(path) => path.display().to_string(),
+        }
+    }
+
+    /// The files that a scene names are relative to this folder.
+    fn folder(&self) -> &Path {
+        match self {
+            Self::Gallery(_) => Path::new(""),
+            Self::File(path) => path.parent().unwrap_or(Path::new("")),
+        }
+    }
+
+    /// Reads and builds it.
+    ///
+    /// # Errors
+    /// The scene error, with file and line.
+    pub fn load(self) -> Result<Loaded, String> {
+        match &self {
+            Self::Gallery(entry) => {
+                let scene = (entry.build)();
+                self.build(scene)
+            }
+            Self::File(path) => {
+                let (scene, world) = scene::read(path).map_err(|error| error.to_string())?;
+                Ok(Loaded { source: self, scene, world })
+            }
+        }
+    }
+
+    /// Builds a changed scene of this source.
+    ///
+    /// # Errors
+    /// The scene error.
+    pub fn build(self, scene: Scene) -> Result<Loaded, String> {
+        let world = World::build_in(&scene, self.folder()).map_err(|error| error.to_string())?;
+        Ok(Loaded { source: self, scene, world })
+    }
+}
+
+/// A scene that can be rendered.
+#[derive(Debug)]
+pub struct Loaded {
+    /// Where it comes from.
+    pub source: Source,
+    /// The scene.
+    pub scene: Scene,
+    /// The scene, built.
+    pub world: World,
+}
+
+/// A picture on its way. Dropping it stops the work.
+#[derive(Debug)]
+pub struct Rendering {
+    /// Where the scene comes from.
+    pub source: Source,
+    /// The scene.
+    pub scene: Arc<Scene>,
+    /// The scene, built.
+    pub world: Arc<World>,
+    /// The picture so far.
+    pub canvas: Arc<Canvas>,
+    start: Instant,
+    took: Arc<OnceLock<Duration>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+/// How far a picture is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Progress {
+    /// Being rendered: the finished part of it, and for how long.
+    Running(f32, Duration),
+    /// Finished: how long it took.
+    Done(Duration),
+    /// Its thread ended early.
+    Stopped,
+}
+
+impl Rendering {
+    /// Starts to render.
+    pub fn start(ctx: &egui::Context, loaded: Loaded) -> Self {
+        let Loaded { source, scene, world } = loaded;
+        let (scene, world) = (Arc::new(scene), Arc::new(world));
+        let canvas = Arc::new(Canvas::new(&world));
+        let (start, took) = (Instant::now(), Arc::new(OnceLock::new()));
+        let work = {
+            let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&world));
+            let (took, ctx) = (Arc::clone(&took), ctx.clone());
+            move || {
+                canvas.render(&world);
+                let _ = took.set(start.elapsed());
+                ctx.request_repaint();
+            }
+        };
+        let thread = Builder::new().stack_size(STACK).spawn(work).ok();
+        Self { source, scene, world, canvas, start, took, thread }
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> Progress {
+        // asked in this order: a thread that ends sets its time first
+        let ended = self.thread.as_ref().is_none_or(JoinHandle::is_finished);
+        if let Some(&took) = self.took.get() {
+            return Progress::Done(took);
+        }
+        if ended {
+            return Progress::Stopped;
+        }
+        let (done, whole) = self.canvas.progress();
+        Progress::Running(done as f32 / whole as f32, self.start.elapsed())
+    }
+
+    /// Pixels across and down.
+    pub fn size(&self) -> [u32; 2] {
+        [self.world.image.width, self.world.image.height]
+    }
+}
+
+impl Drop for Rendering {
+    fn drop(&mut self) {
+        self.canvas.cancel();
+    }
+}

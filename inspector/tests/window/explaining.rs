@@ -1,0 +1,216 @@
+//! Selecting a pixel: its tree, its sum, its samples.
+
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::explain;
+
+use crate::support::*;
+
+/// A pixel in which both spheres are seen.
+const ON_GLASS: [u32; 2] = [17, 19];
+
+/// Law: after a click on a pixel of the glass sphere the tree begins with the camera's ray of that
+/// pixel. Oracle: the library's explanation of the same pixel of a world built anew.
+#[test]
+fn a_click_on_the_glass_sphere_shows_its_tree() {
+    let mut window = glass_window();
+    assert!(window.query_by_label_contains("hits \"glass sphere\"").is_none());
+    click(&mut window, ON_GLASS);
+    let scene = small_glass_sphere();
+    let ray = explain::sample(&scene, &built(&scene), ON_GLASS, 0).ray;
+    assert!(ray.line().starts_with("camera"));
+    assert!(ray.line().contains("hits \"glass sphere\""));
+    // in the tree and above the details
+    assert_eq!(window.get_all_by_label(&ray.line()).count(), 2);
+    assert!(window.query_by_label("Pixel (17, 19)").is_some());
+    let ray_count = inspector::tree::count(&ray);
+    assert!(
+        ray_count > 5 && text_with(&window, " rays, at ").starts_with(&format!("{ray_count} "))
+    );
+    for child in &ray.children {
+        assert!(window.query_all_by_label(&child.line()).next().is_some(), "{}", child.line());
+    }
+}
+
+/// The numbers in a text such as `= (0.1, 0.2, 0.3)`.
+fn numbers(text: &str) -> [u64; 3] {
+    let inside = text.trim_start_matches("= (").trim_end_matches(')');
+    let numbers: Vec<u64> = inside
+        .split(", ")
+        .map(|number| number.parse::<f64>().expect("a number").to_bits())
+        .collect();
+    numbers.try_into().expect("three channels")
+}
+
+/// Law: the printed sum reads back as the pixel, bit for bit, on the sphere, on its rim, on the
+/// ground and on the background, and the window says that it equals the picture. Oracle: the pixel
+/// rendered without a recorder.
+#[test]
+fn the_printed_sum_is_the_rendered_pixel_bit_for_bit() {
+    let mut window = glass_window();
+    let world = built(&small_glass_sphere());
+    for pixel in [ON_GLASS, [7, 20], [30, 44], [2, 2], [0, 0], [47, 47]] {
+        click(&mut window, pixel);
+        let bits = |color: Rgb| color.to_array().map(f64::to_bits);
+        let printed = numbers(&text_with(&window, "= ("));
+        assert_eq!(printed, bits(render::pixel(&world, pixel)), "{pixel:?}");
+        assert!(window.query_by_label("= the pixel of the picture, bit for bit").is_some());
+    }
+}
+
+/// Law: where the picture holds another colour, the window says that it differs. (Else the line
+/// above could be painted on.)
+#[test]
+fn a_pixel_that_differs_from_its_explanation_is_told() {
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    // a picture of another seed, behind the window's back
+    let scene = small_glass_sphere();
+    let other = groundtruth::world::World::build_seeded(&scene, std::path::Path::new(""), 2);
+    let other = other.expect("the scene is valid");
+    let canvas = groundtruth::render::Canvas::new(&other);
+    canvas.render(&other);
+    window.state_mut().rendering.canvas = std::sync::Arc::new(canvas);
+    settle(&mut window);
+    assert!(text_with(&window, "differs from the pixel of the picture").contains("(0."));
+}
+
+/// Law: typed coordinates select; what is no pixel of the picture is refused with a reason, and the
+/// selection stays.
+#[test]
+fn typed_coordinates_select_a_pixel() {
+    let mut window = glass_window();
+    type_into(&mut window, "Pixel", "30, 44");
+    assert_eq!(window.state().selection.pixel, Some([30, 44]));
+    assert!(window.query_by_label("Pixel (30, 44)").is_some());
+    assert!(
+        window.query_all_by_label(&root_line(&small_glass_sphere(), [30, 44])).next().is_some()
+    );
+
+    type_into(&mut window, "Pixel", "48, 3");
+    let error = "pixel (48, 3) is outside the picture of 48 × 48";
+    assert!(window.query_by_label(error).is_some());
+    type_into(&mut window, "Pixel", "left");
+    let error = "`left` is no pixel; column and row are written as 200,150";
+    assert!(window.query_by_label(error).is_some());
+    assert_eq!(window.state().selection.pixel, Some([30, 44]));
+}
+
+/// Law: an arrow key moves by one pixel in its direction, with shift by ten, and stops at the edge;
+/// the explanation follows.
+#[test]
+fn arrow_keys_step_to_the_next_pixel() {
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    let mut at = ON_GLASS;
+    for (key, [dx, dy]) in [
+        (Key::ArrowRight, [1, 0]),
+        (Key::ArrowDown, [0, 1]),
+        (Key::ArrowDown, [0, 1]),
+        (Key::ArrowLeft, [-1, 0]),
+        (Key::ArrowUp, [0, -1]),
+    ] {
+        window.key_press(key);
+        settle(&mut window);
+        at = [at[0].saturating_add_signed(dx), at[1].saturating_add_signed(dy)];
+        assert_eq!(window.state().selection.pixel, Some(at), "{key:?}");
+        let explained = window.state().selection.explanation().expect("explained").pixel;
+        assert_eq!(explained, at);
+    }
+    for _ in 0..6 {
+        window.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    }
+    settle(&mut window);
+    assert_eq!(window.state().selection.pixel, Some([0, at[1]]));
+}
+
+/// Law: while coordinates are typed, the arrow keys belong to the text.
+#[test]
+fn arrow_keys_in_a_field_do_not_step() {
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    window.get_by_role_and_label(eframe::egui::accesskit::Role::TextInput, "Pixel").focus();
+    window.step();
+    window.key_press(Key::ArrowLeft);
+    settle(&mut window);
+    assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
+}
+
+/// Law: the chosen sample's tree is shown, and its index cannot leave the pixel's samples. Oracle:
+/// the library's explanation of that sample.
+#[test]
+fn the_sample_chooser_changes_the_tree() {
+    let mut window = glass_window();
+    // the rim of the sphere, where samples differ
+    let pixel = [7, 20];
+    click(&mut window, pixel);
+    let (scene, world) = (small_glass_sphere(), built(&small_glass_sphere()));
+    for index in 1..4 {
+        window.get_by_label(">").click();
+        settle(&mut window);
+        let line = explain::sample(&scene, &world, pixel, index).ray.line();
+        assert_eq!(window.get_all_by_label(&line).count(), 2, "sample {index}");
+    }
+    window.get_by_label(">").click();
+    settle(&mut window);
+    assert_eq!(window.state().selection.sample, 3);
+    assert!(window.query_by_label("Sample 3").is_some());
+}
+
+/// Law: a pixel of very many rays is explained one sample at a time, and its sum is still the pixel.
+#[test]
+fn many_samples_are_explained_one_at_a_time() {
+    let mut scene = small_glass_sphere();
+    scene.image.resize(6, 6);
+    scene.image.samples = 3600;
+    let world = built(&scene);
+    let mut window = open(scene);
+    settle(&mut window);
+    click(&mut window, [2, 2]);
+    let explanation = window.state().selection.explanation().expect("explained");
+    assert_eq!((explanation.samples.len(), explanation.samples_per_pixel), (1, 3600));
+    let bits = |color: Rgb| color.to_array().map(f64::to_bits);
+    let printed = numbers(&text_with(&window, "= ("));
+    assert_eq!(printed, bits(render::pixel(&world, [2, 2])));
+    window.get_by_label(">").click();
+    settle(&mut window);
+    let explanation = window.state().selection.explanation().expect("explained");
+    assert_eq!(explanation.samples[0].index, 1);
+}
+
+/// Law: a click on a line of the tree shows that ray's numbers, all of them, with every digit.
+/// Oracle: the library's explanation.
+#[test]
+fn a_click_on_a_ray_shows_its_details() {
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    let scene = small_glass_sphere();
+    let root = explain::sample(&scene, &built(&scene), ON_GLASS, 0).ray;
+    let ray = root.children.iter().find(|ray| ray.kind == "transmitted").expect("it is glass");
+    window.get_by_label(&ray.line()).click();
+    settle(&mut window);
+    let hit = ray.hit.as_ref().expect("it leaves the sphere");
+    let exact = |[x, y, z]: [f64; 3]| format!("({x:?}, {y:?}, {z:?})");
+    let expected = [
+        format!("{:?}", hit.t),
+        format!("{:?}", hit.error),
+        exact(hit.point),
+        exact(hit.normal),
+        exact(ray.origin),
+        exact(ray.direction),
+        exact(ray.weight.to_array()),
+        exact(ray.radiance.to_array()),
+        exact(ray.contribution.to_array()),
+        "back".to_owned(),
+        "transmitted, depth 1".to_owned(),
+        "\"glass sphere\", material \"glass sphere\"".to_owned(),
+    ];
+    for text in expected {
+        assert!(window.query_all_by_label(&text).next().is_some(), "{text}");
+    }
+    for term in &ray.terms {
+        assert!(window.query_all_by_label(&term.what).next().is_some(), "{}", term.what);
+    }
+}

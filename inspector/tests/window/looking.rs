@@ -1,0 +1,175 @@
+//! Zoom, pan, tone, and what it all looks like.
+
+use eframe::egui::{
+    Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, Rect, TouchPhase, pos2, vec2,
+};
+use egui_kittest::kittest::Queryable;
+use egui_kittest::{SnapshotOptions, image_snapshot_options};
+use inspector::view::{View, parse_pixel};
+
+use crate::support::*;
+
+const AREA: Rect = Rect { min: pos2(190.0, 90.0), max: pos2(870.0, 770.0) };
+
+/// Law: the middle of a pixel's rectangle is in that pixel, and a place outside the picture is in
+/// none; at every zoom and after every pan.
+#[test]
+fn a_place_on_the_screen_is_in_the_pixel_drawn_there() {
+    let size = [37, 53];
+    for zoom in [0.5, 1.0, 3.3, 16.0, 160.0] {
+        for by in [vec2(0.0, 0.0), vec2(-31.0, 17.5), vec2(400.0, 300.0)] {
+            let mut view = View::WHOLE;
+            view.set_zoom(AREA, size, zoom);
+            view.pan(AREA, size, by);
+            let placed = view.place(AREA, size);
+            for pixel in [[0, 0], [36, 0], [0, 52], [36, 52], [17, 29]] {
+                assert_eq!(placed.pixel(placed.rect(pixel).center()), Some(pixel), "{zoom} {by}");
+            }
+            let whole = placed.whole();
+            for outside in [whole.min - vec2(0.1, 0.0), whole.max, whole.max + vec2(0.0, 9.0)] {
+                assert_eq!(placed.pixel(outside), None, "{zoom} {by}");
+            }
+        }
+    }
+}
+
+/// Law: the wheel keeps what is under the mouse under the mouse, up to the rounding of the picture's
+/// corner to whole points.
+#[test]
+fn zoom_keeps_the_place_under_the_mouse() {
+    let size = [600, 600];
+    let under = |view: &View, at: Pos2| {
+        let placed = view.place(AREA, size);
+        (at - placed.corner) / placed.scale
+    };
+    let mut view = View::WHOLE;
+    for (at, factor) in
+        [(pos2(400.0, 300.0), 1.7), (pos2(600.0, 500.0), 4.0), (pos2(300.0, 700.0), 0.3)]
+    {
+        let before = under(&view, at);
+        view.zoom_at(AREA, size, at, factor);
+        let moved = (under(&view, at) - before) * view.place(AREA, size).scale;
+        // the corner is rounded once before and once after, at either scale
+        assert!(moved.length() < 2.0 * (1.0 + factor), "{moved}");
+    }
+}
+
+/// Law: however far a person drags, some of the picture is left in the middle; the selected pixel
+/// is brought back into sight.
+#[test]
+fn the_picture_cannot_be_lost() {
+    let size = [60, 40];
+    let mut view = View::WHOLE;
+    view.set_zoom(AREA, size, 10.0);
+    for by in [vec2(9e4, 0.0), vec2(-9e5, 9e5), vec2(0.0, -9e5)] {
+        view.pan(AREA, size, by);
+        assert!(view.place(AREA, size).whole().expand(1.0).contains(AREA.center()));
+    }
+    view.set_zoom(AREA, size, 40.0);
+    for pixel in [[0, 0], [59, 39], [59, 0]] {
+        view.reveal(AREA, size, pixel);
+        assert!(AREA.contains_rect(view.place(AREA, size).rect(pixel)), "{pixel:?}");
+    }
+}
+
+/// Law: coordinates are read however they are commonly written, and nothing else is.
+#[test]
+fn coordinates_are_read_as_people_write_them() {
+    for text in ["200,150", " 200, 150 ", "(200, 150)", "200 150"] {
+        assert_eq!(parse_pixel(text), Ok([200, 150]), "{text}");
+    }
+    for text in ["", "200", "200,", "200,-1", "2.5,1", "1,2,3", "99999999999,0", "x,y"] {
+        assert!(parse_pixel(text).is_err(), "{text}");
+    }
+}
+
+/// Law: the wheel zooms, a drag pans, and neither selects a pixel.
+#[test]
+fn wheel_and_drag_move_the_picture_and_select_nothing() {
+    let mut window = glass_window();
+    let placed = |window: &Window| window.state().picture.placed([48, 48]);
+    let (before, at) = (placed(&window), on_screen(&window, [20, 20]));
+    window.hover_at(at);
+    window.event(Event::MouseWheel {
+        unit: MouseWheelUnit::Point,
+        delta: vec2(0.0, 200.0),
+        phase: TouchPhase::Move,
+        source: MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    window.run_steps(30);
+    let zoomed = placed(&window);
+    assert!(zoomed.scale > 1.5 * before.scale);
+    assert_eq!(zoomed.pixel(at), Some([20, 20]));
+
+    window.drag_at(at);
+    window.hover_at(at + vec2(30.0, 12.0));
+    window.hover_at(at + vec2(60.0, 24.0));
+    window.drop_at(at + vec2(60.0, 24.0));
+    window.run_steps(3);
+    let moved = placed(&window).corner - zoomed.corner;
+    assert!((moved - vec2(60.0, 24.0)).length() < 2.0, "{moved}");
+    assert_eq!(window.state().selection.pixel, None);
+}
+
+/// Law: exposure and gamma change the screen and not the radiance. Oracle: the film before, and
+/// `Tone` on one pixel.
+#[test]
+fn exposure_changes_the_screen_and_not_the_picture() {
+    let mut window = glass_window();
+    let (film, at) = (window.state().rendering.canvas.film(), [3, 3]);
+    let shown = |window: &mut Window| {
+        let place = on_screen(window, at);
+        let [r, g, b, _] =
+            window.render().expect("drawn").get_pixel(place.x as u32, place.y as u32).0;
+        [r, g, b]
+    };
+    let tone = window.state().picture.tone;
+    assert_eq!(shown(&mut window), tone.to_bytes(film.get(at)));
+    let brighter = groundtruth::film::Tone { exposure: 2.5, gamma: 2.2, ..tone };
+    window.state_mut().picture.tone = brighter;
+    settle(&mut window);
+    assert_eq!(shown(&mut window), brighter.to_bytes(film.get(at)));
+    assert_ne!(brighter.to_bytes(film.get(at)), tone.to_bytes(film.get(at)));
+    assert_eq!(window.state().rendering.canvas.film(), film);
+}
+
+/// Law: what is under the mouse is told: the pixel and its radiance.
+#[test]
+fn the_pixel_under_the_mouse_is_told() {
+    let mut window = glass_window();
+    window.hover_at(on_screen(&window, [20, 30]));
+    window.run_steps(3);
+    let radiance = window.state().rendering.canvas.look(|film| film.get([20, 30]));
+    let text = format!("(20, 30)  {}", groundtruth::trace::explain::short(radiance));
+    assert!(window.query_by_label(&text).is_some());
+}
+
+/// Compares a part of the window with its committed picture; a few pixels at the edges of glyphs
+/// may differ.
+fn snapshot(window: &mut Window, name: &str, part: Rect) {
+    let whole = window.render().expect("drawn");
+    let [x, y, width, height] =
+        [part.min.x, part.min.y, part.width(), part.height()].map(|side| side as u32);
+    let part = image::imageops::crop_imm(&whole, x, y, width, height).to_image();
+    let options = SnapshotOptions::new().threshold(2.0).max_failed_pixels(50_usize);
+    image_snapshot_options(&part, name, &options);
+}
+
+#[test]
+fn picture_and_mark_look_as_before() {
+    let mut window = glass_window();
+    click(&mut window, [17, 19]);
+    window.state_mut().picture.set_zoom([48, 48], 20.0);
+    window.run_steps(3);
+    let middle = on_screen(&window, [19, 20]);
+    snapshot(&mut window, "picture", Rect::from_center_size(middle, vec2(240.0, 200.0)));
+}
+
+#[test]
+fn tree_looks_as_before() {
+    let mut window = glass_window();
+    click(&mut window, [17, 19]);
+    window.run_steps(3);
+    snapshot(&mut window, "tree", Rect::from_min_max(pos2(700.0, 36.0), pos2(1240.0, 330.0)));
+}

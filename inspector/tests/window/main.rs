@@ -1,0 +1,7 @@
+//! The inspector as a person uses it, in a window that is not there.
+
+mod explaining;
+mod looking;
+mod renderer;
+mod scenes;
+mod support;

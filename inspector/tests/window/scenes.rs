@@ -1,0 +1,183 @@
+//! Opening, switching, saving; and never waiting.
+
+use egui_kittest::kittest::Queryable;
+use groundtruth::film::read_exr;
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::explain;
+use inspector::worker::{Progress, Source};
+
+use crate::support::*;
+
+const ON_GROUND: [u32; 2] = [30, 44];
+
+fn pixels(window: &Window) -> Vec<Rgb> {
+    window.state().rendering.canvas.look(|film| film.pixels().to_vec())
+}
+
+/// Law: a light that is switched off sends no shadow rays and changes the picture; switched on
+/// again, the picture is the old one, bit for bit.
+#[test]
+fn a_light_switched_off_leaves_picture_and_tree() {
+    let mut window = glass_window();
+    click(&mut window, ON_GROUND);
+    let before = pixels(&window);
+    let to_lamp =
+        |window: &Window| window.query_all_by_label_contains("shadow ray to \"high lamp\"").count();
+    assert!(to_lamp(&window) > 0, "the pixel must see the lamp for the test to mean anything");
+
+    window.get_by_label("high lamp").click();
+    settle(&mut window);
+    assert_eq!(to_lamp(&window), 0);
+    assert!(window.query_all_by_label_contains("shadow ray to \"front lamp\"").count() > 0);
+    assert_ne!(pixels(&window), before);
+    assert_eq!(window.state().selection.pixel, Some(ON_GROUND));
+    assert!(window.query_by_label("= the pixel of the picture, bit for bit").is_some());
+    let mut scene = small_glass_sphere();
+    let lamp = scene.lights.iter_mut().find(|light| light.name == "high lamp");
+    lamp.expect("the scene has it").enabled = false;
+    assert_eq!(pixels(&window), groundtruth::render::render(&built(&scene)).pixels());
+
+    window.get_by_label("high lamp").click();
+    settle(&mut window);
+    assert_eq!(pixels(&window), before);
+    assert!(to_lamp(&window) > 0);
+}
+
+/// Law: "only" leaves one object, "all on" brings back the others.
+#[test]
+fn only_this_object_is_left_and_all_come_back() {
+    let mut window = glass_window();
+    let before = pixels(&window);
+    // four lights, then the glass sphere, the red sphere and the ground
+    window.get_all_by_label("only").nth(5).expect("a button for each").click();
+    settle(&mut window);
+    let enabled = |window: &Window| -> Vec<bool> {
+        window.state().rendering.scene.objects.iter().map(|object| object.enabled).collect()
+    };
+    assert_eq!(enabled(&window), [false, true, false]);
+    let names: Vec<String> =
+        window.state().rendering.world.objects().iter().map(|object| object.name.clone()).collect();
+    assert_eq!(names, ["red sphere"]);
+    window.get_by_label("all on").click();
+    settle(&mut window);
+    assert_eq!(enabled(&window), [true, true, true]);
+    assert_eq!(pixels(&window), before);
+}
+
+/// Law: a bad scene file is told in the library's words, and the old scene stays.
+#[test]
+fn a_bad_scene_file_shows_its_error_and_keeps_the_old_scene() {
+    let mut window = glass_window();
+    click(&mut window, ON_GROUND);
+    let before = pixels(&window);
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("bad.toml");
+    std::fs::write(&file, "about = \"no camera\"\nimage = { width = 0, height = 3 }\n")
+        .expect("writable");
+    for path in [file, folder.path().join("missing.toml")] {
+        let error = groundtruth::scene::read(&path).expect_err("it is bad").to_string();
+        type_into(&mut window, "File", &path.display().to_string());
+        assert!(window.query_by_label(&error).is_some(), "{error}");
+        assert_eq!(window.state().rendering.source.name(), "ch28/glass-sphere");
+        assert_eq!(pixels(&window), before);
+        assert_eq!(window.state().selection.pixel, Some(ON_GROUND));
+    }
+    window.get_by_label("×").click();
+    settle(&mut window);
+    assert!(window.query_by_label_contains("missing.toml: ").is_none());
+}
+
+/// Law: a good scene file is opened: its picture is the one the library renders, and the old
+/// selection is gone.
+#[test]
+fn a_scene_file_is_opened() {
+    let mut window = glass_window();
+    click(&mut window, ON_GROUND);
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("small.toml");
+    let mut scene = small_glass_sphere();
+    scene.image.resize(20, 10);
+    let text = groundtruth::scene::to_toml(&scene).expect("plain data");
+    std::fs::write(&path, text).expect("writable");
+    type_into(&mut window, "File", &path.display().to_string());
+    assert_eq!(window.state().message, None);
+    assert_eq!(window.state().rendering.size(), [20, 10]);
+    assert_eq!(window.state().selection.pixel, None);
+    assert_eq!(pixels(&window), groundtruth::render::render(&built(&scene)).pixels());
+}
+
+/// Law: every scene of the gallery can be opened by its name. (Built only: rendering is the
+/// library's.)
+#[test]
+fn every_gallery_scene_can_be_named() {
+    for entry in groundtruth::gallery::scenes() {
+        let source = Source::named(entry.name).expect("it is in the gallery");
+        assert_eq!(source.name(), entry.name);
+        assert!(source.load().is_ok(), "{}", entry.name);
+    }
+    let error = Source::named("ch28/no-such").expect_err("it does not exist");
+    assert_eq!(error, "no scene `ch28/no-such`: neither a gallery name nor a file");
+}
+
+/// Law: the saved EXR holds the picture in single precision, whatever the exposure on the screen;
+/// a name that says no format is an error in the window.
+#[test]
+fn the_picture_is_saved_and_errors_are_shown() {
+    let mut window = glass_window();
+    window.state_mut().picture.tone.exposure = 4.0;
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("saved.exr");
+    type_into(&mut window, "Picture", &path.display().to_string());
+    assert!(window.query_by_label(&format!("saved {}", path.display())).is_some());
+    let saved = read_exr(&path).expect("a picture");
+    let expected = window.state().rendering.canvas.film();
+    assert!(saved.to_f32().eq(expected.to_f32()));
+
+    let path = folder.path().join("saved.bmp");
+    type_into(&mut window, "Picture", &path.display().to_string());
+    let error =
+        format!("{}: unknown picture format; end the name with .png or .exr", path.display());
+    assert!(window.query_by_label(&error).is_some());
+    assert!(!path.exists());
+}
+
+/// Law: a frame returns although the picture is far from finished; a pixel is explained meanwhile;
+/// another scene stops the old picture.
+#[test]
+fn the_window_does_not_wait_for_the_picture() {
+    let mut scene = small_glass_sphere();
+    scene.image.resize(600, 600);
+    // hours of work
+    scene.image.samples = 10_000;
+    let mut window = open(scene.clone());
+    let running = |window: &Window| matches!(window.state().rendering.progress(), Progress::Running(part, _) if part < 0.5);
+    window.run_steps(5);
+    assert!(running(&window));
+    let old = window.state().rendering.canvas.clone();
+
+    // 10 000 samples take a while also for one pixel, but not for the window
+    let at = on_screen(&window, [200, 240]);
+    window.hover_at(at);
+    window.drag_at(at);
+    window.drop_at(at);
+    window.step();
+    assert_eq!(window.state().selection.pixel, Some([200, 240]));
+    let start = std::time::Instant::now();
+    while window.state().selection.explanation().is_none() {
+        assert!(start.elapsed().as_secs() < 60, "not explained");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+        window.step();
+    }
+    assert!(running(&window) && !old.is_cancelled());
+    let line = explain::sample(&scene, &built(&scene), [200, 240], 0).ray.line();
+    window.run_steps(2);
+    assert!(window.query_all_by_label(&line).next().is_some());
+
+    let ctx = window.ctx.clone();
+    let small = groundtruth::gallery::find("ch03/single-sphere");
+    let small = small.or_else(|| groundtruth::gallery::scenes().next()).expect("a scene");
+    window.state_mut().open(&ctx, Source::Gallery(small));
+    settle(&mut window);
+    assert!(old.is_cancelled());
+    assert_eq!(window.state().rendering.source.name(), small.name);
+}

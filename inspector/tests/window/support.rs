@@ -1,0 +1,110 @@
+//! A window that is not there: small scenes, and what a person does with them.
+
+use std::time::{Duration, Instant};
+
+use eframe::egui::{Context, Pos2, Theme, accesskit::Role};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use groundtruth::gallery;
+use groundtruth::scene::Scene;
+use groundtruth::trace::explain;
+use groundtruth::world::World;
+use inspector::app::{Inspector, set_style};
+use inspector::worker::Source;
+
+use crate::renderer::Software;
+
+pub type Window = Harness<'static, Inspector>;
+
+/// Far more than anything here takes, also on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The glass sphere in few pixels of few samples.
+pub fn small_glass_sphere() -> Scene {
+    let mut scene = (gallery::find("ch28/glass-sphere").expect("in the gallery").build)();
+    scene.image.resize(48, 48);
+    scene.image.samples = 4;
+    scene
+}
+
+pub fn built(scene: &Scene) -> World {
+    World::build(scene).expect("the scene is valid")
+}
+
+/// A window on a changed scene of the gallery.
+pub fn open(scene: Scene) -> Window {
+    let entry = gallery::find("ch28/glass-sphere").expect("in the gallery");
+    let loaded = Source::Gallery(entry).build(scene).expect("the scene is valid");
+    let inspector = Inspector::new(&Context::default(), loaded);
+    Harness::builder()
+        .with_size([1280.0, 800.0])
+        .with_theme(Theme::Dark)
+        .with_context_setup(set_style)
+        .renderer(Software::default())
+        .build_ui_state(|ui, inspector: &mut Inspector| inspector.show(ui), inspector)
+}
+
+/// A window on the small glass sphere, rendered.
+pub fn glass_window() -> Window {
+    let mut window = open(small_glass_sphere());
+    settle(&mut window);
+    window
+}
+
+/// Draws frames until nothing is left to be worked out.
+pub fn settle(window: &mut Window) {
+    let start = Instant::now();
+    // what was asked for begins with the next frame
+    window.run_steps(3);
+    while window.state().is_busy() {
+        assert!(start.elapsed() < PATIENCE, "the window is still busy");
+        std::thread::sleep(Duration::from_millis(2));
+        window.step();
+    }
+    window.run_steps(3);
+}
+
+/// The middle of a pixel on the screen.
+pub fn on_screen(window: &Window, pixel: [u32; 2]) -> Pos2 {
+    let inspector = window.state();
+    inspector.picture.placed(inspector.rendering.size()).rect(pixel).center()
+}
+
+/// Clicks a pixel and waits for its explanation.
+pub fn click(window: &mut Window, pixel: [u32; 2]) {
+    let at = on_screen(window, pixel);
+    window.hover_at(at);
+    window.drag_at(at);
+    window.drop_at(at);
+    settle(window);
+}
+
+/// Types into the field of this name, and Enter.
+pub fn type_into(window: &mut Window, field: &str, text: &str) {
+    let input = |window: &Window| window.get_by_role_and_label(Role::TextInput, field).rect();
+    let at = input(window).center();
+    window.hover_at(at);
+    window.drag_at(at);
+    window.drop_at(at);
+    window.step();
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, eframe::egui::Key::A);
+    window.step();
+    window.get_by_role_and_label(Role::TextInput, field).type_text(text);
+    window.step();
+    window.key_press(eframe::egui::Key::Enter);
+    settle(window);
+}
+
+/// The text of the one label that contains this.
+pub fn text_with(window: &Window, part: &str) -> String {
+    text_of(&window.get_by_label_contains(part).accesskit_node())
+}
+
+fn text_of(node: &egui_kittest::kittest::AccessKitNode<'_>) -> String {
+    node.label().or_else(|| node.value()).unwrap_or_default()
+}
+
+/// The line of the camera's ray of sample 0, from the library.
+pub fn root_line(scene: &Scene, pixel: [u32; 2]) -> String {
+    explain::sample(scene, &built(scene), pixel, 0).ray.line()
+}

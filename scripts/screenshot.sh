@@ -1,0 +1,47 @@
+#!/bin/sh
+# Takes docs/inspector.png: opens the inspector on a virtual screen and clicks on the glass sphere.
+# Needs the packages of scripts/headless.sh.
+set -eu
+cd "$(dirname "$0")/.."
+
+for tool in Xvfb xdotool import; do
+    if ! command -v "$tool" >/dev/null; then
+        echo "error: $tool is missing; run scripts/headless.sh first" >&2
+        exit 2
+    fi
+done
+cargo build --release -p inspector
+program=${CARGO_TARGET_DIR:-target}/release/inspector
+
+folder=$(mktemp -d)
+window= screen=
+finish() {
+    [ -z "$window" ] || kill "$window" 2>/dev/null || true
+    [ -z "$screen" ] || kill "$screen" 2>/dev/null || true
+    rm -rf "$folder"
+}
+trap finish EXIT
+trap 'exit 130' INT TERM
+
+# Xvfb chooses a free display and writes its number
+mkfifo "$folder/display"
+Xvfb -displayfd 3 -screen 0 1400x830x24 -nolisten tcp 3>"$folder/display" 2>"$folder/xvfb.log" &
+screen=$!
+read -r number <"$folder/display"
+export DISPLAY=":$number"
+
+"$program" ch28/glass-sphere 2>"$folder/inspector.log" &
+window=$!
+if ! timeout 60 xdotool search --sync --onlyvisible --name "Groundtruth inspector" >/dev/null; then
+    echo "error: no window appeared" >&2
+    cat "$folder/inspector.log" >&2
+    exit 2
+fi
+# wait for the picture to be rendered, then click on the glass sphere
+sleep "${RENDER_SECONDS:-15}"
+xdotool mousemove 473 376 click 1
+sleep 2
+xdotool mousemove 540 440
+sleep 1
+import -window root png24:docs/inspector.png
+echo "docs/inspector.png"
