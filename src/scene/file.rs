@@ -9,7 +9,7 @@ use crate::invalid::{Invalid, Key};
 use crate::world::World;
 
 /// Larger files are no scenes: large things are procedural kinds or mesh files.
-const LARGEST_FILE: u64 = 64 << 20;
+const LARGEST_FILE: u64 = 8 << 20;
 
 /// Reads a scene file and builds its world; files it names are relative to it.
 ///

@@ -137,8 +137,8 @@ mod tessellated_sphere;
 mod triangle;
 
 pub use context::Context;
-pub use mesh::TriangleMesh;
 pub(crate) use instance::transform_of;
+pub use mesh::TriangleMesh;
 
 crate::kinds! {
     /// A shape as a scene file says it.
