@@ -5,8 +5,8 @@ use std::hint::black_box;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use groundtruth::accel::Method;
 use groundtruth::cameras::{Pinhole, Viewpoint};
-use groundtruth::math::{Pcg32, Point, Ray, Span};
 use groundtruth::materials::Matte;
+use groundtruth::math::{Pcg32, Point, Ray, Span};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Image, Material, Object, Scene};
 use groundtruth::shapes::Sphere;
@@ -57,7 +57,8 @@ fn list_against_bvh(c: &mut Criterion) {
                 continue;
             }
             let world = spheres(count, method);
-            let hits = || rays.iter().filter(|ray| world.hit(black_box(ray), Span::AHEAD).is_some());
+            let hits =
+                || rays.iter().filter(|ray| world.hit(black_box(ray), Span::AHEAD).is_some());
             group.bench_function(BenchmarkId::new(name, count), |b| b.iter(|| hits().count()));
         }
     }

@@ -118,18 +118,14 @@ impl<'a> Input<'a> {
             2 => shapes::Triangle { vertices: std::array::from_fn(|_| self.point()) }.into(),
             3 => shapes::Rectangle { corner: self.point(), a: self.vector(), b: self.vector() }
                 .into(),
-            4 => shapes::Disk {
-                center: self.point(),
-                normal: self.vector(),
-                radius: self.number(),
+            4 => {
+                shapes::Disk { center: self.point(), normal: self.vector(), radius: self.number() }
+                    .into()
             }
-            .into(),
-            5 => shapes::OpenCylinder {
-                y0: self.number(),
-                y1: self.number(),
-                radius: self.number(),
+            5 => {
+                shapes::OpenCylinder { y0: self.number(), y1: self.number(), radius: self.number() }
+                    .into()
             }
-            .into(),
             6 => shapes::TessellatedSphere {
                 horizontal: 3 + u32::from(self.byte() % 8),
                 vertical: 2 + u32::from(self.byte() % 8),
@@ -137,9 +133,7 @@ impl<'a> Input<'a> {
                 smooth: self.byte() % 2 == 1,
             }
             .into(),
-            _ => {
-                shapes::Kind::from(shapes::Sphere { center: self.point(), radius: self.number() })
-            }
+            _ => shapes::Kind::from(shapes::Sphere { center: self.point(), radius: self.number() }),
         };
         let kind = match self.byte() % 8 {
             7 => {

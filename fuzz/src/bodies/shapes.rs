@@ -43,7 +43,8 @@ fn one_answer(shape: &dyn Shape, ray: &Ray, span: Span, grid: bool) {
     let Some(hit) = hit else { return };
     assert!(span.contains(hit.t), "{} is not in {span:?}", hit.t);
     assert!(roots.iter().any(|root| root.t == hit.t), "{hit:?} is none of the roots {roots:?}");
-    let shorter = shape.hit(ray, span.through(hit.t)).expect("a span that ends with the hit has it");
+    let shorter =
+        shape.hit(ray, span.through(hit.t)).expect("a span that ends with the hit has it");
     assert_eq!(shorter.t.to_bits(), hit.t.to_bits(), "t depends on the span");
     let beyond = Span { min: hit.t, max: span.max };
     assert!(shape.hit(ray, beyond).is_none_or(|next| next.t > hit.t));
@@ -103,7 +104,12 @@ fn grid(input: &mut Input<'_>) {
 const PLANE_ERROR: f64 = 8.0 * (f64::EPSILON / 2.0) * 360.0 * 14.0;
 
 /// Compares a hit in a plane with where it should be and whether that lies in the shape.
-fn check_flat(hit: Option<Candidate>, at: Option<Fraction>, n: Triple, side: impl Fn(Fraction) -> Side) {
+fn check_flat(
+    hit: Option<Candidate>,
+    at: Option<Fraction>,
+    n: Triple,
+    side: impl Fn(Fraction) -> Side,
+) {
     let exact = n.iter().filter(|&&x| x != 0).count() == 1;
     let Some(at) = at else {
         // parallel, but the rounded normal may lean by a few u
@@ -198,8 +204,7 @@ fn worst(sides: impl Iterator<Item = Side>) -> Side {
 }
 
 fn disk(ray: &Ray, o: Triple, d: Triple, center: Triple, normal: Triple, radius: i64) {
-    let data =
-        shapes::Disk { center: real(center), normal: real(normal), radius: radius as f64 };
+    let data = shapes::Disk { center: real(center), normal: real(normal), radius: radius as f64 };
     let Some(it) = built(data) else {
         return assert!(normal == [0; 3] || radius <= 0);
     };
@@ -242,8 +247,7 @@ fn sphere(ray: &Ray, o: Triple, d: Triple, center: Triple, radius: i64) {
 const END: f64 = 1e-9;
 
 fn cylinder(ray: &Ray, o: Triple, d: Triple, [y0, y1]: [i64; 2], radius: i64) {
-    let data =
-        shapes::OpenCylinder { y0: y0 as f64, y1: y1 as f64, radius: radius as f64 };
+    let data = shapes::OpenCylinder { y0: y0 as f64, y1: y1 as f64, radius: radius as f64 };
     let Some(it) = built(data) else { return assert!(radius <= 0 || y0 >= y1) };
     let flat = |v: Triple| [v[0], 0, v[2]];
     let (abc, discriminant) = exact::sphere(flat(o), flat(d), [0; 3], radius);
