@@ -37,8 +37,7 @@ fn timed<T>(build: impl FnOnce() -> T) -> (Duration, T) {
 
 fn ours(vertices: &[Point], triangles: &[[u32; 3]]) -> Peer {
     let (vertices, triangles) = (vertices.to_vec(), triangles.to_vec());
-    let (built, mesh) =
-        timed(|| TriangleMesh::new(vertices, triangles).accelerated(Method::Bvh));
+    let (built, mesh) = timed(|| TriangleMesh::new(vertices, triangles).accelerated(Method::Bvh));
     let hit = move |ray: &Ray| mesh.hit(ray, Span::AHEAD).map(|hit| hit.t);
     Peer { name: "groundtruth", built, hit: Box::new(hit) }
 }
@@ -64,8 +63,11 @@ fn single([x, y, z]: [f64; 3]) -> Vec3A {
 /// Eight boxes at a time, in single precision.
 fn obvhs(vertices: &[Point], triangles: &[[u32; 3]]) -> Peer {
     let corner = |i: u32| single(vertices[i as usize].to_array());
-    let triangle =
-        |&[a, b, c]: &[u32; 3]| obvhs::triangle::Triangle { v0: corner(a), v1: corner(b), v2: corner(c) };
+    let triangle = |&[a, b, c]: &[u32; 3]| obvhs::triangle::Triangle {
+        v0: corner(a),
+        v1: corner(b),
+        v2: corner(c),
+    };
     let triangles: Vec<_> = triangles.iter().map(triangle).collect();
     let parameters = obvhs::BvhBuildParams::medium_build();
     let build = || build_cwbvh_from_tris(&triangles, parameters, &mut Duration::default());
@@ -85,8 +87,7 @@ fn obvhs(vertices: &[Point], triangles: &[[u32; 3]]) -> Peer {
 
 fn main() {
     let (vertices, triangles) = bumpy::bumpy_sphere();
-    let peers =
-        [ours, parry, obvhs].map(|build| build(&vertices, &triangles));
+    let peers = [ours, parry, obvhs].map(|build| build(&vertices, &triangles));
     println!("{} triangles; built in", triangles.len());
     for peer in &peers {
         println!("  {:12} {:6.1} ms", peer.name, 1e3 * peer.built.as_secs_f64());
@@ -99,8 +100,9 @@ fn main() {
         let mut best = [f64::INFINITY; 3];
         for _ in 0..ROUNDS {
             for (best, peer) in best.iter_mut().zip(&peers) {
-                let (time, hits) =
-                    timed(|| rays.iter().filter(|ray| (peer.hit)(black_box(ray)).is_some()).count());
+                let (time, hits) = timed(|| {
+                    rays.iter().filter(|ray| (peer.hit)(black_box(ray)).is_some()).count()
+                });
                 black_box(hits);
                 *best = best.min(time.as_secs_f64());
             }

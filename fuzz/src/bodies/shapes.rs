@@ -17,7 +17,7 @@ const TAME: std::ops::RangeInclusive<f64> = 1e-30..=1e30;
 /// One shape and some rays.
 pub fn run(data: &[u8]) {
     let mut input = Input::new(data);
-    if input.mode == Mode::Grid && input.byte() % 2 == 0 {
+    if input.mode == Mode::Grid && input.byte().is_multiple_of(2) {
         return grid(&mut input);
     }
     let Some(shape) = input.shape() else { return };

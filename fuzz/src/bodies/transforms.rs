@@ -28,7 +28,7 @@ pub fn run(data: &[u8]) {
                 transform.ray_back(&ray);
                 transform.bounds(&Aabb::around([p, p + v]));
             }
-            Err(singular) => assert!(!(singular.condition <= 1e12) || overflows(&steps)),
+            Err(singular) => assert!(singular.condition > 1e12 || overflows(&steps)),
         }
     }
 }
@@ -57,7 +57,7 @@ pub(super) fn step(input: &mut Input<'_>) -> Step {
         1 if chaos => Step::Scale(input.vector()),
         1 => Step::Scale(Vector::from(std::array::from_fn(|_| {
             let exponent = input.integer() / 3;
-            let sign = if input.byte() % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if input.byte().is_multiple_of(2) { 1.0 } else { -1.0 };
             sign * groundtruth::math::power_of_two(exponent as i32)
         }))),
         2 => Step::RotateX(degrees),

@@ -1,0 +1,34 @@
+#!/bin/sh
+# Instructions of a small picture with a silent recorder, against the same source with every call
+# to a recorder cut out. Needs git, perl and valgrind; run it at the root of the repository.
+set -eu
+example=release/examples/recorder_cost
+target=${CARGO_TARGET_DIR:-$PWD/target}
+export CARGO_TARGET_DIR="$target"
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+
+count() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1 |
+        sed -n 's/.*Collected : //p'
+}
+
+cargo build --quiet --release --example recorder_cost
+none=$(count "$target/$example" none)
+silent=$(count "$target/$example" silent)
+cp "$target/$example" "$copy/with"
+
+git archive HEAD | tar -x -C "$copy"
+perl -0pi -e 's/^\s*(self\.)?recorder\.(enter|outcome|term|leave)\([^;]*\);\n//mg' \
+    "$copy/src/trace/mod.rs"
+if grep -n 'recorder\.\(enter\|outcome\|term\|leave\)' "$copy/src/trace/mod.rs"; then
+    echo "these calls were not cut out" >&2
+    exit 1
+fi
+cargo build --quiet --release --example recorder_cost --manifest-path "$copy/Cargo.toml" 2>/dev/null
+without=$(count "$target/$example" silent)
+
+echo "setting up: $none instructions"
+echo "silent recorder: $silent"
+echo "no recorder: $without"
+awk "BEGIN { printf \"cost: %+.3f %%\\n\", 100 * ($silent - $without) / ($without - $none) }"
