@@ -1,1 +1,179 @@
 //! Chapter 8: perspective viewing.
+
+use groundtruth::cameras::{Orthographic, Pinhole, View, Viewpoint};
+use groundtruth::math::{Point, Vector, atan2, sin, tan, to_degrees};
+use groundtruth::math::{Span, acos};
+use groundtruth::render;
+use groundtruth::shapes::{self, Sphere};
+use proptest::prelude::*;
+
+use crate::pictures::studio::{RED, add_flat, bits, built, from_front, pixels};
+use crate::support::{U, laws, point};
+
+/// The eye on the z axis, looking along −z.
+fn pinhole(eye: f64, distance: f64) -> View {
+    let eye = Point::new(0.0, 0.0, eye);
+    let view = Viewpoint::new(eye, eye - Vector::Z, Pinhole { distance, zoom: 1.0 });
+    view.build().expect("a valid view")
+}
+
+fn hits(view: &View, sphere: Sphere, film: [f64; 2]) -> bool {
+    let shape = shapes::Kind::from(sphere).build(&mut shapes::Context::default());
+    shape.expect("a valid sphere").hit(&view.ray(film), Span::AHEAD).is_some()
+}
+
+/// Law: 300 pixels of side 1 at the distance 400 make a field of view of 41.11°. Oracle: 2 atan(w/2d),
+/// and the book's figure.
+#[test]
+fn the_field_of_view_is_twice_the_arc_tangent() {
+    for (width, d) in [(300.0, 400.0), (2.0, 1.0), (500.0, 73.0)] {
+        let view = pinhole(250.0, d);
+        let [left, right] = [-0.5 * width, 0.5 * width].map(|x| view.ray([x, 0.0]).direction);
+        let fov = to_degrees(acos(left.dot(right)));
+        assert!((fov - 2.0 * to_degrees(atan2(0.5 * width, d))).abs() < 1e-12, "{fov}");
+        assert!(d != 400.0 || (fov - 41.11).abs() < 0.005, "{fov}");
+        assert!(d != 1.0 || (fov - 90.0).abs() < 1e-12, "{fov}");
+    }
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: every ray starts at the eye, is unit, and goes forward, so that what is between eye and
+    /// view plane is seen, and nothing behind the eye.
+    #[test]
+    fn rays_start_at_the_eye_and_are_unit(x in -1e3..1e3_f64, y in -1e3..1e3_f64, d in 0.01..1e3_f64) {
+        let ray = pinhole(75.0, d).ray([x, y]);
+        prop_assert_eq!(ray.origin, Point::new(0.0, 0.0, 75.0));
+        prop_assert!((ray.direction.length() - 1.0).abs() <= 4.0 * U);
+        prop_assert!(ray.direction.z() < 0.0);
+    }
+
+    /// Law: a point X to the right at the depth D is seen at `d X/D`. Oracle: similar triangles; the
+    /// ray through there passes the point.
+    #[test]
+    fn points_are_seen_by_similar_triangles(
+        p in point(50.0), depth in 0.1..500.0_f64, d in 0.5..500.0_f64, eye in -100.0..100.0_f64,
+    ) {
+        let p = Point::new(p.x(), p.y(), eye - depth);
+        let ray = pinhole(eye, d).ray([d * p.x() / depth, d * p.y() / depth]);
+        let to = p - ray.origin;
+        prop_assert!(to.cross(ray.direction).length() < 16.0 * U * (to.length() + 100.0));
+        prop_assert!(to.dot(ray.direction) > 0.0);
+    }
+
+    /// Law: twice the distance makes the picture twice as large, to the bit; so does any factor up to
+    /// rounding.
+    #[test]
+    fn size_is_proportional_to_the_distance(
+        x in -200.0..200.0_f64, y in -200.0..200.0_f64, d in 1.0..500.0_f64, k in 0.1..10.0_f64,
+    ) {
+        let near = pinhole(0.0, d).ray([x, y]);
+        prop_assert_eq!(pinhole(0.0, 2.0 * d).ray([2.0 * x, 2.0 * y]), near);
+        let far = pinhole(0.0, k * d).ray([k * x, k * y]);
+        prop_assert!((far.direction - near.direction).length() < 8.0 * U);
+    }
+
+    /// Law: a sphere of radius R at the axial distance D is seen as a disc of radius `d R/√(D² − R²)`.
+    /// Oracle: the tangent's right triangle; rays a billionth inside hit, outside miss.
+    #[test]
+    fn a_sphere_on_the_axis_is_seen_as_a_disc(
+        radius in 0.1..10.0_f64, ratio in 1.1..100.0_f64, d in 0.5..500.0_f64, angle in 0.0..6.28_f64,
+    ) {
+        let (view, away) = (pinhole(0.0, d), ratio * radius);
+        let disc = d * radius / ((away - radius) * (away + radius)).sqrt();
+        let at = |r: f64| [r * sin(angle), r * groundtruth::math::cos(angle)];
+        let ball = || Sphere { center: Point::new(0.0, 0.0, -away), radius };
+        prop_assert!(hits(&view, ball(), at(disc * (1.0 - 1e-9))));
+        prop_assert!(!hits(&view, ball(), at(disc * (1.0 + 1e-9))));
+    }
+
+    /// Law: off the axis a sphere is seen as an ellipse, drawn out away from the centre: from `d tan(α
+    /// − β)` to `d tan(α + β)`, `sin β = R/D`. Oracle: the tangents in the plane of axis and centre.
+    #[test]
+    fn a_sphere_off_the_axis_is_drawn_out(
+        alpha in 0.3..0.9_f64, beta in 0.01..0.25_f64, away in 1.0..50.0_f64, d in 0.5..50.0_f64,
+    ) {
+        let view = pinhole(0.0, d);
+        let center = Point::new(away * sin(alpha), 0.0, -away * groundtruth::math::cos(alpha));
+        let ball = || Sphere { center, radius: away * sin(beta) };
+        let (inner, outer) = (d * tan(alpha - beta), d * tan(alpha + beta));
+        let slack = 1e-9 * (outer - inner);
+        prop_assert!(hits(&view, ball(), [inner + slack, 0.0]));
+        prop_assert!(!hits(&view, ball(), [inner - slack, 0.0]));
+        prop_assert!(hits(&view, ball(), [outer - slack, 0.0]));
+        prop_assert!(!hits(&view, ball(), [outer + slack, 0.0]));
+        // farther off the axis the same sphere is longer than it is on it
+        prop_assert!(outer - inner > 2.0 * d * tan(beta));
+    }
+
+    /// Law: parallel lines meet in the vanishing point `(d x/−z, d y/−z)` of their direction. Oracle:
+    /// the ray there is parallel to them, and points far along any of them are seen next to it.
+    #[test]
+    fn parallel_lines_meet_in_their_vanishing_point(
+        (x, y, z) in (-3.0..3.0_f64, -3.0..3.0_f64, -3.0..-0.1_f64),
+        start in point(10.0),
+        d in 1.0..100.0_f64,
+    ) {
+        let (view, along) = (pinhole(20.0, d), Vector::new(x, y, z));
+        let ray = view.ray([d * x / -z, d * y / -z]);
+        prop_assert!(ray.direction.cross(along).length() < 8.0 * U * along.length());
+        let far = (start + 1e9 * along) - Point::new(0.0, 0.0, 20.0);
+        let seen = far.unit().expect("far away");
+        prop_assert!((seen - ray.direction).length() < 1e-6);
+    }
+
+    /// Law: straight lines are seen straight: rays through three points of a line of the view plane
+    /// lie in a plane through the eye. Oracle: the determinant.
+    #[test]
+    fn straight_lines_stay_straight(a in point(50.0), b in point(50.0), s in -2.0..3.0_f64) {
+        let view = pinhole(7.0, 60.0);
+        let on = |s: f64| [a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y())];
+        let [p, q, r] = [0.0, 1.0, s].map(|s| view.ray(on(s)).direction);
+        prop_assert!(p.dot(q.cross(r)).abs() < 32.0 * U);
+    }
+
+    /// Law: with the eye going to infinity and the distance with it, rays become those of the
+    /// orthographic camera: where they meet a plane at height h they differ by `h |x|/eye`. Oracle:
+    /// similar triangles.
+    #[test]
+    fn from_infinity_perspective_is_parallel(
+        x in -100.0..100.0_f64, y in -100.0..100.0_f64, h in -50.0..50.0_f64, exponent in 10..40_i32,
+    ) {
+        let eye = groundtruth::math::power_of_two(exponent);
+        let ray = pinhole(eye, eye).ray([x, y]);
+        let p = ray.at((h - eye) / ray.direction.z());
+        let drift = Vector::new(-x * h / eye, -y * h / eye, 0.0);
+        let found = p - Point::new(x, y, h);
+        prop_assert!((found - drift).length() < 8.0 * U * eye, "{found:?} {drift:?}");
+    }
+}
+
+/// Law: the pictures too: at a million times the distance all but the outline's pixels are the same.
+#[test]
+fn from_far_away_the_picture_is_orthographic() {
+    let mut scene = from_front(64, 64, 1.0);
+    add_flat(&mut scene, "ball", Sphere { center: Point::new(3.0, 2.0, -5.0), radius: 20.3 }, RED);
+    let parallel = render::render(&built(&scene));
+    scene.camera.lens = Orthographic { zoom: 1.0 }.into();
+    let eye = Point::new(0.0, 0.0, 1e8);
+    scene.camera = Viewpoint::new(eye, Point::ORIGIN, Pinhole { distance: 1e8, zoom: 1.0 });
+    let perspective = render::render(&built(&scene));
+    for at in pixels(64, 64) {
+        // no centre is within 1e-5 of the circle: its squared distance is a whole number and a half
+        assert_eq!(bits(parallel.get(at)), bits(perspective.get(at)), "{at:?}");
+    }
+}
+
+/// Law: objects between eye and view plane are drawn, larger than they are; those behind the eye are
+/// not. Oracle: similar triangles: at half the plane's distance twice the size.
+#[test]
+fn what_is_before_the_view_plane_is_drawn() {
+    let view = pinhole(0.0, 100.0);
+    let ball = |z: f64| Sphere { center: Point::new(0.0, 0.0, z), radius: 1.0 };
+    assert!(hits(&view, ball(-50.0), [1.99, 0.0]) && !hits(&view, ball(-50.0), [2.01, 0.0]));
+    assert!(hits(&view, ball(-200.0), [0.49, 0.0]) && !hits(&view, ball(-200.0), [0.51, 0.0]));
+    assert!(!hits(&view, ball(50.0), [0.0, 0.0]));
+    // the eye inside: whatever is looked at is the far side
+    assert!(hits(&view, ball(0.0), [70.0, -80.0]));
+}

@@ -1,1 +1,247 @@
 //! Chapter 9: a practical viewing system.
+
+use groundtruth::cameras::{Orthographic, Pinhole, View, Viewpoint};
+use groundtruth::math::{Point, Ray, Vector};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::Sphere;
+use proptest::prelude::*;
+
+use crate::pictures::studio::{RED, add_flat, built, from_front, small};
+use crate::support::{U, laws, point};
+
+const LENS: Pinhole = Pinhole { distance: 500.0, zoom: 1.0 };
+
+fn view(viewpoint: &Viewpoint) -> View {
+    viewpoint.build().expect("a valid view")
+}
+
+/// Eyes and points looked at, among them straight up and down, and nearly so.
+fn viewpoint() -> impl Strategy<Value = Viewpoint> {
+    let vertical = prop_oneof![Just(0.0), Just(1e-9), Just(-1e-13), Just(1e-200)];
+    let vertical =
+        (vertical, prop_oneof![Just(7.0), Just(-7.0)]).prop_map(|(x, y)| Point::new(x, y, 0.0));
+    let eye = prop_oneof![4 => point(100.0), 1 => vertical];
+    (eye, -180.0..180.0_f64).prop_map(|(eye, roll)| {
+        let mut viewpoint = Viewpoint::new(eye, Point::ORIGIN, LENS);
+        viewpoint.roll = roll;
+        viewpoint
+    })
+}
+
+fn film() -> impl Strategy<Value = [f64; 2]> {
+    [-300.0..300.0_f64, -300.0..300.0_f64]
+}
+
+fn apart(a: &Ray, b: &Ray) -> f64 {
+    (a.origin - b.origin).length() + (a.direction - b.direction).length()
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: u, v, w are orthonormal and right-handed, for every view, also straight up and down and
+    /// turned. w points from the point looked at to the eye.
+    #[test]
+    fn axes_are_orthonormal(viewpoint in viewpoint()) {
+        let view = view(&viewpoint);
+        let frame = view.frame();
+        let [u, v, w] = [frame.u, frame.v, frame.w];
+        for (a, b, product) in
+            [(u, u, 1.0), (v, v, 1.0), (w, w, 1.0), (u, v, 0.0), (v, w, 0.0), (w, u, 0.0)]
+        {
+            prop_assert!((a.dot(b) - product).abs() < 24.0 * U, "{frame:?}");
+        }
+        prop_assert!((u.cross(v) - w).length() < 24.0 * U);
+        let back = viewpoint.eye.to_vector();
+        prop_assert!((back.length() * w - back).length() < 8.0 * U * back.length());
+    }
+
+    /// Law: the point looked at is in the middle of the picture: the ray there is −w from the eye.
+    #[test]
+    fn the_middle_shows_the_point_looked_at(viewpoint in viewpoint()) {
+        let view = view(&viewpoint);
+        let ray = view.ray([0.0, 0.0]);
+        prop_assert_eq!(ray.origin, viewpoint.eye);
+        let distance = viewpoint.eye.to_vector().length();
+        prop_assert!((ray.at(distance) - Point::ORIGIN).length() < 16.0 * U * distance);
+        prop_assert!((ray.direction + view.frame().w).length() < 4.0 * U);
+    }
+
+    /// Law: the pixel (x, y) looks along `x u + y v − d w`; x to the right, y up. Oracle: the formula.
+    #[test]
+    fn rays_follow_the_axes(viewpoint in viewpoint(), [x, y] in film()) {
+        let view = view(&viewpoint);
+        let frame = view.frame();
+        let expected = x * frame.u + y * frame.v + -500.0 * frame.w;
+        let ray = view.ray([x, y]);
+        prop_assert!((expected.length() * ray.direction - expected).length() < 1e-12 * 500.0);
+    }
+
+    /// Law: zooming by k is the same as k times the distance, or pixels of size 1/k; to the bit for
+    /// powers of two. For the orthographic camera as for the pinhole.
+    #[test]
+    fn zoom_is_distance(viewpoint in viewpoint(), [x, y] in film(), k in 0.1..10.0_f64) {
+        let with = |lens: Pinhole| view(&Viewpoint { lens: lens.into(), ..viewpoint.clone() });
+        for (k, tolerance) in [(k, 8.0 * U), (4.0, 0.0), (0.25, 0.0)] {
+            let zoomed = with(Pinhole { zoom: k, ..LENS }).ray([x, y]);
+            let longer = with(Pinhole { distance: k * 500.0, zoom: 1.0 }).ray([x, y]);
+            prop_assert!(apart(&zoomed, &longer) <= tolerance, "{k}");
+            prop_assert!(apart(&zoomed, &with(LENS).ray([x / k, y / k])) <= tolerance, "{k}");
+            let parallel =
+                |zoom| view(&Viewpoint { lens: Orthographic { zoom }.into(), ..viewpoint.clone() });
+            prop_assert_eq!(parallel(k).ray([x, y]), parallel(1.0).ray([x / k, y / k]));
+        }
+    }
+
+    /// Law: the orthographic camera looks along −w from `eye + x u + y v`.
+    #[test]
+    fn parallel_rays_start_beside_the_eye(viewpoint in viewpoint(), [x, y] in film()) {
+        let lens = Orthographic { zoom: 1.0 }.into();
+        let view = view(&Viewpoint { lens, ..viewpoint.clone() });
+        let (ray, frame) = (view.ray([x, y]), view.frame());
+        let start = viewpoint.eye + (x * frame.u + y * frame.v);
+        prop_assert!((ray.origin - start).length() < 8.0 * U * 700.0);
+        prop_assert!((ray.direction + frame.w).length() < 4.0 * U);
+    }
+
+    /// Law: a roll of 360° changes no bit; 180° turns the picture upside down; 90° turns it clockwise
+    /// by a quarter: what was at the right is at the bottom.
+    #[test]
+    fn rolls_turn_the_picture(viewpoint in viewpoint(), [x, y] in film(), turns in -3..4_i32) {
+        let rolled = |roll: f64, at| view(&Viewpoint { roll, ..viewpoint.clone() }).ray(at);
+        let still = rolled(0.0, [x, y]);
+        prop_assert_eq!(rolled(360.0 * f64::from(turns), [x, y]), still);
+        prop_assert_eq!(rolled(180.0, [-x, -y]), still);
+        prop_assert_eq!(rolled(90.0, [y, -x]), still);
+        prop_assert_eq!(rolled(-90.0, [-y, x]), still);
+        // two turns are one turn by the sum
+        let (s, c) = (0.5, 0.75_f64.sqrt());
+        prop_assert!(apart(&rolled(30.0, [c * x + s * y, c * y - s * x]), &still) < 16.0 * U);
+    }
+
+    /// Law: `up` reversed turns the picture by 180°, to the bit; its length does not matter, nor how
+    /// much of it is along the view.
+    #[test]
+    fn up_is_a_direction([x, y] in film(), eye in point(100.0), along in -2.0..2.0_f64) {
+        let viewpoint = Viewpoint::new(eye, Point::ORIGIN, LENS);
+        prop_assume!(Vector::new(eye.x(), 0.0, eye.z()).length() > 1.0);
+        let with = |up: Vector, at| view(&Viewpoint { up, ..viewpoint.clone() }).ray(at);
+        let ray = with(Vector::Y, [x, y]);
+        prop_assert_eq!(with(-Vector::Y, [-x, -y]), ray);
+        prop_assert_eq!(with(0.125 * Vector::Y, [x, y]), ray);
+        let tilted = Vector::Y + 0.01 * along * eye.to_vector();
+        prop_assume!(tilted.unit().is_some_and(|up| up.cross(eye.to_vector()).length() > 0.5));
+        prop_assert!(apart(&with(tilted, [x, y]), &ray) < 1e-11);
+    }
+
+    /// Law: another point looked at on the same line of sight changes nothing; nor does moving eye and
+    /// point together, but for the origin.
+    #[test]
+    fn only_the_line_of_sight_matters(viewpoint in viewpoint(), at in film(), k in 0.01..50.0_f64) {
+        prop_assume!(Vector::new(viewpoint.eye.x(), 0.0, viewpoint.eye.z()).length() > 1.0);
+        let ray = view(&viewpoint).ray(at);
+        // the direction of a hundredth of the way has a hundred times its rounding, and so again
+        // the level axis of a view that is a hundredth level
+        for (k, tolerance) in [(k, 4e4 * U), (2.0, 4e2 * U)] {
+            let look_at = viewpoint.eye - k * viewpoint.eye.to_vector();
+            let other = view(&Viewpoint { look_at, ..viewpoint.clone() }).ray(at);
+            prop_assert!(apart(&other, &ray) < tolerance);
+        }
+        let shift = Vector::new(3.0, -64.0, 17.0);
+        let (eye, look_at) = (viewpoint.eye + shift, Point::ORIGIN + shift);
+        let moved = view(&Viewpoint { eye, look_at, ..viewpoint.clone() }).ray(at);
+        prop_assert_eq!(moved.origin - shift, ray.origin);
+        prop_assert!((moved.direction - ray.direction).length() < 1e-10);
+    }
+}
+
+/// Law: straight down u is z and v is x; straight up u is x and v is z (the book's frames). Oracle: by
+/// hand: both are right-handed.
+#[test]
+fn straight_down_and_up_have_the_books_frames() {
+    for (y, u, v) in [(2.0, Vector::Z, Vector::X), (-2.0, Vector::X, Vector::Z)] {
+        let viewpoint = Viewpoint::new(Point::new(1.0, y, 3.0), Point::new(1.0, 0.0, 3.0), LENS);
+        let view = view(&viewpoint);
+        let frame = view.frame();
+        assert_eq!((frame.u, frame.v, frame.w), (u, v, Vector::new(0.0, 0.5 * y, 0.0)));
+    }
+    // along another `up` there is a frame too
+    let mut sideways = Viewpoint::new(Point::new(5.0, 0.0, 0.0), Point::ORIGIN, LENS);
+    sideways.up = Vector::X;
+    let frame = *view(&sideways).frame();
+    assert!((frame.u.cross(frame.v) - Vector::X).length() < 8.0 * U && frame.w == Vector::X);
+}
+
+/// Where the only sphere of a 9 × 9 picture is seen.
+fn seen(change: impl Fn(&mut Viewpoint)) -> Vec<[u32; 2]> {
+    let mut scene = from_front(9, 9, 1.0);
+    add_flat(&mut scene, "ball", Sphere { center: Point::new(3.0, 1.0, 0.0), radius: 0.6 }, RED);
+    change(&mut scene.camera);
+    let film = render::render(&built(&scene));
+    crate::pictures::studio::pixels(9, 9).filter(|&at| film.get(at) == RED).collect()
+}
+
+/// Law: right is right and up is up; a roll turns the picture clockwise; from behind left and right
+/// change sides, from above the ground is seen. Oracle: where a ball at (3, 1, 0) must appear, with
+/// the middle at [4, 4], by hand.
+#[test]
+fn things_appear_where_they_are() {
+    assert_eq!(seen(|_| ()), [[7, 3]]);
+    assert_eq!(seen(|camera| camera.roll = 90.0), [[5, 7]]);
+    assert_eq!(seen(|camera| camera.roll = 180.0), [[1, 5]]);
+    assert_eq!(seen(|camera| camera.roll = -90.0), [[3, 1]]);
+    assert_eq!(seen(|camera| camera.up = -Vector::Y), [[1, 5]]);
+    assert_eq!(seen(|camera| camera.up = Vector::X), [[3, 1]]);
+    assert_eq!(seen(|camera| camera.eye = Point::new(0.0, 0.0, -50.0)), [[1, 3]]);
+    assert_eq!(seen(|camera| camera.eye = Point::new(0.0, 50.0, 0.0)), [[4, 1]]);
+    assert_eq!(seen(|camera| camera.eye = Point::new(0.0, -50.0, 0.0)), [[7, 4]]);
+    assert_eq!(seen(|camera| camera.look_at = Point::new(3.0, 1.0, 0.0)).len(), 1);
+}
+
+/// Law: the exposure time multiplies every pixel, before anything else. Oracle: powers of two are
+/// exact, others round once.
+#[test]
+fn exposure_time_multiplies() {
+    let mut scene = small("ch28/glass-sphere", 12, 12, 4);
+    let plain = render::render(&built(&scene));
+    for (time, rounding) in [(2.0, 0.0), (0.125, 0.0), (3.7, 4.0 * U)] {
+        scene.camera.exposure_time = time;
+        let exposed = render::render(&built(&scene));
+        for (a, b) in plain.pixels().iter().zip(exposed.pixels()) {
+            let expected: Rgb = time * *a;
+            assert!((b.g - expected.g).abs() <= rounding * expected.g, "{a:?} {b:?}");
+            assert!((b.r - expected.r).abs() <= rounding * expected.r, "{a:?} {b:?}");
+        }
+    }
+}
+
+/// Law: a view that cannot be built says which field is wrong. Oracle: the field that was spoiled.
+#[test]
+fn views_that_cannot_be_built_name_the_field() {
+    let refusal = |spoil: &dyn Fn(&mut Viewpoint)| {
+        let mut viewpoint = Viewpoint::new(Point::new(1.0, 2.0, 3.0), Point::ORIGIN, LENS);
+        spoil(&mut viewpoint);
+        viewpoint.build().expect_err("it is spoiled").to_string()
+    };
+    let nan = f64::NAN;
+    for (text, field) in [
+        (refusal(&|v| v.look_at = v.eye), "look_at: "),
+        (refusal(&|v| v.up = Vector::ZERO), "up: "),
+        (refusal(&|v| v.up = Vector::new(0.0, nan, 1.0)), "up: "),
+        (refusal(&|v| v.eye = Point::new(nan, 0.0, 0.0)), "eye: "),
+        (refusal(&|v| v.roll = nan), "roll: "),
+        (refusal(&|v| v.exposure_time = 0.0), "exposure_time: "),
+        (
+            refusal(&|v| v.lens = Pinhole { distance: 0.0, zoom: 1.0 }.into()),
+            "lens.pinhole.distance: ",
+        ),
+        (
+            refusal(&|v| v.lens = Pinhole { distance: 1.0, zoom: -1.0 }.into()),
+            "lens.pinhole.zoom: ",
+        ),
+        (refusal(&|v| v.lens = Orthographic { zoom: nan }.into()), "lens.orthographic.zoom: "),
+    ] {
+        assert!(text.starts_with(field), "{text}");
+    }
+}

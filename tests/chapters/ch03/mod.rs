@@ -1,1 +1,5 @@
 //! Chapter 3: bare-bones ray tracing.
+
+mod film;
+mod hits;
+mod picture;

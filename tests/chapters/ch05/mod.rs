@@ -1,1 +1,4 @@
 //! Chapter 5: sampling techniques.
+
+mod draws;
+mod patterns;

@@ -54,8 +54,8 @@ fn the_order_of_objects_does_not_matter() {
     {
         let mut scene = small(name, 32, 32, 2);
         let original = render::render(&built(&scene));
-        for turn in 1..=3 {
-            scene.objects.rotate_left(turn);
+        for _ in 0..2 {
+            scene.objects.rotate_left(1);
             scene.materials.reverse();
             assert_same_bits(name, &render::render(&built(&scene)), &original);
         }

@@ -1,1 +1,4 @@
 //! Chapter 4: antialiasing.
+
+mod edges;
+mod pixel;

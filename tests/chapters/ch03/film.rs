@@ -1,0 +1,146 @@
+//! From radiance to the screen and to files.
+
+use groundtruth::film::{Film, ImageError, OutOfGamut, Tone, read_exr, write};
+use groundtruth::math::power;
+use groundtruth::rgb::Rgb;
+use proptest::prelude::*;
+
+use crate::pictures::studio::pixels;
+use crate::support::{U, laws};
+
+const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+
+fn radiance(largest: f64) -> impl Strategy<Value = Rgb> {
+    let channel = move || prop_oneof![4 => 0.0..largest, 1 => Just(0.0), 1 => Just(1.0)];
+    [channel(), channel(), channel()].prop_map(Rgb::from)
+}
+
+/// Law: the book's examples: (2, 1, 0) becomes (1, ½, 0), or red; ½ at gamma 2.2 is 0.7297.
+#[test]
+fn the_books_examples_are_shown_as_in_the_book() {
+    let clamp = Tone { out_of_gamut: OutOfGamut::ClampToColor, ..PLAIN };
+    assert_eq!(PLAIN.map(Rgb::new(2.0, 1.0, 0.0)), Rgb::new(1.0, 0.5, 0.0));
+    assert_eq!(clamp.map(Rgb::new(0.0, 0.5, 1.0 + 1e-12)), Rgb::new(1.0, 0.0, 0.0));
+    assert_eq!(clamp.map(Rgb::new(0.0, 0.5, 1.0)), Rgb::new(0.0, 0.5, 1.0));
+    let shown = Tone { gamma: 2.2, ..PLAIN }.map(Rgb::grey(0.5));
+    assert!((shown.g - 0.7297).abs() < 5e-5, "{shown:?}");
+    assert_eq!(Tone { gamma: 2.0, ..PLAIN }.map(Rgb::new(0.25, 0.0, 1.0)), Rgb::new(0.5, 0.0, 1.0));
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: max-to-one keeps the hue: the shares of the channels. Oracle: cross products of channels.
+    #[test]
+    fn max_to_one_keeps_the_hue(color in radiance(50.0)) {
+        let shown = PLAIN.map(color);
+        prop_assert!(shown.max() <= 1.0);
+        let (a, b) = (color.to_array(), shown.to_array());
+        for i in 0..3 {
+            let j = (i + 1) % 3;
+            prop_assert!((a[i] * b[j] - a[j] * b[i]).abs() <= 4.0 * U * color.max());
+        }
+        if color.max() <= 1.0 {
+            prop_assert_eq!(shown, color);
+        } else {
+            prop_assert_eq!(shown.max(), 1.0);
+        }
+    }
+
+    /// Law: gamma comes after the out-of-gamut rule, and undoes itself: `(x^(1/γ))^γ = x`.
+    #[test]
+    fn gamma_comes_last(color in radiance(5.0), gamma in 0.5..4.0_f64, exposure in 0.1..10.0_f64) {
+        let tone = Tone { exposure, gamma, ..PLAIN };
+        let (shown, linear) = (tone.map(color), PLAIN.map(exposure * color));
+        for (s, l) in shown.to_array().into_iter().zip(linear.to_array()) {
+            prop_assert!((power(s, gamma) - l).abs() < 1e-14, "{s} {l}");
+        }
+    }
+
+    /// Law: brighter is never shown darker; more exposure neither, for greys. Every shown value fits
+    /// the screen.
+    #[test]
+    fn the_tone_is_monotone(a in 0.0..3.0_f64, b in 0.0..3.0_f64, gamma in 0.5..4.0_f64) {
+        let tone = Tone { gamma, ..PLAIN };
+        let (dark, bright) = (tone.map(Rgb::grey(a.min(b))), tone.map(Rgb::grey(a.max(b))));
+        prop_assert!(dark.g <= bright.g && bright.g <= 1.0 && dark.g >= 0.0);
+        prop_assert!(tone.to_bytes(Rgb::grey(a.min(b))) <= tone.to_bytes(Rgb::grey(a.max(b))));
+    }
+
+    /// Law: bytes are the nearest of 256. (The book truncates: 254.9 would be 254.) Oracle: no byte
+    /// is nearer.
+    #[test]
+    fn bytes_are_the_nearest(color in radiance(1.0)) {
+        for (byte, c) in PLAIN.to_bytes(color).into_iter().zip(color.to_array()) {
+            prop_assert!((f64::from(byte) - 255.0 * c).abs() <= 0.5, "{byte} for {c}");
+        }
+    }
+
+    /// Law: `powc` to a whole power is the product, channel by channel; averages average.
+    #[test]
+    fn colours_calculate_by_channels(a in radiance(3.0), b in radiance(3.0), k in 0.1..9.0_f64) {
+        prop_assert_eq!(a.powc(2.0), a * a);
+        prop_assert_eq!((a + b).g, a.g + b.g);
+        prop_assert_eq!((a * b).b, a.b * b.b);
+        prop_assert_eq!((k * a).r, k * a.r);
+        prop_assert_eq!((a / k).r, a.r / k);
+        prop_assert_eq!(a.average(), (a.r + a.g + a.b) / 3.0);
+        prop_assert_eq!(a.max(), a.r.max(a.g.max(a.b)));
+    }
+}
+
+/// A picture whose pixels all differ, some of them far out of gamut.
+fn uneven() -> Film {
+    let mut film = Film::new(5, 3);
+    for [x, y] in pixels(5, 3) {
+        let color = Rgb::new(f64::from(x) / 7.0, f64::from(y) / 3.0, f64::from(x * y) * 1e3);
+        film.set([x, y], color);
+    }
+    film.set([4, 2], Rgb::new(1e-30, 65_504.0 * 4.0, 0.0)); // not in half precision
+    film
+}
+
+/// Law: EXR keeps linear radiance to single precision, exactly, and every pixel in its place.
+#[test]
+fn exr_keeps_linear_radiance() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("picture.exr");
+    write(&uneven(), &PLAIN, &path).expect("it can be written");
+    let read = read_exr(&path).expect("it can be read");
+    assert_eq!((read.width(), read.height()), (5, 3));
+    for at in pixels(5, 3) {
+        let expected = uneven().get(at).to_array().map(|c| f64::from(c as f32));
+        assert_eq!(read.get(at).to_array(), expected, "{at:?}");
+    }
+}
+
+/// Law: PNG has the bytes of the tone, the top left pixel first. Oracle: another reader.
+#[test]
+fn png_has_the_shown_bytes_from_the_top_left() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("picture.PNG");
+    let tone = Tone { gamma: 2.2, ..PLAIN };
+    write(&uneven(), &tone, &path).expect("it can be written");
+    let read = image::open(&path).expect("it can be read").to_rgb8();
+    assert_eq!(read.dimensions(), (5, 3));
+    for [x, y] in pixels(5, 3) {
+        assert_eq!(read.get_pixel(x, y).0, tone.to_bytes(uneven().get([x, y])), "({x}, {y})");
+    }
+}
+
+/// Law: what cannot be written leaves nothing behind, and says why; a picture is replaced whole.
+#[test]
+fn files_are_written_whole_or_not_at_all() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let names = || std::fs::read_dir(folder.path()).expect("it exists").count();
+    let unknown = write(&uneven(), &PLAIN, &folder.path().join("picture.gif"));
+    assert!(matches!(unknown, Err(ImageError::Format { .. })));
+    let nowhere = write(&uneven(), &PLAIN, &folder.path().join("missing/picture.png"));
+    assert!(matches!(nowhere, Err(ImageError::Unwritable { .. })));
+    assert_eq!(names(), 0);
+    let path = folder.path().join("picture.png");
+    std::fs::write(&path, "something else").expect("it can be written");
+    write(&uneven(), &PLAIN, &path).expect("it can be replaced");
+    assert!(image::open(&path).is_ok());
+    assert_eq!(names(), 1);
+}

@@ -1,0 +1,228 @@
+//! What a pixel is: the mean of its samples, and where they are.
+
+use std::sync::Arc;
+
+use groundtruth::kinds::Custom;
+use groundtruth::materials::Emissive;
+use groundtruth::math::{Point, Vector, sin};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::{Jittered, Kind, MultiJittered, Random, Regular};
+use groundtruth::scene::{Material, Object, Scene};
+use groundtruth::shapes::{self, Plane, Surface};
+use groundtruth::textures::{self, Paint, Texture};
+use groundtruth::trace::RayCounts;
+use proptest::prelude::*;
+
+use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
+use crate::support::laws;
+
+/// Law: one regular sample, which is the default, is the centre of its pixel, exactly.
+#[test]
+fn one_regular_sample_is_the_centre() {
+    for sampler in [None, Some(Kind::from(Regular {}))] {
+        let mut scene = from_front(7, 4, 2.0);
+        scene.image.sampler = sampler;
+        let world = built(&scene);
+        for at in pixels(7, 4) {
+            let (_, film) = render::camera_ray(&world, at, 0);
+            let [x, y] = at.map(f64::from);
+            assert_eq!(film, [2.0 * x - 6.0, 3.0 - 2.0 * y], "{at:?}");
+        }
+    }
+}
+
+/// Law: n × n regular samples are the centres of the subcells. Oracle: the book's formula with n = 4,
+/// exact in eighths.
+#[test]
+fn regular_samples_are_the_centres_of_subcells() {
+    let mut scene = from_front(3, 3, 1.0);
+    scene.image.samples = 16;
+    scene.image.sampler = Some(Regular {}.into());
+    let world = built(&scene);
+    for at in pixels(3, 3) {
+        let mut found: Vec<_> = (0..16).map(|i| render::camera_ray(&world, at, i).1).collect();
+        found.sort_by(|a, b| a.partial_cmp(b).expect("finite"));
+        let corner = [f64::from(at[0]) - 1.5, 0.5 - f64::from(at[1])];
+        let cell = |i: u32| (f64::from(i) + 0.5) / 4.0;
+        let expected: Vec<_> =
+            (0..16).map(|i| [corner[0] + cell(i / 4), corner[1] + cell(i % 4)]).collect();
+        assert_eq!(found, expected, "{at:?}");
+    }
+}
+
+/// A red half plane to the left of `x`, or below it with `upright` off.
+fn half_plane(x: f64, upright: bool) -> Scene {
+    let mut scene = from_front(3, 3, 1.0);
+    let (min, max) = match upright {
+        true => (Point::new(-9.0, -9.0, -1.0), Point::new(x, 9.0, 1.0)),
+        false => (Point::new(-9.0, -9.0, -1.0), Point::new(9.0, x, 1.0)),
+    };
+    add_flat(&mut scene, "half", shapes::Box { min, max }, RED);
+    scene
+}
+
+/// Law: a pixel half covered along an axis is exactly ½ with an even regular grid; with stratified
+/// samples too, whose cells the edge does not cut. Oracle: symmetry.
+#[test]
+fn a_half_covered_pixel_is_a_half() {
+    for upright in [true, false] {
+        for (n, sampler) in [
+            (4, Kind::from(Regular {})),
+            (16, Regular {}.into()),
+            (100, Regular {}.into()),
+            (4, Jittered {}.into()),
+            (64, Jittered {}.into()),
+            (16, MultiJittered {}.into()),
+        ] {
+            let mut scene = half_plane(0.0, upright);
+            scene.image.samples = n;
+            scene.image.sampler = Some(sampler);
+            assert_eq!(render::pixel(&built(&scene), [1, 1]), Rgb::new(0.5, 0.0, 0.0), "{n}");
+        }
+    }
+}
+
+/// Law: multi-jittered samples see an upright or level edge at any of the N fine columns exactly.
+/// Oracle: the share that is covered; jittered samples do not.
+#[test]
+fn multi_jittered_samples_see_upright_edges_exactly() {
+    for column in 1..25 {
+        let share = f64::from(column) / 25.0;
+        for upright in [true, false] {
+            let mut scene = half_plane(share - 0.5, upright);
+            scene.image.samples = 25;
+            let pixel = render::pixel(&built(&scene), [1, 1]);
+            assert!((pixel.r - share).abs() < 1e-15, "{share}: {pixel:?}");
+        }
+    }
+}
+
+/// Law: a picture takes width · height · samples primary rays. Oracle: counting; counts that are no
+/// squares are rounded up for patterns that need one, and only for them.
+#[test]
+fn the_number_of_primary_rays_is_that_of_the_samples() {
+    for (sampler, asked, taken) in [
+        (Kind::from(Random {}), 7, 7),
+        (Regular {}.into(), 9, 9),
+        (Jittered {}.into(), 5, 9),
+        (MultiJittered {}.into(), 10, 16),
+        (MultiJittered {}.into(), 1, 1),
+    ] {
+        let mut scene = from_front(4, 3, 1.0);
+        scene.image.samples = asked;
+        scene.image.sampler = Some(sampler);
+        let world = built(&scene);
+        let mut counts = RayCounts::default();
+        for at in pixels(4, 3) {
+            (0..world.samples_per_pixel()).for_each(|i| {
+                render::sample(&world, at, i, &mut counts);
+            });
+        }
+        assert_eq!(counts, RayCounts { camera: 12 * taken, ..RayCounts::default() });
+    }
+}
+
+/// The chapter's sinusoid, `(1 + sin(x² y²))/2`.
+#[derive(Debug)]
+struct Sinusoid;
+
+impl Texture for Sinusoid {
+    fn color(&self, at: &Surface) -> Rgb {
+        let (x, y) = (at.local.x(), at.local.y());
+        Rgb::grey(0.5 * (1.0 + sin(x * x * y * y)))
+    }
+}
+
+/// The sinusoid over [0, 10.83]² in so many pixels across.
+fn sinusoid(width: u32) -> Scene {
+    let mut scene = from_front(width, width, 10.83 / f64::from(width));
+    scene.camera.eye = Point::new(10.83 / 2.0, 10.83 / 2.0, 10.0);
+    scene.camera.look_at = scene.camera.eye - Vector::Z;
+    let paint = Paint(textures::Kind::Custom(Custom(Arc::new(Sinusoid))));
+    scene.materials.push(Material::new("sinusoid", Emissive { ls: 1.0, ce: paint }));
+    scene.objects.push(Object::new(
+        "wall",
+        "sinusoid",
+        Plane { point: Point::ORIGIN, normal: Vector::Z },
+    ));
+    scene
+}
+
+/// Law: one sample shows the function at the pixel's centre, aliased or not. Oracle: the function at
+/// `s (c + ½)`, s (r + ½); the phase x² y² of up to 13 755 loses as many u of rounding.
+#[test]
+fn the_sinusoid_is_shown_at_the_centres() {
+    let film = render::render(&built(&sinusoid(128)));
+    for at in pixels(128, 128) {
+        let s = 10.83 / 128.0;
+        let (x, y) = (s * (f64::from(at[0]) + 0.5), s * (127.5 - f64::from(at[1])));
+        let expected = 0.5 * (1.0 + sin(x * x * y * y));
+        assert!((film.get(at).g - expected).abs() < 1e-10, "{at:?}");
+    }
+}
+
+/// Law: many samples show the mean over the pixel where one shows anything. Oracle: a midpoint sum
+/// of 400 × 400.
+#[test]
+fn more_samples_come_nearer_to_the_mean_over_the_pixel() {
+    let mut one = sinusoid(32);
+    let mut many = one.clone();
+    one.image.sampler = Some(Regular {}.into());
+    many.image.samples = 1024;
+    many.image.sampler = Some(Jittered {}.into());
+    let [one, many] = [one, many].map(|scene| built(&scene));
+    let (mut worse, mut better) = (0.0, 0.0);
+    for at in (0..32).map(|i| [i, 31 - i]) {
+        let s = 10.83 / 32.0;
+        let (left, bottom) = (s * f64::from(at[0]), s * f64::from(31 - at[1]));
+        let fine = |i: u32| s * (f64::from(i) + 0.5) / 400.0;
+        let mean = pixels(400, 400)
+            .map(|[i, j]| {
+                let (x, y) = (left + fine(i), bottom + fine(j));
+                0.5 * (1.0 + sin(x * x * y * y))
+            })
+            .sum::<f64>()
+            / 160_000.0;
+        worse += (render::pixel(&one, at).g - mean).abs();
+        better += (render::pixel(&many, at).g - mean).abs();
+    }
+    assert!(better < worse / 20.0, "{better} {worse}");
+}
+
+/// Law: the mean of a million samples is right to 1e-12, whatever their order and signs. Oracle: whole
+/// multiples of 2⁻³⁰, added in 128-bit whole numbers.
+#[test]
+fn the_mean_of_a_million_samples_is_right() {
+    let mut random = groundtruth::math::Pcg32::new(1, 1);
+    let unit = groundtruth::math::power_of_two(-30);
+    for largest in [1 << 30, 1 << 45] {
+        let mut total = 0_i128;
+        let samples: Vec<Rgb> = (0..1_000_000)
+            .map(|i| {
+                // a few huge ones among many small
+                let huge = if i % 1000 == 0 { largest } else { 1 << 20 };
+                let value = i64::from(random.next_u32()) * (huge >> 20);
+                total += i128::from(value);
+                Rgb::new(value as f64 * unit, 0.1, 1.0 / 3.0)
+            })
+            .collect();
+        let mean = render::mean(samples.into_iter());
+        let expected = total as f64 * unit / 1e6;
+        assert!((mean.r - expected).abs() <= 1e-15 * expected, "{} {expected}", mean.r);
+        assert!((mean.g - 0.1).abs() < 1e-16 && (mean.b - 1.0 / 3.0).abs() < 1e-16);
+    }
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: a small sum between huge ones that cancel is kept. Oracle: by hand.
+    #[test]
+    fn means_survive_cancellation(huge in 1e10..1e20_f64, small in 1e-3..1.0_f64) {
+        let samples = [huge, small, -huge].map(|value| Rgb::grey(value));
+        prop_assert_eq!(render::mean(samples.into_iter()).g, small / 3.0);
+        let samples = [small, huge, -huge].map(|value| Rgb::grey(value));
+        prop_assert_eq!(render::mean(samples.into_iter()).g, small / 3.0);
+    }
+}

@@ -1,0 +1,145 @@
+//! 83 sets, shuffled indices, and draws that depend on nothing but their name.
+
+use std::collections::{HashMap, HashSet};
+
+use groundtruth::math::power_of_two;
+use groundtruth::render;
+use groundtruth::samplers::{
+    Jittered, Key, Kind, MultiJittered, Purpose, Random, Regular, SampleSets,
+};
+use groundtruth::scene::Scene;
+use proptest::prelude::*;
+
+use super::patterns::{built, occupied, once_each};
+use crate::ch02::statistics::{all_equal, most_sigmas};
+use crate::pictures::studio::{built as world, from_front, pixels};
+use crate::support::laws;
+
+fn sets(kind: impl Into<Kind>, n: u32, seed: u64) -> SampleSets {
+    SampleSets::new(&*built(kind), n, seed)
+}
+
+fn key(x: u32, y: u32) -> Key {
+    Key::new(3, [x, y], Purpose::Pixel)
+}
+
+fn run(sets: &SampleSets, key: Key, run: u32) -> Vec<[f64; 2]> {
+    let n = sets.per_set();
+    (run * n..(run + 1) * n).map(|i| sets.draw(key, i)).collect()
+}
+
+fn sorted(mut points: Vec<[f64; 2]>) -> Vec<[u64; 2]> {
+    points.sort_by(|a, b| a.partial_cmp(b).expect("finite"));
+    points.into_iter().map(|p| p.map(f64::to_bits)).collect()
+}
+
+/// Law: every pixel's samples are stratified, so that each run of draws uses up one set, each sample
+/// exactly once; the next run too. Oracle: one point in each cell, column and row.
+#[test]
+fn every_pixel_uses_up_one_set() {
+    let (jittered, multi) = (sets(Jittered {}, 25, 9), sets(MultiJittered {}, 25, 9));
+    for at in 0..500 {
+        for index in [0, 1, 5] {
+            let points = run(&jittered, key(at, 7), index);
+            assert!(once_each(&occupied(&points, 5, 5)));
+            let points = run(&multi, key(at, 7), index);
+            assert!(once_each(&occupied(&points, 5, 5)), "cells");
+            assert!(once_each(&occupied(&points, 25, 1)), "columns");
+            assert!(once_each(&occupied(&points, 1, 25)), "rows");
+        }
+    }
+}
+
+/// Law: there are 83 sets and 83 orders, each as likely, and chosen apart from each other. Oracle: χ²
+/// over the sets and orders that are seen; random samples make equal sets recognisable.
+#[test]
+fn all_sets_and_orders_are_used() {
+    let sets = sets(Random {}, 12, 2);
+    let (mut seen, mut orders) = (HashMap::new(), HashMap::new());
+    for i in 0..16_600 {
+        let points = run(&sets, key(i % 129, i / 129), 0);
+        let set = sorted(points.clone());
+        let place = |p: &[f64; 2]| set.iter().position(|q| *q == p.map(f64::to_bits));
+        let order: Vec<_> = points.iter().map(place).collect();
+        // the order relative to the sorted set differs from set to set; of one set there are 83
+        *seen.entry(set.clone()).or_insert(0_u64) += 1;
+        orders.entry(set).or_insert_with(HashSet::new).insert(order);
+    }
+    assert_eq!(seen.len(), 83);
+    let counts: Vec<u64> = seen.into_values().collect();
+    assert!(all_equal(&counts, 200.0, 1), "{counts:?}");
+    // 200 draws of 83 orders leave out 83 (82/83)²⁰⁰ ≈ 7.4 of them on average
+    let mean = orders.values().map(|of| of.len() as f64).sum::<f64>() / 83.0;
+    assert!((mean - 75.6).abs() < 1.5, "{mean}");
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: a draw depends on seed, pixel, purpose and index alone: asked again, in another order,
+    /// after others, it is the same.
+    #[test]
+    fn draws_depend_on_nothing_else(x: u32, y: u32, index in 0..10_000_u32) {
+        let sets = sets(MultiJittered {}, 9, 1);
+        let first = sets.draw(key(x, y), index);
+        sets.draw(key(y, x), index);
+        prop_assert_eq!(sets.draw(key(x, y), index), first);
+        prop_assert!(first.iter().all(|u| (0.0..1.0).contains(u)));
+    }
+}
+
+/// Law: another seed gives other sets, and other choices of the same sets. Oracle: none of 100 agrees.
+#[test]
+fn seeds_change_sets_and_choices() {
+    let (one, two) = (sets(Random {}, 4, 1), sets(Random {}, 4, 2));
+    assert!((0..100).all(|x| one.draw(key(x, 0), 0) != two.draw(key(x, 0), 0)));
+    let other = |x| Key::new(4, [x, 0], Purpose::Pixel);
+    let agree = (0..332).filter(|&x| run(&one, key(x, 0), 0) == run(&one, other(x), 0)).count();
+    assert!(agree <= 2, "{agree} of 332 pixels choose alike; 332/83² = 0.05 are expected");
+}
+
+/// Law: neighbouring pixels' samples are not correlated, nor the samples of one pixel with those of
+/// the next run, in x or y. Oracle: correlations of 10⁴ pairs are within `1/√10⁴`, Šidák-corrected
+/// over the 3 × 6 × 2 of them.
+#[test]
+fn neighbouring_pixels_are_not_correlated() {
+    const SIDE: u32 = 100;
+    for kind in [Kind::from(Random {}), Jittered {}.into(), MultiJittered {}.into()] {
+        let sets = sets(kind.clone(), 16, 1);
+        for (dx, dy, later) in [(1, 0, 0), (0, 1, 0), (1, 1, 0), (2, 0, 0), (0, 0, 16), (16, 16, 0)]
+        {
+            for axis in 0..2 {
+                let pairs = pixels(SIDE, SIDE).map(|[x, y]| {
+                    let here = sets.draw(key(x, y), 0)[axis];
+                    (here, sets.draw(key(x + dx, y + dy), later)[axis])
+                });
+                let z = correlation(&pairs.collect::<Vec<_>>()) * f64::from(SIDE);
+                assert!(z.abs() < most_sigmas(36), "{kind:?} ({dx}, {dy}) + {later}: {z}");
+            }
+        }
+    }
+}
+
+fn correlation(pairs: &[(f64, f64)]) -> f64 {
+    let n = pairs.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| pairs.iter().map(of).sum::<f64>() / n;
+    let (a, b) = (mean(|p| p.0), mean(|p| p.1));
+    let sum =
+        |of: &dyn Fn(f64, f64) -> f64| pairs.iter().map(|p| of(p.0 - a, p.1 - b)).sum::<f64>();
+    sum(&|x, y| x * y) / (sum(&|x, _| x * x) * sum(&|_, y| y * y)).sqrt()
+}
+
+/// Law: as in the book, one sample is regular unless said otherwise, and more are multi-jittered.
+/// Oracle: where the rays go.
+#[test]
+fn the_default_is_regular_for_one_and_multi_jittered_for_more() {
+    let mut scene = from_front(5, 5, 1.0);
+    let film = |scene: &Scene, at, i| render::camera_ray(&world(scene), at, i).1.map(|x| x + 2.5);
+    assert_eq!(film(&scene, [2, 2], 0), [2.5, 2.5]);
+    scene.image.samples = 9;
+    let points: Vec<_> = (0..9).map(|i| film(&scene, [2, 2], i).map(|x| x - 2.0)).collect();
+    assert!(once_each(&occupied(&points, 3, 3)));
+    assert!(once_each(&occupied(&points, 9, 1)) && once_each(&occupied(&points, 1, 9)));
+    assert_ne!(points[0], [1.0 / 6.0; 2]);
+    assert_eq!(sets(Regular {}, 1, 5).draw(key(1, 1), 77), [power_of_two(-1); 2]);
+}
