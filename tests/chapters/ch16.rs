@@ -1,1 +1,309 @@
 //! Chapter 16: shadows.
+
+use std::f64::consts::{FRAC_1_PI, TAU};
+
+use groundtruth::gallery;
+use groundtruth::lights::{Directional, Point as Lamp};
+use groundtruth::materials::Matte;
+use groundtruth::math::{Point, Span, Vector, cos, power_of_two, sin};
+use groundtruth::render::{camera_ray, pixel, render};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::shapes::{Box as Cuboid, Disk, Plane, Sphere, TessellatedSphere};
+use groundtruth::trace::RecordedOutcome;
+use groundtruth::{cameras, lights, shapes};
+use proptest::prelude::*;
+
+use crate::ch14::stage::*;
+use crate::support::{U, laws, point, unit};
+
+fn white() -> Matte {
+    Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }
+}
+
+fn sun(direction: Vector) -> Directional {
+    Directional { ls: 1.0, color: Rgb::WHITE, direction }
+}
+
+fn lamp(location: Point) -> Lamp {
+    Lamp { ls: 1.0, color: Rgb::WHITE, location, attenuation: 0.0 }
+}
+
+fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
+    Sphere { center: Point::new(x, y, z), radius }
+}
+
+fn ground() -> Plane {
+    Plane { point: Point::ORIGIN, normal: Vector::Y }
+}
+
+/// A heap of shapes over a ground.
+fn heap() -> Scene {
+    let mut scene = stage(Rgb::BLACK);
+    put(&mut scene, ground(), white());
+    put(&mut scene, ball(0.0, 1.2, 0.0, 1.0), white());
+    put(&mut scene, ball(1.5, 2.5, -1.0, 0.7), white());
+    let block = Cuboid { min: Point::new(-2.0, 0.1, -1.0), max: Point::new(-1.0, 2.0, 1.0) };
+    put(&mut scene, block, white());
+    let disk = Disk { center: Point::new(0.0, 4.0, 0.0), normal: Vector::Y, radius: 0.5 };
+    put(&mut scene, disk, white());
+    scene.image.width = 80;
+    scene.image.height = 60;
+    scene.image.pixel_size = 0.1;
+    scene.camera.eye = Point::new(4.0, 5.0, 8.0);
+    scene.camera.look_at = Point::new(0.0, 1.0, 0.0);
+    scene.camera.lens = cameras::Pinhole { distance: 10.0, zoom: 1.0 }.into();
+    scene
+}
+
+/// Law: seen from a point light there is no shadow: the picture is the one without shadows, bit for
+/// bit; from elsewhere it is not. Oracle: that picture (ch. 16).
+#[test]
+fn the_view_from_a_light_shows_no_shadow() {
+    for (eye, equal) in [(Point::new(4.0, 5.0, 8.0), true), (Point::new(0.0, 9.0, 1.0), false)] {
+        let mut scene = heap();
+        shine(&mut scene, lamp(eye));
+        let shadowed = render(&built(&scene));
+        scene.lights[0].shadows = false;
+        assert_eq!(shadowed == render(&built(&scene)), equal);
+    }
+}
+
+/// Law: shadows only take light away: no pixel is brighter with them, and each is what it was without
+/// or black, for one light. Oracle: the picture without shadows.
+#[test]
+fn shadows_never_brighten() {
+    let mut scene = heap();
+    shine(&mut scene, sun(Vector::new(1.0, 2.0, 0.3)));
+    let shadowed = render(&built(&scene));
+    scene.lights[0].shadows = false;
+    let free = render(&built(&scene));
+    let mut taken = 0;
+    for (a, b) in shadowed.pixels().iter().zip(free.pixels()) {
+        assert!(a == b || a.is_black());
+        taken += u32::from(a != b);
+    }
+    assert!(taken > 100, "{taken}");
+}
+
+/// Law: the shadow on y = 0 of a sphere (radius r, centre at height h) is a disc of radius r under a
+/// vertical sun, and of radius `H tan(asin(r/(H − h)))` under a lamp at height H. Oracle: the closed
+/// form (ch. 16), in each pixel of a picture taken from beneath the sphere.
+#[test]
+fn the_shadow_of_a_sphere_is_a_disc() {
+    let (r, h, height) = (0.8, 1.5, 5.0_f64);
+    let sine = r / (height - h);
+    let wide = height * sine / (1.0 - sine * sine).sqrt();
+    let sources: [(lights::Kind, f64); 2] =
+        [(sun(Vector::Y).into(), r), (lamp(Point::new(0.0, height, 0.0)).into(), wide)];
+    for (source, radius) in sources {
+        let mut scene = stage(Rgb::BLACK);
+        put(&mut scene, ground(), white());
+        put(&mut scene, ball(0.0, h, 0.0, r), white());
+        shine(&mut scene, source);
+        scene.camera.eye = Point::new(0.0, 0.5, 0.0);
+        (scene.image.width, scene.image.height, scene.image.pixel_size) = (90, 90, 0.03);
+        let world = built(&scene);
+        for i in 0..8100 {
+            let at = [i % 90, i / 90];
+            let (ray, _) = camera_ray(&world, at, 0);
+            let distance =
+                (ray.origin.x() * ray.origin.x() + ray.origin.z() * ray.origin.z()).sqrt();
+            let dark = pixel(&world, at).is_black();
+            // the edge itself turns on rounding
+            assert!((distance - radius).abs() < 1e-12 || dark == (distance < radius), "{distance}");
+        }
+    }
+}
+
+/// Law: each light has its own shadow: of three coloured lights, the regions in the shadow of one show
+/// the other two (cyan, magenta, yellow), and all kinds of region occur. Oracle: whether the segment
+/// from the ground to a light passes the sphere, by the distance of its centre (ch. 16).
+#[test]
+fn three_coloured_lights_cast_complementary_shadows() {
+    let mut scene =
+        gallery::find("ch16/coloured-shadows").map(|entry| (entry.build)()).expect("is there");
+    scene.image.resize(100, 90);
+    scene.image.samples = 1;
+    let world = built(&scene);
+    let lights = [(3.0, 10.0, 2.0), (-3.0, 10.0, 2.0), (0.0, 10.0, -3.0)]
+        .map(|(x, y, z)| Point::new(x, y, z));
+    let mut regions = [0; 8];
+    for i in 0..9000 {
+        let at = [i % 100, i / 100];
+        let (ray, _) = camera_ray(&world, at, 0);
+        let Some(hit) = world.hit(&ray, Span::AHEAD).filter(|hit| hit.object.place == 1) else {
+            continue;
+        };
+        let p = ray.at(hit.t);
+        let arriving = lights.map(|light| {
+            let wi = (light - p).unit().expect("far away");
+            let across = (Point::ORIGIN - p).cross(wi).length();
+            let lit = if across > 1.0 { 1.0 } else { 0.0 };
+            lit * 12.0 * wi.y() * (0.35 * 0.7 * FRAC_1_PI)
+        });
+        let (seen, [r, g, b]) = (pixel(&world, at), arriving);
+        assert!(close(seen, Rgb::new(r, g, b), 1e-12), "{seen:?} {arriving:?}");
+        regions[arriving.iter().fold(0, |code, c| 2 * code + usize::from(*c > 0.0))] += 1;
+    }
+    let [_, .., white] = regions;
+    let [yellow, magenta, cyan] = [regions[0b110], regions[0b101], regions[0b011]];
+    assert!(white > 1000 && yellow > 20 && magenta > 20 && cyan > 20, "{regions:?}");
+}
+
+/// The ground at (2, 0, 0) behind a ball that hides it from the source; which switches are off.
+fn blocked(source: impl Into<lights::Kind>, switch: impl Fn(&mut Scene)) -> bool {
+    let mut scene = stage(Rgb::BLACK);
+    put(&mut scene, ground(), white());
+    put(&mut scene, ball(3.0, 1.0, 0.0, 0.5), white());
+    shine(&mut scene, source);
+    switch(&mut scene);
+    look(&built(&scene), Point::new(2.0, 1.0, 2.0), Vector::new(0.0, -1.0, -2.0)).is_black()
+}
+
+/// Law: a shadow needs the light's switch, the object's and the material's; those of the receiver do
+/// not matter. Oracle: the truth table (ch. 16, exercises).
+#[test]
+fn a_shadow_needs_the_switches_of_light_object_and_material() {
+    let source = || sun(Vector::new(1.0, 1.0, 0.0));
+    assert!(blocked(source(), |_| ()));
+    assert!(!blocked(source(), |scene| scene.lights[0].shadows = false));
+    assert!(!blocked(source(), |scene| scene.objects[1].casts_shadows = false));
+    assert!(!blocked(source(), |scene| scene.materials[1].casts_shadows = false));
+    assert!(blocked(source(), |scene| scene.objects[0].casts_shadows = false));
+    assert!(blocked(source(), |scene| scene.materials[0].casts_shadows = false));
+    assert!(!blocked(source(), |scene| scene.objects[1].enabled = false));
+}
+
+/// Law: an object behind a point light casts no shadow, one before it does; behind the sun there is
+/// nothing. Oracle: the order of distances on one line (ch. 16).
+#[test]
+fn shadow_ray_stops_at_the_light() {
+    let along = |s: f64| lamp(Point::new(2.0 + s, s, 0.0));
+    // the ball covers 1 ± 0.5/√2 of this line
+    assert!(!blocked(along(0.6), |_| ()));
+    assert!(blocked(along(0.7), |_| ()), "the light is inside the ball");
+    assert!(blocked(along(1.4), |_| ()));
+    assert!(blocked(sun(Vector::new(1.0, 1.0, 0.0)), |scene| {
+        scene.objects[1].shape = ball(1e9, 1e9, 0.0, 1e8).into();
+    }));
+}
+
+/// Law: a plane stands in the way of a lamp on its other side, though it has no bounds. Oracle: the
+/// sides of lamp and ground.
+#[test]
+fn a_plane_casts_a_shadow() {
+    let wall = Plane { point: Point::new(0.0, 2.0, 0.0), normal: Vector::Y };
+    let with = |height: f64| {
+        blocked(lamp(Point::new(2.0, height, 0.0)), |scene| {
+            scene.objects[1].shape = wall.clone().into()
+        })
+    };
+    assert!(with(2.5) && !with(1.9));
+    assert!(blocked(sun(Vector::Y), |scene| scene.objects[1].shape = wall.clone().into()));
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: no point of a convex body is in the body's own shadow, at any scale from 1e-6 to 1e6 and for
+    /// any grazing light: there is no speckle. Oracle: the same without shadows, bit for bit.
+    #[test]
+    fn no_convex_body_shades_itself(
+        exponent in -20..20_i32,
+        (n, wi) in normal_and_direction_above(),
+        place in point(1.0),
+        spot in point(1.0),
+        kind in 0..4_usize,
+        near in any::<bool>(),
+    ) {
+        let s = power_of_two(exponent);
+        let at = |p: Point| p.scaled(s);
+        let tiny = 1e-3 * n.x().abs() + 1e-4;
+        let big = Sphere { center: at(place) - s / tiny * n, radius: s / tiny };
+        let block = Cuboid { min: at(Point::new(-1.5, -2.0, -1.1)), max: at(Point::new(1.2, 1.0, 2.0)) };
+        let shape: shapes::Kind = match kind {
+            0 => Plane { point: at(place), normal: n.into() }.into(),
+            1 => big.into(),
+            2 => block.into(),
+            _ => TessellatedSphere { horizontal: 7, vertical: 5, radius: s, smooth: false }.into(),
+        };
+        let mut scene = stage(Rgb::BLACK);
+        put(&mut scene, shape, white());
+        shine(&mut scene, sun(wi));
+        if near {
+            scene.lights[0].source = lamp(at(place) + 0.5 * s * wi).into();
+        }
+        let eye = at(place) + 4.0 * s * at_angle(n, 0.4, 1.0);
+        let target = if kind < 2 { at(place) + 0.1 * s * n.cross(Vector::new(0.3, 0.5, 0.7)) } else { at(spot) };
+        let mut shading = |shadows| {
+            scene.lights[0].shadows = shadows;
+            look(&built(&scene), eye, target - eye)
+        };
+        let free = shading(false);
+        // a lamp inside a body is in its shadow indeed
+        prop_assume!(!(near && kind >= 1) || free.is_black() || kind == 1);
+        prop_assert_eq!(shading(true), free);
+    }
+
+    /// Law: something stands in the way of light exactly if the ray hits something there, and no nearer
+    /// than the nearest hit. Oracle: `hit` over the same span.
+    #[test]
+    fn a_ray_is_blocked_exactly_if_it_hits(
+        origin in point(4.0),
+        d in unit(),
+        (min, length) in (0.0..3.0_f64, 0.0..10.0_f64),
+    ) {
+        let world = built(&heap());
+        let (ray, span) = (ray(origin, d.into()), Span { min, max: min + length });
+        prop_assert_eq!(world.occluder(&ray, span).is_some(), world.hit(&ray, span).is_some());
+    }
+
+    /// Law: what is on the far side of the true surface gets no light, however its normals are smoothed,
+    /// and none where the smoothed normal faces away: no light leaks into a closed smooth mesh. Elsewhere
+    /// it is shaded with the smoothed normal, or dark. Oracle: signs of both cosines.
+    #[test]
+    fn no_light_leaks_through_smooth_normals(wi in unit(), to_eye in unit(), target in point(0.5)) {
+        let mut scene = stage(Rgb::BLACK);
+        put(&mut scene, TessellatedSphere { horizontal: 5, vertical: 4, radius: 1.0, smooth: true }, white());
+        shine(&mut scene, sun(wi.into()));
+        let eye = Point::ORIGIN + 3.0 * to_eye;
+        let tree = recorded(&built(&scene), eye, target - eye);
+        let RecordedOutcome::Hit(hit) = tree.root().outcome else { return Ok(()) };
+        let (seen, smooth) = (tree.root().radiance.r, hit.shading.dot(wi));
+        prop_assert!(seen == 0.0 || (seen * TAU / 2.0 - smooth).abs() < 16.0 * U);
+        if hit.normal.dot(wi) <= 0.0 || smooth <= 0.0 || hit.shading.dot(to_eye) <= 0.0 && seen == 0.0 {
+            prop_assert_eq!(seen, 0.0);
+        } else if hit.shading.dot(tree.root().ray.direction) < 0.0 {
+            prop_assert!(seen > 0.0, "a convex body does not shade itself");
+        }
+    }
+}
+
+/// Law: the edge of the shadow that a lamp throws with a ball on the ground lies on the cone that
+/// touches the ball, in every direction. Oracle: the distance of the ball's centre from the ray through the
+/// edge, found by halving an interval of the picture's own values.
+#[test]
+fn the_edge_of_a_shadow_is_on_the_tangent_cone() {
+    let (light, center, radius) = (Point::new(1.0, 6.0, -0.5), Point::new(0.5, 2.0, 0.3), 0.75);
+    let mut scene = stage(Rgb::BLACK);
+    put(&mut scene, ground(), white());
+    put(&mut scene, Sphere { center, radius }, white());
+    shine(&mut scene, lamp(light));
+    let world = built(&scene);
+    let axis = light - center;
+    let middle = light - light.y() / axis.y() * axis;
+    for i in 0..12 {
+        let phi = TAU * f64::from(i) / 12.0;
+        let out = Vector::new(cos(phi), 0.0, sin(phi));
+        let (mut inner, mut outer) = (0.0, 6.0);
+        for _ in 0..60 {
+            let s = 0.5 * (inner + outer);
+            let down = look(&world, middle + s * out + 0.01 * Vector::Y, -Vector::Y);
+            if down.is_black() { inner = s } else { outer = s }
+        }
+        let edge = middle + inner * out - light;
+        let distance = (center - light).cross(edge).length() / edge.length();
+        assert!((distance / radius - 1.0).abs() < 1e-12, "{phi}: {distance}");
+    }
+}

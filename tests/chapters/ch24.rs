@@ -1,1 +1,294 @@
 //! Chapter 24: mirror reflection.
+
+use groundtruth::lights::{Ambient, Directional, Point as Lamp};
+use groundtruth::lobes::{Lobe, PerfectSpecular};
+use groundtruth::materials::{Emissive, Matte, Phong, Reflective};
+use groundtruth::math::{Point, Vector, power};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Scene, Tracer, Whitted};
+use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
+use groundtruth::trace::{RayKind, RayTree, RecordedOutcome};
+use proptest::prelude::*;
+
+use crate::ch14::stage::*;
+use crate::support::{U, laws, point, unit};
+
+const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
+
+/// A mirror over nothing.
+fn mirror(kr: f64, cr: Rgb) -> Reflective {
+    Reflective { phong: Phong::default(), kr, cr: cr.into() }
+}
+
+/// A mirror that glows: it makes `ka` of ambient light of strength 1.
+fn glowing(ka: f64, kr: f64, cr: Rgb) -> Reflective {
+    let phong = Phong { ka, cd: Rgb::WHITE.into(), ..Phong::default() };
+    Reflective { phong, kr, cr: cr.into() }
+}
+
+fn ambient(scene: &mut Scene) {
+    shine(scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+}
+
+fn ball(center: Point, radius: f64) -> Sphere {
+    Sphere { center, radius }
+}
+
+/// `a + a q + … + a qⁿ`, added up.
+fn geometric(a: f64, q: f64, n: u32) -> f64 {
+    (0..=n).map(|k| a * power(q, f64::from(k))).sum()
+}
+
+/// The direction of each ray that is not a shadow ray.
+fn path(tree: &RayTree) -> Vec<Vector> {
+    let shadow = |kind| matches!(kind, RayKind::Shadow { .. });
+    tree.nodes().iter().filter(|node| !shadow(node.kind)).map(|node| node.ray.direction).collect()
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: a mirrored ray is unit, in the plane of incidence, as steep as the first: `d' × n = d × n` and
+    /// `d'·n = −d·n`. Oracle: products the code does not use (ch. 24).
+    #[test]
+    fn a_mirror_turns_rays_at_the_angle_they_came_in((n, wo) in normal_and_direction_above()) {
+        let mut scene = deep_stage(BACKGROUND, 1);
+        put(&mut scene, Plane { point: Point::ORIGIN, normal: n.into() }, mirror(1.0, Rgb::WHITE));
+        let tree = recorded(&built(&scene), Point::ORIGIN + 2.0 * wo, -wo);
+        let [before, after] = path(&tree)[..] else { panic!("two rays") };
+        prop_assert!((after.length() - 1.0).abs() <= 8.0 * U);
+        prop_assert!((after.cross(n) - before.cross(n)).length() <= 16.0 * U);
+        prop_assert!((after.dot(n) + before.dot(n)).abs() <= 16.0 * U && after.dot(n) > 0.0);
+    }
+
+    /// Law: reflected twice, a direction is itself again, bit for bit. Oracle: itself.
+    #[test]
+    fn reflecting_twice_changes_nothing(wo in unit()) {
+        let lobe = Lobe::from(PerfectSpecular { reflectance: Rgb::WHITE });
+        let wo = Vector::from(wo);
+        let once = lobe.sample(wo, [0.5; 2]).map(|sample| sample.wi).expect("mirrors reflect");
+        prop_assert_eq!(lobe.sample(once, [0.5; 2]).map(|sample| sample.wi), Some(wo));
+        prop_assert_eq!(once.z(), wo.z());
+    }
+
+    /// Law: one reflection of a uniform background is `k_r c_r B`, from outside as from inside (the book's
+    /// mirrors are negative there), and black at depth 0. Oracle: the product.
+    #[test]
+    fn one_reflection_of_the_background_is_kr_cr_b(
+        (n, wo) in normal_and_direction_above(),
+        kr in 0.01..1.0_f64,
+        cr in color(),
+        back in any::<bool>(),
+    ) {
+        let side = if back { -1.0 } else { 1.0 };
+        for (depth, expected) in [(0, Rgb::BLACK), (1, kr * cr * BACKGROUND), (7, kr * cr * BACKGROUND)] {
+            let mut scene = deep_stage(BACKGROUND, depth);
+            put(&mut scene, Plane { point: Point::ORIGIN, normal: n.into() }, mirror(kr, cr));
+            prop_assert_eq!(look(&built(&scene), Point::ORIGIN + 2.0 * side * wo, -side * wo), expected);
+        }
+    }
+
+    /// Law: between two parallel mirrors that glow with a, depth N gives `Σ_{k≤N} a (k_r c_r)ᵏ`, whatever
+    /// the angle; beyond N it is black; N + 1 rays are cast. Oracle: the geometric sum, by channel.
+    #[test]
+    fn parallel_mirrors_give_a_geometric_sum(
+        depth in 0..40_u32,
+        kr in 0.1..1.0_f64,
+        cr in color(),
+        d in unit(),
+    ) {
+        prop_assume!(d.y().abs() > 1e-9);
+        let mut scene = deep_stage(BACKGROUND, depth);
+        for (y, normal) in [(-1.0, Vector::Y), (1.0, -Vector::Y)] {
+            put(&mut scene, Plane { point: Point::new(0.0, y, 0.0), normal }, glowing(0.3, kr, cr));
+        }
+        ambient(&mut scene);
+        let world = built(&scene);
+        let seen = look(&world, Point::ORIGIN, d.into());
+        let expected = cr.map(|cr| geometric(0.3, kr * cr, depth));
+        prop_assert!(close(seen, expected, 256.0 * U), "{seen:?} {expected:?}");
+        let counts = counted(&world, Point::ORIGIN, d.into());
+        prop_assert_eq!((counts.camera, counts.reflected), (1, u64::from(depth) + 1));
+        prop_assert_eq!(counts.too_deep, 1);
+    }
+
+    /// Law: in a closed room of one material each ray sees `Σ_{k≤N} a k_rᵏ`, at every place and in every
+    /// direction, so with depth it tends to `a/(1 − k_r)` and misses `a k_r^(N+1)/(1 − k_r)`. Oracle: the
+    /// furnace (ch. 13, 24). With k_r = 1 and nothing that glows it is black, after N + 1 rays.
+    #[test]
+    fn a_closed_mirror_room_is_a_furnace(
+        depth in 0..60_u32,
+        round in any::<bool>(),
+        from in point(0.5),
+        d in unit(),
+        kr in 0.1..0.95_f64,
+    ) {
+        let room = |material: Reflective| {
+            let mut scene = deep_stage(BACKGROUND, depth);
+            match round {
+                true => put(&mut scene, ball(Point::ORIGIN, 1.0), material),
+                false => {
+                    let (min, max) = (Point::new(-1.0, -0.7, -2.0), Point::new(0.8, 1.0, 1.5));
+                    put(&mut scene, Cuboid { min, max }, material)
+                }
+            };
+            ambient(&mut scene);
+            built(&scene)
+        };
+        let seen = look(&room(glowing(0.2, kr, Rgb::WHITE)), from, d.into()).r;
+        let missing = 0.2 * power(kr, f64::from(depth + 1)) / (1.0 - kr);
+        prop_assert!((seen + missing - 0.2 / (1.0 - kr)).abs() <= 256.0 * U / (1.0 - kr), "{seen}");
+        let dark = room(mirror(1.0, Rgb::WHITE));
+        prop_assert_eq!(look(&dark, from, d.into()), Rgb::BLACK);
+        prop_assert_eq!(counted(&dark, from, d.into()).reflected, u64::from(depth) + 1);
+    }
+
+    /// Law: a perfect mirror ball in a uniform background cannot be seen: L = B, bit for bit. Oracle: B.
+    #[test]
+    fn a_perfect_mirror_ball_in_uniform_light_is_invisible(to_eye in unit(), target in point(1.2)) {
+        let mut scene = deep_stage(BACKGROUND, 1);
+        put(&mut scene, ball(Point::ORIGIN, 1.0), mirror(1.0, Rgb::WHITE));
+        let eye = Point::ORIGIN + 3.0 * to_eye;
+        prop_assert_eq!(look(&built(&scene), eye, target - eye), BACKGROUND);
+    }
+
+    /// Law: what a plane mirror shows is what the mirrored eye sees without it. Oracle: that eye, below
+    /// the ground.
+    #[test]
+    fn a_plane_mirror_shows_what_the_mirrored_eye_sees(eye in point(3.0), spot in point(2.0)) {
+        let eye = eye.with(1, eye.y().abs() + 0.5);
+        let spot = spot.with(1, 0.0);
+        let mut scene = deep_stage(BACKGROUND, 3);
+        let phong = Phong {
+            ka: 0.2, kd: 0.6, cd: Rgb::new(1.0, 0.5, 0.2).into(), ks: 0.3, exponent: 5.0,
+            ..Phong::default()
+        };
+        put(&mut scene, ball(Point::new(0.0, 2.0, 0.0), 1.5), phong.clone());
+        put(&mut scene, ball(Point::new(2.0, 1.0, 1.5), 0.9), phong.clone());
+        put(&mut scene, Cuboid { min: Point::new(-3.0, 0.5, -3.0), max: Point::new(-1.0, 3.0, -1.0) }, phong);
+        let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
+        let floor = put(&mut scene, floor, mirror(1.0, Rgb::WHITE));
+        ambient(&mut scene);
+        shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::new(1.0, 2.0, 0.5) });
+        shine(&mut scene, Lamp { ls: 2.0, color: BACKGROUND, location: Point::new(0.0, 6.0, 3.0), attenuation: 1.0 });
+        let world = built(&scene);
+        let tree = recorded(&world, eye, spot - eye);
+        let RecordedOutcome::Hit(hit) = tree.root().outcome else { return Ok(()) };
+        prop_assume!(hit.object as usize == floor);
+        scene.objects[floor].enabled = false;
+        let mirrored = eye.with(1, -eye.y());
+        let expected = look(&built(&scene), mirrored, spot - mirrored);
+        prop_assert!(close(tree.root().radiance, expected, 1e-9), "{:?} {expected:?}", tree.root().radiance);
+    }
+
+    /// Law: at depth 0 a reflective surface is its Phong base, and ray casting sees no mirrors either.
+    /// Oracle: the Phong material, bit for bit (ch. 24).
+    #[test]
+    fn without_depth_a_mirror_is_its_base((n, wo) in normal_and_direction_above(), sun in unit()) {
+        let base = Phong {
+            ka: 0.2, kd: 0.6, cd: Rgb::new(1.0, 0.5, 0.2).into(), ks: 0.3, exponent: 5.0,
+            ..Phong::default()
+        };
+        let seen = |mirrored: bool, tracer: Tracer| {
+            let mut scene = Scene { tracer, ..stage(BACKGROUND) };
+            let plane = Plane { point: Point::ORIGIN, normal: n.into() };
+            match mirrored {
+                true => put(&mut scene, plane, Reflective { phong: base.clone(), ..mirror(0.5, Rgb::WHITE) }),
+                false => put(&mut scene, plane, base.clone()),
+            };
+            ambient(&mut scene);
+            shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: sun.into() });
+            look(&built(&scene), Point::ORIGIN + 2.0 * wo, -wo)
+        };
+        let whitted = |max_depth| Tracer::Whitted(Whitted { max_depth });
+        let plain = seen(false, Tracer::RayCast);
+        prop_assert_eq!(seen(true, whitted(0)), plain);
+        prop_assert_eq!(seen(true, Tracer::RayCast), plain);
+        prop_assert_eq!(seen(false, whitted(5)), plain);
+        prop_assert_eq!(seen(true, whitted(1)), plain + 0.5 * BACKGROUND);
+    }
+
+    /// Law: three mirrors at right angles send each ray back where it came from. Oracle: −d (the corner
+    /// reflector).
+    #[test]
+    fn a_corner_of_mirrors_sends_rays_back(from in point(1.0), d in unit()) {
+        let d = Vector::new(-d.x().abs(), -d.y().abs(), -d.z().abs());
+        prop_assume!(d.x() * d.y() * d.z() < -1e-6);
+        let mut scene = deep_stage(BACKGROUND, 3);
+        for normal in [Vector::X, Vector::Y, Vector::Z] {
+            put(&mut scene, Plane { point: Point::new(-1.0, -1.0, -1.0), normal }, mirror(1.0, Rgb::WHITE));
+        }
+        let path = path(&recorded(&built(&scene), from, d));
+        prop_assert_eq!(path.len(), 4);
+        prop_assert!((path[3] + path[0]).length() <= 32.0 * U);
+        prop_assert_eq!(look(&built(&scene), from, d), BACKGROUND);
+    }
+
+    /// Law: a smooth mesh mirrors by its smoothed normal, and what that would send into the mesh is left
+    /// out: no ray goes inside. Oracle: the flat normal; the smoothed one for the angle.
+    #[test]
+    fn a_smooth_mirror_sends_no_ray_inside(to_eye in unit(), target in point(0.6)) {
+        let mut scene = deep_stage(BACKGROUND, 1);
+        let mesh = TessellatedSphere { horizontal: 5, vertical: 4, radius: 1.0, smooth: true };
+        put(&mut scene, mesh, mirror(1.0, Rgb::WHITE));
+        let eye = Point::ORIGIN + 3.0 * to_eye;
+        let tree = recorded(&built(&scene), eye, target - eye);
+        let RecordedOutcome::Hit(hit) = tree.root().outcome else { return Ok(()) };
+        let before = tree.root().ray.direction;
+        match path(&tree)[..] {
+            [_, after] => {
+                prop_assert!(after.dot(hit.normal) > 0.0);
+                prop_assert!((after.cross(hit.shading) - before.cross(hit.shading)).length() <= 16.0 * U);
+            }
+            _ => {
+                let n = Vector::from(hit.shading);
+                prop_assert!((before - 2.0 * before.dot(n) * n).dot(hit.normal) < 16.0 * U);
+            }
+        }
+    }
+}
+
+/// Law: an emitter seen over k mirrors weighs `(k_r c_r)ᵏ`: the second tint is the square. Oracle: the
+/// product along a zigzag between two mirrors that ends on an emitter.
+#[test]
+fn an_emitter_over_k_mirrors_weighs_the_kth_power() {
+    let cr = Rgb::new(0.9, 0.5, 0.25);
+    let mut scene = deep_stage(Rgb::BLACK, 20);
+    for (y, normal) in [(-1.0, Vector::Y), (1.0, -Vector::Y)] {
+        put(&mut scene, Plane { point: Point::new(0.0, y, 0.0), normal }, mirror(0.8, cr));
+    }
+    let end = Plane { point: Point::new(10.0, 0.0, 0.0), normal: -Vector::X };
+    put(&mut scene, end, Emissive { ls: 2.0, ce: Rgb::WHITE.into() });
+    let world = built(&scene);
+    for k in 0..8_u32 {
+        // from the middle, the k-th mirror is met after 2k − 1 half gaps; the end lies 2k of them away
+        let slope = 2.0 * f64::from(k) / 10.0;
+        let seen = look(&world, Point::ORIGIN, Vector::new(1.0, slope, 0.0));
+        let expected = cr.map(|c| 2.0 * power(0.8 * c, f64::from(k)));
+        assert!(close(seen, expected, 64.0 * U), "{k}: {seen:?} {expected:?}");
+    }
+}
+
+/// Law: a mirror is not a light, and does not light what it faces: only the eye's path is followed.
+/// Oracle: the matte ground without the mirror, where no shadow falls.
+#[test]
+fn a_mirror_throws_no_light() {
+    let mut scene = deep_stage(Rgb::BLACK, 5);
+    put(
+        &mut scene,
+        Plane { point: Point::ORIGIN, normal: Vector::Y },
+        Matte { ka: 0.1, kd: 0.8, cd: Rgb::WHITE.into() },
+    );
+    let wall = Plane { point: Point::new(-3.0, 0.0, 0.0), normal: Vector::X };
+    let wall = put(&mut scene, wall, mirror(1.0, Rgb::WHITE));
+    shine(
+        &mut scene,
+        Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::new(1.0, 1.0, 0.0) },
+    );
+    let mut seen = |there: bool| {
+        scene.objects[wall].enabled = there;
+        look(&built(&scene), Point::new(1.0, 1.0, 0.0), -Vector::Y)
+    };
+    assert_eq!(seen(true), seen(false));
+    assert!(seen(true).r > 0.0);
+}

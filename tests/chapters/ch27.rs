@@ -1,1 +1,306 @@
 //! Chapter 27: simple transparency.
+
+use std::f64::consts::TAU;
+
+use groundtruth::lights::Directional;
+use groundtruth::lobes::{PerfectTransmitter, refract};
+use groundtruth::materials::{Matte, Phong, Transparent};
+use groundtruth::math::{
+    Normal, Pcg32, Point, Vector, acos, cos, power, sin, to_degrees, to_radians,
+};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::{self, Box as Cuboid, Disk, Plane, Sphere, TessellatedSphere};
+use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
+use groundtruth::trace::{Node, RayKind, RayTree};
+use proptest::prelude::*;
+
+use crate::ch14::stage::*;
+use crate::support::{U, laws, point, unit};
+
+/// cosθ_t² is divided by η² ≥ 0.16: a few u become about 18u in the length; twice that is allowed.
+const ROUNDING: f64 = 36.0 * U;
+
+const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
+
+fn glass(kr: f64, kt: f64, eta: f64) -> Transparent {
+    Transparent { phong: Phong::default(), kr, cr: Rgb::WHITE.into(), kt, eta }
+}
+
+fn ball() -> Sphere {
+    Sphere { center: Point::ORIGIN, radius: 1.0 }
+}
+
+fn sine(a: Vector, n: Normal) -> f64 {
+    a.cross(n).length()
+}
+
+/// The first ray, and those that were refracted, each out of the one before.
+fn through(tree: &RayTree) -> Vec<&Node> {
+    let mut path = vec![tree.root()];
+    loop {
+        let here = path[path.len() - 1];
+        let children = here.children.iter().map(|&child| &tree.nodes()[child]);
+        match children.into_iter().find(|node| node.kind == RayKind::Transmitted) {
+            Some(next) => path.push(next),
+            None => return path,
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: `ω_o × n = −η (t × n)` (Snell's angle, plane and sense in one), `t` unit and behind the
+    /// surface. Oracle: cross products, which the code under test does not use.
+    #[test]
+    fn refraction_obeys_snell((n, wo) in normal_and_direction_above(), eta in 0.4..2.5_f64) {
+        let Some(t) = refract(wo, n, eta) else {
+            prop_assert!(sine(wo, n) > eta - ROUNDING, "total reflection below the critical angle");
+            return Ok(());
+        };
+        prop_assert!((t.length() - 1.0).abs() < ROUNDING);
+        prop_assert!(n.dot(t) < ROUNDING);
+        prop_assert!((wo.cross(n) + eta * t.cross(n)).length() < ROUNDING);
+    }
+
+    /// Law: light runs the same way back: refracted in and, seen from inside, out again, a direction
+    /// is itself. Oracle: itself; near the critical angle the way out is as steep as a square root.
+    #[test]
+    fn refraction_can_be_reversed((n, wo) in normal_and_direction_above(), eta in 0.4..2.5_f64) {
+        let Some(t) = refract(wo, n, eta) else { return Ok(()) };
+        let cos_i = n.dot(wo);
+        let tolerance = 8.0 * ROUNDING / cos_i;
+        match refract(t, -n, 1.0 / eta) {
+            Some(back) => prop_assert!((back - wo).length() < tolerance.min(1e-6), "{back:?}"),
+            None => prop_assert!(cos_i < 1e-6, "grazing rays turn on rounding"),
+        }
+    }
+
+    /// Law: straight on, a ray goes straight through, whatever η; so does each ray for η = 1, to a few
+    /// u. Oracle: −ω_o.
+    #[test]
+    fn nothing_bends_a_ray_at_normal_incidence_or_between_equal_media(
+        (n, wo) in normal_and_direction_above(),
+        eta in 0.4..2.5_f64,
+    ) {
+        let straight = refract(n.into(), n, eta).expect("no total reflection straight on");
+        prop_assert!((straight + n).length() <= ROUNDING);
+        let same = refract(wo, n, 1.0).expect("no boundary");
+        prop_assert!((same + wo).length() <= 4.0 * U, "{same:?}");
+    }
+
+    /// Law: the rarer side never sees total reflection; the denser one beyond `asin(1/η)` exactly.
+    /// Oracle: the sine of the angle against the ratio of the indices.
+    #[test]
+    fn total_reflection_needs_the_denser_side(cos_o in cosine(), eta in 1.0..3.0_f64) {
+        let lobe = PerfectTransmitter { transmittance: 1.0, eta };
+        prop_assert!(!lobe.reflects_totally(cos_o));
+        let sine_squared = (1.0 - cos_o) * (1.0 + cos_o);
+        let beyond = sine_squared * eta * eta - 1.0;
+        prop_assert!(beyond.abs() < 16.0 * U || lobe.reflects_totally(-cos_o) == (beyond > 0.0));
+    }
+
+    /// Law: a slab sends a ray on in its own direction, aside by `s = T sin(θ_i − θ_t)/cosθ_t`, with the
+    /// weight `k_t²` (the two η² cancel). Oracle: the closed form, with both angles as angles (ch. 27).
+    #[test]
+    fn a_slab_shifts_a_ray_and_weighs_it_kt_squared(
+        theta in 0.0..1.4_f64,
+        phi in 0.0..TAU,
+        eta in 0.75..2.5_f64,
+        thickness in 0.01..3.0_f64,
+        kt in 0.1..1.0_f64,
+    ) {
+        prop_assume!(sin(theta) < 0.99 * eta);
+        let theta_t = std::f64::consts::FRAC_PI_2 - acos(sin(theta) / eta);
+        let shift = thickness * sin(theta - theta_t) / cos(theta_t);
+        let mut scene = deep_stage(BACKGROUND, 2);
+        let slab = Cuboid { min: Point::new(-1e3, -thickness, -1e3), max: Point::new(1e3, 0.0, 1e3) };
+        put(&mut scene, slab, glass(0.1, kt, eta));
+        let to_eye = at_angle(Normal::Y, cos(theta), phi);
+        let tree = recorded(&built(&scene), Point::ORIGIN + 2.0 * to_eye, -to_eye);
+        let [first, within, after] = through(&tree)[..] else { panic!("in and out") };
+        let weight = within.weight * after.weight;
+        prop_assert!(close(weight, Rgb::grey(kt * kt), 8.0 * U), "{weight:?}");
+        prop_assert!((after.ray.direction - first.ray.direction).length() <= 1e-13);
+        let aside = (after.ray.origin - first.ray.origin).cross(first.ray.direction).length();
+        prop_assert!((aside - shift.abs()).abs() <= 1e-12, "{aside} {shift}");
+    }
+
+    /// Law: a body of η = 1, k_r = 0, k_t = 1 cannot be seen, at any depth from 2 on; below that, black
+    /// is behind it. Oracle: the scene without it (ch. 27).
+    #[test]
+    fn a_body_of_index_one_is_invisible(
+        to_eye in unit(),
+        target in point(0.9),
+        depth in 0..6_u32,
+        kind in 0..3_usize,
+    ) {
+        let mut scene = deep_stage(BACKGROUND, depth);
+        let shape: shapes::Kind = match kind {
+            0 => ball().into(),
+            1 => Cuboid { min: Point::new(-1.0, -0.5, -0.7), max: Point::new(1.0, 0.8, 0.9) }.into(),
+            _ => TessellatedSphere { horizontal: 7, vertical: 5, radius: 1.0, smooth: true }.into(),
+        };
+        let clear = put(&mut scene, shape, glass(0.0, 1.0, 1.0));
+        let checker = Checker3d { size: 1.0, color1: Rgb::WHITE, color2: Rgb::new(0.2, 0.4, 0.1) };
+        let cd = Paint(Texture::from(checker));
+        let floor = Plane { point: Point::new(0.0, -2.0, 0.0), normal: Vector::Y };
+        put(&mut scene, floor, Matte { ka: 0.0, kd: 1.0, cd });
+        shine(&mut scene, Directional { ls: 3.0, color: Rgb::WHITE, direction: Vector::Y });
+        scene.objects[clear].casts_shadows = false;
+        let eye = Point::ORIGIN + 3.0 * to_eye;
+        let tree = recorded(&built(&scene), eye, target - eye);
+        let crossings = through(&tree).len() as u32 - 1;
+        scene.objects[clear].enabled = false;
+        let without = look(&built(&scene), eye, target - eye);
+        let seen = tree.root().radiance;
+        match crossings {
+            _ if depth < crossings => prop_assert_eq!(seen, Rgb::BLACK),
+            0 | 2 => prop_assert!(close(seen, without, 1e-12), "{seen:?} {without:?}"),
+            _ => prop_assert!(depth < 2 && crossings == depth + 1, "{crossings} crossings"),
+        }
+    }
+
+    /// Law: a glass ball in a uniform background B, depth N ≥ 1, k_r + k_t = 1: `B (1 − k_t k_rᴺ⁻¹)`: k_r at
+    /// 1, `k_r + k_t²` at 2, and B from below in the end; at 0 black. A ray meets no total reflection
+    /// inside. Oracle: the geometric series of inner reflections (ch. 27).
+    #[test]
+    fn a_glass_ball_adds_up_its_inner_reflections(
+        to_eye in unit(),
+        target in point(0.55),
+        kr in 0.05..0.6_f64,
+        eta in 1.05..2.5_f64,
+        depth in 0..12_u32,
+    ) {
+        let mut scene = deep_stage(BACKGROUND, depth);
+        put(&mut scene, ball(), glass(kr, 1.0 - kr, eta));
+        let (eye, world) = (Point::ORIGIN + 3.0 * to_eye, built(&scene));
+        let expected = match depth {
+            0 => Rgb::BLACK,
+            n => (1.0 - (1.0 - kr) * power(kr, f64::from(n - 1))) * BACKGROUND,
+        };
+        let seen = look(&world, eye, target - eye);
+        prop_assert!(close(seen, expected, 64.0 * U), "{seen:?} {expected:?}");
+        // one ray is cast out and one goes on inside, at each depth
+        let counts = counted(&world, eye, target - eye);
+        let cast = counts.camera + counts.reflected + counts.transmitted - counts.too_deep;
+        prop_assert_eq!(cast, u64::from(2 * depth + 1));
+        prop_assert_eq!(counts.too_deep, 2);
+    }
+
+    /// Law: a bubble (η < 1) reflects everything, with weight 1 and not k_r, where the ray passes its
+    /// centre farther than η r; within, k_r. Oracle: the impact parameter (equation 27.15).
+    #[test]
+    fn the_rim_of_a_bubble_is_a_perfect_mirror(
+        to_eye in unit(),
+        target in point(1.0),
+        eta in 0.3..0.95_f64,
+    ) {
+        let mut scene = deep_stage(BACKGROUND, 1);
+        put(&mut scene, ball(), glass(0.125, 0.875, eta));
+        let eye = Point::ORIGIN + 3.0 * to_eye;
+        let offset = (eye - Point::ORIGIN).cross((target - eye).unit().expect("outside")).length();
+        let expected = match offset {
+            b if b > 1.0 + 1e-12 => BACKGROUND,
+            b if b > eta => BACKGROUND,
+            _ => 0.125 * BACKGROUND,
+        };
+        let seen = look(&built(&scene), eye, target - eye);
+        prop_assert!((offset - eta).abs() < 1e-12 || seen == expected, "{offset}: {seen:?}");
+    }
+
+    /// Law: an eye inside the dense medium sees `η² k_t B` through its surface: radiance is squeezed
+    /// into a smaller cone. Oracle: the product; outside, looking in, it is `1/η²` (ch. 27).
+    #[test]
+    fn radiance_grows_by_eta_squared_in_the_denser_medium(d in unit(), eta in 1.0..2.5_f64) {
+        let mut scene = deep_stage(BACKGROUND, 1);
+        put(&mut scene, ball(), glass(0.0, 0.9, eta));
+        let seen = look(&built(&scene), Point::ORIGIN, d.into());
+        prop_assert!(close(seen, eta * eta * 0.9 * BACKGROUND, 8.0 * U), "{seen:?}");
+        let tree = recorded(&built(&scene), Point::ORIGIN + 3.0 * d, -Vector::from(d));
+        prop_assert!(close(through(&tree)[1].weight, Rgb::grey(0.9 / (eta * eta)), 4.0 * U));
+    }
+}
+
+/// Law: total reflection begins at 41.8103°, 48.7535°, 24.4075°, and from glass to water at 62.457°.
+/// Oracle: the table of ch. 27, against the angle found by halving an interval.
+#[test]
+fn critical_angles_are_those_of_the_table() {
+    for (eta, degrees) in [(1.5, 41.8103), (1.33, 48.7535), (2.42, 24.4075), (1.5 / 1.33, 62.457)] {
+        let (mut low, mut high) = (0.0, 90.0);
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            let wo = Vector::new(sin(to_radians(middle)), 0.0, cos(to_radians(middle)));
+            if refract(wo, Normal::Z, 1.0 / eta).is_some() { low = middle } else { high = middle }
+        }
+        assert!((low - degrees).abs() < 1e-3, "{eta}: {low}");
+    }
+}
+
+/// Law: a slab 1 thick of index 1.5 met at 45° refracts to 28.1255° and shifts by 0.329142. Oracle:
+/// those numbers (ch. 27).
+#[test]
+fn a_slab_of_glass_shifts_by_a_third_at_45_degrees() {
+    let mut scene = deep_stage(BACKGROUND, 2);
+    let slab = Cuboid { min: Point::new(-9.0, -1.0, -9.0), max: Point::new(9.0, 0.0, 9.0) };
+    put(&mut scene, slab, glass(0.0, 1.0, 1.5));
+    let tree = recorded(&built(&scene), Point::new(-1.0, 1.0, 0.0), Vector::new(1.0, -1.0, 0.0));
+    let [first, within, after] = through(&tree)[..] else { panic!("in and out") };
+    let angle = to_degrees(acos(-within.ray.direction.y()));
+    let aside = (after.ray.origin - first.ray.origin).cross(first.ray.direction).length();
+    assert!((angle - 28.1255).abs() < 5e-5 && (aside - 0.329142).abs() < 5e-7, "{angle} {aside}");
+}
+
+/// Law: a distant light is focused at `η r/(2(η − 1))` from the centre of a glass ball: 1.5 r for 1.5.
+/// Oracle: the paraxial formula; a ray at height h misses it by order h².
+#[test]
+fn a_glass_ball_focuses_at_one_and_a_half_radii() {
+    for eta in [1.5, 1.8] {
+        let mut scene = deep_stage(BACKGROUND, 2);
+        put(&mut scene, ball(), glass(0.0, 1.0, eta));
+        let h = 1e-3;
+        let tree = recorded(&built(&scene), Point::new(-5.0, h, 0.0), Vector::X);
+        let out = through(&tree)[2].ray;
+        let focus = out.at(-out.origin.y() / out.direction.y()).x();
+        assert!((focus - eta / (2.0 * (eta - 1.0))).abs() < 2.0 * h * h, "{eta}: {focus}");
+    }
+}
+
+/// Law: one sample casts at most `2^(depth+1) − 1` rays, in however much glass. Oracle: the full binary
+/// tree, over random rays among three glass bodies.
+#[test]
+fn glass_casts_no_more_rays_than_a_binary_tree() {
+    let mut scene = deep_stage(BACKGROUND, 7);
+    put(&mut scene, ball(), glass(0.2, 0.8, 1.5));
+    let inner = Sphere { center: Point::new(0.1, 0.0, 0.0), radius: 0.8 };
+    put(&mut scene, inner, glass(0.2, 0.8, 1.2));
+    let block = Cuboid { min: Point::new(-0.4, -0.4, -0.4), max: Point::new(0.4, 0.3, 0.5) };
+    put(&mut scene, block, glass(0.2, 0.8, 1.4));
+    let (world, mut random, mut most) = (built(&scene), Pcg32::new(27, 0), 0);
+    for _ in 0..500 {
+        let mut c = || 2.0 * random.uniform() - 1.0;
+        let (from, target) = (Point::new(3.0 * c(), 3.0 * c(), 3.0), Point::new(c(), c(), c()));
+        let counts = counted(&world, from, target - from);
+        most = most.max(counts.camera + counts.reflected + counts.transmitted - counts.too_deep);
+    }
+    assert!((60..=255).contains(&most), "{most}");
+    assert!(world.most_rays() == 256.0);
+}
+
+/// Law: glass stands in the way of light like anything else, unless it is told not to; rays refract
+/// only towards the eye. Oracle: black, and the light without the ball (ch. 27).
+#[test]
+fn glass_casts_a_full_shadow_unless_it_casts_none() {
+    let mut scene = deep_stage(Rgb::BLACK, 5);
+    let disk = Disk { center: Point::ORIGIN, normal: Vector::Y, radius: 5.0 };
+    put(&mut scene, disk, Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() });
+    let above = Sphere { center: Point::new(0.0, 3.0, 0.0), radius: 1.0 };
+    put(&mut scene, above, glass(0.1, 0.9, 1.5));
+    shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::Y });
+    let from = Point::new(0.5, 1.0, 0.0);
+    assert_eq!(look(&built(&scene), from, -Vector::Y), Rgb::BLACK);
+    scene.materials[1].casts_shadows = false;
+    let lit = look(&built(&scene), from, -Vector::Y);
+    scene.objects[1].enabled = false;
+    assert!(lit == look(&built(&scene), from, -Vector::Y) && lit.r > 0.3);
+}

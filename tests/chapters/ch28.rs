@@ -1,1 +1,295 @@
 //! Chapter 28: realistic transparency.
+
+mod fresnel;
+
+use std::f64::consts::TAU;
+
+use groundtruth::materials::{Dielectric, Emissive, Medium};
+use groundtruth::math::{Normal, Pcg32, Point, Vector, cos, exp, power, sin};
+use groundtruth::render::{camera_ray, pixel, render};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
+use groundtruth::trace::{Node, RayKind, RayTree, RecordedOutcome};
+use proptest::prelude::*;
+
+use crate::ch14::stage::*;
+use crate::support::{U, laws, point, unit};
+
+const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
+
+fn glass(inside: Medium, outside: Medium) -> Dielectric {
+    Dielectric { inside, outside, ..Dielectric::default() }
+}
+
+fn clear(eta: f64) -> Dielectric {
+    glass(Medium::clear(eta), Medium::default())
+}
+
+/// A medium of this index whose colour filter is `exp(−σ)`.
+fn tinted(eta: f64, absorption: Rgb) -> Medium {
+    Medium { eta, absorption }
+}
+
+fn ball() -> Sphere {
+    Sphere { center: Point::ORIGIN, radius: 1.0 }
+}
+
+/// A slab between y = −thickness and 0, wide enough.
+fn slab(thickness: f64) -> Cuboid {
+    Cuboid { min: Point::new(-1e3, -thickness, -1e3), max: Point::new(1e3, 0.0, 1e3) }
+}
+
+fn child(tree: &RayTree, node: &Node, kind: RayKind) -> Option<Node> {
+    node.children.iter().map(|&i| tree.nodes()[i].clone()).find(|node| node.kind == kind)
+}
+
+/// Law: a glass ball before uniform white, depth N ≥ 1, shows `1 − (1 − R) R^(N−1)` in each pixel, R the
+/// Fresnel value of its angle: the angles inside are all equal. Oracle: that series, with R in terms of
+/// sines and tangents, from the pixel's distance to the centre (ch. 28).
+#[test]
+fn each_pixel_of_a_glass_ball_is_a_geometric_series() {
+    for depth in [0, 1, 2, 3, 4, 6] {
+        let mut scene = deep_stage(Rgb::WHITE, depth);
+        put(&mut scene, ball(), clear(1.5));
+        (scene.image.width, scene.image.height, scene.image.pixel_size) = (41, 41, 0.055);
+        let world = built(&scene);
+        let film = render(&world);
+        for i in 0..41 * 41 {
+            let at = [i % 41, i / 41];
+            let (ray, _) = camera_ray(&world, at, 0);
+            let sine = (ray.origin.x() * ray.origin.x() + ray.origin.y() * ray.origin.y()).sqrt();
+            let r = fresnel::by_angles(sine, 1.5);
+            let expected = match depth {
+                _ if sine > 1.0 => 1.0,
+                0 => 0.0,
+                n => 1.0 - (1.0 - r) * power(r, f64::from(n - 1)),
+            };
+            assert!(
+                (film.get(at).g - expected).abs() < 1e-12,
+                "{depth} {sine}: {:?}",
+                film.get(at)
+            );
+        }
+    }
+}
+
+/// Law: the centre of that ball is .04, .9616, .998464, .99993856 at depths 1 to 4. Oracle: those
+/// numbers (ch. 28).
+#[test]
+fn the_centre_of_a_glass_ball_has_the_values_of_the_book() {
+    for (depth, expected) in [(1, 0.04), (2, 0.9616), (3, 0.998464), (4, 0.99993856)] {
+        let mut scene = deep_stage(Rgb::WHITE, depth);
+        put(&mut scene, ball(), clear(1.5));
+        let seen = look(&built(&scene), Point::new(0.0, 0.0, 3.0), -Vector::Z);
+        assert!(close(seen, Rgb::grey(expected), 16.0 * U), "{depth}: {seen:?}");
+    }
+}
+
+/// Law: straight through a slab of glass pass `(1 − R)/(1 + R)` and come back `2R/(1 + R)`: .923077 and
+/// .076923. Oracle: the sum over all inner reflections, told apart by an emitter on one side.
+#[test]
+fn a_slab_divides_light_as_all_its_inner_reflections_do() {
+    for (height, normal, expected) in
+        [(-5.0, Vector::Y, 0.923_076_923_076_923), (9.0, -Vector::Y, 0.076_923_076_923_077)]
+    {
+        let mut scene = deep_stage(Rgb::BLACK, 25);
+        put(&mut scene, slab(1.0), clear(1.5));
+        let lit = Plane { point: Point::new(0.0, height, 0.0), normal };
+        put(&mut scene, lit, Emissive { ls: 1.0, ce: Rgb::WHITE.into() });
+        let seen = look(&built(&scene), Point::new(0.3, 4.0, 0.2), -Vector::Y);
+        assert!(close(seen, Rgb::grey(expected), 64.0 * U), "{seen:?} {expected}");
+    }
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: a body with the same medium on both sides cannot be seen. Oracle: the background, exact;
+    /// no ray is reflected.
+    #[test]
+    fn equal_media_have_no_boundary(to_eye in unit(), target in point(0.9), eta in 0.5..3.0_f64) {
+        let mut scene = deep_stage(BACKGROUND, 4);
+        put(&mut scene, ball(), glass(Medium::clear(eta), Medium::clear(eta)));
+        let mesh = TessellatedSphere { horizontal: 5, vertical: 4, radius: 0.8, smooth: true };
+        put(&mut scene, mesh, glass(Medium::clear(eta), Medium::clear(eta)));
+        let eye = Point::ORIGIN + 3.0 * to_eye;
+        prop_assert_eq!(look(&built(&scene), eye, target - eye), BACKGROUND);
+        prop_assert_eq!(counted(&built(&scene), eye, target - eye).reflected, 0);
+    }
+
+    /// Law: Beer: a tinted ball of index 1 lets `cf^(2√(r² − p²))` through at distance p from its centre.
+    /// Oracle: the chord, by Pythagoras (ch. 28).
+    #[test]
+    fn a_tinted_ball_filters_by_the_length_of_its_chord(
+        to_eye in unit(),
+        target in point(0.8),
+        sigma in color(),
+    ) {
+        let mut scene = deep_stage(BACKGROUND, 2);
+        put(&mut scene, ball(), glass(tinted(1.0, 3.0 * sigma), Medium::default()));
+        let eye = Point::ORIGIN + 3.0 * to_eye;
+        let d = (target - eye).unit().expect("outside");
+        let p = (eye - Point::ORIGIN).cross(d).length();
+        let chord = 2.0 * (1.0 - p * p).max(0.0).sqrt();
+        let expected = sigma.map(|sigma| exp(-3.0 * sigma * chord)) * BACKGROUND;
+        let seen = look(&built(&scene), eye, d);
+        // the chord's end is known to some u over the cosine
+        let tolerance = 64.0 * U * (1.0 + 6.0 / chord.max(1e-9));
+        prop_assert!(close(seen, expected, tolerance), "{seen:?} {expected:?}");
+    }
+
+    /// Law: two slabs multiply: `cf^(t₁ + t₂)`, at an angle `cf^((t₁ + t₂)/cosθ)`; and lengths times s equal
+    /// `cf^s`. Oracle: one exponential (Beer; ch. 28).
+    #[test]
+    fn tinted_slabs_multiply(
+        (t1, t2) in (0.0..2.0_f64, 0.0..2.0_f64),
+        (cosine, phi) in (0.2..1.0_f64, 0.0..TAU),
+        sigma in color(),
+        exponent in -8..8_i32,
+    ) {
+        let mut scene = deep_stage(BACKGROUND, 4);
+        let below = |top: f64, t: f64| {
+            let (min, max) = (Point::new(-1e3, top - t - 1e-3, -1e3), Point::new(1e3, top, 1e3));
+            Cuboid { min, max }
+        };
+        for (top, t) in [(0.0, t1), (-4.0, t2)] {
+            put(&mut scene, below(top, t), glass(tinted(1.0, sigma), Medium::default()));
+        }
+        let to_eye = at_angle(Normal::Y, cosine, phi);
+        let seen = look(&built(&scene), Point::ORIGIN + 2.0 * to_eye, -to_eye);
+        let length = (t1 + t2 + 2e-3) / cosine;
+        let expected = sigma.map(|sigma| exp(-sigma * length)) * BACKGROUND;
+        prop_assert!(close(seen, expected, 1e-12), "{seen:?} {expected:?}");
+        let s = groundtruth::math::power_of_two(exponent);
+        let eye = (Point::ORIGIN + 2.0 * to_eye).scaled(s);
+        prop_assert_eq!(look(&built(&scene.scaled(exponent)), eye, -to_eye), seen);
+    }
+
+    /// Law: each ray is dimmed by the medium it is in, over its own length: on total reflection and
+    /// between nested bodies too. Oracle: for each ray of the tree, which balls its middle lies in, and
+    /// the exponential of its length (ch. 28: `t` of the secondary ray, not of the hit before).
+    #[test]
+    fn each_ray_is_dimmed_by_its_own_medium(
+        from in point(3.0),
+        target in point(1.5),
+        (outer, inner) in (1.0..2.5_f64, 1.0..2.5_f64),
+    ) {
+        let media = [
+            Medium::default(),
+            tinted(outer, Rgb::new(0.1, 0.2, 0.3)),
+            tinted(inner, Rgb::new(0.7, 0.0, 0.4)),
+        ];
+        let balls = [Sphere { radius: 2.0, ..ball() }, Sphere { center: Point::new(0.5, 0.0, 0.3), radius: 0.9 }];
+        let mut scene = deep_stage(BACKGROUND, 5);
+        put(&mut scene, balls[0].clone(), glass(media[1], media[0]));
+        put(&mut scene, balls[1].clone(), glass(media[2], media[1]));
+        let within = |p: Point| balls.iter().filter(|b| b.center.distance(p) < b.radius).count();
+        scene.camera.medium = media[within(from)];
+        let tree = recorded(&built(&scene), from, target - from);
+        for node in tree.nodes() {
+            let RecordedOutcome::Hit(hit) = node.outcome else {
+                prop_assert_eq!(node.transmittance, Rgb::WHITE);
+                continue;
+            };
+            prop_assume!(hit.t > 1e-9);
+            let sigma = media[within(node.ray.at(0.5 * hit.t))].absorption;
+            let expected = sigma.map(|sigma| exp(-sigma * hit.t));
+            prop_assert!(close(node.transmittance, expected, 8.0 * U), "{node:?} {expected:?}");
+            prop_assert_eq!(tree.folded(node), node.radiance);
+        }
+    }
+
+    /// Law: under water the sky is seen within 48.7535° of straight up only, as `η² (1 − R)` times itself;
+    /// outside, the surface is a perfect mirror of the deep. Oracle: the critical angle, and black or
+    /// an emitter beneath (the Snell window; ch. 28).
+    #[test]
+    fn snells_window_is_a_cone(degrees in 0.0..89.9_f64, phi in 0.0..TAU) {
+        let theta = groundtruth::math::to_radians(degrees);
+        let mut scene = deep_stage(Rgb::WHITE, 1);
+        let water = glass(Medium::clear(1.33), Medium::default());
+        put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, water);
+        let deep = Plane { point: Point::new(0.0, -3.0, 0.0), normal: Vector::Y };
+        put(&mut scene, deep, Emissive { ls: 0.5, ce: Rgb::new(1.0, 0.0, 0.0).into() });
+        scene.camera.medium = Medium::clear(1.33);
+        let eye = Point::new(0.0, -1.0, 0.0);
+        let tree = recorded(&built(&scene), eye, at_angle(Normal::Y, cos(theta), phi));
+        let (seen, outside) = (tree.root().radiance, 1.33 * sin(theta));
+        if (degrees - 48.7535).abs() < 1e-3 {
+            return Ok(());
+        }
+        if degrees > 48.7535 {
+            prop_assert_eq!(seen, Rgb::new(0.5, 0.0, 0.0));
+            prop_assert_eq!(tree.nodes().len(), 2);
+        } else {
+            let r = fresnel::by_angles(outside, 1.33);
+            let sky = (1.33 * 1.33) * (1.0 - r);
+            prop_assert!((seen.b - sky).abs() < 1e-11 && (seen.r - sky - 0.5 * r).abs() < 1e-11);
+        }
+    }
+}
+
+/// Law: an eye in glass looking straight out at uniform light 1, depth 1, sees `η² (1 − R) = 2.16`; with
+/// the exposure `1/η²` it sees .96. Oracle: those numbers (ch. 28).
+#[test]
+fn an_eye_in_glass_sees_2_16() {
+    let mut scene = deep_stage(Rgb::WHITE, 1);
+    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Z }, clear(1.5));
+    scene.camera.eye = Point::new(0.0, 0.0, -5.0);
+    scene.camera.medium = Medium::clear(1.5);
+    scene.camera.look_at = Point::ORIGIN;
+    // the reflected part ends in nothing
+    let dark = Plane { point: Point::new(0.0, 0.0, -9.0), normal: -Vector::Z };
+    put(&mut scene, dark, Emissive { ls: 0.0, ce: Rgb::WHITE.into() });
+    assert!(close(pixel(&built(&scene), [0, 0]), Rgb::grey(2.16), 16.0 * U));
+    scene.camera.exposure_time = 1.0 / 2.25;
+    assert!(close(pixel(&built(&scene), [0, 0]), Rgb::grey(0.96), 16.0 * U));
+}
+
+/// Law: in a medium that absorbs, what is infinitely far away is black, in the channels that it absorbs
+/// only; clear channels pass unchanged. Oracle: the limit of `exp(−σt)`.
+#[test]
+fn the_background_behind_an_absorbing_medium_is_black() {
+    let mut scene = deep_stage(BACKGROUND, 3);
+    scene.camera.medium = tinted(1.0, Rgb::new(1e-9, 0.0, 2.0));
+    let seen = look(&built(&scene), Point::ORIGIN, Vector::X);
+    assert_eq!(seen, Rgb::new(0.0, BACKGROUND.g, 0.0));
+}
+
+/// Law: a ray that enters a box of η > √2 never leaves it by a face at right angles; with 1.33 some do.
+/// Oracle: the inequality `sin² ≥ 1 − 1/η² > 1/η²`, counted over 10⁴ random rays (ch. 28).
+#[test]
+fn no_light_leaves_a_glass_block_by_the_next_face() {
+    let escapes = |eta: f64| {
+        let mut scene = deep_stage(BACKGROUND, 2);
+        let block = Cuboid { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, 1.0, 1.0) };
+        put(&mut scene, block, clear(eta));
+        let (world, mut random) = (built(&scene), Pcg32::new(28, 0));
+        let mut count = 0;
+        for _ in 0..10_000 {
+            let mut c = || 2.0 * random.uniform() - 1.0;
+            let (spot, away) = (Point::new(c(), c(), 1.0), Vector::new(5.0 * c(), 5.0 * c(), 1.0));
+            let tree = recorded(&world, spot + away, -away);
+            let inside =
+                child(&tree, tree.root(), RayKind::Transmitted).expect("glass lets light in");
+            let RecordedOutcome::Hit(hit) = inside.outcome else { panic!("a closed box") };
+            let out = child(&tree, &inside, RayKind::Transmitted).is_some();
+            count += u32::from(out && hit.normal.z() == 0.0);
+        }
+        count
+    };
+    assert_eq!((escapes(1.5), escapes(1.42)), (0, 0));
+    assert!(escapes(1.33) > 50);
+}
+
+/// Law: only the ratio of the indices bends light: glass in water is η = 1.5/1.33, with R = .003608
+/// straight on, on whichever side the eye is. Oracle: the table of ch. 28.
+#[test]
+fn glass_in_water_hardly_reflects() {
+    let mut scene = deep_stage(Rgb::WHITE, 1);
+    put(&mut scene, ball(), glass(Medium::clear(1.5), Medium::clear(1.33)));
+    let seen = look(&built(&scene), Point::new(0.0, 0.0, 3.0), -Vector::Z).r;
+    assert!((seen - 0.003_608).abs() < 5e-7, "{seen}");
+    let tree = recorded(&built(&scene), Point::ORIGIN, Vector::Z);
+    let weight = child(&tree, tree.root(), RayKind::Reflected).expect("a little").weight.r;
+    assert!((weight - seen).abs() < 1e-15);
+}

@@ -1,1 +1,296 @@
 //! Chapter 30: procedural textures.
+
+use groundtruth::lights::Ambient;
+use groundtruth::materials::Matte;
+use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, power_of_two};
+use groundtruth::render::{camera_ray, pixel};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::shapes::{Box as Cuboid, Instance, Kind as Shape, Plane, Sphere, Surface};
+use groundtruth::textures::{Checker3d, Kind as Texture, Paint, PlaneChecker};
+use proptest::prelude::*;
+
+use crate::ch14::stage::*;
+use crate::support::{laws, point, unit};
+
+const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
+const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);
+const LINE: Rgb = Rgb::new(0.0, 1.0, 0.0);
+
+/// The checker's offset, as a fraction of its size: within it of a border, the other colour is right.
+const OFFSET: f64 = 2e-4;
+
+fn solid(size: f64) -> Texture {
+    Checker3d { size, color1: ONE, color2: TWO }.into()
+}
+
+fn flat(size: f64, outline_width: f64) -> Texture {
+    PlaneChecker { size, color1: ONE, color2: TWO, outline_width, outline_color: LINE }.into()
+}
+
+/// The colour at a local point; where it is in the world must not matter.
+fn at(texture: &Texture, local: Point) -> Rgb {
+    let surface = Surface { local, ..Surface::new(Point::new(7.7, 8.8, 9.9), 0.0, Normal::Y) };
+    texture.build(&mut ()).expect("the texture is valid").color(&surface)
+}
+
+fn other(color: Rgb) -> Rgb {
+    if color == ONE { TWO } else { ONE }
+}
+
+/// Whether a coordinate, in checkers, is farther from the borders than the offset.
+fn clear_of_borders(p: Point, size: f64) -> bool {
+    p.to_array().into_iter().all(|x| {
+        let fraction = (x / size).rem_euclid(1.0);
+        (OFFSET..1.0 - OFFSET).contains(&fraction)
+    })
+}
+
+/// Whether the cell of a point is even: the number of borders between it and the first cell, crossed
+/// one by one.
+fn even(coordinates: &[f64], size: f64) -> bool {
+    let crossed = |x: f64| {
+        let mut borders = 0_u32;
+        let mut edge = if x < 0.0 { 0.0 } else { size };
+        while if x < 0.0 { x < edge } else { x >= edge } {
+            borders += 1;
+            edge += if x < 0.0 { -size } else { size };
+        }
+        borders
+    };
+    coordinates.iter().map(|&x| crossed(x)).sum::<u32>().is_multiple_of(2)
+}
+
+fn painted(scene: &mut Scene, shape: impl Into<Shape>, texture: Texture) {
+    put(scene, shape, Matte { ka: 1.0, kd: 0.0, cd: Paint(texture) });
+}
+
+/// A stage in ambient light of strength 1: what is seen is the texture.
+fn gallery() -> Scene {
+    let mut scene = stage(Rgb::BLACK);
+    shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+    scene
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: the solid checker has two colours, by the parity of the cell; the cell at the origin has the
+    /// first. Oracle: borders counted one by one outward, so negative cells are like the others.
+    #[test]
+    fn the_solid_checker_shows_the_parity_of_its_cell(p in point(10.0), size in 0.1..3.0_f64) {
+        prop_assume!(clear_of_borders(p, size));
+        let expected = if even(&p.to_array(), size) { ONE } else { TWO };
+        prop_assert_eq!(at(&solid(size), p), expected);
+    }
+
+    /// Law: a step of one size along an axis swaps the colours, two steps or one along each of two axes
+    /// keep them, one along all three swaps (three is odd). Oracle: the colour before.
+    #[test]
+    fn the_solid_checker_is_periodic(p in point(20.0), size in 0.1..3.0_f64, axis in 0..3_usize) {
+        prop_assume!(clear_of_borders(p, size));
+        let steps = [Vector::X, Vector::Y, Vector::Z].map(|axis| size * axis);
+        let (texture, here) = (solid(size), at(&solid(size), p));
+        prop_assert_eq!(at(&texture, p + steps[axis]), other(here));
+        prop_assert_eq!(at(&texture, p - steps[axis]), other(here));
+        prop_assert_eq!(at(&texture, p + 2.0 * steps[axis]), here);
+        prop_assert_eq!(at(&texture, p + steps[axis] - steps[(axis + 1) % 3]), here);
+        prop_assert_eq!(at(&texture, p + steps[0] + steps[1] + steps[2]), other(here));
+    }
+
+    /// Law: the plane checker shows line, first or second colour by the distance to the nearest border
+    /// and the parity of the square; y does not matter. Oracle: borders counted one by one, and the
+    /// distance to the nearest multiple of the size.
+    #[test]
+    fn the_plane_checker_has_squares_and_lines(
+        p in point(10.0),
+        size in 0.1..3.0_f64,
+        share in 0.0..1.0_f64,
+    ) {
+        let width = share * size;
+        let from_border = |x: f64| (x - size * (x / size).round()).abs();
+        let nearest = from_border(p.x()).min(from_border(p.z()));
+        prop_assume!((nearest - 0.5 * width).abs() > 1e-9 && nearest > 1e-9);
+        let expected = match nearest < 0.5 * width {
+            true => LINE,
+            false if even(&[p.x(), p.z()], size) => ONE,
+            false => TWO,
+        };
+        let texture = flat(size, width);
+        prop_assert_eq!(at(&texture, p), expected);
+        prop_assert_eq!(at(&texture, p.with(1, 123.0)), expected);
+        // the mirror image of a line is a line, that of a square its neighbour
+        let mirrored = if expected == LINE { LINE } else { other(expected) };
+        prop_assert_eq!(at(&texture, p.with(0, -p.x())), mirrored);
+    }
+
+    /// Law: scaled by a power of two, a texture is itself at scaled points, lines too. Oracle: the point
+    /// before, bit for bit.
+    #[test]
+    fn a_scaled_texture_is_itself_at_scaled_points(
+        p in point(10.0),
+        size in 0.1..3.0_f64,
+        exponent in -30..30_i32,
+    ) {
+        let s = power_of_two(exponent);
+        for texture in [solid(size), flat(size, 0.2 * size), flat(size, 0.0)] {
+            prop_assert_eq!(at(&texture.scaled(s), p.scaled(s)), at(&texture, p));
+        }
+    }
+
+    /// Law: an instance carries its texture with it: it looks as the plain shape does to an eye moved
+    /// back. Oracle: rotation, scaling and shift undone by hand (ch. 30: textures live in the innermost
+    /// coordinates).
+    #[test]
+    fn an_instance_carries_its_texture(eye in unit(), target in point(0.5), by in point(3.0)) {
+        let turned = |v: Vector| Vector::new(v.z(), v.y(), -v.x());
+        let mut scene = gallery();
+        let ball = Sphere { center: Point::ORIGIN, radius: 1.0 };
+        painted(&mut scene, ball, solid(0.3));
+        let from = Point::ORIGIN + 3.0 * eye;
+        let plain = look(&built(&scene), from, target - from);
+        let transform = vec![
+            Step::RotateY(90.0),
+            Step::Scale(Vector::new(2.0, 2.0, 2.0)),
+            Step::Translate(by.to_vector()),
+        ];
+        let nested = Instance { of: Box::new(scene.objects[0].shape.clone()), transform };
+        scene.objects[0].shape = nested.into();
+        let outer = |p: Point| by + 2.0 * turned(p.to_vector());
+        let seen = look(&built(&scene), outer(from), outer(target) - outer(from));
+        prop_assert!(seen == plain, "{seen:?} {plain:?}");
+    }
+
+    /// Law: ambient and diffuse light meet the same colour of a texture. Oracle: the plain colours.
+    #[test]
+    fn a_texture_colours_each_term(p in point(5.0)) {
+        let seen = |cd: Paint| {
+            let mut scene = gallery();
+            let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
+            put(&mut scene, floor, Matte { ka: 0.5, kd: 0.5, cd });
+            let sun = groundtruth::lights::Directional {
+                ls: 2.0, color: Rgb::new(1.0, 0.5, 0.25), direction: Vector::new(1.0, 1.0, 0.0),
+            };
+            shine(&mut scene, sun);
+            look(&built(&scene), p.with(1, 1.0), -Vector::Y)
+        };
+        let textured = seen(Paint(solid(1.0)));
+        let expected = if at(&solid(1.0), p.with(1, 0.0)) == ONE { ONE } else { TWO };
+        prop_assert_eq!(textured, seen(expected.into()));
+    }
+}
+
+/// Law: along an axis from −10 to 10 every run of one colour is one size long: none is doubled at the
+/// origin. Oracle: the changes, found by scanning.
+#[test]
+fn runs_of_colour_are_one_size_long_on_both_sides_of_the_origin() {
+    for (texture, size) in [(solid(0.75), 0.75), (flat(0.75, 0.0), 0.75), (solid(1.0), 1.0)] {
+        for axis in [0, 2] {
+            let line = |i: i32| Point::new(0.3, 0.3, 0.3).with(axis, f64::from(i) / 256.0);
+            let changes: Vec<i32> = (-2560..2560)
+                .filter(|&i| at(&texture, line(i)) != at(&texture, line(i + 1)))
+                .collect();
+            assert!(changes.len() >= 19, "{changes:?}");
+            for pair in changes.windows(2) {
+                // borders are on the grid of the scan; the offset moves each by the same sliver
+                assert_eq!(f64::from(pair[1] - pair[0]) / 256.0, size);
+            }
+        }
+    }
+}
+
+/// Points counted; five standard deviations of a share of one half, √(1/4/N), are 0.0056.
+const COUNTED: u32 = 200_000;
+const HALF_ERROR: f64 = 0.0056;
+
+/// Law: over whole periods each colour fills one half of space. Oracle: one half, by counting random
+/// points (one test, five standard deviations: significance 6e-7).
+#[test]
+fn each_colour_of_the_solid_checker_fills_one_half() {
+    let texture = solid(0.5).build(&mut ()).expect("valid");
+    let mut random = Pcg32::new(30, 0);
+    let mut first = 0;
+    for _ in 0..COUNTED {
+        let mut c = || 8.0 * random.uniform() - 4.0;
+        let local = Point::new(c(), c(), c());
+        first += u32::from(texture.color(&Surface::new(local, 0.0, Normal::Y)) == ONE);
+    }
+    let share = f64::from(first) / f64::from(COUNTED);
+    assert!((share - 0.5).abs() < HALF_ERROR, "{share}");
+}
+
+/// Law: lines of width w cover `1 − (1 − w/size)²` of the plane, the squares share the rest equally.
+/// Oracle: the closed form, by counting a grid whose points lie beside all edges: exact (ch. 30).
+#[test]
+fn outlines_cover_their_share_of_the_plane() {
+    for tenths in 0..=10_u32 {
+        let texture = flat(1.0, f64::from(tenths) / 10.0).build(&mut ()).expect("valid");
+        let (mut counts, n) = ([0_u32; 3], 80);
+        for i in 0..n * n {
+            // 20 points for each square's side, halfway between the twentieths where lines end
+            let c = |i: u32| (f64::from(i) + 0.5) / 20.0 - 2.0;
+            let local = Point::new(c(i % n), 0.0, c(i / n));
+            let color = texture.color(&Surface::new(local, 0.0, Normal::Y));
+            counts[[LINE, ONE, TWO].iter().position(|&c| c == color).expect("one of three")] += 1;
+        }
+        let squares = 16 * 4 * (10 - tenths) * (10 - tenths);
+        assert_eq!(counts, [n * n - squares, squares / 2, squares / 2], "width {tenths}/10");
+    }
+}
+
+/// Law: the plane y = 0, which lies on borders of the solid checker, has no speckle: each square is of
+/// one colour, and so are the faces of a box on borders. Oracle: the squares' parity, in each pixel of
+/// pictures from straight above and at an angle.
+#[test]
+fn a_plane_on_the_borders_of_the_checker_has_no_speckle() {
+    for eye in [Point::new(0.0, 10.0, 0.0), Point::new(3.0, 7.0, 5.0)] {
+        let mut scene = gallery();
+        painted(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, solid(1.0));
+        scene.camera.eye = eye;
+        (scene.image.width, scene.image.height, scene.image.pixel_size) = (120, 120, 0.0501);
+        let world = built(&scene);
+        // y = 0 is beneath the first layer: the other colour throughout
+        let (mut seen, mut checked) = ([0; 2], 0);
+        for i in 0..120 * 120 {
+            let (ray, _) = camera_ray(&world, [i % 120, i / 120], 0);
+            let p = ray.at(-ray.origin.y() / ray.direction.y());
+            if clear_of_borders(p.with(1, 0.5), 1.0) {
+                let expected = if even(&[p.x(), p.z()], 1.0) { TWO } else { ONE };
+                assert_eq!(pixel(&world, [i % 120, i / 120]), expected, "{p:?}");
+                seen[usize::from(expected == ONE)] += 1;
+                checked += 1;
+            }
+        }
+        assert!(checked > 14_000 && seen[0] > 5000 && seen[1] > 5000, "{seen:?}");
+    }
+}
+
+/// Law: each face of a box whose sides lie on borders is a clean checker. Oracle: in each square of a
+/// face all points seen have one colour, and its neighbour the other.
+#[test]
+fn faces_of_a_box_on_borders_have_no_speckle() {
+    let mut scene = gallery();
+    let block = Cuboid { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, 1.0, 1.0) };
+    painted(&mut scene, block, solid(0.5));
+    let (world, mut random) = (built(&scene), Pcg32::new(30, 1));
+    for axis in 0..3 {
+        for side in [-1.0, 1.0] {
+            let across = |p: Point| [p.along((axis + 1) % 3), p.along((axis + 2) % 3)];
+            let mut first = None;
+            for _ in 0..500 {
+                let mut c = || 2.0 * random.uniform() - 1.0;
+                let (spot, lean) = (Point::new(c(), c(), c()).with(axis, side), [c(), c(), c()]);
+                let eye = (spot + Vector::from(lean)).with(axis, 3.0 * side);
+                if !across(spot)
+                    .into_iter()
+                    .all(|x| (OFFSET..1.0 - OFFSET).contains(&(2.0 * x).rem_euclid(1.0)))
+                {
+                    continue;
+                }
+                let seen = look(&world, eye, spot - eye);
+                let of_even = if even(&across(spot), 0.5) { seen } else { other(seen) };
+                assert_eq!(*first.get_or_insert(of_even), of_even, "{spot:?}");
+            }
+        }
+    }
+}
