@@ -81,9 +81,8 @@ impl Shape for Built {
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let inner = self.shape.surface(&self.transform.ray_back(ray), at);
         let point = self.transform.point(inner.point);
-        let outer = |n: Normal| {
-            Normal::new(self.transform.covector(n)).expect("the transformation is not singular")
-        };
+        // not singular, so there is a normal unless its length overflows
+        let outer = |n: Normal| Normal::new(self.transform.covector(n)).unwrap_or(n);
         let normal = outer(inner.normal);
         // how much longer a step along the normal is outside than inside
         let stretch = 1.0 / self.transform.covector(inner.normal).length();

@@ -66,7 +66,9 @@ impl Shape for OpenCylinder {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let raw = ray.at(at.t);
-        let normal = Normal::new(across(raw.to_vector())).expect("a hit is a radius off the axis");
+        // from so far away that the point is rounded onto the axis: the side that faces the ray
+        let facing = || Normal::new(-across(ray.direction)).unwrap_or(Normal::X);
+        let normal = Normal::new(across(raw.to_vector())).unwrap_or_else(facing);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
         Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)

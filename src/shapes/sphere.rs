@@ -52,8 +52,9 @@ impl Shape for Sphere {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let from_center = ray.at(at.t) - self.center;
-        let normal = Normal::new(from_center).expect("a hit is a radius away from the centre");
+        // from so far away that the point is rounded onto the centre: the side that faces the ray
+        let facing = || Normal::new(-ray.direction).unwrap_or(Normal::Y);
+        let normal = Normal::new(ray.at(at.t) - self.center).unwrap_or_else(facing);
         let point = self.center + self.radius * normal;
         // the sum above, and the next ray's difference from the centre and its |f| − r
         let magnitude = point.to_vector().abs() + self.center.to_vector().abs();

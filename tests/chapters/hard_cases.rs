@@ -97,7 +97,12 @@ pub fn judge_all(cases: impl Iterator<Item = (String, Pair, oracle::Ray)>) {
 }
 
 impl Worst {
-    fn judge(&mut self, Pair { ours, exact }: &Pair, ray: &oracle::Ray, case: &impl Fn() -> String) {
+    fn judge(
+        &mut self,
+        Pair { ours, exact }: &Pair,
+        ray: &oracle::Ray,
+        case: &impl Fn() -> String,
+    ) {
         let answer = oracle::intersect(exact, ray);
         let condition = exact.condition();
         let direction = Vector::from(ray.direction);
@@ -124,7 +129,10 @@ impl Worst {
         if found.len() != answer.roots.len() {
             let exact: Vec<f64> = answer.roots.iter().map(|root| root.t).collect();
             let found: Vec<f64> = found.iter().map(|hit| hit.t).collect();
-            fail(format!("found {found:?} for {exact:?}, margin {:e}, κ {condition:e}", answer.margin));
+            fail(format!(
+                "found {found:?} for {exact:?}, margin {:e}, κ {condition:e}",
+                answer.margin
+            ));
             return;
         }
         if through_accelerator(&**ours, &ray) != nearest {
@@ -146,7 +154,8 @@ impl Worst {
             }
             let flat = root.size.is_infinite();
             let allowed = if flat { FLAT_NORMAL } else { ALLOWED };
-            let moved = if flat { 1.0 } else { (root.cond * direction.length() / root.size).max(1.0) };
+            let moved =
+                if flat { 1.0 } else { (root.cond * direction.length() / root.size).max(1.0) };
             let error = root.normal_error(normal.to_array()) / (U * condition * moved);
             self.normal.meet(error, case);
             if error.is_nan() || error > allowed {

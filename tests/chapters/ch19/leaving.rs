@@ -125,7 +125,10 @@ fn check_shapes(count: usize, seed: u64) {
         let case = format!("case {i}: {kind:?}");
         let coordinates = surface.point.to_vector().max_abs() + size;
         largest = largest.max(surface.error / (U * coordinates));
-        assert!(surface.error <= MOST * U * coordinates, "{case}: the bound {surface:?} is too wide");
+        assert!(
+            surface.error <= MOST * U * coordinates,
+            "{case}: the bound {surface:?} is too wide"
+        );
         check_leaving(&mut draw, &*shape, form, &surface, &case);
     }
     assert!(10 * hits > 8 * count, "only {hits} hits");
@@ -207,7 +210,8 @@ fn a_shadow_segment_between_planes_meets_only_what_is_between() {
         let (Some(p), Some(q)) = (surface(&low, &down), surface(&high, &up)) else {
             panic!("case {i}: a plane is missed")
         };
-        if p.point.to_vector().max_abs() > 4.0 * size || q.point.to_vector().max_abs() > 4.0 * size {
+        if p.point.to_vector().max_abs() > 4.0 * size || q.point.to_vector().max_abs() > 4.0 * size
+        {
             continue; // the segment itself is rounded by more than the bound of its nearer end
         }
         let line = q.point - p.point;

@@ -34,7 +34,9 @@ fn matrices(count: usize) -> Vec<[[f64; 4]; 3]> {
 
 fn sweep_instances_of(kind: Hard, seed: u64, count: usize) {
     let matrices = matrices(50);
-    sweep_as(kind, seed, count, |shape, ray, i| instanced(shape, ray, matrices[i % matrices.len()]));
+    sweep_as(kind, seed, count, |shape, ray, i| {
+        instanced(shape, ray, matrices[i % matrices.len()])
+    });
 }
 
 /// Law and oracle as above, for instances of what the generator does not nest.
