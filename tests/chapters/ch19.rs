@@ -1,3 +1,4 @@
 //! Chapter 19: ray-object intersections.
 
 mod hard;
+pub mod leaving;

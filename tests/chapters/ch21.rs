@@ -1,3 +1,4 @@
 //! Chapter 21: transforming objects.
 
 mod hard;
+mod leaving;

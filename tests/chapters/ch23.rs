@@ -1,1 +1,6 @@
 //! Chapter 23: triangle meshes.
+
+mod files;
+mod hard;
+mod meshes;
+mod watertight;

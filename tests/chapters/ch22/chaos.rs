@@ -1,0 +1,87 @@
+//! Any finite numbers: nothing panics, nothing is NaN, and the tree still equals the list.
+
+use std::sync::Arc;
+
+use groundtruth::math::{Point, Ray, Span, Vector, power_of_two};
+use groundtruth::shapes::{
+    Box, Context, Disk, Kind, OpenCylinder, Plane, Rectangle, Shape, Sphere, Triangle,
+};
+
+use super::equal::Both;
+use crate::draw::Draw;
+
+/// A finite number of any exponent, zeros of either sign among them; or near another one's size.
+fn any(draw: &mut Draw, widest: i32) -> f64 {
+    if draw.below(10) == 0 {
+        return draw.pick(&[0.0, -0.0, f64::MIN_POSITIVE / 4.0, -5e-324]);
+    }
+    let exponent = draw.below(2 * widest as usize) as i32 - widest;
+    draw.sign() * draw.between(1.0, 2.0) * power_of_two(exponent)
+}
+
+fn any_point(draw: &mut Draw, widest: i32) -> Point {
+    Point::new(any(draw, widest), any(draw, widest), any(draw, widest))
+}
+
+/// A shape of such numbers, if they make one.
+fn any_shape(draw: &mut Draw, widest: i32) -> Option<Arc<dyn Shape>> {
+    let p = any_point(draw, widest);
+    let v = any_point(draw, widest).to_vector();
+    let q = any_point(draw, widest);
+    let size = any(draw, widest).abs();
+    let kind: Kind = match draw.below(7) {
+        0 => Sphere { center: p, radius: size }.into(),
+        1 => Plane { point: p, normal: v }.into(),
+        2 => Box { min: p.min(q), max: p.max(q) }.into(),
+        3 => Triangle { vertices: [p, q, p + v] }.into(),
+        4 => Rectangle { corner: p, a: v.x() * Vector::X, b: v.y() * Vector::Z }.into(),
+        5 => Disk { center: p, normal: v, radius: size }.into(),
+        _ => {
+            let (a, b) = (p.y(), q.y());
+            OpenCylinder { y0: a.min(b), y1: a.max(b), radius: size }.into()
+        }
+    };
+    kind.build(&mut Context::default()).ok()
+}
+
+/// Law: for numbers of any exponent (here up to 2^±1000, and 2^±60 where more is hit) there is no
+/// panic, every hit lies in the span, the tree equals the list, and surfaces are finite where the
+/// numbers leave room for squares. Oracle: the list.
+#[test]
+fn chaos_finds_no_panic_and_no_nan() {
+    let mut draw = Draw::new(2270);
+    let mut hits = 0;
+    for case in 0..4_000 {
+        let widest = if case % 2 == 0 { 60 } else { 1000 };
+        let count = 1 + draw.below(12);
+        let shapes: Vec<_> = (0..count).filter_map(|_| any_shape(&mut draw, widest)).collect();
+        let both = Both::new(shapes.clone());
+        for _ in 0..20 {
+            let origin = any_point(&mut draw, widest);
+            let aim = any_point(&mut draw, widest);
+            let direction = if draw.coin() { aim - origin } else { aim.to_vector() };
+            if direction == Vector::ZERO || !direction.is_finite() {
+                continue;
+            }
+            let ray = Ray::new(origin, direction);
+            for span in [Span::AHEAD, Span::LINE] {
+                hits += usize::from(both.check(&ray, span, &format!("chaos {case}")));
+            }
+            let roots = shapes.iter().flat_map(|shape| {
+                shape.roots(&ray, Span::AHEAD).into_iter().map(move |root| (shape, root))
+            });
+            for (shape, root) in roots {
+                let surface = shape.surface(&ray, &root);
+                let reach = ray.at(root.t).to_vector().max_abs();
+                if widest > 60 || reach.is_nan() || reach > 1e100 {
+                    continue;
+                }
+                let finite = surface.point.is_finite() && surface.error.is_finite();
+                assert!(finite && surface.error >= 0.0, "{shape:?}: {surface:?} for {ray:?}");
+                let length = Vector::from(surface.normal).length();
+                assert!((length - 1.0).abs() < 1e-15, "{shape:?}: {surface:?} for {ray:?}");
+            }
+        }
+    }
+    assert!(hits > 10_000, "only {hits} hits");
+}

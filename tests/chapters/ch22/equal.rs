@@ -1,0 +1,283 @@
+//! The tree of boxes gives what the list gives: the same object at the same distance, bit for bit.
+
+use std::sync::Arc;
+
+use groundtruth::accel::{Accel, Method, Primitives};
+use groundtruth::kinds::Custom;
+use groundtruth::math::{Aabb, Point, Ray, Span, Step, Vector};
+use groundtruth::shapes::{
+    self, Candidate, Context, Disk, Instance, Kind, Plane, Rectangle, Shape, Sphere,
+    TessellatedSphere, Triangle, TriangleMesh,
+};
+
+use crate::draw::Draw;
+
+/// Objects in order, and the ray that looks at them.
+struct Seen<'a>(&'a [Arc<dyn Shape>], &'a Ray);
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        self.0[index as usize].hit(self.1, span)
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.0[index as usize].bounds()
+    }
+}
+
+/// The same objects, searched in both ways.
+pub struct Both {
+    objects: Vec<Arc<dyn Shape>>,
+    list: Accel,
+    bvh: Accel,
+}
+
+impl Both {
+    pub fn new(objects: Vec<Arc<dyn Shape>>) -> Self {
+        let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds()).collect();
+        let [list, bvh] = [Method::List, Method::Bvh].map(|m| Accel::build(m, &bounds));
+        Self { objects, list, bvh }
+    }
+
+    /// Whether anything is hit; fails if the two do not agree.
+    pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
+        let seen = Seen(&self.objects, ray);
+        let [first, same] = [&self.list, &self.bvh].map(|accel| {
+            let found = accel.nearest(&seen, ray, span);
+            found.map(|(i, hit)| (i, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits)))
+        });
+        assert_eq!(first, same, "{case}: {ray:?} in {span:?}");
+        let any = |accel: &Accel| accel.any(&seen, ray, span).map(|(_, hit)| hit.t);
+        let shadows = [any(&self.list), any(&self.bvh)];
+        assert_eq!(shadows.map(|t| t.is_some()), [first.is_some(); 2], "{case}: shadow of {ray:?}");
+        for t in shadows.into_iter().flatten().chain(first.map(|(_, t, ..)| f64::from_bits(t))) {
+            assert!(span.contains(t), "{case}: {t:e} outside {span:?}");
+        }
+        first.is_some()
+    }
+}
+
+fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
+    kind.into().build(&mut Context::default()).expect("valid")
+}
+
+/// Rays from everywhere, a third of them with zeros of either sign, some from very far.
+pub fn ray(draw: &mut Draw, reach: f64) -> Ray {
+    let far = if draw.below(4) == 0 { draw.decades(0.0, 8.0) } else { draw.between(0.0, 2.0) };
+    let target = draw.point(reach);
+    let away = draw.direction();
+    let mut direction = draw.decades(-3.0, 3.0) * away;
+    let origin = target + (far * reach) * away;
+    if draw.below(3) == 0 {
+        let mut d = direction.to_array();
+        for _ in 0..=draw.below(2) {
+            d[draw.below(3)] = draw.pick(&[0.0, -0.0]);
+        }
+        if d != [0.0; 3] {
+            direction = d.into();
+            return Ray::new(target - (far * reach / direction.length()) * direction, direction);
+        }
+    }
+    Ray::new(origin, -direction)
+}
+
+/// Both methods on this many rays; at least one ray in `rarely` hits.
+fn agree(name: &str, objects: Vec<Arc<dyn Shape>>, rays: impl Iterator<Item = Ray>, rarely: usize) {
+    let both = Both::new(objects);
+    let spans = [Span::AHEAD, Span::SEGMENT, Span::LINE, Span { min: 0.25, max: 3.0 }];
+    let (mut hits, mut count) = (0, 0);
+    for (i, ray) in rays.enumerate() {
+        count += 1;
+        hits += usize::from(both.check(&ray, spans[0], name));
+        both.check(&ray, spans[i % 4], name);
+    }
+    assert!(hits * rarely >= count && count > 0, "{name}: only {hits} of {count} rays hit");
+}
+
+fn some_rays(seed: u64, count: usize, reach: f64) -> impl Iterator<Item = Ray> {
+    let mut draw = Draw::new(seed);
+    (0..count).map(move |_| ray(&mut draw, reach))
+}
+
+fn spheres(draw: &mut Draw, count: usize) -> Vec<Arc<dyn Shape>> {
+    let sphere = |_| Sphere { center: draw.point(1.0), radius: draw.decades(-2.5, -0.7) };
+    (0..count).map(sphere).map(built).collect()
+}
+
+/// Law: equal on the book's scene of random spheres, with overlap. Oracle: the list.
+#[test]
+fn acceleration_equals_the_list_on_random_spheres() {
+    for count in [1, 2, 7, 9, 300] {
+        let objects = spheres(&mut Draw::new(2200 + count as u64), count);
+        agree("spheres", objects, some_rays(2201, 6_000, 1.0), 500);
+    }
+}
+
+/// Law: of objects at the same distance the first counts. Oracle: the list, whose rule is an index.
+#[test]
+fn acceleration_equals_the_list_on_coincident_objects() {
+    let mut draw = Draw::new(2210);
+    let mut objects = spheres(&mut draw, 40);
+    for i in 0..120 {
+        objects.push(Arc::clone(&objects[draw.below(40 + i)]));
+    }
+    let center = Point::new(0.1, 0.2, -0.3);
+    objects.extend((0..20).map(|_| built(Sphere { center, radius: 0.5 })));
+    agree("coincident", objects, some_rays(2211, 10_000, 1.0), 10);
+}
+
+/// Triangles of a bumpy sheet, every third of them twice, some of them wound the other way.
+fn doubled_sheet(draw: &mut Draw) -> (Vec<Point>, Vec<[u32; 3]>) {
+    const N: u32 = 12;
+    let height = |draw: &mut Draw| if draw.coin() { 0.0 } else { draw.between(-0.1, 0.1) };
+    let mut vertices = Vec::new();
+    for i in 0..N * N {
+        let (x, z) = (f64::from(i % N) / 4.0 - 1.5, f64::from(i / N) / 4.0 - 1.5);
+        vertices.push(Point::new(x, height(draw), z));
+    }
+    let mut triangles = Vec::new();
+    for i in (0..N * (N - 1)).filter(|i| i % N != N - 1) {
+        triangles.extend([[i, i + 1, i + N], [i + 1, i + N + 1, i + N]]);
+    }
+    for i in (0..triangles.len()).step_by(3) {
+        let [a, b, c] = triangles[i];
+        triangles.push(if draw.coin() { [a, b, c] } else { [b, a, c] });
+    }
+    (vertices, triangles)
+}
+
+/// Law: equal on meshes with triangles that stand there twice, for rays through vertices, along
+/// edges and elsewhere. Oracle: the list; and the same triangles as loose objects.
+#[test]
+fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
+    let mut draw = Draw::new(2220);
+    let (vertices, triangles) = doubled_sheet(&mut draw);
+    let corners = |t: &[u32; 3]| t.map(|i| vertices[i as usize]);
+    let loose: Vec<_> =
+        triangles.iter().map(|t| built(Triangle { vertices: corners(t) })).collect();
+    let aimed: Vec<Ray> = (0..10_000)
+        .map(|_| {
+            let [a, b, _] = corners(&triangles[draw.below(triangles.len())]);
+            let f = draw.pick(&[0.0, 1.0, 0.5, 0.3]);
+            let target = a + f * (b - a);
+            match draw.below(4) {
+                0 => Ray::new(a, b - a),
+                1 => Ray::new(a - (b - a), b - a),
+                _ => {
+                    let origin = draw.point(3.0);
+                    Ray::new(origin, target - origin)
+                }
+            }
+        })
+        .collect();
+    let mesh = TriangleMesh::new(vertices.clone(), triangles.clone());
+    let meshes = [Method::List, Method::Bvh].map(|method| mesh.clone().accelerated(method));
+    for ray in aimed.iter().copied().chain(some_rays(2222, 10_000, 1.5)) {
+        let hits = meshes.each_ref().map(|mesh| mesh.hit(&ray, Span::AHEAD));
+        assert_eq!(hits[0], hits[1], "{ray:?}");
+        let shadows = meshes.each_ref().map(|mesh| mesh.shadow_hit(&ray, Span::AHEAD).is_some());
+        assert_eq!(shadows, [hits[0].is_some(); 2], "{ray:?}");
+        let first = loose.iter().filter_map(|t| t.hit(&ray, Span::AHEAD)).map(|hit| hit.t);
+        let first = first.fold(f64::INFINITY, f64::min);
+        assert_eq!(hits[0].map_or(f64::INFINITY, |hit| hit.t), first, "{ray:?}");
+    }
+    agree("loose triangles", loose, aimed.into_iter(), 4);
+}
+
+/// Law: equal when everything lies in one plane, of rays across it and in it; with infinite planes
+/// among the objects, one of them the same plane. Oracle: the list.
+#[test]
+fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
+    let mut draw = Draw::new(2230);
+    let mut objects: Vec<Arc<dyn Shape>> = Vec::new();
+    for i in 0..200 {
+        let place = Point::new(draw.between(-2.0, 2.0), 0.0, draw.between(-2.0, 2.0));
+        let size = draw.between(0.05, 0.4);
+        objects.push(match i % 3 {
+            0 => built(Disk { center: place, normal: Vector::Y, radius: size }),
+            1 => built(Rectangle { corner: place, a: size * Vector::X, b: size * Vector::Z }),
+            _ => built(Triangle {
+                vertices: [place, place + size * Vector::X, place + size * Vector::Z],
+            }),
+        });
+    }
+    let level = |_| Ray::new(Point::new(-3.0, 0.0, draw.between(-2.0, 2.0)), Vector::X);
+    let level: Vec<Ray> = (0..100).map(level).collect();
+    let rays = || some_rays(2231, 10_000, 2.0).chain(level.iter().copied());
+    agree("flat", objects.clone(), rays(), 20);
+    let mut tilted = Draw::new(2232);
+    for height in [0.0, 0.0, -0.5, 1.0] {
+        let normal = if height == 1.0 { tilted.direction().into() } else { Vector::Y };
+        let plane = built(Plane { point: Point::new(0.0, height, 0.0), normal });
+        objects.insert(tilted.below(objects.len()), plane);
+    }
+    agree("planes", objects, rays(), 2);
+}
+
+/// Law: equal among touching boxes: rays along their faces and edges, from inside, through corners.
+/// Oracle: the list.
+#[test]
+fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
+    let mut objects = Vec::new();
+    for i in 0..216 {
+        let at = |k: i32| f64::from(k % 6 - 3);
+        let min = Point::new(at(i), at(i / 6), at(i / 36));
+        objects.push(built(shapes::Box { min, max: min + Vector::new(1.0, 1.0, 1.0) }));
+    }
+    let mut draw = Draw::new(2240);
+    let mut rays = Vec::new();
+    for _ in 0..10_000 {
+        let whole = |draw: &mut Draw| draw.between(-8.0, 8.0).round() * draw.pick(&[0.5, 1.0]);
+        let [x, y, z] = [(); 3].map(|()| whole(&mut draw));
+        let d = [(); 3].map(|()| draw.pick(&[0.0, -0.0, 1.0, -1.0, 0.5]));
+        if d != [0.0; 3] {
+            rays.push(Ray::new(Point::new(x, y, z), d.into()));
+        }
+    }
+    agree("boxes", objects, rays.into_iter(), 4);
+}
+
+/// Law: equal on instances of meshes and of instances, whose own trees are of either kind. Oracle:
+/// the list.
+#[test]
+fn acceleration_equals_the_list_on_instances_of_meshes() {
+    let mut draw = Draw::new(2250);
+    let sphere = TessellatedSphere { horizontal: 12, vertical: 8, radius: 0.3, smooth: false };
+    let mesh: Arc<dyn Shape> = Arc::new(sphere.mesh().accelerated(Method::Bvh));
+    let mut objects = Vec::new();
+    for i in 0..60 {
+        let scale = |draw: &mut Draw| draw.sign() * draw.decades(-0.7, 0.5);
+        let transform = vec![
+            Step::Scale(Vector::new(scale(&mut draw), scale(&mut draw), scale(&mut draw))),
+            Step::RotateX(draw.between(0.0, 360.0)),
+            Step::RotateZ(draw.pick(&[0.0, 90.0, 33.0])),
+            Step::Translate(draw.vector(1.5)),
+        ];
+        let of = std::boxed::Box::new(Kind::Custom(Custom(Arc::clone(&mesh))));
+        let mut kind = Kind::from(Instance { of, transform: transform.clone() });
+        if i % 3 == 0 {
+            kind = Instance { of: std::boxed::Box::new(kind), transform }.into();
+        }
+        objects.push(built(kind));
+    }
+    agree("instances", objects, some_rays(2251, 6_000, 1.5), 10);
+}
+
+/// Law: a tree over 10⁵ objects is the same each time, on one thread and on two. Oracle: itself,
+/// written out node by node.
+#[test]
+fn a_large_tree_is_the_same_each_time_on_any_number_of_threads() {
+    let mut draw = Draw::new(2260);
+    let bounds: Vec<Aabb> = (0..100_000)
+        .map(|_| {
+            let (p, size) = (draw.point(1.0), draw.decades(-4.0, -1.0));
+            Aabb::around([p, p + draw.vector(size)])
+        })
+        .collect();
+    let build = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| format!("{:?}", Accel::build(Method::Bvh, &bounds)))
+    };
+    let one = build(1);
+    assert!(one == build(1) && one == build(2), "trees differ");
+}

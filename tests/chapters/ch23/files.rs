@@ -1,0 +1,49 @@
+//! Meshes from files: the encoding does not matter.
+
+use groundtruth::math::{Ray, Span};
+use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
+use groundtruth::shapes::{Context, Kind, Mesh, Shape, TessellatedSphere};
+
+use crate::draw::Draw;
+
+/// Law: the three encodings of PLY give the same mesh, and the same hits and shading normals, bit
+/// for bit, with the file's normals and with mean ones. Oracle: each other, and the mesh that was written.
+#[test]
+fn the_three_encodings_of_ply_give_the_same_hits() {
+    let mesh = TessellatedSphere { horizontal: 12, vertical: 8, radius: 1.3, smooth: true }.mesh();
+    let mut data = MeshData {
+        vertices: mesh.vertices().iter().map(|p| p.to_array()).collect(),
+        triangles: mesh.triangles().to_vec(),
+        ..MeshData::default()
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    for with_normals in [false, true] {
+        if with_normals {
+            let normals = mesh.normals().expect("smooth");
+            data.normals = Some(normals.iter().map(|n| n.to_array()).collect());
+        }
+        let encodings = [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian];
+        let shapes = encodings.map(|encoding| {
+            let bytes = write_ply(&data, encoding);
+            assert_eq!(parse_ply(&bytes).expect("readable"), data);
+            let file = folder.path().join(format!("{encoding:?}-{with_normals}.ply"));
+            std::fs::write(&file, bytes).expect("writable");
+            let mesh = Mesh { file, scale: 0.5, smooth: true, reverse_normals: false, accel: None };
+            Kind::from(mesh).build(&mut Context::default()).expect("valid")
+        });
+        let mut draw = Draw::new(2340);
+        let mut hits = 0;
+        for _ in 0..2_000 {
+            let origin = draw.point(3.0);
+            let ray = Ray::new(origin, draw.point(0.5) - origin);
+            let look = |shape: &std::sync::Arc<dyn Shape>| {
+                shape.hit(&ray, Span::AHEAD).map(|hit| (hit, shape.surface(&ray, &hit)))
+            };
+            let seen = shapes.each_ref().map(look);
+            assert_eq!(seen[0], seen[1]);
+            assert_eq!(seen[0], seen[2]);
+            hits += u32::from(seen[0].is_some());
+        }
+        assert!(hits > 1_000, "only {hits} hits");
+    }
+}

@@ -1,0 +1,240 @@
+//! Tessellated spheres, flat and smooth shading, vertex normals, winding.
+
+use std::collections::HashMap;
+use std::f64::consts::PI;
+
+use groundtruth::accel::Method;
+use groundtruth::math::{Normal, Point, Ray, Span, Vector};
+use groundtruth::shapes::{
+    Context, Kind, Shape, Surface, TessellatedSphere, Triangle, TriangleMesh,
+};
+
+use super::watertight::knot;
+use crate::draw::Draw;
+use crate::support::U;
+
+fn sphere(horizontal: u32, vertical: u32, smooth: bool) -> TriangleMesh {
+    TessellatedSphere { horizontal, vertical, radius: 1.0, smooth }.mesh()
+}
+
+fn corners(mesh: &TriangleMesh, triangle: [u32; 3]) -> [Point; 3] {
+    triangle.map(|i| mesh.vertices()[i as usize])
+}
+
+/// Rays towards a thing of radius 1.
+fn rays(seed: u64, count: usize) -> Vec<Ray> {
+    let mut draw = Draw::new(seed);
+    let mut ray = |_| {
+        let origin = Point::ORIGIN + 3.0 * draw.direction();
+        Ray::new(origin, draw.point(0.7) - origin)
+    };
+    (0..count).map(&mut ray).collect()
+}
+
+/// Law: `2 h (v − 1)` triangles. Oracle: the formula; 3×2 → 6, 4×2 → 8, 100×50 → 9800.
+#[test]
+fn a_tessellated_sphere_has_2h_times_v_minus_1_triangles() {
+    for (h, v, count) in [(3, 2, 6), (4, 2, 8), (100, 50, 9800), (5, 4, 30), (7, 3, 28)] {
+        assert_eq!(sphere(h, v, false).triangles().len(), count);
+        assert_eq!(sphere(h, v, false).vertices().len() as u32, h * (v - 1) + 2);
+    }
+}
+
+/// Law: the area is below 4π and nears it as the square of the steps. Oracle: the sum of triangle areas
+/// by vector products; halving the steps quarters the rest.
+#[test]
+fn the_area_of_a_tessellated_sphere_nears_four_pi_quadratically() {
+    let missing = |n: u32| {
+        let mesh = sphere(2 * n, n, false);
+        let area = |&t: &[u32; 3]| {
+            let [a, b, c] = corners(&mesh, t);
+            0.5 * (b - a).cross(c - a).length()
+        };
+        4.0 * PI - mesh.triangles().iter().map(area).sum::<f64>()
+    };
+    for n in [8, 16, 32, 64] {
+        let (coarse, fine) = (missing(n), missing(2 * n));
+        assert!(fine > 0.0 && (3.8..4.2).contains(&(coarse / fine)), "{n}: {coarse} {fine}");
+    }
+}
+
+/// Law: in a closed mesh every edge is passed once in each direction. Oracle: counting.
+#[test]
+fn every_edge_of_a_closed_mesh_is_passed_once_each_way() {
+    for mesh in [sphere(3, 2, false), sphere(4, 2, false), sphere(17, 9, true), knot()] {
+        let mut edges = HashMap::new();
+        for t in mesh.triangles() {
+            for k in 0..3 {
+                *edges.entry((t[k], t[(k + 1) % 3])).or_insert(0) += 1;
+            }
+        }
+        for (&(a, b), &count) in &edges {
+            assert_eq!((count, edges.get(&(b, a))), (1, Some(&1)), "edge {a}–{b}");
+        }
+    }
+}
+
+/// Law: normals of a tessellated sphere point outward, flat and smooth. Oracle: the centre.
+#[test]
+fn normals_of_a_tessellated_sphere_point_outward() {
+    for smooth in [false, true] {
+        for shape in [sphere(3, 2, smooth), sphere(12, 7, smooth)] {
+            let shape = shape.accelerated(Method::Bvh);
+            for ray in rays(2330, 500) {
+                let Some(hit) = shape.hit(&ray, Span::AHEAD) else { continue };
+                let Surface { point, normal, shading, .. } = shape.surface(&ray, &hit);
+                assert!(normal.dot(point.to_vector()) > 0.0 && shading.dot(normal) > 0.0);
+            }
+        }
+    }
+}
+
+/// Law: smooth shading changes the shading normal and nothing else. Oracle: the flat mesh.
+#[test]
+fn flat_and_smooth_meshes_have_the_same_hits() {
+    let [flat, smooth] = [false, true].map(|s| sphere(10, 6, s).accelerated(Method::Bvh));
+    let mut turned = 0;
+    for ray in rays(2331, 4_000) {
+        let (a, b) = (flat.hit(&ray, Span::AHEAD), smooth.hit(&ray, Span::AHEAD));
+        assert_eq!(a, b);
+        let Some(hit) = a else { continue };
+        let (a, b) = (flat.surface(&ray, &hit), smooth.surface(&ray, &hit));
+        assert_eq!((a.point, a.error, a.normal, a.local), (b.point, b.error, b.normal, b.local));
+        assert_eq!(a.shading, a.normal);
+        turned += u32::from(b.shading != b.normal);
+    }
+    assert!(turned > 1_000);
+}
+
+/// Law: interpolated normals are within the square of the edge's angle of the sphere's own.
+/// Oracle: `p/|p|`.
+#[test]
+fn smooth_normals_of_a_sphere_are_nearly_its_own() {
+    let worst = |n: u32| {
+        let shape = sphere(2 * n, n, true).accelerated(Method::Bvh);
+        let error = |ray: &Ray| {
+            let hit = shape.hit(ray, Span::AHEAD)?;
+            let surface = shape.surface(ray, &hit);
+            let own = surface.point.to_vector().unit()?;
+            let length = Vector::from(surface.shading).length();
+            assert!((length - 1.0).abs() <= 4.0 * U);
+            Some((Vector::from(surface.shading) - own).length())
+        };
+        rays(2332, 2_000).iter().filter_map(error).fold(0.0, f64::max)
+    };
+    for n in [6, 12, 24] {
+        let edge = PI / f64::from(n);
+        assert!(worst(n) < edge * edge, "{n}: {}", worst(n));
+        assert!(worst(n) > 0.0);
+    }
+}
+
+/// Law: a vertex normal is the mean of the normals of its faces, each counted once; (0, 1, 0) where
+/// that is zero or no face touches it. Oracle: brute force over all faces.
+#[test]
+fn vertex_normals_are_the_mean_of_the_adjacent_faces() {
+    let mut draw = Draw::new(2333);
+    for _ in 0..20 {
+        let vertices: Vec<Point> = (0..12).map(|_| draw.point(1.0)).collect();
+        let mut corner = || draw.below(10) as u32; // two vertices stay alone
+        let mut triangles: Vec<[u32; 3]> =
+            (0..15).map(|_| [corner(), corner(), corner()]).collect();
+        triangles.retain(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+        let mesh = TriangleMesh::new(vertices.clone(), triangles.clone());
+        for (i, normal) in (0..).zip(mesh.mean_normals()) {
+            let mut sum = Vector::ZERO;
+            for t in triangles.iter().filter(|t| t.contains(&i)) {
+                let [a, b, c] = t.map(|j| vertices[j as usize]);
+                let n = (b - a).cross(c - a);
+                sum += (1.0 / n.length()) * n;
+            }
+            let expected = sum.unit().unwrap_or(Vector::Y);
+            assert!((Vector::from(normal) - expected).length() < 1e-9);
+        }
+    }
+    // two faces back to back
+    let v = [Point::ORIGIN, Point::new(1.0, 0.0, 0.0), Point::new(0.0, 0.0, 1.0)];
+    let mesh = TriangleMesh::new(v.to_vec(), vec![[0, 1, 2], [0, 2, 1]]);
+    assert_eq!(mesh.mean_normals(), [Normal::Y; 3]);
+}
+
+/// Law: on a plane mesh the vertex normals are the face normal. Oracle: the plane's.
+#[test]
+fn vertex_normals_of_a_plane_mesh_are_the_planes() {
+    let v = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 3.0], [1.0, 1.0]];
+    let vertices = v.map(|[x, y]| Point::new(x, y, 2.0 * x - y)).to_vec();
+    let mesh = TriangleMesh::new(vertices, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
+    let plane = Normal::new(Vector::new(-2.0, 1.0, 1.0)).expect("not zero");
+    for normal in mesh.mean_normals() {
+        assert!((normal + -plane).length() < 8.0 * U, "{normal:?}");
+    }
+}
+
+/// Law: reversing turns every normal around and keeps every distance; twice is nothing. Oracle: the mesh
+/// before.
+#[test]
+fn reversing_twice_is_nothing() {
+    for smooth in [false, true] {
+        let mesh = sphere(9, 5, smooth);
+        let mut reversed = mesh.clone();
+        reversed.reverse();
+        let mut twice = reversed.clone();
+        twice.reverse();
+        assert_eq!(twice.triangles(), mesh.triangles());
+        assert_eq!(twice.normals(), mesh.normals());
+        let [a, b] = [mesh, reversed].map(|mesh| mesh.accelerated(Method::Bvh));
+        for ray in rays(2334, 500) {
+            let (Some(x), Some(y)) = (a.hit(&ray, Span::AHEAD), b.hit(&ray, Span::AHEAD)) else {
+                assert_eq!(a.hit(&ray, Span::AHEAD), b.hit(&ray, Span::AHEAD));
+                continue;
+            };
+            assert!((x.t - y.t).abs() <= 8.0 * U * x.t);
+            let (x, y) = (a.surface(&ray, &x), b.surface(&ray, &y));
+            assert_eq!(x.normal, -y.normal);
+            assert!((x.shading + y.shading).length() <= 16.0 * U);
+        }
+    }
+}
+
+/// Law: a mesh is its triangles: the same hits and normals as loose ones, the nearest of them first,
+/// bit for bit. Oracle: loose triangles one by one.
+#[test]
+fn a_mesh_equals_its_loose_triangles() {
+    for mesh in [sphere(8, 5, false), knot()] {
+        let loose = |&t: &[u32; 3]| {
+            let kind = Kind::from(Triangle { vertices: corners(&mesh, t) });
+            kind.build(&mut Context::default()).expect("an area")
+        };
+        let loose: Vec<_> = mesh.triangles().iter().map(loose).collect();
+        let shape = mesh.clone().accelerated(Method::Bvh);
+        for ray in rays(2335, 400) {
+            let hits = loose.iter().zip(0_u32..);
+            let hits = hits.filter_map(|(t, i)| Some((t.hit(&ray, Span::AHEAD)?, i)));
+            let first = hits.min_by(|(a, i), (b, j)| a.t.total_cmp(&b.t).then(i.cmp(j)));
+            let found = shape.hit(&ray, Span::AHEAD);
+            assert_eq!(found.map(|hit| (hit.t, hit.part)), first.map(|(hit, i)| (hit.t, i)));
+            if let (Some(found), Some((hit, i))) = (found, first) {
+                let (a, b) = (shape.surface(&ray, &found), loose[i as usize].surface(&ray, &hit));
+                assert_eq!(a, b);
+            }
+        }
+    }
+}
+
+/// Law: rays from outside cross a closed mesh an even number of times. Oracle: topology.
+#[test]
+fn rays_from_outside_cross_a_closed_mesh_evenly() {
+    for mesh in [sphere(16, 9, false), knot()] {
+        let shape = mesh.accelerated(Method::Bvh);
+        let mut draw = Draw::new(2336);
+        let mut hits = 0;
+        for _ in 0..1_000 {
+            let origin = Point::ORIGIN + 20.0 * draw.direction();
+            let ray = Ray::new(origin, draw.point(2.0) - origin);
+            let crossings = shape.roots(&ray, Span::AHEAD).len();
+            assert_eq!(crossings % 2, 0, "{ray:?}");
+            hits += crossings;
+        }
+        assert!(hits > 200);
+    }
+}
