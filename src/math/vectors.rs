@@ -229,7 +229,8 @@ impl Normal {
     /// The normal in the direction of `v`, unit within 4u; `None` if `v` is zero or not finite.
     pub fn new(v: Vector) -> Option<Self> {
         let largest = v.max_abs();
-        if !(largest > 0.0 && largest.is_finite()) {
+        // the largest component is not NaN where another one is
+        if !(largest > 0.0 && v.is_finite()) {
             return None;
         }
         // far from 1 the squares would overflow or vanish; a power of two changes no digit
