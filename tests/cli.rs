@@ -62,15 +62,15 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["render", "ch03/single-sphere", "-o", "no/a.png"],
-        "error: no/a.png: cannot be written: No such file or directory (os error 2) at path \"no/.groundtruth-",
+        "error: no/a.png: cannot be written: No such file or directory (os error 2)",
     ),
     (
         &["render", "ch03/single-sphere", "--size", "0x0", "-o", "a.png"],
         "error: invalid value '0x0' for '--size <WxH>': a size is written as 300x200",
     ),
     (
-        &["render", "ch03/single-sphere", "--size", "-1x5", "-o", "a.png"],
-        "error: invalid value '-1x5' for '--size <WxH>': a size is written as 300x200",
+        &["render", "ch03/single-sphere", "--size", "300", "-o", "a.png"],
+        "error: invalid value '300' for '--size <WxH>': a size is written as 300x200",
     ),
     (
         &["render", "ch03/single-sphere", "--size", "1000000x1000000", "-o", "a.png"],
@@ -125,19 +125,14 @@ fn errors_have_status_2_and_leave_no_file() {
         let run = run_in(folder.path(), arguments);
         assert_eq!(run.status, Some(2), "{arguments:?}: {}", run.stderr);
         assert_eq!(run.stdout, "", "{arguments:?}");
-        let mut first = run.stderr.lines().next().unwrap_or_default().to_owned();
-        if error.ends_with(".groundtruth-") {
-            first.truncate(error.len()); // the rest of the temporary name is random
-        }
-        assert_eq!(first, *error, "{arguments:?}");
+        let first = run.stderr.lines().next();
+        assert_eq!(first, Some(*error), "{arguments:?}");
         assert_eq!(files_in(folder.path()), [""; 0], "{arguments:?}");
     }
 }
 
-/// Law: a picture that takes the place of a folder, or of a file in a folder that may not be
-/// written, is refused before it is rendered.
+/// Law: a picture cannot take the place of a folder.
 #[test]
-#[cfg(unix)]
 fn a_place_that_cannot_be_written_is_left_as_it_is() {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::create_dir(folder.path().join("a.png")).expect("a folder");

@@ -88,12 +88,14 @@ fn at<'a>(value: &'a mut Value, path: &[String]) -> &'a mut Value {
 #[test]
 fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
     let mut checked = 0;
-    for lens in specimens(cameras::Kind::ENTRIES) {
+    for (i, lens) in specimens(cameras::Kind::ENTRIES).into_iter().enumerate() {
         let whole = Value::try_from(everything(lens)).expect("it can be written");
         let text = toml::to_string(&whole).expect("it can be written");
         scene::from_toml(&text, Path::new("scene.toml")).expect("it is right");
         let mut places = Vec::new();
         leaves(&whole, &mut Vec::new(), &mut places);
+        // the rest is the same for every lens
+        places.retain(|place| i == 0 || place[0] == "camera");
         for place in &places {
             for (word, value) in
                 [("nan", f64::NAN), ("inf", f64::INFINITY), ("-inf", f64::NEG_INFINITY)]
@@ -115,7 +117,7 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
             }
         }
     }
-    assert!(checked > 1000, "{checked} places");
+    assert!(checked > 900, "{checked} places");
 }
 
 fn has_word(line: &str, word: &str) -> bool {
