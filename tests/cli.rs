@@ -85,7 +85,16 @@ const ERRORS: &[(&[&str], &str)] = &[
         "error: invalid value 'many' for '--samples <N>': invalid digit found in string",
     ),
     (
-        &["render", "ch03/single-sphere", "--crop", "190,0,20x10", "-o", "a.png"],
+        &[
+            "render",
+            "ch03/single-sphere",
+            "--size",
+            "200x200",
+            "--crop",
+            "190,0,20x10",
+            "-o",
+            "a.png",
+        ],
         "error: --crop 190,0,20x10 reaches beyond the picture of 200x200",
     ),
     (
@@ -93,7 +102,16 @@ const ERRORS: &[(&[&str], &str)] = &[
         "error: invalid value '1,1' for '--crop <X,Y,WxH>': a crop is written as X,Y,WxH, such as 100,50,64x48",
     ),
     (
-        &["render", "ch03/single-sphere", "--crop", "4294967295,0,2x2", "-o", "a.png"],
+        &[
+            "render",
+            "ch03/single-sphere",
+            "--size",
+            "200x200",
+            "--crop",
+            "4294967295,0,2x2",
+            "-o",
+            "a.png",
+        ],
         "error: --crop 4294967295,0,2x2 reaches beyond the picture of 200x200",
     ),
     (
@@ -101,7 +119,7 @@ const ERRORS: &[(&[&str], &str)] = &[
         "error: the following required arguments were not provided:",
     ),
     (
-        &["explain", "ch03/single-sphere", "200", "0"],
+        &["explain", "ch03/single-sphere", "200", "0", "--size", "200x200"],
         "error: pixel (200, 0) is outside the picture of 200x200",
     ),
     (
