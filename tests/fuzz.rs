@@ -111,4 +111,4 @@ macro_rules! targets {
     };
 }
 
-targets!(bvh obj ply scene_file shapes transforms);
+targets!(bvh obj ply probe_line scene_file shapes transforms);

@@ -37,6 +37,10 @@ enum Command {
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
+    ///
+    /// Each line of the standard input asks one question, as {"fresnel": {"cos_i": 1, "eta": 1.5}},
+    /// and gets one line with its answer. docs/probe.md describes the questions. The exit status
+    /// is 2 if any line got an error.
     Probe(probe::Probe),
 }
 

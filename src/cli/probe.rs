@@ -5,8 +5,6 @@ use groundtruth::probe;
 
 use super::{Answer, Outcome};
 
-/// Each line asks one question, as {"intersect": {…}}, and gets one line with its answer; the
-/// questions are described in docs/probe.md. The exit status is 2 if any line got an error.
 #[derive(Args)]
 pub struct Probe {}
 

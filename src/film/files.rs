@@ -70,7 +70,13 @@ pub fn writable(path: &Path) -> Result<(), ImageError> {
 /// A file in the same folder, gone again unless it is renamed.
 fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(folder)
+    let file = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(folder);
+    // the name of a file that a person never sees only confuses
+    file.map_err(|error| {
+        let text = error.to_string();
+        let reason = text.split_once(" at path ").map_or(text.as_str(), |(reason, _)| reason);
+        std::io::Error::new(error.kind(), reason)
+    })
 }
 
 /// Puts `bytes` in the place of a file, whole or not at all.

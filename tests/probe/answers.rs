@@ -80,7 +80,8 @@ proptest! {
         let inside = a.to_vector().length() < r && b.to_vector().length() < r;
         let answer = ask(&json!({"occluded": {
             "shapes": [{"sphere": {"center": [100, 0, 0], "radius": 1}},
-                       {"sphere": {"center": [0, 0, 0], "radius": r}}],
+                       {"sphere": {"center": [0, 0, 0], "radius": r}},
+                       {"sphere": {"center": [0, 100, 0], "radius": 1}}],
             "segment": {"from": a.to_array(), "to": b.to_array()},
         }}));
         prop_assert_eq!(answer, json!(distance < r && !inside));
@@ -262,4 +263,22 @@ fn unit_vectors_are_left_alone() {
     };
     assert_eq!(mirror(wo), [-0.6, 0.0, 0.8]);
     assert_eq!(mirror([3.0, 0.0, 4.0]), [-0.6, 0.0, 0.8]);
+}
+
+/// Law: a draw is the place in the pixel that the renderer uses, up to the rounding of the film.
+/// Oracle: the film itself, less the pixel's corner.
+#[test]
+fn a_draw_is_where_the_renderer_samples() {
+    let entry = groundtruth::gallery::find("ch28/glass-sphere").expect("it is in the gallery");
+    let world = groundtruth::world::World::build(&(entry.build)()).expect("it is valid");
+    let (size, half) = (world.image.pixel_size, 300.0);
+    for (x, y, index) in [(0, 0, 0), (17, 430, 5), (599, 599, 15), (17, 431, 5)] {
+        let (_, film) = groundtruth::render::camera_ray(&world, [x, y], index);
+        let corner = [f64::from(x) - half, f64::from(599 - y) - half];
+        let place = [film[0] / size - corner[0], film[1] / size - corner[1]];
+        let draw = json!({"pixel": [x, y], "index": index});
+        let sampler = json!({"multi_jittered": {}});
+        let drawn = ask(&json!({"samples": {"sampler": sampler, "n": 16, "draw": draw}}));
+        assert!(close(&drawn, &place, ROUNDING), "{x} {y} {index}: {drawn} for {place:?}");
+    }
 }

@@ -7,6 +7,7 @@ mod input;
 pub mod bvh;
 pub mod obj;
 pub mod ply;
+pub mod probe_line;
 pub mod scene_file;
 pub mod shapes;
 pub mod transforms;
@@ -19,6 +20,7 @@ pub const TARGETS: &[Target] = &[
     ("bvh", bvh::run),
     ("obj", obj::run),
     ("ply", ply::run),
+    ("probe_line", probe_line::run),
     ("scene_file", scene_file::run),
     ("shapes", shapes::run),
     ("transforms", transforms::run),

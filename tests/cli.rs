@@ -1,0 +1,242 @@
+//! The command line: exit statuses, error texts, and that nothing is left half done.
+
+#[path = "cli/interrupt.rs"]
+#[cfg(unix)]
+mod interrupt;
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use groundtruth::gallery;
+
+const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
+
+/// What a run of the program came to.
+struct Run {
+    status: Option<i32>,
+    stdout: String,
+    stderr: String,
+}
+
+/// Runs the program in a folder.
+fn run_in(folder: &Path, arguments: &[&str]) -> Run {
+    let output = Command::new(GROUNDTRUTH)
+        .current_dir(folder)
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .expect("it starts");
+    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
+    Run { status: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) }
+}
+
+fn files_in(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).expect("it is a folder");
+    let name = |entry: std::io::Result<std::fs::DirEntry>| entry.expect("readable").file_name();
+    entries.map(|entry| name(entry).to_string_lossy().into_owned()).collect()
+}
+
+/// Arguments, and the first line of the error.
+const ERRORS: &[(&[&str], &str)] = &[
+    (
+        &["render", "ch28/glass-spere", "-o", "a.png"],
+        "error: no scene `ch28/glass-spere`: neither a gallery name (`groundtruth list` shows them) \
+         nor a file; did you mean `ch28/glass-sphere`?",
+    ),
+    (
+        &["render", "nothing", "-o", "a.png"],
+        "error: no scene `nothing`: neither a gallery name (`groundtruth list` shows them) nor a file",
+    ),
+    (
+        &["render", "no.toml", "-o", "a.png"],
+        "error: no.toml: cannot be read: No such file or directory (os error 2)",
+    ),
+    (&["render", ".", "-o", "a.png"], "error: .: cannot be read: Is a directory (os error 21)"),
+    (
+        &["render", "ch03/single-sphere", "-o", "a.jpg"],
+        "error: a.jpg: unknown picture format; end the name with .png or .exr",
+    ),
+    (
+        &["render", "ch03/single-sphere", "-o", "."],
+        "error: .: unknown picture format; end the name with .png or .exr",
+    ),
+    (
+        &["render", "ch03/single-sphere", "-o", "no/a.png"],
+        "error: no/a.png: cannot be written: No such file or directory (os error 2)",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--size", "0x0", "-o", "a.png"],
+        "error: invalid value '0x0' for '--size <WxH>': a size is written as 300x200",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--size", "300", "-o", "a.png"],
+        "error: invalid value '300' for '--size <WxH>': a size is written as 300x200",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--size", "1000000x1000000", "-o", "a.png"],
+        "error: image.width: 1000000 × 1000000 pixels are too many; at most 33554432 fit",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--samples", "0", "-o", "a.png"],
+        "error: image.samples: found 0, but 1 to 65536 fit",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--samples", "many", "-o", "a.png"],
+        "error: invalid value 'many' for '--samples <N>': invalid digit found in string",
+    ),
+    (
+        &[
+            "render",
+            "ch03/single-sphere",
+            "--size",
+            "200x200",
+            "--crop",
+            "190,0,20x10",
+            "-o",
+            "a.png",
+        ],
+        "error: --crop 190,0,20x10 reaches beyond the picture of 200x200",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--crop", "1,1", "-o", "a.png"],
+        "error: invalid value '1,1' for '--crop <X,Y,WxH>': a crop is written as X,Y,WxH, such as 100,50,64x48",
+    ),
+    (
+        &[
+            "render",
+            "ch03/single-sphere",
+            "--size",
+            "200x200",
+            "--crop",
+            "4294967295,0,2x2",
+            "-o",
+            "a.png",
+        ],
+        "error: --crop 4294967295,0,2x2 reaches beyond the picture of 200x200",
+    ),
+    (
+        &["render", "ch03/single-sphere"],
+        "error: the following required arguments were not provided:",
+    ),
+    (
+        &["explain", "ch03/single-sphere", "200", "0", "--size", "200x200"],
+        "error: pixel (200, 0) is outside the picture of 200x200",
+    ),
+    (
+        &["explain", "ch28/glass-sphere", "0", "0", "--sample", "16"],
+        "error: no sample 16: the pixel has 16, numbered from 0",
+    ),
+    (&["explain", "ch03/single-sphere", "-1", "0"], "error: unexpected argument '-1' found"),
+    (
+        &["export", "ch03/single-spheres"],
+        "error: no scene `ch03/single-spheres`: neither a gallery name (`groundtruth list` shows \
+         them) nor a file; did you mean `ch03/single-sphere`?",
+    ),
+    (&["rendr"], "error: unrecognized subcommand 'rendr'"),
+];
+
+/// Law: the status is 2, the error is one line about the cause, and no file is left.
+#[test]
+fn errors_have_status_2_and_leave_no_file() {
+    for (arguments, error) in ERRORS {
+        let folder = tempfile::tempdir().expect("a folder");
+        let run = run_in(folder.path(), arguments);
+        assert_eq!(run.status, Some(2), "{arguments:?}: {}", run.stderr);
+        assert_eq!(run.stdout, "", "{arguments:?}");
+        let first = run.stderr.lines().next();
+        assert_eq!(first, Some(*error), "{arguments:?}");
+        assert_eq!(files_in(folder.path()), [""; 0], "{arguments:?}");
+    }
+}
+
+/// Law: a picture cannot take the place of a folder.
+#[test]
+fn a_place_that_cannot_be_written_is_left_as_it_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::create_dir(folder.path().join("a.png")).expect("a folder");
+    let run = run_in(folder.path(), &["render", "ch03/single-sphere", "-o", "a.png"]);
+    assert_eq!(run.status, Some(2));
+    assert_eq!(run.stderr, "error: a.png: cannot be written: it is a folder\n");
+    assert_eq!(files_in(folder.path()), ["a.png"]);
+    assert_eq!(files_in(&folder.path().join("a.png")), [""; 0]);
+}
+
+#[test]
+fn good_commands_have_status_0() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let small = ["--size", "16x12"];
+    for arguments in [
+        &["list"][..],
+        &["list", "--json"],
+        &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1]],
+        &["render", "ch03/single-sphere", "-o", "b.exr", small[0], small[1], "--crop", "8,6,8x6"],
+        &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1], "--threads", "1"],
+        &["explain", "ch03/single-sphere", "100", "100"],
+        &["explain", "ch28/glass-sphere", "300", "300", "--all", "--json"],
+        &["export", "ch14/page-one"],
+        &["--help"],
+        &["--version"],
+        &["probe"],
+    ] {
+        let run = run_in(folder.path(), arguments);
+        assert_eq!(run.status, Some(0), "{arguments:?}: {}", run.stderr);
+    }
+    let mut files = files_in(folder.path());
+    files.sort();
+    assert_eq!(files, ["a.png", "b.exr"]);
+}
+
+#[test]
+fn help_speaks_of_every_option() {
+    let scene = ["--size", "--samples", "--seed", "<SCENE>"];
+    for (command, options) in [
+        ("list", &["--json"][..]),
+        ("render", &["--output", "--crop", "--threads"]),
+        ("explain", &["<X>", "<Y>", "--sample", "--all", "--json"]),
+        ("export", &[]),
+        ("probe", &["docs/probe.md"]),
+    ] {
+        let run = run_in(Path::new("."), &[command, "--help"]);
+        assert_eq!(run.status, Some(0));
+        let scene = if matches!(command, "list" | "probe") { &[][..] } else { &scene };
+        for option in scene.iter().chain(options) {
+            assert!(run.stdout.contains(option), "{command}: {option} in\n{}", run.stdout);
+        }
+        let whole = run_in(Path::new("."), &["--help"]).stdout;
+        assert!(whole.contains(&format!("  {command} ")), "{command} in\n{whole}");
+    }
+}
+
+/// Law: a reader that goes away is no failure.
+#[test]
+fn a_closed_pipe_is_no_error() {
+    for arguments in [&["list"][..], &["export", "ch14/page-one"]] {
+        let mut child = Command::new(GROUNDTRUTH)
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("it starts");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert!(output.stderr.is_empty(), "{arguments:?}");
+    }
+}
+
+/// Law: the exported file of every gallery scene renders the same picture, bit for bit.
+#[test]
+fn an_exported_scene_renders_the_same_bits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let render = |scene: &str, file: &str| {
+        let run = run_in(folder.path(), &["render", scene, "-o", file, "--size", "24x16"]);
+        assert_eq!(run.status, Some(0), "{scene}: {}", run.stderr);
+        std::fs::read(folder.path().join(file)).expect("it was written")
+    };
+    for entry in gallery::scenes() {
+        let export = run_in(folder.path(), &["export", entry.name]);
+        assert_eq!(export.status, Some(0), "{}: {}", entry.name, export.stderr);
+        std::fs::write(folder.path().join("scene.toml"), export.stdout).expect("it can be written");
+        assert!(render(entry.name, "a.exr") == render("scene.toml", "b.exr"), "{}", entry.name);
+    }
+}

@@ -1,0 +1,355 @@
+//! Scene files that are wrong: one error each, with file, line, object and field, and what would
+//! fit; never a panic, a hang or gigabytes.
+
+#[path = "scene_files/meshes.rs"]
+mod meshes;
+#[path = "scene_files/not_finite.rs"]
+mod not_finite;
+#[path = "scene_files/too_deep.rs"]
+mod too_deep;
+
+use std::path::Path;
+
+use groundtruth::scene;
+
+/// A scene that is right.
+const SCENE: &str = r#"about = "x"
+background = 0.5
+
+[tracer.whitted]
+max_depth = 5
+
+[image]
+width = 4
+height = 4
+
+[camera]
+eye = [0, 0, 5]
+lens = { pinhole = { distance = 5 } }
+
+[[lights]]
+name = "lamp"
+source = { point = { location = [1, 2, 3] } }
+
+[[materials]]
+name = "red"
+[materials.recipe.matte]
+ka = 0.1
+cd = [1, 0, 0]
+
+[[objects]]
+name = "ball"
+material = "red"
+
+[objects.shape.sphere]
+center = [0, 0, 0]
+radius = 1
+"#;
+
+/// The error of a scene text in `scene.toml`.
+fn error_of(text: &str) -> String {
+    match scene::from_toml(text, Path::new("scene.toml")) {
+        Err(error) => error.to_string(),
+        Ok(_) => panic!("this scene is read without an error:\n{text}"),
+    }
+}
+
+/// The scene with one part replaced.
+fn with(part: &str, replacement: &str) -> String {
+    assert!(SCENE.contains(part), "{part} is in the scene");
+    SCENE.replacen(part, replacement, 1)
+}
+
+#[test]
+fn the_scene_they_are_made_of_is_right() {
+    scene::from_toml(SCENE, Path::new("scene.toml")).expect("it is right");
+}
+
+/// What is replaced, by what, and the error.
+const ERRORS: &[(&str, &str, &str)] = &[
+    (
+        "radius",
+        "radios",
+        "scene.toml:31: objects[0] \"ball\", shape.sphere.radios: unknown field `radios`, expected `center` or `radius`",
+    ),
+    (
+        "radius = 1\n",
+        "",
+        "scene.toml:29: objects[0] \"ball\", shape.sphere: missing field `radius`",
+    ),
+    (
+        "radius = 1",
+        "radius = \"big\"",
+        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: invalid type: string \"big\", expected a number",
+    ),
+    (
+        "[0, 0, 0]",
+        "[0, 0]",
+        "scene.toml:30: objects[0] \"ball\", shape.sphere.center: invalid length 2, expected an array of length 3",
+    ),
+    (
+        "sphere",
+        "spheer",
+        "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, `box`, `triangle`, `rectangle`, `disk`, `open_cylinder`, `instance`, `mesh`, `tessellated_sphere`",
+    ),
+    (
+        "[1, 0, 0]",
+        "\"red\"",
+        "scene.toml:23: materials[0] \"red\", recipe.matte.cd: invalid type: string \"red\", expected a colour [r, g, b], one number for a grey, or a texture",
+    ),
+    (
+        "[1, 0, 0]",
+        "{ checker4d = { size = 1 } }",
+        "scene.toml:23: materials[0] \"red\", recipe.matte.cd.checker4d: unknown variant `checker4d`, expected one of `constant`, `checker3d`, `plane_checker`",
+    ),
+    (
+        "cd = [1, 0, 0]\n",
+        "",
+        "scene.toml:21: materials[0] \"red\", recipe.matte: missing field `cd`",
+    ),
+    (
+        "width = 4",
+        "width = -4",
+        "scene.toml:8: image.width: invalid value: integer `-4`, expected a whole number from 0 to 4294967295",
+    ),
+    (
+        "width = 4",
+        "width = 2.5",
+        "scene.toml:8: image.width: invalid type: floating point `2.5`, expected a whole number from 0 to 4294967295",
+    ),
+    (
+        "width = 4",
+        "width = 5000000000",
+        "scene.toml:8: image.width: invalid value: integer `5000000000`, expected a whole number from 0 to 4294967295",
+    ),
+    (
+        "[image]",
+        "[imag]",
+        "scene.toml:7: imag: unknown field `imag`, expected one of `about`, `tracer`, `accel`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+    ),
+    (
+        "whitted",
+        "path",
+        "scene.toml:4: tracer.path: unknown variant `path`, expected `ray_cast` or `whitted`",
+    ),
+    (
+        "material = \"red\"",
+        "material = \"blue\"",
+        "scene.toml:27: objects[0] \"ball\", material: no material `blue`; defined are: red",
+    ),
+    ("material = \"red\"\n", "", "scene.toml:25: objects[0] \"ball\": missing field `material`"),
+    ("radius = 1", "radius = 1\nradius = 2", "scene.toml:32: duplicate key"),
+    ("\"lamp\"", "\"lamp", "scene.toml:16: invalid basic string, expected `\"`"),
+    (
+        "radius = 1",
+        "radius = nan",
+        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: found NaN, but a positive, finite number is needed",
+    ),
+    (
+        "radius = 1",
+        "radius = inf",
+        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: found inf, but a positive, finite number is needed",
+    ),
+    (
+        "radius = 1",
+        "radius = -1",
+        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: found -1, but a positive, finite number is needed",
+    ),
+    (
+        "radius = 1",
+        "radius = 0",
+        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: found 0, but a positive, finite number is needed",
+    ),
+    (
+        "background = 0.5",
+        "background = -0.5",
+        "scene.toml:2: background: found [-0.5, -0.5, -0.5], but a colour of finite numbers of at least 0 is needed",
+    ),
+    (
+        "distance = 5",
+        "distance = 5, zooom = 2",
+        "scene.toml:13: camera.lens.pinhole.zooom: unknown field `zooom`, expected `distance` or `zoom`",
+    ),
+    (
+        "distance = 5",
+        "distance = 0",
+        "scene.toml:13: camera.lens.pinhole.distance: found 0, but a positive, finite number is needed",
+    ),
+    (
+        "max_depth = 5",
+        "max_depth = 1000000",
+        "scene.toml:5: tracer.whitted.max_depth: found 1000000, but at most 128 fits",
+    ),
+    (
+        "[0, 0, 5]",
+        "[0, 0, 0]",
+        "scene.toml:11: camera.look_at: found [0.0, 0.0, 0.0], which is the eye: there is no view direction",
+    ),
+    (
+        "width = 4",
+        "width = 0",
+        "scene.toml:8: image.width: found 0 × 4, but a picture has at least one pixel",
+    ),
+    (
+        "height = 4",
+        "height = 0",
+        "scene.toml:9: image.height: found 4 × 0, but a picture has at least one pixel",
+    ),
+    (
+        "width = 4\nheight = 4",
+        "width = 1000000\nheight = 1000000",
+        "scene.toml:8: image.width: 1000000 × 1000000 pixels are too many; at most 33554432 fit",
+    ),
+    (
+        "height = 4",
+        "height = 4\nsamples = 0",
+        "scene.toml:10: image.samples: found 0, but 1 to 65536 fit",
+    ),
+    (
+        "height = 4",
+        "height = 4\nsamples = 4000000000",
+        "scene.toml:10: image.samples: found 4000000000, but 1 to 65536 fit",
+    ),
+    (
+        "height = 4",
+        "height = 4\npixel_size = 0",
+        "scene.toml:10: image.pixel_size: found 0, but a positive, finite number is needed",
+    ),
+    (
+        "height = 4",
+        "height = 4\npixel_size = 1e308",
+        "scene.toml:10: image.pixel_size: found 1e308, but the picture is then too large for this lens",
+    ),
+    (
+        "height = 4",
+        "height = 4\ngamma = -1",
+        "scene.toml:10: image.gamma: found -1, but a positive, finite number is needed",
+    ),
+    (
+        "height = 4",
+        "height = 4\nsampler = \"jittered\"",
+        "scene.toml:10: image.sampler: a kind needs a table of fields, as `kind = { … }`; it may be empty",
+    ),
+    (
+        "{ pinhole = { distance = 5 } }",
+        "{ }",
+        "scene.toml:13: camera.lens: exactly one kind is needed here, as `kind = { … }`",
+    ),
+    (
+        "{ pinhole = { distance = 5 } }",
+        "{ pinhole = { distance = 5 }, orthographic = {} }",
+        "scene.toml:13: camera.lens: exactly one kind is needed here, as `kind = { … }`",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.triangle]\nvertices = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n",
+        "scene.toml:30: objects[0] \"ball\", shape.triangle.vertices: found [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [2.0, 2.0, 2.0]], a triangle of area zero, but its corners must not be on one line",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.box]\nmin = [0, 0, 0]\nmax = [1, 0, 1]\n",
+        "scene.toml:31: objects[0] \"ball\", shape.box.max: found [1.0, 0.0, 1.0], but each coordinate must be above that of min, [0.0, 0.0, 0.0]",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.rectangle]\ncorner = [0, 0, 0]\na = [1, 0, 0]\nb = [1, 1, 0]\n",
+        "scene.toml:32: objects[0] \"ball\", shape.rectangle.b: found [1.0, 1.0, 0.0], but it must be perpendicular to a, [1.0, 0.0, 0.0]",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.rectangle]\ncorner = [0, 0, 0]\na = [1, 0, 0]\nb = [2, 0, 0]\n",
+        "scene.toml:32: objects[0] \"ball\", shape.rectangle.b: found [2.0, 0.0, 0.0], but the sides must span an area",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.open_cylinder]\ny0 = 1\ny1 = 1\nradius = 1\n",
+        "scene.toml:31: objects[0] \"ball\", shape.open_cylinder.y1: found 1, but it must be above y0, 1",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.plane]\npoint = [0, 0, 0]\nnormal = [0, 0, 0]\n",
+        "scene.toml:31: objects[0] \"ball\", shape.plane.normal: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.tessellated_sphere]\nhorizontal = 2\nvertical = 4\n",
+        "scene.toml:30: objects[0] \"ball\", shape.tessellated_sphere.horizontal: found 2, but 3 to 4096 steps are needed",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ scale = [1, 0, 1] }] } }\n",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform: the transformation is singular (condition number inf; at most 1e12 fits)",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ scale = [1, 1, 1e-13] }] } }\n",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform: the transformation is singular (condition number 1.4e13; at most 1e12 fits)",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ translate = [nan, 0, 0] }] } }\n",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].translate: found [NaN, 0.0, 0.0], but finite coordinates are needed",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ rotate_about = { point = [0, 0, 0], direction = [0, 0, 0], degrees = 3 } }] } }\n",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].rotate_about.direction: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ spin = 3 }] } }\n",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].spin: unknown variant `spin`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ rotate_about = { point = [0, 0, 0], direction = [0, 0, 1], degrees = 3, sense = 1 } }] } }\n",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].rotate_about.sense: unexpected keys in table: sense, available keys: point, direction, degrees",
+    ),
+    (
+        "[[objects]]",
+        "[[materials]]\nname = \"red\"\nrecipe = { matte = { cd = 1 } }\n\n[[objects]]",
+        "scene.toml:26: materials[1] \"red\", name: `red` is the name of materials[0] already",
+    ),
+    (
+        "[[materials]]",
+        "[[lights]]\nname = \"lamp\"\nsource = { ambient = {} }\n\n[[materials]]",
+        "scene.toml:20: lights[1] \"lamp\", name: `lamp` is the name of lights[0] already",
+    ),
+    (
+        "name = \"red\"\n",
+        "name = \"red\"\ntwo_sided = 1\n",
+        "scene.toml:21: materials[0] \"red\", two_sided: invalid type: integer `1`, expected a boolean",
+    ),
+    (
+        "source = { point = { location = [1, 2, 3] } }",
+        "source = { directional = { direction = [0, 0, 0] } }",
+        "scene.toml:17: lights[0] \"lamp\", source.directional.direction: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        "location = [1, 2, 3]",
+        "location = [1, 2, 3], attenuation = -1",
+        "scene.toml:17: lights[0] \"lamp\", source.point.attenuation: found -1, but a finite number of at least 0 is needed",
+    ),
+    (
+        "ka = 0.1",
+        "ka = -0.1",
+        "scene.toml:22: materials[0] \"red\", recipe.matte.ka: found -0.1, but a finite number of at least 0 is needed",
+    ),
+    (
+        "[materials.recipe.matte]\nka = 0.1\ncd = [1, 0, 0]",
+        "two_sided = true\nrecipe = { transparent = { kt = 1, eta = 1.5 } }",
+        "scene.toml:21: materials[0] \"red\", two_sided: a transparent material must know its inside and cannot be two-sided",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n\n[[objects]]\nname = \"cube\"\nmaterial = \"green\"\nshape = { box = { min = [0, 0, 0], max = [1, 1, 1] } }\n",
+        "scene.toml:35: objects[1] \"cube\", material: no material `green`; defined are: red",
+    ),
+];
+
+#[test]
+fn errors_name_line_object_and_field_and_say_what_would_fit() {
+    for (part, replacement, error) in ERRORS {
+        assert_eq!(error_of(&with(part, replacement)), *error, "{part} -> {replacement}");
+    }
+}

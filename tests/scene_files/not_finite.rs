@@ -1,0 +1,125 @@
+//! NaN and infinity, which TOML can write, fit nowhere.
+
+use std::path::Path;
+
+use groundtruth::cameras::Viewpoint;
+use groundtruth::kinds::Entry;
+use groundtruth::materials::{Matte, Medium};
+use groundtruth::math::{Axis, Point, Step, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{self, Image, Light, Material, Object, Scene, Tracer, Whitted};
+use groundtruth::shapes::{Instance, Sphere};
+use groundtruth::textures::Paint;
+use groundtruth::{cameras, lights, materials, samplers, shapes, textures};
+use toml::Value;
+
+fn specimens<Kind>(entries: &[Entry<Kind>]) -> Vec<Kind> {
+    entries.iter().flat_map(|entry| (entry.specimens)()).collect()
+}
+
+/// A scene with an example of every kind, every step and every field that has a default.
+fn everything(lens: cameras::Kind) -> Scene {
+    let camera = Viewpoint {
+        roll: 10.0,
+        medium: Medium { eta: 1.5, absorption: Rgb::new(0.5, 0.25, 0.125) },
+        ..Viewpoint::new(Point::new(1.0, 2.0, 9.0), Point::new(0.5, 0.25, 0.0), lens)
+    };
+    let sampler = specimens(samplers::Kind::ENTRIES).into_iter().next();
+    let mut scene = Scene::new("everything", Image { sampler, ..Image::new(4, 4) }, camera);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
+    let recipes = specimens(materials::Kind::ENTRIES).into_iter();
+    let painted = specimens(textures::Kind::ENTRIES)
+        .into_iter()
+        .map(|texture| materials::Kind::from(Matte { ka: 0.5, kd: 0.5, cd: Paint(texture) }));
+    for (i, recipe) in recipes.chain(painted).enumerate() {
+        scene.materials.push(Material::new(&format!("material {i}"), recipe));
+    }
+    for (i, source) in specimens(lights::Kind::ENTRIES).into_iter().enumerate() {
+        scene.lights.push(Light::new(&format!("light {i}"), source));
+    }
+    let sphere = Sphere { center: Point::new(0.5, 0.25, 1.5), radius: 0.75 };
+    let instance = Instance {
+        of: Box::new(sphere.into()),
+        transform: vec![
+            Step::Translate(Vector::new(1.0, 2.0, 3.0)),
+            Step::Scale(Vector::new(1.0, 2.0, 3.0)),
+            Step::RotateX(10.0),
+            Step::RotateY(20.0),
+            Step::RotateZ(30.0),
+            Step::RotateAbout { point: Point::ORIGIN, direction: Vector::Y, degrees: 40.0 },
+            Step::Reflect(Axis::Z),
+            Step::Shear([0.5, 0.25, 0.0, 0.0, 0.125, 0.0]),
+        ],
+    };
+    let all = specimens(shapes::Kind::ENTRIES).into_iter().chain([instance.into()]);
+    for (i, shape) in all.enumerate() {
+        scene.objects.push(Object::new(&format!("object {i}"), "material 0", shape));
+    }
+    scene
+}
+
+/// The places of all numbers that are no counts.
+fn leaves(value: &Value, path: &mut Vec<String>, found: &mut Vec<Vec<String>>) {
+    let mut visit = |key: String, value| {
+        path.push(key);
+        leaves(value, path, found);
+        path.pop();
+    };
+    match value {
+        Value::Table(table) => table.iter().for_each(|(key, value)| visit(key.clone(), value)),
+        Value::Array(array) => {
+            array.iter().enumerate().for_each(|(i, value)| visit(i.to_string(), value));
+        }
+        Value::Float(_) => found.push(path.clone()),
+        _ => {}
+    }
+}
+
+fn at<'a>(value: &'a mut Value, path: &[String]) -> &'a mut Value {
+    path.iter().fold(value, |value, key| match value {
+        Value::Array(array) => &mut array[key.parse::<usize>().expect("an index")],
+        Value::Table(table) => table.get_mut(key).expect("a key"),
+        _ => panic!("{key} is in no table"),
+    })
+}
+
+/// Law: whichever number of whatever kind is NaN or infinite, the error names its field and the
+/// line on which it stands. Oracle: the text has the word on one line only.
+#[test]
+fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
+    let mut checked = 0;
+    for (i, lens) in specimens(cameras::Kind::ENTRIES).into_iter().enumerate() {
+        let whole = Value::try_from(everything(lens)).expect("it can be written");
+        let text = toml::to_string(&whole).expect("it can be written");
+        scene::from_toml(&text, Path::new("scene.toml")).expect("it is right");
+        let mut places = Vec::new();
+        leaves(&whole, &mut Vec::new(), &mut places);
+        // the rest is the same for every lens
+        places.retain(|place| i == 0 || place[0] == "camera");
+        for place in &places {
+            for (word, value) in
+                [("nan", f64::NAN), ("inf", f64::INFINITY), ("-inf", f64::NEG_INFINITY)]
+            {
+                let mut wrong = whole.clone();
+                *at(&mut wrong, place) = Value::Float(value);
+                let text = toml::to_string(&wrong).expect("it can be written");
+                let error = scene::from_toml(&text, Path::new("scene.toml"))
+                    .err()
+                    .unwrap_or_else(|| panic!("{place:?} may be {word}"))
+                    .to_string();
+                let line = 1 + text.lines().position(|line| has_word(line, word)).expect("a line");
+                let start = format!("scene.toml:{line}: ");
+                assert!(error.starts_with(&start), "{place:?}: not on {start}{error}");
+                let field = place.iter().rfind(|key| key.parse::<usize>().is_err());
+                let path = error.split(": ").nth(1).expect("a path");
+                assert!(path.contains(field.expect("a field").as_str()), "{place:?}: {error}");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 900, "{checked} places");
+}
+
+fn has_word(line: &str, word: &str) -> bool {
+    line.split([' ', ',', '[', ']', '{', '}']).any(|part| part == word)
+}
