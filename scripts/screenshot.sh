@@ -32,13 +32,14 @@ export DISPLAY=":$number"
 
 "$program" ch28/glass-sphere 2>"$folder/inspector.log" &
 window=$!
-if ! timeout 60 xdotool search --sync --onlyvisible --name "Groundtruth inspector" >/dev/null; then
-    echo "error: no window appeared" >&2
+# the title says when the picture is finished
+title='^ch28/glass-sphere - Groundtruth inspector$'
+if ! timeout 300 xdotool search --sync --onlyvisible --name "$title" >/dev/null; then
+    echo "error: no window with a finished picture appeared" >&2
     cat "$folder/inspector.log" >&2
     exit 2
 fi
-# wait for the picture to be rendered, then click on the glass sphere
-sleep "${RENDER_SECONDS:-15}"
+sleep 1
 xdotool mousemove 473 376 click 1
 sleep 2
 xdotool mousemove 540 440

@@ -35,6 +35,7 @@ pub struct Inspector {
     loading: Background<Result<Loaded, String>>,
     saving: Background<Result<PathBuf, String>>,
     mouse: Mouse,
+    title: String,
 }
 
 impl Inspector {
@@ -43,8 +44,8 @@ impl Inspector {
         let wanted = loaded.scene.clone();
         let rendering = Rendering::start(ctx, loaded);
         let picture = Picture::new(picture::tone_of(&rendering));
-        set_title(ctx, &rendering.source);
         Self {
+            title: String::new(),
             rendering,
             picture,
             selection: Selection::default(),
@@ -93,6 +94,7 @@ impl Inspector {
         let ctx = ui.ctx().clone();
         self.take_results(&ctx);
         self.drop_files(&ctx);
+        self.set_title(&ctx);
 
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 6));
         let wish = Panel::top("files").frame(bar).show(ui, |ui| {
@@ -133,6 +135,17 @@ impl Inspector {
         self.selection.refresh(&ctx, &self.rendering, self.generation);
         if self.is_busy() {
             ctx.request_repaint_after(std::time::Duration::from_millis(50));
+        }
+    }
+
+    /// The title tells from afar which scene it is and whether it is finished.
+    fn set_title(&mut self, ctx: &Context) {
+        let rendering = matches!(self.rendering.progress(), Progress::Running(..));
+        let state = if rendering { " (rendering)" } else { "" };
+        let title = format!("{}{state} - Groundtruth inspector", self.rendering.source.name());
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
         }
     }
 
@@ -232,18 +245,14 @@ impl Inspector {
         self.generation += 1;
         // the old rendering is dropped here, which stops it
         self.rendering = Rendering::start(ctx, loaded);
-        if !same_scene || self.rendering.size() != old_size {
+        if same_scene && self.rendering.size() == old_size {
+            self.picture.begin_again();
+        } else {
             self.picture = Picture::new(picture::tone_of(&self.rendering));
             self.selection = Selection::default();
             self.fields.pixel.clear();
-            set_title(ctx, &self.rendering.source);
         }
     }
-}
-
-fn set_title(ctx: &Context, source: &Source) {
-    let title = format!("{} · Groundtruth inspector", source.name());
-    ctx.send_viewport_cmd(ViewportCommand::Title(title));
 }
 
 /// Dark surroundings, against which colours are judged, and text that stands out from them.
@@ -255,7 +264,7 @@ pub fn set_style(ctx: &Context) {
         widgets.inactive.fg_stroke.color = Color32::from_gray(225);
         style.visuals.weak_text_color = Some(Color32::from_gray(165));
         style.visuals.error_fg_color = Color32::from_rgb(255, 120, 110);
-        style.spacing.slider_width = 80.0;
+        style.spacing.slider_width = 70.0;
     });
 }
 

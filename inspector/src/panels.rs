@@ -61,7 +61,7 @@ fn picker(ui: &mut Ui, source: &Source, label: &Response) -> Option<gallery::Ent
     let mut picked = None;
     let current = source.name();
     let combo = ComboBox::from_id_salt("scene").selected_text(current.as_str()).width(220.0);
-    let combo = combo.height(500.0).truncate().show_ui(ui, |ui| {
+    let combo = combo.height(640.0).truncate().show_ui(ui, |ui| {
         let mut chapter = "";
         for entry in gallery::scenes() {
             let (its_chapter, name) = entry.name.split_once('/').unwrap_or(("", entry.name));
@@ -105,7 +105,6 @@ pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
         if reset.on_hover_text("Exposure 1 and the gamma of the scene").clicked() {
             picture.tone = own;
         }
-        ui.separator();
         let size = rendering.size();
         if ui.button("Whole").on_hover_text("The whole picture").clicked() {
             picture.view = crate::view::View::WHOLE;

@@ -13,7 +13,7 @@ use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
 
 use crate::view::{Placed, View};
-use crate::worker::{Background, Rendering};
+use crate::worker::{Background, Progress, Rendering};
 
 /// Screens refuse larger textures; a picture is shown as tiles of this side.
 const TILE: u32 = 1024;
@@ -29,6 +29,8 @@ pub struct Picture {
     /// How radiance is shown.
     pub tone: Tone,
     tiles: Vec<([u32; 2], TextureHandle)>,
+    /// The picture before, seen darkly where the new one is still to come.
+    beneath: Vec<([u32; 2], TextureHandle)>,
     /// What the tiles show.
     shown: Option<Version>,
     developed: Instant,
@@ -44,7 +46,17 @@ pub struct Picture {
 struct Version {
     generation: u64,
     done: u64,
+    /// All pixels are counted as done a little before the last are in the film.
+    finished: bool,
     tone: Tone,
+}
+
+impl Version {
+    fn of(rendering: &Rendering, generation: u64, tone: Tone) -> Self {
+        // asked in this order: what is finished now is wholly in the film
+        let finished = matches!(rendering.progress(), Progress::Done(_));
+        Self { generation, done: rendering.canvas.progress().0, finished, tone }
+    }
 }
 
 type Tiles = Vec<([u32; 2], ColorImage)>;
@@ -70,8 +82,13 @@ pub fn color(tone: &Tone, radiance: Rgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// The picture so far as tiles. The film is locked for one tile at a time.
-fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
+/// The picture so far as tiles. The film is locked for one tile at a time. Pixels that are still to
+/// come are black in the film and transparent here.
+fn develop(canvas: &Canvas, version: Version) -> Tiles {
+    let show = |radiance: Rgb| match version.finished || !radiance.is_black() {
+        true => color(&version.tone, radiance),
+        false => Color32::TRANSPARENT,
+    };
     let (width, height) = canvas.look(|film| (film.width(), film.height()));
     let corners = (0..height)
         .step_by(TILE as usize)
@@ -82,7 +99,7 @@ fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
             (y..bottom).flat_map(|row| (x..right).map(move |c| film.get([c, row]))).collect()
         });
         let size = [(right - x) as usize, (bottom - y) as usize];
-        let colors = pixels.into_iter().map(|radiance| color(tone, radiance)).collect();
+        let colors = pixels.into_iter().map(show).collect();
         ([x, y], ColorImage::new(size, colors))
     };
     corners.map(tile).collect()
@@ -95,6 +112,7 @@ impl Picture {
             view: View::WHOLE,
             tone,
             tiles: Vec::new(),
+            beneath: Vec::new(),
             shown: None,
             developed: Instant::now(),
             developing: Background::default(),
@@ -108,25 +126,37 @@ impl Picture {
         if let Some(Ok((version, tiles))) = self.developing.poll() {
             if version.generation == generation {
                 self.upload(ctx, tiles);
+                if version.finished {
+                    self.beneath.clear();
+                }
                 self.shown = Some(version);
             }
         }
-        let wanted = Version { generation, done: rendering.canvas.progress().0, tone: self.tone };
-        let more_of_it =
-            self.shown.is_some_and(|shown| Version { done: wanted.done, ..shown } == wanted);
+        let wanted = Version::of(rendering, generation, self.tone);
+        let more_of_it = self.shown.is_some_and(|shown| {
+            !wanted.finished && Version { done: wanted.done, ..shown } == wanted
+        });
         let too_soon = more_of_it && self.developed.elapsed() < REFRESH;
         if self.shown == Some(wanted) || too_soon || self.developing.is_busy() {
             return;
         }
         self.developed = Instant::now();
         let canvas = Arc::clone(&rendering.canvas);
-        self.developing.start(ctx, move || (wanted, develop(&canvas, &wanted.tone)));
+        self.developing.start(ctx, move || (wanted, develop(&canvas, wanted)));
     }
 
     /// Whether the screen shows this picture as far as it is rendered.
     pub fn is_fresh(&self, rendering: &Rendering, generation: u64) -> bool {
-        let done = rendering.canvas.progress().0;
-        self.shown == Some(Version { generation, done, tone: self.tone })
+        self.shown == Some(Version::of(rendering, generation, self.tone))
+    }
+
+    /// Keeps the last picture beneath a new one of the same size.
+    pub fn begin_again(&mut self) {
+        let tiles = std::mem::take(&mut self.tiles);
+        if self.beneath.is_empty() || self.shown.is_some_and(|shown| shown.finished) {
+            self.beneath = tiles;
+        }
+        self.shown = None;
     }
 
     fn upload(&mut self, ctx: &egui::Context, tiles: Tiles) {
@@ -209,11 +239,13 @@ impl Picture {
         painter.rect_filled(painter.clip_rect(), 0.0, Color32::from_gray(24));
         painter.rect_filled(whole, 0.0, Color32::BLACK);
         let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        for (at, texture) in &self.tiles {
+        let old = self.beneath.iter().map(|tile| (tile, Color32::from_gray(90)));
+        let new = self.tiles.iter().map(|tile| (tile, Color32::WHITE));
+        for ((at, texture), tint) in old.chain(new) {
             let [width, height] = texture.size().map(|side| side as u32);
             let rect = placed.part(*at, [width, height]);
             if rect.intersects(painter.clip_rect()) {
-                painter.image(texture.id(), rect, uv, Color32::WHITE);
+                painter.image(texture.id(), rect, uv, tint);
             }
         }
         if placed.scale >= GRID_FROM {

@@ -194,21 +194,29 @@ fn a_click_on_a_ray_shows_its_details() {
     let hit = ray.hit.as_ref().expect("it leaves the sphere");
     let exact = |[x, y, z]: [f64; 3]| format!("({x:?}, {y:?}, {z:?})");
     let expected = [
-        format!("{:?}", hit.t),
-        format!("{:?}", hit.error),
-        exact(hit.point),
-        exact(hit.normal),
-        exact(ray.origin),
-        exact(ray.direction),
-        exact(ray.weight.to_array()),
-        exact(ray.radiance.to_array()),
-        exact(ray.contribution.to_array()),
-        "back".to_owned(),
-        "transmitted, depth 1".to_owned(),
-        "\"glass sphere\", material \"glass sphere\"".to_owned(),
+        ("kind", "transmitted, depth 1".to_owned()),
+        ("outcome", "hit".to_owned()),
+        ("origin", exact(ray.origin)),
+        ("direction", exact(ray.direction)),
+        ("hits", "\"glass sphere\", material \"glass sphere\"".to_owned()),
+        ("side", "back".to_owned()),
+        ("t", format!("{:?}", hit.t)),
+        ("point", exact(hit.point)),
+        ("error at most", format!("{:?}", hit.error)),
+        ("normal", exact(hit.normal)),
+        ("shading normal", "the normal".to_owned()),
+        ("weight", exact(ray.weight.to_array())),
+        ("transmittance", exact(ray.transmittance.to_array())),
+        ("radiance", exact(ray.radiance.to_array())),
+        ("contributes", exact(ray.contribution.to_array())),
     ];
-    for text in expected {
-        assert!(window.query_all_by_label(&text).next().is_some(), "{text}");
+    for (name, text) in expected {
+        let height = |rect: eframe::egui::Rect| rect.center().y;
+        let mut names = window.query_all_by_label(name);
+        let values: Vec<f32> =
+            window.query_all_by_label(&text).map(|value| height(value.rect())).collect();
+        let beside = |at: f32| values.iter().any(|value| (value - at).abs() < 3.0);
+        assert!(names.any(|label| beside(height(label.rect()))), "{name}: {text}");
     }
     for term in &ray.terms {
         assert!(window.query_all_by_label(&term.what).next().is_some(), "{}", term.what);

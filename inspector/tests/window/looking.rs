@@ -112,18 +112,63 @@ fn wheel_and_drag_move_the_picture_and_select_nothing() {
     assert_eq!(window.state().selection.pixel, None);
 }
 
+/// The colour of the screen in the middle of a pixel.
+fn shown(window: &mut Window, pixel: [u32; 2]) -> [u8; 3] {
+    let place = on_screen(window, pixel);
+    let [r, g, b, _] = window.render().expect("drawn").get_pixel(place.x as u32, place.y as u32).0;
+    [r, g, b]
+}
+
+/// Law: a picture larger than a texture can be is shown whole, also across the seams. Oracle:
+/// `Tone` on the film.
+#[test]
+fn large_pictures_are_shown_across_the_seams() {
+    for size in [[1060, 24], [24, 1060]] {
+        let mut scene = small_glass_sphere();
+        scene.image.resize(size[0], size[1]);
+        // the ground in many colours, the same in no two neighbouring places
+        scene.image.pixel_size = 0.5;
+        scene.image.samples = 1;
+        let mut window = open(scene);
+        settle(&mut window);
+        let film = window.state().rendering.canvas.film();
+        let tone = window.state().picture.tone;
+        window.state_mut().picture.set_zoom(size, 10.0);
+        for along in [5, 1000, 1023, 1024, 1055] {
+            let pixel = if size[0] > size[1] { [along, 7] } else { [7, along] };
+            window.state_mut().picture.reveal(size, pixel);
+            window.run_steps(2);
+            assert_eq!(shown(&mut window, pixel), tone.to_bytes(film.get(pixel)), "{pixel:?}");
+        }
+    }
+}
+
+/// Law: a finished picture hides the one before it, also where it is black. Oracle: without any
+/// light the ground is black.
+#[test]
+fn nothing_of_the_old_picture_shines_through() {
+    let mut window = glass_window();
+    let ground = [30, 44];
+    assert_ne!(shown(&mut window, ground), [0, 0, 0]);
+    for light in ["ambient", "high lamp", "front lamp", "left light"] {
+        window.get_by_label(light).click();
+        settle(&mut window);
+    }
+    assert_eq!(shown(&mut window, ground), [0, 0, 0]);
+    let film = window.state().rendering.canvas.film();
+    let tone = window.state().picture.tone;
+    for pixel in [[1, 1], [17, 19], [40, 46]] {
+        assert_eq!(shown(&mut window, pixel), tone.to_bytes(film.get(pixel)), "{pixel:?}");
+    }
+}
+
 /// Law: exposure and gamma change the screen and not the radiance. Oracle: the film before, and
 /// `Tone` on one pixel.
 #[test]
 fn exposure_changes_the_screen_and_not_the_picture() {
     let mut window = glass_window();
     let (film, at) = (window.state().rendering.canvas.film(), [3, 3]);
-    let shown = |window: &mut Window| {
-        let place = on_screen(window, at);
-        let [r, g, b, _] =
-            window.render().expect("drawn").get_pixel(place.x as u32, place.y as u32).0;
-        [r, g, b]
-    };
+    let shown = |window: &mut Window| shown(window, at);
     let tone = window.state().picture.tone;
     assert_eq!(shown(&mut window), tone.to_bytes(film.get(at)));
     let brighter = groundtruth::film::Tone { exposure: 2.5, gamma: 2.2, ..tone };
