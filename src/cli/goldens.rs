@@ -101,7 +101,7 @@ impl Check {
         print(&text)?;
         let bad: Vec<&Finding> = findings.iter().filter(|f| f.status != Status::Same).collect();
         if bad.is_empty() {
-            print(&format!("all {} are the same\n", findings.len()))?;
+            print(&format!("checked {}, all the same\n", findings.len()))?;
             return Ok(Answer::Yes);
         }
         let mut advice = format!(

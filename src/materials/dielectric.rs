@@ -56,10 +56,11 @@ impl Specification for Dielectric {
 
     fn specimens() -> Vec<Self> {
         let phong = Phong { ks: 0.2, exponent: 2000.0, ..Phong::default() };
+        let water = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) };
         let tinted = Medium { eta: 1.5, absorption: Rgb::new(0.5, 0.125, 0.25) };
         vec![
             Self { phong, inside: Medium::clear(1.5), outside: Medium::default() },
-            Self { inside: tinted, outside: Medium::clear(1.33), ..Self::default() },
+            Self { inside: tinted, outside: water, ..Self::default() },
         ]
     }
 }

@@ -85,11 +85,11 @@ fn kolmogorov(lambda: f64) -> f64 {
     if lambda < 0.2 {
         return 1.0; // the series converges slowly, and the tail is 1 to twelve digits
     }
-    let term = |j: i32| {
-        let j = f64::from(j);
-        exp(-2.0 * j * j * lambda * lambda)
+    let term = |j: u32| {
+        let size = exp(-2.0 * f64::from(j * j) * lambda * lambda);
+        if j.is_multiple_of(2) { -size } else { size }
     };
-    let sum: f64 = (1..=50).map(|j| if j & 1 == 1 { term(j) } else { -term(j) }).sum();
+    let sum: f64 = (1..=50).map(term).sum();
     (2.0 * sum).clamp(0.0, 1.0)
 }
 

@@ -15,6 +15,7 @@ pub fn trials() -> Vec<Trial> {
         Kind::ENTRIES,
         &[
             ("hits_lie_inside_the_bounds", hits_lie_inside_the_bounds),
+            ("the_surface_is_where_the_ray_is_at_t", the_surface_is_where_the_ray_is),
             ("hits_lie_on_the_surface", hits_lie_on_the_surface),
             ("the_normal_is_the_gradient", the_normal_is_the_gradient),
             ("shadow_hits_agree_with_hits", shadow_hits_agree_with_hits),
@@ -41,6 +42,20 @@ fn hits_lie_inside_the_bounds(kind: &Kind) -> Holds {
     let bounds = shape.bounds().padded();
     for Met { ray, surface, .. } in Rays::new(&*shape).hits(&*shape, 4 * RAYS) {
         ensure!(bounds.contains(surface.point), "{ray:?} hits at {:?}", surface.point);
+    }
+    Ok(())
+}
+
+/// Law: the surface's point is the ray's at `t`, moved by no more than rounding, which slants
+/// stretch along the surface.
+fn the_surface_is_where_the_ray_is(kind: &Kind) -> Holds {
+    let shape = built(kind);
+    let mut rays = Rays::new(&*shape);
+    for met in rays.hits(&*shape, 4 * RAYS) {
+        let Met { ray, at, surface } = &met;
+        let reach = rays.size() + (at.t * ray.direction).length();
+        let off = surface.point.distance(ray.at(at.t)) * cosine(&met);
+        ensure!(off <= ROUNDING * reach, "{ray:?}: off by {off:e}");
     }
     Ok(())
 }
