@@ -40,7 +40,7 @@ if ! timeout 300 xdotool search --sync --onlyvisible --name "$title" >/dev/null;
     exit 2
 fi
 sleep 1
-xdotool mousemove 473 376 click 1
+xdotool mousemove 545 345 click 1
 sleep 2
 xdotool mousemove 540 440
 sleep 1
