@@ -40,9 +40,9 @@ if ! timeout 300 xdotool search --sync --onlyvisible --name "$title" >/dev/null;
     exit 2
 fi
 sleep 1
-xdotool mousemove 473 376 click 1
+xdotool mousemove 520 370 click 1
 sleep 2
-xdotool mousemove 540 440
+xdotool mousemove 620 520
 sleep 1
 import -window root png24:docs/inspector.png
 echo "docs/inspector.png"

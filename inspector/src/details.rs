@@ -73,19 +73,19 @@ fn terms(ui: &mut Ui, ray: &RayExplanation) {
     ui.strong("radiance = transmittance × the sum of these terms");
     let grid = Grid::new("terms").num_columns(4).striped(true).min_row_height(16.0);
     grid.spacing([14.0, 1.0]).show(ui, |ui| {
-        for title in ["", "adds", "weight", "of"] {
+        for title in ["", "of", "adds", "weight"] {
             ui.weak(title);
         }
         ui.end_row();
         for term in &ray.terms {
             ui.label(&term.what);
-            for color in [term.value, term.weight] {
-                ui.label(RichText::new(short(color)).monospace().size(11.5));
-            }
             ui.label(match term.child {
                 Some(child) => format!("ray {}", child + 1),
                 None => "the light here".to_owned(),
             });
+            for color in [term.value, term.weight] {
+                ui.label(RichText::new(short(color)).monospace().size(11.5));
+            }
             ui.end_row();
         }
     });

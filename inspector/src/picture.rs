@@ -83,11 +83,11 @@ pub fn color(tone: &Tone, radiance: Rgb) -> Color32 {
 }
 
 /// The picture so far as tiles. The film is locked for one tile at a time. Pixels that are still to
-/// come are black in the film and transparent here.
-fn develop(canvas: &Canvas, version: Version) -> Tiles {
-    let show = |radiance: Rgb| match version.finished || !radiance.is_black() {
-        true => color(&version.tone, radiance),
-        false => Color32::TRANSPARENT,
+/// come are black in the film; black is transparent here, over black or the picture before.
+fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
+    let show = |radiance: Rgb| match radiance.is_black() {
+        true => Color32::TRANSPARENT,
+        false => color(tone, radiance),
     };
     let (width, height) = canvas.look(|film| (film.width(), film.height()));
     let corners = (0..height)
@@ -123,14 +123,14 @@ impl Picture {
 
     /// Brings the textures up to date, as far as that is worked out.
     pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, generation: u64) {
-        if let Some(Ok((version, tiles))) = self.developing.poll() {
-            if version.generation == generation {
-                self.upload(ctx, tiles);
-                if version.finished {
-                    self.beneath.clear();
-                }
-                self.shown = Some(version);
+        if let Some(Ok((version, tiles))) = self.developing.poll()
+            && version.generation == generation
+        {
+            self.upload(ctx, tiles);
+            if version.finished {
+                self.beneath.clear();
             }
+            self.shown = Some(version);
         }
         let wanted = Version::of(rendering, generation, self.tone);
         let more_of_it = self.shown.is_some_and(|shown| {
@@ -142,7 +142,7 @@ impl Picture {
         }
         self.developed = Instant::now();
         let canvas = Arc::clone(&rendering.canvas);
-        self.developing.start(ctx, move || (wanted, develop(&canvas, wanted)));
+        self.developing.start(ctx, move || (wanted, develop(&canvas, &wanted.tone)));
     }
 
     /// Whether the screen shows this picture as far as it is rendered.

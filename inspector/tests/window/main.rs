@@ -1,5 +1,6 @@
 //! The inspector as a person uses it, in a window that is not there.
 
+mod arguments;
 mod explaining;
 mod looking;
 mod renderer;
