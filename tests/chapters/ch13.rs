@@ -85,6 +85,40 @@ fn glossy_albedo_is_the_integral_of_its_brdf() {
     }
 }
 
+/// Law: samples are spread as their density says: the mean of any function over all samples is its
+/// integral over the density. Oracle: quadrature in angles of seven functions of the direction,
+/// against a grid of 400 × 400 samples; both err by some steps of `1/400` times the lobe's height.
+#[test]
+fn samples_follow_the_density_they_state() {
+    let functions: [fn(Vector) -> f64; 7] = [
+        |_| 1.0,
+        |w| w.z(),
+        |w| w.z() * w.z(),
+        |w| w.x(),
+        |w| w.y(),
+        |w| w.x() * w.y(),
+        |w| w.x() * w.x(),
+    ];
+    let wo = at_angle(Normal::Z, 0.6, 0.7);
+    let glossy = |exponent| GlossySpecular { reflectance: Rgb::WHITE, exponent }.into();
+    let diffuse = Lobe::from(Lambertian { reflectance: Rgb::WHITE });
+    for lobe in [diffuse, glossy(1.0), glossy(7.5), glossy(100.0)] {
+        let grid = |i: u32| (f64::from(i) + 0.5) / f64::from(STEPS);
+        let mut means = [0.0; 7];
+        for i in 0..STEPS * STEPS {
+            let u = [grid(i % STEPS), grid(i / STEPS)];
+            let Some(sample) = lobe.sample(wo, u) else { continue };
+            for (mean, g) in means.iter_mut().zip(functions) {
+                *mean += g(sample.wi) / f64::from(STEPS * STEPS);
+            }
+        }
+        for (mean, g) in means.into_iter().zip(functions) {
+            let integral = projected_integral(FRAC_PI_2, |wi| g(wi) * lobe.pdf(wo, wi) / wi.z());
+            assert!((mean - integral).abs() < 2e-3, "{lobe:?}: {mean} {integral}");
+        }
+    }
+}
+
 /// Law: a lobe that claims to conserve energy sends out no more than arrives, and the glossy lobe,
 /// which does not claim it, does not: `2π/(e + 2) > 1` for small `e` (ch. 13, 15). The refracted
 /// lobes count radiance, which grows by η² in the denser medium.
