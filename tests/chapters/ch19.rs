@@ -2,3 +2,4 @@
 
 mod hard;
 pub mod leaving;
+mod shapes;

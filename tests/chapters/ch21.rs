@@ -1,4 +1,5 @@
 //! Chapter 21: transforming objects.
 
 mod hard;
+mod instances;
 mod leaving;
