@@ -4,14 +4,16 @@
 //! checked and built into a [`World`](world::World). [`render`] turns each pixel of each sample
 //! into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of which
 //! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
-//! listen to every ray ([`trace::RayTree`]) and [`trace::explain`] says in words why a pixel has
-//! its colour.
+//! listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has
+//! its colour. [`verify`] holds what checks pictures and statistics, [`probe`] answers questions in
+//! JSON.
 //!
-//! Arrows between modules run one way: `gallery, scene → render → trace → world → materials,
+//! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
 //! lights, cameras, samplers → lobes, textures → accel ⇄ shapes → math`.
 
 pub mod accel;
 pub mod cameras;
+pub mod explain;
 pub mod film;
 pub mod gallery;
 pub mod invalid;

@@ -7,8 +7,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules each module may name beside itself. Arrows run one way, but for `accel ⇄ shapes` (a
-/// mesh has an acceleration of its own), `scene ⇄ world` (reading a scene file checks it by building
-/// its world), and `render ⇄ trace`, where `trace::explain` renders the sample it explains.
+/// mesh has an acceleration of its own) and `scene ⇄ world` (reading a scene file checks it by building
+/// its world).
 const MAY_NAME: &[(&str, &[&str])] = &[
     ("math", &[]),
     ("invalid", &["math"]),
@@ -18,7 +18,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("accel", &["math", "shapes"]),
     ("shapes", &["accel", "invalid", "kinds", "math", "mesh_file"]),
     ("samplers", &["invalid", "kinds", "math"]),
-    ("lobes", &["kinds", "math", "rgb", "samplers"]),
+    ("lobes", &["invalid", "kinds", "math", "rgb", "samplers"]),
     ("textures", &["invalid", "kinds", "math", "rgb", "shapes"]),
     ("materials", &["invalid", "kinds", "lobes", "math", "rgb", "shapes", "textures"]),
     ("lights", &["invalid", "kinds", "math", "rgb"]),
@@ -56,8 +56,9 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "shapes",
         ],
     ),
-    ("trace", &["lights", "lobes", "materials", "math", "render", "rgb", "scene", "world"]),
+    ("trace", &["lights", "lobes", "materials", "math", "rgb", "scene", "world"]),
     ("render", &["film", "math", "rgb", "samplers", "trace", "world"]),
+    ("explain", &["render", "rgb", "scene", "trace", "world"]),
     (
         "gallery",
         &[
@@ -71,6 +72,28 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "scene",
             "shapes",
             "textures",
+        ],
+    ),
+    (
+        "probe",
+        &[
+            "accel",
+            "cameras",
+            "gallery",
+            "invalid",
+            "kinds",
+            "lights",
+            "lobes",
+            "materials",
+            "math",
+            "render",
+            "rgb",
+            "samplers",
+            "scene",
+            "shapes",
+            "textures",
+            "trace",
+            "world",
         ],
     ),
     (

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Grid, RichText, Ui};
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::explain::{RayExplanation, short};
+use groundtruth::explain::{RayExplanation, short};
 
 use crate::tree::kind_color;
 

@@ -10,7 +10,7 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayCounts;
-use groundtruth::trace::explain::{self, PixelExplanation, SampleExplanation, short};
+use groundtruth::explain::{self, PixelExplanation, SampleExplanation, short};
 use groundtruth::world::World;
 
 use crate::worker::{Background, Progress, Rendering};

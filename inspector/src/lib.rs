@@ -1,6 +1,6 @@
 //! The inspector: a picture, and for each pixel the tree of rays that made it.
 //!
-//! It holds no shading arithmetic: each number it shows comes from [`groundtruth::trace::explain`]
+//! It holds no shading arithmetic: each number it shows comes from [`groundtruth::explain`]
 //! or from the film. [`app::Inspector`] is the whole state and draws the window; everything slow
 //! runs beside it in [`worker`].
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use eframe::egui::{Button, ComboBox, Label, Response, Slider, TextEdit, Ui};
 use groundtruth::gallery;
-use groundtruth::trace::explain::short;
+use groundtruth::explain::short;
 
 use crate::picture::{Picture, tone_of};
 use crate::worker::{Progress, Rendering, Source};

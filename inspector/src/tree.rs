@@ -3,7 +3,7 @@
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{Button, Color32, RichText, Sense, Stroke, StrokeKind, Ui, vec2};
 use groundtruth::film::Tone;
-use groundtruth::trace::explain::RayExplanation;
+use groundtruth::explain::RayExplanation;
 
 use crate::picture;
 

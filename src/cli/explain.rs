@@ -1,7 +1,7 @@
 //! `groundtruth explain`.
 
 use clap::Args;
-use groundtruth::trace::explain;
+use groundtruth::explain;
 
 use super::scene::SceneArguments;
 use super::{Outcome, print};

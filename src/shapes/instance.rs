@@ -113,11 +113,12 @@ impl Shape for Built {
         let normal = outer(inner.normal);
         // how much longer a step along the normal is outside than inside
         let stretch = 1.0 / self.transform.covector(inner.normal).length();
-        // rounding of this point, and of the next ray's origin when it is moved back
-        let forward = self.transform.magnitude(inner.point).dot(Vector::from(normal).abs());
-        let back = self.transform.inverse().magnitude(point);
-        let back = back.dot(Vector::from(inner.normal).abs());
-        let error = stretch * inner.error + 6.0 * UNIT_ROUNDOFF * (forward + stretch * back);
+        // by how much the point misses itself when it is moved back, as the next ray's origin will
+        // be; and the rounding of that
+        let back = self.transform.inverse();
+        let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
+        let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
+        let error = stretch * (inner.error + drift + 12.0 * UNIT_ROUNDOFF * rounding);
         Surface { point, error, normal, shading: outer(inner.shading), local: inner.local }
     }
 

@@ -66,7 +66,8 @@ impl Shape for OpenCylinder {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let raw = ray.at(at.t);
-        let normal = normal_along(across(raw.to_vector()), ray);
+        let flat_ray = Ray::new(ray.origin, across(ray.direction));
+        let normal = normal_along(across(raw.to_vector()), &flat_ray);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
         Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)

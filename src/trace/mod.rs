@@ -7,7 +7,6 @@
 //! Law: what arrives along a ray is `T · Σ terms`, the terms in the order in which the recorder
 //! hears them, each one local or `weight · L(child)`, and `T` the transmittance of the medium.
 
-pub mod explain;
 mod recorder;
 mod tree;
 

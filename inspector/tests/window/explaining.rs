@@ -4,7 +4,7 @@ use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::explain;
+use groundtruth::explain;
 
 use crate::support::*;
 

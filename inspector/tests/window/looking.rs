@@ -187,7 +187,7 @@ fn the_pixel_under_the_mouse_is_told() {
     window.hover_at(on_screen(&window, [20, 30]));
     window.run_steps(3);
     let radiance = window.state().rendering.canvas.look(|film| film.get([20, 30]));
-    let text = format!("(20, 30)  {}", groundtruth::trace::explain::short(radiance));
+    let text = format!("(20, 30)  {}", groundtruth::explain::short(radiance));
     assert!(window.query_by_label(&text).is_some());
 }
 

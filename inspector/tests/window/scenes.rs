@@ -3,7 +3,7 @@
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::read_exr;
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::explain;
+use groundtruth::explain;
 use inspector::worker::{Progress, Source};
 
 use crate::support::*;

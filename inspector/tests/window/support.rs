@@ -7,7 +7,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::gallery;
 use groundtruth::scene::Scene;
-use groundtruth::trace::explain;
+use groundtruth::explain;
 use groundtruth::world::World;
 use inspector::app::{Inspector, set_style};
 use inspector::worker::Source;

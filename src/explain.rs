@@ -1,17 +1,16 @@
 //! Why a pixel has its colour: the ray tree in words and numbers, for people and for scripts.
 //!
-//! An [`Explanation`] is a [`RayTree`] with names in place of numbers, and what each ray adds to
+//! A [`RayExplanation`] is a [`RayTree`] with names in place of numbers, and what each ray adds to
 //! its pixel. The command line prints it, the inspector shows it; neither computes anything.
 
 use std::fmt::{self, Write as _};
 
 use serde::Serialize;
 
-use super::tree::RecordedOutcome;
-use super::{RayKind, RayTree, What};
 use crate::render;
 use crate::rgb::Rgb;
 use crate::scene::Scene;
+use crate::trace::{RayKind, RayTree, RecordedOutcome, What};
 use crate::world::World;
 
 /// A pixel explained: its samples and the sum that it is.
