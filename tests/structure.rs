@@ -337,9 +337,8 @@ fn names_are_found_in_paths_and_in_groups_but_not_in_comments() {
         found("use crate::{accel, shapes::{Plane, Sphere},\n    lights};"),
         ["accel", "lights", "shapes"]
     );
-    assert_eq!(
-        found(&without_comments("//! See crate::world.\nlet a = 1; // crate::trace")),
-        [String::new(); 0]
+    assert!(
+        found(&without_comments("//! See crate::world.\nlet a = 1; // crate::trace")).is_empty()
     );
     assert_eq!(found("$crate::kinds::Entry"), ["kinds"]);
     let words =

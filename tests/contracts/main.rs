@@ -27,8 +27,9 @@ type Holds = Result<(), String>;
 /// Breaks the law unless the condition is true.
 macro_rules! ensure {
     ($condition:expr, $($text:tt)+) => {
-        if !$condition {
-            return Err(format!($($text)+));
+        match $condition {
+            true => {}
+            false => return Err(format!($($text)+)), // also where a number is none
         }
     };
 }

@@ -3,8 +3,8 @@
 //! Sources: Suffern, ch. 3 and 19 (hits, normals), 16 (shadow hits), 21 (instances); for leaving a
 //! surface, Pharr, Jakob & Humphreys, *PBRT*, "Managing rounding error".
 
-use groundtruth::math::{Frame, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
-use groundtruth::shapes::{Candidate, Kind, Shape};
+use groundtruth::math::{Frame, Normal, Point, Ray, Span, Step, UNIT_ROUNDOFF, Vector};
+use groundtruth::shapes::{Candidate, Instance, Kind, Shape};
 use libtest_mimic::Trial;
 
 use super::rays::{Met, Rays, beside, built, cosine};
@@ -216,12 +216,18 @@ fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
 
 /// Law: a ray that leaves a surface never meets it at the same place again, also at grazing angles:
 /// what it hits next it meets from the side it left to. From inside a closed shape it hits
-/// something.
+/// something. So too when it is turned and moved far away, where coordinates are rounded more.
 fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
-    let shape = built(kind);
-    let mut rays = Rays::new(&*shape);
-    let closed = is_closed(&*shape, &mut rays);
-    for Met { surface, .. } in rays.smooth_hits(&*shape, RAYS) {
+    let transform = vec![Step::RotateX(30.0), Step::Translate(Vector::new(900.0, -30.0, 700.0))];
+    let far = Instance { of: Box::new(kind.clone()), transform };
+    leaves(&*built(kind))?;
+    leaves(&*built(&far.into())).map_err(|broken| format!("far away: {broken}"))
+}
+
+fn leaves(shape: &dyn Shape) -> Holds {
+    let mut rays = Rays::new(shape);
+    let closed = is_closed(shape, &mut rays);
+    for Met { surface, .. } in rays.smooth_hits(shape, RAYS) {
         let n = surface.normal;
         let tangent = Frame::around(n).to_world(across(rays.unit()));
         for cosine in [1.0, 0.1, 1e-3, 1e-6, 1e-9, -1.0, -0.1, -1e-3, -1e-6, -1e-9] {
