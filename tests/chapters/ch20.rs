@@ -167,8 +167,8 @@ proptest! {
         prop_assert!((paired - n.dot(v)).abs() <= COMPOSED * 10.0 * size(&t) * size(&t.inverse()));
     }
 
-    /// Law: a singular map is refused, with its condition number in the message; one that is
-    /// nearly so is accepted up to 1e12. Oracle: the condition of `diag(1, 1, s)`, `√(2 + s²)·√(2 + s⁻²)`.
+    /// Law: a singular map is refused, with its condition number in the message; one that is nearly
+    /// so is accepted up to 1e12. Oracle: the condition of `diag(1, 1, s)`, `√(2 + s²)·√(2 + s⁻²)`.
     #[test]
     fn singular_maps_are_refused_with_their_condition(exponent in -320..-1_i32, turn in -180.0..180.0_f64) {
         let s = groundtruth::math::power(10.0, f64::from(exponent));

@@ -1,9 +1,9 @@
 //! The library's shapes against exact answers, on rays that bite (`/tests/oracle`).
 //!
 //! A hit is judged against its condition: an error is counted in units of `u · cond`, and 100 of
-//! them are allowed, as if the input had been wrong by so much. Whether there is a hit at all must be
-//! right unless a relative change of the input by 1e-13 would change the answer. Both are multiplied by
-//! the condition number of an instance's matrix.
+//! them are allowed, as if the input had been wrong by so much. Whether there is a hit at all must
+//! be right unless a relative change of the input by 1e-13 would change the answer. Both are
+//! multiplied by the condition number of an instance's matrix.
 
 use std::fmt;
 use std::sync::Arc;
@@ -250,7 +250,8 @@ pub fn steps(matrix: &[[f64; 4]; 3]) -> Vec<Step> {
     let z = x.cross(y);
     let (sx, sy, sz) = (c0.dot(x), c1.dot(y), c2.dot(z));
     let shear = [c1.dot(x) / sx, c2.dot(x) / sx, 0.0, c2.dot(y) / sy, 0.0, 0.0];
-    // the rotation with these columns: its axis from the skew part, its angle from that and the trace
+    // the rotation with these columns: its axis from the skew part, its angle from that and the
+    // trace
     let axis = Vector::new(y.z() - z.y(), z.x() - x.z(), x.y() - y.x());
     let angle = groundtruth::math::atan2(axis.length(), x.x() + y.y() + z.z() - 1.0);
     vec![

@@ -22,7 +22,8 @@ pub enum Form {
     Tube,
 }
 
-/// A shape of this size, placed up to a thousand sizes from the origin; and a point of it or inside.
+/// A shape of this size, placed up to a thousand sizes from the origin; and a point of it or
+/// inside.
 pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
     let reach = size * draw.decades(-1.0, 3.0);
     let center = draw.point(reach);
@@ -68,8 +69,8 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
     }
 }
 
-/// A hit of a ray through this point of the shape, from up to ten thousand sizes away or from within;
-/// `None` where rounding makes it miss a thin one.
+/// A hit of a ray through this point of the shape, from up to ten thousand sizes away or from
+/// within; `None` where rounding makes it miss a thin one.
 pub fn random_hit(draw: &mut Draw, shape: &dyn Shape, aim: Point, size: f64) -> Option<Surface> {
     let distance = size * draw.decades(-1.0, 4.0);
     let away = draw.direction();
@@ -139,8 +140,8 @@ fn check_shapes(count: usize, seed: u64) {
 const MOST: f64 = 100.0;
 
 /// Law: a ray that leaves a surface does not meet it again at the same place, finds the far side of
-/// what it is inside of and whatever lies beyond 8 error bounds; at scales from 1e-6 to 1e6 and down
-/// to 1e-9 of grazing. Oracle: how often a line meets convex and flat shapes.
+/// what it is inside of and whatever lies beyond 8 error bounds; at scales from 1e-6 to 1e6 and
+/// down to 1e-9 of grazing. Oracle: how often a line meets convex and flat shapes.
 #[test]
 fn a_ray_that_leaves_does_not_meet_the_same_point_again() {
     check_shapes(40_000, 1900);

@@ -30,8 +30,8 @@ fn some_ray(draw: &mut Draw, reach: f64) -> Ray {
 /// Coordinates near 1, a dozen roundings.
 const CLOSE: f64 = 1e-13;
 
-/// Law: every hit of a cylinder obeys `x² + z² = r²`, `y0 ≤ y ≤ y1`, and the normal is `(x, 0, z)/r`.
-/// Oracle: the equation.
+/// Law: every hit of a cylinder obeys `x² + z² = r²`, `y0 ≤ y ≤ y1`, and the normal is `(x, 0,
+/// z)/r`. Oracle: the equation.
 #[test]
 fn cylinder_hits_obey_its_equation() {
     let cylinder = built(OpenCylinder { y0: -0.5, y1: 1.25, radius: 0.75 });
@@ -91,8 +91,8 @@ fn a_box_equals_its_six_rectangles() {
     assert!(hits > 2_000);
 }
 
-/// Law: barycentric coordinates reproduce the hit, and lie in [0, 1] with a sum up to 1. Oracle: the
-/// vertices weighted.
+/// Law: barycentric coordinates reproduce the hit, and lie in [0, 1] with a sum up to 1. Oracle:
+/// the vertices weighted.
 #[test]
 fn barycentric_coordinates_reproduce_the_hit() {
     let mut draw = Draw::new(1922);
@@ -116,8 +116,8 @@ fn barycentric_coordinates_reproduce_the_hit() {
     assert!(hits > 3_000);
 }
 
-/// Law: a hit counts inside the border and not outside: disk and rectangle at a known point. Oracle: the point
-/// aimed at.
+/// Law: a hit counts inside the border and not outside: disk and rectangle at a known point.
+/// Oracle: the point aimed at.
 #[test]
 fn disks_and_rectangles_end_at_their_borders() {
     let mut draw = Draw::new(1923);
@@ -147,8 +147,8 @@ fn disks_and_rectangles_end_at_their_borders() {
     }
 }
 
-/// Law: two triangles that share an edge leave no gap, whichever way they are wound. Oracle: the points
-/// of the edge that rays are aimed at.
+/// Law: two triangles that share an edge leave no gap, whichever way they are wound. Oracle: the
+/// points of the edge that rays are aimed at.
 #[test]
 fn two_triangles_that_share_an_edge_leave_no_gap() {
     let mut draw = Draw::new(1924);
@@ -175,8 +175,8 @@ fn two_triangles_that_share_an_edge_leave_no_gap() {
     }
 }
 
-/// Law: `t` counts in lengths of the direction: a direction twice as long has half the `t`, the bits of
-/// all else the same; and turned round, the roots are negated. Oracle: arithmetic.
+/// Law: `t` counts in lengths of the direction: a direction twice as long has half the `t`, the
+/// bits of all else the same; and turned round, the roots are negated. Oracle: arithmetic.
 #[test]
 fn t_is_inverse_to_the_length_of_the_direction() {
     let mut draw = Draw::new(1925);
@@ -221,7 +221,8 @@ fn shapes_scale_exactly_by_powers_of_two() {
     }
 }
 
-/// Law: a ray in the plane of a flat shape misses it, zeros of either sign or not. Oracle: convention.
+/// Law: a ray in the plane of a flat shape misses it, zeros of either sign or not. Oracle:
+/// convention.
 #[test]
 fn a_ray_in_the_plane_misses() {
     let flat: [Arc<dyn Shape>; 3] = [

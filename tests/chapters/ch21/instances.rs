@@ -42,8 +42,8 @@ fn ray_to(draw: &mut Draw, target: Point) -> Ray {
 const CLOSE: f64 = 1e-9;
 
 /// Law: an instance of a sphere is the analytic ellipsoid `|A⁻¹(p − b)| = 1`: every hit lies on it,
-/// and a line hits it exactly when the quadratic has roots. Oracle: Cramer's rule on the rows of the
-/// forward matrix, and the textbook quadratic.
+/// and a line hits it exactly when the quadratic has roots. Oracle: Cramer's rule on the rows of
+/// the forward matrix, and the textbook quadratic.
 #[test]
 fn an_instance_of_a_sphere_is_the_analytic_ellipsoid() {
     let mut draw = Draw::new(2120);
@@ -76,7 +76,8 @@ fn an_instance_of_a_sphere_is_the_analytic_ellipsoid() {
             let surface = shape.surface(&ray, root);
             let local = solve(surface.point.to_vector() - shift);
             assert!((local.length() - 1.0).abs() < CLOSE);
-            // the gradient 2 A⁻ᵀ A⁻¹ (p − b) is perpendicular to A w for every w across the local point
+            // the gradient 2 A⁻ᵀ A⁻¹ (p − b) is perpendicular to A w for every w across the local
+            // point
             let w = local.cross(draw.direction());
             assert!(surface.normal.dot(map.vector(w)).abs() < CLOSE);
             assert!(surface.normal.dot(surface.point.to_vector() - shift) > 0.0, "inward");
@@ -86,8 +87,8 @@ fn an_instance_of_a_sphere_is_the_analytic_ellipsoid() {
     assert!(hits > 1_000);
 }
 
-/// Law: `t` means the same outside and inside: a turned and moved sphere is hit at the `t` of the moved
-/// sphere, whatever the length of the direction. Oracle: the sphere placed there.
+/// Law: `t` means the same outside and inside: a turned and moved sphere is hit at the `t` of the
+/// moved sphere, whatever the length of the direction. Oracle: the sphere placed there.
 #[test]
 fn an_instance_keeps_t() {
     let mut draw = Draw::new(2121);
@@ -181,7 +182,8 @@ fn a_reflection_keeps_outward_normals_outward() {
     }
 }
 
-/// Law: every hit lies in the instance's bounds, grown by the error bound of the hit. Oracle: comparison.
+/// Law: every hit lies in the instance's bounds, grown by the error bound of the hit. Oracle:
+/// comparison.
 #[test]
 fn the_bounds_of_an_instance_contain_its_hits() {
     let mut draw = Draw::new(2124);
@@ -211,8 +213,8 @@ fn the_bounds_of_an_instance_contain_its_hits() {
     assert!(hits > 10_000, "only {hits} hits");
 }
 
-/// Law: the local point stays in the space of the innermost shape, where textures live: the map takes
-/// it to the hit point. Oracle: the forward map.
+/// Law: the local point stays in the space of the innermost shape, where textures live: the map
+/// takes it to the hit point. Oracle: the forward map.
 #[test]
 fn the_local_point_stays_in_object_space() {
     let mut draw = Draw::new(2125);

@@ -275,8 +275,8 @@ fn acceleration_equals_the_list_on_instances_of_meshes() {
     agree("instances", objects, some_rays(2251, 6_000, 1.5), 10);
 }
 
-/// Law: a ray in the plane of a box's face is inside that slab (0·∞ is no number), whatever the signs of
-/// zero; and beside it, it misses. Oracle: worked by hand.
+/// Law: a ray in the plane of a box's face is inside that slab (0·∞ is no number), whatever the
+/// signs of zero; and beside it, it misses. Oracle: worked by hand.
 #[test]
 fn a_ray_in_the_plane_of_a_face_crosses_the_box() {
     let unit = Aabb { min: Point::new(0.0, 0.0, 0.0), max: Point::new(1.0, 1.0, 1.0) };

@@ -7,7 +7,8 @@ use groundtruth::shapes::{Context, Kind, Mesh, Shape, TessellatedSphere};
 use crate::draw::Draw;
 
 /// Law: the three encodings of PLY give the same mesh, and the same hits and shading normals, bit
-/// for bit, with the file's normals and with mean ones. Oracle: each other, and the mesh that was written.
+/// for bit, with the file's normals and with mean ones. Oracle: each other, and the mesh that was
+/// written.
 #[test]
 fn the_three_encodings_of_ply_give_the_same_hits() {
     let mesh = TessellatedSphere { horizontal: 12, vertical: 8, radius: 1.3, smooth: true }.mesh();

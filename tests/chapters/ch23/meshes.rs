@@ -40,8 +40,8 @@ fn a_tessellated_sphere_has_2h_times_v_minus_1_triangles() {
     }
 }
 
-/// Law: the area is below 4π and nears it as the square of the steps. Oracle: the sum of triangle areas
-/// by vector products; halving the steps quarters the rest.
+/// Law: the area is below 4π and nears it as the square of the steps. Oracle: the sum of triangle
+/// areas by vector products; halving the steps quarters the rest.
 #[test]
 fn the_area_of_a_tessellated_sphere_nears_four_pi_quadratically() {
     let missing = |n: u32| {
@@ -170,8 +170,8 @@ fn vertex_normals_of_a_plane_mesh_are_the_planes() {
     }
 }
 
-/// Law: reversing turns every normal around and keeps every distance; twice is nothing. Oracle: the mesh
-/// before.
+/// Law: reversing turns every normal around and keeps every distance; twice is nothing. Oracle: the
+/// mesh before.
 #[test]
 fn reversing_twice_is_nothing() {
     for smooth in [false, true] {
@@ -196,8 +196,8 @@ fn reversing_twice_is_nothing() {
     }
 }
 
-/// Law: a mesh is its triangles: the same hits and normals as loose ones, the nearest of them first,
-/// bit for bit. Oracle: loose triangles one by one.
+/// Law: a mesh is its triangles: the same hits and normals as loose ones, the nearest of them
+/// first, bit for bit. Oracle: loose triangles one by one.
 #[test]
 fn a_mesh_equals_its_loose_triangles() {
     for mesh in [sphere(8, 5, false), knot()] {

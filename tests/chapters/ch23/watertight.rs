@@ -81,8 +81,8 @@ fn check(count: usize, seed: u64) {
     assert_eq!(leaks(knot.clone(), start, seed + 3, count), 0, "the knot leaks");
 }
 
-/// Law: rays from inside a closed mesh, aimed exactly at its edges and corners, all hit it, and
-/// all shadow rays do: on a round sphere, a far one, triangles of aspect 10⁶, a knot. Oracle: topology.
+/// Law: rays from inside a closed mesh, aimed exactly at its edges and corners, all hit it, and all
+/// shadow rays do: on a round sphere, a far one, triangles of aspect 10⁶, a knot. Oracle: topology.
 #[test]
 fn no_ray_slips_between_triangles() {
     check(40_000, 2300);
