@@ -158,9 +158,10 @@ impl Canvas {
                     finished.push(([column, row], pixel(world, [x + column, y + row])));
                 }
             }
-            self.done.fetch_add(finished.len() as u64, Ordering::Relaxed);
             let mut film = self.lock();
-            finished.into_iter().for_each(|(at, color)| film.set(at, color));
+            finished.iter().for_each(|&(at, color)| film.set(at, color));
+            // under the lock: who sees that all are done sees all of them
+            self.done.fetch_add(finished.len() as u64, Ordering::Relaxed);
         });
     }
 }

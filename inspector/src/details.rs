@@ -1,8 +1,8 @@
 //! Everything that is known of one ray.
 
 use eframe::egui::{Grid, RichText, Ui};
-use groundtruth::rgb::Rgb;
 use groundtruth::explain::{RayExplanation, short};
+use groundtruth::rgb::Rgb;
 
 use crate::tree::kind_color;
 

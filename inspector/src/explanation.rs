@@ -5,12 +5,12 @@ use std::sync::Arc;
 use eframe::egui::{
     self, CentralPanel, Color32, DragValue, Frame, Margin, Panel, RichText, ScrollArea, Ui,
 };
+use groundtruth::explain::{self, PixelExplanation, SampleExplanation, short};
 use groundtruth::film::Tone;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayCounts;
-use groundtruth::explain::{self, PixelExplanation, SampleExplanation, short};
 use groundtruth::world::World;
 
 use crate::worker::{Background, Progress, Rendering};

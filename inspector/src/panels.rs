@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use eframe::egui::{Button, ComboBox, Label, Response, Slider, TextEdit, Ui};
-use groundtruth::gallery;
 use groundtruth::explain::short;
+use groundtruth::gallery;
 
 use crate::picture::{Picture, tone_of};
 use crate::worker::{Progress, Rendering, Source};

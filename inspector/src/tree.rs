@@ -2,8 +2,8 @@
 
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{Button, Color32, RichText, Sense, Stroke, StrokeKind, Ui, vec2};
-use groundtruth::film::Tone;
 use groundtruth::explain::RayExplanation;
+use groundtruth::film::Tone;
 
 use crate::picture;
 

@@ -30,6 +30,9 @@ pub struct Render {
 /// A picture of more rays than this is announced before it begins.
 const MANY_RAYS: f64 = 1e9;
 
+/// How long an interrupted rendering may take to finish the pixels it is at.
+const PATIENCE: Duration = Duration::from_secs(1);
+
 impl Render {
     pub fn run(&self) -> Outcome {
         let start = Instant::now();
@@ -52,7 +55,16 @@ impl Render {
         bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
         std::thread::scope(|scope| {
             let rendering = scope.spawn(|| canvas.render(&world));
+            let mut interrupted: Option<Instant> = None;
             while !rendering.is_finished() {
+                if canvas.is_cancelled()
+                    && interrupted.get_or_insert_with(Instant::now).elapsed() > PATIENCE
+                {
+                    // a pixel whose rays double at every depth may take for ever
+                    bar.finish_and_clear();
+                    eprintln!("interrupted; nothing was written");
+                    std::process::exit(130);
+                }
                 bar.set_position(canvas.progress().0);
                 // wakes at once when the rendering ends
                 std::thread::park_timeout(Duration::from_millis(5));

@@ -2,9 +2,9 @@
 
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
+use groundtruth::explain;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::explain;
 
 use crate::support::*;
 

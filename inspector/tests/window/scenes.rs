@@ -1,9 +1,9 @@
 //! Opening, switching, saving; and never waiting.
 
 use egui_kittest::kittest::Queryable;
+use groundtruth::explain;
 use groundtruth::film::read_exr;
 use groundtruth::rgb::Rgb;
-use groundtruth::explain;
 use inspector::worker::{Progress, Source};
 
 use crate::support::*;

@@ -1,8 +1,9 @@
 //! Recording changes nothing, and what is recorded adds up to the picture.
 
+use groundtruth::explain;
 use groundtruth::film::Film;
 use groundtruth::render;
-use groundtruth::trace::{RayKind, RayTree, explain};
+use groundtruth::trace::{RayKind, RayTree};
 
 use super::studio::{assert_same_bits, bits, built, gallery_in_small, pixels, small};
 
