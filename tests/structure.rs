@@ -57,7 +57,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         ],
     ),
     ("trace", &["lights", "lobes", "materials", "math", "rgb", "scene", "world"]),
-    ("render", &["film", "math", "rgb", "samplers", "trace", "world"]),
+    ("render", &["film", "math", "rgb", "samplers", "scene", "trace", "world"]),
     ("explain", &["render", "rgb", "scene", "trace", "world"]),
     (
         "gallery",
