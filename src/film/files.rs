@@ -55,7 +55,7 @@ pub fn write(film: &Film, tone: &Tone, path: &Path) -> Result<(), ImageError> {
 /// Whether a picture can be written there, found out before it is rendered.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn writable(path: &Path) -> Result<(), ImageError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     if !matches!(extension.as_deref(), Some("png" | "exr")) {
@@ -113,6 +113,7 @@ fn exr(film: &Film) -> std::io::Result<Vec<u8>> {
     let mut encoded = Cursor::new(Vec::new());
     ExrImage::from_channels(size, channels)
         .write()
+        .non_parallel() // the same bytes each time: goldens are kept in git
         .to_buffered(&mut encoded)
         .map_err(|e| std::io::Error::other(e.to_string()))?;
     Ok(encoded.into_inner())

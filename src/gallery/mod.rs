@@ -1,6 +1,6 @@
 //! The gallery: the book's scenes with the book's numbers, as functions that return a [`Scene`].
 //!
-//! Each chapter's file holds its scenes and their list; [`SCENES`] is all of them in order.
+//! Each chapter's file holds its scenes and their list; [`scenes`] is all of them in order.
 
 mod ch03;
 mod ch14;

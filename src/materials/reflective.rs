@@ -59,8 +59,8 @@ impl Specification for Reflective {
 impl Material for Built {
     fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes) {
         self.phong.lobes(at, cos_o, lobes);
-        if self.kr > 0.0 {
-            let reflectance = self.kr * self.cr.color(at);
+        let reflectance = self.kr * self.cr.color(at);
+        if !reflectance.is_black() {
             lobes.push((PerfectSpecular { reflectance }.into(), About::Shading));
         }
     }

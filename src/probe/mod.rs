@@ -5,7 +5,7 @@
 //! No mathematics lives here. Numbers are read and printed exactly: what is printed reads back as
 //! the same bits.
 //!
-//! Each question is a file: its data, and a [`Question`] that answers it; its entry in the list
+//! Each question is a file: its data, and a `Question` that answers it; its entry in the list
 //! below gives it its name.
 
 mod camera_ray;

@@ -1,8 +1,8 @@
 //! The one recursion: from a ray to the radiance that arrives along it (Suffern, ch. 3, 14, 24).
 //!
 //! Lights and lobes answer "from where, how much?" and never trace; only this module casts rays, so
-//! each one passes [`Tracing::cast`] and is heard by the recorder. The book's tracers are settings
-//! of it, and its `Material::shade` is [`Tracing::shade`].
+//! each one passes `Tracing::cast` and is heard by the recorder. The book's tracers are settings
+//! of it, and its `Material::shade` is `Tracing::shade`.
 //!
 //! Law: what arrives along a ray is `T · Σ terms`, the terms in the order in which the recorder
 //! hears them, each one local or `weight · L(child)`, and `T` the transmittance of the medium.
