@@ -80,15 +80,19 @@ fn a_shape_defined_here_sits_in_an_instance() {
         assert_eq!(film.get(at), if seen { RED } else { Rgb::BLACK }, "{at:?}");
     }
 
-    let mut scene = from_front(1, 1, 1.0);
-    let turn = vec![Step::RotateX(-60.0)];
-    add_flat(&mut scene, "tile", Instance { of: Box::new(tile()), transform: turn }, RED);
-    let mut tree = RayTree::default();
-    render::sample(&built(&scene), [0, 0], 0, &mut tree);
-    let RecordedOutcome::Hit(hit) = &tree.root().outcome else { panic!("the tile is ahead") };
-    // counter-clockwise about x by −60°: z turns towards +y
-    let expected = Vector::new(0.0, 0.75_f64.sqrt(), 0.5);
-    assert!((Vector::from(hit.normal) - expected).length() < 1e-15, "{:?}", hit.normal);
+    // counter-clockwise about x by −60°: z turns towards +y; sheared, the tile lies in z = x/2
+    let turned = (Step::RotateX(-60.0), Vector::new(0.0, 0.75_f64.sqrt(), 0.5));
+    let sheared = Step::Shear([0.0, 0.0, 0.0, 0.0, 0.5, 0.0]);
+    let sheared = (sheared, Vector::new(-0.5, 0.0, 1.0) / 1.25_f64.sqrt());
+    for (step, normal) in [turned, sheared] {
+        let mut scene = from_front(1, 1, 1.0);
+        let instance = Instance { of: Box::new(tile()), transform: vec![step] };
+        add_flat(&mut scene, "tile", instance, RED);
+        let mut tree = RayTree::default();
+        render::sample(&built(&scene), [0, 0], 0, &mut tree);
+        let RecordedOutcome::Hit(hit) = &tree.root().outcome else { panic!("the tile is ahead") };
+        assert!((Vector::from(hit.normal) - normal).length() < 1e-15, "{:?}", hit.normal);
+    }
 }
 
 /// Law: it stands in the way of light. Oracle: the tile at height 0, light along (0, 1, 1)/√2 and a

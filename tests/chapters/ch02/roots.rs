@@ -25,15 +25,15 @@ proptest! {
     }
 
     /// Law: a small root beside a huge one keeps its digits; the textbook's formula loses them all.
-    /// Oracle: as above, the discriminant `(a (s − r)/2)²` given as it is.
+    /// Oracle: the equation is made from its roots r and 2ⁿ; rounding `r + 2ⁿ` moves neither by more
+    /// than u.
     #[test]
-    fn small_roots_survive_beside_huge_ones(r in 1..100_i64, exponent in 30..50_u32, a in 1..5_i64) {
-        let s = (1_i64 << exponent) + r;
-        let [qa, qb, qc] = with_roots(a, [r, s]);
-        let half = (a * (s - r) / 2) as f64;
-        let [first, second] = quadratic(qa, qb, qc, half * half).expect("two roots");
-        prop_assert!((first - r as f64).abs() <= 4.0 * U * r as f64, "{first} for {r}");
-        prop_assert!((second - s as f64).abs() <= 4.0 * U * s as f64);
+    fn small_roots_survive_beside_huge_ones(r in 1e-3..100.0_f64, n in 30..80_i32, a in 1..5_i32) {
+        let (s, a) = (power_of_two(n), f64::from(a));
+        let (b, half) = (-0.5 * a * (r + s), 0.5 * a * (s - r));
+        let [first, second] = quadratic(a, b, a * r * s, half * half).expect("two roots");
+        prop_assert!((first - r).abs() <= 8.0 * U * r, "{first} for {r}");
+        prop_assert!((second - s).abs() <= 8.0 * U * s);
     }
 
     /// Law: for any coefficients, what comes out are roots of a quadratic that differs from the given

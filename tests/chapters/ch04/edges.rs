@@ -112,8 +112,8 @@ fn errors_beside_edges_fall_at_their_rates() {
     }
 }
 
-/// Law: stratified samples are never worse than random ones, on an edge or on a smooth function; also
-/// not with two samplers' counts. Oracle: the sums of squares, with random ones at twice the count.
+/// Law: beside an edge stratified samples are better than twice as many random ones. Oracle: the sums
+/// of the squared errors.
 #[test]
 fn stratified_samples_are_better_than_random_ones() {
     let square = |errors: &[f64]| errors.iter().map(|e| e * e).sum::<f64>();

@@ -220,9 +220,9 @@ proptest! {
     /// Law: a small sum between huge ones that cancel is kept. Oracle: by hand.
     #[test]
     fn means_survive_cancellation(huge in 1e10..1e20_f64, small in 1e-3..1.0_f64) {
-        let samples = [huge, small, -huge].map(|value| Rgb::grey(value));
+        let samples = [huge, small, -huge].map(Rgb::grey);
         prop_assert_eq!(render::mean(samples.into_iter()).g, small / 3.0);
-        let samples = [small, huge, -huge].map(|value| Rgb::grey(value));
+        let samples = [small, huge, -huge].map(Rgb::grey);
         prop_assert_eq!(render::mean(samples.into_iter()).g, small / 3.0);
     }
 }

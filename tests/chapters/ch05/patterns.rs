@@ -155,7 +155,7 @@ fn star_discrepancy(points: &[[f64; 2]]) -> f64 {
 /// Law: of 256 points the regular ones have the star discrepancy `1 − (1 − 1/(2·16))²` (a box that
 /// just leaves out the last row and column), and random, jittered and multi-jittered ones about 0.081,
 /// 0.035 and 0.021. Oracle: the closed form; for the others independent measurements (means of 8
-/// sets, each set off by about a fifth: 83 sets within 15 %).
+/// sets, a set being off by about a fifth: the means of 16 and of 8 agree within 15 %).
 #[test]
 fn star_discrepancies_are_those_of_the_patterns() {
     let mut random = Pcg32::new(256, 0);
