@@ -8,7 +8,8 @@ use groundtruth::world::World;
 
 #[test]
 fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
-    let mut scene = gallery::find("ch28/glass-sphere").map(|entry| (entry.build)()).expect("listed");
+    let mut scene =
+        gallery::find("ch28/glass-sphere").map(|entry| (entry.build)()).expect("listed");
     scene.image.resize(60, 60);
     scene.image.samples = 1;
     let world = World::build(&scene).expect("gallery scenes are valid");

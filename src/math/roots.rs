@@ -3,7 +3,7 @@
 use super::vectors::Vector;
 
 /// The roots of `a t² + 2 b t + c`, in ascending order, given `discriminant = b² − a c` however it
-/// was computed. `None` if it is negative or NaN. For `a = 0` one root is infinite or NaN, which no
+/// was computed. `None` if it is negative or NaN, or if there is no t in the equation at all. For `a = 0` one root is infinite or NaN, which no
 /// span contains.
 pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> {
     if discriminant.is_nan() || discriminant < 0.0 {
@@ -11,14 +11,11 @@ pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> 
     }
     // root away from −b first: no cancellation when b² ≫ a c
     let q = -(b + discriminant.sqrt().copysign(b));
+    if q == 0.0 {
+        return (c == 0.0).then_some([0.0; 2]);
+    }
     let (first, second) = (q / a, c / q);
-    Some(if q == 0.0 {
-        [0.0, 0.0]
-    } else if first <= second {
-        [first, second]
-    } else {
-        [second, first]
-    })
+    Some(if first <= second { [first, second] } else { [second, first] })
 }
 
 /// Where `|f + t·d| = r`, in ascending order: a sphere about the origin, or with a zero component
