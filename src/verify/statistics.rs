@@ -111,7 +111,7 @@ mod tests {
         while drawn < n {
             let cell = random.below(CELLS as u32) as usize;
             // rejection
-            let density = if cell % 2 == 0 { 1.0 + epsilon } else { 1.0 - epsilon };
+            let density = if cell.is_multiple_of(2) { 1.0 + epsilon } else { 1.0 - epsilon };
             if random.uniform() * (1.0 + epsilon) < density {
                 counts[cell] += 1;
                 drawn += 1;
