@@ -1,12 +1,8 @@
 //! Jittered samples (Suffern, ch. 4 and 5): one anywhere in each cell of a grid.
 
-use std::sync::Arc;
-
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, side};
-use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use super::{Sampler, next_square, side, without_settings};
 use crate::math::{ONE_MINUS, Pcg32};
 
 /// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that is
@@ -15,22 +11,7 @@ use crate::math::{ONE_MINUS, Pcg32};
 #[serde(deny_unknown_fields)]
 pub struct Jittered {}
 
-impl Specification for Jittered {
-    type Built = Arc<dyn Sampler>;
-    type Context = ();
-
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Sampler>, Invalid> {
-        Ok(Arc::new(*self))
-    }
-
-    fn scaled(&self, _: f64) -> Self {
-        *self
-    }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self {}]
-    }
-}
+without_settings!(Jittered);
 
 impl Sampler for Jittered {
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {

@@ -4,6 +4,29 @@
 //! what it is for: its set and permutation follow from seed, pixel and that name, its place in them
 //! from the sample's index, and from nothing else.
 
+/// The specification of a sampler that has nothing to set.
+macro_rules! without_settings {
+    ($Sampler:ident) => {
+        impl $crate::kinds::Specification for $Sampler {
+            type Built = ::std::sync::Arc<dyn $crate::samplers::Sampler>;
+            type Context = ();
+
+            fn build(&self, (): &mut ()) -> Result<Self::Built, $crate::invalid::Invalid> {
+                Ok(::std::sync::Arc::new(*self))
+            }
+
+            fn scaled(&self, _: f64) -> Self {
+                *self
+            }
+
+            fn specimens() -> Vec<Self> {
+                vec![Self {}]
+            }
+        }
+    };
+}
+use without_settings;
+
 mod jittered;
 mod multi_jittered;
 mod random;

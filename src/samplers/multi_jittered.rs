@@ -1,12 +1,8 @@
 //! Multi-jittered samples (Suffern, ch. 5; Chiu, Shirley & Wang, Graphics Gems IV, 1994).
 
-use std::sync::Arc;
-
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, side};
-use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use super::{Sampler, next_square, side, without_settings};
 use crate::math::{ONE_MINUS, Pcg32};
 
 /// One point in each cell of an `n × n` grid and, at the same time, one in each of the `n²` rows and
@@ -15,22 +11,7 @@ use crate::math::{ONE_MINUS, Pcg32};
 #[serde(deny_unknown_fields)]
 pub struct MultiJittered {}
 
-impl Specification for MultiJittered {
-    type Built = Arc<dyn Sampler>;
-    type Context = ();
-
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Sampler>, Invalid> {
-        Ok(Arc::new(*self))
-    }
-
-    fn scaled(&self, _: f64) -> Self {
-        *self
-    }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self {}]
-    }
-}
+without_settings!(MultiJittered);
 
 impl Sampler for MultiJittered {
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {

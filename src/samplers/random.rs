@@ -1,12 +1,8 @@
 //! Pure random samples (Suffern, ch. 4 and 5).
 
-use std::sync::Arc;
-
 use serde::{Deserialize, Serialize};
 
-use super::Sampler;
-use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use super::{Sampler, without_settings};
 use crate::math::Pcg32;
 
 /// Independent uniform points.
@@ -14,22 +10,7 @@ use crate::math::Pcg32;
 #[serde(deny_unknown_fields)]
 pub struct Random {}
 
-impl Specification for Random {
-    type Built = Arc<dyn Sampler>;
-    type Context = ();
-
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Sampler>, Invalid> {
-        Ok(Arc::new(*self))
-    }
-
-    fn scaled(&self, _: f64) -> Self {
-        *self
-    }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self {}]
-    }
-}
+without_settings!(Random);
 
 impl Sampler for Random {
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {

@@ -1,12 +1,8 @@
 //! Regular samples (Suffern, ch. 4 and 5): the centres of a grid.
 
-use std::sync::Arc;
-
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, side};
-use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use super::{Sampler, next_square, side, without_settings};
 use crate::math::Pcg32;
 
 /// The point `((k + ½)/n, (j + ½)/n)` in row `j` and column `k` of an `n × n` grid. A count that is no
@@ -15,22 +11,7 @@ use crate::math::Pcg32;
 #[serde(deny_unknown_fields)]
 pub struct Regular {}
 
-impl Specification for Regular {
-    type Built = Arc<dyn Sampler>;
-    type Context = ();
-
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Sampler>, Invalid> {
-        Ok(Arc::new(*self))
-    }
-
-    fn scaled(&self, _: f64) -> Self {
-        *self
-    }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self {}]
-    }
-}
+without_settings!(Regular);
 
 impl Sampler for Regular {
     fn fill(&self, n: u32, _: &mut Pcg32) -> Vec<[f64; 2]> {
