@@ -37,6 +37,8 @@ pub struct SampleExplanation {
     pub film: [f64; 2],
     /// What it adds to the mean.
     pub radiance: Rgb,
+    /// Whether all its rays are shown; a tree of more than a million is cut off.
+    pub complete: bool,
     /// The camera's ray and all that came of it.
     pub ray: RayExplanation,
 }
@@ -137,7 +139,8 @@ pub fn sample(scene: &Scene, world: &World, pixel: [u32; 2], index: u32) -> Samp
     let mut tree = RayTree::default();
     let radiance = render::sample(world, pixel, index, &mut tree);
     let (_, film) = render::camera_ray(world, pixel, index);
-    SampleExplanation { index, film, radiance, ray: ray(scene, &tree) }
+    let complete = tree.is_complete();
+    SampleExplanation { index, film, radiance, complete, ray: ray(scene, &tree) }
 }
 
 /// Explains a recorded tree.
@@ -319,6 +322,12 @@ impl fmt::Display for PixelExplanation {
                 brief(py)
             )?;
             write!(f, "{}", sample.ray)?;
+            if !sample.complete {
+                writeln!(
+                    f,
+                    "(cut off: the tree has more rays; a smaller max_depth makes a smaller one)"
+                )?;
+            }
         }
         writeln!(f)?;
         for sample in &self.samples {

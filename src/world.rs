@@ -179,7 +179,7 @@ impl World {
         let image = &self.image;
         let samples = f64::from(image.width) * f64::from(image.height);
         let samples = samples * f64::from(self.samples_per_pixel());
-        let opaque = self.objects().iter().all(|object| object.material.boundary().is_none());
+        let opaque = !self.objects().iter().any(|object| object.material.transmits());
         match self.tracer {
             Tracer::RayCast => samples,
             // a chain of mirrors, or a tree of glass
@@ -273,7 +273,7 @@ fn placed_objects(scene: &Scene, folder: &Path) -> Result<Vec<PlacedObject>, Inv
     for (index, material) in scene.materials.iter().enumerate() {
         let built = material.recipe.build(&mut ()).map_err(|e| e.inside("recipe"));
         let built = built.map_err(item("materials", index, &material.name))?;
-        if material.two_sided && built.boundary().is_some() {
+        if material.two_sided && built.transmits() {
             let problem = "a transparent material must know its inside and cannot be two-sided";
             return Err(item("materials", index, &material.name)(Invalid::field(
                 "two_sided",

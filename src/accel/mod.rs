@@ -71,7 +71,8 @@ impl Accel {
         }
     }
 
-    /// Any hit along the ray, and of which primitive.
+    /// Any hit along the ray, and of which primitive. Whether there is one does not depend on the
+    /// method; which one is found may.
     pub fn any(
         &self,
         primitives: &impl Primitives,

@@ -29,7 +29,7 @@ pub struct Viewpoint {
     /// Multiplies every pixel.
     #[serde(default = "kinds::one")]
     pub exposure_time: f64,
-    /// What the eye is in.
+    /// What the eye is in: only its absorption counts, as it is the surfaces that bend light.
     #[serde(default, skip_serializing_if = "is_air")]
     pub medium: Medium,
     /// How film becomes rays.

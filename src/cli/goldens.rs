@@ -48,7 +48,7 @@ struct Review {
     #[arg(long, conflicts_with = "names")]
     all: bool,
     /// The page to write
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", default_value = "review.html")]
     output: PathBuf,
 }
 

@@ -23,8 +23,8 @@ pub struct Render {
     #[arg(long, value_name = "X,Y,WxH")]
     crop: Option<CropArgument>,
     /// Threads to use; all cores if left out. The picture is the same for any number
-    #[arg(long, value_name = "N")]
-    threads: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
 }
 
 /// A picture of more rays than this is announced before it begins.

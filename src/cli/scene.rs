@@ -7,7 +7,7 @@ use std::str::FromStr;
 use clap::Args;
 use groundtruth::gallery;
 use groundtruth::render::Crop;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::{self, Scene, Source};
 use groundtruth::world::{DEFAULT_SEED, World};
 
 #[derive(Args)]
@@ -28,14 +28,17 @@ pub struct SceneArguments {
 impl SceneArguments {
     /// The scene as asked for, and its world.
     pub fn load(&self) -> Result<(Scene, World), Box<dyn Error>> {
-        let (mut scene, folder) = self.find()?;
+        let (mut scene, source) = self.open()?;
         if let Some(Size { width, height }) = self.size {
             scene.image.resize(width, height);
         }
         if let Some(samples) = self.samples {
             scene.image.samples = samples;
         }
-        let world = World::build_seeded(&scene, folder, self.seed)?;
+        let world = match source {
+            Some(source) => source.build(&scene, self.seed)?,
+            None => World::build_seeded(&scene, Path::new(""), self.seed)?,
+        };
         let (asked, used) = (scene.image.samples, world.samples_per_pixel());
         if asked != used {
             eprintln!(
@@ -45,16 +48,27 @@ impl SceneArguments {
         Ok((scene, world))
     }
 
-    fn find(&self) -> Result<(Scene, &Path), Box<dyn Error>> {
+    /// The folder of a scene file; `None` for a gallery scene.
+    pub fn folder(&self) -> Option<&Path> {
+        if gallery::find(&self.scene).is_some() { None } else { Path::new(&self.scene).parent() }
+    }
+
+    /// Whether another seed than the usual one is asked for.
+    pub fn names_a_seed(&self) -> bool {
+        self.seed != DEFAULT_SEED
+    }
+
+    /// The scene by its name, and its text if it is a file.
+    fn open(&self) -> Result<(Scene, Option<Source>), Box<dyn Error>> {
         if let Some(entry) = gallery::find(&self.scene) {
-            return Ok(((entry.build)(), Path::new("")));
+            return Ok(((entry.build)(), None));
         }
         let path = Path::new(&self.scene);
         if path.extension().is_none() && !path.exists() {
             return Err(gallery::unknown(&self.scene).into());
         }
-        let (scene, _) = scene::read(path)?;
-        Ok((scene, path.parent().unwrap_or(Path::new(""))))
+        let (scene, source) = scene::open(path)?;
+        Ok((scene, Some(source)))
     }
 }
 
@@ -115,7 +129,7 @@ impl CropArgument {
 }
 
 /// Starts the rayon pool with this many threads; all cores if none is named.
-pub fn start_threads(threads: Option<usize>) -> Result<(), Box<dyn Error>> {
-    let threads = threads.unwrap_or(0);
+pub fn start_threads(threads: Option<u16>) -> Result<(), Box<dyn Error>> {
+    let threads = threads.map_or(0, usize::from);
     Ok(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?)
 }

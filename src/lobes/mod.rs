@@ -41,7 +41,8 @@ pub struct LobeSample {
 pub struct Claims {
     /// `f(wi, wo) = f(wo, wi)`.
     pub reciprocal: bool,
-    /// No more light leaves than arrives, for any parameters.
+    /// No more light leaves than arrives, for coefficients of at most 1; of refracted light that is
+    /// said of the basic radiance `L/η²`, as radiance itself changes with the medium.
     pub conserves_energy: bool,
 }
 

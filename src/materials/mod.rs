@@ -35,10 +35,15 @@ pub trait Material: Debug + Send + Sync {
         Rgb::BLACK
     }
 
-    /// What is on either side, for boundaries between media; `None` for opaque surfaces, whose
-    /// rays stay in the medium they came through.
+    /// What is on either side, for boundaries between media; `None` where rays stay in the medium
+    /// they came through.
     fn boundary(&self) -> Option<Boundary> {
         None
+    }
+
+    /// Whether light passes through, so that the surface must know its inside.
+    fn transmits(&self) -> bool {
+        self.boundary().is_some()
     }
 }
 

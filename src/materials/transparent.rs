@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::Material;
 use super::phong::{self, Phong};
-use super::{Boundary, Material};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::{self, Specification};
 use crate::lobes::{About, Lobes, PerfectSpecular, PerfectTransmitter};
@@ -14,7 +14,8 @@ use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
 /// A clear body that reflects `k_r` and lets through `k_t`, whatever the angle; on total internal
-/// reflection it reflects everything.
+/// reflection it reflects everything. It says nothing of what media absorb: rays stay in the one
+/// they came through.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Transparent {
@@ -89,7 +90,7 @@ impl Material for Built {
         self.phong.ambient(at)
     }
 
-    fn boundary(&self) -> Option<Boundary> {
-        Some(Boundary { inside: Rgb::BLACK, outside: Rgb::BLACK })
+    fn transmits(&self) -> bool {
+        true
     }
 }

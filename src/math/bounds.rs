@@ -1,6 +1,5 @@
 //! Axis-aligned boxes, and where a ray crosses them.
 
-use super::UNIT_ROUNDOFF;
 use super::ray::Ray;
 use super::vectors::{Point, Vector};
 
@@ -30,10 +29,11 @@ impl SlabRay {
     }
 }
 
-/// Relative slack on the two distances of [`Aabb::crossing`]: three roundings in each, and as many
-/// in the `t` that is compared with them, with room to spare (Ize, "Robust BVH Ray Traversal",
-/// JCGT 2(2), 2013).
-const SLACK: f64 = 16.0 * UNIT_ROUNDOFF;
+/// Relative slack on the two distances of [`Aabb::crossing`], and on the corners of a padded box:
+/// far more than the roundings in them (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013) and in
+/// the `t` that is compared with them, which an instance multiplies by its condition; far less than
+/// would cost a ray more boxes.
+const SLACK: f64 = 1.0 / (1 << 30) as f64;
 
 impl Aabb {
     /// Contains nothing; the start of a union.
@@ -86,14 +86,14 @@ impl Aabb {
         std::array::from_fn(|i| Point::new(ends[i & 1].x(), ends[i >> 1 & 1].y(), ends[i >> 2].z()))
     }
 
-    /// The box grown by what the rounding of its own corners can move a hit: a few u of its
+    /// The box grown by far more than the rounding of its own corners can move a hit: 2⁻³⁰ of its
     /// largest coordinate.
     pub fn padded(self) -> Self {
         let largest = self.min.to_vector().max_abs().max(self.max.to_vector().max_abs());
         if !largest.is_finite() {
             return self;
         }
-        let pad = 16.0 * UNIT_ROUNDOFF * largest * Vector::new(1.0, 1.0, 1.0);
+        let pad = SLACK * largest * Vector::new(1.0, 1.0, 1.0);
         Self { min: self.min - pad, max: self.max + pad }
     }
 

@@ -3,8 +3,8 @@
 use super::vectors::Vector;
 
 /// The roots of `a t² + 2 b t + c`, in ascending order, given `discriminant = b² − a c` however it
-/// was computed. `None` if it is negative or NaN, or if there is no t in the equation at all. For `a = 0` one root is infinite or NaN, which no
-/// span contains.
+/// was computed. `None` if it is negative or NaN, or if a and b are 0 and c is not. For `a = 0` one
+/// root is infinite or NaN, which no span contains.
 pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> {
     if discriminant.is_nan() || discriminant < 0.0 {
         return None;

@@ -216,6 +216,12 @@ impl Transform {
         }
     }
 
+    /// `|M| |v|` for each coordinate: how far a step of at most `|v|` along each axis can reach.
+    pub fn stretch(&self, v: Vector) -> Vector {
+        let (m, v) = (self.forward.matrix3, v.0.abs());
+        Vector(m.x_axis.abs() * v.x + m.y_axis.abs() * v.y + m.z_axis.abs() * v.z)
+    }
+
     /// `|M| |p| + |t|` for each coordinate: times a few u, a bound of the rounding error of
     /// [`Transform::point`].
     pub fn magnitude(&self, p: Point) -> Vector {

@@ -200,6 +200,12 @@ impl Vector {
         self.0.abs().max_element()
     }
 
+    /// The larger of each component.
+    #[must_use]
+    pub fn max(self, other: Vector) -> Vector {
+        Vector(self.0.max(other.0))
+    }
+
     /// Each component without its sign.
     pub fn abs(self) -> Vector {
         Vector(self.0.abs())

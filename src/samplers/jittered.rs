@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, side, without_settings};
+use super::{Sampler, next_square, side};
 use crate::math::{ONE_MINUS, Pcg32};
 
 /// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that is

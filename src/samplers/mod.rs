@@ -25,7 +25,6 @@ macro_rules! without_settings {
         }
     };
 }
-use without_settings;
 
 mod jittered;
 mod multi_jittered;

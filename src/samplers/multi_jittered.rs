@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, side, without_settings};
+use super::{Sampler, next_square, side};
 use crate::math::{ONE_MINUS, Pcg32};
 
 /// One point in each cell of an `n × n` grid and, at the same time, one in each of the `n²` rows and

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, without_settings};
+use super::Sampler;
 use crate::math::Pcg32;
 
 /// Independent uniform points.

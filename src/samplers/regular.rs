@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, side, without_settings};
+use super::{Sampler, next_square, side};
 use crate::math::Pcg32;
 
 /// The point `((k + ½)/n, (j + ½)/n)` in row `j` and column `k` of an `n × n` grid. A count that is no

@@ -1,21 +1,59 @@
 //! Scenes as TOML text.
 
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::error::Place;
 use super::{Scene, SceneError, places};
 use crate::invalid::{Invalid, Key};
-use crate::world::World;
+use crate::world::{DEFAULT_SEED, World};
 
 /// Larger files are no scenes: large things are procedural kinds or mesh files.
 const LARGEST_FILE: u64 = 8 << 20;
+
+/// The text of a scene, kept to say where in it something is wrong.
+#[derive(Debug)]
+pub struct Source {
+    text: String,
+    path: PathBuf,
+}
+
+impl Source {
+    /// The folder that the files named by the scene are relative to.
+    pub fn folder(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new(""))
+    }
+
+    /// Builds the scene of this text, perhaps changed since.
+    ///
+    /// # Errors
+    /// [`SceneError`] with file, line, object and field.
+    pub fn build(&self, scene: &Scene, seed: u64) -> Result<World, SceneError> {
+        World::build_seeded(scene, self.folder(), seed).map_err(|error| match error {
+            SceneError::Invalid { invalid, .. } => {
+                let line = places::line_of(&self.text, &invalid.path);
+                SceneError::Invalid { place: Place::line(&self.path, line), invalid }
+            }
+            other => other,
+        })
+    }
+}
 
 /// Reads a scene file and builds its world; files it names are relative to it.
 ///
 /// # Errors
 /// [`SceneError`] with file, line, object and field.
 pub fn read(path: &Path) -> Result<(Scene, World), SceneError> {
+    let (scene, source) = open(path)?;
+    let world = source.build(&scene, DEFAULT_SEED)?;
+    Ok((scene, world))
+}
+
+/// Reads a scene file without building it.
+///
+/// # Errors
+/// [`SceneError`] with file, line, object and field.
+pub fn open(path: &Path) -> Result<(Scene, Source), SceneError> {
     let unreadable = |source| SceneError::Unreadable { path: path.to_owned(), source };
     let file = std::fs::File::open(path).map_err(unreadable)?;
     let mut text = String::new();
@@ -25,7 +63,7 @@ pub fn read(path: &Path) -> Result<(Scene, World), SceneError> {
         let problem = format!("it is too large for a scene (at most {LARGEST_FILE} bytes fit)");
         return Err(unreadable(std::io::Error::other(problem)));
     }
-    from_toml(&text, path)
+    parse(text, path)
 }
 
 /// The scene in a text, and its world; `path` is for error messages and for files it names.
@@ -33,16 +71,14 @@ pub fn read(path: &Path) -> Result<(Scene, World), SceneError> {
 /// # Errors
 /// As [`read`].
 pub fn from_toml(text: &str, path: &Path) -> Result<(Scene, World), SceneError> {
-    let scene: Scene = toml::from_str(text).map_err(|e| places::unreadable(text, path, &e))?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let world = World::build_in(&scene, folder).map_err(|error| match error {
-        SceneError::Invalid { invalid, .. } => {
-            let place = Place::line(path, places::line_of(text, &invalid.path));
-            SceneError::Invalid { place, invalid }
-        }
-        other => other,
-    })?;
+    let (scene, source) = parse(text.to_owned(), path)?;
+    let world = source.build(&scene, DEFAULT_SEED)?;
     Ok((scene, world))
+}
+
+fn parse(text: String, path: &Path) -> Result<(Scene, Source), SceneError> {
+    let scene: Scene = toml::from_str(&text).map_err(|e| places::unreadable(&text, path, &e))?;
+    Ok((scene, Source { text, path: path.to_owned() }))
 }
 
 /// The scene as text that reads back to the same scene, every bit of it.

@@ -13,7 +13,7 @@ use crate::rgb::Rgb;
 use crate::{accel, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
-pub use file::{from_toml, read, to_toml};
+pub use file::{Source, from_toml, open, read, to_toml};
 
 /// Everything a picture needs.
 #[derive(Clone, Debug, Serialize, Deserialize)]

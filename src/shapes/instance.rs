@@ -126,7 +126,21 @@ impl Shape for Built {
         self.shape.roots(&self.transform.ray_back(ray), span)
     }
 
+    /// Grown by what rounding can move a hit on its way into the inner coordinates and back: where
+    /// large translations cancel, that is more than a few u of the outer coordinates.
     fn bounds(&self) -> Aabb {
-        self.transform.bounds(&self.shape.bounds())
+        let inner = self.shape.bounds();
+        let outer = self.transform.bounds(&inner);
+        if !outer.is_bounded() {
+            return outer;
+        }
+        let back = self.transform.inverse();
+        let moved = |corner: Point| {
+            let rounding = back.magnitude(self.transform.point(corner));
+            self.transform.magnitude(corner) + self.transform.stretch(rounding)
+        };
+        let worst = inner.corners().map(moved).into_iter().fold(Vector::ZERO, Vector::max);
+        let pad = 16.0 * UNIT_ROUNDOFF * worst;
+        Aabb { min: outer.min - pad, max: outer.max + pad }
     }
 }

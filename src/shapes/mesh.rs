@@ -68,6 +68,10 @@ impl Mesh {
             normals.iter().map(unit).collect()
         });
         let mut mesh = TriangleMesh::new(vertices, data.triangles.clone());
+        if mesh.triangles.is_empty() {
+            let problem = "found only triangles of area zero, which no ray can hit";
+            return Err(Invalid::field("file", problem));
+        }
         if self.smooth {
             mesh.normals = Some(normals.unwrap_or_else(|| mesh.mean_normals()));
         }

@@ -9,6 +9,7 @@
 //! contract tests.
 
 use std::fmt::Debug;
+use std::path::Path;
 
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 
@@ -153,4 +154,15 @@ crate::kinds! {
     ch21 instance::Instance,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
+}
+
+impl Kind {
+    /// Makes the names of its files, which are relative to `folder`, independent of it.
+    pub fn files_from(&mut self, folder: &Path) {
+        match self {
+            Kind::Mesh(mesh) => mesh.file = folder.join(&mesh.file),
+            Kind::Instance(instance) => instance.of.files_from(folder),
+            _ => {}
+        }
+    }
 }

@@ -13,7 +13,7 @@ mod tree;
 use crate::lights::{Illumination, LightSample, Reach};
 use crate::lobes::{About, LobeSample, Lobes};
 use crate::materials::Boundary;
-use crate::math::{Frame, Normal, Ray, Span, Vector};
+use crate::math::{Frame, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
 use crate::scene::Tracer;
 use crate::world::{Hit, PlacedLight, World};
@@ -160,8 +160,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let origin = side.hit.surface.leave(sample.direction);
         let (ray, span) = match sample.reach {
             Reach::Infinity => (Ray::new(origin, sample.direction), Span::AHEAD),
-            // a segment: objects behind the light are not in the way
-            Reach::To(place) => (Ray::new(origin, place - origin), Span::SEGMENT),
+            Reach::To(place) => (Ray::new(origin, place - origin), up_to(place, origin)),
         };
         self.recorder.enter(RayKind::Shadow { light }, &ray, 0, Rgb::WHITE);
         let occluder = self.world.occluder(&ray, span);
@@ -211,6 +210,15 @@ impl<R: Recorder> Tracing<'_, R> {
         let light = self.cast(&child, weight);
         sum.add(self.recorder, what, weight, light);
     }
+}
+
+/// The segment from `origin` to a light, in units of its length, without its ends: objects behind
+/// the light are not in the way, nor is the surface that the light may lie on.
+fn up_to(light: Point, origin: Point) -> Span {
+    let size = light.to_vector().max_abs() + origin.to_vector().max_abs();
+    // of the place of the light, and of the t of a surface there that the ray does not graze
+    let rounding = 64.0 * UNIT_ROUNDOFF * size / light.distance(origin);
+    Span { min: 0.0, max: 1.0 - rounding }
 }
 
 /// A hit as the viewer sees it: the normals of a two-sided surface are turned to him.

@@ -10,7 +10,14 @@ pub struct RayTree {
     nodes: Vec<Node>,
     /// The rays that have begun and not ended.
     open: Vec<usize>,
+    /// Rays that have begun and not ended, and are not kept.
+    beyond: usize,
+    /// Whether a ray was not kept.
+    cut: bool,
 }
+
+/// A tree of more rays would be read by nobody, and take gigabytes.
+pub const MOST_RAYS: usize = 1 << 20;
 
 /// One ray.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,6 +102,11 @@ impl RayTree {
         &self.nodes[0]
     }
 
+    /// Whether every ray was kept: not beyond [`MOST_RAYS`].
+    pub fn is_complete(&self) -> bool {
+        !self.cut
+    }
+
     /// What arrives along the ray by the law `T · Σ terms`, worked out again from its terms.
     pub fn folded(&self, node: &Node) -> Rgb {
         let value = |recorded: &RecordedTerm| match recorded.child {
@@ -113,6 +125,11 @@ impl RayTree {
 impl Recorder for RayTree {
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
         let at = self.nodes.len();
+        if self.beyond > 0 || at >= MOST_RAYS {
+            self.beyond += 1;
+            self.cut = true;
+            return;
+        }
         if !self.open.is_empty() {
             self.current().children.push(at);
         }
@@ -131,6 +148,9 @@ impl Recorder for RayTree {
     }
 
     fn outcome(&mut self, outcome: Outcome<'_>) {
+        if self.beyond > 0 {
+            return;
+        }
         self.current().outcome = match outcome {
             Outcome::Hit(hit) => RecordedOutcome::Hit(RecordedHit {
                 t: hit.t,
@@ -149,6 +169,9 @@ impl Recorder for RayTree {
     }
 
     fn term(&mut self, term: Term) {
+        if self.beyond > 0 {
+            return;
+        }
         let node = self.current();
         let from_child =
             matches!(term.what, What::Traced { .. } | What::Direct { traced: true, .. });
@@ -157,6 +180,10 @@ impl Recorder for RayTree {
     }
 
     fn leave(&mut self, transmittance: Rgb, arriving: Rgb) {
+        if self.beyond > 0 {
+            self.beyond -= 1;
+            return;
+        }
         let node = self.current();
         node.transmittance = transmittance;
         node.radiance = arriving;
