@@ -1,0 +1,84 @@
+//! What textures and samplers cost: a scene pays only for what it uses.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+
+use groundtruth::kinds::Custom;
+use groundtruth::lights::{Ambient, Directional};
+use groundtruth::materials::Matte;
+use groundtruth::math::{Pcg32, Point, Vector};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::{self, Sampler};
+use groundtruth::scene::{Light, Material, Object, Scene};
+use groundtruth::shapes::{Sphere, Surface};
+use groundtruth::textures::{self, Paint, Texture};
+
+use crate::pictures::studio::{built, from_front};
+
+#[derive(Debug, Default)]
+struct Watched(AtomicU32);
+
+impl Texture for Watched {
+    fn color(&self, _: &Surface) -> Rgb {
+        self.0.fetch_add(1, Relaxed);
+        Rgb::WHITE
+    }
+}
+
+impl Sampler for Watched {
+    fn fill(&self, n: u32, _: &mut Pcg32) -> Vec<[f64; 2]> {
+        self.0.fetch_add(1, Relaxed);
+        vec![[0.5; 2]; n as usize]
+    }
+
+    fn round_up(&self, n: u32) -> u32 {
+        n
+    }
+}
+
+/// Nine pixels that all see a lit sphere of these coefficients; how often its texture is asked.
+fn look_ups(ka: f64, kd: f64, lights: &[&str]) -> u32 {
+    let texture = Arc::new(Watched::default());
+    let mut scene = from_front(3, 3, 1.0);
+    let cd = Paint(textures::Kind::Custom(Custom(Arc::<Watched>::clone(&texture))));
+    scene.materials.push(Material::new("watched", Matte { ka, kd, cd }));
+    let sphere = Sphere { center: Point::ORIGIN, radius: 5.0 };
+    scene.objects.push(Object::new("sphere", "watched", sphere));
+    for &name in lights {
+        let (ls, color, direction) = (1.0, Rgb::WHITE, Vector::Z);
+        scene.lights.push(match name {
+            "ambient" => Light::new(name, Ambient { ls, color }),
+            _ => Light::new(name, Directional { ls, color, direction }),
+        });
+    }
+    render::render(&built(&scene));
+    texture.0.load(Relaxed)
+}
+
+/// Law: a texture is asked once for a surface's lobes, however many lights there are, once more for
+/// each ambient light, and not at all where its coefficient is 0. Oracle: nine pixels, counted.
+#[test]
+fn textures_are_asked_only_for_what_is_used() {
+    assert_eq!(look_ups(0.0, 0.0, &["ambient", "sun"]), 0);
+    assert_eq!(look_ups(0.0, 0.5, &["ambient", "sun"]), 9);
+    assert_eq!(look_ups(0.0, 0.5, &["sun", "second sun", "third sun"]), 9);
+    assert_eq!(look_ups(0.5, 0.0, &["sun"]), 0);
+    assert_eq!(look_ups(0.5, 0.0, &["ambient", "sun"]), 9);
+    assert_eq!(look_ups(0.5, 0.5, &["ambient", "sun"]), 18);
+}
+
+/// Law: the 83 sets are filled once, when the world is built, and rendering draws from them. Oracle:
+/// counting.
+#[test]
+fn samples_are_made_once_and_not_while_rendering() {
+    let sampler = Arc::new(Watched::default());
+    let mut scene: Scene = from_front(3, 3, 1.0);
+    scene.image.samples = 4;
+    let custom = Custom::<dyn Sampler>(Arc::<Watched>::clone(&sampler));
+    scene.image.sampler = Some(samplers::Kind::Custom(custom));
+    let world = built(&scene);
+    assert_eq!(sampler.0.load(Relaxed), 83);
+    render::render(&world);
+    assert_eq!(sampler.0.load(Relaxed), 83);
+}
