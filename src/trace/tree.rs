@@ -17,7 +17,7 @@ pub struct RayTree {
 }
 
 /// A tree of more rays would be read by nobody, and take gigabytes.
-pub const MOST_RAYS: usize = 1 << 20;
+const MOST_RAYS: usize = 1 << 20;
 
 /// One ray.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,7 +102,7 @@ impl RayTree {
         &self.nodes[0]
     }
 
-    /// Whether every ray was kept: not beyond [`MOST_RAYS`].
+    /// Whether every ray was kept: not more than about a million.
     pub fn is_complete(&self) -> bool {
         !self.cut
     }
