@@ -1,8 +1,9 @@
 #!/bin/sh
-# Takes docs/inspector.png: opens the inspector on a virtual screen and clicks on the glass sphere.
+# Takes docs/inspector.png, or the file that is named: opens the inspector on a virtual screen and clicks on the glass sphere.
 # Needs the packages of scripts/headless.sh.
 set -eu
 cd "$(dirname "$0")/.."
+picture=${1:-docs/inspector.png}
 
 for tool in Xvfb xdotool import; do
     if ! command -v "$tool" >/dev/null; then
@@ -44,5 +45,5 @@ xdotool mousemove 520 370 click 1
 sleep 2
 xdotool mousemove 620 520
 sleep 1
-import -window root png24:docs/inspector.png
-echo "docs/inspector.png"
+import -window root "png24:$picture"
+echo "$picture"
