@@ -30,10 +30,7 @@ fn a_disk_moved_far_and_back_does_not_vanish() {
     for k in 0..14 {
         let far = 3.3 * groundtruth::math::power(5.0, f64::from(k));
         let disk = Disk { center: Point::new(0.0, 0.0, far), normal: Vector::Z, radius: 1.0 };
-        let shape = Instance {
-            of: Box::new(disk.into()),
-            transform: vec![Step::Translate(Vector::new(0.0, 0.0, -far))],
-        };
+        let shape = Instance::new(disk, vec![Step::Translate(Vector::new(0.0, 0.0, -far))]);
         let world = World::build(&scene(vec![shape.into()])).expect("valid");
         let ray = Ray::new(Point::new(0.3, 0.2, 3.3), -Vector::Z);
         let hit = world.hit(&ray, groundtruth::math::Span::AHEAD);

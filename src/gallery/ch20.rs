@@ -18,14 +18,10 @@ fn ellipsoid() -> Scene {
     let mut scene = Scene::new(about, image, camera);
     scene.lights.push(ambient(0.25));
     scene.lights.push(point_light("lamp", point(100.0, 100.0, 60.0), 3.0));
-    let shape = Instance {
-        of: Box::new(sphere(Point::ORIGIN, 1.0).into()),
-        transform: vec![
-            Step::Scale(vector(2.0, 3.0, 1.0)),
-            Step::RotateX(-45.0),
-            Step::Translate(Vector::Y),
-        ],
-    };
+    let shape = Instance::new(
+        sphere(Point::ORIGIN, 1.0),
+        vec![Step::Scale(vector(2.0, 3.0, 1.0)), Step::RotateX(-45.0), Step::Translate(Vector::Y)],
+    );
     let (object, material) =
         object("ellipsoid", shape, phong(0.25, 0.75, rgb(1.0, 0.75, 0.0), 0.2, 20.0));
     scene.objects.push(object);

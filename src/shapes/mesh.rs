@@ -175,9 +175,9 @@ impl Primitives for Seen<'_> {
         let triangle = self.mesh.triangles[index as usize];
         let meeting = self.ray.meet(self.mesh.corners(triangle))?;
         span.contains(meeting.t).then_some(Candidate {
-            t: meeting.t,
             part: index,
             parameters: meeting.barycentric,
+            ..Candidate::at(meeting.t)
         })
     }
 

@@ -18,6 +18,9 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 pub struct Candidate {
     /// Where along the ray, in units of its direction.
     pub t: f64,
+    /// Which of the shapes inside a compound, counted through all that are nested in it: those of
+    /// its first part, then those of its second …; 0 for a shape that holds no others.
+    pub leaf: u64,
     /// Which face of a box, which triangle of a mesh; 0 for shapes of one part.
     pub part: u32,
     /// Two parameters on that part, such as barycentric coordinates; 0 where none are needed.
@@ -27,7 +30,7 @@ pub struct Candidate {
 impl Candidate {
     /// A hit of a shape of one part.
     pub fn at(t: f64) -> Self {
-        Self { t, part: 0, parameters: [0.0; 2] }
+        Self { t, leaf: 0, part: 0, parameters: [0.0; 2] }
     }
 }
 
@@ -45,12 +48,15 @@ pub struct Surface {
     pub shading: Normal,
     /// The point in the coordinates of the innermost shape, where textures live.
     pub local: Point,
+    /// The material of that part of a compound, by its place in the scene; the object's own if
+    /// `None`.
+    pub material: Option<u32>,
 }
 
 impl Surface {
     /// A surface with one normal, in its own coordinates.
     pub fn new(point: Point, error: f64, normal: Normal) -> Self {
-        Self { point, error, normal, shading: normal, local: point }
+        Self { point, error, normal, shading: normal, local: point, material: None }
     }
 
     /// A plane through `anchor`, hit near `point`, which is moved onto it.
@@ -103,6 +109,12 @@ pub trait Shape: Debug + Send + Sync {
 
     /// A box that contains every point of the surface.
     fn bounds(&self) -> Aabb;
+
+    /// How many shapes are nested in it, itself included: one more than the largest
+    /// [`Candidate::leaf`].
+    fn leaves(&self) -> u64 {
+        1
+    }
 }
 
 /// The candidates of a shape of one part at those `ts` (ascending) that the span contains.
@@ -123,9 +135,11 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 }
 
 // shared by the kinds
+mod assembly;
 mod context;
 mod watertight;
 
+mod compound;
 mod cuboid;
 mod disk;
 mod instance;
@@ -133,11 +147,14 @@ mod mesh;
 mod open_cylinder;
 mod plane;
 mod rectangle;
+mod solid_cylinder;
 mod sphere;
 mod tessellated_sphere;
 mod triangle;
 
-pub use context::Context;
+pub use assembly::Materials;
+pub use compound::Part;
+pub use context::{Context, PartMaterial};
 pub(crate) use instance::transform_of;
 pub use mesh::TriangleMesh;
 
@@ -151,6 +168,8 @@ crate::kinds! {
     ch19 rectangle::Rectangle,
     ch19 disk::Disk,
     ch19 open_cylinder::OpenCylinder,
+    ch19 compound::Compound,
+    ch19 solid_cylinder::SolidCylinder,
     ch21 instance::Instance,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
@@ -162,6 +181,9 @@ impl Kind {
         match self {
             Kind::Mesh(mesh) => mesh.file = folder.join(&mesh.file),
             Kind::Instance(instance) => instance.of.files_from(folder),
+            Kind::Compound(compound) => {
+                compound.parts.iter_mut().for_each(|part| part.shape.files_from(folder));
+            }
             _ => {}
         }
     }

@@ -59,11 +59,8 @@ impl Specification for Triangle {
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let meeting = watertight::ShearedRay::new(ray).meet(self.vertices)?;
-        span.contains(meeting.t).then_some(Candidate {
-            t: meeting.t,
-            part: 0,
-            parameters: meeting.barycentric,
-        })
+        span.contains(meeting.t)
+            .then_some(Candidate { parameters: meeting.barycentric, ..Candidate::at(meeting.t) })
     }
 
     fn surface(&self, _: &Ray, at: &Candidate) -> Surface {

@@ -248,7 +248,7 @@ fn a_convex_body_in_a_furnace_shines_with_its_albedo() {
     let ball = Sphere { center: Point::ORIGIN, radius: 1.0 };
     let shear = vec![Step::Scale(Vector::new(2.0, 0.5, 1.0)), Step::RotateZ(30.0)];
     let block = Cuboid { min: Point::new(-1.0, -0.5, -0.7), max: Point::new(0.8, 0.9, 1.0) };
-    let ellipsoid = Instance { of: Box::new(Shape::from(ball.clone())), transform: shear };
+    let ellipsoid = Instance::new(Shape::from(ball.clone()), shear);
     for shape in [Shape::from(ball), ellipsoid.into(), block.into()] {
         let mut scene = stage(Rgb::BLACK);
         put(&mut scene, shape, Matte { ka: 0.0, kd: 0.5, cd: Rgb::new(1.0, 0.5, 0.2).into() });

@@ -154,7 +154,7 @@ proptest! {
             Step::Scale(Vector::new(2.0, 2.0, 2.0)),
             Step::Translate(by.to_vector()),
         ];
-        let nested = Instance { of: Box::new(scene.objects[0].shape.clone()), transform };
+        let nested = Instance::new(scene.objects[0].shape.clone(), transform);
         scene.objects[0].shape = nested.into();
         let outer = |p: Point| by + 2.0 * turned(p.to_vector());
         let seen = look(&built(&scene), outer(from), outer(target) - outer(from));

@@ -229,7 +229,7 @@ fn ours(exact: &oracle::Shape) -> (shapes::Kind, oracle::Shape) {
             let (inner, exact_inner) = ours(&of);
             let transform = steps(&matrix);
             let rows = Transform::from_steps(&transform).expect("not singular").rows();
-            let instance = Instance { of: Box::new(inner), transform };
+            let instance = Instance::new(inner, transform);
             return (
                 instance.into(),
                 oracle::Shape::Instance { matrix: rows, of: Box::new(exact_inner) },

@@ -219,7 +219,7 @@ fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
 /// something. So too when it is turned and moved far away, where coordinates are rounded more.
 fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
     let transform = vec![Step::RotateX(30.0), Step::Translate(Vector::new(900.0, -30.0, 700.0))];
-    let far = Instance { of: Box::new(kind.clone()), transform };
+    let far = Instance::new(kind.clone(), transform);
     leaves(&*built(kind))?;
     leaves(&*built(&far.into())).map_err(|broken| format!("far away: {broken}"))
 }

@@ -139,7 +139,7 @@ impl<'a> Input<'a> {
             7 => {
                 let steps = 1 + self.byte() % 3;
                 let transform = (0..steps).map(|_| super::transforms::step(self)).collect();
-                shapes::Instance { of: Box::new(kind), transform }.into()
+                shapes::Instance::new(kind, transform).into()
             }
             _ => kind,
         };

@@ -13,7 +13,7 @@ fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
 }
 
 fn instance(of: impl Into<Kind>, transform: Vec<Step>) -> Kind {
-    Instance { of: Box::new(of.into()), transform }.into()
+    Instance::new(of.into(), transform).into()
 }
 
 fn unit_sphere() -> Sphere {

@@ -266,9 +266,9 @@ fn acceleration_equals_the_list_on_instances_of_meshes() {
             Step::Translate(draw.vector(1.5)),
         ];
         let of = std::boxed::Box::new(Kind::Custom(Custom(Arc::clone(&mesh))));
-        let mut kind = Kind::from(Instance { of, transform: transform.clone() });
+        let mut kind = Kind::from(Instance::new(*of, transform.clone()));
         if i % 3 == 0 {
-            kind = Instance { of: std::boxed::Box::new(kind), transform }.into();
+            kind = Instance::new(kind, transform).into();
         }
         objects.push(built(kind));
     }
