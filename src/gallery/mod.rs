@@ -6,6 +6,7 @@ mod ch03;
 mod ch14;
 mod ch16;
 mod ch20;
+mod ch22;
 mod ch23;
 mod ch24;
 mod ch27;
@@ -32,6 +33,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch14::SCENES,
         ch16::SCENES,
         ch20::SCENES,
+        ch22::SCENES,
         ch23::SCENES,
         ch24::SCENES,
         ch27::SCENES,

@@ -23,6 +23,15 @@ fn primitives(shape: &Kind) -> u64 {
             2 * u64::from(sphere.horizontal) * u64::from(sphere.vertical)
         }
         Kind::Instance(instance) => primitives(&instance.of),
+        Kind::Compound(compound) => {
+            let parts = compound.parts.iter().map(|part| primitives(&part.shape));
+            parts.fold(0, u64::saturating_add)
+        }
+        Kind::Lattice(lattice) => {
+            let copies = lattice.counts.iter().fold(1_u64, |n, &c| n.saturating_mul(c.into()));
+            copies.saturating_add(primitives(&lattice.of))
+        }
+        Kind::RandomSpheres(spheres) => spheres.count.into(),
         _ => 1,
     }
 }

@@ -25,10 +25,10 @@ pub struct Instance {
 
 /// A shape and where it stands.
 #[derive(Debug)]
-pub(super) struct Placed {
-    pub shape: Arc<dyn Shape>,
-    pub transform: Transform,
-    pub transform_texture: bool,
+struct Placed {
+    shape: Arc<dyn Shape>,
+    transform: Transform,
+    transform_texture: bool,
 }
 
 impl Instance {
@@ -120,45 +120,60 @@ impl Shape for Placed {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let inner = self.shape.surface(&self.transform.ray_back(ray), at);
-        let point = self.transform.point(inner.point);
-        let outer = |n: Normal| normal_along(self.transform.covector(n), ray);
-        let normal = outer(inner.normal);
-        // how much longer a step along the normal is outside than inside
-        let stretch = 1.0 / self.transform.covector(inner.normal).length();
-        // by how much the point misses itself when it is moved back, as the next ray's origin will
-        // be; and the rounding of that
-        let back = self.transform.inverse();
-        let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
-        let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
-        let error = stretch * (inner.error + drift + 12.0 * UNIT_ROUNDOFF * rounding);
-        let local = if self.transform_texture { inner.local } else { point };
-        Surface { point, error, normal, shading: outer(inner.shading), local, ..inner }
+        let surface = surface_seen_through(&self.transform, &*self.shape, ray, at);
+        let local = if self.transform_texture { surface.local } else { surface.point };
+        Surface { local, ..surface }
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         self.shape.roots(&self.transform.ray_back(ray), span)
     }
 
-    /// Grown by what rounding can move a hit on its way into the inner coordinates and back: where
-    /// large translations cancel, that is more than a few u of the outer coordinates.
     fn bounds(&self) -> Aabb {
-        let inner = self.shape.bounds();
-        let outer = self.transform.bounds(&inner);
-        if !outer.is_bounded() {
-            return outer;
-        }
-        let back = self.transform.inverse();
-        let moved = |corner: Point| {
-            let rounding = back.magnitude(self.transform.point(corner));
-            self.transform.magnitude(corner) + self.transform.stretch(rounding)
-        };
-        let worst = inner.corners().map(moved).into_iter().fold(Vector::ZERO, Vector::max);
-        let pad = 16.0 * UNIT_ROUNDOFF * worst;
-        Aabb { min: outer.min - pad, max: outer.max + pad }
+        bounds_seen_through(&self.transform, &self.shape.bounds())
     }
 
     fn leaves(&self) -> u64 {
         self.shape.leaves()
     }
+}
+
+/// The surface of a shape at a hit of the ray, outside.
+pub(super) fn surface_seen_through(
+    transform: &Transform,
+    shape: &dyn Shape,
+    ray: &Ray,
+    at: &Candidate,
+) -> Surface {
+    let inner = shape.surface(&transform.ray_back(ray), at);
+    let point = transform.point(inner.point);
+    let outer = |n: Normal| normal_along(transform.covector(n), ray);
+    let normal = outer(inner.normal);
+    // how much longer a step along the normal is outside than inside
+    let stretch = 1.0 / transform.covector(inner.normal).length();
+    // by how much the point misses itself when it is moved back, as the next ray's origin will
+    // be; and the rounding of that
+    let back = transform.inverse();
+    let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
+    let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
+    let error = stretch * (inner.error + drift + 12.0 * UNIT_ROUNDOFF * rounding);
+    Surface { point, error, normal, shading: outer(inner.shading), ..inner }
+}
+
+/// The box around a transformed box, grown by what rounding can move a hit on its way into the
+/// inner coordinates and back: where large translations cancel, that is more than a few u of the
+/// outer coordinates.
+pub(super) fn bounds_seen_through(transform: &Transform, inner: &Aabb) -> Aabb {
+    let outer = transform.bounds(inner);
+    if !outer.is_bounded() {
+        return outer;
+    }
+    let back = transform.inverse();
+    let moved = |corner: Point| {
+        let rounding = back.magnitude(transform.point(corner));
+        transform.magnitude(corner) + transform.stretch(rounding)
+    };
+    let worst = inner.corners().map(moved).into_iter().fold(Vector::ZERO, Vector::max);
+    let pad = 16.0 * UNIT_ROUNDOFF * worst;
+    Aabb { min: outer.min - pad, max: outer.max + pad }
 }

@@ -51,12 +51,25 @@ pub struct Surface {
     /// The material of that part of a compound, by its place in the scene; the object's own if
     /// `None`.
     pub material: Option<u32>,
+    /// As in [`Candidate`]; set for what the world hits.
+    pub leaf: u64,
+    /// As in [`Candidate`]; set for what the world hits.
+    pub part: u32,
 }
 
 impl Surface {
     /// A surface with one normal, in its own coordinates.
     pub fn new(point: Point, error: f64, normal: Normal) -> Self {
-        Self { point, error, normal, shading: normal, local: point, material: None }
+        Self {
+            point,
+            error,
+            normal,
+            shading: normal,
+            local: point,
+            material: None,
+            leaf: 0,
+            part: 0,
+        }
     }
 
     /// A plane through `anchor`, hit near `point`, which is moved onto it.
@@ -143,9 +156,11 @@ mod compound;
 mod cuboid;
 mod disk;
 mod instance;
+mod lattice;
 mod mesh;
 mod open_cylinder;
 mod plane;
+mod random_spheres;
 mod rectangle;
 mod solid_cylinder;
 mod sphere;
@@ -171,6 +186,8 @@ crate::kinds! {
     ch19 compound::Compound,
     ch19 solid_cylinder::SolidCylinder,
     ch21 instance::Instance,
+    ch22 random_spheres::RandomSpheres,
+    ch22 lattice::Lattice,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
 }
@@ -181,6 +198,7 @@ impl Kind {
         match self {
             Kind::Mesh(mesh) => mesh.file = folder.join(&mesh.file),
             Kind::Instance(instance) => instance.of.files_from(folder),
+            Kind::Lattice(lattice) => lattice.of.files_from(folder),
             Kind::Compound(compound) => {
                 compound.parts.iter_mut().for_each(|part| part.shape.files_from(folder));
             }
