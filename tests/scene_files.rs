@@ -90,7 +90,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "sphere",
         "spheer",
-        "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, `box`, `triangle`, `rectangle`, `disk`, `open_cylinder`, `instance`, `mesh`, `tessellated_sphere`",
+        "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, `box`, `triangle`, `rectangle`, `disk`, `annulus`, `open_cylinder`, `cone`, `paraboloid`, `part_sphere`, `part_cylinder`, `part_annulus`, `instance`, `mesh`, `tessellated_sphere`",
     ),
     (
         "[1, 0, 0]",

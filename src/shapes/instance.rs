@@ -41,7 +41,13 @@ impl Specification for Instance {
     }
 
     fn specimens() -> Vec<Self> {
-        let sphere = || Box::new(Kind::from(super::Sphere { center: Point::ORIGIN, radius: 1.0 }));
+        let sphere = || {
+            Box::new(Kind::from(super::Sphere {
+                center: Point::ORIGIN,
+                radius: 1.0,
+                inward: false,
+            }))
+        };
         let ellipsoid = Self {
             of: sphere(),
             transform: vec![

@@ -39,7 +39,8 @@ pub struct Surface {
     /// Bound on the distance, along the geometric normal, between `point` and the surface as the
     /// shape's own `hit` sees it: a ray that starts farther off than this does not hit it again.
     pub error: f64,
-    /// Perpendicular to the surface; outward for what has an inside. Never turned to the viewer.
+    /// Perpendicular to the surface; outward for what has an inside, unless its data say `inward`.
+    /// Never turned to the viewer.
     pub normal: Normal,
     /// The normal that shading uses; differs from `normal` on smooth meshes only.
     pub shading: Normal,
@@ -51,6 +52,14 @@ impl Surface {
     /// A surface with one normal, in its own coordinates.
     pub fn new(point: Point, error: f64, normal: Normal) -> Self {
         Self { point, error, normal, shading: normal, local: point }
+    }
+
+    /// The same surface, its normals turned round if it is an inward one.
+    fn turned(self, inward: bool) -> Self {
+        if !inward {
+            return self;
+        }
+        Self { normal: -self.normal, shading: -self.shading, ..self }
     }
 
     /// A plane through `anchor`, hit near `point`, which is moved onto it.
@@ -123,14 +132,21 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 }
 
 // shared by the kinds
+mod azimuth;
 mod context;
 mod watertight;
 
+mod annulus;
+mod cone;
 mod cuboid;
 mod disk;
 mod instance;
 mod mesh;
 mod open_cylinder;
+mod paraboloid;
+mod part_annulus;
+mod part_cylinder;
+mod part_sphere;
 mod plane;
 mod rectangle;
 mod sphere;
@@ -150,7 +166,13 @@ crate::kinds! {
     ch19 triangle::Triangle,
     ch19 rectangle::Rectangle,
     ch19 disk::Disk,
+    ch19 annulus::Annulus,
     ch19 open_cylinder::OpenCylinder,
+    ch19 cone::Cone,
+    ch19 paraboloid::Paraboloid,
+    ch19 part_sphere::PartSphere,
+    ch19 part_cylinder::PartCylinder,
+    ch19 part_annulus::PartAnnulus,
     ch21 instance::Instance,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,

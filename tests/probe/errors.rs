@@ -67,7 +67,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"intersect": {"shape": {"spheer": {}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
-        "column 33: unknown variant `spheer`, expected one of `plane`, `sphere`, `box`, `triangle`, `rectangle`, `disk`, `open_cylinder`, `instance`, `mesh`, `tessellated_sphere`",
+        "column 33: unknown variant `spheer`, expected one of `plane`, `sphere`, `box`, `triangle`, `rectangle`, `disk`, `annulus`, `open_cylinder`, `cone`, `paraboloid`, `part_sphere`, `part_cylinder`, `part_annulus`, `instance`, `mesh`, `tessellated_sphere`",
     ),
     (
         r#"{"intersect": {"shape": "sphere", "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
