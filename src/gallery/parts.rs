@@ -25,7 +25,7 @@ pub fn grey(value: f64) -> Rgb {
 }
 
 pub fn sphere(center: Point, radius: f64) -> Sphere {
-    Sphere { center, radius }
+    Sphere { center, radius, inward: false }
 }
 
 pub fn boxed(min: Point, max: Point) -> shapes::Box {

@@ -14,6 +14,10 @@ pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> 
     if q == 0.0 {
         return (c == 0.0).then_some([0.0; 2]);
     }
+    if b == 0.0 {
+        let root = (q / a).abs(); // and the sign of that zero does not matter
+        return Some([-root, root]);
+    }
     let (first, second) = (q / a, c / q);
     Some(if first <= second { [first, second] } else { [second, first] })
 }

@@ -78,9 +78,10 @@ impl Specification for Compound {
     }
 
     fn specimens() -> Vec<Self> {
-        let ball = |x, radius| Sphere { center: Point::new(x, 0.25 * x, 1.0), radius };
+        let ball =
+            |x, radius| Sphere { center: Point::new(x, 0.25 * x, 1.0), radius, inward: false };
         let lid = |y, normal| Disk { center: Point::new(0.0, y, 0.0), normal, radius: 0.5 };
-        let wall = OpenCylinder { y0: -0.5, y1: 0.75, radius: 0.5 };
+        let wall = OpenCylinder { y0: -0.5, y1: 0.75, radius: 0.5, inward: false };
         let can =
             Self::of([Kind::from(wall), lid(-0.5, -Vector::Y).into(), lid(0.75, Vector::Y).into()]);
         let row = Self::of((0..10).map(|i| ball(-1.0 + 0.25 * f64::from(i), 0.1)));

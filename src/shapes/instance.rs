@@ -55,7 +55,7 @@ impl Specification for Instance {
     }
 
     fn specimens() -> Vec<Self> {
-        let sphere = super::Sphere { center: Point::ORIGIN, radius: 1.0 };
+        let sphere = super::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
         let ellipsoid = Self::new(
             sphere,
             vec![

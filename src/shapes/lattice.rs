@@ -86,7 +86,7 @@ impl Specification for Lattice {
     }
 
     fn specimens() -> Vec<Self> {
-        let ball = super::Sphere { center: Point::ORIGIN, radius: 0.25 };
+        let ball = super::Sphere { center: Point::ORIGIN, radius: 0.25, inward: false };
         let row = Self {
             of: Box::new(ball.into()),
             counts: [3, 1, 2],

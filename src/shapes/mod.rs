@@ -42,7 +42,8 @@ pub struct Surface {
     /// Bound on the distance, along the geometric normal, between `point` and the surface as the
     /// shape's own `hit` sees it: a ray that starts farther off than this does not hit it again.
     pub error: f64,
-    /// Perpendicular to the surface; outward for what has an inside. Never turned to the viewer.
+    /// Perpendicular to the surface; outward for what has an inside, unless its data say `inward`.
+    /// Never turned to the viewer.
     pub normal: Normal,
     /// The normal that shading uses; differs from `normal` on smooth meshes only.
     pub shading: Normal,
@@ -70,6 +71,14 @@ impl Surface {
             leaf: 0,
             part: 0,
         }
+    }
+
+    /// The same surface, its normals turned round if it is an inward one.
+    fn turned(self, inward: bool) -> Self {
+        if !inward {
+            return self;
+        }
+        Self { normal: -self.normal, shading: -self.shading, ..self }
     }
 
     /// A plane through `anchor`, hit near `point`, which is moved onto it.
@@ -149,16 +158,23 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 
 // shared by the kinds
 mod assembly;
+mod azimuth;
 mod context;
 mod watertight;
 
+mod annulus;
 mod compound;
+mod cone;
 mod cuboid;
 mod disk;
 mod instance;
 mod lattice;
 mod mesh;
 mod open_cylinder;
+mod paraboloid;
+mod part_annulus;
+mod part_cylinder;
+mod part_sphere;
 mod plane;
 mod random_spheres;
 mod rectangle;
@@ -182,9 +198,15 @@ crate::kinds! {
     ch19 triangle::Triangle,
     ch19 rectangle::Rectangle,
     ch19 disk::Disk,
+    ch19 annulus::Annulus,
     ch19 open_cylinder::OpenCylinder,
     ch19 compound::Compound,
     ch19 solid_cylinder::SolidCylinder,
+    ch19 cone::Cone,
+    ch19 paraboloid::Paraboloid,
+    ch19 part_sphere::PartSphere,
+    ch19 part_cylinder::PartCylinder,
+    ch19 part_annulus::PartAnnulus,
     ch21 instance::Instance,
     ch22 random_spheres::RandomSpheres,
     ch22 lattice::Lattice,

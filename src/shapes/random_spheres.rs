@@ -74,7 +74,7 @@ impl RandomSpheres {
         let mut place = || self.half_side * (2.0 * random.uniform() - 1.0);
         let mut sphere = |_| {
             let center = Point::new(place(), place(), place());
-            Sphere { center, radius: self.radius }
+            Sphere { center, radius: self.radius, inward: false }
         };
         (0..self.count).map(&mut sphere).collect()
     }

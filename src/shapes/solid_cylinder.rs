@@ -32,7 +32,7 @@ impl Specification for SolidCylinder {
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, radius, .. } = *self;
-        let wall = OpenCylinder { y0, y1, radius };
+        let wall = OpenCylinder { y0, y1, radius, inward: false };
         wall.build(context)?; // names the field that does not fit
         let cap = |y, normal| Disk { center: Point::new(0.0, y, 0.0), normal, radius };
         let parts = [

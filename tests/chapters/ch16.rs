@@ -30,7 +30,7 @@ fn lamp(location: Point) -> Lamp {
 }
 
 fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
-    Sphere { center: Point::new(x, y, z), radius }
+    Sphere { center: Point::new(x, y, z), radius, inward: false }
 }
 
 fn ground() -> Plane {
@@ -220,7 +220,7 @@ proptest! {
         let s = power_of_two(exponent);
         let at = |p: Point| p.scaled(s);
         let tiny = 1e-3 * n.x().abs() + 1e-4;
-        let big = Sphere { center: at(place) - s / tiny * n, radius: s / tiny };
+        let big = Sphere { center: at(place) - s / tiny * n, radius: s / tiny, inward: false };
         let block = Cuboid { min: at(Point::new(-1.5, -2.0, -1.1)), max: at(Point::new(1.2, 1.0, 2.0)) };
         let shape: shapes::Kind = match kind {
             0 => Plane { point: at(place), normal: n.into() }.into(),
@@ -288,7 +288,7 @@ fn the_edge_of_a_shadow_is_on_the_tangent_cone() {
     let (light, center, radius) = (Point::new(1.0, 6.0, -0.5), Point::new(0.5, 2.0, 0.3), 0.75);
     let mut scene = stage(Rgb::BLACK);
     put(&mut scene, ground(), white());
-    put(&mut scene, Sphere { center, radius }, white());
+    put(&mut scene, Sphere { center, radius, inward: false }, white());
     shine(&mut scene, lamp(light));
     let world = built(&scene);
     let axis = light - center;

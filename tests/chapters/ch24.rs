@@ -33,7 +33,7 @@ fn ambient(scene: &mut Scene) {
 }
 
 fn ball(center: Point, radius: f64) -> Sphere {
-    Sphere { center, radius }
+    Sphere { center, radius, inward: false }
 }
 
 /// `a + a q + … + a qⁿ`, added up.

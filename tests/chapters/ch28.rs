@@ -31,7 +31,7 @@ fn tinted(eta: f64, absorption: Rgb) -> Medium {
 }
 
 fn ball() -> Sphere {
-    Sphere { center: Point::ORIGIN, radius: 1.0 }
+    Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }
 }
 
 /// A slab between y = −thickness and 0, wide enough.
@@ -179,7 +179,7 @@ proptest! {
             tinted(outer, Rgb::new(0.1, 0.2, 0.3)),
             tinted(inner, Rgb::new(0.7, 0.0, 0.4)),
         ];
-        let balls = [Sphere { radius: 2.0, ..ball() }, Sphere { center: Point::new(0.5, 0.0, 0.3), radius: 0.9 }];
+        let balls = [Sphere { radius: 2.0, ..ball() }, Sphere { center: Point::new(0.5, 0.0, 0.3), radius: 0.9, inward: false }];
         let mut scene = deep_stage(BACKGROUND, 5);
         put(&mut scene, balls[0].clone(), glass(media[1], media[0]));
         put(&mut scene, balls[1].clone(), glass(media[2], media[1]));

@@ -208,13 +208,13 @@ fn ours(exact: &oracle::Shape) -> (shapes::Kind, oracle::Shape) {
             shapes::Plane { point: point.into(), normal: normal.into() }.into()
         }
         oracle::Shape::Sphere { center, radius } => {
-            shapes::Sphere { center: center.into(), radius }.into()
+            shapes::Sphere { center: center.into(), radius, inward: false }.into()
         }
         oracle::Shape::Cuboid { min, max } => {
             shapes::Box { min: min.into(), max: max.into() }.into()
         }
         oracle::Shape::Triangle { vertices } => {
-            shapes::Triangle { vertices: vertices.map(Point::from) }.into()
+            shapes::Triangle { vertices: vertices.map(Point::from), normals: None }.into()
         }
         oracle::Shape::Rectangle { corner, a, b } => {
             shapes::Rectangle { corner: corner.into(), a: a.into(), b: b.into() }.into()
@@ -223,7 +223,7 @@ fn ours(exact: &oracle::Shape) -> (shapes::Kind, oracle::Shape) {
             shapes::Disk { center: center.into(), normal: normal.into(), radius }.into()
         }
         oracle::Shape::OpenCylinder { y0, y1, radius } => {
-            shapes::OpenCylinder { y0, y1, radius }.into()
+            shapes::OpenCylinder { y0, y1, radius, inward: false }.into()
         }
         oracle::Shape::Instance { matrix, of } => {
             let (inner, exact_inner) = ours(&of);

@@ -37,7 +37,7 @@ fn everything(lens: cameras::Kind) -> Scene {
     for (i, source) in specimens(lights::Kind::ENTRIES).into_iter().enumerate() {
         scene.lights.push(Light::new(&format!("light {i}"), source));
     }
-    let sphere = Sphere { center: Point::new(0.5, 0.25, 1.5), radius: 0.75 };
+    let sphere = Sphere { center: Point::new(0.5, 0.25, 1.5), radius: 0.75, inward: false };
     let instance = Instance::new(
         sphere,
         vec![

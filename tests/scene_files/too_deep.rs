@@ -10,7 +10,7 @@ use groundtruth::world::World;
 use super::{error_of, with};
 
 fn sphere() -> Kind {
-    Kind::from(Sphere { center: Point::ORIGIN, radius: 1.0 })
+    Kind::from(Sphere { center: Point::ORIGIN, radius: 1.0, inward: false })
 }
 
 fn nested(levels: usize) -> Kind {

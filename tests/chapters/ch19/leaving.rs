@@ -34,7 +34,7 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
         0 => (Plane { point: center, normal: n }.into(), Form::Flat, center),
         1 => {
             let inside = center + draw.between(0.0, 0.99 * size) * draw.direction();
-            (Sphere { center, radius: size }.into(), Form::Convex, inside)
+            (Sphere { center, radius: size, inward: false }.into(), Form::Convex, inside)
         }
         2 => {
             let half = size * Vector::new(1.0, draw.decades(-3.0, 0.0), 0.5);
@@ -48,7 +48,7 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
             let vertices = [center, center + size * across, far];
             let (beta, gamma) = (draw.between(0.01, 0.49), draw.between(0.01, 0.49));
             let middle = center + (beta * (vertices[1] - center) + gamma * (far - center));
-            (Triangle { vertices }.into(), Form::Flat, middle)
+            (Triangle { vertices, normals: None }.into(), Form::Flat, middle)
         }
         4 => {
             let (a, b) = (size * across, size * third);
@@ -59,7 +59,11 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
         6 => {
             let y0 = center.y();
             let middle = Point::new(0.0, y0 + draw.between(0.1, 0.9) * size, 0.0);
-            (OpenCylinder { y0, y1: y0 + size, radius: size }.into(), Form::Tube, middle)
+            (
+                OpenCylinder { y0, y1: y0 + size, radius: size, inward: false }.into(),
+                Form::Tube,
+                middle,
+            )
         }
         _ => {
             let sphere =

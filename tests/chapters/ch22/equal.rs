@@ -107,7 +107,8 @@ fn some_rays(seed: u64, count: usize, reach: f64) -> impl Iterator<Item = Ray> {
 }
 
 fn spheres(draw: &mut Draw, count: usize) -> Vec<Arc<dyn Shape>> {
-    let sphere = |_| Sphere { center: draw.point(1.0), radius: draw.decades(-2.5, -0.7) };
+    let sphere =
+        |_| Sphere { center: draw.point(1.0), radius: draw.decades(-2.5, -0.7), inward: false };
     (0..count).map(sphere).map(built).collect()
 }
 
@@ -129,7 +130,7 @@ fn acceleration_equals_the_list_on_coincident_objects() {
         objects.push(Arc::clone(&objects[draw.below(40 + i)]));
     }
     let center = Point::new(0.1, 0.2, -0.3);
-    objects.extend((0..20).map(|_| built(Sphere { center, radius: 0.5 })));
+    objects.extend((0..20).map(|_| built(Sphere { center, radius: 0.5, inward: false })));
     let both = Both::new(objects.clone());
     for ray in some_rays(2212, 4_000, 1.0) {
         let found = both.bvh.nearest(&Seen(&objects, &ray), &ray, Span::AHEAD);
@@ -166,7 +167,7 @@ fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
     let (vertices, triangles) = doubled_sheet(&mut draw);
     let corners = |t: &[u32; 3]| t.map(|i| vertices[i as usize]);
     let loose: Vec<_> =
-        triangles.iter().map(|t| built(Triangle { vertices: corners(t) })).collect();
+        triangles.iter().map(|t| built(Triangle { vertices: corners(t), normals: None })).collect();
     let aimed: Vec<Ray> = (0..10_000)
         .map(|_| {
             let [a, b, _] = corners(&triangles[draw.below(triangles.len())]);
@@ -210,6 +211,7 @@ fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
             1 => built(Rectangle { corner: place, a: size * Vector::X, b: size * Vector::Z }),
             _ => built(Triangle {
                 vertices: [place, place + size * Vector::X, place + size * Vector::Z],
+                normals: None,
             }),
         });
     }
