@@ -124,6 +124,7 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 
 // shared by the kinds
 mod context;
+mod tube_range;
 mod watertight;
 
 mod cuboid;
@@ -131,10 +132,12 @@ mod disk;
 mod instance;
 mod mesh;
 mod open_cylinder;
+mod part_torus;
 mod plane;
 mod rectangle;
 mod sphere;
 mod tessellated_sphere;
+mod torus;
 mod triangle;
 
 pub use context::Context;
@@ -151,6 +154,8 @@ crate::kinds! {
     ch19 rectangle::Rectangle,
     ch19 disk::Disk,
     ch19 open_cylinder::OpenCylinder,
+    ch19 torus::Torus,
+    ch19 part_torus::PartTorus,
     ch21 instance::Instance,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
