@@ -9,6 +9,7 @@ mod bounds;
 mod exact;
 mod frame;
 mod functions;
+pub mod polynomial;
 mod random;
 mod ray;
 mod roots;
@@ -25,6 +26,7 @@ pub use functions::{
 };
 pub use random::{Pcg32, hash, splitmix};
 pub use ray::{Ray, Span};
+pub(crate) use roots::{Tolerance, bracketed_root};
 pub use roots::{perpendicular_roots, quadratic};
 pub use transform::{Axis, Singular, Step, Transform};
 pub use vectors::{Normal, Point, Vector};

@@ -160,6 +160,7 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 mod assembly;
 mod azimuth;
 mod context;
+mod tube_range;
 mod watertight;
 
 mod annulus;
@@ -175,12 +176,14 @@ mod paraboloid;
 mod part_annulus;
 mod part_cylinder;
 mod part_sphere;
+mod part_torus;
 mod plane;
 mod random_spheres;
 mod rectangle;
 mod solid_cylinder;
 mod sphere;
 mod tessellated_sphere;
+mod torus;
 mod triangle;
 
 pub use assembly::Materials;
@@ -207,6 +210,8 @@ crate::kinds! {
     ch19 part_sphere::PartSphere,
     ch19 part_cylinder::PartCylinder,
     ch19 part_annulus::PartAnnulus,
+    ch19 torus::Torus,
+    ch19 part_torus::PartTorus,
     ch21 instance::Instance,
     ch22 random_spheres::RandomSpheres,
     ch22 lattice::Lattice,
