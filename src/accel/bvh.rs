@@ -3,8 +3,10 @@
 //! Source: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007), for the
 //! binned build. The build is parallel and deterministic: the two halves do not know each other.
 
-use super::{Nearest, Primitives};
-use crate::math::{Aabb, SlabRay, Span};
+use super::frame::Frame;
+use super::search::{Any, Nearest};
+use super::{Counter, Primitives};
+use crate::math::Aabb;
 use crate::shapes::Candidate;
 
 /// Nodes in depth-first order: the left child of an inner node follows it.
@@ -13,8 +15,6 @@ pub struct Bvh {
     nodes: Vec<Node>,
     /// Primitive numbers, leaf by leaf.
     order: Vec<u32>,
-    /// Primitives without bounds: tested for every ray.
-    unbounded: Vec<u32>,
 }
 
 #[derive(Clone, Debug)]
@@ -54,24 +54,16 @@ impl Item {
 }
 
 impl Bvh {
-    pub(super) fn build(bounds: &[Aabb]) -> Self {
-        let numbered = (0..).zip(bounds).map(|(index, b)| Item { bounds: b.padded(), index });
-        let (mut items, unbounded): (Vec<_>, Vec<_>) =
-            numbered.partition(|item| item.bounds.is_bounded());
+    /// Over these primitives, whose boxes are `bounds`.
+    pub(super) fn build(frame: &Frame, bounds: &[Aabb], which: &[u32]) -> Self {
+        let item = |&index: &u32| Item { bounds: frame.boxed(&bounds[index as usize]), index };
+        let mut items: Vec<Item> = which.iter().map(item).collect();
         let nodes = if items.is_empty() { Vec::new() } else { subtree(&mut items, 0, 0) };
-        Self {
-            nodes,
-            order: items.iter().map(|item| item.index).collect(),
-            unbounded: unbounded.iter().map(|item| item.index).collect(),
-        }
+        Self { nodes, order: items.iter().map(|item| item.index).collect() }
     }
 
     /// Visits nearer boxes first; a box entered behind the best hit is skipped.
-    pub(super) fn nearest<P: Primitives>(
-        &self,
-        mut search: Nearest<'_, P>,
-    ) -> Option<(u32, Candidate)> {
-        self.unbounded.iter().for_each(|&index| search.consider(index));
+    pub(super) fn nearest<P: Primitives, C: Counter>(&self, search: &mut Nearest<'_, P, C>) {
         let mut stack = [(0_u32, 0.0_f64); STACK];
         let mut waiting = 0;
         let mut current =
@@ -79,12 +71,14 @@ impl Bvh {
         loop {
             let Some(at) = current else {
                 // equal distance is not farther: ties are settled by the order of objects
-                match stack[..waiting].iter().rposition(|&(_, entry)| entry < search.span.max) {
+                match stack[..waiting].iter().rposition(|&(_, entry)| !(entry > search.farthest()))
+                {
                     Some(place) => (current, waiting) = (Some(stack[place].0), place),
-                    None => return search.best,
+                    None => return,
                 }
                 continue;
             };
+            search.counter.step();
             let node = &self.nodes[at as usize];
             if node.count > 0 {
                 self.leaf(node).iter().for_each(|&index| search.consider(index));
@@ -107,27 +101,20 @@ impl Bvh {
         }
     }
 
-    pub(super) fn any(
-        &self,
-        ray: &SlabRay,
-        span: Span,
-        test: impl Fn(u32) -> Option<(u32, Candidate)>,
-    ) -> Option<(u32, Candidate)> {
-        if let Some(hit) = self.unbounded.iter().copied().find_map(&test) {
-            return Some(hit);
-        }
+    pub(super) fn any<P: Primitives>(&self, search: &Any<'_, P>) -> Option<(u32, Candidate)> {
         let mut stack = [0_u32; STACK];
         let mut waiting = usize::from(!self.nodes.is_empty());
         while waiting > 0 {
             waiting -= 1;
             let at = stack[waiting];
             let node = &self.nodes[at as usize];
-            let (entry, exit) = node.bounds.crossing(ray);
-            if !(entry <= exit && exit > span.min && entry < span.max) {
+            if !search.enters(&node.bounds) {
                 continue;
             }
             if node.count > 0 {
-                if let Some(hit) = self.leaf(node).iter().copied().find_map(&test) {
+                if let Some(hit) =
+                    self.leaf(node).iter().copied().find_map(|index| search.consider(index))
+                {
                     return Some(hit);
                 }
             } else {
@@ -137,6 +124,10 @@ impl Bvh {
             }
         }
         None
+    }
+
+    pub(super) fn memory_bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.order)
     }
 
     fn leaf(&self, node: &Node) -> &[u32] {

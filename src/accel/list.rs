@@ -1,31 +1,29 @@
 //! The list: every primitive is tested. Slow, obviously right, and so the reference.
 
-use super::{Nearest, Primitives};
+use super::search::{Any, Nearest};
+use super::{Counter, Primitives};
 use crate::shapes::Candidate;
 
-/// So many primitives, in order.
+/// The numbers of the bounded primitives, in order.
 #[derive(Debug)]
 pub struct List {
-    count: u32,
+    all: Vec<u32>,
 }
 
 impl List {
-    pub(super) fn new(count: usize) -> Self {
-        Self { count: u32::try_from(count).expect("primitives are numbered by u32") }
+    pub(super) fn new(all: Vec<u32>) -> Self {
+        Self { all }
     }
 
-    pub(super) fn nearest<P: Primitives>(
-        &self,
-        mut search: Nearest<'_, P>,
-    ) -> Option<(u32, Candidate)> {
-        (0..self.count).for_each(|index| search.consider(index));
-        search.best
+    pub(super) fn nearest<P: Primitives, C: Counter>(&self, search: &mut Nearest<'_, P, C>) {
+        self.all.iter().for_each(|&index| search.consider(index));
     }
 
-    pub(super) fn any(
-        &self,
-        test: impl Fn(u32) -> Option<(u32, Candidate)>,
-    ) -> Option<(u32, Candidate)> {
-        (0..self.count).find_map(test)
+    pub(super) fn any<P: Primitives>(&self, search: &Any<'_, P>) -> Option<(u32, Candidate)> {
+        self.all.iter().find_map(|&index| search.consider(index))
+    }
+
+    pub(super) fn memory_bytes(&self) -> usize {
+        size_of_val(&*self.all)
     }
 }

@@ -1,18 +1,21 @@
 //! Acceleration: which of many primitives a ray hits first (Suffern, ch. 22).
 //!
 //! Every method gives the same answer for every ray, to the last bit: the smallest `t`, and among
-//! equal `t` the primitive that comes first. Two rules make that a law rather than a hope. A hit
-//! counts only if its `t` lies between where the ray enters and leaves the primitive's own box (a
-//! grazing hit can be rounded out of it); and the interval of a box contains, bit for bit, that of
-//! each box inside it ([`Aabb::crossing`]). So no method can skip a hit that another one counts.
+//! equal `t` the primitive that comes first. The counting rule makes that a law rather than a hope
+//! (`frame.rs`): a hit counts only where the ray crosses the primitive's own box, and no method can
+//! skip a hit that another one counts.
 
 mod bvh;
+mod frame;
 mod list;
+mod search;
 
 use serde::{Deserialize, Serialize};
 
-use crate::math::{Aabb, Ray, SlabRay, Span};
+use crate::math::{Aabb, Ray, Span};
 use crate::shapes::Candidate;
+use frame::Frame;
+use search::{Among, Any, Nearest};
 
 /// How the primitives are searched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -39,22 +42,63 @@ pub trait Primitives {
     fn bounds(&self, index: u32) -> Aabb;
 }
 
+/// Hears what a search costs. `()` hears nothing and costs nothing.
+pub trait Counter {
+    /// A primitive was tested.
+    fn test(&mut self) {}
+
+    /// A node of a tree, or a cell of a grid, was visited.
+    fn step(&mut self) {}
+}
+
+impl Counter for () {}
+
+/// What searches cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Primitives tested.
+    pub tests: u64,
+    /// Nodes or cells visited.
+    pub steps: u64,
+}
+
+impl Counter for Counts {
+    fn test(&mut self) {
+        self.tests += 1;
+    }
+
+    fn step(&mut self) {
+        self.steps += 1;
+    }
+}
+
 /// A built acceleration structure.
 #[derive(Debug)]
-pub enum Accel {
-    /// See [`Method::List`].
+pub struct Accel {
+    frame: Frame,
+    /// Primitives without bounds: tested for every ray, first.
+    unbounded: Vec<u32>,
+    bounded: Structure,
+}
+
+/// See [`Method`].
+#[derive(Debug)]
+enum Structure {
     List(list::List),
-    /// See [`Method::Bvh`].
     Bvh(bvh::Bvh),
 }
 
 impl Accel {
     /// Builds for primitives with these boxes; unbounded ones are kept apart by themselves.
     pub fn build(method: Method, bounds: &[Aabb]) -> Self {
-        match method {
-            Method::List => Self::List(list::List::new(bounds.len())),
-            Method::Bvh => Self::Bvh(bvh::Bvh::build(bounds)),
-        }
+        let count = u32::try_from(bounds.len()).expect("primitives are numbered by u32");
+        let (bounded, unbounded) = (0..count).partition(|&i| bounds[i as usize].is_bounded());
+        let frame = Frame::around(bounds);
+        let bounded = match method {
+            Method::List => Structure::List(list::List::new(bounded)),
+            Method::Bvh => Structure::Bvh(bvh::Bvh::build(&frame, bounds, &bounded)),
+        };
+        Self { frame, unbounded, bounded }
     }
 
     /// The first hit along the ray, and of which primitive.
@@ -64,11 +108,35 @@ impl Accel {
         ray: &Ray,
         span: Span,
     ) -> Option<(u32, Candidate)> {
-        let search = Nearest { primitives, ray: SlabRay::new(ray), span, best: None };
-        match self {
-            Self::List(list) => list.nearest(search),
-            Self::Bvh(bvh) => bvh.nearest(search),
+        self.nearest_counted(primitives, ray, span, &mut ())
+    }
+
+    /// The same, and what it costs.
+    pub fn nearest_counted(
+        &self,
+        primitives: &impl Primitives,
+        ray: &Ray,
+        span: Span,
+        counter: &mut impl Counter,
+    ) -> Option<(u32, Candidate)> {
+        let (mut span, mut best) = (span, None);
+        for &index in &self.unbounded {
+            counter.test();
+            if let Some(hit) = primitives.hit(index, span)
+                && best.is_none_or(|(_, first): (u32, Candidate)| hit.t < first.t)
+            {
+                best = Some((index, hit));
+                span = span.through(hit.t); // equal t must still be seen: the first object wins
+            }
         }
+        let Some(ray) = self.frame.ray(ray) else { return best };
+        let among = Among { primitives, frame: &self.frame, ray };
+        let mut search = Nearest { among, span, best, counter };
+        match &self.bounded {
+            Structure::List(list) => list.nearest(&mut search),
+            Structure::Bvh(bvh) => bvh.nearest(&mut search),
+        }
+        search.best
     }
 
     /// Any hit along the ray, and of which primitive. Whether there is one does not depend on the
@@ -79,47 +147,24 @@ impl Accel {
         ray: &Ray,
         span: Span,
     ) -> Option<(u32, Candidate)> {
-        let ray = SlabRay::new(ray);
-        let test = |index| {
-            let hit = primitives.shadow_hit(index, span)?;
-            in_own_box(primitives, index, &ray, hit.t).then_some((index, hit))
+        let shadow = |&index: &u32| Some((index, primitives.shadow_hit(index, span)?));
+        if let Some(hit) = self.unbounded.iter().find_map(shadow) {
+            return Some(hit);
+        }
+        let among = Among { primitives, frame: &self.frame, ray: self.frame.ray(ray)? };
+        let search = Any { among, span };
+        match &self.bounded {
+            Structure::List(list) => list.any(&search),
+            Structure::Bvh(bvh) => bvh.any(&search),
+        }
+    }
+
+    /// What the structure itself takes, without its primitives.
+    pub fn memory_bytes(&self) -> usize {
+        let bounded = match &self.bounded {
+            Structure::List(list) => list.memory_bytes(),
+            Structure::Bvh(bvh) => bvh.memory_bytes(),
         };
-        match self {
-            Self::List(list) => list.any(test),
-            Self::Bvh(bvh) => bvh.any(&ray, span, test),
-        }
-    }
-}
-
-/// The first rule: whether `t` lies where the ray crosses the box of the primitive.
-fn in_own_box(primitives: &impl Primitives, index: u32, ray: &SlabRay, t: f64) -> bool {
-    let (entry, exit) = primitives.bounds(index).padded().crossing(ray);
-    entry <= t && t <= exit
-}
-
-/// The search for the first hit: the best so far, and what it leaves to look at.
-struct Nearest<'a, P> {
-    primitives: &'a P,
-    ray: SlabRay,
-    span: Span,
-    best: Option<(u32, Candidate)>,
-}
-
-impl<P: Primitives> Nearest<'_, P> {
-    /// Looks at one primitive.
-    fn consider(&mut self, index: u32) {
-        let Some(hit) = self.primitives.hit(index, self.span) else { return };
-        let loses_tie = self.best.is_some_and(|(i, best)| hit.t == best.t && index > i);
-        if !loses_tie && in_own_box(self.primitives, index, &self.ray, hit.t) {
-            self.best = Some((index, hit));
-            self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
-        }
-    }
-
-    /// Where the ray enters a box, if anything in it could still be the first hit.
-    fn enters(&self, bounds: &Aabb) -> Option<f64> {
-        let (entry, exit) = bounds.crossing(&self.ray);
-        let open = entry <= exit && exit > self.span.min && entry < self.span.max;
-        open.then_some(entry)
+        size_of::<Self>() + size_of_val(&*self.unbounded) + bounded
     }
 }

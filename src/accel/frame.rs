@@ -1,0 +1,155 @@
+//! The frame in which boxes and rays are compared, by every method alike; and the counting rule.
+//!
+//! The frame's origin is the middle of all (bounded) boxes, and its unit a power of two such that
+//! their coordinates lie in [−1, 1]. A ray enters it where its line meets the frame's own box, with
+//! a direction whose largest component lies in [1, 2). So a distance along the ray and a distance
+//! in space are the same but for a factor of 1 to 2√3, wherever the ray comes from.
+//!
+//! **The counting rule**: a hit of a bounded primitive counts only if it lies where the ray crosses
+//! the primitive's box, grown on all sides by the ray's *slack*: 2⁻²² for what rounding does to the
+//! box and to shapes in it, and 2⁻³⁶ of the distance that the ray comes from, for what it does to
+//! the ray and to `t`. Both are many thousand roundings, so no true hit is lost. The slack never
+//! decides by itself: it only settles, for all methods at once, the hits that rounding has put
+//! beside the surface's own box (a ray within rounding of a triangle's plane may meet it anywhere).
+//!
+//! **Why no method can skip a hit that another counts.** All ask this rule, in the same `f64`
+//! operations, before a hit counts. A method may skip a primitive only because
+//! - the ray has no part in the frame ([`Frame::ray`] is `None`): the same for all methods;
+//! - the ray does not cross a box that contains the primitive's, or crosses it beyond the best hit
+//!   or before the span. In `f64`, by [`FrameRay::crossing`], every operation is monotone, so the
+//!   interval of a box contains that of each box in it, to the last bit. In `f32` the boxes are
+//!   larger by 2⁻²⁰ ([`F32_PAD`]) and the slack by 2⁻³⁶ of the ray's distance: see
+//!   [`FrameRay::single`].
+//!
+//! Intervals are closed and compared by `<=`, so of equal hits all are seen, and the first counts.
+
+use crate::math::{Aabb, Point, Ray, power_of_two};
+
+/// Grows every box: 2²⁹ roundings of a coordinate of the frame.
+const BOX_SLACK: f64 = 1.0 / (1 << 22) as f64;
+/// Grows it further for a ray that comes from afar, by so much of its distance: 2¹⁷ roundings.
+const FAR_SLACK: f64 = 1.0 / (1_u64 << 36) as f64;
+/// A frame is not much smaller than the coordinates in it: where all objects are small and lie far
+/// from the origin, its slack still is 2⁻³⁶ of the coordinates, 2¹⁷ of their roundings.
+const LEAST_SIZE: f64 = 1.0 / (1 << 14) as f64;
+
+/// Where a set of boxes lies, and how large it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    middle: Point,
+    /// Units of the frame in one unit of the world.
+    scale: f64,
+}
+
+/// A ray in a frame, where it enters the frame's box. What it meets at `t` is at
+/// `origin + (unit·t − start) · direction`.
+#[derive(Clone, Copy, Debug)]
+pub struct FrameRay {
+    origin: [f64; 3],
+    /// One over the direction; a zero component gives an infinity of its sign.
+    inverse: [f64; 3],
+    unit: f64,
+    start: f64,
+    slack: f64,
+}
+
+impl Frame {
+    /// The frame of these boxes; the unbounded ones do not count.
+    pub fn around(bounds: &[Aabb]) -> Self {
+        let bounded = bounds.iter().filter(|b| b.is_bounded());
+        let whole = bounded.fold(Aabb::EMPTY, |all, &b| all.union(b));
+        if !whole.is_bounded() {
+            return Self { middle: Point::ORIGIN, scale: 1.0 };
+        }
+        let (min, max) = (0.5 * whole.min.to_vector(), 0.5 * whole.max.to_vector()); // no overflow
+        let largest = 2.0 * min.max_abs().max(max.max_abs());
+        let size = (max - min).max_abs().max(LEAST_SIZE * largest);
+        // the power of two above the size, but for sizes that have no such reciprocal
+        let scale = 0.25 * power_of_two(1 - exponent(size).max(-1000));
+        Self { middle: Point::ORIGIN + (min + max), scale }
+    }
+
+    /// A box of the world in the coordinates of the frame.
+    pub fn boxed(&self, bounds: &Aabb) -> Aabb {
+        Aabb { min: self.point(bounds.min), max: self.point(bounds.max) }
+    }
+
+    fn point(&self, p: Point) -> Point {
+        Point::ORIGIN + self.scale * (p - self.middle)
+    }
+
+    /// The ray as the frame sees it, or `None` if it passes beside all boxes.
+    pub fn ray(&self, ray: &Ray) -> Option<FrameRay> {
+        let origin = self.point(ray.origin).to_array();
+        let longest = exponent(ray.direction.max_abs());
+        let shrink = power_of_two(-longest.clamp(-1022, 1022));
+        let direction = (shrink * ray.direction).to_array();
+        let unit = self.scale / shrink;
+        let distance = origin.into_iter().fold(1.0_f64, |d, x| d.max(x.abs()));
+        let slack = BOX_SLACK + FAR_SLACK * distance;
+        let inverse = direction.map(|d| 1.0 / d);
+        let at_origin = FrameRay { origin, inverse, unit, start: 0.0, slack };
+        // far more than the slack, so the line enters here before it enters any grown box
+        let half = 1.0 + 2048.0 * slack;
+        let root = Point::new(half, half, half);
+        let (enter, leave) =
+            at_origin.crossing(&Aabb { min: Point::ORIGIN - root.to_vector(), max: root });
+        let sound = [unit, unit.recip(), slack].into_iter().all(f64::is_finite)
+            && direction.iter().any(|d| d.abs() >= 1.0);
+        if sound && enter > leave {
+            return None;
+        }
+        let entry: [f64; 3] = std::array::from_fn(|i| origin[i] + enter * direction[i]);
+        if !sound || !entry.iter().all(|x| x.is_finite()) {
+            return Some(FrameRay::EVERYWHERE);
+        }
+        Some(FrameRay { origin: entry, start: enter, ..at_origin })
+    }
+}
+
+impl FrameRay {
+    /// For rays whose numbers overflow in the frame: crosses every box, and every hit of it is at 0.
+    const EVERYWHERE: Self =
+        Self { origin: [0.0; 3], inverse: [0.0; 3], unit: 0.0, start: 0.0, slack: 0.0 };
+
+    /// The distance from where the ray enters the frame, of what is at `t`; monotone in `t`.
+    pub fn moved(&self, t: f64) -> f64 {
+        self.unit * t - self.start
+    }
+
+    /// Whether a hit of the primitive in this box (of the frame) counts: the rule.
+    pub fn counts(&self, bounds: &Aabb, t: f64) -> bool {
+        let (near, far) = self.crossing(bounds);
+        let t = self.moved(t);
+        near <= t && t <= far
+    }
+
+    /// The distances at which the ray enters and leaves a box (of the frame) grown by the slack;
+    /// the entry is beyond the exit if it misses.
+    ///
+    /// A zero direction component gives NaN where the origin lies on a slab (0·∞): the comparisons
+    /// drop it, so such a ray is inside that slab. Every operation is monotone, so the interval of
+    /// a box contains that of every box inside it, to the last bit.
+    pub fn crossing(&self, bounds: &Aabb) -> (f64, f64) {
+        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+        for i in 0..3 {
+            let low = (bounds.min.along(i) - self.slack - self.origin[i]) * self.inverse[i];
+            let high = (bounds.max.along(i) + self.slack - self.origin[i]) * self.inverse[i];
+            let backward = self.inverse[i].is_sign_negative();
+            let (enter, leave) = if backward { (high, low) } else { (low, high) };
+            if enter > near {
+                near = enter;
+            }
+            if leave < far {
+                far = leave;
+            }
+        }
+        (near, far)
+    }
+}
+
+/// `e` with `2^e ≤ x < 2^(e + 1)`, for a positive normal number; −1023 for 0 and what is too small,
+/// 1024 for what is no number.
+fn exponent(x: f64) -> i32 {
+    ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
+}
