@@ -7,6 +7,7 @@
 
 mod bvh;
 mod frame;
+mod grid;
 mod list;
 mod search;
 
@@ -23,6 +24,8 @@ use search::{Among, Any, Nearest};
 pub enum Method {
     /// One after the other: the reference.
     List,
+    /// Equal cells, as in the book.
+    Grid,
     /// A tree of boxes.
     #[default]
     Bvh,
@@ -85,7 +88,13 @@ pub struct Accel {
 #[derive(Debug)]
 enum Structure {
     List(list::List),
+    Grid(grid::Grid),
     Bvh(bvh::Bvh),
+}
+
+impl Method {
+    /// All methods, the reference first.
+    pub const ALL: [Self; 3] = [Self::List, Self::Grid, Self::Bvh];
 }
 
 impl Accel {
@@ -96,6 +105,7 @@ impl Accel {
         let frame = Frame::around(bounds);
         let bounded = match method {
             Method::List => Structure::List(list::List::new(bounded)),
+            Method::Grid => Structure::Grid(grid::Grid::build(&frame, bounds, &bounded)),
             Method::Bvh => Structure::Bvh(bvh::Bvh::build(&frame, bounds, &bounded)),
         };
         Self { frame, unbounded, bounded }
@@ -134,6 +144,7 @@ impl Accel {
         let mut search = Nearest { among, span, best, counter };
         match &self.bounded {
             Structure::List(list) => list.nearest(&mut search),
+            Structure::Grid(grid) => grid.nearest(&mut search),
             Structure::Bvh(bvh) => bvh.nearest(&mut search),
         }
         search.best
@@ -155,6 +166,7 @@ impl Accel {
         let search = Any { among, span };
         match &self.bounded {
             Structure::List(list) => list.any(&search),
+            Structure::Grid(grid) => grid.any(&search),
             Structure::Bvh(bvh) => bvh.any(&search),
         }
     }
@@ -163,6 +175,7 @@ impl Accel {
     pub fn memory_bytes(&self) -> usize {
         let bounded = match &self.bounded {
             Structure::List(list) => list.memory_bytes(),
+            Structure::Grid(grid) => grid.memory_bytes(),
             Structure::Bvh(bvh) => bvh.memory_bytes(),
         };
         size_of::<Self>() + size_of_val(&*self.unbounded) + bounded

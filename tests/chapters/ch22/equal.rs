@@ -1,4 +1,5 @@
-//! The tree of boxes gives what the list gives: the same object at the same distance, bit for bit.
+//! Grid and tree of boxes give what the list gives: the same object at the same distance, bit for
+//! bit.
 
 use std::sync::Arc;
 
@@ -25,18 +26,19 @@ impl Primitives for Seen<'_> {
     }
 }
 
-/// The same objects, searched in both ways.
+/// The same objects, searched in every way.
 pub struct Both {
     objects: Vec<Arc<dyn Shape>>,
     list: Accel,
+    grid: Accel,
     bvh: Accel,
 }
 
 impl Both {
     pub fn new(objects: Vec<Arc<dyn Shape>>) -> Self {
         let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds()).collect();
-        let [list, bvh] = [Method::List, Method::Bvh].map(|m| Accel::build(m, &bounds));
-        Self { objects, list, bvh }
+        let [list, grid, bvh] = Method::ALL.map(|m| Accel::build(m, &bounds));
+        Self { objects, list, grid, bvh }
     }
 
     /// The first object at the least distance, by asking each.
@@ -46,17 +48,18 @@ impl Both {
         hits.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
     }
 
-    /// Whether anything is hit; fails if the two do not agree.
+    /// Whether anything is hit; fails if they do not agree.
     pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
         let seen = Seen(&self.objects, ray);
-        let [first, same] = [&self.list, &self.bvh].map(|accel| {
+        let [first, grid, bvh] = [&self.list, &self.grid, &self.bvh].map(|accel| {
             let found = accel.nearest(&seen, ray, span);
             found.map(|(i, hit)| (i, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits)))
         });
-        assert_eq!(first, same, "{case}: {ray:?} in {span:?}");
+        assert_eq!(first, grid, "{case}, grid: {ray:?} in {span:?}");
+        assert_eq!(first, bvh, "{case}, bvh: {ray:?} in {span:?}");
         let any = |accel: &Accel| accel.any(&seen, ray, span).map(|(_, hit)| hit.t);
-        let shadows = [any(&self.list), any(&self.bvh)];
-        assert_eq!(shadows.map(|t| t.is_some()), [first.is_some(); 2], "{case}: shadow of {ray:?}");
+        let shadows = [any(&self.list), any(&self.grid), any(&self.bvh)];
+        assert_eq!(shadows.map(|t| t.is_some()), [first.is_some(); 3], "{case}: shadow of {ray:?}");
         for t in shadows.into_iter().flatten().chain(first.map(|(_, t, ..)| f64::from_bits(t))) {
             assert!(span.contains(t), "{case}: {t:e} outside {span:?}");
         }
@@ -133,8 +136,10 @@ fn acceleration_equals_the_list_on_coincident_objects() {
     objects.extend((0..20).map(|_| built(Sphere { center, radius: 0.5, inward: false })));
     let both = Both::new(objects.clone());
     for ray in some_rays(2212, 4_000, 1.0) {
-        let found = both.bvh.nearest(&Seen(&objects, &ray), &ray, Span::AHEAD);
-        assert_eq!(found.map(|(i, hit)| (i, hit.t)), both.first(&ray), "{ray:?}");
+        for accel in [&both.grid, &both.bvh] {
+            let found = accel.nearest(&Seen(&objects, &ray), &ray, Span::AHEAD);
+            assert_eq!(found.map(|(i, hit)| (i, hit.t)), both.first(&ray), "{ray:?}");
+        }
     }
     agree("coincident", objects, some_rays(2211, 10_000, 1.0), 10);
 }
@@ -184,12 +189,12 @@ fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
         })
         .collect();
     let mesh = TriangleMesh::new(vertices.clone(), triangles.clone());
-    let meshes = [Method::List, Method::Bvh].map(|method| mesh.clone().accelerated(method));
+    let meshes = Method::ALL.map(|method| mesh.clone().accelerated(method));
     for ray in aimed.iter().copied().chain(some_rays(2222, 10_000, 1.5)) {
         let hits = meshes.each_ref().map(|mesh| mesh.hit(&ray, Span::AHEAD));
-        assert_eq!(hits[0], hits[1], "{ray:?}");
+        assert_eq!(hits, [hits[0]; 3], "{ray:?}");
         let shadows = meshes.each_ref().map(|mesh| mesh.shadow_hit(&ray, Span::AHEAD).is_some());
-        assert_eq!(shadows, [hits[0].is_some(); 2], "{ray:?}");
+        assert_eq!(shadows, [hits[0].is_some(); 3], "{ray:?}");
         let first = loose.iter().filter_map(|t| t.hit(&ray, Span::AHEAD)).map(|hit| hit.t);
         let first = first.fold(f64::INFINITY, f64::min);
         assert_eq!(hits[0].map_or(f64::INFINITY, |hit| hit.t), first, "{ray:?}");
