@@ -13,6 +13,8 @@
 //! of every point of the ray but for rounding, which is far less than their difference. A ray from
 //! so far away that its slack is not less than that tests every primitive.
 
+use std::ops::Range;
+
 use super::frame::{Frame, FrameRay};
 use super::search::{Any, Nearest};
 use super::{Counter, Primitives};
@@ -62,8 +64,8 @@ impl Grid {
         let mut multiplier = MULTIPLIER;
         let cells = loop {
             let cells = Cells::of(&boxes, multiplier);
-            let entries = boxes.iter().map(|b| cells.overlapped(b).count());
-            if multiplier < 0.01 || entries.sum::<usize>() <= most {
+            let entries = boxes.iter().map(|b| cells.ranges(b).map(|r| r.len()).iter().product());
+            if multiplier < 0.01 || entries.fold(0, usize::saturating_add) <= most {
                 break cells;
             }
             multiplier *= 0.5;
@@ -153,12 +155,17 @@ impl Cells {
         x + self.counts[0] * (y + self.counts[1] * z)
     }
 
+    /// On each axis, from where to where the grown box reaches.
+    fn ranges(&self, b: &Aabb) -> [Range<usize>; 3] {
+        [0, 1, 2].map(|axis| {
+            let (min, max) = (b.min.along(axis) - self.pad, b.max.along(axis) + self.pad);
+            self.along(axis, min)..self.along(axis, max) + 1
+        })
+    }
+
     /// The cells that the grown box overlaps.
     fn overlapped(&self, b: &Aabb) -> impl Iterator<Item = usize> {
-        let [xs, ys, zs] = [0, 1, 2].map(|axis| {
-            let (min, max) = (b.min.along(axis) - self.pad, b.max.along(axis) + self.pad);
-            self.along(axis, min)..=self.along(axis, max)
-        });
+        let [xs, ys, zs] = self.ranges(b);
         zs.flat_map(move |z| {
             let xs = xs.clone();
             ys.clone().flat_map(move |y| xs.clone().map(move |x| self.number([x, y, z])))
@@ -176,8 +183,8 @@ impl Cells {
     }
 }
 
-/// Extents without a flat one, of which any number of cells would be too many: a sheet is taken for
-/// one cell thick, a line for one wide, a point for something.
+/// Extents without a flat one, for which the formula gives any number of cells: a sheet is taken to
+/// be as thick as each primitive's share of it is wide, a line as its share is long.
 fn thickened(extent: Vector, n: f64) -> [f64; 3] {
     let mut w = extent.to_array();
     let mut by_length = [0, 1, 2];
@@ -205,13 +212,17 @@ impl<'a> Walk<'a> {
         let sound = 2.0 * ray.slack <= cells.pad && ray.inverse.iter().all(|&i| i != 0.0);
         let (near, far) = ray.crossing(&cells.bounds);
         let start = near.max(ray.moved(t));
-        let mut walk = Self { cells, ray, place: [0; 3], next: [0.0; 3], inside: start <= far };
+        let inside = start <= far;
+        if !sound || inside && !start.is_finite() {
+            return None;
+        }
+        let mut walk = Self { cells, ray, place: [0; 3], next: [0.0; 3], inside };
         for axis in 0..3 {
             let x = ray.origin[axis] + start / ray.inverse[axis];
             walk.place[axis] = cells.along(axis, x);
             walk.next[axis] = walk.end(axis);
         }
-        (sound && start.is_finite()).then_some(walk)
+        Some(walk)
     }
 
     fn backward(&self, axis: usize) -> bool {
@@ -251,3 +262,6 @@ impl Iterator for Walk<'_> {
         Some((cell, end))
     }
 }
+
+#[cfg(test)]
+mod tests;
