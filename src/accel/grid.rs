@@ -136,11 +136,12 @@ impl Cells {
         let w = thickened(whole.extent(), n);
         let s = cbrt(w[0] * w[1] * w[2] / n);
         let counts = w.map(|w| (multiplier * w / s) as usize + 1);
-        let least = (0..3).map(|i| w[i] / counts[i] as f64).fold(f64::INFINITY, f64::min);
+        let side = |extent: f64, i: usize| extent / counts[i] as f64;
+        let least = (0..3).map(|i| side(whole.extent().along(i), i)).fold(f64::INFINITY, f64::min);
         let pad = (PAD * least).max(LEAST_PAD);
-        let half = 0.5 * Vector::from(w) + pad * Vector::new(1.0, 1.0, 1.0);
-        let bounds = Aabb { min: whole.center() - half, max: whole.center() + half };
-        let sides = std::array::from_fn(|i| bounds.extent().along(i) / counts[i] as f64);
+        let grown = pad * Vector::new(1.0, 1.0, 1.0);
+        let bounds = Aabb { min: whole.min - grown, max: whole.max + grown };
+        let sides = std::array::from_fn(|i| side(bounds.extent().along(i), i));
         Self { bounds, counts, sides, pad }
     }
 

@@ -137,6 +137,7 @@ impl<'a> Input<'a> {
                 vertical: 2 + u32::from(self.byte() % 8),
                 radius: self.number(),
                 smooth: self.byte() % 2 == 1,
+                bumps: 0.0,
             }
             .into(),
             _ => shapes::Kind::from(shapes::Sphere {

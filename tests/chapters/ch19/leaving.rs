@@ -66,8 +66,13 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
             )
         }
         _ => {
-            let sphere =
-                TessellatedSphere { horizontal: 9, vertical: 6, radius: size, smooth: false };
+            let sphere = TessellatedSphere {
+                horizontal: 9,
+                vertical: 6,
+                radius: size,
+                smooth: false,
+                bumps: 0.0,
+            };
             (sphere.into(), Form::Convex, Point::ORIGIN)
         }
     }

@@ -261,7 +261,8 @@ fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
 #[test]
 fn acceleration_equals_the_list_on_instances_of_meshes() {
     let mut draw = Draw::new(2250);
-    let sphere = TessellatedSphere { horizontal: 12, vertical: 8, radius: 0.3, smooth: false };
+    let sphere =
+        TessellatedSphere { horizontal: 12, vertical: 8, radius: 0.3, smooth: false, bumps: 0.0 };
     let mesh: Arc<dyn Shape> = Arc::new(sphere.mesh().accelerated(Method::Bvh));
     let mut objects = Vec::new();
     for i in 0..60 {
