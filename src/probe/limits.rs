@@ -32,6 +32,9 @@ fn primitives(shape: &Kind) -> u64 {
             copies.saturating_add(primitives(&lattice.of))
         }
         Kind::RandomSpheres(spheres) => spheres.count.into(),
+        // some 26 parts a stone
+        Kind::Archway(arch) => 26 * (2 * u64::from(arch.blocks) + u64::from(arch.wedges)),
+        Kind::Rosette(_) => 26 * 115,
         _ => 1,
     }
 }

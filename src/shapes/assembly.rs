@@ -35,6 +35,16 @@ pub fn solid(
     materials: &Materials,
     context: &mut Context,
 ) -> Result<Arc<dyn Shape>, Invalid> {
+    searched_solid(parts, materials, None, context)
+}
+
+/// The same, searched in this way.
+pub fn searched_solid(
+    parts: &[(&'static str, Kind)],
+    materials: &Materials,
+    accel: Option<Method>,
+    context: &mut Context,
+) -> Result<Arc<dyn Shape>, Invalid> {
     let names: BTreeSet<&str> = parts.iter().map(|(name, _)| *name).collect();
     if let Some(unknown) = materials.keys().find(|name| !names.contains(name.as_str())) {
         let known = Vec::from_iter(names).join(", ");
@@ -45,7 +55,7 @@ pub fn solid(
         let material = materials.get(*name).map(String::as_str);
         PartData { name, material, shape }
     });
-    Ok(Arc::new(Assembly::build("parts", parts, None, context)?))
+    Ok(Arc::new(Assembly::build("parts", parts, accel, context)?))
 }
 
 /// Parts that are hit as one shape.

@@ -160,14 +160,25 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 mod assembly;
 mod azimuth;
 mod context;
+mod edges;
+mod shoulder;
 mod tube_range;
 mod watertight;
+mod wedge_parts;
 
 mod annulus;
+mod archway;
+mod beveled_box;
+mod beveled_cylinder;
+mod beveled_ring;
+mod beveled_wedge;
 mod compound;
+mod concave_lens;
 mod cone;
 mod cuboid;
+mod cut_face;
 mod disk;
+mod flat_rimmed_bowl;
 mod instance;
 mod lattice;
 mod mesh;
@@ -180,9 +191,13 @@ mod part_torus;
 mod plane;
 mod random_spheres;
 mod rectangle;
+mod rosette;
+mod round_rimmed_bowl;
+mod solid_cone;
 mod solid_cylinder;
 mod sphere;
 mod tessellated_sphere;
+mod thick_ring;
 mod torus;
 mod triangle;
 
@@ -205,6 +220,12 @@ crate::kinds! {
     ch19 open_cylinder::OpenCylinder,
     ch19 compound::Compound,
     ch19 solid_cylinder::SolidCylinder,
+    ch19 solid_cone::SolidCone,
+    ch19 thick_ring::ThickRing,
+    ch19 flat_rimmed_bowl::FlatRimmedBowl,
+    ch19 round_rimmed_bowl::RoundRimmedBowl,
+    ch19 concave_lens::ConcaveLens,
+    ch19 cut_face::CutFace,
     ch19 cone::Cone,
     ch19 paraboloid::Paraboloid,
     ch19 part_sphere::PartSphere,
@@ -213,6 +234,12 @@ crate::kinds! {
     ch19 torus::Torus,
     ch19 part_torus::PartTorus,
     ch21 instance::Instance,
+    ch21 beveled_box::BeveledBox,
+    ch21 beveled_cylinder::BeveledCylinder,
+    ch21 beveled_ring::BeveledRing,
+    ch21 beveled_wedge::BeveledWedge,
+    ch21 rosette::Rosette,
+    ch21 archway::Archway,
     ch22 random_spheres::RandomSpheres,
     ch22 lattice::Lattice,
     ch23 mesh::Mesh,

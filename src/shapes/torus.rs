@@ -59,9 +59,9 @@ impl Specification for Torus {
 
 /// A ray about its point `m` nearest to the origin.
 pub(super) struct Line {
-    m: Vector,
+    pub(super) m: Vector,
     /// Unit.
-    d: Vector,
+    pub(super) d: Vector,
     /// From the ray's origin to `m`.
     offset: f64,
     /// Of the ray's direction.
@@ -70,7 +70,7 @@ pub(super) struct Line {
 
 impl Line {
     /// `None` for directions so short or long that their squares leave the range of numbers.
-    fn new(ray: &Ray) -> Option<Self> {
+    pub(super) fn new(ray: &Ray) -> Option<Self> {
         let length = ray.direction.length();
         if !(length > 0.0 && length.is_finite()) {
             return None;
@@ -88,7 +88,7 @@ impl Line {
     }
 
     /// The ray's parameter; ascends with `s`.
-    fn t(&self, s: f64) -> f64 {
+    pub(super) fn t(&self, s: f64) -> f64 {
         (self.offset + s) / self.length
     }
 }
