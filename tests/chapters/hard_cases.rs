@@ -225,6 +225,33 @@ fn ours(exact: &oracle::Shape) -> (shapes::Kind, oracle::Shape) {
         oracle::Shape::OpenCylinder { y0, y1, radius } => {
             shapes::OpenCylinder { y0, y1, radius, inward: false }.into()
         }
+        oracle::Shape::Annulus { center, normal, inner, outer } => shapes::Annulus {
+            center: center.into(),
+            normal: normal.into(),
+            inner_radius: inner,
+            outer_radius: outer,
+        }
+        .into(),
+        oracle::Shape::PartAnnulus { center, inner, outer, phi } => shapes::PartAnnulus {
+            center: center.into(),
+            inner_radius: inner,
+            outer_radius: outer,
+            phi,
+            down: false,
+        }
+        .into(),
+        oracle::Shape::Cone { height, radius } => {
+            shapes::Cone { height, radius, inward: false }.into()
+        }
+        oracle::Shape::Paraboloid { height, radius } => {
+            shapes::Paraboloid { height, radius, inward: false }.into()
+        }
+        oracle::Shape::PartSphere { center, radius, phi, theta } => {
+            shapes::PartSphere { center: center.into(), radius, phi, theta, inward: false }.into()
+        }
+        oracle::Shape::PartCylinder { y0, y1, radius, phi } => {
+            shapes::PartCylinder { y0, y1, radius, phi, inward: false }.into()
+        }
         oracle::Shape::Instance { matrix, of } => {
             let (inner, exact_inner) = ours(&of);
             let transform = steps(&matrix);

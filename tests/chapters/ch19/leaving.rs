@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use groundtruth::math::{Point, Ray, Span, Vector};
+use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
-    Box, Context, Disk, Kind, OpenCylinder, Plane, Rectangle, Shape, Sphere, Surface,
-    TessellatedSphere, Triangle,
+    Annulus, Box, Cone, Context, Disk, Kind, OpenCylinder, Paraboloid, PartAnnulus, PartCylinder,
+    PartSphere, Plane, Rectangle, Shape, Sphere, Surface, TessellatedSphere, Triangle,
 };
 
 use crate::draw::Draw;
@@ -30,7 +30,7 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
     let n: Vector = draw.direction().into();
     let across = n.cross(draw.direction()).unit().expect("not parallel");
     let third = n.cross(across);
-    match draw.below(8) {
+    match draw.below(12) {
         0 => (Plane { point: center, normal: n }.into(), Form::Flat, center),
         1 => {
             let inside = center + draw.between(0.0, 0.99 * size) * draw.direction();
@@ -65,6 +65,7 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
                 middle,
             )
         }
+        8.. => round_part(draw, size, center),
         _ => {
             let sphere = TessellatedSphere {
                 horizontal: 9,
@@ -74,6 +75,61 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
                 bumps: 0.0,
             };
             (sphere.into(), Form::Convex, Point::ORIGIN)
+        }
+    }
+}
+
+/// A range of azimuths, and one of them.
+fn azimuths(draw: &mut Draw) -> ([f64; 2], f64) {
+    let (from, width) = (draw.between(0.0, 360.0), draw.between(30.0, 350.0));
+    let inside = from + draw.between(0.05, 0.95) * width;
+    let to = from + width;
+    ([from, if to > 360.0 { to - 360.0 } else { to }], inside)
+}
+
+/// An annulus, cone, paraboloid or part, as [`body`]; and a point of it.
+fn round_part(draw: &mut Draw, size: f64, center: Point) -> (Kind, Form, Point) {
+    let (phi, inside) = azimuths(draw);
+    let u = Vector::new(sin_degrees(inside), 0.0, cos_degrees(inside));
+    let share = draw.between(0.05, 0.95);
+    let mut sizes = [size, size * draw.decades(-3.0, 0.0)];
+    sizes.rotate_left(draw.below(2));
+    let [height, radius] = sizes;
+    let tall = |y: f64, rho: f64| Point::new(0.0, y, 0.0) + rho * u;
+    match draw.below(6) {
+        0 => {
+            let normal: Vector = draw.direction().into();
+            let across = normal.cross(draw.direction()).unit().expect("not parallel");
+            let [inner_radius, outer_radius] = [0.25 * size, size];
+            let point = center + (size * draw.between(0.3, 0.95)) * across;
+            (Annulus { center, normal, inner_radius, outer_radius }.into(), Form::Flat, point)
+        }
+        1 => {
+            let [inner_radius, outer_radius] = [0.25 * size, size];
+            let point = center + (size * draw.between(0.3, 0.95)) * u;
+            let down = draw.coin();
+            let part = PartAnnulus { center, inner_radius, outer_radius, phi, down };
+            (part.into(), Form::Flat, point)
+        }
+        2 => {
+            let point = tall(height * share, radius * (1.0 - share));
+            (Cone { height, radius, inward: false }.into(), Form::Tube, point)
+        }
+        3 => {
+            let point = tall(height * share * share, radius * share);
+            (Paraboloid { height, radius, inward: false }.into(), Form::Tube, point)
+        }
+        4 => {
+            let theta = [draw.between(0.0, 60.0), draw.between(70.0, 180.0)];
+            let polar = theta[0] + share * (theta[1] - theta[0]);
+            let n = sin_degrees(polar) * u + cos_degrees(polar) * Vector::Y;
+            let part = PartSphere { center, radius: size, phi, theta, inward: false };
+            (part.into(), Form::Tube, center + size * n)
+        }
+        _ => {
+            let (y0, y1) = (center.y(), center.y() + size);
+            let part = PartCylinder { y0, y1, radius: size, phi, inward: false };
+            (part.into(), Form::Tube, tall(y0 + share * size, size))
         }
     }
 }

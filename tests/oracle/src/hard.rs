@@ -6,6 +6,7 @@
 //! numbers as they are.
 
 mod features;
+mod parts;
 mod rays;
 mod rng;
 mod shapes;
@@ -33,11 +34,23 @@ pub enum Kind {
     OpenCylinder,
     /// [`Shape::Instance`] of a sphere, cuboid or disk, one in three nested twice.
     Instance,
+    /// [`Shape::Annulus`].
+    Annulus,
+    /// [`Shape::PartAnnulus`].
+    PartAnnulus,
+    /// [`Shape::Cone`].
+    Cone,
+    /// [`Shape::Paraboloid`].
+    Paraboloid,
+    /// [`Shape::PartSphere`].
+    PartSphere,
+    /// [`Shape::PartCylinder`].
+    PartCylinder,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 14] = [
         Kind::Plane,
         Kind::Sphere,
         Kind::Cuboid,
@@ -46,6 +59,12 @@ impl Kind {
         Kind::Disk,
         Kind::OpenCylinder,
         Kind::Instance,
+        Kind::Annulus,
+        Kind::PartAnnulus,
+        Kind::Cone,
+        Kind::Paraboloid,
+        Kind::PartSphere,
+        Kind::PartCylinder,
     ];
 }
 

@@ -6,6 +6,7 @@ mod derivatives;
 mod families;
 mod inputs;
 mod margins;
+mod parts;
 mod rational;
 
 use crate::{

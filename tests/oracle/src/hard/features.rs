@@ -1,6 +1,7 @@
 //! Points of a shape worth aiming at.
 
 use super::{
+    parts,
     rng::SplitMix64,
     vector::{V, add, along, cross, dot, length, minus, perpendicular, scale, unit},
 };
@@ -29,6 +30,15 @@ pub(super) fn place(shape: &Shape) -> (V, f64) {
             (along(along(*corner, 0.5, *a), 0.5, *b), length(*a).max(length(*b)))
         }
         Shape::OpenCylinder { y0, y1, radius } => {
+            ([0.0, 0.5 * (y0 + y1), 0.0], radius.max(y1 - y0))
+        }
+        Shape::Annulus { center, outer: size, .. }
+        | Shape::PartAnnulus { center, outer: size, .. }
+        | Shape::PartSphere { center, radius: size, .. } => (*center, *size),
+        Shape::Cone { height, radius } | Shape::Paraboloid { height, radius } => {
+            ([0.0, 0.5 * height, 0.0], radius.max(*height))
+        }
+        Shape::PartCylinder { y0, y1, radius, .. } => {
             ([0.0, 0.5 * (y0 + y1), 0.0], radius.max(y1 - y0))
         }
         Shape::Instance { matrix, of } => {
@@ -78,6 +88,12 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             (along([0.0, rng.between(*y0, *y1), 0.0], *radius, n), n)
         }
         Shape::Instance { matrix, of } => return carried(matrix, surface(of, rng)),
+        Shape::Annulus { center, normal, inner, outer } => {
+            let n = unit(*normal);
+            let u = unit(perpendicular(rng.direction(), n));
+            (along(*center, rng.between(*inner, *outer), u), n)
+        }
+        _ => parts::surface(shape, rng),
     };
     Feature { point, out, silhouette: true }
 }
@@ -129,6 +145,12 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             (along([0.0, y, 0.0], *radius, u), [0.0, up, 0.0], false)
         }
         Shape::Instance { matrix, of } => return carried(matrix, border(of, rng)),
+        Shape::Annulus { center, normal, inner, outer } => {
+            let u = unit(perpendicular(rng.direction(), unit(*normal)));
+            let (r, side) = if rng.coin() { (*outer, 1.0) } else { (*inner, -1.0) };
+            (along(*center, r, u), scale(side, u), false)
+        }
+        _ => parts::border(shape, rng),
     };
     Feature { point, out, silhouette }
 }
@@ -136,11 +158,19 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
 /// A direction in which a plane of the shape, a generator or an axis of it runs.
 pub(super) fn generator(shape: &Shape, rng: &mut SplitMix64) -> V {
     match shape {
-        Shape::Plane { normal, .. } | Shape::Disk { normal, .. } => in_plane(*normal, rng),
-        Shape::Sphere { .. } | Shape::Cuboid { .. } => rng.axis(),
+        Shape::Plane { normal, .. }
+        | Shape::Disk { normal, .. }
+        | Shape::Annulus { normal, .. } => in_plane(*normal, rng),
+        Shape::PartAnnulus { .. } => in_plane([0.0, 1.0, 0.0], rng),
+        Shape::Sphere { .. } | Shape::Cuboid { .. } | Shape::PartSphere { .. } => rng.axis(),
+        Shape::Cone { height, radius } => {
+            along([0.0, rng.sign() * height, 0.0], *radius, around_y(rng))
+        }
         Shape::Triangle { vertices: [a, b, c] } => minus(rng.pick(&[*b, *c]), *a),
         Shape::Rectangle { a, b, .. } => rng.pick(&[*a, *b]),
-        Shape::OpenCylinder { .. } => [0.0, rng.sign(), 0.0],
+        Shape::OpenCylinder { .. } | Shape::PartCylinder { .. } | Shape::Paraboloid { .. } => {
+            [0.0, rng.sign(), 0.0]
+        }
         Shape::Instance { matrix, of } => {
             let inner = generator(of, rng);
             columns(matrix).into_iter().zip(inner).fold([0.0; 3], |sum, (c, x)| along(sum, x, c))
@@ -162,7 +192,7 @@ fn in_plane(n: V, rng: &mut SplitMix64) -> V {
     unit(v)
 }
 
-fn around_y(rng: &mut SplitMix64) -> V {
+pub(super) fn around_y(rng: &mut SplitMix64) -> V {
     unit(perpendicular(rng.direction(), [0.0, 1.0, 0.0]))
 }
 

@@ -49,6 +49,34 @@ pub(super) fn shape(kind: Kind, family: Family, rng: &mut SplitMix64) -> Shape {
         }
         Kind::OpenCylinder => cylinder(&want, rng),
         Kind::Instance => instance(&want, rng),
+        Kind::Annulus => {
+            let [inner, outer] = radii(&want, rng);
+            Shape::Annulus { center: want.center, normal: normal(&want, rng), inner, outer }
+        }
+        Kind::PartAnnulus => {
+            let [inner, outer] = radii(&want, rng);
+            Shape::PartAnnulus { center: want.center, inner, outer, phi: azimuths(&want, rng) }
+        }
+        Kind::Cone => {
+            let [height, radius] = tall_or_flat(&want, rng);
+            Shape::Cone { height, radius }
+        }
+        Kind::Paraboloid => {
+            let [height, radius] = tall_or_flat(&want, rng);
+            Shape::Paraboloid { height, radius }
+        }
+        Kind::PartSphere => Shape::PartSphere {
+            center: want.center,
+            radius: want.size,
+            phi: azimuths(&want, rng),
+            theta: polar_angles(&want, rng),
+        },
+        Kind::PartCylinder => {
+            let Shape::OpenCylinder { y0, y1, radius } = cylinder(&want, rng) else {
+                unreachable!("a cylinder is a cylinder")
+            };
+            Shape::PartCylinder { y0, y1, radius, phi: azimuths(&want, rng) }
+        }
     }
 }
 
@@ -149,6 +177,60 @@ fn cylinder(want: &Want, rng: &mut SplitMix64) -> Shape {
     }
     let y0 = want.center[1] - 0.5 * height;
     Shape::OpenCylinder { y0, y1: y0 + height, radius }
+}
+
+/// When thin, a narrow ring; one in eight has no hole.
+fn radii(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+    let width = if want.family == Family::Thin { want.aspect } else { rng.between(0.2, 0.9) };
+    let inner = if rng.below(8) == 0 { 0.0 } else { want.size * (1.0 - width) };
+    [if want.exact() { (inner * 64.0).floor() / 64.0 } else { inner }, want.size]
+}
+
+/// Height and radius; when thin, a needle or nearly a disk.
+fn tall_or_flat(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+    let mut sizes = [want.size * rng.between(0.5, 2.0), want.size];
+    if want.family == Family::Thin {
+        sizes[rng.below(2)] *= want.aspect;
+    }
+    if want.exact() { sizes.map(snapped) } else { sizes }
+}
+
+/// From 20 to 340 degrees wide, also through 0; quarters where numbers are to be exact; when thin,
+/// half are slivers.
+fn azimuths(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+    let (start, width) = if want.exact() {
+        (90.0 * rng.below(4) as f64, 90.0 * (1 + rng.below(4)) as f64)
+    } else if want.family == Family::Thin && rng.coin() {
+        (rng.between(0.0, 359.0), 100.0 * want.aspect)
+    } else {
+        (rng.between(0.0, 360.0), rng.between(20.0, 340.0))
+    };
+    let end = start + width;
+    match end {
+        _ if width == 360.0 => [0.0, 360.0],
+        end if end > 360.0 => [start, end - 360.0],
+        end => [start, end],
+    }
+}
+
+/// From 20 to 180 degrees wide, one in four from or to a pole; when thin, half are slivers.
+fn polar_angles(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+    if want.exact() {
+        return rng.pick(&[[0.0, 90.0], [90.0, 180.0], [0.0, 180.0], [45.0, 135.0], [60.0, 90.0]]);
+    }
+    let width = if want.family == Family::Thin && rng.coin() {
+        100.0 * want.aspect
+    } else {
+        rng.between(20.0, 170.0)
+    };
+    match rng.below(8) {
+        0 => [0.0, width],
+        1 => [180.0 - width, 180.0],
+        _ => {
+            let start = rng.between(0.0, 180.0 - width);
+            [start, start + width]
+        }
+    }
 }
 
 fn instance(want: &Want, rng: &mut SplitMix64) -> Shape {

@@ -18,10 +18,13 @@ fn tiny(exponent: usize) -> Real {
 fn implicit(shape: &Shape<Real>, p: &V) -> Real {
     let v = |x: &[Real; 3]| V(x.clone());
     match shape {
-        Shape::Plane { point: c, normal } | Shape::Disk { center: c, normal, .. } => {
-            (p - &v(c)).dot(&v(normal))
+        Shape::Plane { point: c, normal }
+        | Shape::Disk { center: c, normal, .. }
+        | Shape::Annulus { center: c, normal, .. } => (p - &v(c)).dot(&v(normal)),
+        Shape::PartAnnulus { center, .. } => &p.0[1] - &center[1],
+        Shape::Sphere { center, radius } | Shape::PartSphere { center, radius, .. } => {
+            (p - &v(center)).norm() - radius
         }
-        Shape::Sphere { center, radius } => (p - &v(center)).norm() - radius,
         Shape::Cuboid { min, max } => {
             (0..3).flat_map(|i| [&min[i] - &p.0[i], &p.0[i] - &max[i]]).max().expect("six faces")
         }
@@ -30,8 +33,10 @@ fn implicit(shape: &Shape<Real>, p: &V) -> Real {
             (p - &a).dot(&(&b - &a).cross(&(&c - &a)))
         }
         Shape::Rectangle { corner, a, b } => (p - &v(corner)).dot(&v(a).cross(&v(b))),
-        Shape::OpenCylinder { radius, .. } => {
-            (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt() - radius
+        Shape::OpenCylinder { radius, .. } | Shape::PartCylinder { radius, .. } => rho(p) - radius,
+        Shape::Cone { height, radius } => rho(p) / radius + &p.0[1] / height,
+        Shape::Paraboloid { height, radius } => {
+            rho(p) * rho(p) / (radius * radius) - &p.0[1] / height
         }
         Shape::Instance { matrix, of } => {
             let column = |j: usize| V(std::array::from_fn(|i| matrix[i][j].clone()));
@@ -41,6 +46,10 @@ fn implicit(shape: &Shape<Real>, p: &V) -> Real {
             implicit(of, &V(minors.map(|minor| minor / &det)))
         }
     }
+}
+
+fn rho(p: &V) -> Real {
+    (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt()
 }
 
 /// Oracle: central differences of the implicit function with steps of 10⁻⁵⁰.
