@@ -225,6 +225,22 @@ fn ours(exact: &oracle::Shape) -> (shapes::Kind, oracle::Shape) {
         oracle::Shape::OpenCylinder { y0, y1, radius } => {
             shapes::OpenCylinder { y0, y1, radius }.into()
         }
+        oracle::Shape::Torus { swept_radius, tube_radius } => {
+            shapes::Torus { swept_radius, tube_radius, inward: false }.into()
+        }
+        oracle::Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let ([phi_min, phi_max], [theta_min, theta_max]) = (phi, theta);
+            shapes::PartTorus {
+                swept_radius,
+                tube_radius,
+                phi_min,
+                phi_max,
+                theta_min,
+                theta_max,
+                inward: false,
+            }
+            .into()
+        }
         oracle::Shape::Instance { matrix, of } => {
             let (inner, exact_inner) = ours(&of);
             let transform = steps(&matrix);

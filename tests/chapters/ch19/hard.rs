@@ -30,6 +30,8 @@ sweeps! {
     rectangles_are_exact_within_their_condition rectangles_thoroughly Rectangle;
     disks_are_exact_within_their_condition disks_thoroughly Disk;
     cylinders_are_exact_within_their_condition cylinders_thoroughly OpenCylinder;
+    tori_are_exact_within_their_condition tori_thoroughly Torus;
+    part_tori_are_exact_within_their_condition part_tori_thoroughly PartTorus;
 }
 
 /// Rays that make an angle of 10⁻³ to 10⁻¹² with the axis of a tall cylinder, from inside and from

@@ -31,13 +31,17 @@ pub enum Kind {
     Disk,
     /// [`Shape::OpenCylinder`].
     OpenCylinder,
+    /// [`Shape::Torus`].
+    Torus,
+    /// [`Shape::PartTorus`].
+    PartTorus,
     /// [`Shape::Instance`] of a sphere, cuboid or disk, one in three nested twice.
     Instance,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 10] = [
         Kind::Plane,
         Kind::Sphere,
         Kind::Cuboid,
@@ -45,6 +49,8 @@ impl Kind {
         Kind::Rectangle,
         Kind::Disk,
         Kind::OpenCylinder,
+        Kind::Torus,
+        Kind::PartTorus,
         Kind::Instance,
     ];
 }

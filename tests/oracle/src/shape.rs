@@ -68,6 +68,26 @@ pub enum Shape<T = f64> {
         /// More than 0.
         radius: T,
     },
+    /// All `p` at distance `tube_radius` from the circle of `swept_radius > tube_radius > 0` about
+    /// the origin in y = 0; the normal points out of the tube.
+    Torus {
+        /// Of the circle.
+        swept_radius: T,
+        /// Of the tube.
+        tube_radius: T,
+    },
+    /// The points of a torus within two ranges of angles, ends included; a range whose first end is
+    /// the larger goes on through 360°.
+    PartTorus {
+        /// Of the circle.
+        swept_radius: T,
+        /// Of the tube.
+        tube_radius: T,
+        /// Azimuth in degrees, from +z to +x.
+        phi: [T; 2],
+        /// Around the tube in degrees, from the outermost line upwards.
+        theta: [T; 2],
+    },
     /// `of`, moved by the affine `matrix`; the normal moves by the inverse transpose.
     Instance {
         /// The rows of the map from object to world, translation last; not singular.
@@ -115,6 +135,15 @@ impl Shape {
             Shape::OpenCylinder { y0, y1, radius } => {
                 Shape::OpenCylinder { y0: real(*y0), y1: real(*y1), radius: real(*radius) }
             }
+            Shape::Torus { swept_radius, tube_radius } => {
+                Shape::Torus { swept_radius: real(*swept_radius), tube_radius: real(*tube_radius) }
+            }
+            Shape::PartTorus { swept_radius, tube_radius, phi, theta } => Shape::PartTorus {
+                swept_radius: real(*swept_radius),
+                tube_radius: real(*tube_radius),
+                phi: phi.map(real),
+                theta: theta.map(real),
+            },
             Shape::Instance { matrix, of } => Shape::Instance {
                 matrix: matrix.map(|row| row.map(real)),
                 of: Box::new(of.exact()),

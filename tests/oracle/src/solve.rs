@@ -5,7 +5,9 @@ mod cylinder;
 mod disk;
 mod flat;
 mod instance;
+mod polynomial;
 mod sphere;
+mod torus;
 
 pub use instance::condition;
 
@@ -72,6 +74,13 @@ pub(crate) fn solve(shape: &Shape<Real>, beam: &Beam) -> Found {
         Shape::Rectangle { corner, a, b } => flat::rectangle(&v(corner), &v(a), &v(b), beam),
         Shape::Disk { center, normal, radius } => disk::disk(&v(center), &v(normal), radius, beam),
         Shape::OpenCylinder { y0, y1, radius } => cylinder::cylinder([y0, y1], radius, beam),
+        Shape::Torus { swept_radius, tube_radius } => {
+            torus::torus(swept_radius, tube_radius, None, beam)
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let part = [phi.each_ref(), theta.each_ref()];
+            torus::torus(swept_radius, tube_radius, Some(part), beam)
+        }
         Shape::Instance { matrix, of } => instance::instance(matrix, of, beam),
     }
 }

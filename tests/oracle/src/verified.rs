@@ -7,6 +7,7 @@ mod families;
 mod inputs;
 mod margins;
 mod rational;
+mod sturm;
 
 use crate::{
     Ray, Shape,

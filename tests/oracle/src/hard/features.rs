@@ -4,7 +4,10 @@ use super::{
     rng::SplitMix64,
     vector::{V, add, along, cross, dot, length, minus, perpendicular, scale, unit},
 };
-use crate::Shape;
+use crate::{
+    Shape,
+    real::{nearest, real},
+};
 
 /// A point of the surface and a unit vector that points away from the shape there: the normal, or
 /// at a border the way out.
@@ -30,6 +33,10 @@ pub(super) fn place(shape: &Shape) -> (V, f64) {
         }
         Shape::OpenCylinder { y0, y1, radius } => {
             ([0.0, 0.5 * (y0 + y1), 0.0], radius.max(y1 - y0))
+        }
+        Shape::Torus { swept_radius, tube_radius }
+        | Shape::PartTorus { swept_radius, tube_radius, .. } => {
+            ([0.0; 3], swept_radius + tube_radius)
         }
         Shape::Instance { matrix, of } => {
             let (center, size) = place(of);
@@ -76,6 +83,14 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
         Shape::OpenCylinder { y0, y1, radius } => {
             let n = around_y(rng);
             (along([0.0, rng.between(*y0, *y1), 0.0], *radius, n), n)
+        }
+        Shape::Torus { swept_radius, tube_radius } => {
+            let angles = [360.0 * rng.unit(), 360.0 * rng.unit()];
+            on_tube([*swept_radius, *tube_radius], angles)
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let angles = [phi, theta].map(|range| between(range, rng.unit()));
+            on_tube([*swept_radius, *tube_radius], angles)
         }
         Shape::Instance { matrix, of } => return carried(matrix, surface(of, rng)),
     };
@@ -128,6 +143,27 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             let (y, up) = if rng.coin() { (*y1, 1.0) } else { (*y0, -1.0) };
             (along([0.0, y, 0.0], *radius, u), [0.0, up, 0.0], false)
         }
+        Shape::Torus { swept_radius, tube_radius } => {
+            // the highest, lowest, innermost and outermost lines
+            let angles = [rng.below(8) as f64 * 45.0, rng.below(4) as f64 * 90.0];
+            let (point, out) = on_tube([*swept_radius, *tube_radius], angles);
+            (point, out, true)
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let radii = [*swept_radius, *tube_radius];
+            let (last, inner) = (rng.coin(), quarter(rng));
+            let (step, angles) = if rng.coin() {
+                let end = phi[usize::from(last)];
+                ([1.0, 0.0], [end, between(theta, inner)])
+            } else {
+                let end = theta[usize::from(last)];
+                ([0.0, 1.0], [between(phi, inner), end])
+            };
+            let side = if last { 1.0 } else { -1.0 };
+            let beyond = [angles[0] + side * step[0], angles[1] + side * step[1]];
+            let (point, _) = on_tube(radii, angles);
+            (point, unit(minus(on_tube(radii, beyond).0, point)), false)
+        }
         Shape::Instance { matrix, of } => return carried(matrix, border(of, rng)),
     };
     Feature { point, out, silhouette }
@@ -141,6 +177,7 @@ pub(super) fn generator(shape: &Shape, rng: &mut SplitMix64) -> V {
         Shape::Triangle { vertices: [a, b, c] } => minus(rng.pick(&[*b, *c]), *a),
         Shape::Rectangle { a, b, .. } => rng.pick(&[*a, *b]),
         Shape::OpenCylinder { .. } => [0.0, rng.sign(), 0.0],
+        Shape::Torus { .. } | Shape::PartTorus { .. } => rng.axis(),
         Shape::Instance { matrix, of } => {
             let inner = generator(of, rng);
             columns(matrix).into_iter().zip(inner).fold([0.0; 3], |sum, (c, x)| along(sum, x, c))
@@ -160,6 +197,23 @@ fn in_plane(n: V, rng: &mut SplitMix64) -> V {
         v[k] = 0.0;
     }
     unit(v)
+}
+
+/// The point of a torus (its two radii) at these angles in degrees, and the normal there.
+fn on_tube([a, b]: [f64; 2], [phi, theta]: [f64; 2]) -> (V, V) {
+    let turn = |degrees: f64| {
+        let (sin, cos) = real(degrees).sin_cos_unit(360);
+        (nearest(&sin), nearest(&cos))
+    };
+    let ((sin_phi, cos_phi), (sin, cos)) = (turn(phi), turn(theta));
+    let at = |rho: f64, y: f64| [rho * sin_phi, y, rho * cos_phi];
+    (at(a + b * cos, b * sin), at(cos, sin))
+}
+
+/// So far on from the first end of a range of degrees to its last.
+fn between([first, last]: &[f64; 2], part: f64) -> f64 {
+    let turn = if last < first { last - first + 360.0 } else { last - first };
+    first + part * turn
 }
 
 fn around_y(rng: &mut SplitMix64) -> V {

@@ -48,6 +48,8 @@ pub(super) fn shape(kind: Kind, family: Family, rng: &mut SplitMix64) -> Shape {
             Shape::Disk { center: want.center, normal: normal(&want, rng), radius: want.size }
         }
         Kind::OpenCylinder => cylinder(&want, rng),
+        Kind::Torus => torus(&want, rng),
+        Kind::PartTorus => part_torus(&want, rng),
         Kind::Instance => instance(&want, rng),
     }
 }
@@ -149,6 +151,43 @@ fn cylinder(want: &Want, rng: &mut SplitMix64) -> Shape {
     }
     let y0 = want.center[1] - 0.5 * height;
     Shape::OpenCylinder { y0, y1: y0 + height, radius }
+}
+
+/// When thin, a thread or a ring whose hole is as narrow.
+fn torus(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let ratio = match want.family {
+        Family::Thin if rng.coin() => want.aspect,
+        Family::Thin => 1.0 - want.aspect,
+        _ => rng.between(0.1, 0.9),
+    };
+    let (swept_radius, tube_radius) = (want.size, ratio * want.size);
+    if want.exact() {
+        return Shape::Torus {
+            swept_radius: 4.0 * swept_radius,
+            tube_radius: snapped(tube_radius),
+        };
+    }
+    Shape::Torus { swept_radius, tube_radius }
+}
+
+/// Ends at whole multiples of 15° or anywhere; some thin ones are slivers of a hundredth of a degree.
+fn part_torus(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let Shape::Torus { swept_radius, tube_radius } = torus(want, rng) else {
+        unreachable!("it has just been made")
+    };
+    let thin = want.family == Family::Thin;
+    let mut range = || {
+        let first = if rng.coin() { 15.0 * rng.below(24) as f64 } else { rng.between(0.0, 360.0) };
+        let turn = match rng.below(8) {
+            0 if thin => rng.decades(-2, 0),
+            1 => 180.0,
+            2 => return [0.0, 360.0],
+            _ => rng.between(60.0, 350.0),
+        };
+        let last = first + turn;
+        [first, if last > 360.0 { last - 360.0 } else { last }]
+    };
+    Shape::PartTorus { swept_radius, tube_radius, phi: range(), theta: range() }
 }
 
 fn instance(want: &Want, rng: &mut SplitMix64) -> Shape {

@@ -33,6 +33,11 @@ fn implicit(shape: &Shape<Real>, p: &V) -> Real {
         Shape::OpenCylinder { radius, .. } => {
             (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt() - radius
         }
+        Shape::Torus { swept_radius, tube_radius }
+        | Shape::PartTorus { swept_radius, tube_radius, .. } => {
+            let k = (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt() - swept_radius;
+            (&k * &k + &p.0[1] * &p.0[1]).sqrt() - tube_radius
+        }
         Shape::Instance { matrix, of } => {
             let column = |j: usize| V(std::array::from_fn(|i| matrix[i][j].clone()));
             let [a, b, c] = [column(0), column(1), column(2)];

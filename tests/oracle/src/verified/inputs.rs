@@ -83,6 +83,13 @@ fn of_shape<'a>(shape: &'a mut Shape<Real>, groups: &mut Vec<Vec<&'a mut Real>>)
             groups.push(vec![radius]);
         }
         Shape::OpenCylinder { y0, y1, radius } => groups.extend([vec![y0], vec![y1], vec![radius]]),
+        Shape::Torus { swept_radius, tube_radius } => {
+            groups.extend([vec![swept_radius], vec![tube_radius]]);
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            groups.extend([vec![swept_radius], vec![tube_radius]]);
+            groups.extend(phi.iter_mut().chain(theta).map(|angle| vec![angle]));
+        }
         Shape::Instance { matrix, of } => {
             let (mut linear, mut shift) = (Vec::new(), Vec::new());
             for [x, y, z, b] in matrix {
