@@ -127,6 +127,7 @@ mod context;
 mod tube_range;
 mod watertight;
 
+mod algebraic;
 mod cuboid;
 mod disk;
 mod instance;
@@ -140,6 +141,7 @@ mod tessellated_sphere;
 mod torus;
 mod triangle;
 
+pub use algebraic::Term;
 pub use context::Context;
 pub(crate) use instance::transform_of;
 pub use mesh::TriangleMesh;
@@ -156,6 +158,7 @@ crate::kinds! {
     ch19 open_cylinder::OpenCylinder,
     ch19 torus::Torus,
     ch19 part_torus::PartTorus,
+    ch19 algebraic::Algebraic,
     ch21 instance::Instance,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
