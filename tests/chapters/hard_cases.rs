@@ -241,6 +241,11 @@ fn ours(exact: &oracle::Shape) -> (shapes::Kind, oracle::Shape) {
             }
             .into()
         }
+        oracle::Shape::Algebraic { terms, min, max } => {
+            let term = |(coefficient, powers)| shapes::Term { coefficient, powers };
+            let terms = terms.into_iter().map(term).collect();
+            shapes::Algebraic { terms, min: min.into(), max: max.into() }.into()
+        }
         oracle::Shape::Instance { matrix, of } => {
             let (inner, exact_inner) = ours(&of);
             let transform = steps(&matrix);

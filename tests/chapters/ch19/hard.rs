@@ -32,6 +32,7 @@ sweeps! {
     cylinders_are_exact_within_their_condition cylinders_thoroughly OpenCylinder;
     tori_are_exact_within_their_condition tori_thoroughly Torus;
     part_tori_are_exact_within_their_condition part_tori_thoroughly PartTorus;
+    algebraic_surfaces_are_exact_within_their_condition algebraic_thoroughly Algebraic;
 }
 
 /// Rays that make an angle of 10⁻³ to 10⁻¹² with the axis of a tall cylinder, from inside and from

@@ -35,13 +35,15 @@ pub enum Kind {
     Torus,
     /// [`Shape::PartTorus`].
     PartTorus,
+    /// [`Shape::Algebraic`] of degree 3 to 8.
+    Algebraic,
     /// [`Shape::Instance`] of a sphere, cuboid or disk, one in three nested twice.
     Instance,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Kind; 10] = [
+    pub const ALL: [Kind; 11] = [
         Kind::Plane,
         Kind::Sphere,
         Kind::Cuboid,
@@ -51,6 +53,7 @@ impl Kind {
         Kind::OpenCylinder,
         Kind::Torus,
         Kind::PartTorus,
+        Kind::Algebraic,
         Kind::Instance,
     ];
 }

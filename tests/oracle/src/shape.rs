@@ -88,6 +88,15 @@ pub enum Shape<T = f64> {
         /// Around the tube in degrees, from the outermost line upwards.
         theta: [T; 2],
     },
+    /// All `p` inside the box where the sum of the terms is 0; the normal points to where it is more.
+    Algebraic {
+        /// A coefficient, and the powers of x, y and z.
+        terms: Vec<(T, [u32; 3])>,
+        /// The corner of least coordinates.
+        min: [T; 3],
+        /// The corner of greatest coordinates.
+        max: [T; 3],
+    },
     /// `of`, moved by the affine `matrix`; the normal moves by the inverse transpose.
     Instance {
         /// The rows of the map from object to world, translation last; not singular.
@@ -143,6 +152,11 @@ impl Shape {
                 tube_radius: real(*tube_radius),
                 phi: phi.map(real),
                 theta: theta.map(real),
+            },
+            Shape::Algebraic { terms, min, max } => Shape::Algebraic {
+                terms: terms.iter().map(|(c, powers)| (real(*c), *powers)).collect(),
+                min: min.map(real),
+                max: max.map(real),
             },
             Shape::Instance { matrix, of } => Shape::Instance {
                 matrix: matrix.map(|row| row.map(real)),

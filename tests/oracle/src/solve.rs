@@ -1,5 +1,6 @@
 //! Each kind of shape: its meetings with a ray, its derivatives, its margin.
 
+mod algebraic;
 mod cuboid;
 mod cylinder;
 mod disk;
@@ -80,6 +81,9 @@ pub(crate) fn solve(shape: &Shape<Real>, beam: &Beam) -> Found {
         Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
             let part = [phi.each_ref(), theta.each_ref()];
             torus::torus(swept_radius, tube_radius, Some(part), beam)
+        }
+        Shape::Algebraic { terms, min, max } => {
+            algebraic::algebraic(terms, [&v(min), &v(max)], beam)
         }
         Shape::Instance { matrix, of } => instance::instance(matrix, of, beam),
     }

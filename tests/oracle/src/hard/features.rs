@@ -23,7 +23,9 @@ pub(super) fn place(shape: &Shape) -> (V, f64) {
     match shape {
         Shape::Plane { point, .. } => (*point, 1.0),
         Shape::Sphere { center, radius } | Shape::Disk { center, radius, .. } => (*center, *radius),
-        Shape::Cuboid { min, max } => (scale(0.5, add(*min, *max)), length(minus(*max, *min))),
+        Shape::Cuboid { min, max } | Shape::Algebraic { min, max, .. } => {
+            (scale(0.5, add(*min, *max)), length(minus(*max, *min)))
+        }
         Shape::Triangle { vertices: [a, b, c] } => {
             let size = length(minus(*b, *a)).max(length(minus(*c, *a)));
             (scale(1.0 / 3.0, add(add(*a, *b), *c)), size)
@@ -92,6 +94,7 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             let angles = [phi, theta].map(|range| between(range, rng.unit()));
             on_tube([*swept_radius, *tube_radius], angles)
         }
+        Shape::Algebraic { terms, min, max } => on_zero(terms, [*min, *max], rng),
         Shape::Instance { matrix, of } => return carried(matrix, surface(of, rng)),
     };
     Feature { point, out, silhouette: true }
@@ -101,7 +104,7 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
 pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
     let quarter = |rng: &mut SplitMix64| 0.25 * rng.below(5) as f64;
     let (point, out, silhouette) = match shape {
-        Shape::Plane { .. } => return surface(shape, rng),
+        Shape::Plane { .. } | Shape::Algebraic { .. } => return surface(shape, rng),
         Shape::Sphere { center, radius } => {
             let n = rng.axis();
             (along(*center, *radius, n), n, true)
@@ -173,7 +176,7 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
 pub(super) fn generator(shape: &Shape, rng: &mut SplitMix64) -> V {
     match shape {
         Shape::Plane { normal, .. } | Shape::Disk { normal, .. } => in_plane(*normal, rng),
-        Shape::Sphere { .. } | Shape::Cuboid { .. } => rng.axis(),
+        Shape::Sphere { .. } | Shape::Cuboid { .. } | Shape::Algebraic { .. } => rng.axis(),
         Shape::Triangle { vertices: [a, b, c] } => minus(rng.pick(&[*b, *c]), *a),
         Shape::Rectangle { a, b, .. } => rng.pick(&[*a, *b]),
         Shape::OpenCylinder { .. } => [0.0, rng.sign(), 0.0],
@@ -208,6 +211,41 @@ fn on_tube([a, b]: [f64; 2], [phi, theta]: [f64; 2]) -> (V, V) {
     let ((sin_phi, cos_phi), (sin, cos)) = (turn(phi), turn(theta));
     let at = |rho: f64, y: f64| [rho * sin_phi, y, rho * cos_phi];
     (at(a + b * cos, b * sin), at(cos, sin))
+}
+
+/// A zero of the sum of terms between two points of the box, and its gradient there; a point of the
+/// box if none is found.
+fn on_zero(terms: &[(f64, [u32; 3])], [min, max]: [V; 2], rng: &mut SplitMix64) -> (V, V) {
+    let value = |powers: &[u32; 3], p: V| {
+        let factors = (0..3).flat_map(|i| vec![p[i]; powers[i] as usize]);
+        factors.product::<f64>()
+    };
+    let sum = |p: V| terms.iter().map(|(c, powers)| c * value(powers, p)).sum::<f64>();
+    let slope = |p: V, axis: usize| {
+        let lower = |powers: &[u32; 3]| {
+            let mut lower = *powers;
+            lower[axis] = lower[axis].saturating_sub(1);
+            lower
+        };
+        let slope =
+            |(c, powers): &(f64, [u32; 3])| c * f64::from(powers[axis]) * value(&lower(powers), p);
+        terms.iter().map(slope).sum::<f64>()
+    };
+    let mut place = || -> V { std::array::from_fn(|i| min[i] + (max[i] - min[i]) * rng.unit()) };
+    let mut ends = [place(), place()];
+    for _ in 0..50 {
+        if (sum(ends[0]) < 0.0) != (sum(ends[1]) < 0.0) {
+            break;
+        }
+        ends = [place(), place()];
+    }
+    for _ in 0..60 {
+        let middle = scale(0.5, add(ends[0], ends[1]));
+        let side = usize::from((sum(middle) < 0.0) != (sum(ends[0]) < 0.0));
+        ends[side] = middle;
+    }
+    let gradient: V = std::array::from_fn(|axis| slope(ends[0], axis));
+    (ends[0], if length(gradient) > 0.0 { unit(gradient) } else { [0.0, 1.0, 0.0] })
 }
 
 /// So far on from the first end of a range of degrees to its last.

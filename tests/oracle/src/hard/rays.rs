@@ -87,7 +87,8 @@ fn round(shape: &Shape) -> bool {
         Shape::Sphere { .. }
         | Shape::OpenCylinder { .. }
         | Shape::Torus { .. }
-        | Shape::PartTorus { .. } => true,
+        | Shape::PartTorus { .. }
+        | Shape::Algebraic { .. } => true,
         Shape::Instance { of, .. } => round(of),
         _ => false,
     }

@@ -83,6 +83,10 @@ fn implicit(shape: &Shape, line: &Line, t: &Q) -> Q {
             let sum = dot(&p, &p) + &a - b;
             square(&sum) - q(4.0) * a * (square(&p[0]) + square(&p[2]))
         }
+        Shape::Algebraic { terms, .. } => terms.iter().fold(Q::ZERO, |sum, (c, powers)| {
+            let factors = (0..3).flat_map(|i| vec![&p[i]; powers[i] as usize]);
+            sum + factors.fold(q(*c), |product, x| product * x)
+        }),
         Shape::Instance { matrix, of } => implicit(of, &line.moved_back(matrix), t),
     }
 }
@@ -162,6 +166,13 @@ fn count(shape: &Shape, line: &Line) -> usize {
         Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
             in_ranges([*swept_radius, *tube_radius], [*phi, *theta], line)
         }
+        Shape::Algebraic { terms, min, max } => {
+            let Some((start, end)) = span(line, &[0, 1, 2], min, max) else { return 0 };
+            let degree = terms.iter().map(|(_, powers)| powers.iter().sum()).max();
+            let degree: u32 = degree.unwrap_or(0);
+            let polynomial = sturm::interpolated(degree as usize, |t| implicit(shape, line, t));
+            if end < zero { 0 } else { sturm::count_between(&polynomial, &start.max(zero), &end) }
+        }
         Shape::Instance { matrix, of } => count(of, &line.moved_back(matrix)),
     }
 }
@@ -225,7 +236,8 @@ fn convex(
 }
 
 /// The kinds whose function may be 0 without a change of sign.
-const MAY_TOUCH: [Kind; 4] = [Kind::Cuboid, Kind::Torus, Kind::PartTorus, Kind::Instance];
+const MAY_TOUCH: [Kind; 5] =
+    [Kind::Cuboid, Kind::Algebraic, Kind::Torus, Kind::PartTorus, Kind::Instance];
 
 /// Oracle: signs of the exact implicit function at t ± 2⁻²⁰⁰ t or so.
 #[test]
@@ -273,6 +285,7 @@ fn no_root_is_lost_and_none_invented() {
             Shape::Sphere { .. }
                 | Shape::OpenCylinder { .. }
                 | Shape::Torus { .. }
+                | Shape::Algebraic { .. }
                 | Shape::Instance { .. }
         );
         if rounds && answer.margin < 1e-60 {
