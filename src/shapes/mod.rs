@@ -166,6 +166,7 @@ mod tube_range;
 mod watertight;
 mod wedge_parts;
 
+mod algebraic;
 mod annulus;
 mod archway;
 mod beveled_box;
@@ -201,9 +202,11 @@ mod thick_ring;
 mod torus;
 mod triangle;
 
+pub use algebraic::Term;
 pub use assembly::Materials;
 pub use compound::Part;
 pub use context::{Context, PartMaterial};
+
 pub(crate) use instance::transform_of;
 pub use mesh::TriangleMesh;
 
@@ -233,6 +236,7 @@ crate::kinds! {
     ch19 part_annulus::PartAnnulus,
     ch19 torus::Torus,
     ch19 part_torus::PartTorus,
+    ch19 algebraic::Algebraic,
     ch21 instance::Instance,
     ch21 beveled_box::BeveledBox,
     ch21 beveled_cylinder::BeveledCylinder,

@@ -252,6 +252,27 @@ fn ours(exact: &oracle::Shape) -> (shapes::Kind, oracle::Shape) {
         oracle::Shape::PartCylinder { y0, y1, radius, phi } => {
             shapes::PartCylinder { y0, y1, radius, phi, inward: false }.into()
         }
+        oracle::Shape::Torus { swept_radius, tube_radius } => {
+            shapes::Torus { swept_radius, tube_radius, inward: false }.into()
+        }
+        oracle::Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let ([phi_min, phi_max], [theta_min, theta_max]) = (phi, theta);
+            shapes::PartTorus {
+                swept_radius,
+                tube_radius,
+                phi_min,
+                phi_max,
+                theta_min,
+                theta_max,
+                inward: false,
+            }
+            .into()
+        }
+        oracle::Shape::Algebraic { terms, min, max } => {
+            let term = |(coefficient, powers)| shapes::Term { coefficient, powers };
+            let terms = terms.into_iter().map(term).collect();
+            shapes::Algebraic { terms, min: min.into(), max: max.into() }.into()
+        }
         oracle::Shape::Instance { matrix, of } => {
             let (inner, exact_inner) = ours(&of);
             let transform = steps(&matrix);

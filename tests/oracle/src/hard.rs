@@ -32,6 +32,12 @@ pub enum Kind {
     Disk,
     /// [`Shape::OpenCylinder`].
     OpenCylinder,
+    /// [`Shape::Torus`].
+    Torus,
+    /// [`Shape::PartTorus`].
+    PartTorus,
+    /// [`Shape::Algebraic`] of degree 3 to 8.
+    Algebraic,
     /// [`Shape::Instance`] of a sphere, cuboid or disk, one in three nested twice.
     Instance,
     /// [`Shape::Annulus`].
@@ -50,7 +56,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Kind; 14] = [
+    pub const ALL: [Kind; 17] = [
         Kind::Plane,
         Kind::Sphere,
         Kind::Cuboid,
@@ -58,6 +64,9 @@ impl Kind {
         Kind::Rectangle,
         Kind::Disk,
         Kind::OpenCylinder,
+        Kind::Torus,
+        Kind::PartTorus,
+        Kind::Algebraic,
         Kind::Instance,
         Kind::Annulus,
         Kind::PartAnnulus,

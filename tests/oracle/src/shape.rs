@@ -128,6 +128,35 @@ pub enum Shape<T = f64> {
         /// In degrees from +z to +x: from the first up to the second, through 360 if it is larger.
         phi: [T; 2],
     },
+    /// All `p` at distance `tube_radius` from the circle of `swept_radius > tube_radius > 0` about
+    /// the origin in y = 0; the normal points out of the tube.
+    Torus {
+        /// Of the circle.
+        swept_radius: T,
+        /// Of the tube.
+        tube_radius: T,
+    },
+    /// The points of a torus within two ranges of angles, ends included; a range whose first end is
+    /// the larger goes on through 360°.
+    PartTorus {
+        /// Of the circle.
+        swept_radius: T,
+        /// Of the tube.
+        tube_radius: T,
+        /// Azimuth in degrees, from +z to +x.
+        phi: [T; 2],
+        /// Around the tube in degrees, from the outermost line upwards.
+        theta: [T; 2],
+    },
+    /// All `p` inside the box where the sum of the terms is 0; the normal points to where it is more.
+    Algebraic {
+        /// A coefficient, and the powers of x, y and z.
+        terms: Vec<(T, [u32; 3])>,
+        /// The corner of least coordinates.
+        min: [T; 3],
+        /// The corner of greatest coordinates.
+        max: [T; 3],
+    },
     /// `of`, moved by the affine `matrix`; the normal moves by the inverse transpose.
     Instance {
         /// The rows of the map from object to world, translation last; not singular.
@@ -204,6 +233,20 @@ impl Shape {
                 y1: real(*y1),
                 radius: real(*radius),
                 phi: phi.map(real),
+            },
+            Shape::Torus { swept_radius, tube_radius } => {
+                Shape::Torus { swept_radius: real(*swept_radius), tube_radius: real(*tube_radius) }
+            }
+            Shape::PartTorus { swept_radius, tube_radius, phi, theta } => Shape::PartTorus {
+                swept_radius: real(*swept_radius),
+                tube_radius: real(*tube_radius),
+                phi: phi.map(real),
+                theta: theta.map(real),
+            },
+            Shape::Algebraic { terms, min, max } => Shape::Algebraic {
+                terms: terms.iter().map(|(c, powers)| (real(*c), *powers)).collect(),
+                min: min.map(real),
+                max: max.map(real),
             },
             Shape::Instance { matrix, of } => Shape::Instance {
                 matrix: matrix.map(|row| row.map(real)),

@@ -1,14 +1,17 @@
 //! Each kind of shape: its meetings with a ray, its derivatives, its margin.
 
+mod algebraic;
 mod border;
 mod cuboid;
 mod cylinder;
 mod disk;
 mod flat;
 mod instance;
+mod polynomial;
 mod revolution;
 mod ring;
 mod sphere;
+mod torus;
 
 pub use instance::condition;
 
@@ -88,6 +91,16 @@ pub(crate) fn solve(shape: &Shape<Real>, beam: &Beam) -> Found {
         }
         Shape::PartCylinder { y0, y1, radius, phi } => {
             revolution::part_cylinder([y0, y1], radius, phi, beam)
+        }
+        Shape::Torus { swept_radius, tube_radius } => {
+            torus::torus(swept_radius, tube_radius, None, beam)
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let part = [phi.each_ref(), theta.each_ref()];
+            torus::torus(swept_radius, tube_radius, Some(part), beam)
+        }
+        Shape::Algebraic { terms, min, max } => {
+            algebraic::algebraic(terms, [&v(min), &v(max)], beam)
         }
         Shape::Instance { matrix, of } => instance::instance(matrix, of, beam),
     }

@@ -89,7 +89,10 @@ fn round(shape: &Shape) -> bool {
         | Shape::Cone { .. }
         | Shape::Paraboloid { .. }
         | Shape::PartSphere { .. }
-        | Shape::PartCylinder { .. } => true,
+        | Shape::PartCylinder { .. }
+        | Shape::Torus { .. }
+        | Shape::PartTorus { .. }
+        | Shape::Algebraic { .. } => true,
         Shape::Instance { of, .. } => round(of),
         _ => false,
     }

@@ -48,6 +48,9 @@ pub(super) fn shape(kind: Kind, family: Family, rng: &mut SplitMix64) -> Shape {
             Shape::Disk { center: want.center, normal: normal(&want, rng), radius: want.size }
         }
         Kind::OpenCylinder => cylinder(&want, rng),
+        Kind::Torus => torus(&want, rng),
+        Kind::PartTorus => part_torus(&want, rng),
+        Kind::Algebraic => algebraic(&want, rng),
         Kind::Instance => instance(&want, rng),
         Kind::Annulus => {
             let [inner, outer] = radii(&want, rng);
@@ -231,6 +234,97 @@ fn polar_angles(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
             [start, start + width]
         }
     }
+}
+
+/// When thin, a thread or a ring whose hole is as narrow.
+fn torus(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let ratio = match want.family {
+        Family::Thin if rng.coin() => want.aspect,
+        Family::Thin => 1.0 - want.aspect,
+        _ => rng.between(0.1, 0.9),
+    };
+    let (swept_radius, tube_radius) = (want.size, ratio * want.size);
+    if want.exact() {
+        return Shape::Torus {
+            swept_radius: 4.0 * swept_radius,
+            tube_radius: snapped(tube_radius),
+        };
+    }
+    Shape::Torus { swept_radius, tube_radius }
+}
+
+/// Ends at whole multiples of 15° or anywhere; some thin ones are slivers of a hundredth of a degree.
+fn part_torus(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let Shape::Torus { swept_radius, tube_radius } = torus(want, rng) else {
+        unreachable!("it has just been made")
+    };
+    let thin = want.family == Family::Thin;
+    let mut range = || {
+        let first = if rng.coin() { 15.0 * rng.below(24) as f64 } else { rng.between(0.0, 360.0) };
+        let turn = match rng.below(8) {
+            0 if thin => rng.decades(-2, 0),
+            1 => 180.0,
+            2 => return [0.0, 360.0],
+            _ => rng.between(60.0, 350.0),
+        };
+        let last = first + turn;
+        [first, if last > 360.0 { last - 360.0 } else { last }]
+    };
+    Shape::PartTorus { swept_radius, tube_radius, phi: range(), theta: range() }
+}
+
+/// One of some known surfaces, or one of random coefficients; when thin, pressed flat.
+fn algebraic(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let mut terms: Vec<(f64, [u32; 3])> = Vec::new();
+    let axis = |i: usize, power: u32| {
+        let mut powers = [0; 3];
+        powers[i] += power;
+        powers
+    };
+    let every = |power: u32| (0..3).map(move |i| axis(i, power));
+    let mut half = 1.25;
+    match rng.below(5) {
+        0 => {
+            half = 2.75; // Goursat's tangle
+            terms.extend(every(4).map(|powers| (1.0, powers)));
+            terms.extend(every(2).map(|powers| (-5.0, powers)));
+            terms.push((rng.between(11.0, 12.0), [0; 3]));
+        }
+        1 => {
+            let power = rng.pick(&[6, 8]);
+            terms.extend(every(power).map(|powers| (1.0, powers)));
+            terms.push((-1.0, [0; 3]));
+        }
+        2 => {
+            // a torus: (p·p + k)² − 4 a² (x² + z²)
+            let (a, b) = (rng.between(0.6, 0.9), rng.between(0.1, 0.5));
+            let k = a * a - b * b;
+            terms.extend(every(4).map(|powers| (1.0, powers)));
+            terms.extend([(2.0, [2, 2, 0]), (2.0, [0, 2, 2]), (2.0, [2, 0, 2])]);
+            let flat = 2.0 * k - 4.0 * a * a;
+            terms.extend([(flat, [2, 0, 0]), (2.0 * k, [0, 2, 0]), (flat, [0, 0, 2])]);
+            terms.push((k * k, [0; 3]));
+        }
+        degree => {
+            let all = (0..=degree as u32).flat_map(|i| {
+                let rest = degree as u32 - i;
+                (0..=rest).flat_map(move |j| (0..=rest - j).map(move |k| [i, j, k]))
+            });
+            terms.extend(all.map(|powers| (rng.between(-1.0, 1.0), powers)));
+        }
+    }
+    let mut sizes = [want.size; 3];
+    if want.family == Family::Thin {
+        sizes[rng.below(3)] *= want.aspect;
+    }
+    let power = |x: f64, n: u32| (0..n).fold(1.0, |product, _| product * x);
+    for (c, powers) in &mut terms {
+        *c = (0..3).fold(*c, |c, i| c / power(sizes[i], powers[i]));
+    }
+    let corner = |side: f64, rng: &mut SplitMix64| {
+        sizes.map(|size| side * size * if rng.coin() { half } else { rng.between(0.4, 1.0) * half })
+    };
+    Shape::Algebraic { terms, min: corner(-1.0, rng), max: corner(1.0, rng) }
 }
 
 fn instance(want: &Want, rng: &mut SplitMix64) -> Shape {

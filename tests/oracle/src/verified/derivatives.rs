@@ -38,6 +38,15 @@ fn implicit(shape: &Shape<Real>, p: &V) -> Real {
         Shape::Paraboloid { height, radius } => {
             rho(p) * rho(p) / (radius * radius) - &p.0[1] / height
         }
+        Shape::Torus { swept_radius, tube_radius }
+        | Shape::PartTorus { swept_radius, tube_radius, .. } => {
+            let k = (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt() - swept_radius;
+            (&k * &k + &p.0[1] * &p.0[1]).sqrt() - tube_radius
+        }
+        Shape::Algebraic { terms, .. } => terms.iter().fold(real(0.0), |sum, (c, powers)| {
+            let factors = (0..3).flat_map(|i| vec![&p.0[i]; powers[i] as usize]);
+            sum + factors.fold(c.clone(), |product, x| product * x)
+        }),
         Shape::Instance { matrix, of } => {
             let column = |j: usize| V(std::array::from_fn(|i| matrix[i][j].clone()));
             let [a, b, c] = [column(0), column(1), column(2)];

@@ -106,6 +106,17 @@ fn of_shape<'a>(shape: &'a mut Shape<Real>, groups: &mut Vec<Vec<&'a mut Real>>)
             groups.extend([y0, y1, radius].map(|x| vec![x]));
             azimuths(phi, groups);
         }
+        Shape::Torus { swept_radius, tube_radius } => {
+            groups.extend([vec![swept_radius], vec![tube_radius]]);
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            groups.extend([vec![swept_radius], vec![tube_radius]]);
+            groups.extend(phi.iter_mut().chain(theta).map(|angle| vec![angle]));
+        }
+        Shape::Algebraic { terms, min, max } => {
+            groups.extend(terms.iter_mut().map(|(c, _)| vec![c]));
+            groups.extend([min, max].map(|corner| corner.iter_mut().collect()));
+        }
         Shape::Instance { matrix, of } => {
             let (mut linear, mut shift) = (Vec::new(), Vec::new());
             for [x, y, z, b] in matrix {
