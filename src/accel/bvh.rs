@@ -71,8 +71,7 @@ impl Bvh {
         loop {
             let Some(at) = current else {
                 // equal distance is not farther: ties are settled by the order of objects
-                match stack[..waiting].iter().rposition(|&(_, entry)| !(entry > search.farthest()))
-                {
+                match stack[..waiting].iter().rposition(|&(_, entry)| entry <= search.farthest()) {
                     Some(place) => (current, waiting) = (Some(stack[place].0), place),
                     None => return,
                 }

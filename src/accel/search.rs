@@ -45,13 +45,13 @@ impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
     pub fn enters(&mut self, bounds: &Aabb) -> Option<f64> {
         let ray = &self.among.ray;
         let (near, far) = ray.crossing(bounds);
-        let open = near <= far && !(far < ray.moved(self.span.min)) && !(near > self.farthest());
+        let open = near <= far && far >= ray.first(self.span) && near <= ray.last(self.span);
         open.then_some(near)
     }
 
     /// How far away the first hit may still be, in the frame.
     pub fn farthest(&self) -> f64 {
-        self.among.ray.moved(self.span.max)
+        self.among.ray.last(self.span)
     }
 }
 
@@ -72,6 +72,6 @@ impl<P: Primitives> Any<'_, P> {
     pub fn enters(&self, bounds: &Aabb) -> bool {
         let ray = &self.among.ray;
         let (near, far) = ray.crossing(bounds);
-        near <= far && !(far < ray.moved(self.span.min)) && !(near > ray.moved(self.span.max))
+        near <= far && far >= ray.first(self.span) && near <= ray.last(self.span)
     }
 }
