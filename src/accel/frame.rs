@@ -18,8 +18,8 @@
 //! - the ray does not cross a box that contains the primitive's, or crosses it beyond the best hit
 //!   or before the span. In `f64`, by [`FrameRay::crossing`], every operation is monotone, so the
 //!   interval of a box contains that of each box in it, to the last bit. In `f32` the boxes are
-//!   larger by 2⁻²⁰ ([`F32_PAD`]) and the slack by 2⁻³⁶ of the ray's distance: see
-//!   [`FrameRay::single`].
+//!   larger by more than all its roundings: see
+//!   `accel/bvh/node.rs`.
 //!
 //! Intervals are closed and compared by `<=`, so of equal hits all are seen, and the first counts.
 
@@ -118,6 +118,15 @@ impl FrameRay {
     /// The distance from where the ray enters the frame, of what is at `t`; monotone in `t`.
     pub fn moved(&self, t: f64) -> f64 {
         self.unit * t - self.start
+    }
+
+    /// Origin, one over the direction, and the slack as nodes in single precision take them: without
+    /// the part that their boxes have already, and the rest twice.
+    pub fn single(&self) -> ([f64; 3], [f64; 3], f64) {
+        if self.unit == 0.0 {
+            return ([0.0; 3], [1.0; 3], 1e30); // everywhere
+        }
+        (self.origin, self.inverse, 2.0 * (self.slack - BOX_SLACK))
     }
 
     /// Where the span begins, or the frame: no box lies before that.

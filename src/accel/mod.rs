@@ -7,6 +7,7 @@
 
 mod bvh;
 mod frame;
+mod kernel;
 mod list;
 mod search;
 
@@ -15,7 +16,10 @@ use serde::{Deserialize, Serialize};
 use crate::math::{Aabb, Ray, Span};
 use crate::shapes::Candidate;
 use frame::Frame;
-use search::{Among, Any, Nearest};
+use search::{Among, Any, AnySearch, Nearest};
+
+pub use bvh::LeafCost;
+pub use kernel::Kernel;
 
 /// How the primitives are searched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -40,6 +44,14 @@ pub trait Primitives {
 
     /// A box around primitive `index`, the same each time.
     fn bounds(&self, index: u32) -> Aabb;
+
+    /// Which of the primitives of a leaf ([`Accel::leaves`]) may have a hit inside the span, one bit
+    /// each, lowest first: a quick test that errs on the side of too many.
+    #[inline(always)]
+    fn sift(&self, kernel: Kernel, leaf: u32, span: Span) -> u8 {
+        let _ = (kernel, leaf, span);
+        u8::MAX
+    }
 }
 
 /// Hears what a search costs. `()` hears nothing and costs nothing.
@@ -91,12 +103,24 @@ enum Structure {
 impl Accel {
     /// Builds for primitives with these boxes; unbounded ones are kept apart by themselves.
     pub fn build(method: Method, bounds: &[Aabb]) -> Self {
+        Self::build_for(method, bounds, &bvh::OneByOne, Kernel::best())
+    }
+
+    /// The same with leaves of another cost, and for another kernel than the best.
+    pub fn build_for(
+        method: Method,
+        bounds: &[Aabb],
+        leaf_cost: &impl LeafCost,
+        kernel: Kernel,
+    ) -> Self {
         let count = u32::try_from(bounds.len()).expect("primitives are numbered by u32");
         let (bounded, unbounded) = (0..count).partition(|&i| bounds[i as usize].is_bounded());
         let frame = Frame::around(bounds);
         let bounded = match method {
             Method::List => Structure::List(list::List::new(bounded)),
-            Method::Bvh => Structure::Bvh(bvh::Bvh::build(&frame, bounds, &bounded)),
+            Method::Bvh => {
+                Structure::Bvh(bvh::Bvh::build(&frame, bounds, &bounded, leaf_cost, kernel))
+            }
         };
         Self { frame, unbounded, bounded }
     }
@@ -134,7 +158,7 @@ impl Accel {
         let mut search = Nearest { among, span, best, counter };
         match &self.bounded {
             Structure::List(list) => list.nearest(&mut search),
-            Structure::Bvh(bvh) => bvh.nearest(&mut search),
+            Structure::Bvh(bvh) => bvh.search(&mut search),
         }
         search.best
     }
@@ -155,7 +179,19 @@ impl Accel {
         let search = Any { among, span };
         match &self.bounded {
             Structure::List(list) => list.any(&search),
-            Structure::Bvh(bvh) => bvh.any(&search),
+            Structure::Bvh(bvh) => {
+                let mut search = AnySearch { any: &search, found: None };
+                bvh.search(&mut search);
+                search.found
+            }
+        }
+    }
+
+    /// The leaves of a bvh: their primitives, `u32::MAX` behind the last. Other methods have none.
+    pub fn leaves(&self) -> &[[u32; 8]] {
+        match &self.bounded {
+            Structure::Bvh(bvh) => bvh.leaves(),
+            Structure::List(_) => &[],
         }
     }
 
