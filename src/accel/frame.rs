@@ -18,17 +18,19 @@
 //! - the ray does not cross a box that contains the primitive's, or crosses it beyond the best hit
 //!   or before the span. In `f64`, by [`FrameRay::crossing`], every operation is monotone, so the
 //!   interval of a box contains that of each box in it, to the last bit. In `f32` the boxes are
-//!   larger by 2⁻²⁰ ([`F32_PAD`]) and the slack by 2⁻³⁶ of the ray's distance: see
-//!   [`FrameRay::single`].
+//!   larger by more than all its roundings: see
+//!   `accel/bvh/node.rs`.
 //!
 //! Intervals are closed and compared by `<=`, so of equal hits all are seen, and the first counts.
 
-use crate::math::{Aabb, Point, Ray, power_of_two};
+use crate::math::{Aabb, Point, Ray, Span, power_of_two};
 
 /// Grows every box: 2²⁹ roundings of a coordinate of the frame.
 const BOX_SLACK: f64 = 1.0 / (1 << 22) as f64;
 /// Grows it further for a ray that comes from afar, by so much of its distance: 2¹⁷ roundings.
 const FAR_SLACK: f64 = 1.0 / (1_u64 << 36) as f64;
+/// From where the slack would be larger than any frame, a ray is taken to cross all boxes.
+const MOST_SLACK: f64 = 1024.0;
 /// A frame is not much smaller than the coordinates in it: where all objects are small and lie far
 /// from the origin, its slack still is 2⁻³⁶ of the coordinates, 2¹⁷ of their roundings.
 const LEAST_SIZE: f64 = 1.0 / (1 << 14) as f64;
@@ -94,7 +96,8 @@ impl Frame {
         let root = Point::new(half, half, half);
         let (enter, leave) =
             at_origin.crossing(&Aabb { min: Point::ORIGIN - root.to_vector(), max: root });
-        let sound = [unit, unit.recip(), slack].into_iter().all(f64::is_finite)
+        let sound = [unit, unit.recip()].into_iter().all(f64::is_finite)
+            && slack <= MOST_SLACK
             && direction.iter().any(|d| d.abs() >= 1.0);
         if sound && enter > leave {
             return None;
@@ -108,13 +111,32 @@ impl Frame {
 }
 
 impl FrameRay {
-    /// For rays whose numbers overflow in the frame: crosses every box, and every hit of it is at 0.
+    /// For rays from too far away, or too long or short to have numbers in the frame: crosses every box, and every hit of it is at 0.
     const EVERYWHERE: Self =
         Self { origin: [0.0; 3], inverse: [0.0; 3], unit: 0.0, start: 0.0, slack: 0.0 };
 
     /// The distance from where the ray enters the frame, of what is at `t`; monotone in `t`.
     pub fn moved(&self, t: f64) -> f64 {
         self.unit * t - self.start
+    }
+
+    /// Origin, one over the direction, and the slack as nodes in single precision take them: without
+    /// the part that their boxes have already, and the rest twice.
+    pub fn single(&self) -> ([f64; 3], [f64; 3], f64) {
+        if self.unit == 0.0 {
+            return ([0.0; 3], [1.0; 3], 1e30); // everywhere
+        }
+        (self.origin, self.inverse, 2.0 * (self.slack - BOX_SLACK))
+    }
+
+    /// Where the span begins, or the frame: no box lies before that.
+    pub fn first(&self, span: Span) -> f64 {
+        self.moved(span.min).max(0.0) // also where it is not a number
+    }
+
+    /// Where the span ends.
+    pub fn last(&self, span: Span) -> f64 {
+        self.moved(span.max).min(f64::INFINITY) // also where it is not a number
     }
 
     /// Whether a hit of the primitive in this box (of the frame) counts: the rule.

@@ -16,10 +16,8 @@
 use std::ops::Range;
 
 use super::frame::{Frame, FrameRay};
-use super::search::{Any, Nearest};
-use super::{Counter, Primitives};
+use super::search::Search;
 use crate::math::{Aabb, Vector, cbrt};
-use crate::shapes::Candidate;
 
 /// Cells on each axis for each cube root of a primitive: the book's `multiplier`.
 const MULTIPLIER: f64 = 2.0;
@@ -90,34 +88,20 @@ impl Grid {
         Self { all: which.to_vec(), cells, starts, entries }
     }
 
-    pub(super) fn nearest<P: Primitives, C: Counter>(&self, search: &mut Nearest<'_, P, C>) {
-        let ray = search.among.ray;
-        let Some(walk) = Walk::new(&self.cells, &ray, search.span.min) else {
-            return self.all.iter().for_each(|&index| search.consider(index));
+    /// Tests what is in the cells along the ray.
+    pub(super) fn search(&self, search: &mut impl Search) {
+        let ray = *search.ray();
+        let Some(walk) = Walk::new(&self.cells, &ray, search.span().min) else {
+            self.all.iter().any(|&index| search.consider(index));
+            return;
         };
         for (cell, end) in walk {
-            search.counter.step();
-            self.cell(cell).iter().for_each(|&index| search.consider(index));
-            if search.farthest() < end {
+            search.step();
+            let done = self.cell(cell).iter().any(|&index| search.consider(index));
+            if done || ray.last(search.span()) < end {
                 return;
             }
         }
-    }
-
-    pub(super) fn any<P: Primitives>(&self, search: &Any<'_, P>) -> Option<(u32, Candidate)> {
-        let ray = search.among.ray;
-        let test = |&index: &u32| search.consider(index);
-        let Some(walk) = Walk::new(&self.cells, &ray, search.span.min) else {
-            return self.all.iter().find_map(test);
-        };
-        let farthest = ray.moved(search.span.max);
-        for (cell, end) in walk {
-            let hit = self.cell(cell).iter().find_map(test);
-            if hit.is_some() || farthest < end {
-                return hit;
-            }
-        }
-        None
     }
 
     fn cell(&self, cell: usize) -> &[u32] {

@@ -8,6 +8,7 @@
 mod bvh;
 mod frame;
 mod grid;
+mod kernel;
 mod list;
 mod search;
 
@@ -16,7 +17,10 @@ use serde::{Deserialize, Serialize};
 use crate::math::{Aabb, Ray, Span};
 use crate::shapes::Candidate;
 use frame::Frame;
-use search::{Among, Any, Nearest};
+use search::{Among, Any, AnySearch, Nearest};
+
+pub use bvh::LeafCost;
+pub use kernel::Kernel;
 
 /// How the primitives are searched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -43,6 +47,14 @@ pub trait Primitives {
 
     /// A box around primitive `index`, the same each time.
     fn bounds(&self, index: u32) -> Aabb;
+
+    /// Which of the primitives of a leaf ([`Accel::leaves`]) may have a hit inside the span, one bit
+    /// each, lowest first: a quick test that errs on the side of too many.
+    #[inline(always)]
+    fn sift(&self, kernel: Kernel, leaf: u32, span: Span) -> u8 {
+        let _ = (kernel, leaf, span);
+        u8::MAX
+    }
 }
 
 /// Hears what a search costs. `()` hears nothing and costs nothing.
@@ -100,13 +112,25 @@ impl Method {
 impl Accel {
     /// Builds for primitives with these boxes; unbounded ones are kept apart by themselves.
     pub fn build(method: Method, bounds: &[Aabb]) -> Self {
+        Self::build_for(method, bounds, &bvh::OneByOne, Kernel::best())
+    }
+
+    /// The same with leaves of another cost, and for another kernel than the best.
+    pub fn build_for(
+        method: Method,
+        bounds: &[Aabb],
+        leaf_cost: &impl LeafCost,
+        kernel: Kernel,
+    ) -> Self {
         let count = u32::try_from(bounds.len()).expect("primitives are numbered by u32");
         let (bounded, unbounded) = (0..count).partition(|&i| bounds[i as usize].is_bounded());
         let frame = Frame::around(bounds);
         let bounded = match method {
             Method::List => Structure::List(list::List::new(bounded)),
             Method::Grid => Structure::Grid(grid::Grid::build(&frame, bounds, &bounded)),
-            Method::Bvh => Structure::Bvh(bvh::Bvh::build(&frame, bounds, &bounded)),
+            Method::Bvh => {
+                Structure::Bvh(bvh::Bvh::build(&frame, bounds, &bounded, leaf_cost, kernel))
+            }
         };
         Self { frame, unbounded, bounded }
     }
@@ -143,9 +167,9 @@ impl Accel {
         let among = Among { primitives, frame: &self.frame, ray };
         let mut search = Nearest { among, span, best, counter };
         match &self.bounded {
-            Structure::List(list) => list.nearest(&mut search),
-            Structure::Grid(grid) => grid.nearest(&mut search),
-            Structure::Bvh(bvh) => bvh.nearest(&mut search),
+            Structure::List(list) => list.search(&mut search),
+            Structure::Grid(grid) => grid.search(&mut search),
+            Structure::Bvh(bvh) => bvh.search(&mut search),
         }
         search.best
     }
@@ -163,11 +187,20 @@ impl Accel {
             return Some(hit);
         }
         let among = Among { primitives, frame: &self.frame, ray: self.frame.ray(ray)? };
-        let search = Any { among, span };
+        let mut search = AnySearch { any: &Any { among, span }, found: None };
         match &self.bounded {
-            Structure::List(list) => list.any(&search),
-            Structure::Grid(grid) => grid.any(&search),
-            Structure::Bvh(bvh) => bvh.any(&search),
+            Structure::List(list) => list.search(&mut search),
+            Structure::Grid(grid) => grid.search(&mut search),
+            Structure::Bvh(bvh) => bvh.search(&mut search),
+        }
+        search.found
+    }
+
+    /// The leaves of a bvh: their primitives, `u32::MAX` behind the last. Other methods have none.
+    pub fn leaves(&self) -> &[[u32; 8]] {
+        match &self.bounded {
+            Structure::Bvh(bvh) => bvh.leaves(),
+            Structure::List(_) | Structure::Grid(_) => &[],
         }
     }
 

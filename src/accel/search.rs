@@ -2,8 +2,9 @@
 //! [`super::frame`], the best hit so far, and which of equal ones comes first.
 
 use super::frame::{Frame, FrameRay};
+use super::kernel::Kernel;
 use super::{Counter, Primitives};
-use crate::math::{Aabb, Span};
+use crate::math::Span;
 use crate::shapes::Candidate;
 
 /// A ray among primitives, and the frame in which their boxes are compared.
@@ -40,19 +41,6 @@ impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
             self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
         }
     }
-
-    /// Where the ray enters a box of the frame, if anything in it could still be the first hit.
-    pub fn enters(&mut self, bounds: &Aabb) -> Option<f64> {
-        let ray = &self.among.ray;
-        let (near, far) = ray.crossing(bounds);
-        let open = near <= far && !(far < ray.moved(self.span.min)) && !(near > self.farthest());
-        open.then_some(near)
-    }
-
-    /// How far away the first hit may still be, in the frame.
-    pub fn farthest(&self) -> f64 {
-        self.among.ray.moved(self.span.max)
-    }
 }
 
 /// The search for any hit.
@@ -67,11 +55,72 @@ impl<P: Primitives> Any<'_, P> {
         let hit = self.among.primitives.shadow_hit(index, self.span)?;
         self.among.counts(index, hit.t).then_some((index, hit))
     }
+}
 
-    /// Whether anything in a box of the frame could be hit.
-    pub fn enters(&self, bounds: &Aabb) -> bool {
-        let ray = &self.among.ray;
-        let (near, far) = ray.crossing(bounds);
-        near <= far && !(far < ray.moved(self.span.min)) && !(near > ray.moved(self.span.max))
+/// What a structure needs to know of a search, first hit or any.
+pub trait Search {
+    /// The ray in the frame of the boxes.
+    fn ray(&self) -> &FrameRay;
+
+    /// Where hits are still wanted.
+    fn span(&self) -> Span;
+
+    /// Hears of a node.
+    fn step(&mut self) {}
+
+    /// See [`Primitives::sift`].
+    fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
+
+    /// Looks at one primitive; says whether the search has enough.
+    fn consider(&mut self, index: u32) -> bool;
+}
+
+impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
+    fn ray(&self) -> &FrameRay {
+        &self.among.ray
+    }
+
+    fn span(&self) -> Span {
+        self.span
+    }
+
+    fn step(&mut self) {
+        self.counter.step();
+    }
+
+    #[inline(always)]
+    fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
+        self.among.primitives.sift(kernel, leaf, self.span)
+    }
+
+    fn consider(&mut self, index: u32) -> bool {
+        Nearest::consider(self, index);
+        false
+    }
+}
+
+/// The search for any hit, and what it has found.
+pub struct AnySearch<'a, 'b, P> {
+    pub any: &'a Any<'b, P>,
+    pub found: Option<(u32, Candidate)>,
+}
+
+impl<P: Primitives> Search for AnySearch<'_, '_, P> {
+    fn ray(&self) -> &FrameRay {
+        &self.any.among.ray
+    }
+
+    fn span(&self) -> Span {
+        self.any.span
+    }
+
+    #[inline(always)]
+    fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
+        self.any.among.primitives.sift(kernel, leaf, self.any.span)
+    }
+
+    fn consider(&mut self, index: u32) -> bool {
+        self.found = self.any.consider(index);
+        self.found.is_some()
     }
 }

@@ -17,7 +17,7 @@ use obvhs::cwbvh::builder::build_cwbvh_from_tris;
 use obvhs::ray::RayHit;
 use parry3d_f64::query::RayCast;
 
-const SIDE: u32 = 256;
+const SIDE: u32 = 1024;
 const ROUNDS: usize = 7;
 /// The share of rays on which a peer may differ: single precision, and edges.
 const DIFFERENT: f64 = 0.005;

@@ -1,0 +1,151 @@
+//! A node: the boxes of eight children, tested at once.
+//!
+//! The boxes are in single precision, larger on all sides by [`PAD`] than the boxes of the frame.
+//! With that, and with the ray's own slack taken twice for what is far, an interval computed here
+//! contains the one that [`FrameRay::crossing`] computes in `f64`, and no more has to be shown (see
+//! `accel/frame.rs`). The roundings, as the distance in space by which each can move a plane, for
+//! an origin within 1.5 and planes within 1 of the middle (u = 2⁻²⁴):
+//! - of the origin: 1 u;
+//! - of 1/d, relatively 1 u, on a distance of at most 2.5: 2.5 u;
+//! - of the difference to the plane: 2 u; or of the product with the origin, if that is taken off
+//!   by a fused operation: 1.5 u;
+//! - of the result: 2.5 u.
+//!
+//! Together 8 u, less than the 12 u of [`PAD`] that the rule's own slack of 2⁻²² leaves. An origin
+//! is farther out than 1.5 only if the ray comes from beyond 2²⁴ sizes, and then the second half of
+//! its slack is larger than what its roundings add: 2⁻²⁴ of 2⁻²⁵ of the distance. 1/d is at most
+//! 10¹⁸, which leaves any plane that is not within 2⁻²⁴ of the origin beyond the frame.
+
+use super::build::Box32;
+use crate::accel::frame::FrameRay;
+use crate::accel::kernel::{Instructions, Kernel};
+use crate::math::{Aabb, Span};
+
+/// Children of a node, and primitives of a leaf at most.
+pub const WIDTH: usize = 8;
+/// The bit that tells a leaf among children; the others are its number.
+pub const LEAF: u32 = 1 << 31;
+/// How much the boxes are larger.
+const PAD: f64 = 1.0 / (1 << 20) as f64;
+
+/// Four cache lines.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct Node {
+    /// The lower and the upper bounds along x, then along y, then along z.
+    bounds: [[f32; WIDTH]; 6],
+    /// Where each child is: a node, or with the bit [`LEAF`] a leaf.
+    pub children: [u32; WIDTH],
+}
+
+/// A ray as single precision sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray32 {
+    inverse: [f32; 3],
+    /// The origin, moved by the slack, for the planes where the ray enters and those where it leaves.
+    enters: [f32; 3],
+    leaves: [f32; 3],
+    /// Which of a node's bounds are those where the ray enters.
+    sides: [usize; 3],
+    /// Hits before it do not count; never below +0.
+    first: f32,
+}
+
+/// Which boxes the ray crosses, as a mask, and where it enters each.
+pub type Crossed = (u32, [f32; WIDTH]);
+
+impl Box32 {
+    /// A box of the frame, padded and rounded outward.
+    pub fn padded(bounds: &Aabb) -> Self {
+        let low = bounds.min.to_array().map(|x| ((x - PAD) as f32).next_down());
+        let high = bounds.max.to_array().map(|x| ((x + PAD) as f32).next_up());
+        Self { min: low, max: high }
+    }
+}
+
+impl Ray32 {
+    pub fn new(ray: &FrameRay, span: Span) -> Self {
+        let (origin, inverse, slack) = ray.single();
+        let ahead = inverse.map(|i| if i.is_sign_negative() { -slack } else { slack });
+        Self {
+            inverse: inverse.map(|i| i.clamp(-1e18, 1e18) as f32),
+            enters: [0, 1, 2].map(|i| (origin[i] + ahead[i]) as f32),
+            leaves: [0, 1, 2].map(|i| (origin[i] - ahead[i]) as f32),
+            sides: inverse.map(|i| usize::from(i.is_sign_negative())),
+            first: (ray.first(span) as f32).next_down().max(0.0),
+        }
+    }
+}
+
+impl Node {
+    /// Boxes that no ray crosses: their bounds are at infinity.
+    pub const EMPTY: Self = Self {
+        bounds: {
+            let (low, high) = ([f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]);
+            [low, high, low, high, low, high]
+        },
+        children: [LEAF; WIDTH],
+    };
+
+    pub fn set(&mut self, slot: usize, bounds: &Box32, child: u32) {
+        for axis in 0..3 {
+            self.bounds[2 * axis][slot] = bounds.min[axis];
+            self.bounds[2 * axis + 1][slot] = bounds.max[axis];
+        }
+        self.children[slot] = child;
+    }
+
+    /// The children that the ray crosses between its start and `last`.
+    #[inline(always)]
+    #[allow(unsafe_code, reason = "calls what not every processor can run")]
+    pub fn crossed(&self, kernel: Kernel, ray: &Ray32, last: f32) -> Crossed {
+        match kernel.instructions() {
+            Instructions::Plain => self.crossed_plain(ray, last),
+            // SAFETY: a kernel is made only where the processor has its instructions
+            #[cfg(target_arch = "x86_64")]
+            Instructions::Avx2 | Instructions::Avx512 => unsafe { self.crossed_avx2(ray, last) },
+        }
+    }
+
+    fn crossed_plain(&self, ray: &Ray32, last: f32) -> Crossed {
+        let (mut near, mut far) = ([ray.first; WIDTH], [last; WIDTH]);
+        for axis in 0..3 {
+            let side = ray.sides[axis];
+            let (enter, leave) = (&self.bounds[2 * axis + side], &self.bounds[2 * axis + 1 - side]);
+            for i in 0..WIDTH {
+                let enter = (enter[i] - ray.enters[axis]) * ray.inverse[axis];
+                let leave = (leave[i] - ray.leaves[axis]) * ray.inverse[axis];
+                near[i] = if enter > near[i] { enter } else { near[i] };
+                far[i] = if leave < far[i] { leave } else { far[i] };
+            }
+        }
+        let mask = (0..WIDTH).fold(0, |mask, i| mask | u32::from(near[i] <= far[i]) << i);
+        (mask, near)
+    }
+    /// The same, but that the difference to a plane is fused with its multiplication.
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    #[allow(unsafe_code, reason = "loads and stores of eight numbers")]
+    fn crossed_avx2(&self, ray: &Ray32, last: f32) -> Crossed {
+        use std::arch::x86_64::*;
+        // SAFETY: each array has eight numbers
+        let load = |eight: &[f32; WIDTH]| unsafe { _mm256_loadu_ps(eight.as_ptr()) };
+        let distance = |axis: usize, side: usize, origins: &[f32; 3]| {
+            let inverse = ray.inverse[axis];
+            let origin = _mm256_set1_ps(inverse * origins[axis]);
+            _mm256_fmsub_ps(load(&self.bounds[2 * axis + side]), _mm256_set1_ps(inverse), origin)
+        };
+        let enter = |axis: usize| distance(axis, ray.sides[axis], &ray.enters);
+        let leave = |axis: usize| distance(axis, 1 - ray.sides[axis], &ray.leaves);
+        // of two zeros the second is taken: the start, which is +0 and not −0
+        let (first, last) = (_mm256_set1_ps(ray.first), _mm256_set1_ps(last));
+        let near = _mm256_max_ps(_mm256_max_ps(enter(0), enter(1)), _mm256_max_ps(enter(2), first));
+        let far = _mm256_min_ps(_mm256_min_ps(leave(0), leave(1)), _mm256_min_ps(leave(2), last));
+        let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
+        let mut entries = [0.0; WIDTH];
+        // SAFETY: as above
+        unsafe { _mm256_storeu_ps(entries.as_mut_ptr(), near) };
+        (mask, entries)
+    }
+}

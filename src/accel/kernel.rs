@@ -1,0 +1,49 @@
+//! Which instructions the processor has for eight boxes, or eight triangles, at once.
+//!
+//! The choice is made when a structure is built and changes nothing but the speed: every kernel
+//! gives the same hits, to the last bit.
+
+/// A set of instructions that this processor has: there is no other way to make one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Kernel(Instructions);
+
+/// What kernels are written for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Instructions {
+    /// Plain Rust, for every processor.
+    Plain,
+    /// AVX2 and FMA: 4 numbers of double precision at once, 8 of single precision.
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    /// AVX-512 too: 8 numbers of double precision at once.
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+impl Kernel {
+    /// Plain Rust.
+    pub const PLAIN: Self = Self(Instructions::Plain);
+
+    /// All that this processor has, the best first.
+    pub fn available() -> Vec<Self> {
+        let mut all = Vec::new();
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+            if is_x86_feature_detected!("avx512f") {
+                all.push(Self(Instructions::Avx512));
+            }
+            all.push(Self(Instructions::Avx2));
+        }
+        all.push(Self::PLAIN);
+        all
+    }
+
+    /// The fastest that this processor has.
+    pub fn best() -> Self {
+        Self::available()[0]
+    }
+
+    pub(crate) fn instructions(self) -> Instructions {
+        self.0
+    }
+}
