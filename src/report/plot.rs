@@ -3,9 +3,10 @@
 use std::error::Error;
 
 use plotters::coord::Shift;
+use plotters::coord::combinators::BindKeyPoints;
 use plotters::prelude::*;
 
-use super::html::short;
+use super::html::superscript;
 use crate::math::{exp, ln, power};
 use crate::verify::statistics::PowerLaw;
 
@@ -70,7 +71,10 @@ impl Plot {
             .margin_right(24)
             .x_label_area_size(44)
             .y_label_area_size(68)
-            .build_cartesian_2d((x0..x1).log_scale(), (y0..y1).log_scale())?;
+            .build_cartesian_2d(
+                (x0..x1).log_scale().with_key_points(ticks(x0, x1)),
+                (y0..y1).log_scale().with_key_points(ticks(y0, y1)),
+            )?;
         chart
             .configure_mesh()
             .bold_line_style(GRID)
@@ -82,14 +86,15 @@ impl Plot {
             .y_desc(&self.y)
             .axis_desc_style((FONT, 14))
             .label_style((FONT, 13))
-            .x_label_formatter(&|x| short(*x))
-            .y_label_formatter(&|y| short(*y))
+            .x_label_formatter(&|x| tick(*x))
+            .y_label_formatter(&|y| tick(*y))
             .draw()?;
         if let Some((y, words)) = &self.limit {
             let ends = [(x0, *y), (x1, *y)];
             chart.draw_series(DashedLineSeries::new(ends, 6, 4, BLACK.stroke_width(1)))?;
             let style = (FONT, 12).into_font();
-            chart.draw_series([Text::new(words.clone(), (x0 * 1.02, *y * 1.1), style)])?;
+            let words = Text::new(words.clone(), (4, -16), style);
+            chart.draw_series([EmptyElement::at((x0, *y)) + words])?;
         }
         for (index, series) in self.series.iter().enumerate() {
             let color = COLORS[index % COLORS.len()];
@@ -130,6 +135,33 @@ impl Plot {
             .draw()?;
         area.present()?;
         Ok(())
+    }
+}
+
+/// Powers of ten; where these are few, also twice and five times them.
+fn ticks(low: f64, high: f64) -> Vec<f64> {
+    let decades = || {
+        (-30..=30).map(|n| if n < 0 { 1.0 / power(10.0, -n as f64) } else { power(10.0, n as f64) })
+    };
+    let inside = |values: &[f64]| -> Vec<f64> {
+        let all = decades().flat_map(|ten| values.iter().map(move |v| ten * v));
+        all.filter(|v| (low..=high).contains(v)).collect()
+    };
+    let tens = inside(&[1.0]);
+    if tens.len() >= 4 { tens } else { inside(&[1.0, 2.0, 5.0]) }
+}
+
+/// `0.01`, `20`, `10⁷`.
+fn tick(x: f64) -> String {
+    let scientific = format!("{x:.0e}");
+    match scientific.split_once('e') {
+        Some(("1", exponent)) if !(0.001..=1000.0).contains(&x) => {
+            format!("10{}", superscript(exponent))
+        }
+        Some((digit, exponent)) if !(0.001..=1000.0).contains(&x) => {
+            format!("{digit}·10{}", superscript(exponent))
+        }
+        _ => format!("{x}"),
     }
 }
 

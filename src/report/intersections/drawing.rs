@@ -36,8 +36,9 @@ fn explanation(data: &Data) -> String {
          wrong in its last bit. An error of 1 is as good as any routine can promise, up to {ALLOWED} \
          is good, and 10⁶ means that six digits are lost. A hit is <em>lost</em> if the nearest was \
          not found, and <em>wrong</em> if there was none to find; rays whose answer turns on the \
-         rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. Times \
-         are medians for one call on one thread.</p>\n"
+         rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. A \
+         constant epsilon loses every hit that is nearer than it. Times are medians for one call on \
+         one thread.</p>\n"
     )
 }
 
@@ -80,7 +81,10 @@ fn textbook(kind: &KindData) -> Option<Summary> {
 
 /// `OpenCylinder` as a reader writes it: `open cylinder`.
 fn words(name: &str) -> String {
-    crate::kinds::tag(name).replace('_', " ")
+    match name {
+        "Cuboid" => "box".to_owned(),
+        name => crate::kinds::tag(name).replace('_', " "),
+    }
 }
 
 /// What follows from the numbers.
@@ -131,7 +135,7 @@ fn pick(data: &Data) -> String {
 }
 
 fn overview(data: &Data) -> Table {
-    let columns = ["99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
+    let columns = ["99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
     let cells = |summary: Option<Summary>| match summary {
         Some(s) => vec![
             error(s.p999),
@@ -161,7 +165,7 @@ fn overview(data: &Data) -> Table {
 }
 
 fn details(kind: &KindData) -> Table {
-    let columns = ["median", "99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
+    let columns = ["median", "99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
     let cells = |routine: Option<&Routine>| match routine {
         Some(r) => vec![
             error(r.median),
