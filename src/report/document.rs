@@ -31,6 +31,8 @@ th.group:first-child { border-left: none; }
 .bad { font-weight: bold; }
 figure { margin: 1.2em 0; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; }
+.pictures { display: flex; flex-wrap: wrap; gap: 0 1em; }
+.pictures figure { flex: 1 1 22em; }
 figcaption { font-size: 0.9em; max-width: 48em; color: #333; }
 @page { size: A4; margin: 14mm; }
 @media print {

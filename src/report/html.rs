@@ -118,6 +118,19 @@ pub fn bytes(count: f64) -> String {
     format!("{count} B")
 }
 
+/// A count with its thousands apart: `31 623`.
+pub fn count(n: usize) -> String {
+    let digits = n.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) && digits.len() > 4 {
+            text.push('\u{202f}'); // a narrow space that does not break
+        }
+        text.push(digit);
+    }
+    text
+}
+
 /// `a`, `a and b`, `a, b and c`.
 pub fn listed(words: &[String]) -> String {
     match words {
@@ -150,6 +163,8 @@ mod tests {
         assert_eq!(time(3.5e-8), "35 ns");
         assert_eq!(time(0.00123), "1.2 ms");
         assert_eq!(bytes(1.5e6), "1.5 MB");
+        assert_eq!(count(1000), "1000");
+        assert_eq!(count(1_031_623), "1\u{202f}031\u{202f}623");
     }
 
     #[test]

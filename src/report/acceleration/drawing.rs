@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Data, Run, StageData};
-use crate::report::html::{Table, bytes, escaped, figure, listed, short, time};
+use crate::report::html::{Table, bytes, count, escaped, figure, listed, short, time};
 use crate::report::plot::{Plot, Series};
 use crate::verify::statistics::{PowerLaw, power_law};
 
@@ -25,7 +25,11 @@ pub fn page(data: &Data) -> String {
                  reported.</p>\n",
             );
         }
-        html += &figure(&picture(stage, data.side).svg(), &caption(stage));
+        html += "<div class=\"pictures\">\n";
+        let time = format!("seconds for {0} × {0} rays", data.side);
+        html += &figure(&picture(stage, &time, picture_time).svg(), &caption(stage, picture_time));
+        let work = figure(&picture(stage, WORK, work).svg(), &caption(stage, work));
+        html += &(work + "</div>\n");
         html += &table(stage).html();
         html += &left_out(stage);
     }
@@ -109,26 +113,38 @@ fn pick(data: &Data) -> String {
     } else {
         let (ratio, stage) = (short(*ratio), &stage.stage);
         format!(
-            "it never takes more than {ratio} times the time of the best (there: {stage}, {objects} \
-             objects). "
+            "it never takes more than {ratio} times the time of the best (there: {stage}, {} \
+             objects). ",
+            count(*objects)
         )
     };
     for (other, (ratio, stage, objects)) in &regrets[1..] {
         let (ratio, stage) = (short(*ratio), &stage.stage);
-        text += &format!("The {other} takes up to {ratio} times ({stage}, {objects} objects). ");
+        text += &format!(
+            "The {other} takes up to {ratio} times ({stage}, {} objects). ",
+            count(*objects)
+        );
     }
     text + &of_each_scene(data) + &lists(data, name)
 }
 
 /// The fastest structure at the largest size of each scene.
 fn of_each_scene(data: &Data) -> String {
-    let words = |stage: &StageData| {
-        let objects = stage.runs.iter().map(|run| run.objects).max()?;
-        let best = best(stage, objects)?;
-        Some(format!("{} ({}, {objects} objects)", best.structure, stage.stage))
+    let largest = |stage: &'_ StageData| stage.runs.iter().map(|run| run.objects).max();
+    let fastest: Vec<(&StageData, &Run)> = data
+        .stages
+        .iter()
+        .filter_map(|stage| Some((stage, best(stage, largest(stage)?)?)))
+        .collect();
+    let winners: BTreeSet<&str> = fastest.iter().map(|(_, run)| &*run.structure).collect();
+    if let (Some(winner), 1) = (winners.first(), winners.len()) {
+        return format!("At the largest size of every scene the {winner} is the fastest. ");
+    }
+    let words = |(stage, run): &(&StageData, &Run)| {
+        format!("{} ({}, {} objects)", run.structure, stage.stage, count(run.objects))
     };
-    let fastest: Vec<String> = data.stages.iter().filter_map(words).collect();
-    format!("The fastest at the largest sizes: {}. ", listed(&fastest))
+    let words: Vec<String> = fastest.iter().map(words).collect();
+    format!("The fastest at the largest sizes: {}. ", listed(&words))
 }
 
 /// Up to how many objects a list pays.
@@ -148,10 +164,25 @@ fn lists(data: &Data, pick: &str) -> String {
     format!("A list is the fastest of all for few objects of: {}.", listed(&scenes))
 }
 
+/// What is drawn of a run.
+type Quantity = fn(&Run) -> f64;
+
+fn picture_time(run: &Run) -> f64 {
+    run.picture_seconds
+}
+
+/// What [`work`] is.
+const WORK: &str = "tests, nodes and cells for each ray";
+
+/// Tests, and what is counted of nodes or cells.
+fn work(run: &Run) -> f64 {
+    run.tests_per_ray + run.steps_per_ray.unwrap_or(0.0)
+}
+
 /// The fitted slope, and the ends of the line.
-fn slope(stage: &StageData, structure: &str) -> Option<(PowerLaw, [f64; 2])> {
+fn slope(stage: &StageData, structure: &str, of: Quantity) -> Option<(PowerLaw, [f64; 2])> {
     let all: Vec<(f64, f64)> =
-        runs(stage, structure).map(|run| (run.objects as f64, run.picture_seconds)).collect();
+        runs(stage, structure).map(|run| (run.objects as f64, of(run))).collect();
     // a scene's "thousand" may be a few less: a mesh cannot have any number of triangles
     let large: Vec<_> = all.iter().copied().filter(|p| p.0 >= 0.9 * FITTED_FROM as f64).collect();
     let fitted = if large.len() >= 3 { large } else { all };
@@ -165,30 +196,30 @@ fn signed(x: f64) -> String {
     if text == "-0.00" { "0.00".to_owned() } else { text.replace('-', "−") }
 }
 
-fn picture(stage: &StageData, side: u32) -> Plot {
+fn picture(stage: &StageData, y: &str, of: Quantity) -> Plot {
     let series = |name: &str| {
-        let fit = slope(stage, name);
+        let fit = slope(stage, name, of);
         let legend = fit
             .map_or(name.to_owned(), |(law, _)| format!("{name}: slope {}", signed(law.exponent)));
-        let points = runs(stage, name).map(|run| (run.objects as f64, run.picture_seconds));
+        let points = runs(stage, name).map(|run| (run.objects as f64, of(run)));
         Series { name: legend, points: points.collect(), fit, joined: true, ..Series::default() }
     };
     Plot {
         x: "objects".to_owned(),
-        y: format!("seconds for {side} × {side} rays"),
+        y: y.to_owned(),
         series: structures([stage]).into_iter().map(series).collect(),
         limit: None,
     }
 }
 
-fn caption(stage: &StageData) -> String {
+fn caption(stage: &StageData, of: Quantity) -> String {
     let words = |&name: &&str| {
-        let (law, _) = slope(stage, name)?;
+        let (law, _) = slope(stage, name, of)?;
         let [low, high] = law.interval.map(signed);
         Some(format!("{name} {} ({low} to {high})", signed(law.exponent)))
     };
     let slopes: Vec<String> = structures([stage]).iter().filter_map(words).collect();
-    format!("{}: time for a picture. Slopes: {}.", capital(&stage.stage), listed(&slopes))
+    format!("{}. Slopes: {}.", capital(&stage.stage), listed(&slopes))
 }
 
 /// The tenfold sizes only; all are in `report.json`.
@@ -198,13 +229,13 @@ fn table(stage: &StageData) -> Table {
     let row = |run: &Run| {
         vec![
             run.structure.clone(),
-            run.objects.to_string(),
+            count(run.objects),
             time(run.build_seconds),
             run.memory_bytes.map_or("–".to_owned(), |count| bytes(count as f64)),
             time(run.picture_seconds),
             short(run.tests_per_ray),
             run.steps_per_ray.map_or("–".to_owned(), short),
-            run.timed_rays.to_string(),
+            count(run.timed_rays),
         ]
     };
     let names = structures([stage]);
@@ -236,7 +267,7 @@ fn left_out(stage: &StageData) -> String {
     names.dedup();
     for name in names {
         let skipped: Vec<_> = stage.skipped.iter().filter(|s| s.structure == name).collect();
-        let sizes: Vec<String> = skipped.iter().map(|s| s.objects.to_string()).collect();
+        let sizes: Vec<String> = skipped.iter().map(|s| count(s.objects)).collect();
         let why = skipped.first().map_or("", |s| &*s.why);
         html += &format!(
             "<p class=\"about\">Left out: {name}, for {} objects ({}).</p>\n",

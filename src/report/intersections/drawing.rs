@@ -1,7 +1,7 @@
 //! Page 1 as tables and a picture, from its data alone.
 
 use super::{Data, FamilyData, KindData, Routine};
-use crate::report::html::{Table, figure, listed, short, short_or_dash};
+use crate::report::html::{Table, count, figure, listed, short, short_or_dash};
 use crate::report::plot::{Plot, Series};
 use crate::verify::against::ALLOWED;
 use crate::verify::statistics::quantile;
@@ -90,6 +90,7 @@ fn words(name: &str) -> String {
 /// What follows from the numbers.
 fn pick(data: &Data) -> String {
     let judged: usize = data.kinds.iter().flat_map(|k| &k.families).map(|f| f.judged).sum();
+    let judged = count(judged);
     let sum = |of: fn(&KindData) -> Option<Summary>, what: fn(&Summary) -> usize| -> usize {
         data.kinds.iter().filter_map(of).map(|summary| what(&summary)).sum()
     };
@@ -117,7 +118,7 @@ fn pick(data: &Data) -> String {
     if both.is_empty() {
         return text;
     }
-    text += &format!("The textbook's got {} hits wrong or lost. ", failed(textbook));
+    text += &format!("The textbook's got {} hits wrong or lost. ", count(failed(textbook)));
     let [least, middle, most] = [0.0, 0.5, 1.0].map(|share| short_or_dash(quantile(&costs, share)));
     text += &format!(
         "An ordinary hit costs {middle} times the textbook's in the median, {least} to {most}. "
@@ -140,8 +141,8 @@ fn overview(data: &Data) -> Table {
         Some(s) => vec![
             error(s.p999),
             error(s.worst),
-            count(s.lost),
-            count(s.wrong),
+            failures(s.lost),
+            failures(s.wrong),
             short_or_dash(s.hit_ns),
             short_or_dash(s.miss_ns),
         ],
@@ -149,7 +150,7 @@ fn overview(data: &Data) -> Table {
     };
     let row = |(index, kind): (usize, &KindData)| {
         let judged: usize = kind.families.iter().map(|family| family.judged).sum();
-        let mut row = vec![format!("{} {}", index + 1, words(&kind.kind)), judged.to_string()];
+        let mut row = vec![format!("{} {}", index + 1, words(&kind.kind)), count(judged)];
         row.extend(cells(ours(kind)));
         row.extend(cells(textbook(kind)));
         row
@@ -171,8 +172,8 @@ fn details(kind: &KindData) -> Table {
             error(r.median),
             error(r.p999),
             error(r.worst),
-            count(r.lost),
-            count(r.wrong),
+            failures(r.lost),
+            failures(r.wrong),
             short_or_dash(r.hit_ns),
             short_or_dash(r.miss_ns),
         ],
@@ -210,7 +211,7 @@ fn error(x: Option<f64>) -> String {
 }
 
 /// A count of failures; bold unless it is 0.
-fn count(n: usize) -> String {
+fn failures(n: usize) -> String {
     if n == 0 { "0".to_owned() } else { format!("<span class=\"bad\">{n}</span>") }
 }
 
