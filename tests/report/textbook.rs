@@ -118,8 +118,8 @@ fn tori_whole_and_in_part_are_where_their_function_changes_sign() {
     agrees("torus", &Torus { a, b }, f, |_| true);
     let part = PartTorus { a, b, phi: HALF, theta: HALF };
     agrees("part torus", &part, f, |p| p.x() >= 0.0 && p.y() >= 0.0);
-    let around = Angles { min: 1.5 * std::f64::consts::PI, max: 0.5 * std::f64::consts::PI };
-    let outer = PartTorus { a, b, phi: Angles { min: 0.0, max: 7.0 }, theta: around };
+    let around = Angles::degrees([270.0, 90.0]);
+    let outer = PartTorus { a, b, phi: Angles::degrees([0.0, 360.0]), theta: around };
     agrees("outer half of a torus", &outer, f, |p| p.x() * p.x() + p.z() * p.z() >= a * a);
 }
 

@@ -38,13 +38,14 @@ pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
-use crate::math::{Point, Ray, Vector, atan2};
+use crate::math::{Point, Ray, Vector, atan2, to_radians};
 
 /// Hits at or before it do not count: the `kEpsilon` of plane, sphere, disk, rectangle, box,
 /// annulus, open cylinder and triangle.
 pub const K_EPSILON: f64 = 0.001;
 /// The `kEpsilon` of tori, cones and part objects.
 pub const SMALL_K_EPSILON: f64 = 0.0001;
+
 /// A shape as the book intersects it.
 pub trait Textbook: Debug + Send + Sync {
     /// The distance to the nearest hit beyond epsilon, in units of the direction.
@@ -112,6 +113,11 @@ pub struct Angles {
 }
 
 impl Angles {
+    /// The range between two angles in degrees.
+    pub fn degrees([min, max]: [f64; 2]) -> Self {
+        Self { min: to_radians(min), max: to_radians(max) }
+    }
+
     /// Whether an angle in `[0, 2π)` lies inside.
     pub fn contains(self, angle: f64) -> bool {
         if self.min <= self.max {
