@@ -35,7 +35,7 @@ fn sweep_instances(seed: u64, count: usize) {
         })
         .collect();
     sweep_as(Hard::Triangle, seed, count, |shape, ray, i| {
-        let transform = steps(&matrices[i % matrices.len()]);
+        let transform = steps(&matrices[i % matrices.len()])?;
         let map = Transform::from_steps(&transform).expect("not singular");
         let instance = Instance::new(mesh(shape)?, transform);
         let ours = Kind::from(instance).build(&mut Context::default()).ok()?;
