@@ -88,10 +88,8 @@ fn part_objects() -> Scene {
     let torus = PartTorus {
         swept_radius: 0.9,
         tube_radius: 0.3,
-        phi_min: 330.0,
-        phi_max: 240.0,
-        theta_min: 180.0,
-        theta_max: 90.0,
+        phi: [330.0, 240.0],
+        theta: [180.0, 90.0],
         inward: false,
     };
     let cylinder =

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::angles::full_turn;
 use super::annulus::radii;
 use super::assembly::{Materials, solid};
-use super::azimuth::full_turn;
 use super::edges::{Named, check_bevel, inset, moved, tube};
 use super::{Annulus, Context, OpenCylinder, Shape};
 use crate::invalid::{Invalid, positive};

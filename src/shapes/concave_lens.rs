@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::angles::full_turn;
 use super::assembly::{Materials, solid};
-use super::azimuth::full_turn;
 use super::{Context, Kind, OpenCylinder, PartSphere, Shape};
 use crate::invalid::{Invalid, positive, shown};
 use crate::kinds::Specification;

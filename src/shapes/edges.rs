@@ -12,10 +12,9 @@ pub(super) type Named = (&'static str, Kind);
 /// The part of a tube of radius `tube` about the circle of radius `swept`, in degrees as the
 /// book's part torus.
 pub(super) fn tube(swept: f64, tube: f64, phi: [f64; 2], theta: [f64; 2]) -> Kind {
-    let [[phi_min, phi_max], [theta_min, theta_max]] = [phi, theta];
     let (swept_radius, tube_radius) = (swept, tube);
     let inward = false;
-    PartTorus { swept_radius, tube_radius, phi_min, phi_max, theta_min, theta_max, inward }.into()
+    PartTorus { swept_radius, tube_radius, phi, theta, inward }.into()
 }
 
 /// The shape, moved.

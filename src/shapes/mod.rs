@@ -157,12 +157,11 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 }
 
 // shared by the kinds
+mod angles;
 mod assembly;
-mod azimuth;
 mod context;
 mod edges;
 mod shoulder;
-mod tube_range;
 mod watertight;
 mod wedge_parts;
 

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::angles::{Angles, full_turn};
 use super::annulus::{between, radii};
-use super::azimuth::{Azimuth, full_turn};
 use super::{Candidate, Context, Shape, Surface, plane_distance};
 use crate::invalid::{Invalid, finite_point};
 use crate::kinds::Specification;
@@ -34,7 +34,7 @@ struct Built {
     center: Point,
     normal: Normal,
     radii: [f64; 2],
-    phi: Azimuth,
+    phi: Angles,
 }
 
 impl Specification for PartAnnulus {
@@ -46,7 +46,7 @@ impl Specification for PartAnnulus {
             center: finite_point("center", self.center)?,
             normal: if self.down { -Normal::Y } else { Normal::Y },
             radii: radii(self.inner_radius, self.outer_radius)?,
-            phi: Azimuth::new("phi", self.phi)?,
+            phi: Angles::new("phi", self.phi)?,
         }))
     }
 
@@ -81,7 +81,7 @@ impl Shape for Built {
             return None;
         }
         let from_center = (ray.at(t) - self.center).across_y();
-        let hit = between(self.radii, from_center) && self.phi.contains(from_center);
+        let hit = between(self.radii, from_center) && self.phi.has_azimuth_of(from_center);
         hit.then(|| Candidate::at(t))
     }
 

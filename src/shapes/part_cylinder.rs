@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::azimuth::{Azimuth, full_turn};
+use super::angles::{Angles, full_turn};
 use super::{Candidate, Context, OpenCylinder, Shape, Surface};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
@@ -31,7 +31,7 @@ pub struct PartCylinder {
 #[derive(Debug)]
 struct Built {
     whole: OpenCylinder,
-    phi: Azimuth,
+    phi: Angles,
 }
 
 impl Specification for PartCylinder {
@@ -41,7 +41,7 @@ impl Specification for PartCylinder {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, radius, phi, inward } = *self;
         let whole = OpenCylinder { y0, y1, radius, inward }.checked()?;
-        Ok(Arc::new(Built { whole, phi: Azimuth::new("phi", phi)? }))
+        Ok(Arc::new(Built { whole, phi: Angles::new("phi", phi)? }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -60,7 +60,7 @@ impl Specification for PartCylinder {
 impl Built {
     /// Each root is tried: the near one may lie outside the range and the far one in it.
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        self.whole.hits(ray, span).filter(|at| self.phi.contains(ray.at(at.t).to_vector()))
+        self.whole.hits(ray, span).filter(|at| self.phi.has_azimuth_of(ray.at(at.t).to_vector()))
     }
 }
 

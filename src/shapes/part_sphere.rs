@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::azimuth::{Azimuth, full_turn};
+use super::angles::{Angles, full_turn};
 use super::{Candidate, Context, Shape, Sphere, Surface};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
@@ -37,7 +37,7 @@ fn pole_to_pole() -> [f64; 2] {
 #[derive(Debug)]
 struct Built {
     whole: Sphere,
-    phi: Azimuth,
+    phi: Angles,
     /// `(sin θ, cos θ)` of the upper and the lower end.
     theta: [[f64; 2]; 2],
 }
@@ -49,7 +49,7 @@ impl Specification for PartSphere {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { center, radius, phi, theta, inward } = *self;
         let whole = Sphere { center, radius, inward }.checked()?;
-        let phi = Azimuth::new("phi", phi)?;
+        let phi = Angles::new("phi", phi)?;
         let [from, to] = theta;
         let ordered = 0.0 <= from && from < to && to <= 180.0;
         if !ordered {
@@ -97,7 +97,7 @@ impl Built {
         let [[s0, c0], [s1, c1]] = self.theta;
         let below_start = rho * c0 - y * s0 >= 0.0; // sin(θ − θ₀)
         let above_end = y * s1 - rho * c1 >= 0.0; // sin(θ₁ − θ)
-        below_start && above_end && self.phi.contains(v)
+        below_start && above_end && self.phi.has_azimuth_of(v)
     }
 }
 

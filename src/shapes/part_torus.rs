@@ -5,16 +5,16 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::angles::{Angles, full_turn};
 use super::torus::{Torus, from_axis};
-use super::tube_range::TubeRange;
 use super::{Candidate, Context, Shape, Surface};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, Vector};
 
 /// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the tube
-/// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose `min` is above
-/// its `max` goes on through 360°.
+/// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first end is the
+/// larger goes on through 360°.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PartTorus {
@@ -22,14 +22,13 @@ pub struct PartTorus {
     pub swept_radius: f64,
     /// Of the tube, the book's `b`; less than the swept radius.
     pub tube_radius: f64,
-    /// Where the azimuth begins, in degrees from +z towards +x.
-    pub phi_min: f64,
-    /// Where the azimuth ends.
-    pub phi_max: f64,
-    /// Where the tube begins, in degrees from its outermost line upward.
-    pub theta_min: f64,
-    /// Where the tube ends.
-    pub theta_max: f64,
+    /// From the first azimuth up to the second, in degrees from +z towards +x.
+    #[serde(default = "full_turn")]
+    pub phi: [f64; 2],
+    /// From the first angle around the tube up to the second, in degrees from its outermost line
+    /// upward.
+    #[serde(default = "full_turn")]
+    pub theta: [f64; 2],
     /// Whether the normal points into the tube instead.
     #[serde(default)]
     pub inward: bool,
@@ -38,8 +37,8 @@ pub struct PartTorus {
 #[derive(Debug)]
 struct Built {
     torus: Torus,
-    phi: TubeRange,
-    theta: TubeRange,
+    phi: Angles,
+    theta: Angles,
 }
 
 impl Specification for PartTorus {
@@ -50,8 +49,7 @@ impl Specification for PartTorus {
         let &Self { swept_radius, tube_radius, inward, .. } = self;
         let torus = Torus { swept_radius, tube_radius, inward };
         torus.check()?;
-        let phi = TubeRange::new(["phi_min", "phi_max"], [self.phi_min, self.phi_max])?;
-        let theta = TubeRange::new(["theta_min", "theta_max"], [self.theta_min, self.theta_max])?;
+        let (phi, theta) = (Angles::new("phi", self.phi)?, Angles::new("theta", self.theta)?);
         Ok(Arc::new(Built { torus, phi, theta }))
     }
 
@@ -64,19 +62,15 @@ impl Specification for PartTorus {
         let quarter = Self {
             swept_radius: 2.0,
             tube_radius: 0.5,
-            phi_min: 30.0,
-            phi_max: 300.0,
-            theta_min: 270.0,
-            theta_max: 135.0,
+            phi: [30.0, 300.0],
+            theta: [270.0, 135.0],
             inward: false,
         };
         let bowl = Self {
             swept_radius: 1.0,
             tube_radius: 0.75,
-            phi_min: 350.0,
-            phi_max: 100.0,
-            theta_min: 0.0,
-            theta_max: 180.0,
+            phi: [350.0, 100.0],
+            theta: [0.0, 180.0],
             inward: true,
         };
         vec![quarter, bowl]
@@ -88,7 +82,7 @@ impl Built {
     /// far one may be.
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
         self.torus.hits(ray, span, |p: Vector| {
-            self.phi.contains([p.z(), p.x()])
+            self.phi.has_azimuth_of(p)
                 && self.theta.contains([from_axis(p) - self.torus.swept_radius, p.y()])
         })
     }
@@ -112,13 +106,7 @@ impl Shape for Built {
         let (a, b) = (self.torus.swept_radius, self.torus.tube_radius);
         let tube = self.theta.extremes().map(|[cos, sin]| [a + b * cos, b * sin]);
         let [[near, low], [far, high]] = tube;
-        let [[z0, x0], [z1, x1]] = self.phi.extremes();
-        // a coordinate is farthest out where its cosine or sine and the radius are
-        let least = |c: f64| (near * c).min(far * c);
-        let most = |c: f64| (near * c).max(far * c);
-        Aabb {
-            min: Point::new(least(x0), low, least(z0)),
-            max: Point::new(most(x1), high, most(z1)),
-        }
+        let [min, max] = self.phi.bounds(near, far);
+        Aabb { min: Point::new(min.x(), low, min.z()), max: Point::new(max.x(), high, max.z()) }
     }
 }

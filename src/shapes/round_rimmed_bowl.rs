@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::angles::full_turn;
 use super::annulus::radii;
 use super::assembly::{Materials, solid};
-use super::azimuth::full_turn;
 use super::edges::{moved, tube};
 use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use super::{Context, Shape};

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::azimuth::Azimuth;
+use super::angles::Angles;
 use super::edges::{Named, check_bevel, corner, inset, moved, tube, wall};
 use super::{Candidate, Instance, Kind, Rectangle, Shape, Surface, plane_distance};
 use crate::invalid::{Invalid, positive, shown};
@@ -129,7 +129,7 @@ impl Wedge {
         let caps = [("bottom", bottom, -Normal::Y), ("top", top, Normal::Y)];
         let cap = |(name, y, normal)| {
             // the azimuths are in range: Azimuth takes any that check has passed
-            let phi = Azimuth::new("phi", within_a_turn(self.phi)).ok()?;
+            let phi = Angles::new("phi", within_a_turn(self.phi)).ok()?;
             let ends = self.phi.map(|phi| [sin_degrees(phi), cos_degrees(phi)]);
             let cap = Cap { y, normal, r: [r0, r1], phi, ends, bevel: self.bevel };
             Some((name, Kind::Custom(Custom(Arc::new(cap)))))
@@ -210,7 +210,7 @@ struct Cap {
     y: f64,
     normal: Normal,
     r: [f64; 2],
-    phi: Azimuth,
+    phi: Angles,
     /// `(sin φ, cos φ)` of both sides.
     ends: [[f64; 2]; 2],
     bevel: f64,
@@ -223,7 +223,7 @@ impl Cap {
             let beside = v.x() * c - v.z() * s;
             along <= 0.0 || beside.abs() >= self.bevel
         };
-        between(self.r, v) && self.phi.contains(v) && self.ends.into_iter().all(clear)
+        between(self.r, v) && self.phi.has_azimuth_of(v) && self.ends.into_iter().all(clear)
     }
 
     fn anchor(&self) -> Point {

@@ -134,17 +134,7 @@ fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
             shapes::Torus { swept_radius, tube_radius, inward: false }.into()
         }
         oracle::Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
-            let ([phi_min, phi_max], [theta_min, theta_max]) = (phi, theta);
-            shapes::PartTorus {
-                swept_radius,
-                tube_radius,
-                phi_min,
-                phi_max,
-                theta_min,
-                theta_max,
-                inward: false,
-            }
-            .into()
+            shapes::PartTorus { swept_radius, tube_radius, phi, theta, inward: false }.into()
         }
         oracle::Shape::Algebraic { terms, min, max } => {
             let term = |(coefficient, powers)| shapes::Term { coefficient, powers };

@@ -1,0 +1,93 @@
+//! Ranges of angles of part objects (Suffern, ch. 19).
+
+use crate::invalid::Invalid;
+use crate::math::{Vector, cos_degrees, sin_degrees};
+
+/// The directions of a plane from one angle up to another, both included: azimuths φ about the y
+/// axis (as the book measures them, `x = ρ sin φ` and `z = ρ cos φ`), or angles θ around a tube.
+///
+/// No angle is taken of a point: sides are told by cross products with the two ends, which are
+/// exact at multiples of 90°, so that ranges with a common end leave no gap.
+#[derive(Clone, Copy, Debug)]
+pub struct Angles {
+    /// `[cos, sin]` of the first end and of the last.
+    ends: [[f64; 2]; 2],
+    width: Width,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Width {
+    /// Up to 180°: what is past the start and before the end.
+    Narrow,
+    /// More: what is past the start or before the end.
+    Wide,
+    All,
+}
+
+/// All around: the default of scene files.
+pub fn full_turn() -> [f64; 2] {
+    [0.0, 360.0]
+}
+
+/// `a × b`: positive if `b` is less than 180° on from `a`. Exactly opposite for `b × a`.
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - b[0] * a[1]
+}
+
+impl Angles {
+    /// From the first number of degrees up to the second; through 360° where the first is larger.
+    pub fn new(field: &str, range @ [from, to]: [f64; 2]) -> Result<Self, Invalid> {
+        let fits = |degrees: &f64| (-360.0..=360.0).contains(degrees);
+        let width = if to >= from { to - from } else { (to - from).rem_euclid(360.0) };
+        if !range.iter().all(fits) || width == 0.0 {
+            let problem = format!(
+                "found {range:?}, but two different angles in degrees from -360 to 360 are needed; \
+                 [350, 10] passes through 360"
+            );
+            return Err(Invalid::field(field, problem));
+        }
+        let width = match width {
+            w if w >= 360.0 => Width::All,
+            w if w > 180.0 => Width::Wide,
+            _ => Width::Narrow,
+        };
+        Ok(Self { ends: range.map(|angle| [cos_degrees(angle), sin_degrees(angle)]), width })
+    }
+
+    /// Whether the direction `[cos, sin]`, of any length, is in the range; `[0, 0]` is.
+    pub fn contains(&self, at: [f64; 2]) -> bool {
+        let [start, end] = self.ends;
+        let (past_start, before_end) = (cross(start, at) >= 0.0, cross(at, end) >= 0.0);
+        match self.width {
+            Width::Narrow => past_start && before_end,
+            Width::Wide => past_start || before_end,
+            Width::All => true,
+        }
+    }
+
+    /// Whether the direction from the y axis to this point is in a range of azimuths.
+    pub fn has_azimuth_of(&self, v: Vector) -> bool {
+        self.contains([v.z(), v.x()])
+    }
+
+    /// The least and the greatest cosine and sine: `[[cos, sin]; 2]`.
+    pub fn extremes(&self) -> [[f64; 2]; 2] {
+        let [a, b] = self.ends;
+        let end = |axis: usize, sign: f64| {
+            let pole = [sign * (1.0 - axis as f64), sign * axis as f64];
+            let farther = if sign > 0.0 { a[axis].max(b[axis]) } else { a[axis].min(b[axis]) };
+            if self.contains(pole) { sign } else { farther }
+        };
+        [[end(0, -1.0), end(1, -1.0)], [end(0, 1.0), end(1, 1.0)]]
+    }
+
+    /// The corners of the smallest box of height 0 around the points of a range of azimuths at
+    /// distances from `near` to `far` from the axis.
+    pub fn bounds(&self, near: f64, far: f64) -> [Vector; 2] {
+        let [[z0, x0], [z1, x1]] = self.extremes();
+        // a coordinate is farthest out where its cosine or sine and the distance are
+        let least = |c: f64| (near * c).min(far * c);
+        let most = |c: f64| (near * c).max(far * c);
+        [Vector::new(least(x0), 0.0, least(z0)), Vector::new(most(x1), 0.0, most(z1))]
+    }
+}
