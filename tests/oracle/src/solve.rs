@@ -6,6 +6,7 @@ mod cylinder;
 mod disk;
 mod flat;
 mod instance;
+mod quadric;
 mod revolution;
 mod ring;
 mod sphere;
