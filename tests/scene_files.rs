@@ -70,7 +70,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "radius",
         "radios",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere.radios: unknown field `radios`, expected `center` or `radius`",
+        "scene.toml:31: objects[0] \"ball\", shape.sphere.radios: unknown field `radios`, expected one of `center`, `radius`, `inward`",
     ),
     (
         "radius = 1\n",

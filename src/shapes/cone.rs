@@ -49,8 +49,8 @@ impl Cone {
     /// Where the ray meets the half of the double cone below the apex, ascending.
     ///
     /// With y stretched by `r/h` the double cone is `x² + z² = y²` about its apex. The quadratic is
-    /// formed at the point of the ray nearest to the apex, so that nothing cancels for far origins;
-    /// its discriminant `(d·l)² − A C` is `(L_x² + L_z²) − L_y²` with `L = l × d`.
+    /// formed at the point of the ray nearest to the apex: its discriminant `(d·l)² − A C`, which is
+    /// `(L_x² + L_z²) − L_y²` with `L = l × d`, would cancel for rays nearly along the wall.
     fn distances(&self, ray: &Ray) -> impl Iterator<Item = f64> + use<> {
         let slope = self.radius / self.height;
         let stretched = |v: Vector| Vector::new(v.x(), slope * v.y(), v.z());

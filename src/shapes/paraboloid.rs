@@ -46,36 +46,26 @@ impl Specification for Paraboloid {
     }
 }
 
-/// Beyond this square of its distance from the origin, in radii and heights, a ray's origin is
-/// moved nearer. The whole paraboloid is within 2.
-const FAR: f64 = 4.0;
-
 impl Paraboloid {
-    /// In radii across and heights along the axis it is `Y = X² + Z²`. For a far origin the
-    /// quadratic is formed at the point of the ray nearest to the vertex, so that nothing cancels.
-    fn distances(&self, ray: &Ray) -> (f64, Option<[f64; 2]>) {
+    /// In radii across and heights along the axis it is `Y = X² + Z²`: with `v` and `e` across the
+    /// axis, `e² t² + 2 (v·e − d_y/2) t + v² − w_y = 0`.
+    fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let Self { height: h, radius: r, .. } = *self;
         let stretched = |v: Vector| Vector::new(v.x() / r, v.y() / h, v.z() / r);
         let (w, d) = (stretched(ray.origin.to_vector()), stretched(ray.direction));
-        let far = w.length_squared() > FAR;
-        let shift = if far { -w.dot(d) / d.length_squared() } else { 0.0 };
-        let l = if far { w + shift * d } else { w };
-
-        let (v, e) = (l.across_y(), d.across_y());
+        let (v, e) = (w.across_y(), d.across_y());
         let a = e.length_squared();
         let b = v.dot(e) - 0.5 * d.y();
-        let c = v.length_squared() - l.y();
+        let c = v.length_squared() - w.y();
         // b² − a c without the parts of (v·e)² − v² e² that cancel
         let across = v.z() * e.x() - v.x() * e.z();
         let rise = d.y() * (0.25 * d.y() - v.dot(e));
-        (shift, quadratic(a, b, c, (rise + a * l.y()) - across * across))
+        quadratic(a, b, c, (rise + a * w.y()) - across * across)
     }
 
     /// Every root is tried: when the near one lies above the rim, the far one may not.
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        let (shift, roots) = self.distances(ray);
-        let roots = roots.map(|roots| roots.map(|t| shift + t));
-        inside(span, roots).filter(|at| self.is_below_rim(ray.at(at.t)))
+        inside(span, self.distances(ray)).filter(|at| self.is_below_rim(ray.at(at.t)))
     }
 
     /// Down the wall from the rim, measured along the wall there: its height alone says little of a

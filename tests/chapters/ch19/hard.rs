@@ -66,3 +66,30 @@ fn nearly_along_the_axis(count: usize) -> impl Iterator<Item = (String, Pair, or
 fn cylinders_are_exact_for_rays_nearly_along_their_axis() {
     judge_all(nearly_along_the_axis(2_000));
 }
+
+/// Rays through two points of a cone's wall on generators 10⁻⁵ to 10⁻¹ apart, from beyond one of
+/// them: there, too, the leading coefficient is nearly zero, and both roots are near.
+fn nearly_along_the_wall(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
+    let mut draw = Draw::new(1913);
+    (0..count).map(move |index| {
+        let [height, radius] = [draw.decades(-3.0, 3.0), draw.decades(-3.0, 3.0)];
+        let cone = oracle::Shape::Cone { height, radius };
+        let apart = draw.decades(-5.0, -1.0);
+        let mut point = |side: f64| {
+            let up = draw.between(0.1, 0.9);
+            let out = radius * (1.0 - up);
+            [out * side * apart, height * up, out * (1.0 - 0.5 * side * side * apart * apart)]
+        };
+        let (p, q) = (point(0.0), point(1.0));
+        let direction = [0, 1, 2].map(|i| q[i] - p[i]);
+        let before = draw.decades(-3.0, 1.0);
+        let origin = [0, 1, 2].map(|i| p[i] - before * direction[i]);
+        (format!("cone {index}"), pair(&cone).expect("valid"), oracle::Ray { origin, direction })
+    })
+}
+
+/// Law and oracle as above, for chords along the wall.
+#[test]
+fn cones_are_exact_for_rays_nearly_along_their_wall() {
+    judge_all(nearly_along_the_wall(2_000));
+}

@@ -109,7 +109,7 @@ fn a_cone_and_its_base_are_closed() {
         let ray = some_ray(&mut draw, 0.8);
         for (i, (wall, end)) in [(&cone, &base), (&bowl, &lid)].into_iter().enumerate() {
             let crossings = ts(&**wall, &ray).len() + ts(&**end, &ray).len();
-            assert!(crossings % 2 == 0, "{crossings}: {ray:?} and {wall:?}");
+            assert!(crossings.is_multiple_of(2), "{crossings}: {ray:?} and {wall:?}");
             hits[i] += crossings;
         }
     }

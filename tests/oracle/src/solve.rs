@@ -8,6 +8,7 @@ mod disk;
 mod flat;
 mod instance;
 mod polynomial;
+mod quadric;
 mod revolution;
 mod ring;
 mod sphere;

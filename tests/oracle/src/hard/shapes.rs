@@ -229,6 +229,7 @@ fn polar_angles(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
     match rng.below(8) {
         0 => [0.0, width],
         1 => [180.0 - width, 180.0],
+        2 => [rng.decades(-4, 0), 170.0], // without a small cap
         _ => {
             let start = rng.between(0.0, 180.0 - width);
             [start, start + width]

@@ -98,7 +98,30 @@ pub(super) fn approach(curve: &Curve, beam: &Beam) -> f64 {
         let (value, t) = rough.least(found);
         best = best.min(if value < 1e-3 { exact(curve, beam, found, t) } else { value });
     }
+    // of two minima as near as the steps, the one that counts is where the ray crosses the plane
+    if let Some((place, t)) = crossing(curve, beam) {
+        best = best.min(exact(curve, beam, place, t));
+    }
     if best < NOTHING { 0.0 } else { best }
+}
+
+/// The place of a circle nearest to where the ray crosses its plane, and the `t` of that.
+fn crossing(curve: &Curve, beam: &Beam) -> Option<(f64, f64)> {
+    let normal = curve.p.cross(&curve.q);
+    let slope = normal.dot(&beam.d);
+    if !curve.round || sign(&slope).is_eq() {
+        return None;
+    }
+    let t = (&curve.center - &beam.o).dot(&normal) / slope;
+    let off = &beam.at(&t) - &curve.center;
+    let (s, c) = (curve.q.dot(&off), curve.p.dot(&off));
+    let length = (&s * &s + &c * &c).sqrt();
+    if sign(&t).is_lt() || sign(&length).is_eq() {
+        return None;
+    }
+    let place = quarters(nearest(&(s / &length)), nearest(&(c / &length)));
+    let place = if place < curve.ends[0] { place + 4.0 } else { place };
+    (place <= curve.ends[1]).then(|| (place, nearest(&t)))
 }
 
 /// What is left of 512 bits where a ray passes through a border exactly.
