@@ -231,7 +231,9 @@ mod tests {
         let rays = STAGES[0].rays(8);
         let tests = |method| {
             let (counts, built) = (Counts::default(), Structure::Plain(method).build(&things));
-            rays.iter().for_each(|ray| drop(built.nearest(&things, ray, Some(&counts))));
+            for ray in &rays {
+                built.nearest(&things, ray, Some(&counts));
+            }
             counts.tests.get()
         };
         assert_eq!(tests(Method::List), 500 * 64);
