@@ -17,7 +17,7 @@ pub fn medians(rounds: usize, jobs: &mut [&mut dyn FnMut()]) -> Vec<f64> {
     let mut times = vec![Vec::with_capacity(rounds); jobs.len()];
     for _ in 0..rounds {
         for (job, times) in jobs.iter_mut().zip(&mut times) {
-            times.push(seconds(|| job()).1);
+            times.push(seconds(job).1);
         }
     }
     times.iter().map(|times| quantile(times, 0.5).unwrap_or(f64::NAN)).collect()

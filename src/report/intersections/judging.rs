@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use oracle::hard::{Family, Kind, cases};
 
-use super::super::Settings;
 use super::{FamilyData, Routine};
 use crate::math::{Ray, Span};
 use crate::shapes::Shape;
@@ -33,12 +32,12 @@ const TIMED: usize = 256;
 
 impl Judged {
     /// Judges the cases that do not turn on rounding. The textbook is judged if it knows them all.
-    pub fn new(kind: Kind, family: Family, settings: &Settings) -> Self {
+    pub fn new(kind: Kind, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
         let (mut refused, mut judged, mut hit_count) = (0, 0, 0);
         let mut has_textbook = true;
-        for (shape, exact_ray) in cases(kind, family, settings.seed, settings.cases) {
+        for (shape, exact_ray) in cases(kind, family, seed, count) {
             let Some(pair) = pair(&shape) else {
                 refused += 1;
                 continue;
