@@ -13,6 +13,7 @@
 mod answer;
 pub mod hard;
 mod margin;
+mod polynomials;
 mod real;
 mod shape;
 mod solve;
@@ -20,5 +21,6 @@ mod solve;
 mod verified;
 
 pub use answer::{Answer, Root, intersect};
+pub use polynomials::{polynomial_roots, residual};
 pub use shape::{Ray, Shape};
 pub use solve::condition;

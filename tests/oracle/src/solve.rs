@@ -11,6 +11,7 @@ mod sphere;
 mod torus;
 
 pub use instance::condition;
+pub(crate) use polynomial::Polynomial;
 
 use crate::{
     margin::Gate,
