@@ -30,7 +30,7 @@ fn the_textbook_quartics_have_their_roots() {
 }
 
 /// Law: a root of multiplicity k is found, where rounding can put it: within u^(1/k) (numerics.md).
-/// Oracle: whole-number coefficients made from the roots.
+/// Oracle: coefficients made from the roots.
 #[test]
 fn roots_that_meet_are_never_lost() {
     let with = |roots: &[f64]| {
@@ -42,8 +42,10 @@ fn roots_that_meet_are_never_lost() {
     let mut draw = Draw::new(1940);
     for _ in 0..4_000 {
         let whole = |draw: &mut Draw| draw.below(41) as f64 - 20.0;
-        let (meeting, other) = (whole(&mut draw), whole(&mut draw));
         let times = 2 + draw.below(3);
+        // thirds: coefficients are rounded, by no more than 4u, and then have no double root at all
+        let share = if times == 2 { 1.0 / 3.0 } else { 1.0 };
+        let (meeting, other) = (share * whole(&mut draw), share * whole(&mut draw));
         let mut roots = vec![meeting; times];
         if times < 4 && draw.coin() {
             roots.push(other);
@@ -147,7 +149,7 @@ fn a_tiny_leading_coefficient_changes_nothing_within_reach() {
         }
     }
     let far = real_roots(&[-1.0, 1.0, 0.0, 0.0, 1e-300]);
-    assert!(far.len() == 2 && (far[0] / -1e100 + 1.0).abs() < 4.0 * U && far[1] == 1.0, "{far:?}");
+    assert!(far.len() == 2 && (far[0] / 1e100 + 1.0).abs() < 4.0 * U && far[1] == 1.0, "{far:?}");
 }
 
 /// Law: what has no roots, or every number, or no numbers, gives none; and ends count.

@@ -154,6 +154,7 @@ fn hits_obey_the_quartic_and_normals_are_its_gradient() {
             let surface = shape.surface(&ray, &root);
             let p = surface.point;
             assert!(f(p).abs() < 1e-13 * (1.0 + a / b), "{a} {b} {p:?}: {:e}", f(p));
+            assert!(p.distance(ray.at(root.t)) < 1e-12 * (1.0 + a / b), "{a} {b} {p:?}");
             assert!(surface.error <= 100.0 * U * (a + b));
             let slope = |v: Vector| (f(p + 1e-6 * v) - f(p + -1e-6 * v)) / 2e-6;
             let gradient = Vector::new(slope(Vector::X), slope(Vector::Y), slope(Vector::Z));
@@ -230,7 +231,11 @@ fn a_ray_that_leaves_a_torus_meets_what_an_exact_one_does() {
                 next += 1;
             }
             let outward = n == s.normal;
-            assert_eq!(found.len() % 2 == 0, outward, "case {i}: starts on the wrong side");
+            assert_eq!(
+                found.len().is_multiple_of(2),
+                outward,
+                "case {i}: starts on the wrong side"
+            );
         }
     }
     assert!(next > 600, "{next}");
