@@ -154,6 +154,9 @@ impl Torus<'_> {
         let hit = self.hit(t.clone());
         let moves = self.moves(t);
         let (size, slope) = (hit.gradient.len(), nearest(&hit.gradient.dot(&self.beam.d)));
+        if slope == 0.0 {
+            return 0.0; // a double root
+        }
         let along = (size * moves + hit.inputs) / slope.abs() * self.beam.d.len();
         let bend = 1.0 / nearest(self.b) + 1.0 / nearest(&seen.rho);
         let moved = |m: &V| {
