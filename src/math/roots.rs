@@ -50,8 +50,8 @@ pub(crate) struct Tolerance {
     pub(crate) step: f64,
 }
 
-/// More halvings than any bracket of a few magnitudes has.
-const MOST_STEPS: usize = 200;
+/// More halvings than there are exponents and digits.
+const MOST_STEPS: usize = 1200;
 
 /// A root of `f` (value and slope) between a place where it is negative and one where it is
 /// positive, in this order of `bracket`: by Newton's steps, and by halving the bracket where a step

@@ -207,9 +207,9 @@ impl Built {
             let mut product = [0.0; MAX_DEGREE + 1];
             product[0] = *coefficient;
             let mut degree = 0;
-            for axis in 0..3 {
+            for (axis, &power) in powers.iter().enumerate() {
                 let (at, rate) = (chord.m.along(axis), chord.h.along(axis));
-                for _ in 0..powers[axis] {
+                for _ in 0..power {
                     degree += 1;
                     for i in (1..=degree).rev() {
                         product[i] = product[i] * at + product[i - 1] * rate;

@@ -77,10 +77,8 @@ impl Line {
         }
         let d = ray.direction / length;
         let o = ray.origin.to_vector();
-        let first = -o.dot(d);
-        let near = o + first * d;
-        let second = -near.dot(d); // what the first step's rounding has left
-        Some(Self { m: near + second * d, d, offset: first + second, length })
+        let offset = -o.dot(d);
+        Some(Self { m: o + offset * d, d, offset, length })
     }
 
     pub(super) fn at(&self, s: f64) -> Vector {
@@ -157,7 +155,8 @@ impl Torus {
         let mut brackets = ArrayVec::new();
         let from_center = m.length_squared();
         let beside = m.y().abs() - end * d.y().abs() > b; // over or under all of it
-        if beside || !(from_center < end * end) {
+        let near = from_center < end * end; // also false for NaN
+        if beside || !near {
             return brackets;
         }
         let across = d.x() * d.x() + d.z() * d.z();

@@ -1,8 +1,12 @@
 //! Chapter 19: ray-object intersections.
 
+mod algebraic;
 mod hard;
 mod inward;
 pub mod leaving;
 mod parts;
+mod polynomials;
 mod quadrics;
 mod shapes;
+mod torus;
+mod torus_parts;

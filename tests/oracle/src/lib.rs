@@ -14,6 +14,7 @@ mod angle;
 mod answer;
 pub mod hard;
 mod margin;
+mod polynomials;
 mod real;
 mod shape;
 mod solve;
@@ -21,5 +22,6 @@ mod solve;
 mod verified;
 
 pub use answer::{Answer, Root, intersect};
+pub use polynomials::{polynomial_roots, residual};
 pub use shape::{Ray, Shape};
 pub use solve::condition;

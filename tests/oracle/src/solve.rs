@@ -15,6 +15,7 @@ mod sphere;
 mod torus;
 
 pub use instance::condition;
+pub(crate) use polynomial::Polynomial;
 
 use crate::{
     margin::Gate,

@@ -7,20 +7,20 @@ use crate::real::{Real, real, sign};
 
 /// Coefficients, the constant first.
 #[derive(Clone, Debug)]
-pub(super) struct Polynomial(pub(super) Vec<Real>);
+pub(crate) struct Polynomial(pub(crate) Vec<Real>);
 
 impl Polynomial {
-    pub(super) fn constant(c: Real) -> Polynomial {
+    pub(crate) fn constant(c: Real) -> Polynomial {
         Polynomial(vec![c])
     }
 
-    pub(super) fn plus(&self, b: &Polynomial) -> Polynomial {
+    pub(crate) fn plus(&self, b: &Polynomial) -> Polynomial {
         let zero = real(0.0);
         let get = |p: &Polynomial, i: usize| p.0.get(i).unwrap_or(&zero).clone();
         Polynomial((0..self.0.len().max(b.0.len())).map(|i| get(self, i) + get(b, i)).collect())
     }
 
-    pub(super) fn times(&self, b: &Polynomial) -> Polynomial {
+    pub(crate) fn times(&self, b: &Polynomial) -> Polynomial {
         let mut product = vec![real(0.0); self.0.len() + b.0.len() - 1];
         for (i, x) in self.0.iter().enumerate() {
             for (j, y) in b.0.iter().enumerate() {
@@ -30,18 +30,18 @@ impl Polynomial {
         Polynomial(product)
     }
 
-    pub(super) fn value(&self, t: &Real) -> Real {
+    pub(crate) fn value(&self, t: &Real) -> Real {
         self.0.iter().rev().fold(real(0.0), |sum, c| sum * t + c)
     }
 
-    pub(super) fn derivative(&self) -> Polynomial {
+    pub(crate) fn derivative(&self) -> Polynomial {
         let terms = self.0.iter().enumerate().skip(1);
         Polynomial(terms.map(|(i, c)| c * real(i as f64)).collect())
     }
 
     /// The roots between `low` and `high` of the polynomial, of its derivative, of the second …:
     /// one list each, ascending.
-    pub(super) fn levels(&self, low: &Real, high: &Real) -> Vec<Vec<Real>> {
+    pub(crate) fn levels(&self, low: &Real, high: &Real) -> Vec<Vec<Real>> {
         let degree = self.0.iter().rposition(|c| sign(c).is_ne()).unwrap_or(0);
         if degree == 0 || low > high {
             return vec![Vec::new()];

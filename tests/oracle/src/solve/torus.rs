@@ -15,6 +15,13 @@ const MOST: f64 = 1e-3;
 /// A range of angles: the ends in degrees.
 type Range<'a> = [&'a Real; 2];
 
+/// An end of a range, with its sine and cosine.
+struct End<'a> {
+    degrees: &'a Real,
+    sin: Real,
+    cos: Real,
+}
+
 /// A point seen from the torus: `k = ρ − a` and the distance `q` from the middle of the tube.
 struct Seen {
     p: V,
@@ -27,12 +34,17 @@ struct Torus<'a> {
     a: &'a Real,
     b: &'a Real,
     /// Azimuth and angle around the tube.
-    part: Option<[Range<'a>; 2]>,
+    part: Option<[[End<'a>; 2]; 2]>,
     beam: &'a Beam,
 }
 
 /// `F(x) = ((ρ − a)² + y² − b²)/2`, so `F_a = −(ρ − a)` and `F_b = −b`.
 pub(super) fn torus(a: &Real, b: &Real, part: Option<[Range<'_>; 2]>, beam: &Beam) -> Found {
+    let end = |degrees| {
+        let (sin, cos) = Real::sin_cos_unit(degrees, 360);
+        End { degrees, sin, cos }
+    };
+    let part = part.map(|ranges| ranges.map(|range| range.map(end)));
     let torus = Torus { a, b, part, beam };
     let closest = -beam.o.dot(&beam.d) / beam.d.dot(&beam.d);
     let away = beam.at(&closest).norm();
@@ -96,8 +108,9 @@ impl Torus<'_> {
         let stationary = ahead(1).map(|t| self.touch(t, false));
         let higher = (2..levels.len()).flat_map(ahead).map(|t| self.touch(t, true));
         let ends = ahead(0).map(|t| self.at_ends(t));
-        let widths = self.part.iter().flatten().map(|[first, last]| {
-            let turn = nearest(&(*last - *first)).rem_euclid(360.0);
+        let widths = self.part.iter().flatten().map(|range| {
+            let [first, last] = range.each_ref().map(|end| end.degrees);
+            let turn = nearest(&(last - first)).rem_euclid(360.0);
             let own = magnitude(first) + magnitude(last);
             turn.min(360.0 - turn) / own
         });
@@ -141,6 +154,9 @@ impl Torus<'_> {
         let hit = self.hit(t.clone());
         let moves = self.moves(t);
         let (size, slope) = (hit.gradient.len(), nearest(&hit.gradient.dot(&self.beam.d)));
+        if slope == 0.0 {
+            return 0.0; // a double root
+        }
         let along = (size * moves + hit.inputs) / slope.abs() * self.beam.d.len();
         let bend = 1.0 / nearest(self.b) + 1.0 / nearest(&seen.rho);
         let moved = |m: &V| {
@@ -162,7 +178,7 @@ impl Torus<'_> {
         let part = self.part.iter().flatten();
         let outside = part.zip(self.ends(seen, moves)).map(|(range, ends)| {
             let [after, before] = ends.map(|end| end.1);
-            let turn = range[1] - range[0];
+            let turn = range[1].degrees - range[0].degrees;
             let turn = if sign(&turn).is_lt() { turn + real(360.0) } else { turn };
             let inside = if turn >= real(360.0) {
                 true
@@ -189,14 +205,13 @@ impl Torus<'_> {
         let around_tube = ([&seen.k, &seen.p.0[1]], &seen.q, [&out, &y], nearest(self.a));
         let part = self.part.iter().flatten().zip([around_axis, around_tube]);
         let ends = part.map(|(range, ([cos, sin], radius, axes, a))| {
-            range.map(|degrees| {
-                let (end_sin, end_cos) = degrees.sin_cos_unit(360);
-                let off = &end_cos * sin - &end_sin * cos;
-                let along = &end_cos * cos + &end_sin * sin;
+            range.each_ref().map(|End { degrees, sin: end_sin, cos: end_cos }| {
+                let off = end_cos * sin - end_sin * cos;
+                let along = end_cos * cos + end_sin * sin;
                 let radius = nearest(radius);
                 let distance = if sign(&along).is_gt() { magnitude(&off) } else { radius };
-                let (first, second) = moves(&(&(axes[1] * &end_cos) - &(axes[0] * &end_sin)));
-                let own = radius * nearest(degrees).abs().to_radians() + magnitude(&end_sin) * a;
+                let (first, second) = moves(&(&(axes[1] * end_cos) - &(axes[0] * end_sin)));
+                let own = radius * nearest(degrees).abs().to_radians() + magnitude(end_sin) * a;
                 (smallest(distance, first + own, second), sign(&off).is_gt())
             })
         });

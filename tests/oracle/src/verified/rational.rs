@@ -206,19 +206,19 @@ fn count(shape: &Shape, line: &Line) -> usize {
     }
 }
 
-/// The roots of the whole torus whose angles, by the arc tangents of `f64`, are in the ranges. (That
-/// decides nothing nearer to an end than 1e-9: such cases have smaller margins than are asked.)
+/// The roots of the whole torus whose angles, by the arc tangent, are in the ranges. (In `f64`
+/// that decides nothing nearer to an end than 1e-9: such cases are not asked.)
 fn in_ranges([a, b]: [f64; 2], ranges: [[f64; 2]; 2], line: &Line) -> usize {
     let f64s = |v: &Q3| v.each_ref().map(|x| x.to_f64().value());
     let ray = Ray { origin: f64s(&line.o), direction: f64s(&line.d) };
     let whole = intersect(&Shape::Torus { swept_radius: a, tube_radius: b }, &ray);
     let inside = |root: &&crate::Root| {
-        let [x, y, z]: [f64; 3] = std::array::from_fn(|i| {
-            nearest(&(real(ray.origin[i]) + real(ray.direction[i]) * &root.exact_t))
-        });
-        let angles = [x.atan2(z), y.atan2((x * x + z * z).sqrt() - a)];
+        let [x, y, z]: [_; 3] =
+            std::array::from_fn(|i| real(ray.origin[i]) + real(ray.direction[i]) * &root.exact_t);
+        let k = (&x * &x + &z * &z).sqrt() - real(a);
+        let angles = [x.atan2_unit(&z, 360), y.atan2_unit(&k, 360)];
         angles.iter().zip(&ranges).all(|(angle, [first, last])| {
-            let degrees = angle.to_degrees();
+            let degrees = nearest(angle);
             let turn = last - first + if last < first { 360.0 } else { 0.0 };
             turn >= 360.0 || (degrees - first).rem_euclid(360.0) <= turn
         })

@@ -1,0 +1,166 @@
+//! Roots of polynomials of small degree, on which tori and algebraic surfaces stand.
+
+use groundtruth::math::polynomial::{real_roots, roots_between};
+use groundtruth::math::power_of_two;
+
+use crate::draw::Draw;
+use crate::support::U;
+
+/// How far from a root of a polynomial with slightly other coefficients: `numerics.md`.
+const RESIDUAL: f64 = 8.0 * U;
+
+/// Law: the solver's textbook examples. Oracle: the polynomials are made from their roots.
+#[test]
+fn the_textbook_quartics_have_their_roots() {
+    let examples: [(&[f64], &[f64]); 6] = [
+        (&[24.0, -50.0, 35.0, -10.0, 1.0], &[1.0, 2.0, 3.0, 4.0]),
+        (&[4.0, 0.0, -5.0, 0.0, 1.0], &[-2.0, -1.0, 1.0, 2.0]),
+        (&[-1.0, 0.0, 0.0, 0.0, 1.0], &[-1.0, 1.0]),
+        (&[1.0, 0.0, 0.0, 0.0, 1.0], &[]),
+        (&[-6.0, 2.0], &[3.0]),
+        (&[0.0, 0.0, -5.0, 1.0], &[0.0, 5.0]),
+    ];
+    for (coefficients, expected) in examples {
+        let found = real_roots(coefficients);
+        assert_eq!(found.len(), expected.len(), "{coefficients:?}: {found:?}");
+        for (x, root) in found.iter().zip(expected) {
+            assert!((x - root).abs() <= 40.0 * U * root.abs(), "{coefficients:?}: {found:?}");
+        }
+    }
+}
+
+/// Law: a root of multiplicity k is found, where rounding can put it: within u^(1/k) (numerics.md).
+/// Oracle: coefficients made from the roots.
+#[test]
+fn roots_that_meet_are_never_lost() {
+    let with = |roots: &[f64]| {
+        roots.iter().fold(vec![1.0], |p: Vec<f64>, r| {
+            let at = |i: usize| p.get(i).copied().unwrap_or(0.0);
+            (0..=p.len()).map(|i| if i > 0 { at(i - 1) } else { 0.0 } - r * at(i)).collect()
+        })
+    };
+    let mut draw = Draw::new(1940);
+    for _ in 0..4_000 {
+        let whole = |draw: &mut Draw| draw.below(41) as f64 - 20.0;
+        let times = 2 + draw.below(3);
+        // thirds: coefficients are rounded, by no more than 4u, and then have no double root at all
+        let share = if times == 2 { 1.0 / 3.0 } else { 1.0 };
+        let (meeting, other) = (share * whole(&mut draw), share * whole(&mut draw));
+        let mut roots = vec![meeting; times];
+        if times < 4 && draw.coin() {
+            roots.push(other);
+        }
+        let found = real_roots(&with(&roots));
+        let size = 1.0 + meeting.abs().max(other.abs());
+        for &root in &roots {
+            let meets = roots.iter().filter(|&&r| r == root).count() as f64;
+            // a neighbour as near as a third takes some more digits
+            let spread = 256.0 * size * groundtruth::math::power(U, 1.0 / meets);
+            let near = found.iter().any(|x| (x - root).abs() <= spread);
+            assert!(near, "{roots:?} gave {found:?}");
+        }
+        assert!(found.len() <= roots.len(), "{roots:?} gave {found:?}");
+        assert!(found.is_sorted());
+    }
+}
+
+/// A polynomial of degree 1 to 8, coefficients of some magnitudes, some of them zero.
+fn any(draw: &mut Draw) -> Vec<f64> {
+    let degree = 1 + draw.below(8);
+    let spread = draw.between(0.0, 4.0);
+    let mut c: Vec<f64> =
+        (0..=degree).map(|_| draw.between(-1.0, 1.0) * draw.decades(-spread, spread)).collect();
+    if draw.coin() {
+        c[draw.below(degree + 1)] = 0.0;
+    }
+    c
+}
+
+/// Law: every root is found, none invented, each with a residual of at most 8u of its terms; unless a
+/// change of the coefficients by 16u would make it otherwise. Oracle: 512-bit arithmetic.
+#[test]
+fn every_root_of_an_interval_is_found() {
+    let mut draw = Draw::new(1941);
+    let (mut judged, mut roots, mut worst) = (0, 0, 0.0_f64);
+    for i in 0..1_000 {
+        let c = any(&mut draw);
+        let low = -draw.decades(-2.0, 2.0);
+        let high = if draw.coin() { -low } else { low + draw.decades(-2.0, 2.0) };
+        let found = roots_between(&c, low, high);
+        assert!(found.is_sorted() && found.iter().all(|x| (low..=high).contains(x)));
+        for &x in &found {
+            let residual = oracle::residual(&c, x);
+            worst = worst.max(residual / U);
+            assert!(residual <= RESIDUAL, "case {i}: {c:?} at {x}: {} u", residual / U);
+        }
+        let (exact, margin) = oracle::polynomial_roots(&c, low, high);
+        if margin > 16.0 * U {
+            assert_eq!(found.len(), exact.len(), "case {i}: {c:?}: {found:?}, not {exact:?}");
+            judged += 1;
+            roots += exact.len();
+        }
+    }
+    println!("worst residual {worst:.2} u, {roots} roots");
+    assert!(judged > 900 && roots > 600, "{judged} judged, {roots} roots");
+}
+
+/// Law: the roots of the whole line are those of a large interval. Oracle: the same, of 512 bits.
+#[test]
+fn every_root_of_the_line_is_found() {
+    let mut draw = Draw::new(1942);
+    let mut judged = 0;
+    for _ in 0..150 {
+        let c = any(&mut draw);
+        let far = 1e30;
+        let (exact, margin) = oracle::polynomial_roots(&c, -far, far);
+        let found = real_roots(&c);
+        assert!(found.is_sorted());
+        if margin > 16.0 * U && exact.iter().all(|x| x.abs() < 1e20) {
+            assert_eq!(found.len(), exact.len(), "{c:?}: {found:?}, not {exact:?}");
+            judged += 1;
+        }
+    }
+    assert!(judged > 100, "{judged}");
+}
+
+/// Law: coefficients times a power of two have the same roots, to the last bit.
+#[test]
+fn scaled_coefficients_have_the_same_roots() {
+    let mut draw = Draw::new(1943);
+    for _ in 0..4_000 {
+        let c = any(&mut draw);
+        let factor = power_of_two(draw.below(601) as i32 - 300);
+        let scaled: Vec<f64> = c.iter().map(|c| factor * c).collect();
+        assert_eq!(roots_between(&scaled, -2.0, 3.0), roots_between(&c, -2.0, 3.0));
+        assert_eq!(real_roots(&scaled), real_roots(&c));
+    }
+}
+
+/// Law: a leading coefficient of zero or next to nothing changes no root within reach. Oracle: the
+/// roots without it.
+#[test]
+fn a_tiny_leading_coefficient_changes_nothing_within_reach() {
+    let mut draw = Draw::new(1944);
+    for _ in 0..4_000 {
+        let c = any(&mut draw);
+        let plain = roots_between(&c, -3.0, 3.0);
+        for leading in [0.0, -0.0, 1e-300, -1e-300, 5e-324] {
+            let more: Vec<f64> = c.iter().copied().chain([leading]).collect();
+            assert_eq!(roots_between(&more, -3.0, 3.0), plain, "{more:?}");
+        }
+    }
+    let far = real_roots(&[-1.0, 1.0, 0.0, 0.0, 1e-300]);
+    assert!(far.len() == 2 && (far[0] / 1e100 + 1.0).abs() < 4.0 * U && far[1] == 1.0, "{far:?}");
+}
+
+/// Law: what has no roots, or every number, or no numbers, gives none; and ends count.
+#[test]
+fn ends_count_and_nonsense_has_no_roots() {
+    for c in [&[][..], &[0.0], &[0.0, 0.0, 0.0], &[5.0], &[1.0, f64::NAN], &[1.0, f64::INFINITY]] {
+        assert!(real_roots(c).is_empty() && roots_between(c, -1.0, 1.0).is_empty(), "{c:?}");
+    }
+    assert!(roots_between(&[1.0; 18], -1.0, 1.0).is_empty());
+    assert!(roots_between(&[0.0, 1.0], 1.0, -1.0).is_empty());
+    assert_eq!(roots_between(&[2.0, -3.0, 1.0], 1.0, 2.0)[..], [1.0, 2.0]);
+    assert_eq!(roots_between(&[2.0, -3.0, 1.0], 1.5, 9.0)[..], [2.0]);
+}

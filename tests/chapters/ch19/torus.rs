@@ -1,0 +1,263 @@
+//! The torus: its equation, its closed forms, and how it is left.
+
+use std::sync::Arc;
+
+use groundtruth::math::{Normal, Point, Ray, Span, Vector};
+use groundtruth::shapes::{Context, Kind, Shape, Torus};
+
+use super::leaving::random_hit;
+use crate::draw::Draw;
+use crate::support::U;
+
+pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
+    kind.into().build(&mut Context::default()).expect("valid")
+}
+
+pub fn torus(swept_radius: f64, tube_radius: f64) -> Torus {
+    Torus { swept_radius, tube_radius, inward: false }
+}
+
+pub fn ts(shape: &dyn Shape, ray: &Ray) -> Vec<f64> {
+    shape.roots(ray, Span::AHEAD).iter().map(|root| root.t).collect()
+}
+
+fn assert_close(found: &[f64], expected: &[f64], tolerance: f64, case: &str) {
+    let close = |(t, e): (&f64, &f64)| (t - e).abs() <= tolerance;
+    let equal = found.len() == expected.len() && found.iter().zip(expected).all(close);
+    assert!(equal, "{case}: {found:?}, not {expected:?}");
+}
+
+/// Law: the torus of radii 2 and 0.5 is hit where arithmetic says. Oracle: by hand.
+#[test]
+fn a_torus_is_hit_where_arithmetic_says() {
+    let shape = built(torus(2.0, 0.5));
+    let cases: [([f64; 3], [f64; 3], &[f64]); 5] = [
+        ([-5.0, 0.0, 0.0], [1.0, 0.0, 0.0], &[2.5, 3.5, 6.5, 7.5]),
+        ([0.0, 5.0, 2.0], [0.0, -1.0, 0.0], &[4.5, 5.5]),
+        ([0.0, 5.0, 0.0], [0.0, -1.0, 0.0], &[]),
+        ([2.0, 0.0, 0.0], [0.0, 0.0, 2.0], &[0.75]), // from inside: √(2.5² − 2²) = 1.5
+        ([0.0, 0.0, 0.0], [0.0, 0.0, -1.0], &[1.5, 2.5]),
+    ];
+    for (origin, direction, expected) in cases {
+        let ray = Ray::new(origin.into(), direction.into());
+        assert_close(&ts(&*shape, &ray), expected, 16.0 * U * 8.0, &format!("{ray:?}"));
+    }
+}
+
+/// Law: rays down the axis of the torus of radii 0.9 and 0.1, and beside it within the hole, miss; a
+/// quartic solver finds roots there that are none. Oracle: the hole's radius.
+#[test]
+fn rays_through_the_hole_miss() {
+    let mut draw = Draw::new(1950);
+    let shape = built(torus(0.9, 0.1));
+    let axis = Ray::new(Point::new(0.0, 3.0, 0.0), -Vector::Y);
+    assert!(ts(&*shape, &axis).is_empty());
+    for _ in 0..10_000 {
+        // two points of the hole's cylinder above and below: all between them is within 0.8
+        let mut place = |y: f64| {
+            let [x, _, z] = (draw.between(0.0, 0.799) * across(draw.direction())).to_array();
+            Point::new(x, y, z)
+        };
+        let (top, bottom) = (place(0.1001), place(-0.1001));
+        let ray = Ray::new(bottom + 30.0 * (top - bottom), bottom - top);
+        assert!(ts(&*shape, &ray).is_empty(), "{ray:?}");
+    }
+}
+
+/// The unit vector along x and z.
+fn across(n: Normal) -> Vector {
+    Vector::new(n.x(), 0.0, n.z()).unit().unwrap_or(Vector::X)
+}
+
+/// The condition of the closed forms: what rounding of radii and distance does, over the slope.
+fn allowed(size: f64, away: f64, half: f64) -> f64 {
+    16.0 * U * (away + size) * (1.0 + size / half)
+}
+
+/// Law: in the plane of its circle a torus is two circles, parallel to its axis the tube's own. Thin
+/// tubes and fat ones, from near and far. Oracle: Pythagoras.
+#[test]
+fn a_torus_is_two_circles_across_and_along() {
+    let mut draw = Draw::new(1951);
+    for i in 0..10_000 {
+        let a = draw.decades(-3.0, 3.0);
+        let b = a * if draw.coin() { draw.decades(-3.0, -0.1) } else { 0.999 };
+        let shape = built(torus(a, b));
+        let away = (a + b) * draw.decades(0.2, 4.0);
+
+        let z = draw.between(0.0, a + b);
+        let ray = Ray::new(Point::new(-away, 0.0, z), Vector::X);
+        let half = |r: f64| if r > z { ((r - z) * (r + z)).sqrt() } else { 0.0 };
+        let (outer, inner) = (half(a + b), half(a - b));
+        let expected = [away - outer, away - inner, away + inner, away + outer];
+        let smallest = if inner > 0.0 { inner } else { outer };
+        let is_tangent = (z - (a - b)).abs() < 1e-6 * a || smallest < 1e-5 * a;
+        if !is_tangent {
+            let expected = if inner > 0.0 { &expected[..] } else { &[expected[0], expected[3]] };
+            let tolerance = allowed(a + b, away, smallest);
+            assert_close(&ts(&*shape, &ray), expected, tolerance, &format!("{i}: {a} {b} {z}"));
+        }
+
+        let rho = a + b * draw.between(-0.999, 0.999);
+        let half = ((b - (rho - a)) * (b + (rho - a))).sqrt();
+        let ray = Ray::new(Point::new(0.6 * rho, away, 0.8 * rho), -Vector::Y);
+        let tolerance = allowed(a + b, away, half);
+        let expected = [away - half, away + half];
+        assert_close(&ts(&*shape, &ray), &expected, tolerance, &format!("{i}: {a} {b} along"));
+    }
+}
+
+/// Law: rays that touch the highest circle, the outermost or the innermost: a hair inside they meet
+/// it, a hair outside not. Oracle: geometry.
+#[test]
+fn a_torus_ends_where_it_is_touched() {
+    let mut draw = Draw::new(1952);
+    for _ in 0..10_000 {
+        let a = draw.decades(-2.0, 2.0);
+        let b = a * draw.between(0.01, 0.99);
+        let shape = built(torus(a, b));
+        let hair = draw.decades(-13.0, -4.0);
+        let u = across(draw.direction());
+        let v = u.cross(Vector::Y);
+        let from = |touched: Vector, along: Vector| {
+            Ray::new(Point::ORIGIN + (touched + -3.0 * a * along), draw.pick(&[1.0, 0.25]) * along)
+        };
+        let mut from = from;
+        for (out, expected) in [(1.0 - hair, 2), (1.0 + hair, 0)] {
+            let top = from(a * u + Vector::new(0.0, out * b, 0.0), v);
+            assert_eq!(ts(&*shape, &top).len(), expected, "top {out} {a} {b}");
+            let outside = from((out * (a + b)) * u, v);
+            assert_eq!(ts(&*shape, &outside).len(), expected, "outside {out} {a} {b}");
+            let upright = from((out * (a + b)) * u, Vector::Y);
+            assert_eq!(ts(&*shape, &upright).len(), expected, "upright {out} {a} {b}");
+        }
+    }
+}
+
+/// Law: every hit obeys the book's equation, and its normal is the gradient of that. Oracle: the
+/// quartic, and its central differences.
+#[test]
+fn hits_obey_the_quartic_and_normals_are_its_gradient() {
+    let mut draw = Draw::new(1953);
+    let mut hits = 0;
+    for _ in 0..10_000 {
+        let (a, b) = (draw.between(0.5, 2.0), draw.between(0.1, 0.9));
+        let b = a * b;
+        let f = |p: Point| {
+            let [x, y, z] = p.to_array();
+            let sum = x * x + y * y + z * z - a * a - b * b;
+            (sum * sum - 4.0 * a * a * (b * b - y * y)) / (8.0 * a * a * b)
+        };
+        let shape = built(torus(a, b));
+        let ray = Ray::new(draw.point(5.0), draw.vector(1.0));
+        for root in shape.roots(&ray, Span::LINE) {
+            let surface = shape.surface(&ray, &root);
+            let p = surface.point;
+            assert!(f(p).abs() < 1e-13 * (1.0 + a / b), "{a} {b} {p:?}: {:e}", f(p));
+            assert!(p.distance(ray.at(root.t)) < 1e-12 * (1.0 + a / b), "{a} {b} {p:?}");
+            assert!(surface.error <= 100.0 * U * (a + b));
+            let slope = |v: Vector| (f(p + 1e-6 * v) - f(p + -1e-6 * v)) / 2e-6;
+            let gradient = Vector::new(slope(Vector::X), slope(Vector::Y), slope(Vector::Z));
+            let gradient = gradient.unit().expect("regular");
+            assert!((surface.normal + -gradient).length() < 1e-7, "{a} {b} {p:?}");
+            hits += 1;
+        }
+    }
+    assert!(hits > 2_000, "{hits}");
+}
+
+/// Law: from outside a torus is crossed an even number of times, from within the tube an odd number.
+/// Oracle: topology, and which point is inside by its distance from the circle.
+#[test]
+fn outside_rays_cross_a_torus_an_even_number_of_times() {
+    let mut draw = Draw::new(1954);
+    let mut counts = [0; 5];
+    for _ in 0..20_000 {
+        let (a, b) = (1.0, draw.between(0.05, 0.95));
+        let shape = built(torus(a, b));
+        let (origin, d) = (draw.point(2.0), draw.vector(1.0));
+        let rho = (origin.x() * origin.x() + origin.z() * origin.z()).sqrt();
+        let inside = (rho - a) * (rho - a) + origin.y() * origin.y() < b * b;
+        let count = ts(&*shape, &Ray::new(origin, d)).len();
+        assert_eq!(count % 2 == 1, inside, "{b} {origin:?} {d:?}");
+        counts[count] += 1;
+    }
+    assert!(counts.iter().all(|&n| n > 30), "{counts:?}");
+}
+
+/// Law: a torus whose normals point inward is hit at the same places, with opposite normals. Oracle:
+/// the other.
+#[test]
+fn an_inward_torus_has_opposite_normals() {
+    let mut draw = Draw::new(1955);
+    let plain = torus(1.0, 0.4);
+    let [out, inward] = [built(plain.clone()), built(Torus { inward: true, ..plain })];
+    for _ in 0..5_000 {
+        let ray = Ray::new(draw.point(3.0), draw.vector(1.0));
+        let roots = out.roots(&ray, Span::LINE);
+        assert_eq!(roots, inward.roots(&ray, Span::LINE));
+        for root in roots {
+            let [a, b] = [&out, &inward].map(|shape| shape.surface(&ray, &root));
+            assert_eq!((a.point, a.error, a.normal), (b.point, b.error, -b.normal));
+        }
+    }
+}
+
+/// Law: a ray that leaves a torus, outward or into the tube, meets exactly what an exact ray from the
+/// same place meets: not the place itself, and the next sheet also where that is next to it. At
+/// scales of 1e-6 to 1e6, thin and fat, down to 1e-9 of grazing. Oracle: 512-bit arithmetic.
+#[test]
+fn a_ray_that_leaves_a_torus_meets_what_an_exact_one_does() {
+    let mut draw = Draw::new(1956);
+    let mut next = 0;
+    for i in 0..600 {
+        let a = draw.decades(-6.0, 6.0);
+        let b = a * if draw.coin() { draw.decades(-3.0, -0.01) } else { draw.between(0.1, 0.999) };
+        let shape = built(torus(a, b));
+        let aim = Point::ORIGIN + a * across(draw.direction());
+        let Some(s) = random_hit(&mut draw, &*shape, aim, b) else { continue };
+        for n in [s.normal, -s.normal] {
+            let direction = draw.decades(-3.0, 3.0) * draw.leaving(n);
+            let ray = Ray::new(s.leave(direction), direction);
+            let found = ts(&*shape, &ray);
+            let exact = oracle::intersect(
+                &oracle::Shape::Torus { swept_radius: a, tube_radius: b },
+                &oracle::Ray { origin: ray.origin.into(), direction: direction.into() },
+            );
+            let expected: Vec<f64> = exact.roots.iter().map(|root| root.t).collect();
+            assert_eq!(found.len(), expected.len(), "case {i}: {a} {b} {ray:?}: {expected:?}");
+            for (t, root) in found.iter().zip(&exact.roots) {
+                assert!(root.t_error(*t) <= 100.0 * U * root.cond.max(root.t), "case {i}");
+                next += 1;
+            }
+            let outward = n == s.normal;
+            assert_eq!(
+                found.len().is_multiple_of(2),
+                outward,
+                "case {i}: starts on the wrong side"
+            );
+        }
+    }
+    assert!(next > 600, "{next}");
+}
+
+/// Law: radii that make no torus are refused, with the field and what would fit.
+#[test]
+fn what_is_no_torus_is_refused() {
+    let text = |torus: Torus| {
+        let kind = Kind::from(torus);
+        kind.build(&mut Context::default()).expect_err("no torus").to_string()
+    };
+    assert_eq!(
+        text(torus(1.0, 1.0)),
+        "torus.tube_radius: found 1, but it must be less than swept_radius, 1"
+    );
+    assert_eq!(
+        text(torus(-1.0, 0.5)),
+        "torus.swept_radius: found -1, but a positive, finite number is needed"
+    );
+    assert_eq!(
+        text(torus(1.0, f64::NAN)),
+        "torus.tube_radius: found NaN, but a positive, finite number is needed"
+    );
+}
