@@ -9,21 +9,21 @@ use crate::film::replace;
 
 const STYLE: &str = "\
 body { font: 16px/1.45 Georgia, 'Times New Roman', serif; color: #111; background: #fff; \
-margin: 2em auto; max-width: 62em; padding: 0 1em; }
+margin: 2em auto; max-width: 66em; padding: 0 1em; }
 h1, h2, h3 { line-height: 1.2; break-after: avoid; }
 section { border-top: 2px solid #111; margin-top: 3em; }
 p { max-width: 44em; }
 .question { font-style: italic; font-size: 1.1em; }
 .pick { border-left: 4px solid #111; padding-left: 0.8em; }
 .about { color: #333; font-size: 0.9em; }
-table { border-collapse: collapse; margin: 1.2em 0; font: 13px/1.35 system-ui, sans-serif; \
+table { border-collapse: collapse; margin: 1.2em 0; font: 12px/1.35 system-ui, sans-serif; \
 font-variant-numeric: tabular-nums; break-inside: avoid; }
 caption { text-align: left; font-weight: bold; padding: 0.3em 0; }
 thead { border-bottom: 1px solid #111; }
 tbody { border-bottom: 1px solid #111; }
-td, th { padding: 0.1em 0.7em; text-align: right; vertical-align: baseline; }
+td, th { padding: 0.1em 0.45em; text-align: right; vertical-align: baseline; }
 th { font-weight: normal; }
-tbody th, thead tr th:first-child { text-align: left; }
+tbody th, thead tr th:first-child { text-align: left; white-space: nowrap; }
 thead th { vertical-align: bottom; }
 th.group { text-align: center; font-weight: bold; border-left: 1px solid #999; }
 th.group:first-child { border-left: none; }
@@ -39,7 +39,7 @@ figcaption { font-size: 0.9em; max-width: 48em; color: #333; }
   body { margin: 0; max-width: none; padding: 0; font-size: 10.5pt; }
   section { break-before: page; border-top: none; margin-top: 0; }
   table { font-size: 7.5pt; }
-  td, th { padding: 0.1em 0.45em; }
+  td, th { padding: 0.1em 0.35em; }
 }
 ";
 
