@@ -107,6 +107,15 @@ enum Structure {
 impl Method {
     /// All methods, the reference first.
     pub const ALL: [Self; 3] = [Self::List, Self::Grid, Self::Bvh];
+
+    /// What scene files call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::List => "list",
+            Self::Grid => "grid",
+            Self::Bvh => "bvh",
+        }
+    }
 }
 
 impl Accel {

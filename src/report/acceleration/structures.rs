@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use super::stages::Things;
-use crate::accel::{Accel, Method, Primitives};
+use crate::accel::{self, Accel, Method, Primitives};
 use crate::math::{Aabb, Ray, Span};
 use crate::shapes::{Candidate, Shape};
 
@@ -16,36 +16,18 @@ pub enum Structure {
     Nested(Method),
 }
 
-/// What scene files call the methods, in the order of the tables.
-const METHODS: [&str; 3] = ["list", "grid", "bvh"];
-/// The methods that are nested, too.
-const NESTED: [&str; 1] = ["grid"];
-
-/// The method that scene files call so; `None` if there is none.
-fn method(name: &str) -> Option<Method> {
-    serde_json::from_value(name.into()).ok()
-}
-
-fn name(method: Method) -> &'static str {
-    METHODS.into_iter().find(|&name| self::method(name) == Some(method)).unwrap_or("unnamed")
-}
-
 impl Structure {
-    /// All structures whose methods this library has.
+    /// All structures.
     pub fn all() -> Vec<Self> {
-        let nested = |name: &str| NESTED.contains(&name);
-        let both = |name| {
-            let plain = method(name).map(Self::Plain);
-            plain.into_iter().chain(method(name).filter(|_| nested(name)).map(Self::Nested))
-        };
-        METHODS.into_iter().flat_map(both).collect()
+        let [list, grid, bvh] = Method::ALL.map(Self::Plain);
+        vec![list, grid, Self::Nested(Method::Grid), bvh]
     }
 
     /// As the tables call it.
     pub fn name(self) -> String {
         match self {
-            Self::Plain(method) => name(method).to_owned(),
-            Self::Nested(method) => format!("nested {}", name(method)),
+            Self::Plain(method) => method.name().to_owned(),
+            Self::Nested(method) => format!("nested {}", method.name()),
         }
     }
 
@@ -127,18 +109,18 @@ impl Built {
     pub fn memory_bytes(&self) -> Option<u64> {
         match self {
             Self::Mesh(_) => None,
-            Self::Plain(accel) => memory_bytes(accel),
+            Self::Plain(accel) => Some(memory_bytes(accel)),
             Self::Nested { outer, inner, bounds } => {
-                let inside: Option<u64> = inner.iter().map(memory_bytes).sum();
-                Some(memory_bytes(outer)? + inside? + size_of_val(&**bounds) as u64)
+                let inside: u64 = inner.iter().map(memory_bytes).sum();
+                Some(memory_bytes(outer) + inside + size_of_val(&**bounds) as u64)
             }
         }
     }
 }
 
 /// What an acceleration takes.
-fn memory_bytes(_: &Accel) -> Option<u64> {
-    None
+fn memory_bytes(accel: &Accel) -> u64 {
+    accel.memory_bytes() as u64
 }
 
 /// One search of one acceleration. Tests of objects are counted where they are made, nodes and cells
@@ -148,9 +130,15 @@ fn search(
     primitives: &impl Primitives,
     ray: &Ray,
     span: Span,
-    _: Option<&Counts>,
+    counts: Option<&Counts>,
 ) -> Option<Candidate> {
-    accel.nearest(primitives, ray, span).map(|(_, hit)| hit)
+    let Some(counts) = counts else {
+        return accel.nearest(primitives, ray, span).map(|(_, hit)| hit);
+    };
+    let mut here = accel::Counts::default();
+    let found = accel.nearest_counted(primitives, ray, span, &mut here);
+    counts.steps.set(Some(counts.steps.get().unwrap_or(0) + here.steps));
+    found.map(|(_, hit)| hit)
 }
 
 /// The objects from `first` on, as one ray sees them.
@@ -241,12 +229,5 @@ mod tests {
         let (same_hits, few) = cost(Method::Bvh);
         assert_eq!(same_hits, hits);
         assert!(0 < hits && hits <= few && few < 50 * 256, "{few} tests, {hits} hits");
-    }
-
-    #[test]
-    fn methods_are_found_by_name() {
-        assert_eq!(method("bvh"), Some(Method::Bvh));
-        assert_eq!(method("octree"), None);
-        assert!(Structure::all().iter().all(|structure| !structure.name().contains("unnamed")));
     }
 }

@@ -58,7 +58,7 @@ fn polynomials_of_spheres_and_tori_are_spheres_and_tori() {
     let mut draw = Draw::new(1970);
     let squares = [[2, 0, 0], [0, 2, 0], [0, 0, 2]].map(|powers| (1.0, powers));
     let sphere = surface(&[&squares[..], &[(-0.5625, [0; 3])]].concat(), 1.0);
-    let kind = Sphere { center: Point::ORIGIN, radius: 0.75 };
+    let kind = Sphere { center: Point::ORIGIN, radius: 0.75, inward: false };
     assert!(agree(&*built(sphere), &built(kind), &mut draw) > 3_000);
     let ring = surface(&quartic(0.75, 0.25), 1.5);
     assert!(agree(&*built(ring), &built(torus(0.75, 0.25)), &mut draw) > 3_000);

@@ -8,15 +8,7 @@ use crate::draw::Draw;
 
 /// The part of the torus of radii 2 and 0.5 in these ranges.
 fn part(phi: [f64; 2], theta: [f64; 2]) -> PartTorus {
-    PartTorus {
-        swept_radius: 2.0,
-        tube_radius: 0.5,
-        phi_min: phi[0],
-        phi_max: phi[1],
-        theta_min: theta[0],
-        theta_max: theta[1],
-        inward: false,
-    }
+    PartTorus { swept_radius: 2.0, tube_radius: 0.5, phi, theta, inward: false }
 }
 
 const ALL: [f64; 2] = [0.0, 360.0];
@@ -203,16 +195,13 @@ fn ranges_that_are_none_are_refused() {
         let kind = Kind::from(part(phi, theta));
         kind.build(&mut Context::default()).expect_err("no range").to_string()
     };
-    assert_eq!(
-        text([20.0, 20.0], ALL),
-        "part_torus.phi_max: found 20, which leaves nothing from phi_min 20"
-    );
-    assert_eq!(
-        text(ALL, [0.0, 400.0]),
-        "part_torus.theta_max: found 400, but degrees from -360 to 360 are needed"
-    );
-    assert_eq!(
-        text([f64::INFINITY, 0.0], ALL),
-        "part_torus.phi_min: found inf, but a finite number is needed"
-    );
+    let wanted = "but two different angles in degrees from -360 to 360 are needed; \
+                  [350, 10] passes through 360";
+    for (phi, theta, found) in [
+        ([20.0, 20.0], ALL, "part_torus.phi: found [20.0, 20.0]"),
+        (ALL, [0.0, 400.0], "part_torus.theta: found [0.0, 400.0]"),
+        ([f64::INFINITY, 0.0], ALL, "part_torus.phi: found [inf, 0.0]"),
+    ] {
+        assert_eq!(text(phi, theta), format!("{found}, {wanted}"));
+    }
 }
