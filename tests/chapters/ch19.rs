@@ -1,5 +1,6 @@
 //! Chapter 19: ray-object intersections.
 
+pub mod compounds;
 mod hard;
 pub mod leaving;
 mod shapes;
