@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::{Candidate, Context, Kind, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
-use crate::math::{Aabb, Ray, Span};
+use crate::math::{Aabb, Ray, SlabRay, Span};
 
 /// Up to this many parts are searched one after the other unless the scene says how.
 const FEW: usize = 8;
@@ -167,9 +167,15 @@ impl Shape for Assembly {
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
+        let slabs = SlabRay::new(ray);
         for (part, first) in self.parts.iter().zip(&self.leaves) {
-            let within = part.shape.roots(ray, span).into_iter();
-            roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
+            // the first rule of `accel`: what `hit` does not count is no root
+            let (entry, exit) = part.bounds.padded().crossing(&slabs);
+            if entry <= exit {
+                let within = part.shape.roots(ray, span).into_iter();
+                let within = within.filter(|at| entry <= at.t && at.t <= exit);
+                roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
+            }
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t)); // stable: ties stay in the order of leaves
         roots

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, solid};
-use super::edges::{Named, check_bevel, corner, inset, quarter, wall};
+use super::edges::{Named, check_bevel, corner, extended, inset, overlap, quarter, wall};
 use super::{Context, Instance, Kind, Rectangle, Shape};
 use crate::invalid::{Invalid, finite_point};
 use crate::kinds::Specification;
@@ -79,6 +79,8 @@ pub struct RoundedBox {
     /// From the lowest to the highest coordinate, along each axis.
     outer: [[f64; 2]; 3],
     inner: [[f64; 2]; 3],
+    /// The same, for what reaches over a seam.
+    reaching: [[f64; 2]; 3],
     bevel: f64,
 }
 
@@ -88,7 +90,10 @@ const ENDS: [(usize, f64); 2] = [(0, -1.0), (1, 1.0)];
 impl RoundedBox {
     /// The bevel fits.
     pub fn new(outer: [[f64; 2]; 3], bevel: f64) -> Self {
-        Self { outer, inner: outer.map(|extent| inset(extent, bevel)), bevel }
+        let inner = outer.map(|extent| inset(extent, bevel));
+        let largest = outer.into_iter().flatten().fold(0.0, |all: f64, c| all.max(c.abs()));
+        let reaching = inner.map(|extent| extended(extent, overlap(largest, bevel)));
+        Self { outer, inner, reaching, bevel }
     }
 
     /// What a bevel of half a side leaves of it, perhaps less than nothing by rounding, is no part.
@@ -106,10 +111,10 @@ impl RoundedBox {
                 continue;
             }
             for ((end, sign), name) in ENDS.into_iter().zip(names) {
-                let mut corner = self.inner.map(|[low, _]| low);
+                let mut corner = self.reaching.map(|[low, _]| low);
                 corner[axis] = self.outer[axis][end];
                 let [a, b] = [first, second].map(|side| {
-                    let [low, high] = self.inner[side];
+                    let [low, high] = self.reaching[side];
                     (high - low) * along(side)
                 });
                 // the cross product of the next two axes is the axis itself
@@ -123,6 +128,7 @@ impl RoundedBox {
     /// A quarter of a cylinder along each edge.
     pub fn edges(&self) -> Vec<Named> {
         let [x, y, z] = self.inner;
+        let reaching = self.reaching;
         let mut edges = Vec::new();
         let ends = || ENDS.into_iter().flat_map(|a| ENDS.map(|b| (a, b)));
         for ((i, first), (j, second)) in ends() {
@@ -130,11 +136,11 @@ impl RoundedBox {
             if self.is_left(0) {
                 let place = Vector::new(0.0, y[i], z[j]);
                 let turn = Step::RotateZ(-90.0);
-                edges.push(self.edge(x, quarter(-first, second), Some(turn), place));
+                edges.push(self.edge(reaching[0], quarter(-first, second), Some(turn), place));
             }
             if self.is_left(1) {
                 edges.push(self.edge(
-                    y,
+                    reaching[1],
                     quarter(first, second),
                     None,
                     Vector::new(x[i], 0.0, z[j]),
@@ -143,7 +149,7 @@ impl RoundedBox {
             if self.is_left(2) {
                 let place = Vector::new(x[i], y[j], 0.0);
                 let turn = Step::RotateX(90.0);
-                edges.push(self.edge(z, quarter(first, -second), Some(turn), place));
+                edges.push(self.edge(reaching[2], quarter(first, -second), Some(turn), place));
             }
         }
         edges

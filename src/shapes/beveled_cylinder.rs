@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, solid};
-use super::edges::{Named, check_bevel, inset};
+use super::edges::{Named, check_bevel, extended, inset, overlap};
 use super::shoulder::Shoulder;
 use super::{Context, Disk, Instance, Kind, OpenCylinder, Shape};
 use crate::invalid::{Invalid, shown};
@@ -46,15 +46,17 @@ impl Specification for BeveledCylinder {
         }
         let flat = radius - bevel;
         let [low, high] = inset([y0, y1], bevel);
+        let over = overlap(y0.abs().max(y1.abs()).max(radius), bevel);
         let mut parts: Vec<Named> = Vec::new();
         if flat > 0.0 {
             for (name, y, normal) in [("bottom", y0, -Vector::Y), ("top", y1, Vector::Y)] {
                 let center = Point::new(0.0, y, 0.0);
-                parts.push((name, Disk { center, normal, radius: flat }.into()));
+                parts.push((name, Disk { center, normal, radius: flat + over }.into()));
             }
         }
         if low < high {
-            parts.push(("wall", OpenCylinder { y0: low, y1: high, ..wall }.into()));
+            let [y0, y1] = extended([low, high], over);
+            parts.push(("wall", OpenCylinder { y0, y1, ..wall }.into()));
         }
         let edge = |steps| {
             let shoulder = Custom(Arc::new(Shoulder { disk: flat, distance: bevel }) as Arc<_>);

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::angles::full_turn;
 use super::annulus::radii;
 use super::assembly::{Materials, solid};
-use super::edges::{Named, check_bevel, inset, moved, tube};
+use super::edges::{Named, check_bevel, extended, inset, moved, overlap, tube};
 use super::{Annulus, Context, OpenCylinder, Shape};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::Specification;
@@ -46,17 +46,20 @@ impl Specification for BeveledRing {
             [("height", [y0, y1]), ("distance between the radii", [inner_radius, outer_radius])];
         check_bevel(bevel, &extents)?;
         let [low, high] = inset([y0, y1], bevel);
+        let over = overlap(y0.abs().max(y1.abs()).max(outer_radius), bevel);
         let [near, far] = inset([inner_radius, outer_radius], bevel);
         let mut parts: Vec<Named> = Vec::new();
         if near < far {
             for (name, y, normal) in [("bottom", y0, -Vector::Y), ("top", y1, Vector::Y)] {
                 let center = Point::new(0.0, y, 0.0);
-                let flat = Annulus { center, normal, inner_radius: near, outer_radius: far };
+                let [inner_radius, outer_radius] = extended([near, far], over);
+                let flat = Annulus { center, normal, inner_radius, outer_radius };
                 parts.push((name, flat.into()));
             }
         }
         if low < high {
-            let outer_wall = OpenCylinder { y0: low, y1: high, ..outer_wall };
+            let [y0, y1] = extended([low, high], over);
+            let outer_wall = OpenCylinder { y0, y1, ..outer_wall };
             let inner_wall =
                 OpenCylinder { radius: inner_radius, inward: true, ..outer_wall.clone() };
             parts.push(("inner_wall", inner_wall.into()));

@@ -4,7 +4,7 @@
 
 use super::{Instance, Kind, PartCylinder, PartSphere, PartTorus};
 use crate::invalid::{Invalid, positive, shown};
-use crate::math::{Point, Step, UNIT_ROUNDOFF, Vector};
+use crate::math::{Point, Step, UNIT_ROUNDOFF, Vector, to_degrees};
 
 /// A part by its name.
 pub(super) type Named = (&'static str, Kind);
@@ -46,6 +46,26 @@ pub(super) fn quarter(sine: f64, cosine: f64) -> [f64; 2] {
 /// `range` without a bevel at each end.
 pub(super) fn inset([low, high]: [f64; 2], bevel: f64) -> [f64; 2] {
     [low + bevel, high - bevel]
+}
+
+/// By how much the parts of a solid whose coordinates are so large reach over a seam where they touch
+/// without an angle. There the rounding of a hit decides which part it is on, and a ray that is
+/// rounded off both would be lost; in the overlap, where they are apart by less than can be told,
+/// it is on both. Hits are rounded by some ten u, and by as much again in an instance. Never so much
+/// that it could be seen on an edge of this radius.
+pub(super) fn overlap(largest: f64, radius: f64) -> f64 {
+    const MOST: f64 = 1.0 / (1 << 20) as f64;
+    (64.0 * UNIT_ROUNDOFF * largest).min(MOST * radius)
+}
+
+/// `range`, longer by so much at each end.
+pub(super) fn extended(range: [f64; 2], by: f64) -> [f64; 2] {
+    inset(range, -by)
+}
+
+/// `phi`, longer by so much of the circle of this radius at each end.
+pub(super) fn widened(phi: [f64; 2], by: f64, radius: f64) -> [f64; 2] {
+    extended(phi, to_degrees(by / radius))
 }
 
 /// Checks that `bevel` is positive and fits twice into each extent, up to the rounding of their

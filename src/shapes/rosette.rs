@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, searched_solid};
 use super::beveled_wedge::heights;
-use super::edges::{Named, uncovered, wall};
+use super::edges::{Named, uncovered};
 use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Shape};
 use crate::accel::Method;
@@ -71,8 +71,8 @@ impl Rosette {
         let convex_left = uncovered(&convex, &concave).into_iter();
         let concave_left = uncovered(&concave, &convex).into_iter();
         convex_left
-            .map(|phi| (name, wall(y, radius, phi, false)))
-            .chain(concave_left.map(|phi| (next, wall(y, radius, phi, true))))
+            .map(|phi| (name, inside[0].wall(y, radius, phi, false)))
+            .chain(concave_left.map(|phi| (next, inside[0].wall(y, radius, phi, true))))
             .collect()
     }
 }
@@ -123,6 +123,6 @@ impl Specification for Rosette {
             accel,
             materials: Materials::new(),
         };
-        vec![rosette(3, 0.75, 0.1, None), rosette(1, 1.25, 0.125, Some(Method::List))]
+        vec![rosette(3, 0.75, 0.1, None), rosette(1, 1.25, 0.125, Some(Method::Bvh))]
     }
 }

@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 use super::angles::full_turn;
 use super::annulus::radii;
 use super::assembly::{Materials, solid};
-use super::edges::{moved, tube};
+use super::edges::{moved, overlap, tube};
 use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use super::{Context, Shape};
 use crate::invalid::{Invalid, positive, shown};
 use crate::kinds::Specification;
-use crate::math::{Vector, cos_degrees, sin_degrees};
+use crate::math::{Vector, cos_degrees, sin_degrees, to_degrees};
 
 /// The points between two spheres about the origin, ended by half a torus that touches both, as the
 /// parts `outside`, `inside` and `rim`; normals point out of the bowl, those of its inside to the
@@ -54,7 +54,10 @@ impl Specification for RoundRimmedBowl {
         let from = if theta <= 90.0 { 90.0 - theta } else { 450.0 - theta };
         let half = tube(swept, thin, full_turn(), [from, 270.0 - theta]);
         let rim = moved(half, middle * cos_degrees(theta) * Vector::Y);
-        let [outside, inside] = shells([inner, outer], [theta; 2]);
+        // the spheres reach a little into the rim
+        let [from_inner, from_outer] =
+            [inner, outer].map(|radius| theta - to_degrees(overlap(outer, thin) / radius));
+        let [outside, inside] = shells([inner, outer], [from_inner.max(0.0), from_outer.max(0.0)]);
         solid(&[outside, inside, ("rim", rim)], &self.materials, context)
     }
 

@@ -4,7 +4,9 @@
 use std::sync::Arc;
 
 use super::angles::Angles;
-use super::edges::{Named, check_bevel, corner, inset, moved, tube, wall};
+use super::edges::{
+    Named, check_bevel, corner, extended, inset, moved, overlap, tube, wall, widened,
+};
 use super::{Candidate, Instance, Kind, Rectangle, Shape, Surface, plane_distance};
 use crate::invalid::{Invalid, positive, shown};
 use crate::kinds::Custom;
@@ -92,6 +94,18 @@ impl Wedge {
         (y[0] < y[1]).then_some(y)
     }
 
+    /// How far parts reach over the seams between them.
+    pub fn overlap(&self) -> f64 {
+        overlap(self.y[0].abs().max(self.y[1].abs()).max(self.r[1]), self.bevel)
+    }
+
+    /// A wall of this radius that touches the edges around it.
+    pub fn wall(&self, y: [f64; 2], radius: f64, phi: [f64; 2], inward: bool) -> Kind {
+        let over = self.overlap();
+        let phi = within_a_turn(widened(phi, over, radius));
+        wall(extended(y, over), radius, phi, inward)
+    }
+
     /// The parts: caps, walls and sides that are wanted, edges and corners.
     pub fn parts(&self, wanted: Sides) -> Vec<Named> {
         let mut parts = self.caps();
@@ -101,7 +115,7 @@ impl Wedge {
         ];
         for (name, wanted, phi, radius, inward) in walls {
             if let (true, Some(y), Some(phi)) = (wanted, self.heights(), phi) {
-                parts.push((name, wall(y, radius, within_a_turn(phi), inward)));
+                parts.push((name, self.wall(y, radius, phi, inward)));
             }
         }
         parts.extend(self.arcs());
@@ -131,7 +145,9 @@ impl Wedge {
             // the azimuths are in range: Azimuth takes any that check has passed
             let phi = Angles::new("phi", within_a_turn(self.phi)).ok()?;
             let ends = self.phi.map(|phi| [sin_degrees(phi), cos_degrees(phi)]);
-            let cap = Cap { y, normal, r: [r0, r1], phi, ends, bevel: self.bevel };
+            let over = self.overlap();
+            let (r, bevel) = (extended([r0, r1], over), self.bevel - over);
+            let cap = Cap { y, normal, r, phi, ends, bevel };
             Some((name, Kind::Custom(Custom(Arc::new(cap)))))
         };
         caps.into_iter().filter_map(cap).collect()
@@ -148,7 +164,8 @@ impl Wedge {
             (far, low, self.outer_wall(), [270.0, 360.0]),
         ];
         let arc = |(swept, y, phi, theta): (f64, f64, Option<[f64; 2]>, _)| {
-            let part = tube(swept, self.bevel, within_a_turn(phi?), theta);
+            let phi = within_a_turn(widened(phi?, self.overlap(), swept));
+            let part = tube(swept, self.bevel, phi, theta);
             Some(("edges", moved(part, y * Vector::Y)))
         };
         arcs.into_iter().filter_map(arc).collect()
@@ -158,23 +175,27 @@ impl Wedge {
 
     /// What is left of the side.
     fn face(&self, name: &'static str) -> Option<Named> {
-        let ([from, to], [low, high]) = (self.ends(), self.heights()?);
+        let [from, to] = self.ends();
+        if from >= to {
+            return None;
+        }
+        let over = self.overlap();
+        let ([from, to], [low, high]) =
+            (extended([from, to], over), extended(self.heights()?, over));
         let corner = Point::new(0.0, low, from);
         let (a, b) = ((to - from) * Vector::Z, (high - low) * Vector::Y);
-        (from < to).then(|| (name, Rectangle { corner, a, b }.into()))
+        Some((name, Rectangle { corner, a, b }.into()))
     }
 
     /// The upright edges of the side, and the corners at their ends.
     fn posts(&self) -> Vec<Named> {
         let (b, [from, to]) = (self.bevel, self.ends());
         let [low, high] = inset(self.y, b);
+        let post = extended([low, high], self.overlap());
         let mut posts = Vec::new();
         for (s, phi) in [(from, [180.0 + self.alpha(), 270.0]), (to, [-90.0, self.beta()])] {
             if low < high {
-                posts.push((
-                    "edges",
-                    moved(wall([low, high], b, phi, false), Vector::new(b, 0.0, s)),
-                ));
+                posts.push(("edges", moved(wall(post, b, phi, false), Vector::new(b, 0.0, s))));
             }
             posts.push(("corners", corner(Point::new(b, low, s), b, phi, false)));
             posts.push(("corners", corner(Point::new(b, high, s), b, phi, true)));
@@ -189,10 +210,11 @@ impl Wedge {
         if from >= to {
             return Vec::new();
         }
+        let ends = extended([from, to], self.overlap());
         // turned by y → z, z → −y
         let rail = |y: f64, phi| {
             let steps = vec![Step::RotateX(90.0), Step::Translate(Vector::new(b, y, 0.0))];
-            ("edges", Kind::from(Instance::new(wall([from, to], b, phi, false), steps)))
+            ("edges", Kind::from(Instance::new(wall(ends, b, phi, false), steps)))
         };
         vec![rail(low, [270.0, 360.0]), rail(high, [180.0, 270.0])]
     }

@@ -1,0 +1,380 @@
+//! Solids of several parts: closed, of the form their equations say, each part of its own material.
+
+use std::sync::Arc;
+
+use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
+use groundtruth::shapes::{
+    ConcaveLens, Context, CutFace, FlatRimmedBowl, Kind, Materials, PartMaterial, RoundRimmedBowl,
+    Shape, SolidCone, SolidCylinder, ThickRing,
+};
+
+use crate::draw::Draw;
+
+pub fn built(kind: &Kind) -> Arc<dyn Shape> {
+    kind.build(&mut Context::default()).expect("valid")
+}
+
+/// A line from outside through the box of a shape, its direction a unit vector.
+pub fn line(draw: &mut Draw, shape: &dyn Shape) -> Ray {
+    let bounds = shape.bounds();
+    let v = draw.vector(0.5);
+    let extent = bounds.extent();
+    let target =
+        bounds.center() + Vector::new(v.x() * extent.x(), v.y() * extent.y(), v.z() * extent.z());
+    let direction: Vector = draw.direction().into();
+    Ray::new(target - 2.0 * extent.length() * direction, direction)
+}
+
+/// Pieces of a line shorter than this, as a share of the solid's size, are not asked about: there
+/// the rounding of the roots could decide.
+const SHORT: f64 = 1e-6;
+
+/// Law: the pieces into which a solid's roots cut a line are outside and inside it in turn. So it
+/// is closed, is crossed an even number of times, and is the set of points that `inside` says.
+pub fn check_pieces(kind: &Kind, draw: &mut Draw, lines: usize, inside: impl Fn(Point) -> bool) {
+    let shape = built(kind);
+    let size = shape.bounds().extent().length();
+    let mut pieces = 0;
+    for _ in 0..lines {
+        let ray = line(draw, &*shape);
+        let roots = shape.roots(&ray, Span::LINE);
+        let ts: Vec<f64> = roots.iter().map(|root| root.t).collect();
+        assert_eq!(ts.len() % 2, 0, "{kind:?}: {ray:?} crosses at {ts:?}");
+        let ends = [0.0].into_iter().chain(ts.iter().copied()).chain([4.0 * size]);
+        let ends: Vec<f64> = ends.collect();
+        for (i, pair) in ends.windows(2).enumerate() {
+            if pair[1] - pair[0] < SHORT * size {
+                continue;
+            }
+            for share in [0.01, 0.5, 0.99] {
+                let point = ray.at(pair[0] + share * (pair[1] - pair[0]));
+                assert_eq!(inside(point), i % 2 == 1, "{kind:?}: {point:?} of {ray:?}, {ts:?}");
+            }
+            pieces += 1;
+        }
+        for (i, root) in roots.iter().enumerate() {
+            let cosine = shape.surface(&ray, root).normal.dot(ray.direction);
+            let sign = if i % 2 == 0 { -1.0 } else { 1.0 };
+            assert!(sign * cosine > -1e-6, "{kind:?}: root {i} of {ray:?} faces the wrong way");
+        }
+    }
+    assert!(pieces > lines, "only {pieces} pieces of {lines} lines");
+}
+
+pub fn from_axis(p: Point) -> f64 {
+    let [x, _, z] = p.to_array();
+    (x * x + z * z).sqrt()
+}
+
+/// Law and oracle: as [`check_pieces`]; the equation of a cone (Suffern, ch. 19).
+#[test]
+fn a_solid_cone_is_closed_and_obeys_its_inequality() {
+    let mut draw = Draw::new(1930);
+    for _ in 0..40 {
+        let (height, radius) = (draw.between(0.2, 3.0), draw.between(0.2, 3.0));
+        let cone = SolidCone { height, radius, materials: Materials::new() };
+        check_pieces(&cone.into(), &mut draw, 200, |p| {
+            p.y() >= 0.0 && from_axis(p) <= radius * (1.0 - p.y() / height)
+        });
+    }
+}
+
+/// Law and oracle: as [`check_pieces`]; the cylinders and planes of the ring (Suffern, ch. 19).
+#[test]
+fn a_thick_ring_and_a_solid_cylinder_are_closed_and_obey_their_inequalities() {
+    let mut draw = Draw::new(1931);
+    for _ in 0..40 {
+        let y0 = draw.between(-1.0, 1.0);
+        let y1 = y0 + draw.between(0.1, 2.0);
+        let inner_radius = draw.between(0.1, 1.0);
+        let outer_radius = inner_radius + draw.between(0.1, 1.0);
+        let materials = Materials::new();
+        let high = |p: Point| (y0..=y1).contains(&p.y());
+        let ring = ThickRing { y0, y1, inner_radius, outer_radius, materials: materials.clone() };
+        check_pieces(&ring.into(), &mut draw, 200, |p| {
+            high(p) && (inner_radius..=outer_radius).contains(&from_axis(p))
+        });
+        let cylinder = SolidCylinder { y0, y1, radius: outer_radius, materials };
+        check_pieces(&cylinder.into(), &mut draw, 200, |p| high(p) && from_axis(p) <= outer_radius);
+    }
+}
+
+/// Inner and outer radius of a bowl, and its opening.
+fn bowl(draw: &mut Draw) -> ([f64; 2], f64) {
+    let outer = draw.between(0.5, 2.0);
+    let opening = if draw.coin() { 180.0 } else { draw.between(60.0, 320.0) };
+    ([outer * draw.between(0.7, 0.98), outer], opening)
+}
+
+/// Law and oracle: as [`check_pieces`]; two spheres and the plane in which the inner one opens at
+/// the angle.
+#[test]
+fn a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim() {
+    let mut draw = Draw::new(1932);
+    for _ in 0..40 {
+        let ([inner_radius, outer_radius], opening) = bowl(&mut draw);
+        let rim = inner_radius * cos_degrees(0.5 * opening);
+        if rim < -0.95 * inner_radius {
+            continue;
+        }
+        let materials = Materials::new();
+        let bowl = FlatRimmedBowl { inner_radius, outer_radius, opening, materials };
+        check_pieces(&bowl.into(), &mut draw, 300, |p| {
+            let r = p.to_vector().length();
+            (inner_radius..=outer_radius).contains(&r) && p.y() <= rim
+        });
+    }
+}
+
+/// Law and oracle: as [`check_pieces`]; two spheres up to the cone of the opening, and a tube about
+/// the circle half-way between them there.
+#[test]
+fn a_round_rimmed_bowl_is_closed_and_ends_in_a_tube() {
+    let mut draw = Draw::new(1933);
+    for _ in 0..40 {
+        let ([inner_radius, outer_radius], opening) = bowl(&mut draw);
+        let (s, c) = (sin_degrees(0.5 * opening), cos_degrees(0.5 * opening));
+        let (middle, thin) =
+            (0.5 * (inner_radius + outer_radius), 0.5 * (outer_radius - inner_radius));
+        if middle * s <= thin {
+            continue;
+        }
+        let materials = Materials::new();
+        let bowl = RoundRimmedBowl { inner_radius, outer_radius, opening, materials };
+        check_pieces(&bowl.into(), &mut draw, 300, |p| {
+            let (r, rho, y) = (p.to_vector().length(), from_axis(p), p.y());
+            let in_shell = (inner_radius..=outer_radius).contains(&r) && rho * c >= y * s;
+            let (a, b) = (rho - middle * s, y - middle * c);
+            in_shell || a * a + b * b <= thin * thin
+        });
+    }
+}
+
+/// Law: rim and spheres touch: where one ends and the other begins, points and normals are the
+/// same. Oracle: the direction from the centre, along which the spheres' normals are.
+#[test]
+fn the_rim_of_a_bowl_touches_both_spheres() {
+    /// Of a direction, 1e-9 from the seam and a curvature of 1/0.1.
+    const BEND: f64 = 4e-8;
+    for opening in [180.0, 120.0, 250.0_f64] {
+        let materials = Materials::new();
+        let shape = built(
+            &RoundRimmedBowl { inner_radius: 1.0, outer_radius: 1.2, opening, materials }.into(),
+        );
+        for (radius, side) in [(1.0, -1.0), (1.2, 1.0)] {
+            for beside in [-1e-9, 1e-9] {
+                let theta = 0.5 * opening + beside;
+                let n = Vector::new(
+                    0.6 * sin_degrees(theta),
+                    cos_degrees(theta),
+                    0.8 * sin_degrees(theta),
+                );
+                let ray = Ray::new(Point::ORIGIN + (radius + 0.05 * side) * n, -side * n);
+                let at = shape.hit(&ray, Span::AHEAD).expect("the bowl is closed");
+                let surface = shape.surface(&ray, &at);
+                assert!((at.t - 0.05).abs() < 1e-14, "{opening}, {radius}: {at:?}");
+                assert!(
+                    (Vector::from(surface.normal) - side * n).length() < BEND,
+                    "{opening}: {surface:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Law and oracle: as [`check_pieces`]; the spheres through three known points of each hollow. The
+/// radius for (4, 2, 0.35) is worked by hand: (0.825² + 4²)/(2·0.825) = 10.10947.
+#[test]
+fn a_concave_lens_is_a_disk_without_two_balls() {
+    let mut draw = Draw::new(1934);
+    for case in 0..40 {
+        let (radius, min_distance) = (draw.between(0.5, 4.0), draw.between(0.05, 1.0));
+        let thickness = min_distance + draw.between(0.05, 1.9) * radius;
+        let [radius, thickness, min_distance] =
+            if case == 0 { [4.0, 2.0, 0.35] } else { [radius, thickness, min_distance] };
+        // a circle through (0, m/2) and (±R, T/2): the centre is as far from one as the other
+        let (low, high) = (0.5 * min_distance, 0.5 * thickness);
+        let center = (radius * radius + (high - low) * (high + low)) / (2.0 * (high - low));
+        let rho = center - low;
+        assert!(case != 0 || (rho - 10.10947).abs() < 5e-6, "{rho}");
+        let lens = ConcaveLens { radius, thickness, min_distance, materials: Materials::new() };
+        check_pieces(&lens.into(), &mut draw, 200, |p| {
+            let from_center = Vector::new(p.x(), p.y().abs() - center, p.z()).length();
+            p.y().abs() <= high && from_axis(p) <= radius && from_center >= rho
+        });
+    }
+}
+
+/// Law: a cut face is hit where its inequalities hold, and its normal is up. Oracle: the point
+/// aimed at.
+#[test]
+fn a_cut_face_is_a_square_without_a_disk() {
+    let mut draw = Draw::new(1935);
+    let mut hits = 0;
+    for _ in 0..10_000 {
+        let size = draw.between(0.5, 2.0);
+        let radius = draw.between(0.05, 0.7) * size;
+        let shape = built(&CutFace { size, radius }.into());
+        let [x, _, z] = draw.vector(0.6 * size).to_array();
+        let origin = draw.point(3.0);
+        let ray = Ray::new(origin, Point::new(x, 0.0, z) - origin);
+        let hit = shape.hit(&ray, Span::AHEAD);
+        let wanted =
+            x.abs() <= 0.5 * size && z.abs() <= 0.5 * size && x * x + z * z >= radius * radius;
+        assert_eq!(hit.is_some(), wanted, "({x}, {z}) of {size}, {radius}");
+        if let Some(at) = hit {
+            assert_eq!(shape.surface(&ray, &at).normal.to_array(), [0.0, 1.0, 0.0]);
+            hits += 1;
+        }
+    }
+    assert!(hits > 2_000);
+}
+
+/// A ring whose parts may have the materials `red` (0), `glass` (1), which casts no shadows.
+fn ring(materials: &[(&str, &str)]) -> Result<Arc<dyn Shape>, String> {
+    let defined = [("red", 0, true), ("glass", 1, false)];
+    let defined = defined.map(|(name, place, casts_shadows)| {
+        (name.to_owned(), PartMaterial { place, casts_shadows })
+    });
+    let materials = materials.iter().map(|&(part, name)| (part.to_owned(), name.to_owned()));
+    let ring = ThickRing {
+        y0: 0.0,
+        y1: 1.0,
+        inner_radius: 1.0,
+        outer_radius: 2.0,
+        materials: materials.collect(),
+    };
+    let mut context = Context::default().with_materials(defined.into());
+    Kind::from(ring).build(&mut context).map_err(|e| e.to_string())
+}
+
+/// Rays at the bottom, the top, the inner and the outer wall of the ring.
+fn at_parts() -> [(&'static str, Ray); 4] {
+    let ray = |x, y, dx, dy| Ray::new(Point::new(x, y, 0.0), Vector::new(dx, dy, 0.0));
+    [
+        ("bottom", ray(1.5, -1.0, 0.0, 1.0)),
+        ("top", ray(1.5, 2.0, 0.0, -1.0)),
+        ("inner_wall", ray(0.0, 0.5, 1.0, 0.0)),
+        ("outer_wall", ray(3.0, 0.5, -1.0, 0.0)),
+    ]
+}
+
+/// Law: a part that `materials` names has its material, every other that of the whole. Oracle: the
+/// list itself.
+#[test]
+fn each_part_of_a_solid_has_its_material() {
+    for (part, _) in at_parts() {
+        for (material, place) in [("red", 0), ("glass", 1)] {
+            let shape = ring(&[(part, material)]).expect("a part's name");
+            for (name, ray) in at_parts() {
+                let at = shape.hit(&ray, Span::AHEAD).expect("aimed at");
+                let expected = (name == part).then_some(place);
+                assert_eq!(shape.surface(&ray, &at).material, expected, "{part}, {name}");
+            }
+        }
+    }
+    let plain = ring(&[]).expect("no materials");
+    for (name, ray) in at_parts() {
+        let at = plain.hit(&ray, Span::AHEAD).expect("aimed at");
+        assert_eq!(plain.surface(&ray, &at).material, None, "{name}");
+    }
+}
+
+/// Law: a part of a material that casts no shadows stands in no light's way; the others do. Oracle:
+/// which part the ray is aimed at.
+#[test]
+fn a_part_whose_material_casts_no_shadows_lets_light_pass() {
+    for (part, _) in at_parts() {
+        let shape = ring(&[(part, "glass")]).expect("a part's name");
+        for (name, ray) in at_parts() {
+            let first = Span { min: 0.0, max: 1.25 };
+            assert!(shape.hit(&ray, first).is_some());
+            assert_eq!(shape.shadow_hit(&ray, first).is_some(), name != part, "{part}, {name}");
+        }
+    }
+}
+
+/// Law: a part or a material that is not there is an error that lists what is.
+#[test]
+fn an_unknown_part_is_named_with_those_there_are() {
+    assert_eq!(
+        ring(&[("lid", "red")]).expect_err("no lid"),
+        "thick_ring.materials: no part `lid`; there are: bottom, inner_wall, outer_wall, top"
+    );
+    assert_eq!(
+        ring(&[("top", "blue")]).expect_err("no blue"),
+        "thick_ring.parts[1] \"top\", material: no material `blue`; defined are: glass, red"
+    );
+}
+
+/// Law: numbers that no solid has are refused by the name of the field a person typed.
+#[test]
+fn solids_name_the_field_that_does_not_fit() {
+    let m = Materials::new;
+    let flat = |inner_radius, outer_radius, opening| {
+        Kind::from(FlatRimmedBowl { inner_radius, outer_radius, opening, materials: m() })
+    };
+    let round = |inner_radius, outer_radius, opening| {
+        Kind::from(RoundRimmedBowl { inner_radius, outer_radius, opening, materials: m() })
+    };
+    let lens = |radius, thickness, min_distance| {
+        Kind::from(ConcaveLens { radius, thickness, min_distance, materials: m() })
+    };
+    let ring = |y1, inner_radius, outer_radius| {
+        Kind::from(ThickRing { y0: 0.0, y1, inner_radius, outer_radius, materials: m() })
+    };
+    let cone = |height, radius| Kind::from(SolidCone { height, radius, materials: m() });
+    for (kind, problem) in [
+        (cone(0.0, 1.0), "solid_cone.height: found 0, but a positive, finite number is needed"),
+        (
+            cone(1.0, f64::NAN),
+            "solid_cone.radius: found NaN, but a positive, finite number is needed",
+        ),
+        (ring(0.0, 1.0, 2.0), "thick_ring.y1: found 0, but it must be above y0, 0"),
+        (
+            ring(1.0, 0.0, 2.0),
+            "thick_ring.inner_radius: found 0, but a positive, finite number is needed",
+        ),
+        (
+            ring(1.0, 2.0, 2.0),
+            "thick_ring.outer_radius: found 2, but it must be above inner_radius, 2",
+        ),
+        (
+            flat(0.0, 1.0, 180.0),
+            "flat_rimmed_bowl.inner_radius: found 0, but a positive, finite number is needed",
+        ),
+        (
+            flat(2.0, 1.0, 180.0),
+            "flat_rimmed_bowl.outer_radius: found 1, but it must be above inner_radius, 2",
+        ),
+        (
+            flat(0.9, 1.0, 360.0),
+            "flat_rimmed_bowl.opening: found 360, but degrees above 0 and below 360 are needed",
+        ),
+        (
+            round(0.9, 1.0, f64::NAN),
+            "round_rimmed_bowl.opening: found NaN, but degrees above 0 and below 360 are needed",
+        ),
+        (
+            round(0.1, 1.0, 30.0),
+            "round_rimmed_bowl.opening: found 30, but so thick a rim would close the bowl",
+        ),
+        (
+            lens(1.0, 1.0, 1.0),
+            "concave_lens.min_distance: found 1, but it must be less than the thickness, 1",
+        ),
+        (
+            lens(1.0, 3.0, 0.5),
+            "concave_lens.thickness: found 3, but it must be at most 2.5: hollows deeper than the \
+             radius would be wider inside than at the rim",
+        ),
+        (
+            CutFace { size: 2.0, radius: 1.5 }.into(),
+            "cut_face.radius: found 1.5, but it must be less than 1.4142135623730951: nothing is left \
+             of size 2",
+        ),
+    ] {
+        let found = kind.build(&mut Context::default()).expect_err("refused").to_string();
+        assert!(found == problem, "{found}\ninstead of\n{problem}");
+    }
+}

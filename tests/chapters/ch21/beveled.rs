@@ -1,0 +1,410 @@
+//! Beveled solids: the points at most the bevel away from a smaller solid.
+
+use std::f64::consts::PI;
+
+use groundtruth::math::{Point, Ray, Span, Step, Vector, atan2, cos_degrees, sin_degrees};
+use groundtruth::shapes::{
+    BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Context, Instance, Kind, Materials,
+    Shape, Sphere,
+};
+
+use crate::ch19::compounds::{built, check_pieces, from_axis, line};
+use crate::draw::Draw;
+
+/// A solid and how far a point is from what is left of it without its bevel (0 inside of that).
+struct Case {
+    kind: Kind,
+    bevel: f64,
+    from_inset: Box<dyn Fn(Point) -> f64>,
+    /// Whether a line meets it at most twice.
+    convex: bool,
+}
+
+/// How far `x` is outside of the interval, shrunk by `bevel` at both ends.
+fn beside([low, high]: [f64; 2], bevel: f64, x: f64) -> f64 {
+    let (low, high) = (low + bevel, high - bevel);
+    (low - x).max(x - high).max(0.0)
+}
+
+fn length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+/// Bevels of less than the half that fits, of just that, and small ones.
+fn share(draw: &mut Draw) -> f64 {
+    match draw.below(4) {
+        0 => 0.5,
+        1 => draw.decades(-3.0, -1.0),
+        _ => draw.between(0.05, 0.49),
+    }
+}
+
+fn beveled_box(draw: &mut Draw) -> Case {
+    let min = draw.point(1.0);
+    let sides = [0; 3].map(|_| draw.between(0.2, 2.0));
+    let max = min + Vector::from(sides);
+    let bevel = share(draw) * sides.into_iter().fold(f64::INFINITY, f64::min);
+    let from_inset = move |p: Point| {
+        let off = [0, 1, 2].map(|i| beside([min.along(i), max.along(i)], bevel, p.along(i)));
+        Vector::from(off).length()
+    };
+    let kind = BeveledBox { min, max, bevel, materials: Materials::new() }.into();
+    Case { kind, bevel, from_inset: Box::new(from_inset), convex: true }
+}
+
+fn beveled_cylinder(draw: &mut Draw) -> Case {
+    let (y0, radius) = (draw.between(-1.0, 1.0), draw.between(0.2, 2.0));
+    let y1 = y0 + draw.between(0.2, 4.0);
+    let bevel = if draw.coin() { share(draw) } else { draw.between(0.5, 1.0) };
+    let bevel = (bevel * radius).min(0.5 * (y1 - y0));
+    let from_inset = move |p: Point| {
+        length((from_axis(p) - (radius - bevel)).max(0.0), beside([y0, y1], bevel, p.y()))
+    };
+    let kind = BeveledCylinder { y0, y1, radius, bevel, materials: Materials::new() }.into();
+    Case { kind, bevel, from_inset: Box::new(from_inset), convex: true }
+}
+
+fn beveled_ring(draw: &mut Draw) -> Case {
+    let (y0, inner_radius) = (draw.between(-1.0, 1.0), draw.between(0.1, 2.0));
+    let y1 = y0 + draw.between(0.2, 2.0);
+    let outer_radius = inner_radius + draw.between(0.2, 1.0);
+    let bevel = share(draw) * (y1 - y0).min(outer_radius - inner_radius);
+    let from_inset = move |p: Point| {
+        let radii = [inner_radius, outer_radius];
+        length(beside(radii, bevel, from_axis(p)), beside([y0, y1], bevel, p.y()))
+    };
+    let materials = Materials::new();
+    let kind = BeveledRing { y0, y1, inner_radius, outer_radius, bevel, materials }.into();
+    Case { kind, bevel, from_inset: Box::new(from_inset), convex: false }
+}
+
+/// In the plane, as complex numbers: `z + i x`, whose argument is the azimuth.
+type Flat = [f64; 2];
+
+fn turned([a, b]: Flat, degrees: f64) -> Flat {
+    let (s, c) = (sin_degrees(degrees), cos_degrees(degrees));
+    [a * c - b * s, a * s + b * c]
+}
+
+fn apart(p: Flat, q: Flat) -> f64 {
+    length(p[0] - q[0], p[1] - q[1])
+}
+
+fn degrees(p: Flat) -> f64 {
+    (180.0 / PI) * atan2(p[1], p[0])
+}
+
+fn to_segment(p: Flat, [a, b]: [Flat; 2]) -> f64 {
+    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+    let square = u[0] * u[0] + u[1] * u[1];
+    let share = if square > 0.0 { (u[0] * v[0] + u[1] * v[1]) / square } else { 0.0 };
+    let share = share.clamp(0.0, 1.0);
+    apart(v, [share * u[0], share * u[1]])
+}
+
+/// The distance of a level point from what is left of a sector between two radii when all that is
+/// within `bevel` of its border is taken off: from its arcs and from the segments between them.
+fn from_sector(p: Flat, [r0, r1]: [f64; 2], [from, to]: [f64; 2], bevel: f64) -> f64 {
+    let width = to - from;
+    // as seen from the first side, and mirrored from the second
+    let [x, y] = turned(p, -from);
+    let mirrored = |q: Flat| turned([q[0], -q[1]], width);
+    let (near, far) = (r0 + bevel, r1 - bevel);
+    let on_arc = |r: f64| [((r - bevel) * (r + bevel)).sqrt(), bevel];
+    let start = [on_arc(near), on_arc(far)];
+    let end = start.map(mirrored);
+    let rho = length(x, y);
+    let azimuth = degrees([x, y]).rem_euclid(360.0);
+    let off_ray = |q: Flat| if q[0] > 0.0 { q[1].abs() } else { rho };
+    let clear = off_ray([x, y]) >= bevel && off_ray(mirrored([x, y])) >= bevel;
+    if (near..=far).contains(&rho) && azimuth <= width && clear {
+        return 0.0;
+    }
+    let arc = |r: f64, ends: [Flat; 2]| {
+        let within = (degrees(ends[0])..=width - degrees(ends[0])).contains(&azimuth);
+        if within { (rho - r).abs() } else { apart([x, y], ends[0]).min(apart([x, y], ends[1])) }
+    };
+    arc(near, [start[0], end[0]])
+        .min(arc(far, [start[1], end[1]]))
+        .min(to_segment([x, y], start))
+        .min(to_segment([x, y], end))
+}
+
+fn beveled_wedge(draw: &mut Draw) -> Case {
+    let (y0, inner_radius) = (draw.between(-1.0, 1.0), draw.between(0.5, 2.0));
+    let y1 = y0 + draw.between(0.2, 2.0);
+    let outer_radius = inner_radius + draw.between(0.2, 1.0);
+    let from = draw.between(-180.0, 90.0);
+    let width = draw.between(30.0, 345.0);
+    let phi = match draw.below(3) {
+        0 => [0.0, 90.0],
+        _ if from + width > 360.0 => [from, from + width - 360.0],
+        _ => [from, from + width],
+    };
+    let full = if phi[1] < phi[0] { [phi[0], phi[1] + 360.0] } else { phi };
+    let half = sin_degrees((0.5 * (full[1] - full[0])).min(89.0));
+    let fits = (inner_radius * half / (1.0 - half)).min(0.5 * (y1 - y0));
+    let bevel = 2.0 * share(draw) * fits.min(0.5 * (outer_radius - inner_radius));
+    let from_inset = move |p: Point| {
+        let level = from_sector([p.z(), p.x()], [inner_radius, outer_radius], full, bevel);
+        length(level, beside([y0, y1], bevel, p.y()))
+    };
+    let materials = Materials::new();
+    let kind = BeveledWedge { y0, y1, inner_radius, outer_radius, phi, bevel, materials }.into();
+    Case { kind, bevel, from_inset: Box::new(from_inset), convex: false }
+}
+
+const KINDS: [fn(&mut Draw) -> Case; 4] =
+    [beveled_box, beveled_cylinder, beveled_ring, beveled_wedge];
+
+/// Law: lines are outside and inside of the solid in turn, as the distance from the smaller solid
+/// is above and below the bevel. Oracle: that distance in closed form.
+#[test]
+fn a_beveled_solid_is_what_is_within_the_bevel_of_a_smaller_one() {
+    let mut draw = Draw::new(2130);
+    for make in KINDS {
+        for _ in 0..60 {
+            let Case { kind, bevel, from_inset, .. } = make(&mut draw);
+            check_pieces(&kind, &mut draw, 150, |p| from_inset(p) <= bevel);
+        }
+    }
+}
+
+/// Law: every point of the surface is as far from the smaller solid as the bevel. Oracle: the
+/// distance in closed form.
+#[test]
+fn points_of_a_beveled_solid_are_at_the_bevel_from_the_smaller_one() {
+    /// Coordinates of up to 4, some tens of roundings.
+    const CLOSE: f64 = 4.0 * 64.0 * f64::EPSILON;
+    let mut draw = Draw::new(2131);
+    for make in KINDS {
+        let mut hits = 0;
+        for _ in 0..60 {
+            let Case { kind, bevel, from_inset, .. } = make(&mut draw);
+            let shape = built(&kind);
+            for _ in 0..150 {
+                let ray = line(&mut draw, &*shape);
+                for root in shape.roots(&ray, Span::LINE) {
+                    let point = shape.surface(&ray, &root).point;
+                    let off = from_inset(point) - bevel;
+                    assert!(off.abs() <= CLOSE, "{kind:?}: {point:?} is off by {off:e}");
+                    hits += 1;
+                }
+            }
+        }
+        assert!(hits > 4_000);
+    }
+}
+
+/// Law: from inside there is no way out but through the surface: a ray crosses it an odd number of
+/// times, once if the solid is convex. Oracle: parity. With LAWS_CASES more rays.
+#[test]
+fn beveled_solids_are_watertight_from_inside() {
+    let mut draw = Draw::new(2132);
+    for make in KINDS {
+        let mut rays = 0;
+        while rays < 25_000 {
+            let Case { kind, bevel, from_inset, convex } = make(&mut draw);
+            let shape = built(&kind);
+            let bounds = shape.bounds();
+            for _ in 0..500 {
+                let v = draw.vector(0.5);
+                let extent = bounds.extent();
+                let [x, y, z] = [0, 1, 2].map(|i| v.along(i) * extent.along(i));
+                let origin = bounds.center() + Vector::new(x, y, z);
+                if from_inset(origin) > 0.999 * bevel {
+                    continue;
+                }
+                let ray = Ray::new(origin, draw.direction().into());
+                let roots = shape.roots(&ray, Span::AHEAD).len();
+                assert!(roots % 2 == 1 && (roots == 1 || !convex), "{kind:?}: {roots} of {ray:?}");
+                assert!(shape.hit(&ray, Span::AHEAD).is_some());
+                rays += 1;
+            }
+        }
+    }
+}
+
+/// The volume inside the shape by line integrals over `n²` parallel rays through its box.
+fn volume(shape: &dyn Shape, n: u32) -> f64 {
+    let bounds = shape.bounds();
+    let extent = bounds.extent();
+    let cell = extent.x() * extent.y() / f64::from(n * n);
+    let mut sum = 0.0;
+    for i in 0..n {
+        for j in 0..n {
+            let [u, v] = [i, j].map(|k| (f64::from(k) + 0.5) / f64::from(n));
+            let origin = Point::new(
+                bounds.min.x() + u * extent.x(),
+                bounds.min.y() + v * extent.y(),
+                bounds.min.z() - 1.0,
+            );
+            let roots = shape.roots(&Ray::new(origin, Vector::Z), Span::AHEAD);
+            sum += roots.chunks(2).map(|pair| pair[1].t - pair[0].t).sum::<f64>();
+        }
+    }
+    cell * sum
+}
+
+/// Law: volumes are those of the closed forms (Steiner's formula for box and cylinder, Pappus's for
+/// the ring), and so tend to the plain solids' as the square of the bevel. Oracle: those formulas.
+#[test]
+fn the_volume_of_a_beveled_solid_is_known_and_tends_to_the_plain_one() {
+    /// Midpoints of 128² cells: errors of some cells' share at borders that are lines of the grid.
+    const CLOSE: f64 = 2e-3;
+    let materials = Materials::new;
+    for bevel in [0.3, 0.1, 0.01] {
+        let (min, max) = (Point::new(-0.5, -0.5, 0.0), Point::new(0.5, 1.0, 2.0));
+        let cuboid = BeveledBox { min, max, bevel, materials: materials() };
+        let [a, b, c] = [1.0, 1.5, 2.0].map(|side| side - 2.0 * bevel);
+        let ball = 4.0 / 3.0 * PI * bevel * bevel * bevel;
+        let square = bevel * bevel;
+        let box_volume =
+            a * b * c + 2.0 * bevel * (a * b + b * c + c * a) + PI * square * (a + b + c) + ball;
+        let (y0, y1) = (-0.5, 0.5);
+        let cylinder = BeveledCylinder { y0, y1, radius: 1.0, bevel, materials: materials() };
+        let (r, h) = (1.0 - bevel, 1.0 - 2.0 * bevel);
+        let cylinder_volume =
+            PI * r * r * h + 2.0 * PI * r * (r + h) * bevel + PI * (h + PI * r) * square + ball;
+        let ring = BeveledRing {
+            y0,
+            y1,
+            inner_radius: 1.0,
+            outer_radius: 2.0,
+            bevel,
+            materials: materials(),
+        };
+        let ring_volume = 2.0 * PI * 1.5 * (1.0 - (4.0 - PI) * square);
+        for (kind, expected, plain) in [
+            (Kind::from(cuboid), box_volume, 3.0),
+            (cylinder.into(), cylinder_volume, PI),
+            (ring.into(), ring_volume, 3.0 * PI),
+        ] {
+            let found = volume(&*built(&kind), 128);
+            assert!((found / expected - 1.0).abs() < CLOSE, "{kind:?}: {found}, not {expected}");
+            assert!((plain - expected) / plain < 6.0 * square && found < plain * (1.0 + CLOSE));
+        }
+    }
+}
+
+/// Law: with a bevel as large as its radius and half as high, a beveled cylinder is a sphere: the
+/// unit sphere of figure 21.13. Oracle: that sphere.
+#[test]
+fn the_cylinder_of_figure_21_13_is_a_unit_sphere() {
+    let materials = Materials::new();
+    let cylinder = BeveledCylinder { y0: -0.75, y1: 1.25, radius: 1.0, bevel: 1.0, materials };
+    let center = Point::new(0.0, 0.25, 0.0);
+    let shape = built(&cylinder.into());
+    let sphere = built(&Sphere { center, radius: 1.0, inward: false }.into());
+    let mut draw = Draw::new(2133);
+    let mut hits = 0;
+    for _ in 0..20_000 {
+        let ray = line(&mut draw, &*sphere);
+        let [ours, theirs] = [&shape, &sphere].map(|shape| shape.roots(&ray, Span::LINE));
+        assert_eq!(ours.len(), theirs.len(), "{ray:?}");
+        for (a, b) in ours.iter().zip(&theirs) {
+            let [p, q] = [shape.surface(&ray, a), sphere.surface(&ray, b)];
+            // where a ray meets it slantingly, rounding moves the hit along it
+            let cosine = q.normal.dot(ray.direction).abs();
+            assert!((a.t - b.t).abs() * cosine < 1e-14, "{ray:?}: {} and {}", a.t, b.t);
+            assert!((Vector::from(p.normal) + -Vector::from(q.normal)).length() * cosine < 1e-14);
+            hits += 1;
+        }
+    }
+    assert!(hits > 15_000);
+}
+
+/// Law: scaling after beveling distorts the bevel (figure 21.12): a cylinder that is beveled and
+/// then stretched is not the stretched cylinder beveled, though both stand in the same box. Oracle:
+/// the ellipse and the circle of their edges' sections, at 45°.
+#[test]
+fn stretching_a_beveled_cylinder_stretches_its_bevel() {
+    let cylinder = |y: f64, bevel| {
+        let materials = Materials::new();
+        Kind::from(BeveledCylinder { y0: -y, y1: y, radius: 1.0, bevel, materials })
+    };
+    let steps = vec![Step::Scale(Vector::new(1.0, 3.0, 1.0))];
+    let stretched = built(&Instance::new(cylinder(1.0, 0.5), steps).into());
+    let made_so = built(&cylinder(3.0, 0.5));
+    let height = |shape: &dyn Shape, x: f64| {
+        let ray = Ray::new(Point::new(x, 5.0, 0.0), -Vector::Y);
+        5.0 - shape.hit(&ray, Span::AHEAD).expect("aimed at").t
+    };
+    let side = 0.5 * std::f64::consts::FRAC_1_SQRT_2;
+    assert!((height(&*stretched, 0.5 + side) - (1.5 + 3.0 * side)).abs() < 1e-14);
+    assert!((height(&*made_so, 0.5 + side) - (2.5 + side)).abs() < 1e-14);
+    for shape in [stretched, made_so] {
+        assert!((height(&*shape, 0.25) - 3.0).abs() < 1e-14);
+    }
+}
+
+/// Law: bevels that do not fit are refused with the largest that does.
+#[test]
+fn a_bevel_that_does_not_fit_is_refused_with_one_that_does() {
+    let m = Materials::new;
+    let (min, max) = (Point::ORIGIN, Point::new(1.0, 0.5, 2.0));
+    let wedge = |inner_radius, phi, bevel| {
+        Kind::from(BeveledWedge {
+            y0: 0.0,
+            y1: 9.0,
+            inner_radius,
+            outer_radius: 9.0,
+            phi,
+            bevel,
+            materials: m(),
+        })
+    };
+    let cylinder = |radius, bevel| {
+        Kind::from(BeveledCylinder { y0: 0.0, y1: 1.0, radius, bevel, materials: m() })
+    };
+    let ring = BeveledRing {
+        y0: 0.0,
+        y1: 1.0,
+        inner_radius: 1.0,
+        outer_radius: 1.25,
+        bevel: 0.2,
+        materials: m(),
+    };
+    let turn = "two azimuths in degrees from -360 to 360 are needed, less than a turn apart; [350, 10] \
+                passes through 360";
+    for (kind, problem) in [
+        (
+            BeveledBox { min, max, bevel: 0.3, materials: m() }.into(),
+            "beveled_box.bevel: found 0.3, but at most 0.25 fits, half the side along y".to_owned(),
+        ),
+        (
+            BeveledBox { min, max, bevel: 0.0, materials: m() }.into(),
+            "beveled_box.bevel: found 0, but a positive, finite number is needed".to_owned(),
+        ),
+        (
+            BeveledBox { min: max, max: min, bevel: 0.1, materials: m() }.into(),
+            "beveled_box.max: found x = 0, but it must be above min's, 1".to_owned(),
+        ),
+        (
+            cylinder(0.25, 0.5),
+            "beveled_cylinder.bevel: found 0.5, but at most 0.25 fits, the radius".to_owned(),
+        ),
+        (
+            cylinder(2.0, 0.75),
+            "beveled_cylinder.bevel: found 0.75, but at most 0.5 fits, half the height".to_owned(),
+        ),
+        (
+            ring.into(),
+            "beveled_ring.bevel: found 0.2, but at most 0.125 fits, half the distance between the \
+             radii"
+                .to_owned(),
+        ),
+        (
+            // sin 30° = b/(1 + b)
+            wedge(1.0, [0.0, 60.0], 1.25),
+            "beveled_wedge.bevel: found 1.25, but at most 0.9999999999999999 fits: the inner wall is \
+             too narrow"
+                .to_owned(),
+        ),
+        (wedge(1.0, [30.0, 30.0], 0.1), format!("beveled_wedge.phi: found [30.0, 30.0], but {turn}")),
+        (wedge(1.0, [0.0, 360.0], 0.1), format!("beveled_wedge.phi: found [0.0, 360.0], but {turn}")),
+    ] {
+        let found = kind.build(&mut Context::default()).expect_err("refused").to_string();
+        assert!(found == problem, "{found}\ninstead of\n{problem}");
+    }
+}

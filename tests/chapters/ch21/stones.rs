@@ -1,0 +1,227 @@
+//! Rosette and archway: how many stones, where, of one piece, found alike by every method.
+
+use groundtruth::accel::Method;
+use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
+use groundtruth::shapes::{Archway, Context, Kind, Materials, Rosette, Shape};
+
+use crate::ch19::compounds::{built, from_axis, line};
+use crate::draw::Draw;
+
+fn rosette(rings: u32, bevel: f64, accel: Option<Method>) -> Rosette {
+    let (hole_radius, ring_width) = (0.75, 1.0);
+    let materials = Materials::new();
+    Rosette { rings, hole_radius, ring_width, bevel, y0: -0.25, y1: 0.25, accel, materials }
+}
+
+fn archway(blocks: u32, wedges: u32, bevel: f64, accel: Option<Method>) -> Archway {
+    Archway {
+        width: 20.0,
+        height: 25.0,
+        depth: 3.0,
+        column_width: 4.0,
+        blocks,
+        wedges,
+        bevel,
+        accel,
+        materials: Materials::new(),
+    }
+}
+
+/// How many grooves a circle of rays down at a little under the top crosses.
+fn stones(shape: &dyn Shape, rays: impl Iterator<Item = Ray>, top: f64) -> usize {
+    let low: Vec<bool> =
+        rays.map(|ray| shape.hit(&ray, Span::AHEAD).is_none_or(|at| at.t > top)).collect();
+    assert!(!low[0], "the first ray meets the middle of a stone");
+    low.windows(2).filter(|pair| !pair[0] && pair[1]).count()
+}
+
+/// Law: the rings of a rosette have 10, 12, 15, 18, 24 and 36 wedges. Oracle: the grooves that a
+/// circle of rays from above falls into, once around each ring.
+#[test]
+fn the_rings_of_a_rosette_have_the_books_numbers_of_wedges() {
+    let shape = built(&rosette(6, 0.05, None).into());
+    for (ring, count) in [10, 12, 15, 18, 24, 36].into_iter().enumerate() {
+        let radius = 0.75 + 0.5 + ring as f64;
+        let circle = (0..7201).map(|i| {
+            let phi = 180.0 / f64::from(count) + 0.05 * f64::from(i);
+            let origin = Point::new(radius * sin_degrees(phi), 1.25, radius * cos_degrees(phi));
+            Ray::new(origin, -Vector::Y)
+        });
+        assert_eq!(stones(&*shape, circle, 1.0 + 1e-6), count as usize, "ring {ring}");
+    }
+    let bounds = shape.bounds();
+    assert!((bounds.max.z() - 6.75).abs() < 1e-3 && bounds.max.z() <= 6.75 + 1e-12);
+    assert_eq!([bounds.min.y(), bounds.max.y()].map(|y| (y * 1e12).round()), [-25e10, 25e10]);
+}
+
+/// Law: an archway has so many blocks in each column and so many wedges over them, and fills the box
+/// of its width, height and depth from the ground up. Oracle: the grooves that rays from the front
+/// fall into, up along each column and around the arch.
+#[test]
+fn an_archway_has_its_blocks_and_wedges_in_its_box() {
+    for (blocks, wedges) in [(6, 10), (1, 1), (4, 7)] {
+        let shape = built(&archway(blocks, wedges, 0.2, None).into());
+        let from = |x: f64, y: f64| Ray::new(Point::new(x, y, 2.5), -Vector::Z);
+        for x in [-8.0, 8.0] {
+            // from the middle of the lowest block to the middle of the highest
+            let half = 7.5 / f64::from(blocks);
+            let column =
+                (0..=5000).map(|i| from(x, half + (15.0 - 2.0 * half) * f64::from(i) / 5000.0));
+            assert_eq!(stones(&*shape, column, 1.0 + 1e-6), blocks as usize - 1);
+        }
+        let half = 90.0 / f64::from(wedges);
+        let arch = (0..=5000).map(|i| {
+            let phi = half + (180.0 - 2.0 * half) * f64::from(i) / 5000.0;
+            from(8.0 * cos_degrees(phi), 15.0 + 8.0 * sin_degrees(phi))
+        });
+        assert_eq!(stones(&*shape, arch, 1.0 + 1e-6), wedges as usize - 1);
+        let bounds = shape.bounds();
+        let close = |p: Point, q: Point| p.distance(q) < 0.05;
+        assert!(close(bounds.min, Point::new(-10.0, 0.0, -1.5)), "{bounds:?}");
+        assert!(close(bounds.max, Point::new(10.0, 25.0, 1.5)), "{bounds:?}");
+    }
+}
+
+/// Law: a rosette and an archway are closed and inside of plain rings, columns and arch; all of
+/// these but the grooves is inside of them. Oracle: the plain solids, and how near to the planes and
+/// cylinders between stones a point is.
+#[test]
+fn stones_fill_the_plain_solid_but_for_their_grooves() {
+    let mut draw = Draw::new(2140);
+    let bevel = 0.1;
+    let grooves = |off: f64| (off - off.round()).abs();
+    for rings in [1, 3] {
+        let kind = Kind::from(rosette(rings, bevel, None));
+        let shape = built(&kind);
+        let outer = 0.75 + f64::from(rings);
+        let deep = |p: Point| {
+            let (rho, y) = (from_axis(p), 0.25 - p.y().abs());
+            let ring = rho - 0.75;
+            if y < 0.0 || rho < 0.75 || rho > outer {
+                return Some(false);
+            }
+            let counts = [10.0, 12.0, 15.0];
+            let count = counts[(ring as usize).min(2)];
+            let turn = groundtruth::math::atan2(p.x(), p.z()) / std::f64::consts::TAU;
+            let side = rho * sin_degrees(grooves(turn * count) * 360.0 / count);
+            // grooves between wedges are a little deeper at walls that bulge
+            let away = [y, grooves(ring), side].map(|d| d > 1.1 * bevel);
+            // whatever is deeper than the bevel from two of three kinds of face is no groove
+            (away.iter().filter(|&&a| a).count() >= 2).then_some(true)
+        };
+        check_known(&*shape, &mut draw, 5_000, deep);
+    }
+    let kind = Kind::from(archway(6, 10, 0.3, None));
+    let shape = built(&kind);
+    let deep = |p: Point| {
+        let [x, y, z] = [p.x().abs(), p.y() - 15.0, 1.5 - p.z().abs()];
+        let across = if y < 0.0 { x } else { (x * x + y * y).sqrt() };
+        if z < 0.0 || p.y() < 0.0 || !(6.0..=10.0).contains(&across) {
+            return Some(false);
+        }
+        let side = if y < 0.0 {
+            2.5 * grooves(p.y() / 2.5)
+        } else {
+            let share = groundtruth::math::atan2(y, x) / std::f64::consts::PI * 10.0;
+            across * sin_degrees(18.0 * grooves(share))
+        };
+        let away = [z, (across - 6.0).min(10.0 - across), side].map(|d| d > 1.1 * 0.3);
+        (away.iter().filter(|&&a| a).count() >= 2).then_some(true)
+    };
+    check_known(&*shape, &mut draw, 5_000, deep);
+}
+
+/// Where it is known whether a point is inside, the pieces between roots agree.
+fn check_known(
+    shape: &dyn Shape,
+    draw: &mut Draw,
+    lines: usize,
+    known: impl Fn(Point) -> Option<bool>,
+) {
+    let mut asked = [0; 2];
+    for _ in 0..lines {
+        let ray = line(draw, shape);
+        let roots = shape.roots(&ray, Span::LINE);
+        assert_eq!(roots.len() % 2, 0, "{ray:?} crosses at {roots:?}");
+        for (i, pair) in roots.windows(2).enumerate() {
+            if pair[1].t - pair[0].t < 1e-6 {
+                continue;
+            }
+            for share in [0.01, 0.3, 0.5, 0.99] {
+                let point = ray.at(pair[0].t + share * (pair[1].t - pair[0].t));
+                if let Some(inside) = known(point) {
+                    assert_eq!(inside, i % 2 == 0, "{point:?} of {ray:?}");
+                    asked[usize::from(inside)] += 1;
+                }
+            }
+        }
+        for (i, root) in roots.iter().enumerate() {
+            let cosine = shape.surface(&ray, root).normal.dot(ray.direction);
+            let sign = if i % 2 == 0 { -1.0 } else { 1.0 };
+            assert!(sign * cosine > -1e-6, "root {i} of {ray:?} faces the wrong way");
+        }
+    }
+    assert!(asked.iter().all(|&count| count > lines / 20), "{asked:?}");
+}
+
+/// Law: list and tree find the same part at the same distance, bit for bit. Oracle: the list.
+#[test]
+fn stones_are_found_alike_by_list_and_tree() {
+    let mut draw = Draw::new(2141);
+    let shapes = |accel| -> [Kind; 2] {
+        [rosette(2, 0.1, Some(accel)).into(), archway(2, 5, 0.5, Some(accel)).into()]
+    };
+    for (list, tree) in shapes(Method::List).iter().zip(&shapes(Method::Bvh)) {
+        let [list, tree] = [list, tree].map(built);
+        let mut hits = 0;
+        for _ in 0..4_000 {
+            let ray = line(&mut draw, &*list);
+            let hit = list.hit(&ray, Span::AHEAD);
+            assert_eq!(hit, tree.hit(&ray, Span::AHEAD), "{ray:?}");
+            let shadows = [&list, &tree].map(|shape| shape.shadow_hit(&ray, Span::AHEAD).is_some());
+            assert_eq!(shadows, [hit.is_some(); 2], "{ray:?}");
+            hits += usize::from(hit.is_some());
+        }
+        assert!(hits > 500, "{hits}");
+    }
+}
+
+/// Law: what no rosette or archway has is refused by the name of the field a person typed.
+#[test]
+fn stones_name_the_field_that_does_not_fit() {
+    let arch = archway(6, 10, 0.5, None);
+    for (kind, problem) in [
+        (
+            Kind::from(rosette(7, 0.1, None)),
+            "rosette.rings: found 7, but from 1 to 6 rings are needed",
+        ),
+        (rosette(0, 0.1, None).into(), "rosette.rings: found 0, but from 1 to 6 rings are needed"),
+        (
+            rosette(1, 0.3, None).into(),
+            "rosette.bevel: found 0.3, but at most 0.25 fits, half the height",
+        ),
+        (
+            Archway { height: 10.0, ..arch.clone() }.into(),
+            "archway.height: found 10, but it must be above half the width, 10",
+        ),
+        (
+            Archway { column_width: 10.0, ..arch.clone() }.into(),
+            "archway.column_width: found 10, but it must be below half the width, 10",
+        ),
+        (
+            Archway { blocks: 0, ..arch.clone() }.into(),
+            "archway.blocks: found 0, but from 1 to 1000 are needed",
+        ),
+        (
+            Archway { wedges: u32::MAX, ..arch.clone() }.into(),
+            "archway.wedges: found 4294967295, but from 1 to 1000 are needed",
+        ),
+        (
+            Archway { blocks: 20, ..arch }.into(),
+            "archway.bevel: found 0.5, but at most 0.375 fits, half the height of a block",
+        ),
+    ] {
+        let found = kind.build(&mut Context::default()).expect_err("refused").to_string();
+        assert!(found == problem, "{found}\ninstead of\n{problem}");
+    }
+}
