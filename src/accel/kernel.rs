@@ -24,6 +24,13 @@ impl Kernel {
     /// Plain Rust.
     pub const PLAIN: Self = Self(Instructions::Plain);
 
+    /// For code that runs only where the processor has AVX2.
+    #[cfg(target_arch = "x86_64")]
+    pub(super) const AVX2: Self = Self(Instructions::Avx2);
+    /// For code that runs only where the processor has AVX-512.
+    #[cfg(target_arch = "x86_64")]
+    pub(super) const AVX512: Self = Self(Instructions::Avx512);
+
     /// All that this processor has, the best first.
     pub fn available() -> Vec<Self> {
         let mut all = Vec::new();

@@ -3,7 +3,7 @@
 
 use super::frame::{Frame, FrameRay};
 use super::kernel::Kernel;
-use super::{Counter, Primitives};
+use super::{Counter, Member, Numbered, Primitives};
 use crate::math::Span;
 use crate::shapes::Candidate;
 
@@ -16,9 +16,9 @@ pub struct Among<'a, P> {
 }
 
 impl<P: Primitives> Among<'_, P> {
-    /// Whether a hit of this primitive counts: the rule.
-    fn counts(&self, index: u32, t: f64) -> bool {
-        self.ray.counts(&self.frame.boxed(&self.primitives.bounds(index)), t)
+    /// Whether a hit of this primitive counts: the rule of the frame.
+    fn counts(&self, member: &impl Member, t: f64) -> bool {
+        self.ray.counts(&self.frame.boxed(&member.bounds()), t)
     }
 }
 
@@ -33,10 +33,15 @@ pub struct Nearest<'a, P, C> {
 impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
     /// Looks at one primitive.
     pub fn consider(&mut self, index: u32) {
+        self.look_at(&Numbered { primitives: self.among.primitives, index });
+    }
+
+    fn look_at(&mut self, member: &impl Member) {
         self.counter.test();
-        let Some(hit) = self.among.primitives.hit(index, self.span) else { return };
+        let Some(hit) = member.hit(self.span) else { return };
+        let index = member.index();
         let loses_tie = self.best.is_some_and(|(i, best)| hit.t == best.t && index > i);
-        if !loses_tie && self.among.counts(index, hit.t) {
+        if !loses_tie && self.among.counts(member, hit.t) {
             self.best = Some((index, hit));
             self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
         }
@@ -52,8 +57,12 @@ pub struct Any<'a, P> {
 impl<P: Primitives> Any<'_, P> {
     /// The hit of one primitive, if it counts.
     pub fn consider(&self, index: u32) -> Option<(u32, Candidate)> {
-        let hit = self.among.primitives.shadow_hit(index, self.span)?;
-        self.among.counts(index, hit.t).then_some((index, hit))
+        self.look_at(&Numbered { primitives: self.among.primitives, index })
+    }
+
+    fn look_at(&self, member: &impl Member) -> Option<(u32, Candidate)> {
+        let hit = member.shadow_hit(self.span)?;
+        self.among.counts(member, hit.t).then_some((member.index(), hit))
     }
 }
 
@@ -71,8 +80,14 @@ pub trait Search {
     /// See [`Primitives::sift`].
     fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
 
-    /// Looks at one primitive; says whether the search has enough.
-    fn consider(&mut self, index: u32) -> bool;
+    /// Looks at one primitive of a leaf; says whether the search has enough. See
+    /// [`Primitives::member`].
+    fn consider_in_leaf(
+        &mut self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> bool;
 }
 
 impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
@@ -93,8 +108,16 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
         self.among.primitives.sift(kernel, leaf, self.span)
     }
 
-    fn consider(&mut self, index: u32) -> bool {
-        Nearest::consider(self, index);
+    #[inline(always)]
+    fn consider_in_leaf(
+        &mut self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> bool {
+        if let Some(member) = self.among.primitives.member(leaf, slot, index) {
+            self.look_at(&member);
+        }
         false
     }
 }
@@ -119,8 +142,15 @@ impl<P: Primitives> Search for AnySearch<'_, '_, P> {
         self.any.among.primitives.sift(kernel, leaf, self.any.span)
     }
 
-    fn consider(&mut self, index: u32) -> bool {
-        self.found = self.any.consider(index);
+    #[inline(always)]
+    fn consider_in_leaf(
+        &mut self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> bool {
+        let member = self.any.among.primitives.member(leaf, slot, index);
+        self.found = member.and_then(|member| self.any.look_at(&member));
         self.found.is_some()
     }
 }

@@ -124,6 +124,8 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 
 // shared by the kinds
 mod context;
+mod eight;
+mod triangle_block;
 mod watertight;
 
 mod cuboid;
@@ -139,7 +141,7 @@ mod triangle;
 
 pub use context::Context;
 pub(crate) use instance::transform_of;
-pub use mesh::TriangleMesh;
+pub use mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
     /// A shape as a scene file says it.

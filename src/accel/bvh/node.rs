@@ -123,29 +123,44 @@ impl Node {
         (mask, near)
     }
     /// The same, but that the difference to a plane is fused with its multiplication.
+    ///
+    /// # Safety
+    /// The processor has AVX2 and FMA. (They are no attribute of this function, because it could
+    /// not always be inlined then; closures would have the same fault.)
     #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2,fma")]
-    #[inline]
-    #[allow(unsafe_code, reason = "loads and stores of eight numbers")]
-    fn crossed_avx2(&self, ray: &Ray32, last: f32) -> Crossed {
+    #[inline(always)]
+    #[allow(unsafe_code, reason = "instructions that not every processor has")]
+    unsafe fn crossed_avx2(&self, ray: &Ray32, last: f32) -> Crossed {
         use std::arch::x86_64::*;
-        // SAFETY: each array has eight numbers
-        let load = |eight: &[f32; WIDTH]| unsafe { _mm256_loadu_ps(eight.as_ptr()) };
-        let distance = |axis: usize, side: usize, origins: &[f32; 3]| {
-            let inverse = ray.inverse[axis];
-            let origin = _mm256_set1_ps(inverse * origins[axis]);
-            _mm256_fmsub_ps(load(&self.bounds[2 * axis + side]), _mm256_set1_ps(inverse), origin)
-        };
-        let enter = |axis: usize| distance(axis, ray.sides[axis], &ray.enters);
-        let leave = |axis: usize| distance(axis, 1 - ray.sides[axis], &ray.leaves);
-        // of two zeros the second is taken: the start, which is +0 and not −0
-        let (first, last) = (_mm256_set1_ps(ray.first), _mm256_set1_ps(last));
-        let near = _mm256_max_ps(_mm256_max_ps(enter(0), enter(1)), _mm256_max_ps(enter(2), first));
-        let far = _mm256_min_ps(_mm256_min_ps(leave(0), leave(1)), _mm256_min_ps(leave(2), last));
-        let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
-        let mut entries = [0.0; WIDTH];
-        // SAFETY: as above
-        unsafe { _mm256_storeu_ps(entries.as_mut_ptr(), near) };
-        (mask, entries)
+        let first = ray.first;
+        // SAFETY: the caller's; and loads and stores are of eight numbers
+        unsafe {
+            macro_rules! distance {
+                ($axis:literal, $side:expr, $origins:expr) => {{
+                    let plane = _mm256_loadu_ps(self.bounds[2 * $axis + ($side & 1)].as_ptr());
+                    let origin = _mm256_set1_ps(ray.inverse[$axis] * $origins[$axis]);
+                    _mm256_fmsub_ps(plane, _mm256_set1_ps(ray.inverse[$axis]), origin)
+                }};
+            }
+            macro_rules! enter {
+                ($axis:literal) => {
+                    distance!($axis, ray.sides[$axis], ray.enters)
+                };
+            }
+            macro_rules! leave {
+                ($axis:literal) => {
+                    distance!($axis, 1 - (ray.sides[$axis] & 1), ray.leaves)
+                };
+            }
+            // of two zeros the second is taken: the start, which is +0 and not −0
+            let near = _mm256_max_ps(enter!(2), _mm256_set1_ps(first));
+            let near = _mm256_max_ps(_mm256_max_ps(enter!(0), enter!(1)), near);
+            let far = _mm256_min_ps(leave!(2), _mm256_set1_ps(last));
+            let far = _mm256_min_ps(_mm256_min_ps(leave!(0), leave!(1)), far);
+            let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
+            let mut entries = [0.0; WIDTH];
+            _mm256_storeu_ps(entries.as_mut_ptr(), near);
+            (mask, entries)
+        }
     }
 }

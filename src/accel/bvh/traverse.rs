@@ -25,22 +25,22 @@ impl Bvh {
             Instructions::Plain => self.walk(search, Kernel::PLAIN),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.walk_avx2(search, self.kernel) },
+            Instructions::Avx2 => unsafe { self.walk_avx2(search) },
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { self.walk_avx512(search, self.kernel) },
+            Instructions::Avx512 => unsafe { self.walk_avx512(search) },
         }
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma")]
-    fn walk_avx2<S: Search>(&self, search: &mut S, kernel: Kernel) {
-        self.walk(search, kernel);
+    fn walk_avx2<S: Search>(&self, search: &mut S) {
+        self.walk(search, Kernel::AVX2);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma,avx512f")]
-    fn walk_avx512<S: Search>(&self, search: &mut S, kernel: Kernel) {
-        self.walk(search, kernel);
+    fn walk_avx512<S: Search>(&self, search: &mut S) {
+        self.walk(search, Kernel::AVX512);
     }
 
     #[inline(always)]
@@ -77,14 +77,11 @@ impl Bvh {
     /// Shows the search the primitives of a leaf; says whether it has enough.
     #[inline(always)]
     fn leaf<S: Search>(&self, search: &mut S, kernel: Kernel, number: u32) -> bool {
-        let leaf = &self.leaves[number as usize];
         let mut worth = search.sift(kernel, number);
         while worth != 0 {
-            let index = leaf[worth.trailing_zeros() as usize];
-            if index == NOTHING {
-                return false;
-            }
-            if search.consider(index) {
+            let slot = worth.trailing_zeros() as usize;
+            let index = || Some(self.leaves[number as usize][slot]).filter(|&i| i != NOTHING);
+            if search.consider_in_leaf(number, slot, index) {
                 return true;
             }
             worth &= worth - 1;
