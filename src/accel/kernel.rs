@@ -54,3 +54,19 @@ impl Kernel {
         self.0
     }
 }
+
+/// Asks for something that will be needed soon to be brought nearer.
+#[inline(always)]
+#[allow(unsafe_code, reason = "there is no other way to say it")]
+pub(crate) fn prefetch<T>(soon: &T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in 0..size_of::<T>().div_ceil(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: the address lies within what is referred to; a prefetch changes nothing
+        unsafe {
+            _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(soon).cast::<i8>().add(64 * line))
+        };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = soon;
+}

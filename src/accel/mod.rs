@@ -19,8 +19,8 @@ use frame::Frame;
 use search::{Among, Any, AnySearch, Nearest};
 
 pub use bvh::{LeafCost, OneByOne};
-pub(crate) use kernel::Instructions;
 pub use kernel::Kernel;
+pub(crate) use kernel::{Instructions, prefetch};
 
 /// How the primitives are searched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -52,6 +52,12 @@ pub trait Primitives {
     fn sift(&self, kernel: Kernel, leaf: u32, span: Span) -> u8 {
         let _ = (kernel, leaf, span);
         u8::MAX
+    }
+
+    /// Is told of a leaf that will probably be asked for.
+    #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        let _ = leaf;
     }
 
     /// A primitive at its place in a leaf, where it may be nearer at hand than by its number, which

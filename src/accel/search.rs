@@ -77,6 +77,9 @@ pub trait Search {
     /// Hears of a node.
     fn step(&mut self) {}
 
+    /// See [`Primitives::expect`].
+    fn expect(&self, leaf: u32);
+
     /// See [`Primitives::sift`].
     fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
 
@@ -101,6 +104,11 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
 
     fn step(&mut self) {
         self.counter.step();
+    }
+
+    #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        self.among.primitives.expect(leaf);
     }
 
     #[inline(always)]
@@ -135,6 +143,11 @@ impl<P: Primitives> Search for AnySearch<'_, '_, P> {
 
     fn span(&self) -> Span {
         self.any.span
+    }
+
+    #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        self.any.among.primitives.expect(leaf);
     }
 
     #[inline(always)]

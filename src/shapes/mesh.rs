@@ -204,6 +204,13 @@ impl Primitives for Seen<'_> {
     }
 
     #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        if let Some(block) = self.blocks.get(leaf as usize) {
+            accel::prefetch(block);
+        }
+    }
+
+    #[inline(always)]
     fn sift(&self, kernel: Kernel, leaf: u32, span: Span) -> u8 {
         // no closure: it would not be compiled for the kernel's instructions
         match self.blocks.get(leaf as usize) {
