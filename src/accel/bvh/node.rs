@@ -164,3 +164,76 @@ impl Node {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::frame::Frame;
+    use crate::math::{Pcg32, Point, Ray, Vector, power};
+
+    /// Rays at the corners, edges and faces of boxes, from near and far, some with components that
+    /// are zero or almost.
+    fn ray(random: &mut Pcg32, within: &Aabb) -> Ray {
+        let mut x = || 2.0 * random.uniform() - 1.0;
+        let mut place = |low: f64, high: f64| match (4.0 * x()) as i32 {
+            -3..=-2 => low,
+            2..=3 => high,
+            _ => low + (0.5 + 0.5 * x()) * (high - low),
+        };
+        let (min, max) = (within.min.to_array(), within.max.to_array());
+        let target = Point::from([0, 1, 2].map(|i| place(min[i], max[i])));
+        let mut direction = [0, 1, 2].map(|_| x());
+        let small = [0.0, -0.0, 1e-6, -1e-12, 1e-20, 1e-300];
+        for d in &mut direction {
+            if random.below(4) == 0 {
+                *d = small[random.below(6) as usize];
+            }
+        }
+        if direction.iter().all(|d| d.abs() < 1e-3) {
+            direction[random.below(3) as usize] = 1.0;
+        }
+        let direction = Vector::from(direction);
+        Ray::new(target - power(10.0, 14.0 * random.uniform() - 1.0) * direction, direction)
+    }
+
+    /// Law: wherever a ray crosses a box in the frame, each kernel has it cross the node's box, at
+    /// an interval that contains the other. Oracle: the same in `f64`.
+    #[test]
+    fn a_node_contains_what_the_frame_has_inside_it() {
+        let mut random = Pcg32::new(2280, 0);
+        let mut crossed = [0; 2];
+        for case in 0..40_000 {
+            let mut x = || 2.0 * random.uniform() - 1.0;
+            let corner = |x: &mut dyn FnMut() -> f64| Point::new(x(), x(), x());
+            let whole = Aabb::around([Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.0, 1.0)]);
+            let p = corner(&mut x);
+            let size = [0.0, 1e-9, 1e-3, 0.3][case % 4];
+            let bounds = Aabb::around([p, p + size * corner(&mut x).to_vector()]);
+            let frame = Frame::around(&[whole, bounds]);
+            let target = if case % 3 == 0 { whole } else { bounds };
+            let ray = ray(&mut random, &target);
+            let Some(ray) = frame.ray(&ray) else { continue };
+            let boxed = frame.boxed(&bounds);
+            let mut node = Node::EMPTY;
+            node.set(3, &Box32::padded(&boxed), 7);
+            let (near, far) = ray.crossing(&boxed);
+            crossed[usize::from(near <= far)] += 1;
+            let ray32 = Ray32::new(&ray, Span::LINE);
+            for kernel in Kernel::available() {
+                let (mask, entries) = node.crossed(kernel, &ray32, f32::INFINITY);
+                assert_eq!(mask & !(1 << 3), 0, "an empty place is crossed by {ray:?}");
+                if near <= far {
+                    assert_eq!(mask, 1 << 3, "{kernel:?}: {ray:?} misses {boxed:?}");
+                    assert!(f64::from(entries[3]) <= near, "{kernel:?}: {ray:?}, {boxed:?}");
+                    // seen to the end, and not beyond by much
+                    let seen = |last: f64| node.crossed(kernel, &ray32, last as f32).0 != 0;
+                    assert!(seen(near.next_up() * (1.0 + 1e-6)), "{kernel:?}: {ray:?}, {boxed:?}");
+                    let late = Ray32 { first: (far as f32).next_down(), ..ray32 };
+                    let (mask, _) = node.crossed(kernel, &late, f32::INFINITY);
+                    assert_eq!(mask, 1 << 3, "{kernel:?}: left too early by {ray:?}, {boxed:?}");
+                }
+            }
+        }
+        assert!(crossed.iter().all(|&n| n > 2_000), "{crossed:?}");
+    }
+}
