@@ -31,7 +31,11 @@ fn spheres(count: u32, method: Method) -> World {
     for i in 0..count {
         let mut x = || 2.0 * random.uniform() - 1.0;
         let center = Point::new(x(), x(), x());
-        scene.objects.push(Object::new(&i.to_string(), "clay", Sphere { center, radius }));
+        scene.objects.push(Object::new(
+            &i.to_string(),
+            "clay",
+            Sphere { center, radius, inward: false },
+        ));
     }
     World::build(&scene).expect("the scene is valid")
 }

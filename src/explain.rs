@@ -164,7 +164,7 @@ fn explain(scene: &Scene, tree: &RayTree, at: usize, reaches: Rgb) -> RayExplana
             let object = object(recorded.object);
             hit = Some(HitExplanation {
                 object: object.name.clone(),
-                material: object.material.clone(),
+                material: scene.materials[recorded.material as usize].name.clone(),
                 t: recorded.t,
                 point: recorded.point.into(),
                 error: recorded.error,

@@ -143,6 +143,21 @@ pub(crate) fn one() -> f64 {
     1.0
 }
 
+/// The default of switches that are mostly on.
+pub(crate) fn yes() -> bool {
+    true
+}
+
+/// Whether a switch that is mostly on need not be written.
+pub(crate) fn is_yes(it: &bool) -> bool {
+    *it
+}
+
+/// Whether a switch that is mostly off need not be written.
+pub(crate) fn is_no(it: &bool) -> bool {
+    !*it
+}
+
 /// The default of many colours in scene files.
 pub(crate) fn white<T: From<crate::rgb::Rgb>>() -> T {
     crate::rgb::Rgb::WHITE.into()

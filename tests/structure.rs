@@ -96,6 +96,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "world",
         ],
     ),
+    ("report", &["accel", "film", "kinds", "math", "shapes", "verify"]),
     (
         "verify",
         &[

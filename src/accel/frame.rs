@@ -49,12 +49,12 @@ pub struct Frame {
 /// `origin + (unit·t − start) · direction`.
 #[derive(Clone, Copy, Debug)]
 pub struct FrameRay {
-    origin: [f64; 3],
+    pub(super) origin: [f64; 3],
     /// One over the direction; a zero component gives an infinity of its sign.
-    inverse: [f64; 3],
+    pub(super) inverse: [f64; 3],
     unit: f64,
     start: f64,
-    slack: f64,
+    pub(super) slack: f64,
 }
 
 impl Frame {

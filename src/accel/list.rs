@@ -1,8 +1,6 @@
 //! The list: every primitive is tested. Slow, obviously right, and so the reference.
 
-use super::search::{Any, Nearest};
-use super::{Counter, Primitives};
-use crate::shapes::Candidate;
+use super::search::Search;
 
 /// The numbers of the bounded primitives, in order.
 #[derive(Debug)]
@@ -15,12 +13,9 @@ impl List {
         Self { all }
     }
 
-    pub(super) fn nearest<P: Primitives, C: Counter>(&self, search: &mut Nearest<'_, P, C>) {
-        self.all.iter().for_each(|&index| search.consider(index));
-    }
-
-    pub(super) fn any<P: Primitives>(&self, search: &Any<'_, P>) -> Option<(u32, Candidate)> {
-        self.all.iter().find_map(|&index| search.consider(index))
+    /// Tests all.
+    pub(super) fn search(&self, search: &mut impl Search) {
+        self.all.iter().any(|&index| search.consider(index));
     }
 
     pub(super) fn memory_bytes(&self) -> usize {

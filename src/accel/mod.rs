@@ -7,6 +7,7 @@
 
 mod bvh;
 mod frame;
+mod grid;
 mod kernel;
 mod list;
 mod search;
@@ -16,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use crate::math::{Aabb, Ray, Span};
 use crate::shapes::Candidate;
 use frame::Frame;
-use search::{Among, Any, AnySearch, Nearest};
+use search::{Among, Any, Nearest};
 
 pub use bvh::{LeafCost, OneByOne};
 pub use kernel::Kernel;
@@ -28,6 +29,8 @@ pub(crate) use kernel::{Instructions, prefetch};
 pub enum Method {
     /// One after the other: the reference.
     List,
+    /// Equal cells, as in the book.
+    Grid,
     /// A tree of boxes.
     #[default]
     Bvh,
@@ -153,7 +156,13 @@ pub struct Accel {
 #[derive(Debug)]
 enum Structure {
     List(list::List),
+    Grid(grid::Grid),
     Bvh(bvh::Bvh),
+}
+
+impl Method {
+    /// All methods, the reference first.
+    pub const ALL: [Self; 3] = [Self::List, Self::Grid, Self::Bvh];
 }
 
 impl Accel {
@@ -174,6 +183,7 @@ impl Accel {
         let frame = Frame::around(bounds);
         let bounded = match method {
             Method::List => Structure::List(list::List::new(bounded)),
+            Method::Grid => Structure::Grid(grid::Grid::build(&frame, bounds, &bounded)),
             Method::Bvh => {
                 Structure::Bvh(bvh::Bvh::build(&frame, bounds, &bounded, leaf_cost, kernel))
             }
@@ -213,7 +223,8 @@ impl Accel {
         let among = Among { primitives, frame: &self.frame, ray };
         let mut search = Nearest { among, span, best, counter };
         match &self.bounded {
-            Structure::List(list) => list.nearest(&mut search),
+            Structure::List(list) => list.search(&mut search),
+            Structure::Grid(grid) => grid.search(&mut search),
             Structure::Bvh(bvh) => bvh.search(&mut search),
         }
         search.best
@@ -232,22 +243,20 @@ impl Accel {
             return Some(hit);
         }
         let among = Among { primitives, frame: &self.frame, ray: self.frame.ray(ray)? };
-        let search = Any { among, span };
+        let mut search = Any { among, span, found: None };
         match &self.bounded {
-            Structure::List(list) => list.any(&search),
-            Structure::Bvh(bvh) => {
-                let mut search = AnySearch { any: &search, found: None };
-                bvh.search(&mut search);
-                search.found
-            }
+            Structure::List(list) => list.search(&mut search),
+            Structure::Grid(grid) => grid.search(&mut search),
+            Structure::Bvh(bvh) => bvh.search(&mut search),
         }
+        search.found
     }
 
     /// The leaves of a bvh: their primitives, `u32::MAX` behind the last. Other methods have none.
     pub fn leaves(&self) -> &[[u32; 8]] {
         match &self.bounded {
             Structure::Bvh(bvh) => bvh.leaves(),
-            Structure::List(_) => &[],
+            Structure::List(_) | Structure::Grid(_) => &[],
         }
     }
 
@@ -255,6 +264,7 @@ impl Accel {
     pub fn memory_bytes(&self) -> usize {
         let bounded = match &self.bounded {
             Structure::List(list) => list.memory_bytes(),
+            Structure::Grid(grid) => grid.memory_bytes(),
             Structure::Bvh(bvh) => bvh.memory_bytes(),
         };
         size_of::<Self>() + size_of_val(&*self.unbounded) + bounded

@@ -22,6 +22,35 @@ impl<P: Primitives> Among<'_, P> {
     }
 }
 
+/// What a structure needs to know of a search, for the first hit or for any.
+pub trait Search {
+    /// The ray in the frame of the boxes.
+    fn ray(&self) -> &FrameRay;
+
+    /// Where hits are still wanted.
+    fn span(&self) -> Span;
+
+    /// Hears of a node or a cell.
+    fn step(&mut self) {}
+
+    /// Looks at one primitive; says whether the search has enough.
+    fn consider(&mut self, index: u32) -> bool;
+
+    /// Looks at one primitive of a leaf; see [`Primitives::member`].
+    fn consider_in_leaf(
+        &mut self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> bool;
+
+    /// See [`Primitives::expect`].
+    fn expect(&self, leaf: u32);
+
+    /// See [`Primitives::sift`].
+    fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
+}
+
 /// The search for the first hit: the best so far, and what it leaves to look at.
 pub struct Nearest<'a, P, C> {
     pub among: Among<'a, P>,
@@ -31,11 +60,6 @@ pub struct Nearest<'a, P, C> {
 }
 
 impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
-    /// Looks at one primitive.
-    pub fn consider(&mut self, index: u32) {
-        self.look_at(&Numbered { primitives: self.among.primitives, index });
-    }
-
     fn look_at(&mut self, member: &impl Member) {
         self.counter.test();
         let Some(hit) = member.hit(self.span) else { return };
@@ -46,51 +70,6 @@ impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
             self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
         }
     }
-}
-
-/// The search for any hit.
-pub struct Any<'a, P> {
-    pub among: Among<'a, P>,
-    pub span: Span,
-}
-
-impl<P: Primitives> Any<'_, P> {
-    /// The hit of one primitive, if it counts.
-    pub fn consider(&self, index: u32) -> Option<(u32, Candidate)> {
-        self.look_at(&Numbered { primitives: self.among.primitives, index })
-    }
-
-    fn look_at(&self, member: &impl Member) -> Option<(u32, Candidate)> {
-        let hit = member.shadow_hit(self.span)?;
-        self.among.counts(member, hit.t).then_some((member.index(), hit))
-    }
-}
-
-/// What a structure needs to know of a search, first hit or any.
-pub trait Search {
-    /// The ray in the frame of the boxes.
-    fn ray(&self) -> &FrameRay;
-
-    /// Where hits are still wanted.
-    fn span(&self) -> Span;
-
-    /// Hears of a node.
-    fn step(&mut self) {}
-
-    /// See [`Primitives::expect`].
-    fn expect(&self, leaf: u32);
-
-    /// See [`Primitives::sift`].
-    fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
-
-    /// Looks at one primitive of a leaf; says whether the search has enough. See
-    /// [`Primitives::member`].
-    fn consider_in_leaf(
-        &mut self,
-        leaf: u32,
-        slot: usize,
-        index: impl FnOnce() -> Option<u32>,
-    ) -> bool;
 }
 
 impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
@@ -106,14 +85,9 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
         self.counter.step();
     }
 
-    #[inline(always)]
-    fn expect(&self, leaf: u32) {
-        self.among.primitives.expect(leaf);
-    }
-
-    #[inline(always)]
-    fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
-        self.among.primitives.sift(kernel, leaf, self.span)
+    fn consider(&mut self, index: u32) -> bool {
+        self.look_at(&Numbered { primitives: self.among.primitives, index });
+        false
     }
 
     #[inline(always)]
@@ -128,31 +102,45 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
         }
         false
     }
-}
-
-/// The search for any hit, and what it has found.
-pub struct AnySearch<'a, 'b, P> {
-    pub any: &'a Any<'b, P>,
-    pub found: Option<(u32, Candidate)>,
-}
-
-impl<P: Primitives> Search for AnySearch<'_, '_, P> {
-    fn ray(&self) -> &FrameRay {
-        &self.any.among.ray
-    }
-
-    fn span(&self) -> Span {
-        self.any.span
-    }
 
     #[inline(always)]
     fn expect(&self, leaf: u32) {
-        self.any.among.primitives.expect(leaf);
+        self.among.primitives.expect(leaf);
     }
 
     #[inline(always)]
     fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
-        self.any.among.primitives.sift(kernel, leaf, self.any.span)
+        self.among.primitives.sift(kernel, leaf, self.span)
+    }
+}
+
+/// The search for any hit, and what it has found.
+pub struct Any<'a, P> {
+    pub among: Among<'a, P>,
+    pub span: Span,
+    pub found: Option<(u32, Candidate)>,
+}
+
+impl<P: Primitives> Any<'_, P> {
+    fn look_at(&mut self, member: &impl Member) -> bool {
+        let hit = member.shadow_hit(self.span);
+        let hit = hit.filter(|hit| self.among.counts(member, hit.t));
+        self.found = hit.map(|hit| (member.index(), hit));
+        self.found.is_some()
+    }
+}
+
+impl<P: Primitives> Search for Any<'_, P> {
+    fn ray(&self) -> &FrameRay {
+        &self.among.ray
+    }
+
+    fn span(&self) -> Span {
+        self.span
+    }
+
+    fn consider(&mut self, index: u32) -> bool {
+        self.look_at(&Numbered { primitives: self.among.primitives, index })
     }
 
     #[inline(always)]
@@ -162,8 +150,19 @@ impl<P: Primitives> Search for AnySearch<'_, '_, P> {
         slot: usize,
         index: impl FnOnce() -> Option<u32>,
     ) -> bool {
-        let member = self.any.among.primitives.member(leaf, slot, index);
-        self.found = member.and_then(|member| self.any.look_at(&member));
-        self.found.is_some()
+        match self.among.primitives.member(leaf, slot, index) {
+            Some(member) => self.look_at(&member),
+            None => false,
+        }
+    }
+
+    #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        self.among.primitives.expect(leaf);
+    }
+
+    #[inline(always)]
+    fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
+        self.among.primitives.sift(kernel, leaf, self.span)
     }
 }

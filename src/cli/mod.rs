@@ -9,6 +9,7 @@ mod goldens;
 mod list;
 mod probe;
 mod render;
+mod report;
 mod scene;
 
 use std::error::Error;
@@ -42,6 +43,12 @@ enum Command {
     /// and gets one line with its answer. docs/probe.md describes the questions. The exit status
     /// is 2 if any line got an error.
     Probe(probe::Probe),
+    /// Measure speed against error on this machine: one HTML page, and its data
+    ///
+    /// Writes index.html, which needs nothing beside it, and report.json. The pages are:
+    /// intersections (ours beside the textbook's formulas) and acceleration (list, grid, bvh, by
+    /// number of objects). Each takes up to two minutes.
+    Report(report::Report),
 }
 
 /// What a command comes to.
@@ -67,6 +74,7 @@ pub fn run() -> ExitCode {
         Command::Export(command) => command.run(),
         Command::Goldens(command) => command.run(),
         Command::Probe(command) => command.run(),
+        Command::Report(command) => command.run(),
     };
     match outcome {
         Ok(Answer::Yes) => ExitCode::SUCCESS,

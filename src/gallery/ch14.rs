@@ -98,7 +98,7 @@ fn set() -> Scene {
     add(object("yellow sphere", sphere(point(3.85, 2.3, -2.55), 2.3), yellow));
     let orange = matte(0.45, 0.75, rgb(0.75, 0.25, 0.0));
     add(object("orange sphere", sphere(point(-0.7, 1.0, 4.2), 2.0), orange));
-    let wall = OpenCylinder { y0: 0.0, y1: 8.5, radius: 2.2 };
+    let wall = OpenCylinder { y0: 0.0, y1: 8.5, radius: 2.2, inward: false };
     add(object("cylinder", wall, matte(0.4, 0.75, rgb(1.0, 0.5, 1.0))));
     let slab = boxed(point(-3.5, 0.0, -11.0), point(-2.5, 6.0, 6.5));
     add(object("box", slab, matte(0.15, 0.5, rgb(0.75, 1.0, 0.75))));

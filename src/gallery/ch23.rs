@@ -2,28 +2,137 @@
 
 use super::List;
 use super::parts::*;
+use crate::accel::Method;
 use crate::cameras::{Pinhole, Viewpoint};
-use crate::math::Point;
-use crate::scene::{Image, Scene};
-use crate::shapes::TessellatedSphere;
+use crate::math::{Point, Step};
+use crate::rgb::Rgb;
+use crate::scene::{Image, Material, Object, Scene};
+use crate::shapes::{Compound, Kind, Lattice, Part, TessellatedSphere};
 
-pub const SCENES: List =
-    &[("ch23/flat-sphere", || tessellated(false)), ("ch23/smooth-sphere", || tessellated(true))];
+pub const SCENES: List = &[
+    ("ch23/flat-sphere", || tessellated(false)),
+    ("ch23/smooth-sphere", || tessellated(true)),
+    ("ch23/coarsest-sphere", coarsest),
+    ("ch23/penguins", penguins),
+    ("ch23/nested-grids", nested),
+];
 
 fn tessellated(smooth: bool) -> Scene {
-    let lens = Pinhole { distance: 4000.0, zoom: 1.0 };
-    let camera = Viewpoint::new(point(10.0, 12.0, 18.0), Point::ORIGIN, lens);
-    let image = Image { samples: 16, ..Image::new(400, 400) };
     let about = match smooth {
         false => "figure 23.1: a sphere of 10 × 5 steps, flat: every triangle shows",
         true => "as figure 23.1, smooth: shaded as a sphere, but the outline is still a polygon",
     };
+    with_mesh(about, TessellatedSphere::new(10, 5, smooth))
+}
+
+fn with_mesh(about: &str, shape: TessellatedSphere) -> Scene {
+    let lens = Pinhole { distance: 4000.0, zoom: 1.0 };
+    let camera = Viewpoint::new(point(10.0, 12.0, 18.0), Point::ORIGIN, lens);
+    let image = Image { samples: 16, ..Image::new(400, 400) };
     let mut scene = Scene::new(about, image, camera);
     scene.lights.push(ambient(0.25));
     scene.lights.push(directional("sun", vector(20.0, 25.0, -4.0), 1.0));
     scene.lights.push(directional("lamp", vector(10.0, 12.0, 18.0), 2.0));
-    let shape = TessellatedSphere { horizontal: 10, vertical: 5, radius: 1.0, smooth };
     let (object, material) = object("sphere", shape, matte(0.25, 0.75, rgb(0.1, 0.5, 1.0)));
+    scene.objects.push(object);
+    scene.materials.push(material);
+    scene
+}
+
+/// Figure 23.3: the coarsest sphere there is, three steps around and two down, shaded smoothly.
+fn coarsest() -> Scene {
+    let about = "figure 23.3: six triangles shaded as a sphere";
+    let shape = TessellatedSphere::new(3, 2, true);
+    with_mesh(about, shape)
+}
+
+/// Figure 23.10 without the book's file: a penguin of eleven meshes, each a scaled sphere of few
+/// triangles, of materials of their own; flat on the left, smooth on the right.
+fn penguins() -> Scene {
+    let camera = Viewpoint::new(
+        point(6.0, 4.0, 20.0),
+        point(0.0, 0.15, 0.0),
+        Pinhole { distance: 2300.0, zoom: 1.0 },
+    );
+    let image = Image { samples: 16, ..Image::new(600, 400) };
+    let about = "as figure 23.10: a penguin of eleven meshes, flat and smooth";
+    let mut scene = Scene::new(about, image, camera);
+    scene.background = grey(0.1);
+    scene.lights.push(ambient(0.25));
+    scene.lights.push(directional("light", vector(10.0, 15.0, 20.0), 2.5));
+    for (name, color) in [
+        ("body", rgb(0.5, 0.5, 1.0)),
+        ("belly", Rgb::WHITE),
+        ("wings", rgb(0.5, 1.0, 0.4)),
+        ("feet", rgb(1.0, 0.8, 0.34)),
+        ("eyes", Rgb::WHITE),
+        ("lids", rgb(1.0, 0.0, 0.0)),
+    ] {
+        scene.materials.push(Material::new(name, matte(0.25, 0.75, color)));
+    }
+    for (name, x, smooth) in [("flat", -1.3, false), ("smooth", 1.3, true)] {
+        let penguin = moved(penguin(smooth), vector(x, 0.0, 0.0));
+        scene.objects.push(Object::new(name, "body", penguin));
+    }
+    scene
+}
+
+fn penguin(smooth: bool) -> Compound {
+    let sphere = TessellatedSphere::new(20, 10, smooth);
+    let part = |material: &str, scale: [f64; 3], tilt: f64, place: [f64; 3]| {
+        let steps =
+            vec![Step::Scale(scale.into()), Step::RotateZ(tilt), Step::Translate(place.into())];
+        Part::new(transformed(sphere.clone(), steps)).of_material(material)
+    };
+    let pair = |material: &str, scale: [f64; 3], tilt: f64, [x, y, z]: [f64; 3]| {
+        [part(material, scale, -tilt, [-x, y, z]), part(material, scale, tilt, [x, y, z])]
+    };
+    let mut parts = vec![
+        part("body", [0.75, 1.0, 0.7], 0.0, [0.0, -0.25, 0.0]),
+        part("belly", [0.6, 0.85, 0.5], 0.0, [0.0, -0.3, 0.27]),
+        part("body", [0.5, 0.5, 0.5], 0.0, [0.0, 1.0, 0.0]),
+    ];
+    parts.extend(pair("wings", [0.12, 0.6, 0.35], 25.0, [0.8, 0.0, 0.0]));
+    parts.extend(pair("feet", [0.3, 0.1, 0.45], 0.0, [0.35, -1.2, 0.35]));
+    parts.extend(pair("eyes", [0.16, 0.16, 0.16], 0.0, [0.2, 1.15, 0.38]));
+    parts.extend(pair("lids", [0.17, 0.1, 0.17], 0.0, [0.2, 1.26, 0.38]));
+    parts.push(part("feet", [0.14, 0.1, 0.35], 0.0, [0.0, 0.9, 0.6]));
+    Compound { accel: None, parts }
+}
+
+/// As figure 23.12: eight levels of ten by ten, each copied from the one before.
+fn nested() -> Scene {
+    let size = 0.2; // the width of a bumpy sphere of radius 0.1, and room for its bumps
+    let mut shape = Kind::from(TessellatedSphere {
+        radius: 0.08,
+        bumps: 0.15,
+        ..TessellatedSphere::new(64, 32, true)
+    });
+    let mut width = size;
+    for level in 0..8 {
+        let gap = if level == 0 { 0.08 } else { 0.1 * width };
+        let step = width + gap;
+        shape = Lattice {
+            of: Box::new(shape),
+            counts: [10, 1, 10],
+            spacing: vector(step, 0.0, step),
+            accel: Some(Method::Grid),
+        }
+        .into();
+        width = 10.0 * width + 9.0 * gap;
+    }
+    let camera = Viewpoint::new(
+        point(-1.0, 4.0, -1.0),
+        point(6.0, 0.0, 6.5),
+        Pinhole { distance: 350.0, zoom: 1.0 },
+    );
+    let image = Image { samples: 16, ..Image::new(600, 400) };
+    let about = "as figure 23.12: 100⁸ instances of one mesh, eight grids inside each other";
+    let mut scene = Scene::new(about, image, camera);
+    scene.background = rgb(0.7, 0.8, 1.0);
+    scene.lights.push(ambient(0.25));
+    scene.lights.push(directional("sun", vector(-20.0, 20.0, 10.0), 2.5));
+    let (object, material) = object("meshes", shape, matte(0.5, 0.75, rgb(0.9, 0.65, 0.4)));
     scene.objects.push(object);
     scene.materials.push(material);
     scene

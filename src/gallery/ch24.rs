@@ -39,7 +39,7 @@ fn reflective_set() -> Scene {
     add(object("orange sphere", sphere(point(-7.0, 10.0, 42.0), 20.0), orange));
     let black = mirror(phong(0.0, 0.0, Rgb::BLACK, 0.15, 100.0), 0.75, Rgb::WHITE);
     add(object("black mirror sphere", sphere(point(-30.0, 59.0, 35.0), 20.0), black));
-    let wall = OpenCylinder { y0: 0.0, y1: 85.0, radius: 22.0 };
+    let wall = OpenCylinder { y0: 0.0, y1: 85.0, radius: 22.0, inward: false };
     let chrome = mirror(phong(0.2, 0.3, rgb(0.0, 0.5, 0.75), 0.2, 100.0), 0.5, Rgb::WHITE);
     add(object("mirror cylinder", wall, chrome));
     let slab = boxed(point(-35.0, 0.0, -110.0), point(-25.0, 60.0, 65.0));

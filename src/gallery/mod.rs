@@ -5,7 +5,10 @@
 mod ch03;
 mod ch14;
 mod ch16;
+mod ch19;
 mod ch20;
+mod ch21;
+mod ch22;
 mod ch23;
 mod ch24;
 mod ch27;
@@ -31,7 +34,10 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch03::SCENES,
         ch14::SCENES,
         ch16::SCENES,
+        ch19::SCENES,
         ch20::SCENES,
+        ch21::SCENES,
+        ch22::SCENES,
         ch23::SCENES,
         ch24::SCENES,
         ch27::SCENES,

@@ -2,7 +2,7 @@
 
 use crate::lights::{Ambient, Directional, Point as PointLight};
 use crate::materials::{Matte, Phong};
-use crate::math::{Point, Vector};
+use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
 use crate::scene::{Light, Material, Object};
 use crate::shapes::{self, Plane, Sphere};
@@ -25,7 +25,7 @@ pub fn grey(value: f64) -> Rgb {
 }
 
 pub fn sphere(center: Point, radius: f64) -> Sphere {
-    Sphere { center, radius }
+    Sphere { center, radius, inward: false }
 }
 
 pub fn boxed(min: Point, max: Point) -> shapes::Box {
@@ -55,6 +55,16 @@ pub fn directional(name: &str, direction: Vector, ls: f64) -> Light {
 
 pub fn point_light(name: &str, location: Point, ls: f64) -> Light {
     Light::new(name, PointLight { ls, color: Rgb::WHITE, location, attenuation: 0.0 })
+}
+
+/// The shape moved by this vector.
+pub fn moved(shape: impl Into<shapes::Kind>, by: Vector) -> shapes::Kind {
+    transformed(shape, vec![Step::Translate(by)])
+}
+
+/// The shape after these steps.
+pub fn transformed(shape: impl Into<shapes::Kind>, steps: Vec<Step>) -> shapes::Kind {
+    shapes::Instance::new(shape, steps).into()
 }
 
 /// An object and a material of its own, of the same name.

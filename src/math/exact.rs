@@ -5,7 +5,7 @@
 use super::vectors::{Point, Vector};
 
 /// `a·b` as an unevaluated sum of two numbers (exact unless it overflows or underflows).
-fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let (a_high, a_low) = split(a);
     let (b_high, b_low) = split(b);
     let product = a * b;
@@ -21,7 +21,7 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 /// `a + b` as an unevaluated sum of two numbers, exactly (Knuth).
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))

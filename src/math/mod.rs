@@ -9,6 +9,7 @@ mod bounds;
 mod exact;
 mod frame;
 mod functions;
+pub mod polynomial;
 mod random;
 mod ray;
 mod roots;
@@ -20,11 +21,12 @@ pub(crate) use exact::difference_of_products;
 pub use exact::exact_cross;
 pub use frame::Frame;
 pub use functions::{
-    acos, atan2, cos, cos_degrees, exp, floor, ln, power, power_of_two, sin, sin_degrees, tan,
-    to_degrees, to_radians,
+    acos, atan2, cbrt, cos, cos_degrees, exp, floor, ln, power, power_of_two, sin, sin_degrees,
+    tan, to_degrees, to_radians,
 };
 pub use random::{Pcg32, hash, splitmix};
 pub use ray::{Ray, Span};
+pub(crate) use roots::{Tolerance, bracketed_root};
 pub use roots::{perpendicular_roots, quadratic};
 pub use transform::{Axis, Singular, Step, Transform};
 pub use vectors::{Normal, Point, Vector};

@@ -1,5 +1,7 @@
-//! Real roots of quadratics, without the cancellations of the textbook formula.
+//! Real roots of quadratics, without the cancellations of the textbook formula; and one root of any
+//! function between two places where its signs differ.
 
+use super::UNIT_ROUNDOFF;
 use super::vectors::Vector;
 
 /// The roots of `a t² + 2 b t + c`, in ascending order, given `discriminant = b² − a c` however it
@@ -13,6 +15,10 @@ pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> 
     let q = -(b + discriminant.sqrt().copysign(b));
     if q == 0.0 {
         return (c == 0.0).then_some([0.0; 2]);
+    }
+    if b == 0.0 {
+        let root = (q / a).abs(); // and the sign of that zero does not matter
+        return Some([-root, root]);
     }
     let (first, second) = (q / a, c / q);
     Some(if first <= second { [first, second] } else { [second, first] })
@@ -33,4 +39,51 @@ pub fn perpendicular_roots(f: Vector, d: Vector, r: f64) -> Option<[f64; 2]> {
     let length = f.length();
     let c = (length - r) * (length + r);
     quadratic(a, b, c, discriminant)
+}
+
+/// When [`bracketed_root`] is content; zero for the last bit.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tolerance {
+    /// A value that may be nothing but rounding.
+    pub(crate) value: f64,
+    /// A step that is too small to matter.
+    pub(crate) step: f64,
+}
+
+/// More halvings than any bracket of a few magnitudes has.
+const MOST_STEPS: usize = 200;
+
+/// A root of `f` (value and slope) between a place where it is negative and one where it is
+/// positive, in this order of `bracket`: by Newton's steps, and by halving the bracket where a step
+/// would leave it or is not half as long as the one before.
+pub(crate) fn bracketed_root(
+    f: impl Fn(f64) -> [f64; 2],
+    [mut below, mut above]: [f64; 2],
+    start: f64,
+    tolerance: Tolerance,
+) -> f64 {
+    let inside = |x: f64, a: f64, b: f64| a.min(b) < x && x < a.max(b);
+    let middle = |a: f64, b: f64| 0.5 * a + 0.5 * b;
+    let mut x = if inside(start, below, above) { start } else { middle(below, above) };
+    let mut last_step = (above - below).abs();
+    for _ in 0..MOST_STEPS {
+        let [value, slope] = f(x);
+        if value == 0.0 {
+            return x;
+        }
+        *(if value < 0.0 { &mut below } else { &mut above }) = x;
+        let newton = x - value / slope;
+        let shorter = (newton - x).abs() <= 0.5 * last_step;
+        let good = inside(newton, below, above) && shorter;
+        if value.abs() <= tolerance.value {
+            return if good { newton } else { x };
+        }
+        let next = if good { newton } else { middle(below, above) };
+        last_step = (next - x).abs();
+        if last_step <= tolerance.step.max(UNIT_ROUNDOFF * next.abs()) {
+            return next;
+        }
+        x = next;
+    }
+    x
 }

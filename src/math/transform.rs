@@ -128,6 +128,12 @@ impl Transform {
     /// Changes nothing.
     pub const IDENTITY: Self = Self { forward: DAffine3::IDENTITY, inverse: DAffine3::IDENTITY };
 
+    /// Moves everything by this vector.
+    pub fn translation(by: Vector) -> Self {
+        let [forward, inverse] = [by, -by].map(|v| DAffine3::from_translation(v.0));
+        Self { forward, inverse }
+    }
+
     /// The steps applied one after the other: `M = Tₙ … T₂ T₁`, `M⁻¹ = T₁⁻¹ T₂⁻¹ … Tₙ⁻¹`.
     ///
     /// # Errors

@@ -200,6 +200,12 @@ impl Vector {
         self.0.abs().max_element()
     }
 
+    /// The part perpendicular to the y axis.
+    #[must_use]
+    pub fn across_y(self) -> Vector {
+        Vector::new(self.x(), 0.0, self.z())
+    }
+
     /// The larger of each component.
     #[must_use]
     pub fn max(self, other: Vector) -> Vector {

@@ -79,7 +79,7 @@ pub(super) fn build(
     if transform.is_empty() {
         return shape.build(&mut context).map_err(|e| e.inside("shape"));
     }
-    let instance = Instance { of: Box::new(shape.clone()), transform: transform.to_vec() };
+    let instance = Instance::new(shape.clone(), transform.to_vec());
     instance.build(&mut context).map_err(|mut e| {
         // what an instance calls `of` is the line's `shape`
         if let Some(key) = e.path.first_mut().filter(|key| **key == Key::from("of")) {

@@ -23,6 +23,18 @@ fn primitives(shape: &Kind) -> u64 {
             2 * u64::from(sphere.horizontal) * u64::from(sphere.vertical)
         }
         Kind::Instance(instance) => primitives(&instance.of),
+        Kind::Compound(compound) => {
+            let parts = compound.parts.iter().map(|part| primitives(&part.shape));
+            parts.fold(0, u64::saturating_add)
+        }
+        Kind::Lattice(lattice) => {
+            let copies = lattice.counts.iter().fold(1_u64, |n, &c| n.saturating_mul(c.into()));
+            copies.saturating_add(primitives(&lattice.of))
+        }
+        Kind::RandomSpheres(spheres) => spheres.count.into(),
+        // some 26 parts a stone
+        Kind::Archway(arch) => 26 * (2 * u64::from(arch.blocks) + u64::from(arch.wedges)),
+        Kind::Rosette(_) => 26 * 115,
         _ => 1,
     }
 }
@@ -48,7 +60,8 @@ pub(super) fn traceable(
     let pixels = f64::from(world.image.width) * f64::from(world.image.height);
     let rays = world.most_rays() / (pixels * f64::from(world.samples_per_pixel())) * samples;
     let tests = match scene.accel {
-        accel::Method::List => primitives as f64,
+        // a teapot in a stadium is in one cell
+        accel::Method::List | accel::Method::Grid => primitives as f64,
         accel::Method::Bvh => (primitives as f64).min(64.0),
     };
     let work = rays * (1.0 + world.lights.len() as f64) * tests.max(1.0);

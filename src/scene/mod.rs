@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::cameras::Viewpoint;
 use crate::film::OutOfGamut;
 use crate::rgb::Rgb;
-use crate::{accel, lights, materials, samplers, shapes};
+use crate::{accel, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
 pub use file::{Source, from_toml, open, read, to_toml};
@@ -75,7 +75,7 @@ pub struct Image {
     /// Pixels down.
     pub height: u32,
     /// The side of a pixel on the view plane, in world units.
-    #[serde(default = "crate::kinds::one")]
+    #[serde(default = "kinds::one")]
     pub pixel_size: f64,
     /// Samples for each pixel; rounded up where the sampler's pattern needs it.
     #[serde(default = "one_sample")]
@@ -85,7 +85,7 @@ pub struct Image {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sampler: Option<samplers::Kind>,
     /// The picture is shown to the power of 1/gamma.
-    #[serde(default = "crate::kinds::one")]
+    #[serde(default = "kinds::one")]
     pub gamma: f64,
     /// What becomes of colours above 1.
     #[serde(default)]
@@ -96,18 +96,6 @@ fn one_sample() -> u32 {
     1
 }
 
-fn yes() -> bool {
-    true
-}
-
-fn is_yes(it: &bool) -> bool {
-    *it
-}
-
-fn is_no(it: &bool) -> bool {
-    !*it
-}
-
 /// A light and its switches.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -115,10 +103,10 @@ pub struct Light {
     /// What people call it; no two lights share a name.
     pub name: String,
     /// Whether it is on.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     pub enabled: bool,
     /// Whether objects stand in its way. (Off by default in the book's sample code; on here.)
-    #[serde(default = "yes")]
+    #[serde(default = "kinds::yes")]
     pub shadows: bool,
     /// What kind it is.
     pub source: lights::Kind,
@@ -132,10 +120,10 @@ pub struct Material {
     pub name: String,
     /// Whether the back of a surface is shaded as its front, with the normal turned around. For
     /// open surfaces; never for transparent ones, which must know their inside.
-    #[serde(default, skip_serializing_if = "is_no")]
+    #[serde(default, skip_serializing_if = "kinds::is_no")]
     pub two_sided: bool,
     /// Whether objects of it stand in the way of light.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     pub casts_shadows: bool,
     /// What it is made of.
     pub recipe: materials::Kind,
@@ -150,10 +138,10 @@ pub struct Object {
     /// The name of a material.
     pub material: String,
     /// Whether it is there at all.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     pub enabled: bool,
     /// Whether it stands in the way of light.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     pub casts_shadows: bool,
     /// Its form.
     pub shape: shapes::Kind,

@@ -1,38 +1,140 @@
 //! What building a shape needs to know beside its data.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::Shape;
+use super::{Kind, Shape};
 use crate::accel;
 use crate::invalid::Invalid;
 use crate::mesh_file::{self, MeshData};
 
-/// How deep instances may be nested: far more than any scene, far less than any stack.
+/// How deep instances and compounds may be nested: far more than any scene, far less than any stack.
 const MAX_NESTING: usize = 64;
 /// More triangles in one scene would take gigabytes, up to 300 bytes each while trees are built.
 const MOST_TRIANGLES: u64 = 1 << 22;
+/// More parts of compounds in one scene would, too.
+const MOST_PARTS: u64 = 1 << 22;
 /// More bytes in its mesh files would, too: they are read whole.
 const MOST_BYTES: u64 = 1 << 28;
 
 /// Where files are found, what has been built already, and how much more may be: equal meshes and
 /// instances of one mesh file are built once and shared.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Context {
     folder: PathBuf,
     accel: accel::Method,
+    materials: BTreeMap<String, PartMaterial>,
+    /// Whether parts without a material of their own cast shadows.
+    inherited: bool,
+    used: Vec<PartMaterial>,
     meshes: HashMap<PathBuf, Arc<MeshData>>,
     shared: HashMap<String, Arc<dyn Shape>>,
     triangles: u64,
+    parts: u64,
     bytes: u64,
     depth: usize,
 }
 
+/// What a part of a compound needs to know of its material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PartMaterial {
+    /// Its place in the scene.
+    pub place: u32,
+    /// Whether it stands in the way of light.
+    pub casts_shadows: bool,
+}
+
+impl Default for Context {
+    fn default() -> Self {
+        Self {
+            folder: PathBuf::new(),
+            accel: accel::Method::default(),
+            materials: BTreeMap::new(),
+            inherited: true,
+            used: Vec::new(),
+            meshes: HashMap::new(),
+            shared: HashMap::new(),
+            triangles: 0,
+            parts: 0,
+            bytes: 0,
+            depth: 0,
+        }
+    }
+}
+
 impl Context {
-    /// File names are relative to `folder`; meshes use `accel` unless they name their own.
+    /// File names are relative to `folder`; meshes and compounds use `accel` unless they name
+    /// their own.
     pub fn new(folder: &Path, accel: accel::Method) -> Self {
         Self { folder: folder.to_owned(), accel, ..Self::default() }
+    }
+
+    /// Objects and parts of compounds may name these materials.
+    #[must_use]
+    pub fn with_materials(self, materials: BTreeMap<String, PartMaterial>) -> Self {
+        Self { materials, ..self }
+    }
+
+    /// The material of this name.
+    ///
+    /// # Errors
+    /// [`Invalid`] lists the names there are.
+    pub fn material(&self, name: &str) -> Result<PartMaterial, Invalid> {
+        self.materials.get(name).copied().ok_or_else(|| {
+            let known: Vec<&str> = self.materials.keys().map(String::as_str).collect();
+            let known = known.join(", ");
+            Invalid::field("material", format!("no material `{name}`; defined are: {known}"))
+        })
+    }
+
+    /// Builds an object of a material, and says of what materials it and its parts are made.
+    ///
+    /// # Errors
+    /// As the shape's own data.
+    pub fn object(
+        &mut self,
+        shape: &Kind,
+        material: PartMaterial,
+    ) -> Result<(Arc<dyn Shape>, Vec<PartMaterial>), Invalid> {
+        self.used.clear();
+        let shape = self.within(Some(material), |context| shape.build(context))?;
+        Ok((shape, std::mem::take(&mut self.used)))
+    }
+
+    /// Whether a part without a material of its own casts shadows.
+    pub(super) fn inherited(&self) -> bool {
+        self.inherited
+    }
+
+    /// Builds what stands inside a part of this material.
+    pub(super) fn within<T>(
+        &mut self,
+        material: Option<PartMaterial>,
+        build: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let outer = self.inherited;
+        if let Some(material) = material {
+            self.inherited = material.casts_shadows;
+            if !self.used.contains(&material) {
+                self.used.push(material);
+            }
+        }
+        let built = build(self);
+        self.inherited = outer;
+        built
+    }
+
+    /// Takes so many parts off the scene's budget.
+    pub(super) fn take_parts(&mut self, count: u64) -> Result<(), Invalid> {
+        self.parts = self.parts.saturating_add(count);
+        if self.parts > MOST_PARTS {
+            return Err(Invalid::new(format!(
+                "{} parts so far are too many; at most {MOST_PARTS} fit",
+                self.parts
+            )));
+        }
+        Ok(())
     }
 
     /// The acceleration of a mesh that names none.
@@ -107,7 +209,7 @@ impl Context {
     ) -> Result<T, Invalid> {
         if self.depth == MAX_NESTING {
             return Err(Invalid::new(format!(
-                "instances are nested deeper than {MAX_NESTING}; combine their transforms"
+                "shapes are nested deeper than {MAX_NESTING}; combine their transforms"
             )));
         }
         self.depth += 1;
@@ -120,10 +222,10 @@ impl Context {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shapes::{Kind, TessellatedSphere};
+    use crate::shapes::TessellatedSphere;
 
     fn sphere(horizontal: u32, vertical: u32) -> Kind {
-        TessellatedSphere { horizontal, vertical, radius: 1.0, smooth: false }.into()
+        TessellatedSphere { horizontal, vertical, radius: 1.0, smooth: false, bumps: 0.0 }.into()
     }
 
     /// Law: equal meshes are one thing in memory, and are counted once.

@@ -50,7 +50,7 @@ impl Specification for Box {
 impl Box {
     /// Where the ray enters and leaves the three slabs; faces are numbered `2·axis`, and one more
     /// on the side of `max`. A ray in the plane of a face (0/0) is inside that slab.
-    fn faces(&self, ray: &Ray) -> Option<[Candidate; 2]> {
+    pub(super) fn faces(&self, ray: &Ray) -> Option<[Candidate; 2]> {
         let mut entry = Candidate::at(f64::NEG_INFINITY);
         let mut exit = Candidate::at(f64::INFINITY);
         for axis in 0..3 {

@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Kind, Shape, Surface, normal_along};
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector};
-use crate::kinds::Specification;
+use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
 
-/// A shape transformed by a list of steps, first to last. The texture moves with the shape.
+/// A shape transformed by a list of steps, first to last.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Instance {
@@ -17,12 +17,25 @@ pub struct Instance {
     pub of: Box<Kind>,
     /// The steps, in the order in which they are applied.
     pub transform: Vec<Step>,
+    /// Whether the texture moves with the shape. If not, it is looked up where the ray hits this
+    /// instance, as if the shape had been made that way (the book's `transform_the_texture`).
+    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
+    pub transform_texture: bool,
 }
 
+/// A shape and where it stands.
 #[derive(Debug)]
-struct Built {
+struct Placed {
     shape: Arc<dyn Shape>,
     transform: Transform,
+    transform_texture: bool,
+}
+
+impl Instance {
+    /// A shape after these steps; the texture moves with it.
+    pub fn new(of: impl Into<Kind>, transform: Vec<Step>) -> Self {
+        Self { of: Box::new(of.into()), transform, transform_texture: true }
+    }
 }
 
 impl Specification for Instance {
@@ -32,37 +45,37 @@ impl Specification for Instance {
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let transform = transform_of("transform", &self.transform)?;
         let shape = context.nested(|context| self.of.build(context)).map_err(|e| e.inside("of"))?;
-        Ok(Arc::new(Built { shape, transform }))
+        let transform_texture = self.transform_texture;
+        Ok(Arc::new(Placed { shape, transform, transform_texture }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
         let transform = self.transform.iter().map(|step| step.scaled(factor)).collect();
-        Self { of: Box::new(self.of.scaled(factor)), transform }
+        Self { of: Box::new(self.of.scaled(factor)), transform, ..*self }
     }
 
     fn specimens() -> Vec<Self> {
-        let sphere = || Box::new(Kind::from(super::Sphere { center: Point::ORIGIN, radius: 1.0 }));
-        let ellipsoid = Self {
-            of: sphere(),
-            transform: vec![
+        let sphere = super::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+        let ellipsoid = Self::new(
+            sphere,
+            vec![
                 Step::Scale(Vector::new(2.0, 3.0, 1.0)),
                 Step::RotateX(-45.0),
                 Step::Translate(Vector::Y),
             ],
-        };
-        let sheared = Self {
-            of: Box::new(Kind::from(super::Box {
-                min: Point::new(-1.0, -0.5, -1.0),
-                max: Point::new(0.5, 1.0, 1.0),
-            })),
-            transform: vec![
-                Step::Shear([0.5, 0.0, 0.0, 0.25, 0.0, 0.0]),
-                Step::Reflect(crate::math::Axis::X),
-            ],
-        };
+        );
+        let block =
+            super::Box { min: Point::new(-1.0, -0.5, -1.0), max: Point::new(0.5, 1.0, 1.0) };
+        let sheared = Self::new(
+            block,
+            vec![Step::Shear([0.5, 0.0, 0.0, 0.25, 0.0, 0.0]), Step::Reflect(crate::math::Axis::X)],
+        );
         let nested = Self {
-            of: Box::new(Kind::from(ellipsoid.clone())),
-            transform: vec![Step::RotateZ(30.0), Step::Scale(Vector::new(0.5, 0.25, 1.0))],
+            transform_texture: false,
+            ..Self::new(
+                ellipsoid.clone(),
+                vec![Step::RotateZ(30.0), Step::Scale(Vector::new(0.5, 0.25, 1.0))],
+            )
         };
         vec![ellipsoid, sheared, nested]
     }
@@ -97,7 +110,7 @@ fn check(step: &Step) -> Result<(), Invalid> {
     }
 }
 
-impl Shape for Built {
+impl Shape for Placed {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         self.shape.hit(&self.transform.ray_back(ray), span)
     }
@@ -107,40 +120,60 @@ impl Shape for Built {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let inner = self.shape.surface(&self.transform.ray_back(ray), at);
-        let point = self.transform.point(inner.point);
-        let outer = |n: Normal| normal_along(self.transform.covector(n), ray);
-        let normal = outer(inner.normal);
-        // how much longer a step along the normal is outside than inside
-        let stretch = 1.0 / self.transform.covector(inner.normal).length();
-        // by how much the point misses itself when it is moved back, as the next ray's origin will
-        // be; and the rounding of that
-        let back = self.transform.inverse();
-        let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
-        let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
-        let error = stretch * (inner.error + drift + 12.0 * UNIT_ROUNDOFF * rounding);
-        Surface { point, error, normal, shading: outer(inner.shading), local: inner.local }
+        let surface = surface_seen_through(&self.transform, &*self.shape, ray, at);
+        let local = if self.transform_texture { surface.local } else { surface.point };
+        Surface { local, ..surface }
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         self.shape.roots(&self.transform.ray_back(ray), span)
     }
 
-    /// Grown by what rounding can move a hit on its way into the inner coordinates and back: where
-    /// large translations cancel, that is more than a few u of the outer coordinates.
     fn bounds(&self) -> Aabb {
-        let inner = self.shape.bounds();
-        let outer = self.transform.bounds(&inner);
-        if !outer.is_bounded() {
-            return outer;
-        }
-        let back = self.transform.inverse();
-        let moved = |corner: Point| {
-            let rounding = back.magnitude(self.transform.point(corner));
-            self.transform.magnitude(corner) + self.transform.stretch(rounding)
-        };
-        let worst = inner.corners().map(moved).into_iter().fold(Vector::ZERO, Vector::max);
-        let pad = 16.0 * UNIT_ROUNDOFF * worst;
-        Aabb { min: outer.min - pad, max: outer.max + pad }
+        bounds_seen_through(&self.transform, &self.shape.bounds())
     }
+
+    fn leaves(&self) -> u64 {
+        self.shape.leaves()
+    }
+}
+
+/// The surface of a shape at a hit of the ray, outside.
+pub(super) fn surface_seen_through(
+    transform: &Transform,
+    shape: &dyn Shape,
+    ray: &Ray,
+    at: &Candidate,
+) -> Surface {
+    let inner = shape.surface(&transform.ray_back(ray), at);
+    let point = transform.point(inner.point);
+    let outer = |n: Normal| normal_along(transform.covector(n), ray);
+    let normal = outer(inner.normal);
+    // how much longer a step along the normal is outside than inside
+    let stretch = 1.0 / transform.covector(inner.normal).length();
+    // by how much the point misses itself when it is moved back, as the next ray's origin will
+    // be; and the rounding of that
+    let back = transform.inverse();
+    let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
+    let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
+    let error = stretch * (inner.error + drift + 12.0 * UNIT_ROUNDOFF * rounding);
+    Surface { point, error, normal, shading: outer(inner.shading), ..inner }
+}
+
+/// The box around a transformed box, grown by what rounding can move a hit on its way into the
+/// inner coordinates and back: where large translations cancel, that is more than a few u of the
+/// outer coordinates.
+pub(super) fn bounds_seen_through(transform: &Transform, inner: &Aabb) -> Aabb {
+    let outer = transform.bounds(inner);
+    if !outer.is_bounded() {
+        return outer;
+    }
+    let back = transform.inverse();
+    let moved = |corner: Point| {
+        let rounding = back.magnitude(transform.point(corner));
+        transform.magnitude(corner) + transform.stretch(rounding)
+    };
+    let worst = inner.corners().map(moved).into_iter().fold(Vector::ZERO, Vector::max);
+    let pad = 16.0 * UNIT_ROUNDOFF * worst;
+    Aabb { min: outer.min - pad, max: outer.max + pad }
 }

@@ -18,6 +18,9 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 pub struct Candidate {
     /// Where along the ray, in units of its direction.
     pub t: f64,
+    /// Which of the shapes inside a compound, counted through all that are nested in it: those of
+    /// its first part, then those of its second …; 0 for a shape that holds no others.
+    pub leaf: u64,
     /// Which face of a box, which triangle of a mesh; 0 for shapes of one part.
     pub part: u32,
     /// Two parameters on that part, such as barycentric coordinates; 0 where none are needed.
@@ -27,7 +30,7 @@ pub struct Candidate {
 impl Candidate {
     /// A hit of a shape of one part.
     pub fn at(t: f64) -> Self {
-        Self { t, part: 0, parameters: [0.0; 2] }
+        Self { t, leaf: 0, part: 0, parameters: [0.0; 2] }
     }
 }
 
@@ -39,18 +42,43 @@ pub struct Surface {
     /// Bound on the distance, along the geometric normal, between `point` and the surface as the
     /// shape's own `hit` sees it: a ray that starts farther off than this does not hit it again.
     pub error: f64,
-    /// Perpendicular to the surface; outward for what has an inside. Never turned to the viewer.
+    /// Perpendicular to the surface; outward for what has an inside, unless its data say `inward`.
+    /// Never turned to the viewer.
     pub normal: Normal,
     /// The normal that shading uses; differs from `normal` on smooth meshes only.
     pub shading: Normal,
     /// The point in the coordinates of the innermost shape, where textures live.
     pub local: Point,
+    /// The material of that part of a compound, by its place in the scene; the object's own if
+    /// `None`.
+    pub material: Option<u32>,
+    /// As in [`Candidate`]; set for what the world hits.
+    pub leaf: u64,
+    /// As in [`Candidate`]; set for what the world hits.
+    pub part: u32,
 }
 
 impl Surface {
     /// A surface with one normal, in its own coordinates.
     pub fn new(point: Point, error: f64, normal: Normal) -> Self {
-        Self { point, error, normal, shading: normal, local: point }
+        Self {
+            point,
+            error,
+            normal,
+            shading: normal,
+            local: point,
+            material: None,
+            leaf: 0,
+            part: 0,
+        }
+    }
+
+    /// The same surface, its normals turned round if it is an inward one.
+    fn turned(self, inward: bool) -> Self {
+        if !inward {
+            return self;
+        }
+        Self { normal: -self.normal, shading: -self.shading, ..self }
     }
 
     /// A plane through `anchor`, hit near `point`, which is moved onto it.
@@ -103,6 +131,12 @@ pub trait Shape: Debug + Send + Sync {
 
     /// A box that contains every point of the surface.
     fn bounds(&self) -> Aabb;
+
+    /// How many shapes are nested in it, itself included: one more than the largest
+    /// [`Candidate::leaf`].
+    fn leaves(&self) -> u64 {
+        1
+    }
 }
 
 /// The candidates of a shape of one part at those `ts` (ascending) that the span contains.
@@ -123,23 +157,58 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 }
 
 // shared by the kinds
+mod assembly;
+mod azimuth;
 mod context;
+mod edges;
 mod eight;
+mod shoulder;
 mod triangle_block;
+mod tube_range;
 mod watertight;
+mod wedge_parts;
 
+mod algebraic;
+mod annulus;
+mod archway;
+mod beveled_box;
+mod beveled_cylinder;
+mod beveled_ring;
+mod beveled_wedge;
+mod compound;
+mod concave_lens;
+mod cone;
 mod cuboid;
+mod cut_face;
 mod disk;
+mod flat_rimmed_bowl;
 mod instance;
+mod lattice;
 mod mesh;
 mod open_cylinder;
+mod paraboloid;
+mod part_annulus;
+mod part_cylinder;
+mod part_sphere;
+mod part_torus;
 mod plane;
+mod random_spheres;
 mod rectangle;
+mod rosette;
+mod round_rimmed_bowl;
+mod solid_cone;
+mod solid_cylinder;
 mod sphere;
 mod tessellated_sphere;
+mod thick_ring;
+mod torus;
 mod triangle;
 
-pub use context::Context;
+pub use algebraic::Term;
+pub use assembly::Materials;
+pub use compound::Part;
+pub use context::{Context, PartMaterial};
+
 pub(crate) use instance::transform_of;
 pub use mesh::{AcceleratedMesh, TriangleMesh};
 
@@ -152,8 +221,33 @@ crate::kinds! {
     ch19 triangle::Triangle,
     ch19 rectangle::Rectangle,
     ch19 disk::Disk,
+    ch19 annulus::Annulus,
     ch19 open_cylinder::OpenCylinder,
+    ch19 compound::Compound,
+    ch19 solid_cylinder::SolidCylinder,
+    ch19 solid_cone::SolidCone,
+    ch19 thick_ring::ThickRing,
+    ch19 flat_rimmed_bowl::FlatRimmedBowl,
+    ch19 round_rimmed_bowl::RoundRimmedBowl,
+    ch19 concave_lens::ConcaveLens,
+    ch19 cut_face::CutFace,
+    ch19 cone::Cone,
+    ch19 paraboloid::Paraboloid,
+    ch19 part_sphere::PartSphere,
+    ch19 part_cylinder::PartCylinder,
+    ch19 part_annulus::PartAnnulus,
+    ch19 torus::Torus,
+    ch19 part_torus::PartTorus,
+    ch19 algebraic::Algebraic,
     ch21 instance::Instance,
+    ch21 beveled_box::BeveledBox,
+    ch21 beveled_cylinder::BeveledCylinder,
+    ch21 beveled_ring::BeveledRing,
+    ch21 beveled_wedge::BeveledWedge,
+    ch21 rosette::Rosette,
+    ch21 archway::Archway,
+    ch22 random_spheres::RandomSpheres,
+    ch22 lattice::Lattice,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
 }
@@ -164,6 +258,10 @@ impl Kind {
         match self {
             Kind::Mesh(mesh) => mesh.file = folder.join(&mesh.file),
             Kind::Instance(instance) => instance.of.files_from(folder),
+            Kind::Lattice(lattice) => lattice.of.files_from(folder),
+            Kind::Compound(compound) => {
+                compound.parts.iter_mut().for_each(|part| part.shape.files_from(folder));
+            }
             _ => {}
         }
     }

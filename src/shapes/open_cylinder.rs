@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 use super::{Candidate, Context, Shape, Surface, inside, normal_along};
 use crate::invalid::{Invalid, finite, positive};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
+use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, perpendicular_roots};
 
-/// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward.
+/// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OpenCylinder {
@@ -19,6 +19,9 @@ pub struct OpenCylinder {
     pub y1: f64,
     /// Positive.
     pub radius: f64,
+    /// Whether the normal points to the axis: the book's concave open cylinder.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
 }
 
 impl Specification for OpenCylinder {
@@ -26,32 +29,35 @@ impl Specification for OpenCylinder {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        Ok(Arc::new(self.checked()?))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { y0: factor * self.y0, y1: factor * self.y1, radius: factor * self.radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { y0: -1.0, y1: 1.0, radius: 1.0, inward: false },
+            Self { y0: 0.25, y1: 0.5, radius: 0.375, inward: true },
+        ]
+    }
+}
+
+impl OpenCylinder {
+    /// A copy whose numbers are fit for use.
+    pub(super) fn checked(&self) -> Result<Self, Invalid> {
         let (y0, y1) = (finite("y0", self.y0)?, finite("y1", self.y1)?);
         if y0 >= y1 {
             return Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")));
         }
         positive("radius", self.radius)?;
-        Ok(Arc::new(self.clone()))
+        Ok(self.clone())
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self { y0: factor * self.y0, y1: factor * self.y1, radius: factor * self.radius }
-    }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { y0: -1.0, y1: 1.0, radius: 1.0 }, Self { y0: 0.25, y1: 0.5, radius: 0.375 }]
-    }
-}
-
-/// `v` without its part along the axis.
-fn across(v: Vector) -> Vector {
-    Vector::new(v.x(), 0.0, v.z())
-}
-
-impl OpenCylinder {
     /// Both roots are tried: when the near one lies beyond an end, the far one may be on the wall.
-    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        let (f, d) = (across(ray.origin.to_vector()), across(ray.direction));
+    pub(super) fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> + use<> {
+        let (f, d) = (ray.origin.to_vector().across_y(), ray.direction.across_y());
         let (y, dy) = (ray.origin.y(), ray.direction.y());
         let wall = self.y0..=self.y1;
         inside(span, perpendicular_roots(f, d, self.radius))
@@ -66,11 +72,11 @@ impl Shape for OpenCylinder {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let raw = ray.at(at.t);
-        let flat_ray = Ray::new(ray.origin, across(ray.direction));
-        let normal = normal_along(across(raw.to_vector()), &flat_ray);
+        let flat_ray = Ray::new(ray.origin, ray.direction.across_y());
+        let normal = normal_along(raw.to_vector().across_y(), &flat_ray);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
-        Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)
+        Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal).turned(self.inward)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

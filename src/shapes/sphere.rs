@@ -9,7 +9,7 @@ use crate::invalid::{Invalid, finite_point, positive};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
 
-/// All points `p` with `|p − center| = radius`; the normal points outward.
+/// All points `p` with `|p − center| = radius`; the normal points outward, or to the centre.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
@@ -17,6 +17,9 @@ pub struct Sphere {
     pub center: Point,
     /// Positive.
     pub radius: f64,
+    /// Whether the normal points to the centre: the book's concave sphere.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
 }
 
 impl Specification for Sphere {
@@ -24,31 +27,39 @@ impl Specification for Sphere {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let center = finite_point("center", self.center)?;
-        Ok(Arc::new(Self { center, radius: positive("radius", self.radius)? }))
+        Ok(Arc::new(self.checked()?))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { center: self.center.scaled(factor), radius: factor * self.radius }
+        Self { center: self.center.scaled(factor), radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {
         vec![
-            Self { center: Point::ORIGIN, radius: 1.0 },
-            Self { center: Point::new(0.5, -0.75, 0.25), radius: 0.3 },
+            Self { center: Point::ORIGIN, radius: 1.0, inward: false },
+            Self { center: Point::new(0.5, -0.75, 0.25), radius: 0.3, inward: false },
         ]
     }
 }
 
 impl Sphere {
-    fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
-        perpendicular_roots(ray.origin - self.center, ray.direction, self.radius)
+    /// A copy whose numbers are fit for use.
+    pub(super) fn checked(&self) -> Result<Self, Invalid> {
+        finite_point("center", self.center)?;
+        positive("radius", self.radius)?;
+        Ok(self.clone())
+    }
+
+    /// Both roots, as far as the span contains them.
+    pub(super) fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> + use<> {
+        let from_center = ray.origin - self.center;
+        inside(span, perpendicular_roots(from_center, ray.direction, self.radius))
     }
 }
 
 impl Shape for Sphere {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        inside(span, self.distances(ray)).next()
+        self.hits(ray, span).next()
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -59,11 +70,11 @@ impl Shape for Sphere {
         let magnitude = point.to_vector().abs() + self.center.to_vector().abs();
         let error = 4.0 * UNIT_ROUNDOFF * magnitude.dot(Vector::from(normal).abs())
             + 8.0 * UNIT_ROUNDOFF * self.radius;
-        Surface::new(point, error, normal)
+        Surface::new(point, error, normal).turned(self.inward)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        inside(span, self.distances(ray)).collect()
+        self.hits(ray, span).collect()
     }
 
     fn bounds(&self) -> Aabb {

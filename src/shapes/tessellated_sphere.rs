@@ -11,7 +11,7 @@ use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Normal, Point, cos, sin};
 
-/// A sphere about the origin made of `2 h (v − 1)` triangles.
+/// A sphere about the origin made of `2 h (v − 1)` triangles, perhaps with bumps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TessellatedSphere {
@@ -25,6 +25,15 @@ pub struct TessellatedSphere {
     /// Shade with interpolated normals.
     #[serde(default)]
     pub smooth: bool,
+    /// The height of bumps, as a share of the radius below 1: a surface as uneven as a scanned one.
+    /// A vertex at azimuth φ and polar angle θ is moved out by
+    /// `bumps (2/3 sin 9φ sin 7θ + 1/3 sin 31θ)`.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub bumps: f64,
+}
+
+fn is_zero(height: &f64) -> bool {
+    *height == 0.0
 }
 
 impl Specification for TessellatedSphere {
@@ -41,6 +50,10 @@ impl Specification for TessellatedSphere {
             }
         }
         positive("radius", self.radius)?;
+        if !(0.0..1.0).contains(&self.bumps) {
+            let problem = format!("found {}, but a number from 0 to below 1 is needed", self.bumps);
+            return Err(Invalid::field("bumps", problem));
+        }
         context.shared(self, |context| {
             context.take_triangles(self.triangles())?;
             Ok(Arc::new(self.mesh().accelerated(context.accel())))
@@ -53,13 +66,27 @@ impl Specification for TessellatedSphere {
 
     fn specimens() -> Vec<Self> {
         vec![
-            Self { horizontal: 3, vertical: 2, radius: 1.0, smooth: false },
-            Self { horizontal: 10, vertical: 5, radius: 0.75, smooth: true },
+            Self::new(3, 2, false),
+            Self { radius: 0.75, ..Self::new(10, 5, true) },
+            Self { bumps: 0.15, ..Self::new(24, 12, true) },
         ]
     }
 }
 
 impl TessellatedSphere {
+    /// A unit sphere of so many steps.
+    pub fn new(horizontal: u32, vertical: u32, smooth: bool) -> Self {
+        Self { horizontal, vertical, radius: 1.0, smooth, bumps: 0.0 }
+    }
+
+    /// The vertex at azimuth `phi` and polar angle `theta`.
+    fn vertex(&self, phi: f64, theta: f64) -> Point {
+        let (sines, rings) = (sin(9.0 * phi) * sin(7.0 * theta), sin(31.0 * theta));
+        let r = self.radius * (1.0 + self.bumps * ((2.0 * sines + rings) / 3.0));
+        let (x, y, z) = (sin(phi) * sin(theta), cos(theta), cos(phi) * sin(theta));
+        Point::new(r * x, r * y, r * z)
+    }
+
     fn triangles(&self) -> u64 {
         2 * u64::from(self.horizontal) * (u64::from(self.vertical) - 1)
     }
@@ -74,8 +101,7 @@ impl TessellatedSphere {
             let theta = PI * f64::from(k) / f64::from(v);
             for j in 0..h {
                 let phi = 2.0 * PI * f64::from(j) / f64::from(h);
-                let (x, y, z) = (sin(phi) * sin(theta), cos(theta), cos(phi) * sin(theta));
-                vertices.push(Point::new(r * x, r * y, r * z));
+                vertices.push(self.vertex(phi, theta));
             }
         }
         vertices.push(Point::new(0.0, -r, 0.0));
@@ -93,12 +119,15 @@ impl TessellatedSphere {
         }
         triangles.extend((0..h).map(|j| [bottom, on_ring(j + 1, v - 1), on_ring(j, v - 1)]));
 
-        let normal = |p: &Point| Normal::new(p.to_vector()).expect("vertices are on the sphere");
-        let normals = self.smooth.then(|| vertices.iter().map(normal).collect());
         let mesh = TriangleMesh::new(vertices, triangles);
-        match normals {
-            Some(normals) => mesh.with_normals(normals),
-            None => mesh,
+        if !self.smooth {
+            return mesh;
         }
+        let radial = |p: &Point| Normal::new(p.to_vector()).expect("vertices are on the sphere");
+        let normals = match self.bumps {
+            0.0 => mesh.vertices().iter().map(radial).collect(),
+            _ => mesh.mean_normals(),
+        };
+        mesh.with_normals(normals)
     }
 }

@@ -5,22 +5,28 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, watertight};
-use crate::invalid::{Invalid, finite_point};
+use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
-/// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised.
+/// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
+/// interpolated.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Triangle {
     /// The corners, not on one line.
     pub vertices: [Point; 3],
+    /// A normal for each corner, of any length: shading uses the one between them (the book's
+    /// smooth triangle, ch. 23).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub normals: Option<[Vector; 3]>,
 }
 
 #[derive(Debug)]
 struct Built {
     vertices: [Point; 3],
     normal: Normal,
+    normals: Option<[Normal; 3]>,
 }
 
 impl Specification for Triangle {
@@ -39,36 +45,59 @@ impl Specification for Triangle {
                 format!("found {found:?}, a triangle of area zero, but its corners must not be on one line"),
             )
         })?;
-        Ok(Arc::new(Built { vertices: self.vertices, normal }))
+        let normals = self.normals.map(|normals| vertex_normals(normals, normal)).transpose()?;
+        Ok(Arc::new(Built { vertices: self.vertices, normal, normals }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { vertices: self.vertices.map(|v| v.scaled(factor)) }
+        Self { vertices: self.vertices.map(|v| v.scaled(factor)), ..*self }
     }
 
     fn specimens() -> Vec<Self> {
         let triangle =
-            |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Self { vertices: [a, b, c].map(Point::from) };
-        vec![
-            triangle([-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]),
-            triangle([-1.1, -0.85, 0.8], [1.2, 0.1, 0.2], [-0.4, 0.5, -0.3]),
-        ]
+            |corners: [[f64; 3]; 3]| Self { vertices: corners.map(Point::from), normals: None };
+        let flat = triangle([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]]);
+        let slanted = triangle([[-1.1, -0.85, 0.8], [1.2, 0.1, 0.2], [-0.4, 0.5, -0.3]]);
+        let normals = [[-1.0, -0.5, 2.0], [0.5, 0.0, 1.0], [0.0, 0.25, 0.5]].map(Vector::from);
+        let smooth = Self { normals: Some(normals), ..flat.clone() };
+        vec![flat, slanted, smooth]
     }
+}
+
+/// The normals of the corners, each on the side of the triangle's own.
+fn vertex_normals(normals: [Vector; 3], normal: Normal) -> Result<[Normal; 3], Invalid> {
+    let mut units = [normal; 3];
+    for (i, &given) in normals.iter().enumerate() {
+        let inside = |e: Invalid| Invalid::new(e.problem).inside(i).inside("normals");
+        units[i] = direction("", given).map_err(inside)?;
+        if units[i].dot(normal) <= 0.0 {
+            let (given, normal) = (given.to_array(), normal.to_array());
+            let problem = format!(
+                "found {given:?}, but a vector on the side of the triangle's normal, {normal:?}, \
+                 is needed; the order of its corners decides which side that is"
+            );
+            return Err(inside(Invalid::new(problem)));
+        }
+    }
+    Ok(units)
 }
 
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let meeting = watertight::ShearedRay::new(ray).meet(self.vertices)?;
-        span.contains(meeting.t).then_some(Candidate {
-            t: meeting.t,
-            part: 0,
-            parameters: meeting.barycentric,
-        })
+        span.contains(meeting.t)
+            .then_some(Candidate { parameters: meeting.barycentric, ..Candidate::at(meeting.t) })
     }
 
     fn surface(&self, _: &Ray, at: &Candidate) -> Surface {
         let (point, error) = watertight::point_on(self.vertices, at.parameters, self.normal);
-        Surface::new(point, error, self.normal)
+        let mut surface = Surface::new(point, error, self.normal);
+        if let Some([n0, n1, n2]) = self.normals {
+            let [beta, gamma] = at.parameters;
+            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
+            surface.shading = Normal::new(mean).unwrap_or(self.normal);
+        }
+        surface
     }
 
     fn bounds(&self) -> Aabb {

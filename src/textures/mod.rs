@@ -4,6 +4,7 @@
 mod checker3d;
 mod constant;
 mod plane_checker;
+mod random_colors;
 
 use std::fmt::{self, Debug};
 use std::sync::Arc;
@@ -28,6 +29,7 @@ crate::kinds! {
     ch30 constant::Constant,
     ch30 checker3d::Checker3d,
     ch30 plane_checker::PlaneChecker,
+    ch22 random_colors::RandomColors,
 }
 
 /// A colour of a material: in scene files `[r, g, b]`, one number for a grey, or a texture, as

@@ -87,7 +87,7 @@ impl<R: Recorder> Tracing<'_, R> {
     /// Adds up the light that leaves a surface towards the ray's origin.
     fn shade(&mut self, traveller: &Traveller, hit: &Hit<'_>, sum: &mut Sum) {
         let side = Side::of(hit, -traveller.ray.direction);
-        let material = &hit.object.material;
+        let material = &hit.material.recipe;
         let emitted = material.emitted(&side.hit.surface, side.cos_o);
         if !emitted.is_black() {
             sum.add(self.recorder, What::Emission, Rgb::WHITE, emitted);
@@ -231,7 +231,7 @@ struct Side<'a> {
 
 impl<'a> Side<'a> {
     fn of(hit: &'a Hit<'a>, wo: Vector) -> Self {
-        let turned = hit.object.two_sided && !hit.front;
+        let turned = hit.material.two_sided && !hit.front;
         let cos_o = hit.surface.normal.dot(wo);
         Self { hit, wo, turned, cos_o: if turned { -cos_o } else { cos_o } }
     }

@@ -67,6 +67,8 @@ pub struct RecordedHit {
     pub t: f64,
     /// The object's place in the scene.
     pub object: u32,
+    /// The place of the material of the part that is hit.
+    pub material: u32,
     /// Where.
     pub point: Point,
     /// Bound of the distance between the point and the true surface.
@@ -155,6 +157,7 @@ impl Recorder for RayTree {
             Outcome::Hit(hit) => RecordedOutcome::Hit(RecordedHit {
                 t: hit.t,
                 object: hit.object.place,
+                material: hit.material.place,
                 point: hit.surface.point,
                 error: hit.surface.error,
                 normal: hit.surface.normal,

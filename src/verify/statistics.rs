@@ -3,9 +3,9 @@
 //! χ² and Kolmogorov–Smirnov assume independent samples: never feed them stratified points. A test
 //! that runs `m` of them at a family-wise level `α` asks each for [`sidak`]`(α, m)`.
 
-use statrs::distribution::{ChiSquared, ContinuousCDF};
+use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
-use crate::math::{exp, power};
+use crate::math::{exp, ln, power};
 
 /// The level of each of `tests` independent tests that together raise a false alarm with
 /// probability `level` (Šidák 1967): `1 − (1 − α)^(1/m)`.
@@ -91,6 +91,57 @@ fn kolmogorov(lambda: f64) -> f64 {
     };
     let sum: f64 = (1..=50).map(term).sum();
     (2.0 * sum).clamp(0.0, 1.0)
+}
+
+/// A straight line through points of a log–log plot: `y = factor · x^exponent`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerLaw {
+    /// The fitted slope.
+    pub exponent: f64,
+    /// An interval that contains the true slope with the probability asked for, if the scatter of
+    /// `ln y` about the line is normal and the same everywhere.
+    pub interval: [f64; 2],
+    /// The value at `x = 1`.
+    pub factor: f64,
+}
+
+/// The line of least squares through `(ln x, ln y)`, with an interval for its slope at this
+/// confidence (such as 0.95), by Student's t of `n − 2` degrees. `None` for fewer than three points,
+/// for a number that is not positive and finite, and if all `x` are the same.
+///
+/// Power: an interval's half-width is `t · s / (σ_x √n)`, with s the scatter of `ln y` and `σ_x` the
+/// spread of `ln x`; a slope that is wrong by more than twice that is left outside.
+pub fn power_law(points: &[(f64, f64)], confidence: f64) -> Option<PowerLaw> {
+    let usable = |&(x, y): &(f64, f64)| x > 0.0 && y > 0.0 && x.is_finite() && y.is_finite();
+    if points.len() < 3 || !points.iter().all(usable) {
+        return None;
+    }
+    let logs: Vec<(f64, f64)> = points.iter().map(|&(x, y)| (ln(x), ln(y))).collect();
+    let n = logs.len() as f64;
+    let mean = |f: fn(&(f64, f64)) -> f64| logs.iter().map(f).sum::<f64>() / n;
+    let (mean_x, mean_y) = (mean(|p| p.0), mean(|p| p.1));
+    let spread: f64 = logs.iter().map(|(x, _)| (x - mean_x) * (x - mean_x)).sum();
+    if spread == 0.0 {
+        return None;
+    }
+    let together: f64 = logs.iter().map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
+    let exponent = together / spread;
+    let start = mean_y - exponent * mean_x;
+    let residual = |&(x, y): &(f64, f64)| y - start - exponent * x;
+    let squares: f64 = logs.iter().map(|p| residual(p) * residual(p)).sum();
+    let student = StudentsT::new(0.0, 1.0, n - 2.0).ok()?;
+    let quantile = student.inverse_cdf(0.5 + 0.5 * confidence);
+    let half = quantile * (squares / (n - 2.0) / spread).sqrt();
+    Some(PowerLaw { exponent, interval: [exponent - half, exponent + half], factor: exp(start) })
+}
+
+/// The value below or at which a share of the values lies (nearest rank): 0.5 for the median. `None`
+/// if there are none. With fewer than 1000 values, the 99.9th percentile is the largest.
+pub fn quantile(values: &[f64], share: f64) -> Option<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let rank = (share * sorted.len() as f64).ceil() as usize;
+    sorted.get(rank.clamp(1, sorted.len().max(1)) - 1).copied()
 }
 
 #[cfg(test)]
@@ -195,5 +246,52 @@ mod tests {
         let each = sidak(0.01, 100);
         assert!((power(1.0 - each, 100.0) - 0.99).abs() < 1e-12);
         assert!(each > 0.01 / 100.0, "a little less strict than Bonferroni");
+    }
+    /// Points of `3 x^slope` with noise of this relative size.
+    fn power_of(slope: f64, noise: f64, seed: u64) -> Vec<(f64, f64)> {
+        let mut random = Pcg32::new(seed, 3);
+        (0..12)
+            .map(|i| {
+                let x = exp(f64::from(i));
+                // the sum of twelve uniforms: normal, with variance 1
+                let normal = (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0;
+                (x, 3.0 * exp(slope * f64::from(i) + noise * normal))
+            })
+            .collect()
+    }
+
+    /// Law: a power law without noise is found; with noise, its interval has the true slope as often
+    /// as it says, and leaves a false one out. Oracle: how the points were made.
+    #[test]
+    fn a_fitted_slope_is_the_true_one_and_not_another() {
+        let exact = power_law(&power_of(0.25, 0.0, 0), 0.95).expect("twelve points");
+        assert!((exact.exponent - 0.25).abs() < 1e-12 && (exact.factor - 3.0).abs() < 1e-11);
+        let fits =
+            || (0..400).map(|seed| power_law(&power_of(-1.5, 0.1, seed), 0.95).expect("fit"));
+        let holds = |slope: f64| {
+            fits().filter(|fit| fit.interval[0] <= slope && slope <= fit.interval[1]).count()
+        };
+        // 95 % of 400 is 380 ± 4.4; five standard deviations are allowed
+        assert!((358..=400).contains(&holds(-1.5)), "{}", holds(-1.5));
+        // the half-width is 2.23 · 0.1 / √143 = 0.019: three times that is off
+        assert!(holds(-1.5 + 0.06) < 10, "{}", holds(-1.5 + 0.06));
+    }
+
+    #[test]
+    fn a_slope_needs_three_positive_points_that_differ() {
+        assert_eq!(power_law(&[(1.0, 1.0), (2.0, 4.0)], 0.95), None);
+        assert_eq!(power_law(&[(1.0, 1.0), (2.0, 4.0), (3.0, 0.0)], 0.95), None);
+        assert_eq!(power_law(&[(1.0, 1.0), (2.0, f64::NAN), (3.0, 1.0)], 0.95), None);
+        assert_eq!(power_law(&[(2.0, 1.0), (2.0, 4.0), (2.0, 1.0)], 0.95), None);
+    }
+
+    #[test]
+    fn quantiles_are_the_nearest_ranks() {
+        let values: Vec<f64> = (1..=1000).rev().map(f64::from).collect();
+        assert_eq!(quantile(&values, 0.5), Some(500.0));
+        assert_eq!(quantile(&values, 0.999), Some(999.0));
+        assert_eq!(quantile(&values, 1.0), Some(1000.0));
+        assert_eq!(quantile(&values[..3], 0.5), Some(999.0));
+        assert_eq!(quantile(&[], 0.5), None);
     }
 }

@@ -83,7 +83,7 @@ proptest! {
         let (view, away) = (pinhole(0.0, d), ratio * radius);
         let disc = d * radius / ((away - radius) * (away + radius)).sqrt();
         let at = |r: f64| [r * sin(angle), r * groundtruth::math::cos(angle)];
-        let ball = || Sphere { center: Point::new(0.0, 0.0, -away), radius };
+        let ball = || Sphere { center: Point::new(0.0, 0.0, -away), radius, inward: false };
         prop_assert!(hits(&view, ball(), at(disc * (1.0 - 1e-9))));
         prop_assert!(!hits(&view, ball(), at(disc * (1.0 + 1e-9))));
     }
@@ -96,7 +96,7 @@ proptest! {
     ) {
         let view = pinhole(0.0, d);
         let center = Point::new(away * sin(alpha), 0.0, -away * groundtruth::math::cos(alpha));
-        let ball = || Sphere { center, radius: away * sin(beta) };
+        let ball = || Sphere { center, radius: away * sin(beta), inward: false };
         let (inner, outer) = (d * tan(alpha - beta), d * tan(alpha + beta));
         let slack = 1e-9 * (outer - inner);
         prop_assert!(hits(&view, ball(), [inner + slack, 0.0]));
@@ -153,7 +153,12 @@ proptest! {
 #[test]
 fn from_far_away_the_picture_is_orthographic() {
     let mut scene = from_front(64, 64, 1.0);
-    add_flat(&mut scene, "ball", Sphere { center: Point::new(3.0, 2.0, -5.0), radius: 20.3 }, RED);
+    add_flat(
+        &mut scene,
+        "ball",
+        Sphere { center: Point::new(3.0, 2.0, -5.0), radius: 20.3, inward: false },
+        RED,
+    );
     let parallel = render::render(&built(&scene));
     scene.camera.lens = Orthographic { zoom: 1.0 }.into();
     let eye = Point::new(0.0, 0.0, 1e8);
@@ -170,7 +175,7 @@ fn from_far_away_the_picture_is_orthographic() {
 #[test]
 fn what_is_before_the_view_plane_is_drawn() {
     let view = pinhole(0.0, 100.0);
-    let ball = |z: f64| Sphere { center: Point::new(0.0, 0.0, z), radius: 1.0 };
+    let ball = |z: f64| Sphere { center: Point::new(0.0, 0.0, z), radius: 1.0, inward: false };
     assert!(hits(&view, ball(-50.0), [1.99, 0.0]) && !hits(&view, ball(-50.0), [2.01, 0.0]));
     assert!(hits(&view, ball(-200.0), [0.49, 0.0]) && !hits(&view, ball(-200.0), [0.51, 0.0]));
     assert!(!hits(&view, ball(50.0), [0.0, 0.0]));

@@ -176,7 +176,12 @@ fn straight_down_and_up_have_the_books_frames() {
 /// Where the only sphere of a 9 × 9 picture is seen.
 fn seen(change: impl Fn(&mut Viewpoint)) -> Vec<[u32; 2]> {
     let mut scene = from_front(9, 9, 1.0);
-    add_flat(&mut scene, "ball", Sphere { center: Point::new(3.0, 1.0, 0.0), radius: 0.6 }, RED);
+    add_flat(
+        &mut scene,
+        "ball",
+        Sphere { center: Point::new(3.0, 1.0, 0.0), radius: 0.6, inward: false },
+        RED,
+    );
     change(&mut scene.camera);
     let film = render::render(&built(&scene));
     crate::pictures::studio::pixels(9, 9).filter(|&at| film.get(at) == RED).collect()

@@ -197,7 +197,7 @@ proptest! {
     fn radiance_is_constant_along_a_ray(to_eye in unit(), far in 1.5..1e9_f64) {
         let mut scene = stage(Rgb::BLACK);
         let emitter = Emissive { ls: 2.5, ce: Rgb::new(1.0, 0.5, 0.25).into() };
-        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0 }, emitter);
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }, emitter);
         let eye = Point::ORIGIN + far * to_eye;
         let seen = look(&built(&scene), eye, -Vector::from(to_eye));
         prop_assert_eq!(seen, Rgb::new(2.5, 1.25, 0.625));
@@ -245,10 +245,10 @@ const FURNACE_ERROR: f64 = 3e-3;
 /// equation for uniform light (the furnace, ch. 13); the environment is a sum of many directions.
 #[test]
 fn a_convex_body_in_a_furnace_shines_with_its_albedo() {
-    let ball = Sphere { center: Point::ORIGIN, radius: 1.0 };
+    let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
     let shear = vec![Step::Scale(Vector::new(2.0, 0.5, 1.0)), Step::RotateZ(30.0)];
     let block = Cuboid { min: Point::new(-1.0, -0.5, -0.7), max: Point::new(0.8, 0.9, 1.0) };
-    let ellipsoid = Instance { of: Box::new(Shape::from(ball.clone())), transform: shear };
+    let ellipsoid = Instance::new(Shape::from(ball.clone()), shear);
     for shape in [Shape::from(ball), ellipsoid.into(), block.into()] {
         let mut scene = stage(Rgb::BLACK);
         put(&mut scene, shape, Matte { ka: 0.0, kd: 0.5, cd: Rgb::new(1.0, 0.5, 0.2).into() });

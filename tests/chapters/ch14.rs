@@ -146,7 +146,7 @@ proptest! {
     #[test]
     fn points_that_face_away_get_ambient_light_only((n, up) in normal_and_direction_above()) {
         let mut scene = stage(Rgb::BLACK);
-        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0 }, matte(0.5, 1.0, Rgb::WHITE));
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }, matte(0.5, 1.0, Rgb::WHITE));
         shine(&mut scene, sun(1.0, Rgb::WHITE, -up));
         shine(&mut scene, lamp(1.0, Point::ORIGIN - 5.0 * up, 0.0));
         shine(&mut scene, Ambient { ls: 0.5, color: Rgb::WHITE });
@@ -161,7 +161,7 @@ proptest! {
     fn moving_everything_changes_nothing(by in point(100.0), a in unit(), b in unit()) {
         let shading = |by: Vector| {
             let mut scene = stage(Rgb::BLACK);
-            let ball = Sphere { center: Point::new(0.5, 0.0, 0.0) + by, radius: 1.0 };
+            let ball = Sphere { center: Point::new(0.5, 0.0, 0.0) + by, radius: 1.0, inward: false };
             put(&mut scene, ball, matte(0.25, 0.75, Rgb::WHITE));
             shine(&mut scene, lamp(2.0, Point::ORIGIN + 4.0 * a + by, 2.0));
             shine(&mut scene, sun(1.0, Rgb::new(1.0, 0.5, 0.0), a.cross(b) + b));
@@ -262,7 +262,7 @@ fn what_is_switched_off_is_not_there() {
         let mut scene = lit_plane(Normal::Y, matte(0.1, 0.9, Rgb::WHITE));
         shine(&mut scene, sun(1.0, Rgb::WHITE, Vector::new(1.0, 2.0, 3.0)));
         if there {
-            let ball = Sphere { center: Point::new(0.1, 1.0, 0.2), radius: 0.5 };
+            let ball = Sphere { center: Point::new(0.1, 1.0, 0.2), radius: 0.5, inward: false };
             let ball = put(&mut scene, ball, matte(1.0, 1.0, Rgb::WHITE));
             let ambient = shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
             scene.objects[ball].enabled = on;

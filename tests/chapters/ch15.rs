@@ -146,7 +146,7 @@ proptest! {
         prop_assume!(wo.dot(wi) > -0.8);
         let mut scene = stage(Rgb::BLACK);
         let shiny = phong(0.0, 0.0, Rgb::BLACK, 1.0, Rgb::WHITE, 1000.0);
-        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0 }, shiny);
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }, shiny);
         shine(&mut scene, light(wi));
         let world = built(&scene);
         let at = |n: Vector| look(&world, Point::ORIGIN + n + 5.0 * wo, -wo).r;
@@ -208,7 +208,7 @@ fn a_highlight_in_a_picture_has_the_size_of_its_exponent() {
     for exponent in [20.0, 100.0] {
         let mut scene: Scene = stage(Rgb::BLACK);
         let shiny = phong(0.0, 0.0, Rgb::BLACK, 1.0, Rgb::WHITE, exponent);
-        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0 }, shiny);
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }, shiny);
         shine(&mut scene, light(Vector::Z));
         scene.camera.lens = cameras::Orthographic { zoom: 1.0 }.into();
         (scene.image.width, scene.image.height, scene.image.pixel_size) = (101, 101, 0.02);

@@ -30,7 +30,7 @@ fn lamp(location: Point) -> Lamp {
 }
 
 fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
-    Sphere { center: Point::new(x, y, z), radius }
+    Sphere { center: Point::new(x, y, z), radius, inward: false }
 }
 
 fn ground() -> Plane {
@@ -220,13 +220,13 @@ proptest! {
         let s = power_of_two(exponent);
         let at = |p: Point| p.scaled(s);
         let tiny = 1e-3 * n.x().abs() + 1e-4;
-        let big = Sphere { center: at(place) - s / tiny * n, radius: s / tiny };
+        let big = Sphere { center: at(place) - s / tiny * n, radius: s / tiny, inward: false };
         let block = Cuboid { min: at(Point::new(-1.5, -2.0, -1.1)), max: at(Point::new(1.2, 1.0, 2.0)) };
         let shape: shapes::Kind = match kind {
             0 => Plane { point: at(place), normal: n.into() }.into(),
             1 => big.into(),
             2 => block.into(),
-            _ => TessellatedSphere { horizontal: 7, vertical: 5, radius: s, smooth: false }.into(),
+            _ => TessellatedSphere { horizontal: 7, vertical: 5, radius: s, smooth: false, bumps: 0.0 }.into(),
         };
         let mut scene = stage(Rgb::BLACK);
         put(&mut scene, shape, white());
@@ -265,7 +265,7 @@ proptest! {
     #[test]
     fn no_light_leaks_through_smooth_normals(wi in unit(), to_eye in unit(), target in point(0.5)) {
         let mut scene = stage(Rgb::BLACK);
-        put(&mut scene, TessellatedSphere { horizontal: 5, vertical: 4, radius: 1.0, smooth: true }, white());
+        put(&mut scene, TessellatedSphere { horizontal: 5, vertical: 4, radius: 1.0, smooth: true, bumps: 0.0 }, white());
         shine(&mut scene, sun(wi.into()));
         let eye = Point::ORIGIN + 3.0 * to_eye;
         let tree = recorded(&built(&scene), eye, target - eye);
@@ -288,7 +288,7 @@ fn the_edge_of_a_shadow_is_on_the_tangent_cone() {
     let (light, center, radius) = (Point::new(1.0, 6.0, -0.5), Point::new(0.5, 2.0, 0.3), 0.75);
     let mut scene = stage(Rgb::BLACK);
     put(&mut scene, ground(), white());
-    put(&mut scene, Sphere { center, radius }, white());
+    put(&mut scene, Sphere { center, radius, inward: false }, white());
     shine(&mut scene, lamp(light));
     let world = built(&scene);
     let axis = light - center;

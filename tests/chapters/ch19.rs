@@ -2,4 +2,6 @@
 
 mod hard;
 pub mod leaving;
+mod parts;
+mod quadrics;
 mod shapes;

@@ -3,4 +3,5 @@
 mod files;
 mod hard;
 mod meshes;
+mod smooth;
 mod watertight;

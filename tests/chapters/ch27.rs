@@ -27,7 +27,7 @@ fn glass(kr: f64, kt: f64, eta: f64) -> Transparent {
 }
 
 fn ball() -> Sphere {
-    Sphere { center: Point::ORIGIN, radius: 1.0 }
+    Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }
 }
 
 fn sine(a: Vector, n: Normal) -> f64 {
@@ -139,7 +139,7 @@ proptest! {
         let shape: shapes::Kind = match kind {
             0 => ball().into(),
             1 => Cuboid { min: Point::new(-1.0, -0.5, -0.7), max: Point::new(1.0, 0.8, 0.9) }.into(),
-            _ => TessellatedSphere { horizontal: 7, vertical: 5, radius: 1.0, smooth: true }.into(),
+            _ => TessellatedSphere { horizontal: 7, vertical: 5, radius: 1.0, smooth: true, bumps: 0.0 }.into(),
         };
         let clear = put(&mut scene, shape, glass(0.0, 1.0, 1.0));
         let checker = Checker3d { size: 1.0, color1: Rgb::WHITE, color2: Rgb::new(0.2, 0.4, 0.1) };
@@ -272,7 +272,7 @@ fn a_glass_ball_focuses_at_one_and_a_half_radii() {
 fn glass_casts_no_more_rays_than_a_binary_tree() {
     let mut scene = deep_stage(BACKGROUND, 7);
     put(&mut scene, ball(), glass(0.2, 0.8, 1.5));
-    let inner = Sphere { center: Point::new(0.1, 0.0, 0.0), radius: 0.8 };
+    let inner = Sphere { center: Point::new(0.1, 0.0, 0.0), radius: 0.8, inward: false };
     put(&mut scene, inner, glass(0.2, 0.8, 1.2));
     let block = Cuboid { min: Point::new(-0.4, -0.4, -0.4), max: Point::new(0.4, 0.3, 0.5) };
     put(&mut scene, block, glass(0.2, 0.8, 1.4));
@@ -294,7 +294,7 @@ fn glass_casts_a_full_shadow_unless_it_casts_none() {
     let mut scene = deep_stage(Rgb::BLACK, 5);
     let disk = Disk { center: Point::ORIGIN, normal: Vector::Y, radius: 5.0 };
     put(&mut scene, disk, Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() });
-    let above = Sphere { center: Point::new(0.0, 3.0, 0.0), radius: 1.0 };
+    let above = Sphere { center: Point::new(0.0, 3.0, 0.0), radius: 1.0, inward: false };
     put(&mut scene, above, glass(0.1, 0.9, 1.5));
     shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::Y });
     let from = Point::new(0.5, 1.0, 0.0);

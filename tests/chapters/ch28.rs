@@ -31,7 +31,7 @@ fn tinted(eta: f64, absorption: Rgb) -> Medium {
 }
 
 fn ball() -> Sphere {
-    Sphere { center: Point::ORIGIN, radius: 1.0 }
+    Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }
 }
 
 /// A slab between y = −thickness and 0, wide enough.
@@ -110,7 +110,7 @@ proptest! {
     fn equal_media_have_no_boundary(to_eye in unit(), target in point(0.9), eta in 0.5..3.0_f64) {
         let mut scene = deep_stage(BACKGROUND, 4);
         put(&mut scene, ball(), glass(Medium::clear(eta), Medium::clear(eta)));
-        let mesh = TessellatedSphere { horizontal: 5, vertical: 4, radius: 0.8, smooth: true };
+        let mesh = TessellatedSphere { horizontal: 5, vertical: 4, radius: 0.8, smooth: true, bumps: 0.0 };
         put(&mut scene, mesh, glass(Medium::clear(eta), Medium::clear(eta)));
         let eye = Point::ORIGIN + 3.0 * to_eye;
         prop_assert_eq!(look(&built(&scene), eye, target - eye), BACKGROUND);
@@ -179,7 +179,7 @@ proptest! {
             tinted(outer, Rgb::new(0.1, 0.2, 0.3)),
             tinted(inner, Rgb::new(0.7, 0.0, 0.4)),
         ];
-        let balls = [Sphere { radius: 2.0, ..ball() }, Sphere { center: Point::new(0.5, 0.0, 0.3), radius: 0.9 }];
+        let balls = [Sphere { radius: 2.0, ..ball() }, Sphere { center: Point::new(0.5, 0.0, 0.3), radius: 0.9, inward: false }];
         let mut scene = deep_stage(BACKGROUND, 5);
         put(&mut scene, balls[0].clone(), glass(media[1], media[0]));
         put(&mut scene, balls[1].clone(), glass(media[2], media[1]));

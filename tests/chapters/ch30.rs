@@ -145,7 +145,7 @@ proptest! {
     fn an_instance_carries_its_texture(eye in unit(), target in point(0.5), by in point(3.0)) {
         let turned = |v: Vector| Vector::new(v.z(), v.y(), -v.x());
         let mut scene = gallery();
-        let ball = Sphere { center: Point::ORIGIN, radius: 1.0 };
+        let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
         painted(&mut scene, ball, solid(0.3));
         let from = Point::ORIGIN + 3.0 * eye;
         let plain = look(&built(&scene), from, target - from);
@@ -154,7 +154,7 @@ proptest! {
             Step::Scale(Vector::new(2.0, 2.0, 2.0)),
             Step::Translate(by.to_vector()),
         ];
-        let nested = Instance { of: Box::new(scene.objects[0].shape.clone()), transform };
+        let nested = Instance::new(scene.objects[0].shape.clone(), transform);
         scene.objects[0].shape = nested.into();
         let outer = |p: Point| by + 2.0 * turned(p.to_vector());
         let seen = look(&built(&scene), outer(from), outer(target) - outer(from));

@@ -6,27 +6,15 @@
 //! multiplied by the condition number of an instance's matrix.
 
 use std::fmt;
-use std::sync::Arc;
 
 use groundtruth::accel::{Accel, Method, Primitives};
-use groundtruth::math::{Aabb, Point, Ray, Span, Step, Transform, Vector};
-use groundtruth::shapes::{self, Candidate, Context, Instance};
+use groundtruth::math::{Aabb, Ray, Span, Vector};
+use groundtruth::shapes::{self, Candidate};
+use groundtruth::verify::against::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
+pub use groundtruth::verify::against::{Pair, instanced, pair, steps};
 use oracle::hard::{Family, Kind, cases};
 
 use crate::support::U;
-
-/// Answers that a smaller relative change of the input would turn may be wrong.
-const LEAST_MARGIN: f64 = 1e-13;
-/// Allowed in `t` and in curved normals, in units of `u · cond`.
-const ALLOWED: f64 = 100.0;
-/// Allowed in the normals of flat shapes, and in the length of all, in units of `u`.
-const FLAT_NORMAL: f64 = 4.0;
-
-/// A shape of the library and the same one for the oracle.
-pub struct Pair {
-    pub ours: Arc<dyn shapes::Shape>,
-    pub exact: oracle::Shape,
-}
 
 /// The largest errors met, and where.
 #[derive(Default)]
@@ -79,10 +67,14 @@ pub fn sweep_as(
         let numbered = cases(kind, family, seed, count).into_iter().enumerate();
         numbered.map(move |(index, case)| (family, index, case))
     });
+    let mut refused = 0;
     judge_all(families.filter_map(|(family, index, (shape, ray))| {
         let name = format!("{kind:?} {family:?} seed {seed} index {index}");
-        change(&shape, &ray, index).map(|(pair, ray)| (name, pair, ray))
+        let changed = change(&shape, &ray, index);
+        refused += usize::from(changed.is_none());
+        changed.map(|(pair, ray)| (name, pair, ray))
     }));
+    assert!(refused <= count / 10, "{refused} shapes were refused");
 }
 
 /// Judges named cases; fails with the worst of them, or if too few have an answer to judge.
@@ -105,8 +97,7 @@ impl Worst {
     ) {
         let answer = oracle::intersect(exact, ray);
         let condition = exact.condition();
-        let direction = Vector::from(ray.direction);
-        let ray = Ray::new(Point::from(ray.origin), direction);
+        let ray = groundtruth::verify::against::ray(ray);
         let found = ours.roots(&ray, Span::AHEAD);
         self.cases += 1;
         let mut fail = |problem: String| self.failures.push(format!("{}: {problem}", case()));
@@ -122,7 +113,7 @@ impl Worst {
         if !ascending || found.iter().any(|hit| !(hit.t.is_finite() && hit.t > 0.0)) {
             fail(format!("no ascending distances: {found:?}"));
         }
-        if answer.margin <= LEAST_MARGIN * condition {
+        if !is_decided(&answer, condition) {
             return;
         }
         self.judged += 1;
@@ -139,7 +130,7 @@ impl Worst {
             fail(format!("the rule of the own box loses {nearest:?}"));
         }
         for (hit, root) in found.iter().zip(&answer.roots) {
-            let t = root.t_error(hit.t) / (U * condition * root.cond.max(root.t.abs()));
+            let t = t_error(root, hit.t, condition);
             self.t.meet(t, case);
             if t.is_nan() || t > ALLOWED {
                 fail(format!("t {:e}, exactly {:e}: {t:.1} u·cond", hit.t, root.t));
@@ -149,14 +140,8 @@ impl Worst {
             if length.is_nan() || length > FLAT_NORMAL {
                 fail(format!("normal {normal:?} is not unit"));
             }
-            if root.face_margin <= LEAST_MARGIN * condition {
-                continue; // an edge of a box: either face will do
-            }
-            let flat = root.size.is_infinite();
-            let allowed = if flat { FLAT_NORMAL } else { ALLOWED };
-            let moved =
-                if flat { 1.0 } else { (root.cond * direction.length() / root.size).max(1.0) };
-            let error = root.normal_error(normal.to_array()) / (U * condition * moved);
+            let judged = normal_error(root, normal.to_array(), ray.direction, condition);
+            let Some((error, allowed)) = judged else { continue };
             self.normal.meet(error, case);
             if error.is_nan() || error > allowed {
                 fail(format!("normal {normal:?}, exactly {:?}: {error:.1} u·cond", root.normal));
@@ -178,90 +163,4 @@ fn through_accelerator(shape: &dyn shapes::Shape, ray: &Ray) -> Option<Candidate
     }
     let accel = Accel::build(Method::List, &[shape.bounds()]);
     accel.nearest(&Alone(shape, ray), ray, Span::AHEAD).map(|(_, candidate)| candidate)
-}
-
-/// The library's shape of the same data; `None` where it refuses them.
-pub fn pair(exact: &oracle::Shape) -> Option<Pair> {
-    let (kind, exact) = ours(exact);
-    Some(Pair { ours: kind.build(&mut Context::default()).ok()?, exact })
-}
-
-/// An instance of the same shape, and the ray moved with it.
-pub fn instanced(
-    shape: &oracle::Shape,
-    ray: &oracle::Ray,
-    matrix: [[f64; 4]; 3],
-) -> Option<(Pair, oracle::Ray)> {
-    let moved = oracle::Shape::Instance { matrix, of: Box::new(shape.clone()) };
-    let transform = Transform::from_steps(&steps(&matrix)).expect("not singular");
-    let ray = oracle::Ray {
-        origin: transform.point(ray.origin.into()).into(),
-        direction: transform.vector(ray.direction.into()).into(),
-    };
-    Some((pair(&moved)?, ray))
-}
-
-/// The library's description of a shape; and the oracle's with the matrices that the library has.
-fn ours(exact: &oracle::Shape) -> (shapes::Kind, oracle::Shape) {
-    let kind = match exact.clone() {
-        oracle::Shape::Plane { point, normal } => {
-            shapes::Plane { point: point.into(), normal: normal.into() }.into()
-        }
-        oracle::Shape::Sphere { center, radius } => {
-            shapes::Sphere { center: center.into(), radius }.into()
-        }
-        oracle::Shape::Cuboid { min, max } => {
-            shapes::Box { min: min.into(), max: max.into() }.into()
-        }
-        oracle::Shape::Triangle { vertices } => {
-            shapes::Triangle { vertices: vertices.map(Point::from) }.into()
-        }
-        oracle::Shape::Rectangle { corner, a, b } => {
-            shapes::Rectangle { corner: corner.into(), a: a.into(), b: b.into() }.into()
-        }
-        oracle::Shape::Disk { center, normal, radius } => {
-            shapes::Disk { center: center.into(), normal: normal.into(), radius }.into()
-        }
-        oracle::Shape::OpenCylinder { y0, y1, radius } => {
-            shapes::OpenCylinder { y0, y1, radius }.into()
-        }
-        oracle::Shape::Instance { matrix, of } => {
-            let (inner, exact_inner) = ours(&of);
-            let transform = steps(&matrix);
-            let rows = Transform::from_steps(&transform).expect("not singular").rows();
-            let instance = Instance { of: Box::new(inner), transform };
-            return (
-                instance.into(),
-                oracle::Shape::Instance { matrix: rows, of: Box::new(exact_inner) },
-            );
-        }
-    };
-    (kind, exact.clone())
-}
-
-/// Steps whose product is this matrix but for rounding: shear, scale, rotation, translation, by
-/// Gram and Schmidt's process on the columns.
-pub fn steps(matrix: &[[f64; 4]; 3]) -> Vec<Step> {
-    let [c0, c1, c2, shift] =
-        [0, 1, 2, 3].map(|j| Vector::new(matrix[0][j], matrix[1][j], matrix[2][j]));
-    let unit = |v: Vector| v.unit().expect("the columns span space");
-    let x = unit(c0);
-    let y = unit(c1 - c1.dot(x) * x);
-    let z = x.cross(y);
-    let (sx, sy, sz) = (c0.dot(x), c1.dot(y), c2.dot(z));
-    let shear = [c1.dot(x) / sx, c2.dot(x) / sx, 0.0, c2.dot(y) / sy, 0.0, 0.0];
-    // the rotation with these columns: its axis from the skew part, its angle from that and the
-    // trace
-    let axis = Vector::new(y.z() - z.y(), z.x() - x.z(), x.y() - y.x());
-    let angle = groundtruth::math::atan2(axis.length(), x.x() + y.y() + z.z() - 1.0);
-    vec![
-        Step::Shear(shear),
-        Step::Scale(Vector::new(sx, sy, sz)),
-        Step::RotateAbout {
-            point: Point::ORIGIN,
-            direction: axis,
-            degrees: groundtruth::math::to_degrees(angle),
-        },
-        Step::Translate(shift),
-    ]
 }

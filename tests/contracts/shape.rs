@@ -101,7 +101,9 @@ fn the_normal_is_the_gradient(kind: &Kind) -> Holds {
     let hits = rays.smooth_hits(&*shape, RAYS);
     for Met { ray, surface, at } in hits.into_iter().filter(|met| cosine(met) > 0.3) {
         let points = beside(&ray, 1e-6 * rays.size()).map(|ray| {
-            let beside = shape.hit(&ray, Span::AHEAD).filter(|beside| beside.part == at.part)?;
+            // the curvature may jump where parts join, so that the quotient is not central
+            let same = |beside: &Candidate| (beside.leaf, beside.part) == (at.leaf, at.part);
+            let beside = shape.hit(&ray, Span::AHEAD).filter(same)?;
             Some(shape.surface(&ray, &beside).point)
         });
         let [Some(a), Some(b), Some(c), Some(d)] = points else { continue };
@@ -215,11 +217,11 @@ fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
 }
 
 /// Law: a ray that leaves a surface never meets it at the same place again, also at grazing angles:
-/// what it hits next it meets from the side it left to. From inside a closed shape it hits
-/// something. So too when it is turned and moved far away, where coordinates are rounded more.
+/// what it hits next it meets from the side it left to, or it is far off: the inner side of an open
+/// shape, through its opening. From inside a closed shape it hits something. So too when it is turned and moved far away, where coordinates are rounded more.
 fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
     let transform = vec![Step::RotateX(30.0), Step::Translate(Vector::new(900.0, -30.0, 700.0))];
-    let far = Instance { of: Box::new(kind.clone()), transform };
+    let far = Instance::new(kind.clone(), transform);
     leaves(&*built(kind))?;
     leaves(&*built(&far.into())).map_err(|broken| format!("far away: {broken}"))
 }
@@ -242,8 +244,9 @@ fn leaves(shape: &dyn Shape) -> Holds {
                 ),
                 Some(at) => {
                     let next = shape.surface(&ray, &at).normal.dot(direction);
+                    let far = !closed && at.t > 1e-3 * rays.size();
                     ensure!(
-                        next * cosine < 0.0,
+                        next * cosine < 0.0 || far,
                         "from {:?} at {cosine:e}: hit again at t {:e}",
                         surface.point,
                         at.t

@@ -107,7 +107,7 @@ fn transforms_commute(kind: &Kind) -> Holds {
         Point::ORIGIN + turned(p.to_vector()) + Vector::new(-2.0, 0.0, 0.75)
     };
     let shape = built(kind);
-    let instance = built(&Instance { of: Box::new(kind.clone()), transform: steps }.into());
+    let instance = built(&Instance::new(kind.clone(), steps).into());
     let mut rays = Rays::new(&*shape);
     for _ in 0..RAYS {
         let ray = rays.next_dyadic();

@@ -67,7 +67,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"intersect": {"shape": {"spheer": {}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
-        "column 33: unknown variant `spheer`, expected one of `plane`, `sphere`, `box`, `triangle`, `rectangle`, `disk`, `open_cylinder`, `instance`, `mesh`, `tessellated_sphere`",
+        "column 33: unknown variant `spheer`, expected one of `plane`, `sphere`, …",
     ),
     (
         r#"{"intersect": {"shape": "sphere", "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
@@ -318,6 +318,9 @@ fn errors_say_where_what_and_what_would_fit() {
     for (line, error) in ERRORS {
         let reply: serde_json::Value =
             serde_json::from_str(&probe::answer(line)).expect("answers are JSON");
-        assert_eq!(reply["error"], *error, "{line}");
+        match (error.strip_suffix('…'), reply["error"].as_str()) {
+            (Some(start), Some(found)) => assert!(found.starts_with(start), "{line}: {found}"),
+            _ => assert_eq!(reply["error"], *error, "{line}"),
+        }
     }
 }

@@ -37,10 +37,10 @@ fn everything(lens: cameras::Kind) -> Scene {
     for (i, source) in specimens(lights::Kind::ENTRIES).into_iter().enumerate() {
         scene.lights.push(Light::new(&format!("light {i}"), source));
     }
-    let sphere = Sphere { center: Point::new(0.5, 0.25, 1.5), radius: 0.75 };
-    let instance = Instance {
-        of: Box::new(sphere.into()),
-        transform: vec![
+    let sphere = Sphere { center: Point::new(0.5, 0.25, 1.5), radius: 0.75, inward: false };
+    let instance = Instance::new(
+        sphere,
+        vec![
             Step::Translate(Vector::new(1.0, 2.0, 3.0)),
             Step::Scale(Vector::new(1.0, 2.0, 3.0)),
             Step::RotateX(10.0),
@@ -50,7 +50,7 @@ fn everything(lens: cameras::Kind) -> Scene {
             Step::Reflect(Axis::Z),
             Step::Shear([0.5, 0.25, 0.0, 0.0, 0.125, 0.0]),
         ],
-    };
+    );
     let all = specimens(shapes::Kind::ENTRIES).into_iter().chain([instance.into()]);
     for (i, shape) in all.enumerate() {
         scene.objects.push(Object::new(&format!("object {i}"), "material 0", shape));

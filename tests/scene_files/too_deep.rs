@@ -10,12 +10,11 @@ use groundtruth::world::World;
 use super::{error_of, with};
 
 fn sphere() -> Kind {
-    Kind::from(Sphere { center: Point::ORIGIN, radius: 1.0 })
+    Kind::from(Sphere { center: Point::ORIGIN, radius: 1.0, inward: false })
 }
 
 fn nested(levels: usize) -> Kind {
-    (0..levels)
-        .fold(sphere(), |of, _| Kind::from(Instance { of: Box::new(of), transform: Vec::new() }))
+    (0..levels).fold(sphere(), |of, _| Kind::from(Instance::new(of, Vec::new())))
 }
 
 fn scene(shape: Kind) -> Scene {
@@ -36,7 +35,7 @@ fn ten_thousand_instances_in_one_another_are_refused() {
         assert_eq!(
             error,
             "objects[0] \"ball\", shape.instance.of.instance.of.instance.of.instance.of.instance.of\
-             .instance….instance.of: instances are nested deeper than 64; combine their transforms",
+             .instance….instance.of: shapes are nested deeper than 64; combine their transforms",
             "{levels} levels"
         );
     }

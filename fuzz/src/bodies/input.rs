@@ -115,31 +115,42 @@ impl<'a> Input<'a> {
         let kind = match self.byte() % 8 {
             0 => shapes::Plane { point: self.point(), normal: self.vector() }.into(),
             1 => shapes::Box { min: self.point(), max: self.point() }.into(),
-            2 => shapes::Triangle { vertices: std::array::from_fn(|_| self.point()) }.into(),
+            2 => {
+                shapes::Triangle { vertices: std::array::from_fn(|_| self.point()), normals: None }
+                    .into()
+            }
             3 => shapes::Rectangle { corner: self.point(), a: self.vector(), b: self.vector() }
                 .into(),
             4 => {
                 shapes::Disk { center: self.point(), normal: self.vector(), radius: self.number() }
                     .into()
             }
-            5 => {
-                shapes::OpenCylinder { y0: self.number(), y1: self.number(), radius: self.number() }
-                    .into()
+            5 => shapes::OpenCylinder {
+                y0: self.number(),
+                y1: self.number(),
+                radius: self.number(),
+                inward: false,
             }
+            .into(),
             6 => shapes::TessellatedSphere {
                 horizontal: 3 + u32::from(self.byte() % 8),
                 vertical: 2 + u32::from(self.byte() % 8),
                 radius: self.number(),
                 smooth: self.byte() % 2 == 1,
+                bumps: 0.0,
             }
             .into(),
-            _ => shapes::Kind::from(shapes::Sphere { center: self.point(), radius: self.number() }),
+            _ => shapes::Kind::from(shapes::Sphere {
+                center: self.point(),
+                radius: self.number(),
+                inward: false,
+            }),
         };
         let kind = match self.byte() % 8 {
             7 => {
                 let steps = 1 + self.byte() % 3;
                 let transform = (0..steps).map(|_| super::transforms::step(self)).collect();
-                shapes::Instance { of: Box::new(kind), transform }.into()
+                shapes::Instance::new(kind, transform).into()
             }
             _ => kind,
         };

@@ -158,7 +158,7 @@ fn cuboid(ray: &Ray, o: Triple, d: Triple, min: Triple, max: Triple) {
 fn triangle(ray: &Ray, o: Triple, d: Triple, corners: [Triple; 3]) {
     let [a, b, c] = corners;
     let normal = exact::cross(exact::minus(b, a), exact::minus(c, a));
-    let Some(it) = built(shapes::Triangle { vertices: corners.map(real) }) else {
+    let Some(it) = built(shapes::Triangle { vertices: corners.map(real), normals: None }) else {
         return assert_eq!(normal, [0; 3], "refused");
     };
     assert_ne!(normal, [0; 3], "accepted");
@@ -225,7 +225,7 @@ fn is_root(t: f64, [a, b, c]: [i64; 3]) -> bool {
 }
 
 fn sphere(ray: &Ray, o: Triple, d: Triple, center: Triple, radius: i64) {
-    let data = shapes::Sphere { center: real(center), radius: radius as f64 };
+    let data = shapes::Sphere { center: real(center), radius: radius as f64, inward: false };
     let Some(it) = built(data) else { return assert!(radius <= 0) };
     let ([a, b, c], discriminant) = exact::sphere(o, d, center, radius);
     let hit = it.hit(ray, Span::AHEAD);
@@ -247,7 +247,8 @@ fn sphere(ray: &Ray, o: Triple, d: Triple, center: Triple, radius: i64) {
 const END: f64 = 1e-9;
 
 fn cylinder(ray: &Ray, o: Triple, d: Triple, [y0, y1]: [i64; 2], radius: i64) {
-    let data = shapes::OpenCylinder { y0: y0 as f64, y1: y1 as f64, radius: radius as f64 };
+    let data =
+        shapes::OpenCylinder { y0: y0 as f64, y1: y1 as f64, radius: radius as f64, inward: false };
     let Some(it) = built(data) else { return assert!(radius <= 0 || y0 >= y1) };
     let flat = |v: Triple| [v[0], 0, v[2]];
     let (abc, discriminant) = exact::sphere(flat(o), flat(d), [0; 3], radius);

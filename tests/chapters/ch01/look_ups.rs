@@ -43,7 +43,7 @@ fn look_ups(ka: f64, kd: f64, lights: &[&str]) -> u32 {
     let mut scene = from_front(3, 3, 1.0);
     let cd = Paint(textures::Kind::Custom(Custom(Arc::<Watched>::clone(&texture))));
     scene.materials.push(Material::new("watched", Matte { ka, kd, cd }));
-    let sphere = Sphere { center: Point::ORIGIN, radius: 5.0 };
+    let sphere = Sphere { center: Point::ORIGIN, radius: 5.0, inward: false };
     scene.objects.push(Object::new("sphere", "watched", sphere));
     for &name in lights {
         let (ls, color, direction) = (1.0, Rgb::WHITE, Vector::Z);

@@ -72,7 +72,7 @@ fn a_shape_defined_here_sits_in_an_instance() {
         Step::RotateZ(90.0),
         Step::Translate(Vector::new(0.5, 1.0, -2.0)),
     ];
-    add_flat(&mut scene, "tile", Instance { of: Box::new(tile()), transform }, RED);
+    add_flat(&mut scene, "tile", Instance::new(tile(), transform), RED);
     let film = render::render(&built(&scene));
     for at in pixels(16, 16) {
         // half as wide in x, then x and y change places
@@ -86,7 +86,7 @@ fn a_shape_defined_here_sits_in_an_instance() {
     let sheared = (sheared, Vector::new(-0.5, 0.0, 1.0) / 1.25_f64.sqrt());
     for (step, normal) in [turned, sheared] {
         let mut scene = from_front(1, 1, 1.0);
-        let instance = Instance { of: Box::new(tile()), transform: vec![step] };
+        let instance = Instance::new(tile(), vec![step]);
         add_flat(&mut scene, "tile", instance, RED);
         let mut tree = RayTree::default();
         render::sample(&built(&scene), [0, 0], 0, &mut tree);
@@ -236,8 +236,8 @@ fn export_of_a_users_own_kind_names_it() {
 #[test]
 fn export_of_an_instance_of_a_users_own_shape_names_the_object() {
     let mut scene = from_front(1, 1, 1.0);
-    let inner = Instance { of: Box::new(tile()), transform: vec![Step::RotateZ(10.0)] };
-    add_flat(&mut scene, "turned", Instance { of: Box::new(inner.into()), transform: vec![] }, RED);
+    let inner = Instance::new(tile(), vec![Step::RotateZ(10.0)]);
+    add_flat(&mut scene, "turned", Instance::new(inner, vec![]), RED);
     let text = to_toml(&scene).expect_err("it is not plain data").to_string();
     assert!(text.contains("objects[0] \"turned\"") && text.contains("custom"), "{text}");
 }

@@ -58,7 +58,7 @@ impl Shape for Watched {
 }
 
 fn watched(center: Point) -> Arc<Watched> {
-    let sphere = shapes::Kind::from(Sphere { center, radius: 2.5 });
+    let sphere = shapes::Kind::from(Sphere { center, radius: 2.5, inward: false });
     let shape = sphere.build(&mut shapes::Context::default()).expect("a valid sphere");
     let none = || AtomicU32::new(0);
     Arc::new(Watched { shape, hit: none(), shadow_hit: none(), surface: none() })

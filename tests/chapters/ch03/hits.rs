@@ -13,7 +13,7 @@ fn built(shape: impl Into<Kind>) -> Arc<dyn Shape> {
 }
 
 fn sphere(center: Point, radius: f64) -> Arc<dyn Shape> {
-    built(Sphere { center, radius })
+    built(Sphere { center, radius, inward: false })
 }
 
 proptest! {

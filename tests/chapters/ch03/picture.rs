@@ -36,7 +36,12 @@ fn pixels_look_through_their_centers() {
 fn a_sphere_covers_the_centers_within_its_disk() {
     for z in [0.0, -1000.0, 14.0] {
         let mut scene = from_front(200, 200, 1.0);
-        add_flat(&mut scene, "ball", Sphere { center: Point::new(0.0, 0.0, z), radius: 85.0 }, RED);
+        add_flat(
+            &mut scene,
+            "ball",
+            Sphere { center: Point::new(0.0, 0.0, z), radius: 85.0, inward: false },
+            RED,
+        );
         let film = render::render(&built(&scene));
         let mut count = 0;
         for at in pixels(200, 200) {
@@ -57,7 +62,7 @@ fn halving_the_pixels_leaves_the_framing() {
     let scene = |width, size| {
         let mut scene = from_front(width, width, size);
         let center = Point::new(1.5, -3.25, 0.0);
-        add_flat(&mut scene, "ball", Sphere { center, radius: 11.3 }, RED);
+        add_flat(&mut scene, "ball", Sphere { center, radius: 11.3, inward: false }, RED);
         scene.image.sampler = Some(Regular {}.into());
         scene
     };
@@ -126,7 +131,7 @@ fn the_order_of_objects_does_not_matter() {
 #[test]
 fn of_two_objects_at_the_same_place_the_first_is_seen() {
     let mut scene = from_front(3, 3, 1.0);
-    let ball = Sphere { center: Point::ORIGIN, radius: 9.0 };
+    let ball = Sphere { center: Point::ORIGIN, radius: 9.0, inward: false };
     add_flat(&mut scene, "first", ball.clone(), RED);
     add_flat(&mut scene, "second", ball, Rgb::WHITE);
     assert!(render::render(&built(&scene)).pixels().iter().all(|&pixel| pixel == RED));
@@ -146,7 +151,12 @@ fn spheres_around_the_eye_show_what_is_in_front_of_it() {
     ] {
         let mut scene = from_front(1, 1, 1.0);
         scene.background = background;
-        add_flat(&mut scene, "ball", Sphere { center: Point::new(0.0, 0.0, z), radius }, RED);
+        add_flat(
+            &mut scene,
+            "ball",
+            Sphere { center: Point::new(0.0, 0.0, z), radius, inward: false },
+            RED,
+        );
         let expected = if seen { RED } else { background };
         assert_eq!(render::pixel(&built(&scene), [0, 0]), expected, "z = {z}");
     }

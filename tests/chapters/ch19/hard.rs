@@ -30,6 +30,15 @@ sweeps! {
     rectangles_are_exact_within_their_condition rectangles_thoroughly Rectangle;
     disks_are_exact_within_their_condition disks_thoroughly Disk;
     cylinders_are_exact_within_their_condition cylinders_thoroughly OpenCylinder;
+    annuli_are_exact_within_their_condition annuli_thoroughly Annulus;
+    part_annuli_are_exact_within_their_condition part_annuli_thoroughly PartAnnulus;
+    cones_are_exact_within_their_condition cones_thoroughly Cone;
+    paraboloids_are_exact_within_their_condition paraboloids_thoroughly Paraboloid;
+    part_spheres_are_exact_within_their_condition part_spheres_thoroughly PartSphere;
+    part_cylinders_are_exact_within_their_condition part_cylinders_thoroughly PartCylinder;
+    tori_are_exact_within_their_condition tori_thoroughly Torus;
+    part_tori_are_exact_within_their_condition part_tori_thoroughly PartTorus;
+    algebraic_surfaces_are_exact_within_their_condition algebraic_thoroughly Algebraic;
 }
 
 /// Rays that make an angle of 10⁻³ to 10⁻¹² with the axis of a tall cylinder, from inside and from

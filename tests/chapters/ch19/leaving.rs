@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use groundtruth::math::{Point, Ray, Span, Vector};
+use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
-    Box, Context, Disk, Kind, OpenCylinder, Plane, Rectangle, Shape, Sphere, Surface,
-    TessellatedSphere, Triangle,
+    Annulus, Box, Cone, Context, Disk, Kind, OpenCylinder, Paraboloid, PartAnnulus, PartCylinder,
+    PartSphere, Plane, Rectangle, Shape, Sphere, Surface, TessellatedSphere, Triangle,
 };
 
 use crate::draw::Draw;
@@ -30,11 +30,11 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
     let n: Vector = draw.direction().into();
     let across = n.cross(draw.direction()).unit().expect("not parallel");
     let third = n.cross(across);
-    match draw.below(8) {
+    match draw.below(12) {
         0 => (Plane { point: center, normal: n }.into(), Form::Flat, center),
         1 => {
             let inside = center + draw.between(0.0, 0.99 * size) * draw.direction();
-            (Sphere { center, radius: size }.into(), Form::Convex, inside)
+            (Sphere { center, radius: size, inward: false }.into(), Form::Convex, inside)
         }
         2 => {
             let half = size * Vector::new(1.0, draw.decades(-3.0, 0.0), 0.5);
@@ -48,7 +48,7 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
             let vertices = [center, center + size * across, far];
             let (beta, gamma) = (draw.between(0.01, 0.49), draw.between(0.01, 0.49));
             let middle = center + (beta * (vertices[1] - center) + gamma * (far - center));
-            (Triangle { vertices }.into(), Form::Flat, middle)
+            (Triangle { vertices, normals: None }.into(), Form::Flat, middle)
         }
         4 => {
             let (a, b) = (size * across, size * third);
@@ -59,12 +59,77 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
         6 => {
             let y0 = center.y();
             let middle = Point::new(0.0, y0 + draw.between(0.1, 0.9) * size, 0.0);
-            (OpenCylinder { y0, y1: y0 + size, radius: size }.into(), Form::Tube, middle)
+            (
+                OpenCylinder { y0, y1: y0 + size, radius: size, inward: false }.into(),
+                Form::Tube,
+                middle,
+            )
+        }
+        8.. => round_part(draw, size, center),
+        _ => {
+            let sphere = TessellatedSphere {
+                horizontal: 9,
+                vertical: 6,
+                radius: size,
+                smooth: false,
+                bumps: 0.0,
+            };
+            (sphere.into(), Form::Convex, Point::ORIGIN)
+        }
+    }
+}
+
+/// A range of azimuths, and one of them.
+fn azimuths(draw: &mut Draw) -> ([f64; 2], f64) {
+    let (from, width) = (draw.between(0.0, 360.0), draw.between(30.0, 350.0));
+    let inside = from + draw.between(0.05, 0.95) * width;
+    let to = from + width;
+    ([from, if to > 360.0 { to - 360.0 } else { to }], inside)
+}
+
+/// An annulus, cone, paraboloid or part, as [`body`]; and a point of it.
+fn round_part(draw: &mut Draw, size: f64, center: Point) -> (Kind, Form, Point) {
+    let (phi, inside) = azimuths(draw);
+    let u = Vector::new(sin_degrees(inside), 0.0, cos_degrees(inside));
+    let share = draw.between(0.05, 0.95);
+    let mut sizes = [size, size * draw.decades(-3.0, 0.0)];
+    sizes.rotate_left(draw.below(2));
+    let [height, radius] = sizes;
+    let tall = |y: f64, rho: f64| Point::new(0.0, y, 0.0) + rho * u;
+    match draw.below(6) {
+        0 => {
+            let normal: Vector = draw.direction().into();
+            let across = normal.cross(draw.direction()).unit().expect("not parallel");
+            let [inner_radius, outer_radius] = [0.25 * size, size];
+            let point = center + (size * draw.between(0.3, 0.95)) * across;
+            (Annulus { center, normal, inner_radius, outer_radius }.into(), Form::Flat, point)
+        }
+        1 => {
+            let [inner_radius, outer_radius] = [0.25 * size, size];
+            let point = center + (size * draw.between(0.3, 0.95)) * u;
+            let down = draw.coin();
+            let part = PartAnnulus { center, inner_radius, outer_radius, phi, down };
+            (part.into(), Form::Flat, point)
+        }
+        2 => {
+            let point = tall(height * share, radius * (1.0 - share));
+            (Cone { height, radius, inward: false }.into(), Form::Tube, point)
+        }
+        3 => {
+            let point = tall(height * share * share, radius * share);
+            (Paraboloid { height, radius, inward: false }.into(), Form::Tube, point)
+        }
+        4 => {
+            let theta = [draw.between(0.0, 60.0), draw.between(70.0, 180.0)];
+            let polar = theta[0] + share * (theta[1] - theta[0]);
+            let n = sin_degrees(polar) * u + cos_degrees(polar) * Vector::Y;
+            let part = PartSphere { center, radius: size, phi, theta, inward: false };
+            (part.into(), Form::Tube, center + size * n)
         }
         _ => {
-            let sphere =
-                TessellatedSphere { horizontal: 9, vertical: 6, radius: size, smooth: false };
-            (sphere.into(), Form::Convex, Point::ORIGIN)
+            let (y0, y1) = (center.y(), center.y() + size);
+            let part = PartCylinder { y0, y1, radius: size, phi, inward: false };
+            (part.into(), Form::Tube, tall(y0 + share * size, size))
         }
     }
 }

@@ -34,7 +34,7 @@ const CLOSE: f64 = 1e-13;
 /// z)/r`. Oracle: the equation.
 #[test]
 fn cylinder_hits_obey_its_equation() {
-    let cylinder = built(OpenCylinder { y0: -0.5, y1: 1.25, radius: 0.75 });
+    let cylinder = built(OpenCylinder { y0: -0.5, y1: 1.25, radius: 0.75, inward: false });
     let mut draw = Draw::new(1920);
     let mut hits = 0;
     for _ in 0..10_000 {
@@ -54,7 +54,7 @@ fn cylinder_hits_obey_its_equation() {
 /// Law: when the near root is beyond an end, the far one is found. Oracle: worked by hand.
 #[test]
 fn the_far_wall_of_a_cylinder_is_seen_through_its_open_end() {
-    let cylinder = built(OpenCylinder { y0: 0.0, y1: 1.0, radius: 1.0 });
+    let cylinder = built(OpenCylinder { y0: 0.0, y1: 1.0, radius: 1.0, inward: false });
     let ray = Ray::new(Point::new(-2.0, 2.0, 0.0), Vector::new(2.0, -1.0, 0.0));
     let (hit, surface) = first(&*cylinder, &ray).expect("the far wall");
     assert_eq!((hit.t, surface.normal), (1.5, Normal::X));
@@ -99,7 +99,7 @@ fn barycentric_coordinates_reproduce_the_hit() {
     let mut hits = 0;
     for _ in 0..10_000 {
         let vertices @ [a, b, c] = [draw.point(1.0), draw.point(1.0), draw.point(1.0)];
-        let triangle = built(Triangle { vertices });
+        let triangle = built(Triangle { vertices, normals: None });
         let target = a + (draw.between(-0.2, 0.7) * (b - a) + draw.between(-0.2, 0.7) * (c - a));
         let origin = draw.point(4.0);
         let ray = Ray::new(origin, target - origin);
@@ -163,7 +163,7 @@ fn two_triangles_that_share_an_edge_leave_no_gap() {
         };
         let (c, d) = (side(&mut draw, 1.0), side(&mut draw, -1.0));
         let turned = if draw.coin() { [a, b, d] } else { [b, a, d] };
-        let pair = [[a, b, c], turned].map(|vertices| built(Triangle { vertices }));
+        let pair = [[a, b, c], turned].map(|vertices| built(Triangle { vertices, normals: None }));
         let target = a + draw.between(0.01, 0.99) * (b - a);
         let origin = target + draw.decades(-1.0, 3.0) * draw.direction();
         let ray = Ray::new(origin, target - origin);
@@ -230,6 +230,7 @@ fn a_ray_in_the_plane_misses() {
         built(Rectangle { corner: Point::ORIGIN, a: Vector::X, b: Vector::Z }),
         built(Triangle {
             vertices: [Point::ORIGIN, Point::new(1.0, 0.0, 0.0), Point::new(0.0, 0.0, 1.0)],
+            normals: None,
         }),
     ];
     for shape in flat {
@@ -264,7 +265,7 @@ fn normals_of_spheres_are_gradients() {
     let mut draw = Draw::new(1928);
     for _ in 0..2_000 {
         let (center, radius) = (draw.point(2.0), draw.between(0.2, 2.0));
-        let shape = built(Sphere { center, radius });
+        let shape = built(Sphere { center, radius, inward: false });
         let origin = draw.point(9.0);
         let ray = Ray::new(origin, center + draw.vector(0.5 * radius) - origin);
         let (_, Surface { point, normal, .. }) = first(&*shape, &ray).expect("aimed inside");

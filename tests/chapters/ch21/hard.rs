@@ -82,7 +82,7 @@ fn turned_flat(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)
             matrix,
             of: Box::new(Shape::Rectangle { corner: corner.into(), a: a.into(), b: b.into() }),
         };
-        let instance = Instance { of: Box::new(rectangle.into()), transform };
+        let instance = Instance::new(rectangle, transform);
         let ours = Kind::from(instance).build(&mut Context::default()).expect("valid");
         let distance = draw.decades(0.0, 6.0);
         let away = draw.direction();

@@ -13,11 +13,11 @@ fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
 }
 
 fn instance(of: impl Into<Kind>, transform: Vec<Step>) -> Kind {
-    Instance { of: Box::new(of.into()), transform }.into()
+    Instance::new(of.into(), transform).into()
 }
 
 fn unit_sphere() -> Sphere {
-    Sphere { center: Point::ORIGIN, radius: 1.0 }
+    Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }
 }
 
 /// Steps of every kind, scales from 1/3 to 3.
@@ -100,7 +100,7 @@ fn an_instance_keeps_t() {
             degrees: draw.between(-180.0, 180.0),
         };
         let moved = built(instance(unit_sphere(), vec![turn, Step::Translate(shift)]));
-        let placed = built(Sphere { center: Point::ORIGIN + shift, radius: 1.0 });
+        let placed = built(Sphere { center: Point::ORIGIN + shift, radius: 1.0, inward: false });
         let target = Point::ORIGIN + shift + draw.vector(0.5);
         let ray = ray_to(&mut draw, target);
         let [a, b] = [&moved, &placed].map(|shape| shape.hit(&ray, Span::AHEAD));
@@ -159,7 +159,7 @@ fn an_instance_of_an_instance_is_the_instance_of_the_product() {
 #[test]
 fn a_reflection_keeps_outward_normals_outward() {
     let mut draw = Draw::new(2123);
-    let sphere = Sphere { center: Point::new(0.5, -0.25, 0.75), radius: 0.5 };
+    let sphere = Sphere { center: Point::new(0.5, -0.25, 0.75), radius: 0.5, inward: false };
     let plain = built(sphere.clone());
     for (i, axis) in [Axis::X, Axis::Y, Axis::Z].into_iter().enumerate() {
         let mirrored = built(instance(sphere.clone(), vec![Step::Reflect(axis)]));

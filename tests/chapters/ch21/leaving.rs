@@ -44,7 +44,7 @@ fn check_instances(count: usize, seed: u64) {
                 + map.vector(Vector::Z).length();
             least *= grows / map.condition();
             reach = map.condition() * (reach * grows + middle.to_vector().max_abs());
-            kind = Instance { of: Box::new(kind), transform }.into();
+            kind = Instance::new(kind, transform).into();
         }
         let shape = kind.build(&mut Context::default()).expect("valid");
         let Some(surface) = random_hit(&mut draw, &*shape, middle, least) else { continue };

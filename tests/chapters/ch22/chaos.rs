@@ -30,15 +30,15 @@ fn any_shape(draw: &mut Draw, widest: i32) -> Option<Arc<dyn Shape>> {
     let q = any_point(draw, widest);
     let size = any(draw, widest).abs();
     let kind: Kind = match draw.below(7) {
-        0 => Sphere { center: p, radius: size }.into(),
+        0 => Sphere { center: p, radius: size, inward: false }.into(),
         1 => Plane { point: p, normal: v }.into(),
         2 => Box { min: p.min(q), max: p.max(q) }.into(),
-        3 => Triangle { vertices: [p, q, p + v] }.into(),
+        3 => Triangle { vertices: [p, q, p + v], normals: None }.into(),
         4 => Rectangle { corner: p, a: v.x() * Vector::X, b: v.y() * Vector::Z }.into(),
         5 => Disk { center: p, normal: v, radius: size }.into(),
         _ => {
             let (a, b) = (p.y(), q.y());
-            OpenCylinder { y0: a.min(b), y1: a.max(b), radius: size }.into()
+            OpenCylinder { y0: a.min(b), y1: a.max(b), radius: size, inward: false }.into()
         }
     };
     kind.build(&mut Context::default()).ok()

@@ -1,4 +1,5 @@
-//! The tree of boxes gives what the list gives: the same object at the same distance, bit for bit.
+//! Grid and tree of boxes give what the list gives: the same object at the same distance, bit for
+//! bit.
 
 use std::sync::Arc;
 
@@ -25,10 +26,11 @@ impl Primitives for Seen<'_> {
     }
 }
 
-/// The same objects, searched in both ways, and by every kernel that the processor has.
+/// The same objects, searched in every way, and by every kernel that the processor has.
 pub struct Both {
     objects: Vec<Arc<dyn Shape>>,
     list: Accel,
+    grid: Accel,
     trees: Vec<Accel>,
 }
 
@@ -41,8 +43,13 @@ fn trees(bounds: &[Aabb]) -> Vec<Accel> {
 impl Both {
     pub fn new(objects: Vec<Arc<dyn Shape>>) -> Self {
         let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds()).collect();
-        let list = Accel::build(Method::List, &bounds);
-        Self { objects, list, trees: trees(&bounds) }
+        let [list, grid] = [Method::List, Method::Grid].map(|m| Accel::build(m, &bounds));
+        Self { objects, list, grid, trees: trees(&bounds) }
+    }
+
+    /// All but the list.
+    fn others(&self) -> impl Iterator<Item = &Accel> {
+        [&self.grid].into_iter().chain(&self.trees)
     }
 
     /// The first object at the least distance, by asking each.
@@ -52,7 +59,7 @@ impl Both {
         hits.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
     }
 
-    /// Whether anything is hit; fails if the two do not agree.
+    /// Whether anything is hit; fails if they do not agree.
     pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
         let seen = Seen(&self.objects, ray);
         let find = |accel: &Accel| {
@@ -60,11 +67,11 @@ impl Both {
             found.map(|(i, hit)| (i, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits)))
         };
         let first = find(&self.list);
-        for tree in &self.trees {
-            assert_eq!(find(tree), first, "{case}: {ray:?} in {span:?}");
+        for accel in self.others() {
+            assert_eq!(find(accel), first, "{case}: {ray:?} in {span:?}");
         }
         let any = |accel: &Accel| accel.any(&seen, ray, span).map(|(_, hit)| hit.t);
-        let shadows: Vec<_> = [&self.list].into_iter().chain(&self.trees).map(any).collect();
+        let shadows: Vec<_> = [&self.list].into_iter().chain(self.others()).map(any).collect();
         let same = shadows.iter().all(|t| t.is_some() == first.is_some());
         assert!(same, "{case}: shadow of {ray:?} in {span:?}");
         for t in shadows.into_iter().flatten().chain(first.map(|(_, t, ..)| f64::from_bits(t))) {
@@ -117,7 +124,8 @@ fn some_rays(seed: u64, count: usize, reach: f64) -> impl Iterator<Item = Ray> {
 }
 
 fn spheres(draw: &mut Draw, count: usize) -> Vec<Arc<dyn Shape>> {
-    let sphere = |_| Sphere { center: draw.point(1.0), radius: draw.decades(-2.5, -0.7) };
+    let sphere =
+        |_| Sphere { center: draw.point(1.0), radius: draw.decades(-2.5, -0.7), inward: false };
     (0..count).map(sphere).map(built).collect()
 }
 
@@ -139,11 +147,11 @@ fn acceleration_equals_the_list_on_coincident_objects() {
         objects.push(Arc::clone(&objects[draw.below(40 + i)]));
     }
     let center = Point::new(0.1, 0.2, -0.3);
-    objects.extend((0..20).map(|_| built(Sphere { center, radius: 0.5 })));
+    objects.extend((0..20).map(|_| built(Sphere { center, radius: 0.5, inward: false })));
     let both = Both::new(objects.clone());
     for ray in some_rays(2212, 4_000, 1.0) {
-        for tree in &both.trees {
-            let found = tree.nearest(&Seen(&objects, &ray), &ray, Span::AHEAD);
+        for accel in both.others() {
+            let found = accel.nearest(&Seen(&objects, &ray), &ray, Span::AHEAD);
             assert_eq!(found.map(|(i, hit)| (i, hit.t)), both.first(&ray), "{ray:?}");
         }
     }
@@ -178,7 +186,7 @@ fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
     let (vertices, triangles) = doubled_sheet(&mut draw);
     let corners = |t: &[u32; 3]| t.map(|i| vertices[i as usize]);
     let loose: Vec<_> =
-        triangles.iter().map(|t| built(Triangle { vertices: corners(t) })).collect();
+        triangles.iter().map(|t| built(Triangle { vertices: corners(t), normals: None })).collect();
     let aimed: Vec<Ray> = (0..10_000)
         .map(|_| {
             let [a, b, _] = corners(&triangles[draw.below(triangles.len())]);
@@ -197,13 +205,14 @@ fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
     let mesh = TriangleMesh::new(vertices.clone(), triangles.clone());
     let list = mesh.clone().accelerated(Method::List);
     let tree = |kernel| mesh.clone().accelerated_for(Method::Bvh, kernel);
-    let trees: Vec<_> = Kernel::available().into_iter().map(tree).collect();
+    let mut others: Vec<_> = Kernel::available().into_iter().map(tree).collect();
+    others.push(mesh.clone().accelerated(Method::Grid));
     for ray in aimed.iter().copied().chain(some_rays(2222, 10_000, 1.5)) {
         let hits = [list.hit(&ray, Span::AHEAD)];
         assert_eq!(list.shadow_hit(&ray, Span::AHEAD).is_some(), hits[0].is_some(), "{ray:?}");
-        for tree in &trees {
-            assert_eq!(tree.hit(&ray, Span::AHEAD), hits[0], "{ray:?}");
-            let shadow = tree.shadow_hit(&ray, Span::AHEAD).is_some();
+        for other in &others {
+            assert_eq!(other.hit(&ray, Span::AHEAD), hits[0], "{ray:?}");
+            let shadow = other.shadow_hit(&ray, Span::AHEAD).is_some();
             assert_eq!(shadow, hits[0].is_some(), "{ray:?}");
         }
         let first = loose.iter().filter_map(|t| t.hit(&ray, Span::AHEAD)).map(|hit| hit.t);
@@ -227,6 +236,7 @@ fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
             1 => built(Rectangle { corner: place, a: size * Vector::X, b: size * Vector::Z }),
             _ => built(Triangle {
                 vertices: [place, place + size * Vector::X, place + size * Vector::Z],
+                normals: None,
             }),
         });
     }
@@ -271,7 +281,8 @@ fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
 #[test]
 fn acceleration_equals_the_list_on_instances_of_meshes() {
     let mut draw = Draw::new(2250);
-    let sphere = TessellatedSphere { horizontal: 12, vertical: 8, radius: 0.3, smooth: false };
+    let sphere =
+        TessellatedSphere { horizontal: 12, vertical: 8, radius: 0.3, smooth: false, bumps: 0.0 };
     let mesh: Arc<dyn Shape> = Arc::new(sphere.mesh().accelerated(Method::Bvh));
     let mut objects = Vec::new();
     for i in 0..60 {
@@ -283,9 +294,9 @@ fn acceleration_equals_the_list_on_instances_of_meshes() {
             Step::Translate(draw.vector(1.5)),
         ];
         let of = std::boxed::Box::new(Kind::Custom(Custom(Arc::clone(&mesh))));
-        let mut kind = Kind::from(Instance { of, transform: transform.clone() });
+        let mut kind = Kind::from(Instance::new(*of, transform.clone()));
         if i % 3 == 0 {
-            kind = Instance { of: std::boxed::Box::new(kind), transform }.into();
+            kind = Instance::new(kind, transform).into();
         }
         objects.push(built(kind));
     }
@@ -313,7 +324,8 @@ fn a_hit_counts_where_the_ray_crosses_the_box() {
     // the box is grown by 2⁻²² of its size at least, and by less than 2⁻¹⁹
     let (inside, outside) = (1.0 / f64::from(1 << 24), 1.0 / f64::from(1 << 18));
     let list = Accel::build(Method::List, &[unit]);
-    let all: Vec<Accel> = [list].into_iter().chain(trees(&[unit])).collect();
+    let grid = Accel::build(Method::Grid, &[unit]);
+    let all: Vec<Accel> = [list, grid].into_iter().chain(trees(&[unit])).collect();
     for axis in 0..3 {
         for (face, crosses) in [(0.0, true), (-0.0, true), (1.0, true), (-0.5, false), (1.5, false)]
         {
@@ -350,7 +362,7 @@ fn acceleration_equals_the_list_on_nested_objects() {
         let corner = size * Vector::new(1.0, 1.0, 1.0);
         let (min, max) = (Point::ORIGIN - corner, Point::ORIGIN + corner);
         objects.push(built(shapes::Box { min, max }));
-        objects.push(built(Sphere { center: Point::ORIGIN, radius: size }));
+        objects.push(built(Sphere { center: Point::ORIGIN, radius: size, inward: false }));
     }
     let mut draw = Draw::new(2245);
     let inner = (0..4_000).map(move |_| {
@@ -374,7 +386,7 @@ fn acceleration_equals_the_list_from_afar() {
         let objects: Vec<_> = (0..60)
             .map(|_| {
                 let center = middle + draw.vector(1.0);
-                built(Sphere { center, radius: draw.decades(-1.0, -0.3) })
+                built(Sphere { center, radius: draw.decades(-1.0, -0.3), inward: false })
             })
             .collect();
         let rays = (0..4_000).map(move |_| {

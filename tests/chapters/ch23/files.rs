@@ -11,7 +11,9 @@ use crate::draw::Draw;
 /// written.
 #[test]
 fn the_three_encodings_of_ply_give_the_same_hits() {
-    let mesh = TessellatedSphere { horizontal: 12, vertical: 8, radius: 1.3, smooth: true }.mesh();
+    let mesh =
+        TessellatedSphere { horizontal: 12, vertical: 8, radius: 1.3, smooth: true, bumps: 0.0 }
+            .mesh();
     let mut data = MeshData {
         vertices: mesh.vertices().iter().map(|p| p.to_array()).collect(),
         triangles: mesh.triangles().to_vec(),

@@ -35,9 +35,9 @@ fn sweep_instances(seed: u64, count: usize) {
         })
         .collect();
     sweep_as(Hard::Triangle, seed, count, |shape, ray, i| {
-        let transform = steps(&matrices[i % matrices.len()]);
+        let transform = steps(&matrices[i % matrices.len()])?;
         let map = Transform::from_steps(&transform).expect("not singular");
-        let instance = Instance { of: Box::new(mesh(shape)?), transform };
+        let instance = Instance::new(mesh(shape)?, transform);
         let ours = Kind::from(instance).build(&mut Context::default()).ok()?;
         let exact = oracle::Shape::Instance { matrix: map.rows(), of: Box::new(shape.clone()) };
         let origin = map.point(ray.origin.into()).to_array();

@@ -14,7 +14,7 @@ use crate::draw::Draw;
 use crate::support::U;
 
 fn sphere(horizontal: u32, vertical: u32, smooth: bool) -> TriangleMesh {
-    TessellatedSphere { horizontal, vertical, radius: 1.0, smooth }.mesh()
+    TessellatedSphere { horizontal, vertical, radius: 1.0, smooth, bumps: 0.0 }.mesh()
 }
 
 fn corners(mesh: &TriangleMesh, triangle: [u32; 3]) -> [Point; 3] {
@@ -202,7 +202,7 @@ fn reversing_twice_is_nothing() {
 fn a_mesh_equals_its_loose_triangles() {
     for mesh in [sphere(8, 5, false), knot()] {
         let loose = |&t: &[u32; 3]| {
-            let kind = Kind::from(Triangle { vertices: corners(&mesh, t) });
+            let kind = Kind::from(Triangle { vertices: corners(&mesh, t), normals: None });
             kind.build(&mut Context::default()).expect("an area")
         };
         let loose: Vec<_> = mesh.triangles().iter().map(loose).collect();

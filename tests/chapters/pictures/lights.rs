@@ -89,7 +89,7 @@ fn furnace(emission: f64, kr: f64, max_depth: u32, eye: Point) -> Scene {
     let mut mirror = Material::new("mirror", Reflective { phong, kr, cr: Rgb::WHITE.into() });
     mirror.two_sided = true;
     scene.materials.push(mirror);
-    let shape = shapes::Kind::from(Sphere { center: Point::ORIGIN, radius: 2.0 });
+    let shape = shapes::Kind::from(Sphere { center: Point::ORIGIN, radius: 2.0, inward: false });
     scene.objects.push(Object::new("furnace", "mirror", shape));
     scene
 }

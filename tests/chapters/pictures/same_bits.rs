@@ -83,7 +83,7 @@ fn moved(scene: &Scene, transform: &[Step], eye: impl Fn(Point) -> Point) -> Sce
     for object in &mut moved.objects {
         let of = Box::new(object.shape.clone());
         let transform = transform.to_vec();
-        object.shape = shapes::Kind::from(Instance { of, transform });
+        object.shape = shapes::Kind::from(Instance::new(*of, transform));
     }
     moved.camera.eye = eye(moved.camera.eye);
     moved.camera.look_at = eye(moved.camera.look_at);

@@ -6,6 +6,7 @@
 //! numbers as they are.
 
 mod features;
+mod parts;
 mod rays;
 mod rng;
 mod shapes;
@@ -31,13 +32,31 @@ pub enum Kind {
     Disk,
     /// [`Shape::OpenCylinder`].
     OpenCylinder,
+    /// [`Shape::Torus`].
+    Torus,
+    /// [`Shape::PartTorus`].
+    PartTorus,
+    /// [`Shape::Algebraic`] of degree 3 to 8.
+    Algebraic,
     /// [`Shape::Instance`] of a sphere, cuboid or disk, one in three nested twice.
     Instance,
+    /// [`Shape::Annulus`].
+    Annulus,
+    /// [`Shape::PartAnnulus`].
+    PartAnnulus,
+    /// [`Shape::Cone`].
+    Cone,
+    /// [`Shape::Paraboloid`].
+    Paraboloid,
+    /// [`Shape::PartSphere`].
+    PartSphere,
+    /// [`Shape::PartCylinder`].
+    PartCylinder,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 17] = [
         Kind::Plane,
         Kind::Sphere,
         Kind::Cuboid,
@@ -45,7 +64,16 @@ impl Kind {
         Kind::Rectangle,
         Kind::Disk,
         Kind::OpenCylinder,
+        Kind::Torus,
+        Kind::PartTorus,
+        Kind::Algebraic,
         Kind::Instance,
+        Kind::Annulus,
+        Kind::PartAnnulus,
+        Kind::Cone,
+        Kind::Paraboloid,
+        Kind::PartSphere,
+        Kind::PartCylinder,
     ];
 }
 

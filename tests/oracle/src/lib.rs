@@ -10,6 +10,7 @@
 //! (Frobenius norm) are inputs of their own. Margins are lower bounds to first order, made safe by a
 //! second-order term; conditions are exact derivatives.
 
+mod angle;
 mod answer;
 pub mod hard;
 mod margin;

@@ -68,6 +68,95 @@ pub enum Shape<T = f64> {
         /// More than 0.
         radius: T,
     },
+    /// All `p` of the plane `(p − center)·normal = 0` from `inner` to `outer` away from `center`.
+    Annulus {
+        /// The centre.
+        center: [T; 3],
+        /// Any length but 0.
+        normal: [T; 3],
+        /// Not less than 0.
+        inner: T,
+        /// More than `inner`.
+        outer: T,
+    },
+    /// The part of a level annulus, with normal `(0, 1, 0)`, within a range of azimuths.
+    PartAnnulus {
+        /// The centre.
+        center: [T; 3],
+        /// Not less than 0.
+        inner: T,
+        /// More than `inner`.
+        outer: T,
+        /// In degrees from +z to +x: from the first up to the second, through 360 if it is larger.
+        phi: [T; 2],
+    },
+    /// All `p` with `√(x² + z²)/radius = (height − y)/height` and `0 ≤ y ≤ height`; the normal points
+    /// away from the axis.
+    Cone {
+        /// Of the apex over the base; more than 0.
+        height: T,
+        /// Of the base; more than 0.
+        radius: T,
+    },
+    /// All `p` with `y/height = (x² + z²)/radius²` and `y ≤ height`; the normal points away from the
+    /// axis.
+    Paraboloid {
+        /// Of the rim over the vertex; more than 0.
+        height: T,
+        /// Of the rim; more than 0.
+        radius: T,
+    },
+    /// The part of a sphere within ranges of azimuths and of polar angles.
+    PartSphere {
+        /// The centre.
+        center: [T; 3],
+        /// More than 0.
+        radius: T,
+        /// In degrees from +z to +x: from the first up to the second, through 360 if it is larger.
+        phi: [T; 2],
+        /// In degrees from +y, ascending, from 0 to 180.
+        theta: [T; 2],
+    },
+    /// The part of an open cylinder within a range of azimuths.
+    PartCylinder {
+        /// The lower rim.
+        y0: T,
+        /// The upper rim.
+        y1: T,
+        /// More than 0.
+        radius: T,
+        /// In degrees from +z to +x: from the first up to the second, through 360 if it is larger.
+        phi: [T; 2],
+    },
+    /// All `p` at distance `tube_radius` from the circle of `swept_radius > tube_radius > 0` about
+    /// the origin in y = 0; the normal points out of the tube.
+    Torus {
+        /// Of the circle.
+        swept_radius: T,
+        /// Of the tube.
+        tube_radius: T,
+    },
+    /// The points of a torus within two ranges of angles, ends included; a range whose first end is
+    /// the larger goes on through 360°.
+    PartTorus {
+        /// Of the circle.
+        swept_radius: T,
+        /// Of the tube.
+        tube_radius: T,
+        /// Azimuth in degrees, from +z to +x.
+        phi: [T; 2],
+        /// Around the tube in degrees, from the outermost line upwards.
+        theta: [T; 2],
+    },
+    /// All `p` inside the box where the sum of the terms is 0; the normal points to where it is more.
+    Algebraic {
+        /// A coefficient, and the powers of x, y and z.
+        terms: Vec<(T, [u32; 3])>,
+        /// The corner of least coordinates.
+        min: [T; 3],
+        /// The corner of greatest coordinates.
+        max: [T; 3],
+    },
     /// `of`, moved by the affine `matrix`; the normal moves by the inverse transpose.
     Instance {
         /// The rows of the map from object to world, translation last; not singular.
@@ -115,6 +204,50 @@ impl Shape {
             Shape::OpenCylinder { y0, y1, radius } => {
                 Shape::OpenCylinder { y0: real(*y0), y1: real(*y1), radius: real(*radius) }
             }
+            Shape::Annulus { center, normal, inner, outer } => Shape::Annulus {
+                center: center.map(real),
+                normal: normal.map(real),
+                inner: real(*inner),
+                outer: real(*outer),
+            },
+            Shape::PartAnnulus { center, inner, outer, phi } => Shape::PartAnnulus {
+                center: center.map(real),
+                inner: real(*inner),
+                outer: real(*outer),
+                phi: phi.map(real),
+            },
+            Shape::Cone { height, radius } => {
+                Shape::Cone { height: real(*height), radius: real(*radius) }
+            }
+            Shape::Paraboloid { height, radius } => {
+                Shape::Paraboloid { height: real(*height), radius: real(*radius) }
+            }
+            Shape::PartSphere { center, radius, phi, theta } => Shape::PartSphere {
+                center: center.map(real),
+                radius: real(*radius),
+                phi: phi.map(real),
+                theta: theta.map(real),
+            },
+            Shape::PartCylinder { y0, y1, radius, phi } => Shape::PartCylinder {
+                y0: real(*y0),
+                y1: real(*y1),
+                radius: real(*radius),
+                phi: phi.map(real),
+            },
+            Shape::Torus { swept_radius, tube_radius } => {
+                Shape::Torus { swept_radius: real(*swept_radius), tube_radius: real(*tube_radius) }
+            }
+            Shape::PartTorus { swept_radius, tube_radius, phi, theta } => Shape::PartTorus {
+                swept_radius: real(*swept_radius),
+                tube_radius: real(*tube_radius),
+                phi: phi.map(real),
+                theta: theta.map(real),
+            },
+            Shape::Algebraic { terms, min, max } => Shape::Algebraic {
+                terms: terms.iter().map(|(c, powers)| (real(*c), *powers)).collect(),
+                min: min.map(real),
+                max: max.map(real),
+            },
             Shape::Instance { matrix, of } => Shape::Instance {
                 matrix: matrix.map(|row| row.map(real)),
                 of: Box::new(of.exact()),

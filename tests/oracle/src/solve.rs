@@ -1,11 +1,17 @@
 //! Each kind of shape: its meetings with a ray, its derivatives, its margin.
 
+mod algebraic;
+mod border;
 mod cuboid;
 mod cylinder;
 mod disk;
 mod flat;
 mod instance;
+mod polynomial;
+mod revolution;
+mod ring;
 mod sphere;
+mod torus;
 
 pub use instance::condition;
 
@@ -72,6 +78,30 @@ pub(crate) fn solve(shape: &Shape<Real>, beam: &Beam) -> Found {
         Shape::Rectangle { corner, a, b } => flat::rectangle(&v(corner), &v(a), &v(b), beam),
         Shape::Disk { center, normal, radius } => disk::disk(&v(center), &v(normal), radius, beam),
         Shape::OpenCylinder { y0, y1, radius } => cylinder::cylinder([y0, y1], radius, beam),
+        Shape::Annulus { center, normal, inner, outer } => {
+            ring::annulus(&v(center), &v(normal), [inner, outer], beam)
+        }
+        Shape::PartAnnulus { center, inner, outer, phi } => {
+            ring::part_annulus(&v(center), [inner, outer], phi, beam)
+        }
+        Shape::Cone { height, radius } => revolution::cone(height, radius, beam),
+        Shape::Paraboloid { height, radius } => revolution::paraboloid(height, radius, beam),
+        Shape::PartSphere { center, radius, phi, theta } => {
+            revolution::part_sphere(&v(center), radius, phi, theta, beam)
+        }
+        Shape::PartCylinder { y0, y1, radius, phi } => {
+            revolution::part_cylinder([y0, y1], radius, phi, beam)
+        }
+        Shape::Torus { swept_radius, tube_radius } => {
+            torus::torus(swept_radius, tube_radius, None, beam)
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let part = [phi.each_ref(), theta.each_ref()];
+            torus::torus(swept_radius, tube_radius, Some(part), beam)
+        }
+        Shape::Algebraic { terms, min, max } => {
+            algebraic::algebraic(terms, [&v(min), &v(max)], beam)
+        }
         Shape::Instance { matrix, of } => instance::instance(matrix, of, beam),
     }
 }

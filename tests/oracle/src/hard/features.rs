@@ -1,10 +1,14 @@
 //! Points of a shape worth aiming at.
 
 use super::{
+    parts,
     rng::SplitMix64,
     vector::{V, add, along, cross, dot, length, minus, perpendicular, scale, unit},
 };
-use crate::Shape;
+use crate::{
+    Shape,
+    real::{nearest, real},
+};
 
 /// A point of the surface and a unit vector that points away from the shape there: the normal, or
 /// at a border the way out.
@@ -20,7 +24,9 @@ pub(super) fn place(shape: &Shape) -> (V, f64) {
     match shape {
         Shape::Plane { point, .. } => (*point, 1.0),
         Shape::Sphere { center, radius } | Shape::Disk { center, radius, .. } => (*center, *radius),
-        Shape::Cuboid { min, max } => (scale(0.5, add(*min, *max)), length(minus(*max, *min))),
+        Shape::Cuboid { min, max } | Shape::Algebraic { min, max, .. } => {
+            (scale(0.5, add(*min, *max)), length(minus(*max, *min)))
+        }
         Shape::Triangle { vertices: [a, b, c] } => {
             let size = length(minus(*b, *a)).max(length(minus(*c, *a)));
             (scale(1.0 / 3.0, add(add(*a, *b), *c)), size)
@@ -30,6 +36,19 @@ pub(super) fn place(shape: &Shape) -> (V, f64) {
         }
         Shape::OpenCylinder { y0, y1, radius } => {
             ([0.0, 0.5 * (y0 + y1), 0.0], radius.max(y1 - y0))
+        }
+        Shape::Annulus { center, outer: size, .. }
+        | Shape::PartAnnulus { center, outer: size, .. }
+        | Shape::PartSphere { center, radius: size, .. } => (*center, *size),
+        Shape::Cone { height, radius } | Shape::Paraboloid { height, radius } => {
+            ([0.0, 0.5 * height, 0.0], radius.max(*height))
+        }
+        Shape::PartCylinder { y0, y1, radius, .. } => {
+            ([0.0, 0.5 * (y0 + y1), 0.0], radius.max(y1 - y0))
+        }
+        Shape::Torus { swept_radius, tube_radius }
+        | Shape::PartTorus { swept_radius, tube_radius, .. } => {
+            ([0.0; 3], swept_radius + tube_radius)
         }
         Shape::Instance { matrix, of } => {
             let (center, size) = place(of);
@@ -77,7 +96,22 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             let n = around_y(rng);
             (along([0.0, rng.between(*y0, *y1), 0.0], *radius, n), n)
         }
+        Shape::Torus { swept_radius, tube_radius } => {
+            let angles = [360.0 * rng.unit(), 360.0 * rng.unit()];
+            on_tube([*swept_radius, *tube_radius], angles)
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let angles = [phi, theta].map(|range| between(range, rng.unit()));
+            on_tube([*swept_radius, *tube_radius], angles)
+        }
+        Shape::Algebraic { terms, min, max } => on_zero(terms, [*min, *max], rng),
         Shape::Instance { matrix, of } => return carried(matrix, surface(of, rng)),
+        Shape::Annulus { center, normal, inner, outer } => {
+            let n = unit(*normal);
+            let u = unit(perpendicular(rng.direction(), n));
+            (along(*center, rng.between(*inner, *outer), u), n)
+        }
+        _ => parts::surface(shape, rng),
     };
     Feature { point, out, silhouette: true }
 }
@@ -86,7 +120,7 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
 pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
     let quarter = |rng: &mut SplitMix64| 0.25 * rng.below(5) as f64;
     let (point, out, silhouette) = match shape {
-        Shape::Plane { .. } => return surface(shape, rng),
+        Shape::Plane { .. } | Shape::Algebraic { .. } => return surface(shape, rng),
         Shape::Sphere { center, radius } => {
             let n = rng.axis();
             (along(*center, *radius, n), n, true)
@@ -128,7 +162,34 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             let (y, up) = if rng.coin() { (*y1, 1.0) } else { (*y0, -1.0) };
             (along([0.0, y, 0.0], *radius, u), [0.0, up, 0.0], false)
         }
+        Shape::Torus { swept_radius, tube_radius } => {
+            // the highest, lowest, innermost and outermost lines
+            let angles = [rng.below(8) as f64 * 45.0, rng.below(4) as f64 * 90.0];
+            let (point, out) = on_tube([*swept_radius, *tube_radius], angles);
+            (point, out, true)
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let radii = [*swept_radius, *tube_radius];
+            let (last, inner) = (rng.coin(), quarter(rng));
+            let (step, angles) = if rng.coin() {
+                let end = phi[usize::from(last)];
+                ([1.0, 0.0], [end, between(theta, inner)])
+            } else {
+                let end = theta[usize::from(last)];
+                ([0.0, 1.0], [between(phi, inner), end])
+            };
+            let side = if last { 1.0 } else { -1.0 };
+            let beyond = [angles[0] + side * step[0], angles[1] + side * step[1]];
+            let (point, _) = on_tube(radii, angles);
+            (point, unit(minus(on_tube(radii, beyond).0, point)), false)
+        }
         Shape::Instance { matrix, of } => return carried(matrix, border(of, rng)),
+        Shape::Annulus { center, normal, inner, outer } => {
+            let u = unit(perpendicular(rng.direction(), unit(*normal)));
+            let (r, side) = if rng.coin() { (*outer, 1.0) } else { (*inner, -1.0) };
+            (along(*center, r, u), scale(side, u), false)
+        }
+        _ => parts::border(shape, rng),
     };
     Feature { point, out, silhouette }
 }
@@ -136,11 +197,20 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
 /// A direction in which a plane of the shape, a generator or an axis of it runs.
 pub(super) fn generator(shape: &Shape, rng: &mut SplitMix64) -> V {
     match shape {
-        Shape::Plane { normal, .. } | Shape::Disk { normal, .. } => in_plane(*normal, rng),
-        Shape::Sphere { .. } | Shape::Cuboid { .. } => rng.axis(),
+        Shape::Plane { normal, .. }
+        | Shape::Disk { normal, .. }
+        | Shape::Annulus { normal, .. } => in_plane(*normal, rng),
+        Shape::PartAnnulus { .. } => in_plane([0.0, 1.0, 0.0], rng),
+        Shape::Sphere { .. } | Shape::Cuboid { .. } | Shape::PartSphere { .. } => rng.axis(),
+        Shape::Torus { .. } | Shape::PartTorus { .. } | Shape::Algebraic { .. } => rng.axis(),
+        Shape::Cone { height, radius } => {
+            along([0.0, rng.sign() * height, 0.0], *radius, around_y(rng))
+        }
         Shape::Triangle { vertices: [a, b, c] } => minus(rng.pick(&[*b, *c]), *a),
         Shape::Rectangle { a, b, .. } => rng.pick(&[*a, *b]),
-        Shape::OpenCylinder { .. } => [0.0, rng.sign(), 0.0],
+        Shape::OpenCylinder { .. } | Shape::PartCylinder { .. } | Shape::Paraboloid { .. } => {
+            [0.0, rng.sign(), 0.0]
+        }
         Shape::Instance { matrix, of } => {
             let inner = generator(of, rng);
             columns(matrix).into_iter().zip(inner).fold([0.0; 3], |sum, (c, x)| along(sum, x, c))
@@ -162,7 +232,59 @@ fn in_plane(n: V, rng: &mut SplitMix64) -> V {
     unit(v)
 }
 
-fn around_y(rng: &mut SplitMix64) -> V {
+/// The point of a torus (its two radii) at these angles in degrees, and the normal there.
+fn on_tube([a, b]: [f64; 2], [phi, theta]: [f64; 2]) -> (V, V) {
+    let turn = |degrees: f64| {
+        let (sin, cos) = real(degrees).sin_cos_unit(360);
+        (nearest(&sin), nearest(&cos))
+    };
+    let ((sin_phi, cos_phi), (sin, cos)) = (turn(phi), turn(theta));
+    let at = |rho: f64, y: f64| [rho * sin_phi, y, rho * cos_phi];
+    (at(a + b * cos, b * sin), at(cos, sin))
+}
+
+/// A zero of the sum of terms between two points of the box, and its gradient there; a point of the
+/// box if none is found.
+fn on_zero(terms: &[(f64, [u32; 3])], [min, max]: [V; 2], rng: &mut SplitMix64) -> (V, V) {
+    let value = |powers: &[u32; 3], p: V| {
+        let factors = (0..3).flat_map(|i| vec![p[i]; powers[i] as usize]);
+        factors.product::<f64>()
+    };
+    let sum = |p: V| terms.iter().map(|(c, powers)| c * value(powers, p)).sum::<f64>();
+    let slope = |p: V, axis: usize| {
+        let lower = |powers: &[u32; 3]| {
+            let mut lower = *powers;
+            lower[axis] = lower[axis].saturating_sub(1);
+            lower
+        };
+        let slope =
+            |(c, powers): &(f64, [u32; 3])| c * f64::from(powers[axis]) * value(&lower(powers), p);
+        terms.iter().map(slope).sum::<f64>()
+    };
+    let mut place = || -> V { std::array::from_fn(|i| min[i] + (max[i] - min[i]) * rng.unit()) };
+    let mut ends = [place(), place()];
+    for _ in 0..50 {
+        if (sum(ends[0]) < 0.0) != (sum(ends[1]) < 0.0) {
+            break;
+        }
+        ends = [place(), place()];
+    }
+    for _ in 0..60 {
+        let middle = scale(0.5, add(ends[0], ends[1]));
+        let side = usize::from((sum(middle) < 0.0) != (sum(ends[0]) < 0.0));
+        ends[side] = middle;
+    }
+    let gradient: V = std::array::from_fn(|axis| slope(ends[0], axis));
+    (ends[0], if length(gradient) > 0.0 { unit(gradient) } else { [0.0, 1.0, 0.0] })
+}
+
+/// So far on from the first end of a range of degrees to its last.
+fn between([first, last]: &[f64; 2], part: f64) -> f64 {
+    let turn = if last < first { last - first + 360.0 } else { last - first };
+    first + part * turn
+}
+
+pub(super) fn around_y(rng: &mut SplitMix64) -> V {
     unit(perpendicular(rng.direction(), [0.0, 1.0, 0.0]))
 }
 

@@ -84,7 +84,15 @@ fn tangent(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
 /// Whether rays touch the shape elsewhere than at its border.
 fn round(shape: &Shape) -> bool {
     match shape {
-        Shape::Sphere { .. } | Shape::OpenCylinder { .. } => true,
+        Shape::Sphere { .. }
+        | Shape::OpenCylinder { .. }
+        | Shape::Cone { .. }
+        | Shape::Paraboloid { .. }
+        | Shape::PartSphere { .. }
+        | Shape::PartCylinder { .. }
+        | Shape::Torus { .. }
+        | Shape::PartTorus { .. }
+        | Shape::Algebraic { .. } => true,
         Shape::Instance { of, .. } => round(of),
         _ => false,
     }

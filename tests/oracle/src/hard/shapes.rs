@@ -48,7 +48,38 @@ pub(super) fn shape(kind: Kind, family: Family, rng: &mut SplitMix64) -> Shape {
             Shape::Disk { center: want.center, normal: normal(&want, rng), radius: want.size }
         }
         Kind::OpenCylinder => cylinder(&want, rng),
+        Kind::Torus => torus(&want, rng),
+        Kind::PartTorus => part_torus(&want, rng),
+        Kind::Algebraic => algebraic(&want, rng),
         Kind::Instance => instance(&want, rng),
+        Kind::Annulus => {
+            let [inner, outer] = radii(&want, rng);
+            Shape::Annulus { center: want.center, normal: normal(&want, rng), inner, outer }
+        }
+        Kind::PartAnnulus => {
+            let [inner, outer] = radii(&want, rng);
+            Shape::PartAnnulus { center: want.center, inner, outer, phi: azimuths(&want, rng) }
+        }
+        Kind::Cone => {
+            let [height, radius] = tall_or_flat(&want, rng);
+            Shape::Cone { height, radius }
+        }
+        Kind::Paraboloid => {
+            let [height, radius] = tall_or_flat(&want, rng);
+            Shape::Paraboloid { height, radius }
+        }
+        Kind::PartSphere => Shape::PartSphere {
+            center: want.center,
+            radius: want.size,
+            phi: azimuths(&want, rng),
+            theta: polar_angles(&want, rng),
+        },
+        Kind::PartCylinder => {
+            let Shape::OpenCylinder { y0, y1, radius } = cylinder(&want, rng) else {
+                unreachable!("a cylinder is a cylinder")
+            };
+            Shape::PartCylinder { y0, y1, radius, phi: azimuths(&want, rng) }
+        }
     }
 }
 
@@ -149,6 +180,151 @@ fn cylinder(want: &Want, rng: &mut SplitMix64) -> Shape {
     }
     let y0 = want.center[1] - 0.5 * height;
     Shape::OpenCylinder { y0, y1: y0 + height, radius }
+}
+
+/// When thin, a narrow ring; one in eight has no hole.
+fn radii(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+    let width = if want.family == Family::Thin { want.aspect } else { rng.between(0.2, 0.9) };
+    let inner = if rng.below(8) == 0 { 0.0 } else { want.size * (1.0 - width) };
+    [if want.exact() { (inner * 64.0).floor() / 64.0 } else { inner }, want.size]
+}
+
+/// Height and radius; when thin, a needle or nearly a disk.
+fn tall_or_flat(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+    let mut sizes = [want.size * rng.between(0.5, 2.0), want.size];
+    if want.family == Family::Thin {
+        sizes[rng.below(2)] *= want.aspect;
+    }
+    if want.exact() { sizes.map(snapped) } else { sizes }
+}
+
+/// From 20 to 340 degrees wide, also through 0; quarters where numbers are to be exact; when thin,
+/// half are slivers.
+fn azimuths(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+    let (start, width) = if want.exact() {
+        (90.0 * rng.below(4) as f64, 90.0 * (1 + rng.below(4)) as f64)
+    } else if want.family == Family::Thin && rng.coin() {
+        (rng.between(0.0, 359.0), 100.0 * want.aspect)
+    } else {
+        (rng.between(0.0, 360.0), rng.between(20.0, 340.0))
+    };
+    let end = start + width;
+    match end {
+        _ if width == 360.0 => [0.0, 360.0],
+        end if end > 360.0 => [start, end - 360.0],
+        end => [start, end],
+    }
+}
+
+/// From 20 to 180 degrees wide, one in four from or to a pole; when thin, half are slivers.
+fn polar_angles(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+    if want.exact() {
+        return rng.pick(&[[0.0, 90.0], [90.0, 180.0], [0.0, 180.0], [45.0, 135.0], [60.0, 90.0]]);
+    }
+    let width = if want.family == Family::Thin && rng.coin() {
+        100.0 * want.aspect
+    } else {
+        rng.between(20.0, 170.0)
+    };
+    match rng.below(8) {
+        0 => [0.0, width],
+        1 => [180.0 - width, 180.0],
+        _ => {
+            let start = rng.between(0.0, 180.0 - width);
+            [start, start + width]
+        }
+    }
+}
+
+/// When thin, a thread or a ring whose hole is as narrow.
+fn torus(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let ratio = match want.family {
+        Family::Thin if rng.coin() => want.aspect,
+        Family::Thin => 1.0 - want.aspect,
+        _ => rng.between(0.1, 0.9),
+    };
+    let (swept_radius, tube_radius) = (want.size, ratio * want.size);
+    if want.exact() {
+        return Shape::Torus {
+            swept_radius: 4.0 * swept_radius,
+            tube_radius: snapped(tube_radius),
+        };
+    }
+    Shape::Torus { swept_radius, tube_radius }
+}
+
+/// Ends at whole multiples of 15° or anywhere; some thin ones are slivers of a hundredth of a degree.
+fn part_torus(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let Shape::Torus { swept_radius, tube_radius } = torus(want, rng) else {
+        unreachable!("it has just been made")
+    };
+    let thin = want.family == Family::Thin;
+    let mut range = || {
+        let first = if rng.coin() { 15.0 * rng.below(24) as f64 } else { rng.between(0.0, 360.0) };
+        let turn = match rng.below(8) {
+            0 if thin => rng.decades(-2, 0),
+            1 => 180.0,
+            2 => return [0.0, 360.0],
+            _ => rng.between(60.0, 350.0),
+        };
+        let last = first + turn;
+        [first, if last > 360.0 { last - 360.0 } else { last }]
+    };
+    Shape::PartTorus { swept_radius, tube_radius, phi: range(), theta: range() }
+}
+
+/// One of some known surfaces, or one of random coefficients; when thin, pressed flat.
+fn algebraic(want: &Want, rng: &mut SplitMix64) -> Shape {
+    let mut terms: Vec<(f64, [u32; 3])> = Vec::new();
+    let axis = |i: usize, power: u32| {
+        let mut powers = [0; 3];
+        powers[i] += power;
+        powers
+    };
+    let every = |power: u32| (0..3).map(move |i| axis(i, power));
+    let mut half = 1.25;
+    match rng.below(5) {
+        0 => {
+            half = 2.75; // Goursat's tangle
+            terms.extend(every(4).map(|powers| (1.0, powers)));
+            terms.extend(every(2).map(|powers| (-5.0, powers)));
+            terms.push((rng.between(11.0, 12.0), [0; 3]));
+        }
+        1 => {
+            let power = rng.pick(&[6, 8]);
+            terms.extend(every(power).map(|powers| (1.0, powers)));
+            terms.push((-1.0, [0; 3]));
+        }
+        2 => {
+            // a torus: (p·p + k)² − 4 a² (x² + z²)
+            let (a, b) = (rng.between(0.6, 0.9), rng.between(0.1, 0.5));
+            let k = a * a - b * b;
+            terms.extend(every(4).map(|powers| (1.0, powers)));
+            terms.extend([(2.0, [2, 2, 0]), (2.0, [0, 2, 2]), (2.0, [2, 0, 2])]);
+            let flat = 2.0 * k - 4.0 * a * a;
+            terms.extend([(flat, [2, 0, 0]), (2.0 * k, [0, 2, 0]), (flat, [0, 0, 2])]);
+            terms.push((k * k, [0; 3]));
+        }
+        degree => {
+            let all = (0..=degree as u32).flat_map(|i| {
+                let rest = degree as u32 - i;
+                (0..=rest).flat_map(move |j| (0..=rest - j).map(move |k| [i, j, k]))
+            });
+            terms.extend(all.map(|powers| (rng.between(-1.0, 1.0), powers)));
+        }
+    }
+    let mut sizes = [want.size; 3];
+    if want.family == Family::Thin {
+        sizes[rng.below(3)] *= want.aspect;
+    }
+    let power = |x: f64, n: u32| (0..n).fold(1.0, |product, _| product * x);
+    for (c, powers) in &mut terms {
+        *c = (0..3).fold(*c, |c, i| c / power(sizes[i], powers[i]));
+    }
+    let corner = |side: f64, rng: &mut SplitMix64| {
+        sizes.map(|size| side * size * if rng.coin() { half } else { rng.between(0.4, 1.0) * half })
+    };
+    Shape::Algebraic { terms, min: corner(-1.0, rng), max: corner(1.0, rng) }
 }
 
 fn instance(want: &Want, rng: &mut SplitMix64) -> Shape {

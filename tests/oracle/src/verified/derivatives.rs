@@ -18,10 +18,13 @@ fn tiny(exponent: usize) -> Real {
 fn implicit(shape: &Shape<Real>, p: &V) -> Real {
     let v = |x: &[Real; 3]| V(x.clone());
     match shape {
-        Shape::Plane { point: c, normal } | Shape::Disk { center: c, normal, .. } => {
-            (p - &v(c)).dot(&v(normal))
+        Shape::Plane { point: c, normal }
+        | Shape::Disk { center: c, normal, .. }
+        | Shape::Annulus { center: c, normal, .. } => (p - &v(c)).dot(&v(normal)),
+        Shape::PartAnnulus { center, .. } => &p.0[1] - &center[1],
+        Shape::Sphere { center, radius } | Shape::PartSphere { center, radius, .. } => {
+            (p - &v(center)).norm() - radius
         }
-        Shape::Sphere { center, radius } => (p - &v(center)).norm() - radius,
         Shape::Cuboid { min, max } => {
             (0..3).flat_map(|i| [&min[i] - &p.0[i], &p.0[i] - &max[i]]).max().expect("six faces")
         }
@@ -30,9 +33,20 @@ fn implicit(shape: &Shape<Real>, p: &V) -> Real {
             (p - &a).dot(&(&b - &a).cross(&(&c - &a)))
         }
         Shape::Rectangle { corner, a, b } => (p - &v(corner)).dot(&v(a).cross(&v(b))),
-        Shape::OpenCylinder { radius, .. } => {
-            (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt() - radius
+        Shape::OpenCylinder { radius, .. } | Shape::PartCylinder { radius, .. } => rho(p) - radius,
+        Shape::Cone { height, radius } => rho(p) / radius + &p.0[1] / height,
+        Shape::Paraboloid { height, radius } => {
+            rho(p) * rho(p) / (radius * radius) - &p.0[1] / height
         }
+        Shape::Torus { swept_radius, tube_radius }
+        | Shape::PartTorus { swept_radius, tube_radius, .. } => {
+            let k = (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt() - swept_radius;
+            (&k * &k + &p.0[1] * &p.0[1]).sqrt() - tube_radius
+        }
+        Shape::Algebraic { terms, .. } => terms.iter().fold(real(0.0), |sum, (c, powers)| {
+            let factors = (0..3).flat_map(|i| vec![&p.0[i]; powers[i] as usize]);
+            sum + factors.fold(c.clone(), |product, x| product * x)
+        }),
         Shape::Instance { matrix, of } => {
             let column = |j: usize| V(std::array::from_fn(|i| matrix[i][j].clone()));
             let [a, b, c] = [column(0), column(1), column(2)];
@@ -41,6 +55,10 @@ fn implicit(shape: &Shape<Real>, p: &V) -> Real {
             implicit(of, &V(minors.map(|minor| minor / &det)))
         }
     }
+}
+
+fn rho(p: &V) -> Real {
+    (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt()
 }
 
 /// Oracle: central differences of the implicit function with steps of 10⁻⁵⁰.

@@ -35,6 +35,10 @@ fn about_half_of_the_rays_hit() {
             let (least, most) = match family {
                 Family::EdgesAndCorners => (40, 185), // the border counts, unless the ray turns away
                 Family::Degenerate => (25, 170),      // a ray in a plane misses it
+                // points of a level plane are exact, and a ray that starts there misses it
+                Family::OnSurface if kind == Kind::PartAnnulus => (0, 0),
+                Family::AxisParallel if kind == Kind::PartAnnulus => (15, 170), // most are level, too
+                Family::OnSurface => (40, 185), // surfaces of many sheets are left through another
                 _ => (40, 170),
             };
             assert!((least..=most).contains(&hits), "{kind:?} {family:?}: {hits} of 200 hit");

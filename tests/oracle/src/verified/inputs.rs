@@ -83,6 +83,40 @@ fn of_shape<'a>(shape: &'a mut Shape<Real>, groups: &mut Vec<Vec<&'a mut Real>>)
             groups.push(vec![radius]);
         }
         Shape::OpenCylinder { y0, y1, radius } => groups.extend([vec![y0], vec![y1], vec![radius]]),
+        Shape::Annulus { center, normal, inner, outer } => {
+            groups.extend([center, normal].map(|g| g.iter_mut().collect()));
+            groups.extend([vec![inner], vec![outer]]);
+        }
+        Shape::PartAnnulus { center, inner, outer, phi } => {
+            groups.push(center.iter_mut().collect());
+            groups.extend([inner, outer].map(|x| vec![x]));
+            azimuths(phi, groups);
+        }
+        Shape::Cone { height, radius } | Shape::Paraboloid { height, radius } => {
+            groups.extend([vec![height], vec![radius]]);
+        }
+        Shape::PartSphere { center, radius, phi, theta } => {
+            groups.push(center.iter_mut().collect());
+            groups.push(vec![radius]);
+            azimuths(phi, groups);
+            // to the pole is no number but a word, as is all around
+            groups.extend(theta.iter_mut().filter(|x| **x != real(180.0)).map(|x| vec![x]));
+        }
+        Shape::PartCylinder { y0, y1, radius, phi } => {
+            groups.extend([y0, y1, radius].map(|x| vec![x]));
+            azimuths(phi, groups);
+        }
+        Shape::Torus { swept_radius, tube_radius } => {
+            groups.extend([vec![swept_radius], vec![tube_radius]]);
+        }
+        Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            groups.extend([vec![swept_radius], vec![tube_radius]]);
+            groups.extend(phi.iter_mut().chain(theta).map(|angle| vec![angle]));
+        }
+        Shape::Algebraic { terms, min, max } => {
+            groups.extend(terms.iter_mut().map(|(c, _)| vec![c]));
+            groups.extend([min, max].map(|corner| corner.iter_mut().collect()));
+        }
         Shape::Instance { matrix, of } => {
             let (mut linear, mut shift) = (Vec::new(), Vec::new());
             for [x, y, z, b] in matrix {
@@ -92,5 +126,11 @@ fn of_shape<'a>(shape: &'a mut Shape<Real>, groups: &mut Vec<Vec<&'a mut Real>>)
             groups.extend([linear, shift]);
             of_shape(of, groups);
         }
+    }
+}
+
+fn azimuths<'a>(phi: &'a mut [Real; 2], groups: &mut Vec<Vec<&'a mut Real>>) {
+    if &phi[1] - &phi[0] < real(360.0) {
+        groups.extend(phi.iter_mut().map(|x| vec![x]));
     }
 }

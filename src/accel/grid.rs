@@ -1,0 +1,252 @@
+//! The regular grid (Suffern, ch. 22): equal cells, each with the primitives whose boxes overlap it,
+//! walked cell by cell along the ray.
+//!
+//! As in the book, `n` primitives in a box of sides `w` get `⌊2 w/s⌋ + 1` cells on each axis, where
+//! `s` is the cube root of the volume for each primitive: some eight cells for each. The walk
+//! differs in two ways. A primitive's hit may lie beyond the cell in which it is found; the book
+//! discards it and finds it again later, here it stays the best so far, and the walk ends where
+//! the next cell begins beyond it. And planes of cells are worked out from their number, not added
+//! up, so that errors do not grow along the way.
+//!
+//! No hit that counts is lost: a hit lies in its primitive's box grown by the ray's slack
+//! (`frame.rs`), the box that is sorted into cells is grown by [`PAD`], and the walk passes the cell
+//! of every point of the ray but for rounding, which is far less than their difference. A ray from
+//! so far away that its slack is not less than that tests every primitive.
+
+use std::ops::Range;
+
+use super::frame::{Frame, FrameRay};
+use super::search::Search;
+use crate::math::{Aabb, Vector, cbrt};
+
+/// Cells on each axis for each cube root of a primitive: the book's `multiplier`.
+const MULTIPLIER: f64 = 2.0;
+/// By how much boxes are grown, in cells.
+const PAD: f64 = 1.0 / 64.0;
+/// … but not by less than this: four times the slack of a ray that comes from near.
+const LEAST_PAD: f64 = 1.0 / (1 << 20) as f64;
+/// In the frame, whose box is about 1 long.
+const LEAST_EXTENT: f64 = 1.0 / (1 << 14) as f64;
+/// The most entries of all cells, for each primitive and for few of them. Large primitives, which
+/// overlap a great many cells, get coarser ones, or memory would run out.
+const MOST_ENTRIES: usize = 32;
+const FEW_ENTRIES: usize = 1 << 20;
+
+/// Primitives sorted into cells.
+#[derive(Debug)]
+pub struct Grid {
+    /// All primitives, for rays from too far away.
+    all: Vec<u32>,
+    cells: Cells,
+    /// Where each cell's entries start, and where the last one's end.
+    starts: Vec<u32>,
+    entries: Vec<u32>,
+}
+
+/// How a box is divided.
+#[derive(Debug)]
+struct Cells {
+    bounds: Aabb,
+    counts: [usize; 3],
+    /// The sides of a cell.
+    sides: [f64; 3],
+    /// By how much the boxes of primitives are grown.
+    pad: f64,
+}
+
+impl Grid {
+    /// Over these primitives, whose boxes are `bounds`.
+    pub(super) fn build(frame: &Frame, bounds: &[Aabb], which: &[u32]) -> Self {
+        let boxes: Vec<Aabb> = which.iter().map(|&i| frame.boxed(&bounds[i as usize])).collect();
+        let most = (MOST_ENTRIES * boxes.len()).max(FEW_ENTRIES);
+        let mut multiplier = MULTIPLIER;
+        let cells = loop {
+            let cells = Cells::of(&boxes, multiplier);
+            let entries = boxes.iter().map(|b| cells.ranges(b).map(|r| r.len()).iter().product());
+            if multiplier < 0.01 || entries.fold(0, usize::saturating_add) <= most {
+                break cells;
+            }
+            multiplier *= 0.5;
+        };
+        // sorted by counting: how many entries each cell has, where they start, then the entries
+        let number = cells.counts.iter().product::<usize>();
+        let mut starts = vec![0_u32; number + 1];
+        for cell in boxes.iter().flat_map(|b| cells.overlapped(b)) {
+            starts[cell + 1] += 1;
+        }
+        for cell in 0..number {
+            starts[cell + 1] += starts[cell];
+        }
+        let mut next = starts.clone();
+        let mut entries = vec![0; starts[number] as usize];
+        for (&index, b) in which.iter().zip(&boxes) {
+            for cell in cells.overlapped(b) {
+                entries[next[cell] as usize] = index;
+                next[cell] += 1;
+            }
+        }
+        Self { all: which.to_vec(), cells, starts, entries }
+    }
+
+    /// Tests what is in the cells along the ray.
+    pub(super) fn search(&self, search: &mut impl Search) {
+        let ray = *search.ray();
+        let Some(walk) = Walk::new(&self.cells, &ray, search.span().min) else {
+            self.all.iter().any(|&index| search.consider(index));
+            return;
+        };
+        for (cell, end) in walk {
+            search.step();
+            let done = self.cell(cell).iter().any(|&index| search.consider(index));
+            if done || ray.last(search.span()) < end {
+                return;
+            }
+        }
+    }
+
+    fn cell(&self, cell: usize) -> &[u32] {
+        &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+    }
+
+    pub(super) fn memory_bytes(&self) -> usize {
+        size_of_val(&*self.all) + size_of_val(&*self.starts) + size_of_val(&*self.entries)
+    }
+}
+
+impl Cells {
+    fn of(boxes: &[Aabb], multiplier: f64) -> Self {
+        let whole = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        let n = boxes.len().max(1) as f64;
+        let w = thickened(whole.extent(), n);
+        let s = cbrt(w[0] * w[1] * w[2] / n);
+        let counts = w.map(|w| (multiplier * w / s) as usize + 1);
+        let side = |extent: f64, i: usize| extent / counts[i] as f64;
+        let least = (0..3).map(|i| side(whole.extent().along(i), i)).fold(f64::INFINITY, f64::min);
+        let pad = (PAD * least).max(LEAST_PAD);
+        let grown = pad * Vector::new(1.0, 1.0, 1.0);
+        let bounds = Aabb { min: whole.min - grown, max: whole.max + grown };
+        let sides = std::array::from_fn(|i| side(bounds.extent().along(i), i));
+        Self { bounds, counts, sides, pad }
+    }
+
+    /// The cell of a coordinate on an axis; the first or last for what lies outside.
+    fn along(&self, axis: usize, x: f64) -> usize {
+        let place = (x - self.bounds.min.along(axis)) / self.sides[axis];
+        (place as usize).min(self.counts[axis] - 1) // negative numbers become 0
+    }
+
+    /// The number of a cell: the first index runs fastest.
+    fn number(&self, [x, y, z]: [usize; 3]) -> usize {
+        x + self.counts[0] * (y + self.counts[1] * z)
+    }
+
+    /// On each axis, from where to where the grown box reaches.
+    fn ranges(&self, b: &Aabb) -> [Range<usize>; 3] {
+        [0, 1, 2].map(|axis| {
+            let (min, max) = (b.min.along(axis) - self.pad, b.max.along(axis) + self.pad);
+            self.along(axis, min)..self.along(axis, max) + 1
+        })
+    }
+
+    /// The cells that the grown box overlaps.
+    fn overlapped(&self, b: &Aabb) -> impl Iterator<Item = usize> {
+        let [xs, ys, zs] = self.ranges(b);
+        zs.flat_map(move |z| {
+            let xs = xs.clone();
+            ys.clone().flat_map(move |y| xs.clone().map(move |x| self.number([x, y, z])))
+        })
+    }
+
+    /// Where the ray meets the border between cell `k − 1` and cell `k` of an axis; never, for a ray
+    /// along it.
+    fn border(&self, ray: &FrameRay, axis: usize, k: usize) -> f64 {
+        if ray.inverse[axis].is_infinite() {
+            return f64::INFINITY;
+        }
+        let plane = self.bounds.min.along(axis) + k as f64 * self.sides[axis];
+        (plane - ray.origin[axis]) * ray.inverse[axis]
+    }
+}
+
+/// Extents without a flat one, for which the formula gives any number of cells: a sheet is taken to
+/// be as thick as each primitive's share of it is wide, a line as its share is long.
+fn thickened(extent: Vector, n: f64) -> [f64; 3] {
+    let mut w = extent.to_array();
+    let mut by_length = [0, 1, 2];
+    by_length.sort_by(|&i, &j| w[j].total_cmp(&w[i]));
+    let [long, middle, short] = by_length;
+    w[long] = w[long].max(LEAST_EXTENT);
+    w[middle] = w[middle].max(w[long] / n);
+    w[short] = w[short].max((w[long] * w[middle] / n).sqrt());
+    w
+}
+
+/// The cells along a ray, each with the distance at which the ray leaves it.
+struct Walk<'a> {
+    cells: &'a Cells,
+    ray: &'a FrameRay,
+    place: [usize; 3],
+    /// Where the ray leaves the cell on each axis.
+    next: [f64; 3],
+    inside: bool,
+}
+
+impl<'a> Walk<'a> {
+    /// From `t` on; `None` for a ray whose slack is too large, or whose numbers overflow.
+    fn new(cells: &'a Cells, ray: &'a FrameRay, t: f64) -> Option<Self> {
+        let sound = 2.0 * ray.slack <= cells.pad && ray.inverse.iter().all(|&i| i != 0.0);
+        let (near, far) = ray.crossing(&cells.bounds);
+        let start = near.max(ray.moved(t));
+        let inside = start <= far;
+        if !sound || inside && !start.is_finite() {
+            return None;
+        }
+        let mut walk = Self { cells, ray, place: [0; 3], next: [0.0; 3], inside };
+        for axis in 0..3 {
+            let x = ray.origin[axis] + start / ray.inverse[axis];
+            walk.place[axis] = cells.along(axis, x);
+            walk.next[axis] = walk.end(axis);
+        }
+        Some(walk)
+    }
+
+    fn backward(&self, axis: usize) -> bool {
+        self.ray.inverse[axis].is_sign_negative()
+    }
+
+    /// Where the ray leaves its cell on this axis.
+    fn end(&self, axis: usize) -> f64 {
+        let after = usize::from(!self.backward(axis));
+        self.cells.border(self.ray, axis, self.place[axis] + after)
+    }
+}
+
+impl Iterator for Walk<'_> {
+    type Item = (usize, f64);
+
+    fn next(&mut self) -> Option<(usize, f64)> {
+        if !self.inside {
+            return None;
+        }
+        let cell = self.cells.number(self.place);
+        let [x, y, z] = self.next;
+        let axis = if x <= y && x <= z { 0 } else { 1 + usize::from(z < y) };
+        let end = self.next[axis];
+        let neighbour = if self.backward(axis) {
+            self.place[axis].checked_sub(1)
+        } else {
+            Some(self.place[axis] + 1).filter(|&place| place < self.cells.counts[axis])
+        };
+        match neighbour {
+            Some(place) => {
+                self.place[axis] = place;
+                self.next[axis] = self.end(axis);
+            }
+            None => self.inside = false,
+        }
+        Some((cell, end))
+    }
+}
+
+#[cfg(test)]
+mod tests;

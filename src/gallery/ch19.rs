@@ -1,0 +1,124 @@
+//! Chapter 19: every object of the book, and objects made of them.
+
+use super::List;
+use super::parts::*;
+use crate::cameras::{Pinhole, Viewpoint};
+use crate::math::Point;
+use crate::rgb::Rgb;
+use crate::scene::{Image, Material, Object, Scene};
+use crate::shapes::{
+    Annulus, Cone, Kind, Materials, Paraboloid, PartAnnulus, PartCylinder, PartSphere, PartTorus,
+    SolidCylinder, Torus,
+};
+
+pub const SCENES: List = &[
+    ("ch19/torus", torus),
+    ("ch19/solid-cylinder", solid_cylinder),
+    ("ch19/cone", cone),
+    ("ch19/colored-cylinder", colored_cylinder),
+    ("ch19/part-objects", part_objects),
+];
+
+/// A view from above and the right, with a lamp over the right shoulder.
+fn stage(about: &str, look_at: Point, distance: f64) -> Scene {
+    let lens = Pinhole { distance, zoom: 1.0 };
+    let camera = Viewpoint::new(point(4.0, 6.0, 10.0), look_at, lens);
+    let image = Image { samples: 16, ..Image::new(400, 400) };
+    let mut scene = Scene::new(about, image, camera);
+    scene.background = grey(0.05);
+    scene.lights.push(ambient(0.25));
+    scene.lights.push(directional("light", vector(15.0, 15.0, 2.5), 3.0));
+    scene
+}
+
+fn add(scene: &mut Scene, name: &str, shape: impl Into<Kind>, color: Rgb, two_sided: bool) {
+    let (object, material) = object(name, shape, phong(0.25, 0.75, color, 0.15, 50.0));
+    scene.objects.push(object);
+    scene.materials.push(Material { two_sided, ..material });
+}
+
+fn torus() -> Scene {
+    let about = "figure 19.16: a torus of radii 2 and 0.15";
+    let mut scene = stage(about, Point::ORIGIN, 850.0);
+    let torus = Torus { swept_radius: 2.0, tube_radius: 0.15, inward: false };
+    add(&mut scene, "torus", torus, rgb(1.0, 0.6, 0.2), false);
+    scene
+}
+
+fn solid_cylinder() -> Scene {
+    let mut scene = stage("figure 19.23a: a solid cylinder", Point::ORIGIN, 1200.0);
+    let cylinder = SolidCylinder { y0: -1.0, y1: 1.0, radius: 1.0, materials: Materials::new() };
+    add(&mut scene, "cylinder", cylinder, rgb(0.5, 0.75, 0.25), false);
+    scene
+}
+
+fn cone() -> Scene {
+    let about = "figure 19.25b: a cone of height 2 and radius 1, its base open";
+    let mut scene = stage(about, point(0.0, 0.9, 0.0), 1200.0);
+    let cone = Cone { height: 2.0, radius: 1.0, inward: false };
+    add(&mut scene, "cone", cone, rgb(0.4, 0.6, 1.0), true);
+    scene
+}
+
+fn colored_cylinder() -> Scene {
+    let about = "figure 19.29a: one cylinder of two materials, cyan caps and a yellow wall";
+    let mut scene = stage(about, Point::ORIGIN, 1200.0);
+    let materials = [("bottom", "cyan"), ("top", "cyan"), ("wall", "yellow")];
+    let materials = materials.map(|(part, material)| (part.to_owned(), material.to_owned()));
+    let cylinder =
+        SolidCylinder { y0: -1.0, y1: 1.0, radius: 1.0, materials: Materials::from(materials) };
+    scene.objects.push(Object::new("cylinder", "yellow", cylinder));
+    for (name, color) in [("cyan", rgb(0.0, 1.0, 1.0)), ("yellow", rgb(1.0, 1.0, 0.0))] {
+        scene.materials.push(Material::new(name, matte(0.25, 0.75, color)));
+    }
+    scene
+}
+
+fn part_objects() -> Scene {
+    let about = "parts of a sphere, a torus, a cylinder and an annulus, a paraboloid and a ring";
+    let mut scene = stage(about, point(0.0, 0.2, 0.0), 560.0);
+    let at = |shape: Kind, x: f64, z: f64| moved(shape, vector(x, 0.0, z));
+    let sphere = PartSphere {
+        center: Point::ORIGIN,
+        radius: 1.0,
+        phi: [300.0, 210.0],
+        theta: [30.0, 150.0],
+        inward: false,
+    };
+    let torus = PartTorus {
+        swept_radius: 0.9,
+        tube_radius: 0.3,
+        phi_min: 330.0,
+        phi_max: 240.0,
+        theta_min: 180.0,
+        theta_max: 90.0,
+        inward: false,
+    };
+    let cylinder =
+        PartCylinder { y0: -0.75, y1: 0.75, radius: 1.0, phi: [350.0, 200.0], inward: false };
+    let annulus = PartAnnulus {
+        center: Point::ORIGIN,
+        inner_radius: 0.5,
+        outer_radius: 1.2,
+        phi: [90.0, 20.0],
+        down: false,
+    };
+    let ring = Annulus {
+        center: Point::ORIGIN,
+        normal: vector(0.0, 2.0, 1.0),
+        inner_radius: 0.6,
+        outer_radius: 1.0,
+    };
+    let paraboloid = Paraboloid { height: 1.5, radius: 1.0, inward: false };
+    for (name, shape, x, z, color) in [
+        ("sphere", Kind::from(sphere), -2.6, -1.6, rgb(1.0, 0.4, 0.3)),
+        ("torus", torus.into(), 0.2, -1.6, rgb(1.0, 0.75, 0.2)),
+        ("cylinder", cylinder.into(), 3.0, -1.6, rgb(0.4, 0.8, 0.3)),
+        ("annulus", annulus.into(), -2.2, 1.6, rgb(0.3, 0.7, 0.9)),
+        ("ring", ring.into(), 0.4, 1.6, rgb(0.5, 0.5, 1.0)),
+        ("paraboloid", paraboloid.into(), 2.8, 1.6, rgb(0.9, 0.5, 0.9)),
+    ] {
+        add(&mut scene, name, at(shape, x, z), color, true);
+    }
+    scene
+}

@@ -1,0 +1,129 @@
+//! The report as files: `index.html`, which needs nothing beside it, and `report.json`.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::html::escaped;
+use super::{Provenance, Report};
+use crate::film::replace;
+
+const STYLE: &str = "\
+body { font: 16px/1.45 Georgia, 'Times New Roman', serif; color: #111; background: #fff; \
+margin: 2em auto; max-width: 62em; padding: 0 1em; }
+h1, h2, h3 { line-height: 1.2; break-after: avoid; }
+section { border-top: 2px solid #111; margin-top: 3em; }
+p { max-width: 44em; }
+.question { font-style: italic; font-size: 1.1em; }
+.pick { border-left: 4px solid #111; padding-left: 0.8em; }
+.about { color: #333; font-size: 0.9em; }
+table { border-collapse: collapse; margin: 1.2em 0; font: 13px/1.35 system-ui, sans-serif; \
+font-variant-numeric: tabular-nums; break-inside: avoid; }
+caption { text-align: left; font-weight: bold; padding: 0.3em 0; }
+thead { border-bottom: 1px solid #111; }
+tbody { border-bottom: 1px solid #111; }
+td, th { padding: 0.1em 0.7em; text-align: right; vertical-align: baseline; }
+th { font-weight: normal; }
+tbody th, thead tr th:first-child { text-align: left; }
+thead th { vertical-align: bottom; }
+th.group { text-align: center; font-weight: bold; border-left: 1px solid #999; }
+th.group:first-child { border-left: none; }
+.start { border-left: 1px solid #999; }
+.bad { font-weight: bold; }
+figure { margin: 1.2em 0; break-inside: avoid; }
+figure svg { max-width: 100%; height: auto; }
+.pictures { display: flex; flex-wrap: wrap; gap: 0 1em; }
+.pictures figure { flex: 1 1 22em; }
+figcaption { font-size: 0.9em; max-width: 48em; color: #333; }
+@page { size: A4; margin: 14mm; }
+@media print {
+  body { margin: 0; max-width: none; padding: 0; font-size: 10.5pt; }
+  section { break-before: page; border-top: none; margin-top: 0; }
+  table { font-size: 7.5pt; }
+  td, th { padding: 0.1em 0.45em; }
+}
+";
+
+/// The whole page.
+pub(super) fn html(report: &Report) -> String {
+    let mut html = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <title>Groundtruth: report</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <h1>Choose by evidence</h1>\n"
+    );
+    html += &measured(&report.provenance, report.settings.seed);
+    html.push_str("<ul>\n");
+    for (page, _) in &report.chapters {
+        let (name, title, question) = (page.name(), page.title(), escaped(page.question()));
+        html += &format!("<li><a href=\"#{name}\">{title}</a>: {question}</li>\n");
+    }
+    html.push_str("</ul>\n");
+    for (page, findings) in &report.chapters {
+        let (name, title, question) = (page.name(), page.title(), escaped(page.question()));
+        html += &format!(
+            "<section id=\"{name}\">\n<h2>{title}</h2>\n<p class=\"question\">{question}</p>\n{}</section>\n",
+            findings.drawing()
+        );
+    }
+    html + "</body>\n</html>\n"
+}
+
+fn measured(provenance: &Provenance, seed: u64) -> String {
+    let Provenance { version, commit, debug, processor, platform, threads } = provenance;
+    let warning = match debug {
+        true => " It was built with debug assertions, so times are too long.",
+        false => "",
+    };
+    format!(
+        "<p class=\"about\">Measured by groundtruth {version}, commit {}, on {} ({platform}), \
+         threads: {threads}, seed: {seed}.{warning} Times are of that machine: compare ratios. \
+         Everything else is the same for the same seed. The numbers behind every table and picture \
+         are in <code>report.json</code>, beside this page.</p>\n",
+        escaped(commit),
+        escaped(processor),
+    )
+}
+
+/// Writes both files into the folder, which is made if it is not there. Each is whole, or not there
+/// at all.
+///
+/// # Errors
+/// Says which file or folder cannot be written, and why.
+pub fn write(report: &Report, folder: &Path) -> io::Result<[PathBuf; 2]> {
+    let json = report.json().map_err(io::Error::other)?;
+    std::fs::create_dir_all(folder).map_err(|e| about(folder, &e))?;
+    let files = ["index.html", "report.json"].map(|name| folder.join(name));
+    for (path, text) in files.iter().zip([report.html(), json]) {
+        replace(path, text.as_bytes()).map_err(|e| about(path, &e))?;
+    }
+    Ok(files)
+}
+
+/// Whether the report can be written there, found out before it is measured; leaves nothing behind.
+///
+/// # Errors
+/// Says what is in the way.
+pub fn check_folder(folder: &Path) -> io::Result<()> {
+    // the nearest ancestor that is there: what is missing below it will be made
+    let here = || if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let mut known = here();
+    while !known.exists() {
+        known = match known.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+    }
+    if !known.is_dir() {
+        return Err(about(folder, &io::Error::other(format!("{} is a file", known.display()))));
+    }
+    for name in ["index.html", "report.json"] {
+        if folder.join(name).is_dir() {
+            return Err(about(&folder.join(name), &io::Error::other("it is a folder")));
+        }
+    }
+    let probe = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(known);
+    probe.map(drop).map_err(|e| about(folder, &io::Error::from(e.kind())))
+}
+
+fn about(path: &Path, error: &io::Error) -> io::Error {
+    io::Error::new(error.kind(), format!("{}: cannot be written: {error}", path.display()))
+}

@@ -1,0 +1,174 @@
+//! Words, numbers and tables as HTML. Everything is written so that it is XML too.
+
+use std::fmt::Write;
+
+/// Text in which nothing is markup.
+pub fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// A table; cells are HTML already.
+#[derive(Debug, Default)]
+pub struct Table {
+    /// What it shows, above it.
+    pub caption: String,
+    /// Headings that span columns, above the others; none if empty.
+    pub groups: Vec<(String, usize)>,
+    /// One for each column.
+    pub headings: Vec<String>,
+    /// The first cell of a row is its name.
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// As HTML.
+    pub fn html(&self) -> String {
+        let mut html = format!("<table>\n<caption>{}</caption>\n<thead>\n", self.caption);
+        if !self.groups.is_empty() {
+            html.push_str("<tr>");
+            for (heading, columns) in &self.groups {
+                let _ = write!(html, "<th class=\"group\" colspan=\"{columns}\">{heading}</th>");
+            }
+            html.push_str("</tr>\n");
+        }
+        let starts = self.starts();
+        let class = |column: usize| if starts.contains(&column) { " class=\"start\"" } else { "" };
+        html.push_str("<tr>");
+        for (column, heading) in self.headings.iter().enumerate() {
+            let _ = write!(html, "<th{}>{heading}</th>", class(column));
+        }
+        html.push_str("</tr>\n</thead>\n<tbody>\n");
+        for row in &self.rows {
+            html.push_str("<tr>");
+            for (column, cell) in row.iter().enumerate() {
+                let tag = if column == 0 { "th" } else { "td" };
+                let _ = write!(html, "<{tag}{}>{cell}</{tag}>", class(column));
+            }
+            html.push_str("</tr>\n");
+        }
+        html + "</tbody>\n</table>\n"
+    }
+
+    /// The columns at which a group starts, but for the first.
+    fn starts(&self) -> Vec<usize> {
+        let ends = self.groups.iter().scan(0, |end, (_, columns)| {
+            *end += columns;
+            Some(*end)
+        });
+        ends.collect()
+    }
+}
+
+/// A picture and the words below it.
+pub fn figure(svg: &str, caption: &str) -> String {
+    format!("<figure>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>\n")
+}
+
+/// A number to two digits: `0.031`, `4.2`, `350`, `1.2·10⁷`.
+pub fn short(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let scientific = format!("{x:.1e}");
+    let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    match exponent.parse::<i32>().unwrap_or(0) {
+        4.. | ..-3 => format!("{digits}·10{}", superscript(exponent)),
+        2.. => format!("{x:.0}"),
+        1 => format!("{x:.0}"),
+        0 => digits.to_owned(),
+        below => format!("{x:.*}", (1 - below) as usize),
+    }
+}
+
+/// A number, or a dash where there is none.
+pub fn short_or_dash(x: Option<f64>) -> String {
+    x.map_or_else(|| "–".to_owned(), short)
+}
+
+/// A power of ten is written so: `10⁻⁷`.
+pub fn superscript(whole: &str) -> String {
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => c.to_digit(10).and_then(|d| char::from_u32('⁰' as u32 + d)).unwrap_or(c),
+    };
+    whole.chars().map(raised).collect()
+}
+
+/// Seconds in a unit that suits them: `35 ns`, `1.2 ms`.
+pub fn time(seconds: f64) -> String {
+    for (unit, size) in [("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)] {
+        if seconds >= size {
+            return format!("{} {unit}", short(seconds / size));
+        }
+    }
+    format!("{} ns", short(seconds / 1e-9))
+}
+
+/// Bytes in a unit that suits them.
+pub fn bytes(count: f64) -> String {
+    for (unit, size) in [("GB", 1e9), ("MB", 1e6), ("kB", 1e3)] {
+        if count >= size {
+            return format!("{} {unit}", short(count / size));
+        }
+    }
+    format!("{count} B")
+}
+
+/// A count with its thousands apart: `31 623`.
+pub fn count(n: usize) -> String {
+    let digits = n.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) && digits.len() > 4 {
+            text.push('\u{202f}'); // a narrow space that does not break
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub fn listed(words: &[String]) -> String {
+    match words {
+        [] => "none".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let cases = [
+            (0.0, "0"),
+            (4.21, "4.2"),
+            (35.4, "35"),
+            (349.6, "350"),
+            (0.0312, "0.031"),
+            (1.23e7, "1.2·10⁷"),
+            (9.96, "10"),
+            (99.6, "100"),
+            (4.4e-9, "4.4·10⁻⁹"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(short(x), text);
+        }
+        assert_eq!(time(3.5e-8), "35 ns");
+        assert_eq!(time(0.00123), "1.2 ms");
+        assert_eq!(bytes(1.5e6), "1.5 MB");
+        assert_eq!(count(1000), "1000");
+        assert_eq!(count(1_031_623), "1\u{202f}031\u{202f}623");
+    }
+
+    #[test]
+    fn text_cannot_become_markup() {
+        assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
+    }
+}

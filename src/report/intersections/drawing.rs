@@ -1,0 +1,236 @@
+//! Page 1 as tables and a picture, from its data alone.
+
+use super::{Data, FamilyData, KindData, Routine};
+use crate::report::html::{Table, count, figure, listed, short, short_or_dash};
+use crate::report::plot::{Plot, Series};
+use crate::verify::against::ALLOWED;
+use crate::verify::statistics::quantile;
+
+/// Errors below are drawn there: a logarithmic axis has no 0.
+const LEAST_DRAWN: f64 = 0.01;
+
+pub fn page(data: &Data) -> String {
+    let mut html = explanation(data);
+    html += &format!("<p class=\"pick\"><strong>What to pick.</strong> {}</p>\n", pick(data));
+    html += &overview(data).html();
+    html += &figure(&picture(data).svg(), CAPTION);
+    html.push_str("<h3>Each shape, family by family</h3>\n");
+    data.kinds.iter().for_each(|kind| html += &details(kind).html());
+    html
+}
+
+const CAPTION: &str = "Speed against error. Each number is a shape of the table above: across, \
+    what a hit costs on ordinary rays; up, the 99.9th percentile of its error in the family where \
+    that is largest. Down and left is better. Errors of 0.01 or less are drawn at 0.01. Lost and \
+    wrong hits do not show here.";
+
+fn explanation(data: &Data) -> String {
+    let (kinds, cases) = (data.kinds.len(), data.cases);
+    format!(
+        "<p>Compared are this library's routine for each of {kinds} shapes and the textbook's: the \
+         formula as the book prints it, with its constant epsilon (kinds without a textbook form show \
+         ours alone). Both get the same rays, {cases} for each shape in each of twelve families: \
+         ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
+         tiny, huge and thin shapes, …). The truth is computed with 512 bits.</p>\n\
+         <p>An error is counted in units of u·cond: how far the distance moves if the input is \
+         wrong in its last bit. An error of 1 is as good as any routine can promise, up to {ALLOWED} \
+         is good, and 10⁶ means that six digits are lost. A hit is <em>lost</em> if the nearest was \
+         not found, and <em>wrong</em> if there was none to find; rays whose answer turns on the \
+         rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. A \
+         constant epsilon loses every hit that is nearer than it. Times are medians for one call on \
+         one thread.</p>\n"
+    )
+}
+
+/// The families' routines of one kind.
+fn routines<'a>(
+    kind: &'a KindData,
+    of: impl Fn(&'a FamilyData) -> Option<&'a Routine>,
+) -> Option<Summary> {
+    let routines: Vec<&Routine> =
+        kind.families.iter().filter(|family| family.judged > 0).map(&of).collect::<Option<_>>()?;
+    let largest = |values: Vec<Option<f64>>| values.into_iter().flatten().reduce(f64::max);
+    let ordinary = of(kind.families.first()?)?;
+    Some(Summary {
+        p999: largest(routines.iter().map(|r| r.p999).collect()),
+        worst: largest(routines.iter().map(|r| r.worst).collect()),
+        lost: routines.iter().map(|r| r.lost).sum(),
+        wrong: routines.iter().map(|r| r.wrong).sum(),
+        hit_ns: ordinary.hit_ns,
+        miss_ns: ordinary.miss_ns,
+    })
+}
+
+/// One routine over all families; times on ordinary rays.
+struct Summary {
+    p999: Option<f64>,
+    worst: Option<f64>,
+    lost: usize,
+    wrong: usize,
+    hit_ns: Option<f64>,
+    miss_ns: Option<f64>,
+}
+
+fn ours(kind: &KindData) -> Option<Summary> {
+    routines(kind, |family| Some(&family.ours))
+}
+
+fn textbook(kind: &KindData) -> Option<Summary> {
+    routines(kind, |family| family.textbook.as_ref())
+}
+
+/// `OpenCylinder` as a reader writes it: `open cylinder`.
+fn words(name: &str) -> String {
+    match name {
+        "Cuboid" => "box".to_owned(),
+        name => crate::kinds::tag(name).replace('_', " "),
+    }
+}
+
+/// What follows from the numbers.
+fn pick(data: &Data) -> String {
+    let judged: usize = data.kinds.iter().flat_map(|k| &k.families).map(|f| f.judged).sum();
+    let judged = count(judged);
+    let sum = |of: fn(&KindData) -> Option<Summary>, what: fn(&Summary) -> usize| -> usize {
+        data.kinds.iter().filter_map(of).map(|summary| what(&summary)).sum()
+    };
+    let failed = |of| sum(of, |s| s.lost + s.wrong);
+    let worst = data.kinds.iter().filter_map(ours).filter_map(|s| s.worst).reduce(f64::max);
+    let sound = failed(ours) == 0 && worst.is_some_and(|worst| worst <= ALLOWED);
+    let both: Vec<(&KindData, Summary, Summary)> =
+        data.kinds.iter().filter_map(|kind| Some((kind, ours(kind)?, textbook(kind)?))).collect();
+    let costs: Vec<f64> =
+        both.iter().filter_map(|(_, ours, book)| Some(ours.hit_ns? / book.hit_ns?)).collect();
+    let mut text = if sound {
+        format!(
+            "Ours, for anything but ordinary rays: of {judged} rays it lost none and invented none, \
+             and its worst error is {} u·cond. ",
+            short_or_dash(worst)
+        )
+    } else {
+        format!(
+            "Neither without care: of {judged} rays ours got {} wrong, and its worst error is {} \
+             u·cond, which is a bug to be reported. ",
+            failed(ours),
+            short_or_dash(worst)
+        )
+    };
+    if both.is_empty() {
+        return text;
+    }
+    text += &format!("The textbook's got {} hits wrong or lost. ", count(failed(textbook)));
+    let [least, middle, most] = [0.0, 0.5, 1.0].map(|share| short_or_dash(quantile(&costs, share)));
+    text += &format!(
+        "An ordinary hit costs {middle} times the textbook's in the median, {least} to {most}. "
+    );
+    let good: Vec<String> = both
+        .iter()
+        .filter(|(_, _, book)| book.lost + book.wrong == 0)
+        .filter(|(_, _, book)| book.worst.is_some_and(|worst| worst <= ALLOWED))
+        .map(|(kind, ..)| words(&kind.kind))
+        .collect();
+    text + &match &good[..] {
+        [] => "On no shape is the textbook's formula as safe.".to_owned(),
+        good => format!("The textbook's formula is as safe for: {}.", listed(good)),
+    }
+}
+
+fn overview(data: &Data) -> Table {
+    let columns = ["99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
+    let cells = |summary: Option<Summary>| match summary {
+        Some(s) => vec![
+            error(s.p999),
+            error(s.worst),
+            failures(s.lost),
+            failures(s.wrong),
+            short_or_dash(s.hit_ns),
+            short_or_dash(s.miss_ns),
+        ],
+        None => vec!["–".to_owned(); columns.len()],
+    };
+    let row = |(index, kind): (usize, &KindData)| {
+        let judged: usize = kind.families.iter().map(|family| family.judged).sum();
+        let mut row = vec![format!("{} {}", index + 1, words(&kind.kind)), count(judged)];
+        row.extend(cells(ours(kind)));
+        row.extend(cells(textbook(kind)));
+        row
+    };
+    Table {
+        caption: "All families together: errors in u·cond of the family where they are largest; \
+                  times on ordinary rays"
+            .to_owned(),
+        groups: groups(2, columns.len()),
+        headings: headings(&["shape", "rays judged"], &columns),
+        rows: data.kinds.iter().enumerate().map(row).collect(),
+    }
+}
+
+fn details(kind: &KindData) -> Table {
+    let columns = ["median", "99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
+    let cells = |routine: Option<&Routine>| match routine {
+        Some(r) => vec![
+            error(r.median),
+            error(r.p999),
+            error(r.worst),
+            failures(r.lost),
+            failures(r.wrong),
+            short_or_dash(r.hit_ns),
+            short_or_dash(r.miss_ns),
+        ],
+        None => vec!["–".to_owned(); columns.len()],
+    };
+    let row = |family: &FamilyData| {
+        let misses = family.judged - family.hits;
+        let mut row = vec![words(&family.family), family.hits.to_string(), misses.to_string()];
+        row.extend(cells(Some(&family.ours)));
+        row.extend(cells(family.textbook.as_ref()));
+        row
+    };
+    Table {
+        caption: words(&kind.kind),
+        groups: groups(3, columns.len()),
+        headings: headings(&["family", "hits", "misses"], &columns),
+        rows: kind.families.iter().map(row).collect(),
+    }
+}
+
+fn groups(before: usize, columns: usize) -> Vec<(String, usize)> {
+    vec![(String::new(), before), ("ours".to_owned(), columns), ("textbook".to_owned(), columns)]
+}
+
+fn headings(before: &[&str], columns: &[&str]) -> Vec<String> {
+    [before, columns, columns].concat().into_iter().map(str::to_owned).collect()
+}
+
+/// An error; bold if it is more than a good routine may have.
+fn error(x: Option<f64>) -> String {
+    match x {
+        Some(x) if x > ALLOWED => format!("<span class=\"bad\">{}</span>", short(x)),
+        x => short_or_dash(x),
+    }
+}
+
+/// A count of failures; bold unless it is 0.
+fn failures(n: usize) -> String {
+    if n == 0 { "0".to_owned() } else { format!("<span class=\"bad\">{n}</span>") }
+}
+
+fn picture(data: &Data) -> Plot {
+    let series = |name: &str, of: fn(&KindData) -> Option<Summary>| {
+        let numbered = data.kinds.iter().enumerate();
+        let (points, labels) = numbered
+            .filter_map(|(index, kind)| {
+                let summary = of(kind)?;
+                let error = summary.p999?.max(LEAST_DRAWN);
+                Some(((summary.hit_ns?, error), (index + 1).to_string()))
+            })
+            .unzip();
+        Series { name: name.to_owned(), points, labels, ..Series::default() }
+    };
+    Plot {
+        x: "nanoseconds for an ordinary hit".to_owned(),
+        y: "error in u·cond".to_owned(),
+        series: vec![series("ours", ours), series("textbook", textbook)],
+        limit: Some((ALLOWED, "good below this line".to_owned())),
+    }
+}

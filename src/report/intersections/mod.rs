@@ -1,0 +1,115 @@
+//! Page 1: intersections, ours beside the textbook's: error against time.
+
+mod drawing;
+mod judging;
+mod timing;
+
+use oracle::hard::{Family, Kind};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use self::judging::Judged;
+use super::{Findings, Interrupted, Page, Settings, Watch};
+
+/// Which intersection routine to use: by error, lost and wrong hits, and nanoseconds.
+pub struct Intersections;
+
+/// What the page shows.
+#[derive(Clone, Debug, Serialize)]
+pub struct Data {
+    /// Rays for each shape and family.
+    pub cases: usize,
+    /// One for each kind of shape that the oracle knows.
+    pub kinds: Vec<KindData>,
+}
+
+/// One kind of shape.
+#[derive(Clone, Debug, Serialize)]
+pub struct KindData {
+    /// Its name.
+    pub kind: String,
+    /// One for each family of hard cases.
+    pub families: Vec<FamilyData>,
+}
+
+/// One kind of shape on one family of hard cases.
+#[derive(Clone, Debug, Serialize)]
+pub struct FamilyData {
+    /// Its name.
+    pub family: String,
+    /// Shapes that the library refuses to build; their rays are left out.
+    pub refused: usize,
+    /// Rays whose answer does not turn on rounding.
+    pub judged: usize,
+    /// Those of them that hit.
+    pub hits: usize,
+    /// The library's routine.
+    pub ours: Routine,
+    /// The textbook's, where it has one.
+    pub textbook: Option<Routine>,
+}
+
+/// How good one routine is.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Routine {
+    /// The median error of the distance, in units of u · cond.
+    pub median: Option<f64>,
+    /// The 99.9th percentile of the error; of fewer than 1000 hits, the worst.
+    pub p999: Option<f64>,
+    /// The worst error.
+    pub worst: Option<f64>,
+    /// Rays whose nearest hit was not found: a later one, or none.
+    pub lost: usize,
+    /// Rays that hit nothing, for which a hit was found.
+    pub wrong: usize,
+    /// Nanoseconds for a ray that hits.
+    pub hit_ns: Option<f64>,
+    /// Nanoseconds for a ray that misses.
+    pub miss_ns: Option<f64>,
+}
+
+impl Page for Intersections {
+    fn name(&self) -> &'static str {
+        "intersections"
+    }
+
+    fn title(&self) -> &'static str {
+        "Intersections: speed against error"
+    }
+
+    fn question(&self) -> &'static str {
+        "What does an intersection that is right on hard cases cost, beside the book's formula?"
+    }
+
+    /// Each kind and family is judged, and each kind is timed.
+    fn steps(&self, _: &Settings) -> u64 {
+        ((Family::ALL.len() + 1) * Kind::ALL.len()) as u64
+    }
+
+    fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted> {
+        let mut kinds = Vec::new();
+        for kind in Kind::ALL {
+            let judge = |&family: &Family| {
+                let judged = Judged::new(kind, family, settings);
+                watch.step().map(|()| judged)
+            };
+            let judged: Vec<Judged> =
+                Family::ALL.par_iter().map(judge).collect::<Result<_, _>>()?;
+            // when all threads are at rest
+            let families = judged.into_iter().map(timing::timed).collect();
+            watch.step()?;
+            kinds.push(KindData { kind: format!("{kind:?}"), families });
+        }
+        Ok(Box::new(Data { cases: settings.cases, kinds }))
+    }
+}
+
+impl Findings for Data {
+    fn data(&self) -> serde_json::Result<serde_json::Value> {
+        serde_json::to_value(self)
+    }
+
+    fn drawing(&self) -> String {
+        drawing::page(self)
+    }
+}

@@ -1,0 +1,185 @@
+//! Shapes made of shapes, built: what a compound, a beveled box and a lattice have in common.
+//!
+//! A hit remembers which of all nested shapes it is on as one number, [`Candidate::leaf`]: those of
+//! the first part come first, then those of the second. So it stays as small as for a sphere,
+//! however deep the nesting (a hundred instances eight levels deep are 10¹⁶ leaves), and the order
+//! of leaves is the order of objects that settles ties.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use super::{Candidate, Context, Kind, Shape, Surface};
+use crate::accel::{Accel, Method, Primitives};
+use crate::invalid::{Invalid, Key};
+use crate::math::{Aabb, Ray, Span};
+
+/// Up to this many parts are searched one after the other unless the scene says how.
+const FEW: usize = 8;
+
+/// A part as a scene describes it.
+pub struct PartData<'a> {
+    /// What people call it; empty if they do not.
+    pub name: &'a str,
+    /// The name of its material; that of the whole if `None`.
+    pub material: Option<&'a str>,
+    /// Its form.
+    pub shape: &'a Kind,
+}
+
+/// The materials of a solid's parts, by the names that its kind gives them.
+pub type Materials = BTreeMap<String, String>;
+
+/// Builds a solid of parts that its kind names; `materials` is its field of that name.
+pub fn solid(
+    parts: &[(&'static str, Kind)],
+    materials: &Materials,
+    context: &mut Context,
+) -> Result<Arc<dyn Shape>, Invalid> {
+    searched_solid(parts, materials, None, context)
+}
+
+/// The same, searched in this way.
+pub fn searched_solid(
+    parts: &[(&'static str, Kind)],
+    materials: &Materials,
+    accel: Option<Method>,
+    context: &mut Context,
+) -> Result<Arc<dyn Shape>, Invalid> {
+    let names: BTreeSet<&str> = parts.iter().map(|(name, _)| *name).collect();
+    if let Some(unknown) = materials.keys().find(|name| !names.contains(name.as_str())) {
+        let known = Vec::from_iter(names).join(", ");
+        let problem = format!("no part `{unknown}`; there are: {known}");
+        return Err(Invalid::field("materials", problem));
+    }
+    let parts = parts.iter().map(|(name, shape)| {
+        let material = materials.get(*name).map(String::as_str);
+        PartData { name, material, shape }
+    });
+    Ok(Arc::new(Assembly::build("parts", parts, accel, context)?))
+}
+
+/// Parts that are hit as one shape.
+#[derive(Debug)]
+pub struct Assembly {
+    parts: Vec<Part>,
+    /// The number of each part's first leaf, and of all leaves.
+    leaves: Vec<u64>,
+    accel: Accel,
+    bounds: Aabb,
+}
+
+#[derive(Debug)]
+struct Part {
+    shape: Arc<dyn Shape>,
+    bounds: Aabb,
+    material: Option<u32>,
+    casts_shadows: bool,
+}
+
+impl Assembly {
+    /// Builds the parts; errors name `field`, where they stand in the scene.
+    pub fn build<'a>(
+        field: &str,
+        parts: impl IntoIterator<Item = PartData<'a>>,
+        accel: Option<Method>,
+        context: &mut Context,
+    ) -> Result<Self, Invalid> {
+        let mut built = Vec::new();
+        for (index, part) in parts.into_iter().enumerate() {
+            let name = Some(part.name).filter(|name| !name.is_empty()).map(str::to_owned);
+            let here = |e: Invalid| e.inside(Key::Item(index, name.clone())).inside(field);
+            context.take_parts(1).map_err(&here)?;
+            let material =
+                part.material.map(|name| context.material(name)).transpose().map_err(&here)?;
+            let shape = context
+                .nested(|context| context.within(material, |context| part.shape.build(context)))
+                .map_err(|e| here(e.inside("shape")))?;
+            let casts_shadows = material.map_or(context.inherited(), |m| m.casts_shadows);
+            let (bounds, material) = (shape.bounds(), material.map(|m| m.place));
+            built.push(Part { shape, bounds, material, casts_shadows });
+        }
+        Self::of(built, accel, context).map_err(|e| e.inside(field))
+    }
+
+    fn of(parts: Vec<Part>, accel: Option<Method>, context: &Context) -> Result<Self, Invalid> {
+        let mut leaves = vec![0_u64];
+        for part in &parts {
+            let so_far = leaves[leaves.len() - 1];
+            let next = so_far.checked_add(part.shape.leaves()).ok_or_else(|| {
+                Invalid::new("more than 2⁶⁴ shapes are nested here; leave out a level")
+            })?;
+            leaves.push(next);
+        }
+        let bounds: Vec<Aabb> = parts.iter().map(|part| part.bounds).collect();
+        let few = if parts.len() <= FEW { Method::List } else { context.accel() };
+        Ok(Self {
+            bounds: bounds.iter().fold(Aabb::EMPTY, |all, &part| all.union(part)),
+            accel: Accel::build(accel.unwrap_or(few), &bounds),
+            parts,
+            leaves,
+        })
+    }
+}
+
+/// The parts as one ray sees them.
+struct Seen<'a> {
+    parts: &'a [Part],
+    ray: &'a Ray,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        self.parts[index as usize].shape.hit(self.ray, span)
+    }
+
+    fn shadow_hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let part = &self.parts[index as usize];
+        if !part.casts_shadows {
+            return None;
+        }
+        part.shape.shadow_hit(self.ray, span).map(Candidate::at)
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.parts[index as usize].bounds
+    }
+}
+
+impl Shape for Assembly {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let seen = Seen { parts: &self.parts, ray };
+        let (index, at) = self.accel.nearest(&seen, ray, span)?;
+        Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        let seen = Seen { parts: &self.parts, ray };
+        self.accel.any(&seen, ray, span).map(|(_, at)| at.t)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
+        let part = &self.parts[index];
+        let within = Candidate { leaf: at.leaf - self.leaves[index], ..*at };
+        let surface = part.shape.surface(ray, &within);
+        Surface { material: surface.material.or(part.material), ..surface }
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        let mut roots = Vec::new();
+        for (part, first) in self.parts.iter().zip(&self.leaves) {
+            let within = part.shape.roots(ray, span).into_iter();
+            roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
+        }
+        roots.sort_by(|a, b| a.t.total_cmp(&b.t)); // stable: ties stay in the order of leaves
+        roots
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn leaves(&self) -> u64 {
+        self.leaves[self.parts.len()]
+    }
+}

@@ -1,0 +1,84 @@
+//! The beveled cylinder (Suffern, ch. 21).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::assembly::{Materials, solid};
+use super::edges::{Named, check_bevel, inset};
+use super::shoulder::Shoulder;
+use super::{Context, Disk, Instance, Kind, OpenCylinder, Shape};
+use crate::invalid::{Invalid, shown};
+use crate::kinds::{Custom, Specification};
+use crate::math::{Axis, Point, Step, Vector};
+
+/// A solid cylinder with round edges, as the parts `bottom`, `top`, `wall`, `bottom_edge` and
+/// `top_edge`; normals point outward. With a bevel as large as the radius it has hemispheres for
+/// ends, and figure 21.13's is a sphere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BeveledCylinder {
+    /// The height of the bottom.
+    pub y0: f64,
+    /// The height of the top, above `y0`.
+    pub y1: f64,
+    /// Positive.
+    pub radius: f64,
+    /// The radius of the edges: at most the radius and half of the height.
+    pub bevel: f64,
+    /// The materials of parts that have one of their own.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+impl Specification for BeveledCylinder {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let Self { y0, y1, radius, bevel, .. } = *self;
+        let wall = OpenCylinder { y0, y1, radius, inward: false }.checked()?;
+        check_bevel(bevel, &[("height", [y0, y1])])?;
+        if bevel > radius {
+            let [found, most] = [bevel, radius].map(shown);
+            let problem = format!("found {found}, but at most {most} fits, the radius");
+            return Err(Invalid::field("bevel", problem));
+        }
+        let flat = radius - bevel;
+        let [low, high] = inset([y0, y1], bevel);
+        let mut parts: Vec<Named> = Vec::new();
+        if flat > 0.0 {
+            for (name, y, normal) in [("bottom", y0, -Vector::Y), ("top", y1, Vector::Y)] {
+                let center = Point::new(0.0, y, 0.0);
+                parts.push((name, Disk { center, normal, radius: flat }.into()));
+            }
+        }
+        if low < high {
+            parts.push(("wall", OpenCylinder { y0: low, y1: high, ..wall }.into()));
+        }
+        let edge = |steps| {
+            let shoulder = Custom(Arc::new(Shoulder { disk: flat, distance: bevel }) as Arc<_>);
+            Kind::from(Instance::new(Kind::Custom(shoulder), steps))
+        };
+        let up = |y: f64| Step::Translate(y * Vector::Y);
+        parts.push(("bottom_edge", edge(vec![Step::Reflect(Axis::Y), up(low)])));
+        parts.push(("top_edge", edge(vec![up(high)])));
+        solid(&parts, &self.materials, context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let lengths = [self.y0, self.y1, self.radius, self.bevel];
+        let [y0, y1, radius, bevel] = lengths.map(|length| factor * length);
+        Self { y0, y1, radius, bevel, materials: self.materials.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let beveled =
+            |y0, y1, radius, bevel| Self { y0, y1, radius, bevel, materials: Materials::new() };
+        vec![
+            beveled(-1.0, 1.0, 1.0, 0.125),
+            beveled(0.25, 1.85, 1.0, 0.75),
+            beveled(-0.75, 1.25, 1.0, 1.0),
+        ]
+    }
+}

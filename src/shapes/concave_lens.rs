@@ -1,0 +1,100 @@
+//! The concave lens (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::assembly::{Materials, solid};
+use super::azimuth::full_turn;
+use super::{Context, Kind, OpenCylinder, PartSphere, Shape};
+use crate::invalid::{Invalid, positive, shown};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector, atan2, to_degrees};
+
+/// A disk about the y axis with a spherical hollow in each side, as the parts `top`, `bottom` and
+/// `wall`; normals point out of the glass.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ConcaveLens {
+    /// Of the rim; positive.
+    pub radius: f64,
+    /// At the rim; the lens reaches half of it above and below the plane y = 0.
+    pub thickness: f64,
+    /// From hollow to hollow, on the axis: positive and less than `thickness`.
+    pub min_distance: f64,
+    /// The materials of parts that have one of their own.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+impl ConcaveLens {
+    fn checked(&self) -> Result<(), Invalid> {
+        positive("radius", self.radius)?;
+        positive("thickness", self.thickness)?;
+        positive("min_distance", self.min_distance)?;
+        if self.min_distance >= self.thickness {
+            let [found, most] = [self.min_distance, self.thickness].map(shown);
+            let problem = format!("found {found}, but it must be less than the thickness, {most}");
+            return Err(Invalid::field("min_distance", problem));
+        }
+        if self.depth() > self.radius {
+            let [found, most] = [self.thickness, self.min_distance + 2.0 * self.radius].map(shown);
+            let problem = format!(
+                "found {found}, but it must be at most {most}: hollows deeper than the radius would \
+                 be wider inside than at the rim"
+            );
+            return Err(Invalid::field("thickness", problem));
+        }
+        Ok(())
+    }
+
+    /// Of each hollow.
+    fn depth(&self) -> f64 {
+        0.5 * (self.thickness - self.min_distance)
+    }
+}
+
+impl Specification for ConcaveLens {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    /// The sphere of radius ρ that meets the rim of radius R at the depth d obeys
+    /// `ρ² = R² + (ρ − d)²`.
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        self.checked()?;
+        let (r, d) = (self.radius, self.depth());
+        let rho = (d * d + r * r) / (2.0 * d);
+        let rim_below_center = (r - d) * (r + d) / (2.0 * d); // ρ − d
+        let omega = to_degrees(atan2(r, rim_below_center));
+        let center = (rho + 0.5 * self.min_distance) * Vector::Y;
+        let hollow = |center, theta| {
+            let center = Point::ORIGIN + center;
+            let phi = full_turn();
+            Kind::from(PartSphere { center, radius: rho, phi, theta, inward: true })
+        };
+        let half = 0.5 * self.thickness;
+        let wall = OpenCylinder { y0: -half, y1: half, radius: r, inward: false };
+        let parts = [
+            ("top", hollow(center, [180.0 - omega, 180.0])),
+            ("bottom", hollow(-center, [0.0, omega])),
+            ("wall", wall.into()),
+        ];
+        solid(&parts, &self.materials, context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let lengths = [self.radius, self.thickness, self.min_distance];
+        let [radius, thickness, min_distance] = lengths.map(|length| factor * length);
+        Self { radius, thickness, min_distance, materials: self.materials.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let lens = |radius, thickness, min_distance| Self {
+            radius,
+            thickness,
+            min_distance,
+            materials: Materials::new(),
+        };
+        vec![lens(4.0, 2.0, 0.35), lens(0.5, 1.25, 0.25)]
+    }
+}

@@ -1,0 +1,83 @@
+//! Rounded edges and corners, of which bowls and beveled solids are made: quarters of cylinders,
+//! tubes and balls, where they stand. (The book takes whole cylinders and spheres for beveled boxes
+//! and leaves the hidden halves inside; quarters leave nothing inside that a ray could hit.)
+
+use super::{Instance, Kind, PartCylinder, PartSphere, PartTorus};
+use crate::invalid::{Invalid, positive, shown};
+use crate::math::{Point, Step, UNIT_ROUNDOFF, Vector};
+
+/// A part by its name.
+pub(super) type Named = (&'static str, Kind);
+
+/// The part of a tube of radius `tube` about the circle of radius `swept`, in degrees as the
+/// book's part torus.
+pub(super) fn tube(swept: f64, tube: f64, phi: [f64; 2], theta: [f64; 2]) -> Kind {
+    let [[phi_min, phi_max], [theta_min, theta_max]] = [phi, theta];
+    let (swept_radius, tube_radius) = (swept, tube);
+    let inward = false;
+    PartTorus { swept_radius, tube_radius, phi_min, phi_max, theta_min, theta_max, inward }.into()
+}
+
+/// The shape, moved.
+pub(super) fn moved(shape: impl Into<Kind>, by: Vector) -> Kind {
+    Instance::new(shape, vec![Step::Translate(by)]).into()
+}
+
+/// The upper or the lower half of a ball's azimuths `phi`.
+pub(super) fn corner(center: Point, radius: f64, phi: [f64; 2], up: bool) -> Kind {
+    let theta = if up { [0.0, 90.0] } else { [90.0, 180.0] };
+    PartSphere { center, radius, phi, theta, inward: false }.into()
+}
+
+/// A wall of azimuths `phi` about the y axis, from one height to another.
+pub(super) fn wall([y0, y1]: [f64; 2], radius: f64, phi: [f64; 2], inward: bool) -> Kind {
+    PartCylinder { y0, y1, radius, phi, inward }.into()
+}
+
+/// The quarter of azimuths whose sine and cosine have these signs.
+pub(super) fn quarter(sine: f64, cosine: f64) -> [f64; 2] {
+    match (sine > 0.0, cosine > 0.0) {
+        (true, true) => [0.0, 90.0],
+        (true, false) => [90.0, 180.0],
+        (false, false) => [180.0, 270.0],
+        (false, true) => [270.0, 360.0],
+    }
+}
+
+/// `range` without a bevel at each end.
+pub(super) fn inset([low, high]: [f64; 2], bevel: f64) -> [f64; 2] {
+    [low + bevel, high - bevel]
+}
+
+/// Checks that `bevel` is positive and fits twice into each extent, up to the rounding of their
+/// ends: a bevel of just the half leaves no flat between.
+pub(super) fn check_bevel(bevel: f64, extents: &[(&str, [f64; 2])]) -> Result<(), Invalid> {
+    positive("bevel", bevel)?;
+    for &(what, [low, high]) in extents {
+        let rounding = 4.0 * UNIT_ROUNDOFF * low.abs().max(high.abs());
+        if 2.0 * bevel > (high - low) + rounding {
+            let (bevel, half) = (shown(bevel), shown(0.5 * (high - low)));
+            let problem = format!("found {bevel}, but at most {half} fits, half the {what}");
+            return Err(Invalid::field("bevel", problem));
+        }
+    }
+    Ok(())
+}
+
+/// What of the ascending ranges `all` none of the ascending ranges `covered` covers.
+pub(super) fn uncovered(all: &[[f64; 2]], covered: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut left = Vec::new();
+    for &[from, to] in all {
+        let mut at = from;
+        for &[begin, end] in covered {
+            if at < begin.min(to) {
+                left.push([at, begin.min(to)]);
+            }
+            at = at.max(end);
+        }
+        if at < to {
+            left.push([at, to]);
+        }
+    }
+    left
+}

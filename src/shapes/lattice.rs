@@ -1,0 +1,175 @@
+//! The lattice: copies of one shape in rows, columns and layers, as in the grids of instances of
+//! Suffern, ch. 22 and 23.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::instance::{bounds_seen_through, surface_seen_through};
+use super::{Candidate, Context, Kind, Shape, Surface};
+use crate::accel::{Accel, Method, Primitives};
+use crate::invalid::{Invalid, finite_vector};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Point, Ray, Span, Transform, Vector};
+
+/// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
+/// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Lattice {
+    /// What is copied; the first copy stands where it is.
+    pub of: Box<Kind>,
+    /// How many along each axis, at least 1.
+    pub counts: [u32; 3],
+    /// From one copy to the next along each axis.
+    pub spacing: Vector,
+    /// How rays find the copies; as the scene if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<Method>,
+}
+
+#[derive(Debug)]
+struct Places {
+    counts: [u32; 3],
+    spacing: Vector,
+}
+
+#[derive(Debug)]
+struct Built {
+    shape: Arc<dyn Shape>,
+    inner: Aabb,
+    leaves: u64,
+    places: Places,
+    accel: Accel,
+    bounds: Aabb,
+}
+
+impl Specification for Lattice {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let spacing = finite_vector("spacing", self.spacing)?;
+        if self.counts.contains(&0) {
+            let problem = format!("found {:?}, but each must be at least 1", self.counts);
+            return Err(Invalid::field("counts", problem));
+        }
+        let copies = self.counts.iter().fold(1_u64, |n, &count| n.saturating_mul(count.into()));
+        context.take_parts(copies).map_err(|e| e.inside("counts"))?;
+        let shape = context.nested(|context| self.of.build(context)).map_err(|e| e.inside("of"))?;
+        if !shape.bounds().is_bounded() {
+            return Err(Invalid::field("of", "an unbounded shape cannot be copied side by side"));
+        }
+        let leaves = shape.leaves();
+        if leaves.checked_mul(copies).is_none() {
+            let problem = "more than 2⁶⁴ shapes are nested here; leave out a level";
+            return Err(Invalid::field("counts", problem));
+        }
+        let places = Places { counts: self.counts, spacing };
+        let inner = shape.bounds();
+        let copies = 0..copies as u32;
+        let bounds: Vec<Aabb> =
+            copies.map(|copy| bounds_seen_through(&places.of(copy), &inner)).collect();
+        Ok(Arc::new(Built {
+            accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
+            bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
+            shape,
+            inner,
+            leaves,
+            places,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let of = Box::new(self.of.scaled(factor));
+        Self { of, spacing: factor * self.spacing, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let ball = super::Sphere { center: Point::ORIGIN, radius: 0.25, inward: false };
+        let row = Self {
+            of: Box::new(ball.into()),
+            counts: [3, 1, 2],
+            spacing: Vector::new(0.75, 0.0, -1.0),
+            accel: None,
+        };
+        let nested = Self {
+            of: Box::new(row.clone().into()),
+            counts: [1, 4, 1],
+            spacing: Vector::new(0.0, 0.625, 0.0),
+            accel: None,
+        };
+        vec![row, nested]
+    }
+}
+
+impl Places {
+    /// Where the copy of this number stands; the first index runs fastest.
+    fn of(&self, copy: u32) -> Transform {
+        let [columns, rows, _] = self.counts;
+        let [i, j, k] =
+            [copy % columns, copy / columns % rows, copy / columns / rows].map(f64::from);
+        let [x, y, z] = self.spacing.to_array();
+        Transform::translation(Vector::new(i * x, j * y, k * z))
+    }
+
+    fn number(&self) -> u32 {
+        self.counts.iter().product()
+    }
+}
+
+/// The copies as one ray sees them.
+struct Seen<'a> {
+    lattice: &'a Built,
+    ray: &'a Ray,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, copy: u32, span: Span) -> Option<Candidate> {
+        self.lattice.shape.hit(&self.lattice.places.of(copy).ray_back(self.ray), span)
+    }
+
+    fn shadow_hit(&self, copy: u32, span: Span) -> Option<Candidate> {
+        let ray = self.lattice.places.of(copy).ray_back(self.ray);
+        self.lattice.shape.shadow_hit(&ray, span).map(Candidate::at)
+    }
+
+    fn bounds(&self, copy: u32) -> Aabb {
+        bounds_seen_through(&self.lattice.places.of(copy), &self.lattice.inner)
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let (copy, at) = self.accel.nearest(&Seen { lattice: self, ray }, ray, span)?;
+        Some(Candidate { leaf: u64::from(copy) * self.leaves + at.leaf, ..at })
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.accel.any(&Seen { lattice: self, ray }, ray, span).map(|(_, at)| at.t)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let (copy, leaf) = ((at.leaf / self.leaves) as u32, at.leaf % self.leaves);
+        surface_seen_through(&self.places.of(copy), &*self.shape, ray, &Candidate { leaf, ..*at })
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        let mut roots = Vec::new();
+        for copy in 0..self.places.number() {
+            let within = self.shape.roots(&self.places.of(copy).ray_back(ray), span).into_iter();
+            let first = u64::from(copy) * self.leaves;
+            roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
+        }
+        roots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        roots
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn leaves(&self) -> u64 {
+        u64::from(self.places.number()) * self.leaves
+    }
+}

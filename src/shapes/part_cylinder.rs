@@ -1,0 +1,85 @@
+//! The part cylinder, convex and concave (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::azimuth::{Azimuth, full_turn};
+use super::{Candidate, Context, OpenCylinder, Shape, Surface};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Aabb, Point, Ray, Span};
+
+/// The part of an open cylinder within a range of azimuths.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PartCylinder {
+    /// The lower end.
+    pub y0: f64,
+    /// The upper end, above `y0`.
+    pub y1: f64,
+    /// Positive.
+    pub radius: f64,
+    /// From the first azimuth up to the second, in degrees from +z towards +x.
+    #[serde(default = "full_turn")]
+    pub phi: [f64; 2],
+    /// Whether the normal points inward: the book's concave part cylinder.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
+}
+
+#[derive(Debug)]
+struct Built {
+    whole: OpenCylinder,
+    phi: Azimuth,
+}
+
+impl Specification for PartCylinder {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let Self { y0, y1, radius, phi, inward } = *self;
+        let whole = OpenCylinder { y0, y1, radius, inward }.checked()?;
+        Ok(Arc::new(Built { whole, phi: Azimuth::new("phi", phi)? }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { y0: factor * self.y0, y1: factor * self.y1, radius: factor * self.radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let part = |y0, y1, radius, phi, inward| Self { y0, y1, radius, phi, inward };
+        vec![
+            part(-1.0, 1.0, 1.0, [90.0, 270.0], false),
+            part(0.25, 0.5, 0.375, [300.0, 20.0], true),
+        ]
+    }
+}
+
+impl Built {
+    /// Each root is tried: the near one may lie outside the range and the far one in it.
+    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
+        self.whole.hits(ray, span).filter(|at| self.phi.contains(ray.at(at.t).to_vector()))
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.hits(ray, span).next()
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.whole.surface(ray, at)
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.hits(ray, span).collect()
+    }
+
+    fn bounds(&self) -> Aabb {
+        let OpenCylinder { y0, y1, radius, .. } = self.whole;
+        let [min, max] = self.phi.bounds(radius, radius);
+        Aabb { min: Point::new(min.x(), y0, min.z()), max: Point::new(max.x(), y1, max.z()) }
+    }
+}

@@ -1,0 +1,124 @@
+//! The part torus (Suffern, ch. 19): a torus of which a range of azimuth and a range around the tube
+//! are left.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::torus::{Torus, from_axis};
+use super::tube_range::TubeRange;
+use super::{Candidate, Context, Shape, Surface};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Aabb, Point, Ray, Span, Vector};
+
+/// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the tube
+/// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose `min` is above
+/// its `max` goes on through 360°.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PartTorus {
+    /// Of the circle in the middle of the tube, the book's `a`.
+    pub swept_radius: f64,
+    /// Of the tube, the book's `b`; less than the swept radius.
+    pub tube_radius: f64,
+    /// Where the azimuth begins, in degrees from +z towards +x.
+    pub phi_min: f64,
+    /// Where the azimuth ends.
+    pub phi_max: f64,
+    /// Where the tube begins, in degrees from its outermost line upward.
+    pub theta_min: f64,
+    /// Where the tube ends.
+    pub theta_max: f64,
+    /// Whether the normal points into the tube instead.
+    #[serde(default)]
+    pub inward: bool,
+}
+
+#[derive(Debug)]
+struct Built {
+    torus: Torus,
+    phi: TubeRange,
+    theta: TubeRange,
+}
+
+impl Specification for PartTorus {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let &Self { swept_radius, tube_radius, inward, .. } = self;
+        let torus = Torus { swept_radius, tube_radius, inward };
+        torus.check()?;
+        let phi = TubeRange::new(["phi_min", "phi_max"], [self.phi_min, self.phi_max])?;
+        let theta = TubeRange::new(["theta_min", "theta_max"], [self.theta_min, self.theta_max])?;
+        Ok(Arc::new(Built { torus, phi, theta }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let [swept_radius, tube_radius] = [self.swept_radius, self.tube_radius].map(|r| factor * r);
+        Self { swept_radius, tube_radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let quarter = Self {
+            swept_radius: 2.0,
+            tube_radius: 0.5,
+            phi_min: 30.0,
+            phi_max: 300.0,
+            theta_min: 270.0,
+            theta_max: 135.0,
+            inward: false,
+        };
+        let bowl = Self {
+            swept_radius: 1.0,
+            tube_radius: 0.75,
+            phi_min: 350.0,
+            phi_max: 100.0,
+            theta_min: 0.0,
+            theta_max: 180.0,
+            inward: true,
+        };
+        vec![quarter, bowl]
+    }
+}
+
+impl Built {
+    /// Every hit of the whole torus is asked for its angles: when the near one is in no range, a
+    /// far one may be.
+    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
+        self.torus.hits(ray, span, |p: Vector| {
+            self.phi.contains([p.z(), p.x()])
+                && self.theta.contains([from_axis(p) - self.torus.swept_radius, p.y()])
+        })
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.hits(ray, span).next()
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.torus.surface_at(ray, at)
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.hits(ray, span).collect()
+    }
+
+    /// Around the ring that the part of the tube sweeps, cut to the azimuths.
+    fn bounds(&self) -> Aabb {
+        let (a, b) = (self.torus.swept_radius, self.torus.tube_radius);
+        let tube = self.theta.extremes().map(|[cos, sin]| [a + b * cos, b * sin]);
+        let [[near, low], [far, high]] = tube;
+        let [[z0, x0], [z1, x1]] = self.phi.extremes();
+        // a coordinate is farthest out where its cosine or sine and the radius are
+        let least = |c: f64| (near * c).min(far * c);
+        let most = |c: f64| (near * c).max(far * c);
+        Aabb {
+            min: Point::new(least(x0), low, least(z0)),
+            max: Point::new(most(x1), high, most(z1)),
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Random spheres (Suffern, ch. 22): the scene on which acceleration is measured.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Candidate, Context, Shape, Sphere, Surface};
+use crate::accel::{Accel, Method, Primitives};
+use crate::invalid::{Invalid, positive};
+use crate::kinds::{self, Specification};
+use crate::math::{Aabb, Pcg32, Point, Ray, Span};
+
+/// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RandomSpheres {
+    /// How many, at least 1.
+    pub count: u32,
+    /// Positive. The book's: `(0.75 · volume / (π · count))^(1/3)` with a volume of 0.1.
+    pub radius: f64,
+    /// Half the side of the cube of centres; positive.
+    #[serde(default = "kinds::one")]
+    pub half_side: f64,
+    /// Another seed, other places.
+    #[serde(default)]
+    pub seed: u64,
+    /// How rays find the spheres; as the scene if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<Method>,
+}
+
+#[derive(Debug)]
+struct Built {
+    spheres: Vec<Sphere>,
+    accel: Accel,
+    bounds: Aabb,
+}
+
+impl Specification for RandomSpheres {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        positive("radius", self.radius)?;
+        positive("half_side", self.half_side)?;
+        if self.count == 0 {
+            return Err(Invalid::field("count", "found 0, but at least one sphere is needed"));
+        }
+        context.take_parts(self.count.into()).map_err(|e| e.inside("count"))?;
+        let spheres = self.spheres();
+        let bounds: Vec<Aabb> = spheres.iter().map(Sphere::bounds).collect();
+        Ok(Arc::new(Built {
+            accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
+            bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
+            spheres,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { radius: factor * self.radius, half_side: factor * self.half_side, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let spheres = |count, radius| Self { count, radius, half_side: 1.0, seed: 15, accel: None };
+        // few and far between: laws on solids need spheres that do not overlap
+        vec![spheres(1, 0.3), spheres(12, 0.05)]
+    }
+}
+
+impl RandomSpheres {
+    /// The spheres, in order.
+    pub fn spheres(&self) -> Vec<Sphere> {
+        let mut random = Pcg32::new(self.seed, 0);
+        let mut place = || self.half_side * (2.0 * random.uniform() - 1.0);
+        let mut sphere = |_| {
+            let center = Point::new(place(), place(), place());
+            Sphere { center, radius: self.radius, inward: false }
+        };
+        (0..self.count).map(&mut sphere).collect()
+    }
+}
+
+/// The spheres as one ray sees them.
+struct Seen<'a> {
+    spheres: &'a [Sphere],
+    ray: &'a Ray,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let hit = self.spheres[index as usize].hit(self.ray, span)?;
+        Some(Candidate { part: index, ..hit })
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.spheres[index as usize].bounds()
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let seen = Seen { spheres: &self.spheres, ray };
+        self.accel.nearest(&seen, ray, span).map(|(_, at)| at)
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        let seen = Seen { spheres: &self.spheres, ray };
+        self.accel.any(&seen, ray, span).map(|(_, at)| at.t)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.spheres[at.part as usize].surface(ray, at)
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        let mut roots = Vec::new();
+        for (index, sphere) in (0..).zip(&self.spheres) {
+            let within = sphere.roots(ray, span).into_iter();
+            roots.extend(within.map(|at| Candidate { part: index, ..at }));
+        }
+        roots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        roots
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+}

@@ -1,0 +1,47 @@
+//! A random colour for each shape of many (Suffern, ch. 22: the spheres of a grid).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Texture;
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Pcg32, hash};
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+
+/// A colour for each part of a compound, sphere of many or triangle of a mesh, uniform in the cube
+/// of colours and the same wherever the part is seen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RandomColors {
+    /// Another seed, other colours.
+    #[serde(default)]
+    pub seed: u64,
+}
+
+impl Specification for RandomColors {
+    type Built = Arc<dyn Texture>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { seed: 15 }]
+    }
+}
+
+impl Texture for RandomColors {
+    fn color(&self, at: &Surface) -> Rgb {
+        let mut random = Pcg32::new(hash(&[self.seed, at.leaf, u64::from(at.part)]), 0);
+        let mut channel = || random.uniform();
+        Rgb::new(channel(), channel(), channel())
+    }
+}

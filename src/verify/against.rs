@@ -1,0 +1,188 @@
+//! The library's shapes beside the oracle's: the same shape for both, and how a hit is judged.
+//!
+//! A hit is judged against its condition: an error is counted in units of `u · cond`, as if the
+//! input had been wrong by so much. Whether there is a hit at all counts only if no relative change
+//! of the input by 1e-13 would change the answer. Both are multiplied by the condition number of
+//! an instance's matrix. Used by the chapters' sweeps and by the report.
+
+use std::sync::Arc;
+
+use crate::math::{Point, Ray, Step, Transform, UNIT_ROUNDOFF, Vector, atan2, to_degrees};
+use crate::shapes::{self, Context, Instance};
+
+/// Answers that a smaller relative change of the input would turn may be wrong.
+pub const LEAST_MARGIN: f64 = 1e-13;
+/// Allowed in `t` and in curved normals, in units of `u · cond`.
+pub const ALLOWED: f64 = 100.0;
+/// Allowed in the normals of flat shapes, and in the length of all, in units of `u`.
+pub const FLAT_NORMAL: f64 = 4.0;
+
+/// A shape of the library and the same one for the oracle.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    /// Built for rays.
+    pub ours: Arc<dyn shapes::Shape>,
+    /// As exact numbers; an instance has the matrix that the library made of its steps.
+    pub exact: oracle::Shape,
+}
+
+/// Whether rounding cannot excuse a wrong answer.
+pub fn is_decided(answer: &oracle::Answer, condition: f64) -> bool {
+    answer.margin > LEAST_MARGIN * condition
+}
+
+/// The error of a distance, in units of `u · cond`.
+pub fn t_error(root: &oracle::Root, t: f64, condition: f64) -> f64 {
+    root.t_error(t) / (UNIT_ROUNDOFF * condition * root.cond.max(root.t.abs()))
+}
+
+/// The error of a unit normal in units of `u · cond`, and how much of it is allowed; `None` where an
+/// edge between two faces is hit, and either will do.
+pub fn normal_error(
+    root: &oracle::Root,
+    normal: [f64; 3],
+    direction: Vector,
+    condition: f64,
+) -> Option<(f64, f64)> {
+    if root.face_margin <= LEAST_MARGIN * condition {
+        return None;
+    }
+    let flat = root.size.is_infinite();
+    let moved = if flat { 1.0 } else { (root.cond * direction.length() / root.size).max(1.0) };
+    let error = root.normal_error(normal) / (UNIT_ROUNDOFF * condition * moved);
+    Some((error, if flat { FLAT_NORMAL } else { ALLOWED }))
+}
+
+/// The library's ray of the same numbers.
+pub fn ray(exact: &oracle::Ray) -> Ray {
+    Ray::new(Point::from(exact.origin), Vector::from(exact.direction))
+}
+
+/// The library's shape of the same data; `None` where it refuses them.
+pub fn pair(exact: &oracle::Shape) -> Option<Pair> {
+    let (kind, exact) = ours(exact)?;
+    Some(Pair { ours: kind.build(&mut Context::default()).ok()?, exact })
+}
+
+/// An instance of the same shape, and the ray moved with it.
+pub fn instanced(
+    shape: &oracle::Shape,
+    ray: &oracle::Ray,
+    matrix: [[f64; 4]; 3],
+) -> Option<(Pair, oracle::Ray)> {
+    let moved = oracle::Shape::Instance { matrix, of: Box::new(shape.clone()) };
+    let transform = Transform::from_steps(&steps(&matrix)?).ok()?;
+    let ray = oracle::Ray {
+        origin: transform.point(ray.origin.into()).into(),
+        direction: transform.vector(ray.direction.into()).into(),
+    };
+    Some((pair(&moved)?, ray))
+}
+
+/// The library's description of a shape; and the oracle's with the matrices that the library has.
+fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
+    let kind = match exact.clone() {
+        oracle::Shape::Plane { point, normal } => {
+            shapes::Plane { point: point.into(), normal: normal.into() }.into()
+        }
+        oracle::Shape::Sphere { center, radius } => {
+            shapes::Sphere { center: center.into(), radius, inward: false }.into()
+        }
+        oracle::Shape::Cuboid { min, max } => {
+            shapes::Box { min: min.into(), max: max.into() }.into()
+        }
+        oracle::Shape::Triangle { vertices } => {
+            shapes::Triangle { vertices: vertices.map(Point::from), normals: None }.into()
+        }
+        oracle::Shape::Rectangle { corner, a, b } => {
+            shapes::Rectangle { corner: corner.into(), a: a.into(), b: b.into() }.into()
+        }
+        oracle::Shape::Disk { center, normal, radius } => {
+            shapes::Disk { center: center.into(), normal: normal.into(), radius }.into()
+        }
+        oracle::Shape::OpenCylinder { y0, y1, radius } => {
+            shapes::OpenCylinder { y0, y1, radius, inward: false }.into()
+        }
+        oracle::Shape::Annulus { center, normal, inner, outer } => shapes::Annulus {
+            center: center.into(),
+            normal: normal.into(),
+            inner_radius: inner,
+            outer_radius: outer,
+        }
+        .into(),
+        oracle::Shape::PartAnnulus { center, inner, outer, phi } => shapes::PartAnnulus {
+            center: center.into(),
+            inner_radius: inner,
+            outer_radius: outer,
+            phi,
+            down: false,
+        }
+        .into(),
+        oracle::Shape::Cone { height, radius } => {
+            shapes::Cone { height, radius, inward: false }.into()
+        }
+        oracle::Shape::Paraboloid { height, radius } => {
+            shapes::Paraboloid { height, radius, inward: false }.into()
+        }
+        oracle::Shape::PartSphere { center, radius, phi, theta } => {
+            shapes::PartSphere { center: center.into(), radius, phi, theta, inward: false }.into()
+        }
+        oracle::Shape::PartCylinder { y0, y1, radius, phi } => {
+            shapes::PartCylinder { y0, y1, radius, phi, inward: false }.into()
+        }
+        oracle::Shape::Torus { swept_radius, tube_radius } => {
+            shapes::Torus { swept_radius, tube_radius, inward: false }.into()
+        }
+        oracle::Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
+            let ([phi_min, phi_max], [theta_min, theta_max]) = (phi, theta);
+            shapes::PartTorus {
+                swept_radius,
+                tube_radius,
+                phi_min,
+                phi_max,
+                theta_min,
+                theta_max,
+                inward: false,
+            }
+            .into()
+        }
+        oracle::Shape::Algebraic { terms, min, max } => {
+            let term = |(coefficient, powers)| shapes::Term { coefficient, powers };
+            let terms = terms.into_iter().map(term).collect();
+            shapes::Algebraic { terms, min: min.into(), max: max.into() }.into()
+        }
+        oracle::Shape::Instance { matrix, of } => {
+            let (inner, exact_inner) = ours(&of)?;
+            let transform = steps(&matrix)?;
+            let rows = Transform::from_steps(&transform).ok()?.rows();
+            let instance = Instance::new(inner, transform);
+            return Some((
+                instance.into(),
+                oracle::Shape::Instance { matrix: rows, of: Box::new(exact_inner) },
+            ));
+        }
+    };
+    Some((kind, exact.clone()))
+}
+
+/// Steps whose product is this matrix but for rounding: shear, scale, rotation, translation, by
+/// Gram and Schmidt's process on the columns; `None` if it is singular.
+pub fn steps(matrix: &[[f64; 4]; 3]) -> Option<Vec<Step>> {
+    let [c0, c1, c2, shift] =
+        [0, 1, 2, 3].map(|j| Vector::new(matrix[0][j], matrix[1][j], matrix[2][j]));
+    let x = c0.unit()?;
+    let y = (c1 - c1.dot(x) * x).unit()?;
+    let z = x.cross(y);
+    let (sx, sy, sz) = (c0.dot(x), c1.dot(y), c2.dot(z));
+    let shear = [c1.dot(x) / sx, c2.dot(x) / sx, 0.0, c2.dot(y) / sy, 0.0, 0.0];
+    // the rotation with these columns: its axis from the skew part, its angle from that and the
+    // trace
+    let axis = Vector::new(y.z() - z.y(), z.x() - x.z(), x.y() - y.x());
+    let angle = atan2(axis.length(), x.x() + y.y() + z.z() - 1.0);
+    Some(vec![
+        Step::Shear(shear),
+        Step::Scale(Vector::new(sx, sy, sz)),
+        Step::RotateAbout { point: Point::ORIGIN, direction: axis, degrees: to_degrees(angle) },
+        Step::Translate(shift),
+    ])
+}

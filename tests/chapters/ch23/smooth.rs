@@ -1,0 +1,74 @@
+//! The stand-alone smooth triangle.
+
+use groundtruth::accel::Method;
+use groundtruth::math::{Normal, Point, Ray, Span, Vector};
+use groundtruth::shapes::{Context, Kind, Shape, Triangle, TriangleMesh};
+
+use crate::draw::Draw;
+
+const VERTICES: [Point; 3] =
+    [Point::new(-1.0, -0.5, 0.25), Point::new(1.0, -0.75, 0.0), Point::new(0.25, 1.0, -0.25)];
+
+fn normals() -> [Vector; 3] {
+    [[-0.5, 0.0, 1.0], [2.0, 0.5, 3.0], [0.0, 0.25, 0.25]].map(Vector::from)
+}
+
+fn smooth(normals: Option<[Vector; 3]>) -> std::sync::Arc<dyn Shape> {
+    let kind = Kind::from(Triangle { vertices: VERTICES, normals });
+    kind.build(&mut Context::default()).expect("valid")
+}
+
+/// Law: shading uses the normal `(1 − β − γ) n₀ + β n₁ + γ n₂` of the unit normals, geometry stays
+/// flat. Oracle: the formula at points that are aimed at, and the smooth mesh of one triangle, bit
+/// for bit.
+#[test]
+fn a_smooth_triangle_is_a_smooth_mesh_of_one_triangle() {
+    let (flat, round) = (smooth(None), smooth(Some(normals())));
+    let units = normals().map(|n| Normal::new(n).expect("not zero"));
+    let mesh = TriangleMesh::new(VERTICES.into(), vec![[0, 1, 2]]).with_normals(units.into());
+    let mesh = mesh.accelerated(Method::List);
+    let mut draw = Draw::new(2330);
+    for _ in 0..2_000 {
+        let (mut beta, mut gamma) = (draw.between(0.01, 0.99), draw.between(0.01, 0.99));
+        if beta + gamma > 0.99 {
+            (beta, gamma) = (0.99 - 0.97 * beta, 0.01 + 0.5 * (beta - 0.01));
+        }
+        let [a, b, c] = VERTICES;
+        let target = a + (beta * (b - a) + gamma * (c - a));
+        let ray = Ray::new(target + (3.0 * Vector::Z + draw.vector(1.0)), -3.0 * Vector::Z);
+        let ray = Ray::new(ray.origin, target - ray.origin);
+        let hit = round.hit(&ray, Span::AHEAD).expect("aimed inside");
+        let surface = round.surface(&ray, &hit);
+        let [n0, n1, n2] = units;
+        let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
+        let expected = mean.unit().expect("not zero");
+        assert!((Vector::from(surface.shading) - expected).length() < 1e-13);
+        let plain = flat.surface(&ray, &flat.hit(&ray, Span::AHEAD).expect("the same"));
+        assert_eq!((surface.point, surface.normal), (plain.point, plain.normal));
+        assert_eq!(plain.shading, plain.normal);
+        let of_mesh = mesh.surface(&ray, &mesh.hit(&ray, Span::AHEAD).expect("the same"));
+        assert_eq!(surface, of_mesh);
+    }
+}
+
+/// Law: a normal on the other side of the triangle, or none at all, is refused. Oracle: the text.
+#[test]
+fn normals_behind_the_triangle_are_refused() {
+    let problem = |normal: [f64; 3]| {
+        let [a, b, _] = normals();
+        let kind = Kind::from(Triangle {
+            vertices: [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point::from),
+            normals: Some([a, b, normal.into()]),
+        });
+        kind.build(&mut Context::default()).map(drop).expect_err("refused").to_string()
+    };
+    assert_eq!(
+        problem([0.5, 0.0, -1.0]),
+        "triangle.normals[2]: found [0.5, 0.0, -1.0], but a vector on the side of the triangle's \
+         normal, [0.0, 0.0, 1.0], is needed; the order of its corners decides which side that is"
+    );
+    assert_eq!(
+        problem([0.0; 3]),
+        "triangle.normals[2]: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed"
+    );
+}

@@ -1,0 +1,182 @@
+//! `groundtruth report`: what it says is there, and right.
+
+#[path = "report/command.rs"]
+mod command;
+#[path = "report/html.rs"]
+mod html;
+#[path = "report/textbook.rs"]
+mod textbook;
+
+use std::sync::LazyLock;
+
+use groundtruth::report::{self, Interrupted, PAGES, Settings, Watch};
+use groundtruth::verify::against::ALLOWED;
+use oracle::hard::{Family, Kind};
+use serde_json::Value;
+
+/// Small, but not so small that the laws have nothing to hold on to.
+const SMALL: Settings = Settings { seed: 5, cases: 60, objects: 1000, side: 16 };
+
+/// A report of all pages.
+struct Small {
+    json: Value,
+    html: String,
+}
+
+fn measure() -> Small {
+    let report = report::run(PAGES, &SMALL, &Watch::default()).expect("nobody interrupts");
+    let json = report.json().expect("its data are JSON");
+    Small { json: serde_json::from_str(&json).expect("JSON"), html: report.html() }
+}
+
+/// Measured once for all tests.
+static REPORT: LazyLock<Small> = LazyLock::new(measure);
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().expect("a list")
+}
+
+/// Every kind and family of page 1.
+fn families() -> impl Iterator<Item = (&'static str, &'static str, &'static Value)> {
+    list(&REPORT.json["pages"]["intersections"]["kinds"]).iter().flat_map(|kind| {
+        let name = kind["kind"].as_str().expect("a name");
+        let families = list(&kind["families"]).iter();
+        families.map(move |family| (name, family["family"].as_str().expect("a name"), family))
+    })
+}
+
+/// Law: no shape and no family is left out.
+#[test]
+fn the_report_holds_every_shape_and_family() {
+    let found: Vec<(String, String)> =
+        families().map(|(kind, family, _)| (kind.to_owned(), family.to_owned())).collect();
+    let both = |kind| Family::ALL.map(|family| (format!("{kind:?}"), format!("{family:?}")));
+    let expected: Vec<_> = Kind::ALL.into_iter().flat_map(both).collect();
+    assert_eq!(found, expected);
+    let judged: u64 = families().map(|(_, _, f)| f["judged"].as_u64().expect("a count")).sum();
+    let all = (SMALL.cases * expected.len()) as u64;
+    assert!(2 * judged > all && judged <= all, "{judged} of {all} are judged");
+}
+
+/// Law: ours loses and invents nothing, and is right within 100 u·cond. Oracle: 512-bit arithmetic.
+#[test]
+fn ours_is_right_on_every_family() {
+    for (kind, name, family) in families() {
+        let ours = &family["ours"];
+        assert_eq!((&ours["lost"], &ours["wrong"]), (&0.into(), &0.into()), "{kind} {name}");
+        let hits = family["hits"].as_u64().expect("a count");
+        let errors = ["median", "p999", "worst"].map(|key| ours[key].as_f64());
+        match errors {
+            [Some(median), Some(p999), Some(worst)] => {
+                assert!(median <= p999 && p999 <= worst && worst <= ALLOWED, "{kind} {name}");
+                assert!(ours["hit_ns"].as_f64().is_some_and(|ns| ns > 0.0), "{kind} {name}");
+            }
+            _ => assert_eq!((hits, errors), (0, [None; 3]), "{kind} {name}"),
+        }
+    }
+}
+
+/// Law: the comparison sees what the literature says of the formulas: `b² − 4ac` loses digits for far
+/// spheres and cylinders, a constant epsilon loses hits on tiny shapes, and planes lose nothing.
+#[test]
+fn the_textbook_fails_where_it_is_known_to() {
+    let book = |kind: &str, family: &str| {
+        let found = families().find(|(k, f, _)| (*k, *f) == (kind, family));
+        found.expect("it is there").2["textbook"].clone()
+    };
+    // at a distance of 10³ to 10⁸ sizes, b² loses 6 to 16 digits against r²
+    for kind in ["Sphere", "OpenCylinder"] {
+        let far = book(kind, "FarOrigin");
+        let worst = far["worst"].as_f64().unwrap_or(0.0);
+        assert!(worst > 1e4 || far["lost"].as_u64() > Some(0), "{kind}: {far}");
+        assert!(book(kind, "Ordinary")["worst"].as_f64().is_some_and(|e| e < ALLOWED), "{kind}");
+    }
+    let scaled = book("Sphere", "Scaled");
+    assert!(scaled["lost"].as_u64() > Some(0), "{scaled}");
+    assert!(book("Plane", "FarOrigin")["worst"].as_f64().is_some_and(|e| e < ALLOWED));
+}
+
+/// Law: every structure is measured at every size or left out for a reason, all agree, and the tests
+/// for each ray are what they must be: all objects in a list, far fewer in a tree.
+#[test]
+fn acceleration_is_measured_or_left_out_for_a_reason() {
+    let stages = list(&REPORT.json["pages"]["acceleration"]["stages"]);
+    assert!(stages.len() >= 4);
+    for stage in stages {
+        let (runs, skipped) = (list(&stage["runs"]), list(&stage["skipped"]));
+        assert_eq!(stage["agree"], true, "{}", stage["stage"]);
+        let of = |name: &str| runs.iter().filter(|r| r["structure"] == name).count();
+        assert_eq!((of("list"), of("bvh")), (3, 3), "{}", stage["stage"]);
+        assert!(skipped.iter().all(|s| s["why"].as_str().is_some_and(|why| !why.is_empty())));
+        for run in runs {
+            let objects = run["objects"].as_f64().expect("a count");
+            let tests = run["tests_per_ray"].as_f64().expect("a number");
+            match run["structure"].as_str() {
+                Some("list") => assert_eq!(tests, objects, "{run}"),
+                Some("bvh") => assert!(tests < 0.3 * objects, "{run}"),
+                _ => assert!(tests <= 3.0 * objects, "{run}"),
+            }
+            let times = ["build_seconds", "picture_seconds"].map(|key| run[key].as_f64());
+            assert!(times.iter().all(|time| time.is_some_and(|t| t > 0.0)), "{run}");
+        }
+    }
+}
+
+/// Everything that does not depend on the clock.
+fn timeless(value: &Value) -> Value {
+    let clock = |key: &str| key.ends_with("_ns") || key.ends_with("_seconds");
+    match value {
+        Value::Object(map) => {
+            let kept = map.iter().filter(|(key, _)| !clock(key));
+            Value::Object(kept.map(|(key, value)| (key.clone(), timeless(value))).collect())
+        }
+        Value::Array(items) => items.iter().map(timeless).collect(),
+        other => other.clone(),
+    }
+}
+
+/// Law: the same seed gives the same report, but for the times. Oracle: a second run.
+#[test]
+fn a_report_is_the_same_each_time_but_for_the_times() {
+    let again = &measure().json["pages"];
+    let first = &REPORT.json["pages"];
+    for page in PAGES.iter().map(|page| page.name()) {
+        assert!(timeless(&again[page]) == timeless(&first[page]), "{page} differs");
+        assert!(timeless(&again[page]) != again[page], "there are times in {page}");
+    }
+}
+
+#[test]
+fn a_report_says_where_it_comes_from() {
+    let provenance = &REPORT.json["provenance"];
+    for key in ["version", "commit", "processor", "platform"] {
+        let text = provenance[key].as_str().expect("a text");
+        assert!(!text.is_empty() && REPORT.html.contains(text), "{key}: {text}");
+    }
+    assert_eq!(provenance["version"], env!("CARGO_PKG_VERSION"));
+    assert!(provenance["threads"].as_u64() >= Some(1));
+    assert_eq!(REPORT.json["seed"], SMALL.seed);
+}
+
+/// Law: an interrupted report is none.
+#[test]
+fn an_interrupted_report_stops_at_the_next_step() {
+    for page in PAGES {
+        let watch = Watch::default();
+        watch.interrupt();
+        let result = report::run(&[*page], &SMALL, &watch);
+        assert_eq!(result.map(drop), Err(Interrupted), "{}", page.name());
+        assert!(watch.progress().0 < watch.progress().1, "{:?}", watch.progress());
+    }
+}
+
+/// Law: a page takes as many steps as it says, so that the progress ends at its end.
+#[test]
+fn the_progress_ends_at_the_end() {
+    for page in PAGES {
+        let watch = Watch::default();
+        let tiny = Settings { cases: 2, objects: 100, side: 4, ..SMALL };
+        assert!(report::run(&[*page], &tiny, &watch).is_ok());
+        assert_eq!(watch.progress(), (page.steps(&tiny), page.steps(&tiny)), "{}", page.name());
+    }
+}

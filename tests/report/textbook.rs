@@ -1,0 +1,182 @@
+//! The textbook's formulas are the right ones: a comparison with a misprint would prove nothing.
+
+use groundtruth::math::{Pcg32, Point, Ray, Vector};
+use groundtruth::verify::against;
+use groundtruth::verify::textbook::{
+    self, Angles, Annulus, Disk, OpenCone, PartAnnulus, PartCylinder, PartSphere, PartTorus,
+    SMALL_K_EPSILON, Textbook, Torus, quartic_roots,
+};
+use oracle::hard::{Family, Kind, cases};
+
+/// Well above what the formulas lose on ordinary rays.
+const RIGHT: f64 = 1e-6;
+
+/// Law: on ordinary rays every textbook form agrees with the exact answer, and the kinds of the first
+/// chapters have one. Oracle: 512-bit arithmetic.
+#[test]
+fn textbook_forms_are_right_on_ordinary_rays() {
+    for kind in Kind::ALL {
+        let (mut hits, mut misses) = (0, 0);
+        for (shape, ray) in cases(kind, Family::Ordinary, 31, 300) {
+            let Some(book) = textbook::of(&shape) else {
+                assert!(!format!("{kind:?}").contains("Sphere"), "{kind:?} has a textbook form");
+                continue;
+            };
+            let answer = oracle::intersect(&shape, &ray);
+            // within RIGHT of another answer, or of the book's epsilon
+            let near = answer.margin < RIGHT || answer.roots.iter().any(|root| root.t < 0.002);
+            if near || answer.roots.iter().any(|root| root.cond > 1e6) {
+                continue;
+            }
+            let found = book.hit(&against::ray(&ray));
+            match (found, answer.roots.first()) {
+                (Some(t), Some(root)) => {
+                    hits += 1;
+                    assert!(root.t_error(t) <= RIGHT * root.t, "{kind:?}: {t}, exactly {}", root.t);
+                }
+                (None, None) => misses += 1,
+                (found, root) => panic!("{kind:?}: {found:?}, exactly {root:?} {shape:?} {ray:?}"),
+            }
+        }
+        assert!(hits == 0 && misses == 0 || hits > 50 && misses > 20, "{kind:?}: {hits}, {misses}");
+    }
+}
+
+/// The first place where a function changes its sign along a ray and the point is on the part that is
+/// there: by small steps, then by halving.
+fn marched(ray: &Ray, f: impl Fn(Point) -> f64, there: impl Fn(Point) -> bool) -> Option<f64> {
+    const STEPS: u32 = 20_000;
+    let at = |i: u32| 20.0 * f64::from(i) / f64::from(STEPS);
+    let value = |t: f64| f(ray.at(t));
+    for i in 0..STEPS {
+        let (mut low, mut high) = (at(i), at(i + 1));
+        if (value(low) > 0.0) == (value(high) > 0.0) {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if (value(low) > 0.0) == (value(middle) > 0.0) { low = middle } else { high = middle }
+        }
+        if low > SMALL_K_EPSILON && there(ray.at(low)) {
+            return Some(low);
+        }
+    }
+    None
+}
+
+/// Rays from a shell around the origin towards its middle.
+fn rays(count: usize) -> Vec<Ray> {
+    let mut random = Pcg32::new(19, 0);
+    let mut vector = |size: f64| {
+        let mut x = || size * (2.0 * random.uniform() - 1.0);
+        Vector::new(x(), x(), x())
+    };
+    let ray = |_| {
+        let origin = Point::ORIGIN + 6.0 * vector(1.0).unit().expect("not zero");
+        let target = Point::ORIGIN + vector(1.6);
+        Ray::new(origin, (target - origin).unit().expect("elsewhere"))
+    };
+    (0..count).map(ray).collect()
+}
+
+/// Law: a form's hit is the first sign change of its implicit function on the part that is there.
+/// Oracle: that function in small steps, and the part by signs of coordinates instead of angles. A ray
+/// in 200 may differ: two sign changes within one step, or a border within rounding.
+fn agrees(
+    name: &str,
+    book: &dyn Textbook,
+    f: impl Fn(Point) -> f64,
+    there: impl Fn(Point) -> bool,
+) {
+    let (mut hits, mut misses, mut odd) = (0, 0, 0);
+    for ray in rays(400) {
+        match (book.hit(&ray), marched(&ray, &f, &there)) {
+            (Some(a), Some(b)) if (a - b).abs() < RIGHT => hits += 1,
+            (None, None) => misses += 1,
+            _ => odd += 1,
+        }
+    }
+    assert!(odd <= 2, "{name}: {odd} differ of {hits} hits and {misses} misses");
+    assert!(hits > 20 && misses > 20, "{name}: {hits} hits, {misses} misses");
+}
+
+const QUARTER: Angles = Angles { min: 0.0, max: std::f64::consts::FRAC_PI_2 };
+const HALF: Angles = Angles { min: 0.0, max: std::f64::consts::PI };
+
+/// The azimuths of [`QUARTER`].
+fn in_quarter(p: Point) -> bool {
+    p.x() >= 0.0 && p.z() >= 0.0
+}
+
+#[test]
+fn tori_whole_and_in_part_are_where_their_function_changes_sign() {
+    let (a, b) = (2.0, 0.5);
+    let f = |p: Point| {
+        let rho = (p.x() * p.x() + p.z() * p.z()).sqrt();
+        (rho - a) * (rho - a) + p.y() * p.y() - b * b
+    };
+    agrees("torus", &Torus { a, b }, f, |_| true);
+    let part = PartTorus { a, b, phi: HALF, theta: HALF };
+    agrees("part torus", &part, f, |p| p.x() >= 0.0 && p.y() >= 0.0);
+    let around = Angles::degrees([270.0, 90.0]);
+    let outer = PartTorus { a, b, phi: Angles::degrees([0.0, 360.0]), theta: around };
+    agrees("outer half of a torus", &outer, f, |p| p.x() * p.x() + p.z() * p.z() >= a * a);
+}
+
+#[test]
+fn cones_are_where_their_function_changes_sign() {
+    let (height, radius) = (2.0, 1.0);
+    let f = |p: Point| {
+        (p.x() * p.x() + p.z() * p.z()).sqrt() - radius * ((height - p.y()) / height).abs()
+    };
+    agrees("cone", &OpenCone { height, radius }, f, |p| (0.0..=height).contains(&p.y()));
+}
+
+#[test]
+fn annuli_and_part_annuli_are_where_their_plane_is_crossed() {
+    let center = Point::new(0.1, 0.3, -0.2);
+    let whole = Annulus { center, normal: Vector::Y, inner: 0.6, outer: 1.7 };
+    let f = |p: Point| p.y() - center.y();
+    let ring = |p: Point| (0.6..=1.7).contains(&p.distance(center));
+    agrees("annulus", &whole, f, ring);
+    let turned = |p: Point| Point::ORIGIN + (p - center);
+    let part = PartAnnulus { whole, phi: QUARTER };
+    agrees("part annulus", &part, f, |p| ring(p) && in_quarter(turned(p)));
+    let disk = Disk { center, normal: Vector::Y, radius: 1.7 };
+    agrees("disk", &disk, f, |p| p.distance(center) <= 1.7);
+}
+
+#[test]
+fn part_spheres_and_part_cylinders_are_where_their_function_changes_sign() {
+    let center = Point::new(0.25, -0.125, 0.5);
+    let sphere = PartSphere { center, radius: 1.5, phi: QUARTER, theta: QUARTER };
+    let moved = |p: Point| Point::ORIGIN + (p - center);
+    let f = |p: Point| p.distance(center) - 1.5;
+    agrees("part sphere", &sphere, f, |p| in_quarter(moved(p)) && p.y() >= center.y());
+    let cylinder = PartCylinder { y0: -0.5, y1: 1.0, radius: 1.25, phi: HALF };
+    let f = |p: Point| (p.x() * p.x() + p.z() * p.z()).sqrt() - 1.25;
+    let there = |p: Point| p.x() >= 0.0 && (-0.5..=1.0).contains(&p.y());
+    agrees("part cylinder", &cylinder, f, there);
+}
+
+/// Law: quartics with known roots have them. Oracle: chapter 19's examples.
+#[test]
+fn quartics_have_their_roots() {
+    let check = |coefficients: [f64; 5], expected: &[f64]| {
+        let mut roots = quartic_roots(coefficients);
+        roots.sort_by(f64::total_cmp);
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() < RIGHT;
+        let same = roots.len() == expected.len() && roots.iter().zip(expected).all(near);
+        assert!(same, "{coefficients:?}: {roots:?}, not {expected:?}");
+    };
+    check([24.0, -50.0, 35.0, -10.0, 1.0], &[1.0, 2.0, 3.0, 4.0]);
+    check([30.0, -61.0, 41.0, -11.0, 1.0], &[1.0, 2.0, 3.0, 5.0]);
+    check([4.0, 0.0, -5.0, 0.0, 1.0], &[-2.0, -1.0, 1.0, 2.0]);
+    check([-1.0, 0.0, 0.0, 0.0, 1.0], &[-1.0, 1.0]);
+    check([2.0, 0.0, 0.0, 0.0, 2.0], &[]);
+    // the torus (2, ½) along its equator, from (−5, 0, 0)
+    let torus = Torus { a: 2.0, b: 0.5 };
+    let along_x = Ray::new(Point::new(-5.0, 0.0, 0.0), Vector::X);
+    assert!(torus.hit(&along_x).is_some_and(|t| (t - 2.5).abs() < RIGHT));
+    assert_eq!(torus.hit(&Ray::new(Point::new(0.0, -5.0, 0.0), Vector::Y)), None);
+}
