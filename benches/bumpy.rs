@@ -2,12 +2,11 @@
 
 use groundtruth::math::{Point, cos, sin};
 
-/// Steps around and from pole to pole: 2 · 264 · 132 = 69 696 triangles and a few.
-const STEPS: [u32; 2] = [264, 133];
+/// Steps around and from pole to pole: 2 · 264 · 132 = 69 696 triangles.
+pub const STEPS: [u32; 2] = [264, 133];
 
 /// A unit sphere with bumps of 15 %: vertices and triangles, wound outward.
-pub fn bumpy_sphere() -> (Vec<Point>, Vec<[u32; 3]>) {
-    let [around, down] = STEPS;
+pub fn bumpy_sphere([around, down]: [u32; 2]) -> (Vec<Point>, Vec<[u32; 3]>) {
     let mut vertices = Vec::new();
     for k in 0..=down {
         let theta = std::f64::consts::PI * f64::from(k) / f64::from(down);

@@ -15,7 +15,7 @@ use groundtruth::shapes::{Shape, TriangleMesh};
 const SIDE: u32 = 64;
 
 fn meshes(c: &mut Criterion) {
-    let (vertices, triangles) = bumpy::bumpy_sphere();
+    let (vertices, triangles) = bumpy::bumpy_sphere(bumpy::STEPS);
     let build = || TriangleMesh::new(vertices.clone(), triangles.clone()).accelerated(Method::Bvh);
     let mut group = c.benchmark_group("mesh");
     group.sample_size(10);

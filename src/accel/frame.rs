@@ -31,6 +31,8 @@ const BOX_SLACK: f64 = 1.0 / (1 << 22) as f64;
 const FAR_SLACK: f64 = 1.0 / (1_u64 << 36) as f64;
 /// From where the slack would be larger than any frame, a ray is taken to cross all boxes.
 const MOST_SLACK: f64 = 1024.0;
+/// Lengths of directions, in the frame's units, for which no number overflows or underflows here.
+const NUMBERS: std::ops::Range<f64> = 1e-290..1e290;
 /// A frame is not much smaller than the coordinates in it: where all objects are small and lie far
 /// from the origin, its slack still is 2⁻³⁶ of the coordinates, 2¹⁷ of their roundings.
 const LEAST_SIZE: f64 = 1.0 / (1 << 14) as f64;
@@ -84,30 +86,43 @@ impl Frame {
     pub fn ray(&self, ray: &Ray) -> Option<FrameRay> {
         let origin = self.point(ray.origin).to_array();
         let longest = exponent(ray.direction.max_abs());
-        let shrink = power_of_two(-longest.clamp(-1022, 1022));
-        let direction = (shrink * ray.direction).to_array();
-        let unit = self.scale / shrink;
-        let distance = origin.into_iter().fold(1.0_f64, |d, x| d.max(x.abs()));
+        let direction = (power_of_two(-longest.clamp(-1022, 1022)) * ray.direction).to_array();
+        let unit = self.scale * power_of_two(longest.clamp(-1022, 1022));
+        let distance =
+            origin.into_iter().fold(1.0_f64, |d, x| if x.abs() > d { x.abs() } else { d });
         let slack = BOX_SLACK + FAR_SLACK * distance;
-        let inverse = direction.map(|d| 1.0 / d);
-        let at_origin = FrameRay { origin, inverse, unit, start: 0.0, slack };
-        // far more than the slack, so the line enters here before it enters any grown box
-        let half = 1.0 + 2048.0 * slack;
-        let root = Point::new(half, half, half);
-        let (enter, leave) =
-            at_origin.crossing(&Aabb { min: Point::ORIGIN - root.to_vector(), max: root });
-        let sound = [unit, unit.recip()].into_iter().all(f64::is_finite)
-            && slack <= MOST_SLACK
-            && direction.iter().any(|d| d.abs() >= 1.0);
-        if sound && enter > leave {
-            return None;
-        }
-        let entry: [f64; 3] = std::array::from_fn(|i| origin[i] + enter * direction[i]);
-        if !sound || !entry.iter().all(|x| x.is_finite()) {
+        if !(slack <= MOST_SLACK && NUMBERS.contains(&unit) && longest.abs() < 1022) {
             return Some(FrameRay::EVERYWHERE);
         }
-        Some(FrameRay { origin: entry, start: enter, ..at_origin })
+        let inverse = direction.map(|d| 1.0 / d);
+        // far more than the slack, so the line enters here before it enters any grown box
+        let half = 1.0 + 2048.0 * slack;
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for i in 0..3 {
+            let (near, far) = (half.copysign(-inverse[i]), half.copysign(inverse[i]));
+            (enter, leave) = narrowed((enter, leave), near, far, origin[i], inverse[i]);
+        }
+        if enter > leave {
+            return None;
+        }
+        let origin: [f64; 3] = std::array::from_fn(|i| origin[i] + enter * direction[i]);
+        Some(FrameRay { origin, inverse, unit, start: enter, slack })
     }
+}
+
+/// The interval of a ray between two planes across an axis, as far as it lies in another one.
+///
+/// A zero direction component gives NaN where the origin lies on a plane (0·∞): the comparisons
+/// drop it, so such a ray is inside.
+fn narrowed(
+    (enter, leave): (f64, f64),
+    near: f64,
+    far: f64,
+    origin: f64,
+    inverse: f64,
+) -> (f64, f64) {
+    let (near, far) = ((near - origin) * inverse, (far - origin) * inverse);
+    (if near > enter { near } else { enter }, if far < leave { far } else { leave })
 }
 
 impl FrameRay {
@@ -147,26 +162,17 @@ impl FrameRay {
     }
 
     /// The distances at which the ray enters and leaves a box (of the frame) grown by the slack;
-    /// the entry is beyond the exit if it misses.
-    ///
-    /// A zero direction component gives NaN where the origin lies on a slab (0·∞): the comparisons
-    /// drop it, so such a ray is inside that slab. Every operation is monotone, so the interval of
-    /// a box contains that of every box inside it, to the last bit.
+    /// the entry is beyond the exit if it misses. Every operation is monotone, so the interval of a
+    /// box contains that of every box inside it, to the last bit.
     pub fn crossing(&self, bounds: &Aabb) -> (f64, f64) {
-        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut interval = (f64::NEG_INFINITY, f64::INFINITY);
         for i in 0..3 {
-            let low = (bounds.min.along(i) - self.slack - self.origin[i]) * self.inverse[i];
-            let high = (bounds.max.along(i) + self.slack - self.origin[i]) * self.inverse[i];
-            let backward = self.inverse[i].is_sign_negative();
-            let (enter, leave) = if backward { (high, low) } else { (low, high) };
-            if enter > near {
-                near = enter;
-            }
-            if leave < far {
-                far = leave;
-            }
+            let planes = [bounds.min.along(i) - self.slack, bounds.max.along(i) + self.slack];
+            let backward = usize::from(self.inverse[i].is_sign_negative());
+            let (near, far) = (planes[backward], planes[1 - backward]);
+            interval = narrowed(interval, near, far, self.origin[i], self.inverse[i]);
         }
-        (near, far)
+        interval
     }
 }
 

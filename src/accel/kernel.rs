@@ -24,6 +24,13 @@ impl Kernel {
     /// Plain Rust.
     pub const PLAIN: Self = Self(Instructions::Plain);
 
+    /// For code that runs only where the processor has AVX2.
+    #[cfg(target_arch = "x86_64")]
+    pub(super) const AVX2: Self = Self(Instructions::Avx2);
+    /// For code that runs only where the processor has AVX-512.
+    #[cfg(target_arch = "x86_64")]
+    pub(super) const AVX512: Self = Self(Instructions::Avx512);
+
     /// All that this processor has, the best first.
     pub fn available() -> Vec<Self> {
         let mut all = Vec::new();
@@ -46,4 +53,20 @@ impl Kernel {
     pub(crate) fn instructions(self) -> Instructions {
         self.0
     }
+}
+
+/// Asks for something that will be needed soon to be brought nearer.
+#[inline(always)]
+#[allow(unsafe_code, reason = "there is no other way to say it")]
+pub(crate) fn prefetch<T>(soon: &T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in 0..size_of::<T>().div_ceil(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: the address lies within what is referred to; a prefetch changes nothing
+        unsafe {
+            _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(soon).cast::<i8>().add(64 * line))
+        };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = soon;
 }

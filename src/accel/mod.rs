@@ -17,10 +17,11 @@ use serde::{Deserialize, Serialize};
 use crate::math::{Aabb, Ray, Span};
 use crate::shapes::Candidate;
 use frame::Frame;
-use search::{Among, Any, AnySearch, Nearest};
+use search::{Among, Any, Nearest};
 
-pub use bvh::LeafCost;
+pub use bvh::{LeafCost, OneByOne};
 pub use kernel::Kernel;
+pub(crate) use kernel::{Instructions, prefetch};
 
 /// How the primitives are searched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -54,6 +55,61 @@ pub trait Primitives {
     fn sift(&self, kernel: Kernel, leaf: u32, span: Span) -> u8 {
         let _ = (kernel, leaf, span);
         u8::MAX
+    }
+
+    /// Is told of a leaf that will probably be asked for.
+    #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        let _ = leaf;
+    }
+
+    /// A primitive at its place in a leaf, where it may be nearer at hand than by its number, which
+    /// `index` looks up; `None` behind the last.
+    #[inline(always)]
+    fn member(
+        &self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> Option<impl Member> {
+        let _ = (leaf, slot);
+        index().map(|index| Numbered { primitives: self, index })
+    }
+}
+
+/// One of [`Primitives`].
+pub trait Member {
+    /// Its number.
+    fn index(&self) -> u32;
+    /// See [`Primitives::hit`].
+    fn hit(&self, span: Span) -> Option<Candidate>;
+    /// See [`Primitives::shadow_hit`].
+    fn shadow_hit(&self, span: Span) -> Option<Candidate>;
+    /// See [`Primitives::bounds`].
+    fn bounds(&self) -> Aabb;
+}
+
+/// A primitive that is known by its number alone.
+struct Numbered<'a, P: ?Sized> {
+    primitives: &'a P,
+    index: u32,
+}
+
+impl<P: Primitives + ?Sized> Member for Numbered<'_, P> {
+    fn index(&self) -> u32 {
+        self.index
+    }
+
+    fn hit(&self, span: Span) -> Option<Candidate> {
+        self.primitives.hit(self.index, span)
+    }
+
+    fn shadow_hit(&self, span: Span) -> Option<Candidate> {
+        self.primitives.shadow_hit(self.index, span)
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.primitives.bounds(self.index)
     }
 }
 
@@ -196,7 +252,7 @@ impl Accel {
             return Some(hit);
         }
         let among = Among { primitives, frame: &self.frame, ray: self.frame.ray(ray)? };
-        let mut search = AnySearch { any: &Any { among, span }, found: None };
+        let mut search = Any { among, span, found: None };
         match &self.bounded {
             Structure::List(list) => list.search(&mut search),
             Structure::Grid(grid) => grid.search(&mut search),

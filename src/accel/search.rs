@@ -3,7 +3,7 @@
 
 use super::frame::{Frame, FrameRay};
 use super::kernel::Kernel;
-use super::{Counter, Primitives};
+use super::{Counter, Member, Numbered, Primitives};
 use crate::math::Span;
 use crate::shapes::Candidate;
 
@@ -16,10 +16,39 @@ pub struct Among<'a, P> {
 }
 
 impl<P: Primitives> Among<'_, P> {
-    /// Whether a hit of this primitive counts: the rule.
-    fn counts(&self, index: u32, t: f64) -> bool {
-        self.ray.counts(&self.frame.boxed(&self.primitives.bounds(index)), t)
+    /// Whether a hit of this primitive counts: the rule of the frame.
+    fn counts(&self, member: &impl Member, t: f64) -> bool {
+        self.ray.counts(&self.frame.boxed(&member.bounds()), t)
     }
+}
+
+/// What a structure needs to know of a search, for the first hit or for any.
+pub trait Search {
+    /// The ray in the frame of the boxes.
+    fn ray(&self) -> &FrameRay;
+
+    /// Where hits are still wanted.
+    fn span(&self) -> Span;
+
+    /// Hears of a node or a cell.
+    fn step(&mut self) {}
+
+    /// Looks at one primitive; says whether the search has enough.
+    fn consider(&mut self, index: u32) -> bool;
+
+    /// Looks at one primitive of a leaf; see [`Primitives::member`].
+    fn consider_in_leaf(
+        &mut self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> bool;
+
+    /// See [`Primitives::expect`].
+    fn expect(&self, leaf: u32);
+
+    /// See [`Primitives::sift`].
+    fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
 }
 
 /// The search for the first hit: the best so far, and what it leaves to look at.
@@ -31,48 +60,16 @@ pub struct Nearest<'a, P, C> {
 }
 
 impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
-    /// Looks at one primitive.
-    pub fn consider(&mut self, index: u32) {
+    fn look_at(&mut self, member: &impl Member) {
         self.counter.test();
-        let Some(hit) = self.among.primitives.hit(index, self.span) else { return };
+        let Some(hit) = member.hit(self.span) else { return };
+        let index = member.index();
         let loses_tie = self.best.is_some_and(|(i, best)| hit.t == best.t && index > i);
-        if !loses_tie && self.among.counts(index, hit.t) {
+        if !loses_tie && self.among.counts(member, hit.t) {
             self.best = Some((index, hit));
             self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
         }
     }
-}
-
-/// The search for any hit.
-pub struct Any<'a, P> {
-    pub among: Among<'a, P>,
-    pub span: Span,
-}
-
-impl<P: Primitives> Any<'_, P> {
-    /// The hit of one primitive, if it counts.
-    pub fn consider(&self, index: u32) -> Option<(u32, Candidate)> {
-        let hit = self.among.primitives.shadow_hit(index, self.span)?;
-        self.among.counts(index, hit.t).then_some((index, hit))
-    }
-}
-
-/// What a structure needs to know of a search, first hit or any.
-pub trait Search {
-    /// The ray in the frame of the boxes.
-    fn ray(&self) -> &FrameRay;
-
-    /// Where hits are still wanted.
-    fn span(&self) -> Span;
-
-    /// Hears of a node.
-    fn step(&mut self) {}
-
-    /// See [`Primitives::sift`].
-    fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
-
-    /// Looks at one primitive; says whether the search has enough.
-    fn consider(&mut self, index: u32) -> bool;
 }
 
 impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
@@ -88,39 +85,84 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
         self.counter.step();
     }
 
+    fn consider(&mut self, index: u32) -> bool {
+        self.look_at(&Numbered { primitives: self.among.primitives, index });
+        false
+    }
+
+    #[inline(always)]
+    fn consider_in_leaf(
+        &mut self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> bool {
+        if let Some(member) = self.among.primitives.member(leaf, slot, index) {
+            self.look_at(&member);
+        }
+        false
+    }
+
+    #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        self.among.primitives.expect(leaf);
+    }
+
     #[inline(always)]
     fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
         self.among.primitives.sift(kernel, leaf, self.span)
     }
-
-    fn consider(&mut self, index: u32) -> bool {
-        Nearest::consider(self, index);
-        false
-    }
 }
 
 /// The search for any hit, and what it has found.
-pub struct AnySearch<'a, 'b, P> {
-    pub any: &'a Any<'b, P>,
+pub struct Any<'a, P> {
+    pub among: Among<'a, P>,
+    pub span: Span,
     pub found: Option<(u32, Candidate)>,
 }
 
-impl<P: Primitives> Search for AnySearch<'_, '_, P> {
+impl<P: Primitives> Any<'_, P> {
+    fn look_at(&mut self, member: &impl Member) -> bool {
+        let hit = member.shadow_hit(self.span);
+        let hit = hit.filter(|hit| self.among.counts(member, hit.t));
+        self.found = hit.map(|hit| (member.index(), hit));
+        self.found.is_some()
+    }
+}
+
+impl<P: Primitives> Search for Any<'_, P> {
     fn ray(&self) -> &FrameRay {
-        &self.any.among.ray
+        &self.among.ray
     }
 
     fn span(&self) -> Span {
-        self.any.span
+        self.span
+    }
+
+    fn consider(&mut self, index: u32) -> bool {
+        self.look_at(&Numbered { primitives: self.among.primitives, index })
+    }
+
+    #[inline(always)]
+    fn consider_in_leaf(
+        &mut self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> bool {
+        match self.among.primitives.member(leaf, slot, index) {
+            Some(member) => self.look_at(&member),
+            None => false,
+        }
+    }
+
+    #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        self.among.primitives.expect(leaf);
     }
 
     #[inline(always)]
     fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
-        self.any.among.primitives.sift(kernel, leaf, self.any.span)
-    }
-
-    fn consider(&mut self, index: u32) -> bool {
-        self.found = self.any.consider(index);
-        self.found.is_some()
+        self.among.primitives.sift(kernel, leaf, self.span)
     }
 }

@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::triangle_block::{Block, Blocks};
 use super::watertight::{self, ShearedRay};
 use super::{Candidate, Context, Shape, Surface};
-use crate::accel::{self, Accel, Primitives};
+use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
@@ -145,11 +146,23 @@ impl TriangleMesh {
     }
 
     /// Ready for rays.
-    pub fn accelerated(self, method: accel::Method) -> impl Shape {
+    pub fn accelerated(self, method: accel::Method) -> AcceleratedMesh {
+        self.accelerated_for(method, Kernel::best())
+    }
+
+    /// The same for another kernel than the best.
+    pub fn accelerated_for(self, method: accel::Method, kernel: Kernel) -> AcceleratedMesh {
         let bounds: Vec<Aabb> =
             self.triangles.iter().map(|&t| watertight::bounds(self.corners(t))).collect();
         let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
-        Built { accel: Accel::build(method, &bounds), bounds: whole, mesh: self }
+        if kernel == Kernel::PLAIN {
+            let accel = Accel::build_for(method, &bounds, &OneByOne, kernel);
+            return AcceleratedMesh { accel, blocks: Vec::new(), bounds: whole, mesh: self };
+        }
+        let accel = Accel::build_for(method, &bounds, &Blocks(&self.triangles), kernel);
+        let block = |&leaf: &[u32; 8]| Block::new(leaf, &self.triangles, &self.vertices);
+        let blocks = accel.leaves().iter().map(block).collect();
+        AcceleratedMesh { accel, blocks, bounds: whole, mesh: self }
     }
 
     fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
@@ -157,42 +170,125 @@ impl TriangleMesh {
     }
 }
 
+/// A mesh ready for rays.
 #[derive(Debug)]
-struct Built {
+pub struct AcceleratedMesh {
     mesh: TriangleMesh,
     accel: Accel,
+    /// What the leaves of a bvh hold; empty if triangles are tested one by one.
+    blocks: Vec<Block>,
     bounds: Aabb,
 }
 
 /// The triangles as one ray sees them.
 struct Seen<'a> {
     mesh: &'a TriangleMesh,
+    blocks: &'a [Block],
     ray: ShearedRay,
+}
+
+/// One of them, with its corners at hand.
+struct Member<'a> {
+    index: u32,
+    corners: [Point; 3],
+    ray: &'a ShearedRay,
 }
 
 impl Primitives for Seen<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        let triangle = self.mesh.triangles[index as usize];
-        let meeting = self.ray.meet(self.mesh.corners(triangle))?;
+        self.one(index).hit(span)
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.one(index).bounds()
+    }
+
+    #[inline(always)]
+    fn expect(&self, leaf: u32) {
+        if let Some(block) = self.blocks.get(leaf as usize) {
+            accel::prefetch(block);
+        }
+    }
+
+    #[inline(always)]
+    fn sift(&self, kernel: Kernel, leaf: u32, span: Span) -> u8 {
+        // no closure: it would not be compiled for the kernel's instructions
+        match self.blocks.get(leaf as usize) {
+            Some(block) => block.sift(kernel, &self.ray, span),
+            None => u8::MAX,
+        }
+    }
+
+    #[inline(always)]
+    fn member(
+        &self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> Option<impl accel::Member> {
+        match self.blocks.get(leaf as usize) {
+            Some(block) => {
+                let corners = block.triangle(slot);
+                Some(Member { index: block.indices[slot % 8], corners, ray: &self.ray })
+            }
+            None => index().map(|index| self.one(index)),
+        }
+    }
+}
+
+impl Seen<'_> {
+    fn one(&self, index: u32) -> Member<'_> {
+        let corners = self.mesh.corners(self.mesh.triangles[index as usize]);
+        Member { index, corners, ray: &self.ray }
+    }
+}
+
+impl accel::Member for Member<'_> {
+    fn index(&self) -> u32 {
+        self.index
+    }
+
+    fn hit(&self, span: Span) -> Option<Candidate> {
+        let meeting = self.ray.meet(self.corners)?;
         span.contains(meeting.t).then_some(Candidate {
-            part: index,
+            part: self.index,
             parameters: meeting.barycentric,
             ..Candidate::at(meeting.t)
         })
     }
 
-    fn bounds(&self, index: u32) -> Aabb {
-        watertight::bounds(self.mesh.corners(self.mesh.triangles[index as usize]))
+    fn shadow_hit(&self, span: Span) -> Option<Candidate> {
+        self.hit(span)
+    }
+
+    fn bounds(&self) -> Aabb {
+        watertight::bounds(self.corners)
     }
 }
 
-impl Built {
+impl AcceleratedMesh {
     fn seen(&self, ray: &Ray) -> Seen<'_> {
-        Seen { mesh: &self.mesh, ray: ShearedRay::new(ray) }
+        Seen { mesh: &self.mesh, blocks: &self.blocks, ray: ShearedRay::new(ray) }
+    }
+
+    /// The first hit, and what it costs.
+    pub fn hit_counted(
+        &self,
+        ray: &Ray,
+        span: Span,
+        counter: &mut impl Counter,
+    ) -> Option<Candidate> {
+        let hit = self.accel.nearest_counted(&self.seen(ray), ray, span, counter);
+        hit.map(|(_, candidate)| candidate)
+    }
+
+    /// What the structure takes, without vertices and triangles.
+    pub fn memory_bytes(&self) -> usize {
+        self.accel.memory_bytes() + size_of_val(&*self.blocks)
     }
 }
 
-impl Shape for Built {
+impl Shape for AcceleratedMesh {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         self.accel.nearest(&self.seen(ray), ray, span).map(|(_, candidate)| candidate)
     }

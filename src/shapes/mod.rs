@@ -161,7 +161,9 @@ mod angles;
 mod assembly;
 mod context;
 mod edges;
+mod eight;
 mod shoulder;
+mod triangle_block;
 mod watertight;
 mod wedge_parts;
 
@@ -207,7 +209,7 @@ pub use compound::Part;
 pub use context::{Context, PartMaterial};
 
 pub(crate) use instance::transform_of;
-pub use mesh::TriangleMesh;
+pub use mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
     /// A shape as a scene file says it.

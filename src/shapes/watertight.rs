@@ -12,9 +12,9 @@ use crate::math::{Aabb, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_product
 /// A ray prepared for triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct ShearedRay {
-    origin: Point,
-    axes: [usize; 3],
-    shear: [f64; 3],
+    pub(super) origin: Point,
+    pub(super) axes: [usize; 3],
+    pub(super) shear: [f64; 3],
 }
 
 /// Where a ray meets a triangle `(a, b, c)`.

@@ -1,16 +1,18 @@
 //! Our mesh against other people's: the same triangles and the same rays, one thread, one process,
 //! in turns. Times are the best of some rounds; what counts is the ratio.
 //!
+//! `scripts/peers.sh`, or without Embree
 //! `cargo run --release --manifest-path benches/peers/Cargo.toml`
 
 #[path = "../../bumpy.rs"]
 mod bumpy;
+mod embree;
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use glam::Vec3A;
-use groundtruth::accel::Method;
+use groundtruth::accel::{Kernel, Method};
 use groundtruth::math::{Point, Ray, Span};
 use groundtruth::shapes::{Shape, TriangleMesh};
 use obvhs::cwbvh::builder::build_cwbvh_from_tris;
@@ -22,9 +24,12 @@ const ROUNDS: usize = 7;
 /// The share of rays on which a peer may differ: single precision, and edges.
 const DIFFERENT: f64 = 0.005;
 
+/// Triangles of the two meshes: some more than 70 000 and a million.
+const STEPS: [[u32; 2]; 2] = [bumpy::STEPS, [1002, 501]];
+
 /// Somebody's mesh, ready for rays: the distance of the first hit.
 struct Peer {
-    name: &'static str,
+    name: String,
     built: Duration,
     hit: Box<dyn Fn(&Ray) -> Option<f64>>,
 }
@@ -35,11 +40,21 @@ fn timed<T>(build: impl FnOnce() -> T) -> (Duration, T) {
     (start.elapsed(), built)
 }
 
-fn ours(vertices: &[Point], triangles: &[[u32; 3]]) -> Peer {
+fn ours(vertices: &[Point], triangles: &[[u32; 3]], kernel: Kernel) -> Peer {
     let (vertices, triangles) = (vertices.to_vec(), triangles.to_vec());
-    let (built, mesh) = timed(|| TriangleMesh::new(vertices, triangles).accelerated(Method::Bvh));
+    let build = || TriangleMesh::new(vertices, triangles).accelerated_for(Method::Bvh, kernel);
+    let (built, mesh) = timed(build);
+    let megabytes = mesh.memory_bytes() as f64 / 1e6;
     let hit = move |ray: &Ray| mesh.hit(ray, Span::AHEAD).map(|hit| hit.t);
-    Peer { name: "groundtruth", built, hit: Box::new(hit) }
+    let name = format!("groundtruth {kernel:?}, {megabytes:.1} MB");
+    Peer { name, built, hit: Box::new(hit) }
+}
+
+fn embree(vertices: &[Point], triangles: &[[u32; 3]], robust: bool) -> Option<Peer> {
+    let (built, scene) = timed(|| embree::Scene::new(vertices, triangles, robust));
+    let scene = scene?;
+    let name = if robust { "Embree 4, robust" } else { "Embree 4" }.to_owned();
+    Some(Peer { name, built, hit: Box::new(move |ray| scene.hit(ray)) })
 }
 
 fn parry(vertices: &[Point], triangles: &[[u32; 3]]) -> Peer {
@@ -53,7 +68,7 @@ fn parry(vertices: &[Point], triangles: &[[u32; 3]]) -> Peer {
         let ray = parry3d_f64::query::Ray::new(Vector::new(x, y, z), Vector::new(u, v, w));
         mesh.cast_local_ray(&ray, f64::MAX, false)
     };
-    Peer { name: "parry3d-f64", built, hit: Box::new(hit) }
+    Peer { name: "parry3d-f64".to_owned(), built, hit: Box::new(hit) }
 }
 
 fn single([x, y, z]: [f64; 3]) -> Vec3A {
@@ -82,37 +97,50 @@ fn obvhs(vertices: &[Point], triangles: &[[u32; 3]]) -> Peer {
         bvh.ray_traverse(ray, &mut hit, |ray, id| ordered[id].intersect(ray))
             .then(|| f64::from(hit.t))
     };
-    Peer { name: "obvhs (f32)", built, hit: Box::new(hit) }
+    Peer { name: "obvhs, 8 wide".to_owned(), built, hit: Box::new(hit) }
 }
 
 fn main() {
-    let (vertices, triangles) = bumpy::bumpy_sphere();
-    let peers = [ours, parry, obvhs].map(|build| build(&vertices, &triangles));
+    if std::env::var_os("EMBREE").is_none() {
+        println!("Embree is left out: EMBREE does not name its library (scripts/peers.sh)");
+    }
+    STEPS.into_iter().for_each(compare);
+}
+
+/// All peers on one mesh.
+fn compare(steps: [u32; 2]) {
+    let (vertices, triangles) = bumpy::bumpy_sphere(steps);
+    let ours = Kernel::available().into_iter().map(|kernel| ours(&vertices, &triangles, kernel));
+    let mut peers: Vec<Peer> = ours.collect();
+    peers.extend([parry(&vertices, &triangles), obvhs(&vertices, &triangles)]);
+    peers.extend([false, true].into_iter().flat_map(|robust| embree(&vertices, &triangles, robust)));
     println!("{} triangles; built in", triangles.len());
     for peer in &peers {
-        println!("  {:12} {:6.1} ms", peer.name, 1e3 * peer.built.as_secs_f64());
+        println!("  {:42} {:7.1} ms", peer.name, 1e3 * peer.built.as_secs_f64());
     }
     let sorts = [
         ("coherent", bumpy::coherent_rays(SIDE)),
         ("incoherent", bumpy::incoherent_rays(SIDE * SIDE)),
     ];
     for (sort, rays) in sorts {
-        let mut best = [f64::INFINITY; 3];
+        let mut times = vec![Vec::new(); peers.len()];
         for _ in 0..ROUNDS {
-            for (best, peer) in best.iter_mut().zip(&peers) {
+            for (times, peer) in times.iter_mut().zip(&peers) {
                 let (time, hits) = timed(|| {
                     rays.iter().filter(|ray| (peer.hit)(black_box(ray)).is_some()).count()
                 });
                 black_box(hits);
-                *best = best.min(time.as_secs_f64());
+                times.push(time.as_secs_f64());
             }
         }
         println!("{sort} rays, first hit");
+        let best: Vec<f64> =
+            times.iter().map(|t| t.iter().copied().fold(f64::INFINITY, f64::min)).collect();
         for (time, peer) in best.iter().zip(&peers) {
             let different = rays.iter().filter(|ray| differs(ray, &peers[0], peer)).count();
             let share = different as f64 / rays.len() as f64;
             println!(
-                "  {:12} {:6.2} M rays/s  {:5.2} × our time, {different} of {} rays differ",
+                "  {:42} {:6.2} M rays/s, {:5.2} × our time; {different} of {} rays differ",
                 peer.name,
                 1e-6 * rays.len() as f64 / time,
                 time / best[0],

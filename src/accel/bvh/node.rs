@@ -123,29 +123,117 @@ impl Node {
         (mask, near)
     }
     /// The same, but that the difference to a plane is fused with its multiplication.
+    ///
+    /// # Safety
+    /// The processor has AVX2 and FMA. (They are no attribute of this function, because it could
+    /// not always be inlined then; closures would have the same fault.)
     #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2,fma")]
-    #[inline]
-    #[allow(unsafe_code, reason = "loads and stores of eight numbers")]
-    fn crossed_avx2(&self, ray: &Ray32, last: f32) -> Crossed {
+    #[inline(always)]
+    #[allow(unsafe_code, reason = "instructions that not every processor has")]
+    unsafe fn crossed_avx2(&self, ray: &Ray32, last: f32) -> Crossed {
         use std::arch::x86_64::*;
-        // SAFETY: each array has eight numbers
-        let load = |eight: &[f32; WIDTH]| unsafe { _mm256_loadu_ps(eight.as_ptr()) };
-        let distance = |axis: usize, side: usize, origins: &[f32; 3]| {
-            let inverse = ray.inverse[axis];
-            let origin = _mm256_set1_ps(inverse * origins[axis]);
-            _mm256_fmsub_ps(load(&self.bounds[2 * axis + side]), _mm256_set1_ps(inverse), origin)
+        let first = ray.first;
+        // SAFETY: the caller's; and loads and stores are of eight numbers
+        unsafe {
+            macro_rules! distance {
+                ($axis:literal, $side:expr, $origins:expr) => {{
+                    let plane = _mm256_loadu_ps(self.bounds[2 * $axis + ($side & 1)].as_ptr());
+                    let origin = _mm256_set1_ps(ray.inverse[$axis] * $origins[$axis]);
+                    _mm256_fmsub_ps(plane, _mm256_set1_ps(ray.inverse[$axis]), origin)
+                }};
+            }
+            macro_rules! enter {
+                ($axis:literal) => {
+                    distance!($axis, ray.sides[$axis], ray.enters)
+                };
+            }
+            macro_rules! leave {
+                ($axis:literal) => {
+                    distance!($axis, 1 - (ray.sides[$axis] & 1), ray.leaves)
+                };
+            }
+            // of two zeros the second is taken: the start, which is +0 and not −0
+            let near = _mm256_max_ps(enter!(2), _mm256_set1_ps(first));
+            let near = _mm256_max_ps(_mm256_max_ps(enter!(0), enter!(1)), near);
+            let far = _mm256_min_ps(leave!(2), _mm256_set1_ps(last));
+            let far = _mm256_min_ps(_mm256_min_ps(leave!(0), leave!(1)), far);
+            let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
+            let mut entries = [0.0; WIDTH];
+            _mm256_storeu_ps(entries.as_mut_ptr(), near);
+            (mask, entries)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::frame::Frame;
+    use crate::math::{Pcg32, Point, Ray, Vector, power};
+
+    /// Rays at the corners, edges and faces of boxes, from near and far, some with components that
+    /// are zero or almost.
+    fn ray(random: &mut Pcg32, within: &Aabb) -> Ray {
+        let mut x = || 2.0 * random.uniform() - 1.0;
+        let mut place = |low: f64, high: f64| match (4.0 * x()) as i32 {
+            -3..=-2 => low,
+            2..=3 => high,
+            _ => low + (0.5 + 0.5 * x()) * (high - low),
         };
-        let enter = |axis: usize| distance(axis, ray.sides[axis], &ray.enters);
-        let leave = |axis: usize| distance(axis, 1 - ray.sides[axis], &ray.leaves);
-        // of two zeros the second is taken: the start, which is +0 and not −0
-        let (first, last) = (_mm256_set1_ps(ray.first), _mm256_set1_ps(last));
-        let near = _mm256_max_ps(_mm256_max_ps(enter(0), enter(1)), _mm256_max_ps(enter(2), first));
-        let far = _mm256_min_ps(_mm256_min_ps(leave(0), leave(1)), _mm256_min_ps(leave(2), last));
-        let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
-        let mut entries = [0.0; WIDTH];
-        // SAFETY: as above
-        unsafe { _mm256_storeu_ps(entries.as_mut_ptr(), near) };
-        (mask, entries)
+        let (min, max) = (within.min.to_array(), within.max.to_array());
+        let target = Point::from([0, 1, 2].map(|i| place(min[i], max[i])));
+        let mut direction = [0, 1, 2].map(|_| x());
+        let small = [0.0, -0.0, 1e-6, -1e-12, 1e-20, 1e-300];
+        for d in &mut direction {
+            if random.below(4) == 0 {
+                *d = small[random.below(6) as usize];
+            }
+        }
+        if direction.iter().all(|d| d.abs() < 1e-3) {
+            direction[random.below(3) as usize] = 1.0;
+        }
+        let direction = Vector::from(direction);
+        Ray::new(target - power(10.0, 14.0 * random.uniform() - 1.0) * direction, direction)
+    }
+
+    /// Law: wherever a ray crosses a box in the frame, each kernel has it cross the node's box, at
+    /// an interval that contains the other. Oracle: the same in `f64`.
+    #[test]
+    fn a_node_contains_what_the_frame_has_inside_it() {
+        let mut random = Pcg32::new(2280, 0);
+        let mut crossed = [0; 2];
+        for case in 0..40_000 {
+            let mut x = || 2.0 * random.uniform() - 1.0;
+            let corner = |x: &mut dyn FnMut() -> f64| Point::new(x(), x(), x());
+            let whole = Aabb::around([Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.0, 1.0)]);
+            let p = corner(&mut x);
+            let size = [0.0, 1e-9, 1e-3, 0.3][case % 4];
+            let bounds = Aabb::around([p, p + size * corner(&mut x).to_vector()]);
+            let frame = Frame::around(&[whole, bounds]);
+            let target = if case % 3 == 0 { whole } else { bounds };
+            let ray = ray(&mut random, &target);
+            let Some(ray) = frame.ray(&ray) else { continue };
+            let boxed = frame.boxed(&bounds);
+            let mut node = Node::EMPTY;
+            node.set(3, &Box32::padded(&boxed), 7);
+            let (near, far) = ray.crossing(&boxed);
+            crossed[usize::from(near <= far)] += 1;
+            let ray32 = Ray32::new(&ray, Span::LINE);
+            for kernel in Kernel::available() {
+                let (mask, entries) = node.crossed(kernel, &ray32, f32::INFINITY);
+                assert_eq!(mask & !(1 << 3), 0, "an empty place is crossed by {ray:?}");
+                if near <= far {
+                    assert_eq!(mask, 1 << 3, "{kernel:?}: {ray:?} misses {boxed:?}");
+                    assert!(f64::from(entries[3]) <= near, "{kernel:?}: {ray:?}, {boxed:?}");
+                    // seen to the end, and not beyond by much
+                    let seen = |last: f64| node.crossed(kernel, &ray32, last as f32).0 != 0;
+                    assert!(seen(near.next_up() * (1.0 + 1e-6)), "{kernel:?}: {ray:?}, {boxed:?}");
+                    let late = Ray32 { first: (far as f32).next_down(), ..ray32 };
+                    let (mask, _) = node.crossed(kernel, &late, f32::INFINITY);
+                    assert_eq!(mask, 1 << 3, "{kernel:?}: left too early by {ray:?}, {boxed:?}");
+                }
+            }
+        }
+        assert!(crossed.iter().all(|&n| n > 2_000), "{crossed:?}");
     }
 }

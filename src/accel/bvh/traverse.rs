@@ -3,16 +3,13 @@
 //! One traversal for all searches and all kinds of primitives. It is compiled once for each
 //! [`Kernel`]: only then do the kernels become part of it rather than calls.
 
-use arrayvec::ArrayVec;
+use std::mem::MaybeUninit;
 
 use super::build::DEEPEST;
 use super::node::{Crossed, LEAF, Node, Ray32, WIDTH};
 use super::{Bvh, NOTHING};
-use crate::accel::kernel::{Instructions, Kernel};
+use crate::accel::kernel::{Instructions, Kernel, prefetch};
 use crate::accel::search::Search;
-
-/// Children that wait: at most seven for each node above the present one.
-type Stack = ArrayVec<u64, { (WIDTH - 1) * DEEPEST }>;
 
 impl Bvh {
     /// Shows the search every primitive that it might still want, until it has enough.
@@ -25,22 +22,22 @@ impl Bvh {
             Instructions::Plain => self.walk(search, Kernel::PLAIN),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.walk_avx2(search, self.kernel) },
+            Instructions::Avx2 => unsafe { self.walk_avx2(search) },
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { self.walk_avx512(search, self.kernel) },
+            Instructions::Avx512 => unsafe { self.walk_avx512(search) },
         }
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma")]
-    fn walk_avx2<S: Search>(&self, search: &mut S, kernel: Kernel) {
-        self.walk(search, kernel);
+    fn walk_avx2<S: Search>(&self, search: &mut S) {
+        self.walk(search, Kernel::AVX2);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma,avx512f")]
-    fn walk_avx512<S: Search>(&self, search: &mut S, kernel: Kernel) {
-        self.walk(search, kernel);
+    fn walk_avx512<S: Search>(&self, search: &mut S) {
+        self.walk(search, Kernel::AVX512);
     }
 
     #[inline(always)]
@@ -54,7 +51,8 @@ impl Bvh {
                 search.step();
                 let node = &self.nodes[next as usize];
                 let crossed = node.crossed(kernel, &ray, last);
-                if let Some(nearest) = push_all_but_nearest(node, crossed, &mut stack) {
+                if let Some(nearest) = self.push_all_but_nearest(search, node, crossed, &mut stack)
+                {
                     next = nearest;
                     continue;
                 }
@@ -74,17 +72,60 @@ impl Bvh {
         }
     }
 
+    /// The nearest of the children that are crossed; the others go to the stack, the nearest on
+    /// top. All are brought nearer in memory.
+    #[inline(always)]
+    fn push_all_but_nearest<S: Search>(
+        &self,
+        search: &S,
+        node: &Node,
+        (mut mask, near): Crossed,
+        stack: &mut Stack,
+    ) -> Option<u32> {
+        if mask == 0 {
+            return None;
+        }
+        let bottom = stack.len;
+        let mut nearest = self.first_child(node, mask, &near);
+        mask &= mask - 1;
+        if mask != 0 {
+            self.expect(search, nearest as u32);
+        }
+        while mask != 0 {
+            let child = self.first_child(node, mask, &near);
+            mask &= mask - 1;
+            self.expect(search, child as u32);
+            stack.insert(bottom, nearest.max(child));
+            nearest = nearest.min(child);
+        }
+        Some(nearest as u32)
+    }
+
+    /// A child as one number, its distance (which is not negative) above and its place below, so
+    /// that these numbers are in order as distances are.
+    #[inline(always)]
+    fn first_child(&self, node: &Node, mask: u32, near: &[f32; WIDTH]) -> u64 {
+        let slot = mask.trailing_zeros() as usize % WIDTH;
+        u64::from(near[slot].to_bits()) << 32 | u64::from(node.children[slot])
+    }
+
+    /// Has what will be visited brought nearer in memory.
+    #[inline(always)]
+    fn expect<S: Search>(&self, search: &S, child: u32) {
+        match self.nodes.get(child as usize) {
+            Some(node) => prefetch(node),
+            None => search.expect(child & !LEAF),
+        }
+    }
+
     /// Shows the search the primitives of a leaf; says whether it has enough.
     #[inline(always)]
     fn leaf<S: Search>(&self, search: &mut S, kernel: Kernel, number: u32) -> bool {
-        let leaf = &self.leaves[number as usize];
         let mut worth = search.sift(kernel, number);
         while worth != 0 {
-            let index = leaf[worth.trailing_zeros() as usize];
-            if index == NOTHING {
-                return false;
-            }
-            if search.consider(index) {
+            let slot = worth.trailing_zeros() as usize;
+            let index = || Some(self.leaves[number as usize][slot]).filter(|&i| i != NOTHING);
+            if search.consider_in_leaf(number, slot, index) {
                 return true;
             }
             worth &= worth - 1;
@@ -99,30 +140,41 @@ fn last(search: &impl Search) -> f32 {
     (search.ray().last(search.span()) as f32).next_up()
 }
 
-/// The nearest of the children that are crossed; the others go to the stack, the nearest on top.
-///
-/// A child waits as one number, its distance (which is not negative) above and its place below, so
-/// that numbers are in order as distances are.
-#[inline(always)]
-fn push_all_but_nearest(node: &Node, (mut mask, near): Crossed, stack: &mut Stack) -> Option<u32> {
-    let mut take = || {
-        let slot = mask.trailing_zeros() as usize;
-        mask &= mask.wrapping_sub(1);
-        (slot < WIDTH)
-            .then(|| u64::from(near[slot].to_bits()) << 32 | u64::from(node.children[slot]))
-    };
-    let mut nearest = take()?;
-    let bottom = stack.len();
-    while let Some(child) = take() {
-        let farther = nearest.max(child);
-        nearest = nearest.min(child);
-        let mut place = stack.len();
-        stack.push(farther);
-        while place > bottom && stack[place - 1] < farther {
-            stack[place] = stack[place - 1];
+/// Children that wait: at most seven for each node above the present one.
+struct Stack {
+    children: [MaybeUninit<u64>; (WIDTH - 1) * DEEPEST],
+    /// So many have been written.
+    len: usize,
+}
+
+impl Stack {
+    #[inline(always)]
+    fn new() -> Self {
+        Self { children: [const { MaybeUninit::uninit() }; (WIDTH - 1) * DEEPEST], len: 0 }
+    }
+
+    /// Puts a child below the nearer ones, but above `bottom`.
+    #[inline(always)]
+    fn insert(&mut self, bottom: usize, child: u64) {
+        let mut place = self.len;
+        while place > bottom && self.get(place - 1) < child {
+            self.children[place].write(self.get(place - 1));
             place -= 1;
         }
-        stack[place] = farther;
+        self.children[place].write(child);
+        self.len += 1;
     }
-    Some(nearest as u32)
+
+    #[inline(always)]
+    fn pop(&mut self) -> Option<u64> {
+        self.len = self.len.checked_sub(1)?;
+        Some(self.get(self.len))
+    }
+
+    #[inline(always)]
+    #[allow(unsafe_code, reason = "clearing the stack for each ray would take a tenth of its time")]
+    fn get(&self, place: usize) -> u64 {
+        // SAFETY: places below `len` have been written, and no other is read
+        unsafe { self.children[place].assume_init() }
+    }
 }

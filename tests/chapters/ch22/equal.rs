@@ -3,9 +3,9 @@
 
 use std::sync::Arc;
 
-use groundtruth::accel::{Accel, Method, Primitives};
+use groundtruth::accel::{Accel, Counts, Kernel, Method, OneByOne, Primitives};
 use groundtruth::kinds::Custom;
-use groundtruth::math::{Aabb, Point, Ray, SlabRay, Span, Step, Vector};
+use groundtruth::math::{Aabb, Point, Ray, Span, Step, Vector};
 use groundtruth::shapes::{
     self, Candidate, Context, Disk, Instance, Kind, Plane, Rectangle, Shape, Sphere,
     TessellatedSphere, Triangle, TriangleMesh,
@@ -26,19 +26,30 @@ impl Primitives for Seen<'_> {
     }
 }
 
-/// The same objects, searched in every way.
+/// The same objects, searched in every way, and by every kernel that the processor has.
 pub struct Both {
     objects: Vec<Arc<dyn Shape>>,
     list: Accel,
     grid: Accel,
-    bvh: Accel,
+    trees: Vec<Accel>,
+}
+
+/// Trees for all kernels.
+fn trees(bounds: &[Aabb]) -> Vec<Accel> {
+    let tree = |kernel| Accel::build_for(Method::Bvh, bounds, &OneByOne, kernel);
+    Kernel::available().into_iter().map(tree).collect()
 }
 
 impl Both {
     pub fn new(objects: Vec<Arc<dyn Shape>>) -> Self {
         let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds()).collect();
-        let [list, grid, bvh] = Method::ALL.map(|m| Accel::build(m, &bounds));
-        Self { objects, list, grid, bvh }
+        let [list, grid] = [Method::List, Method::Grid].map(|m| Accel::build(m, &bounds));
+        Self { objects, list, grid, trees: trees(&bounds) }
+    }
+
+    /// All but the list.
+    fn others(&self) -> impl Iterator<Item = &Accel> {
+        [&self.grid].into_iter().chain(&self.trees)
     }
 
     /// The first object at the least distance, by asking each.
@@ -51,15 +62,18 @@ impl Both {
     /// Whether anything is hit; fails if they do not agree.
     pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
         let seen = Seen(&self.objects, ray);
-        let [first, grid, bvh] = [&self.list, &self.grid, &self.bvh].map(|accel| {
+        let find = |accel: &Accel| {
             let found = accel.nearest(&seen, ray, span);
             found.map(|(i, hit)| (i, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits)))
-        });
-        assert_eq!(first, grid, "{case}, grid: {ray:?} in {span:?}");
-        assert_eq!(first, bvh, "{case}, bvh: {ray:?} in {span:?}");
+        };
+        let first = find(&self.list);
+        for accel in self.others() {
+            assert_eq!(find(accel), first, "{case}: {ray:?} in {span:?}");
+        }
         let any = |accel: &Accel| accel.any(&seen, ray, span).map(|(_, hit)| hit.t);
-        let shadows = [any(&self.list), any(&self.grid), any(&self.bvh)];
-        assert_eq!(shadows.map(|t| t.is_some()), [first.is_some(); 3], "{case}: shadow of {ray:?}");
+        let shadows: Vec<_> = [&self.list].into_iter().chain(self.others()).map(any).collect();
+        let same = shadows.iter().all(|t| t.is_some() == first.is_some());
+        assert!(same, "{case}: shadow of {ray:?} in {span:?}");
         for t in shadows.into_iter().flatten().chain(first.map(|(_, t, ..)| f64::from_bits(t))) {
             assert!(span.contains(t), "{case}: {t:e} outside {span:?}");
         }
@@ -136,7 +150,7 @@ fn acceleration_equals_the_list_on_coincident_objects() {
     objects.extend((0..20).map(|_| built(Sphere { center, radius: 0.5, inward: false })));
     let both = Both::new(objects.clone());
     for ray in some_rays(2212, 4_000, 1.0) {
-        for accel in [&both.grid, &both.bvh] {
+        for accel in both.others() {
             let found = accel.nearest(&Seen(&objects, &ray), &ray, Span::AHEAD);
             assert_eq!(found.map(|(i, hit)| (i, hit.t)), both.first(&ray), "{ray:?}");
         }
@@ -189,12 +203,18 @@ fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
         })
         .collect();
     let mesh = TriangleMesh::new(vertices.clone(), triangles.clone());
-    let meshes = Method::ALL.map(|method| mesh.clone().accelerated(method));
+    let list = mesh.clone().accelerated(Method::List);
+    let tree = |kernel| mesh.clone().accelerated_for(Method::Bvh, kernel);
+    let mut others: Vec<_> = Kernel::available().into_iter().map(tree).collect();
+    others.push(mesh.clone().accelerated(Method::Grid));
     for ray in aimed.iter().copied().chain(some_rays(2222, 10_000, 1.5)) {
-        let hits = meshes.each_ref().map(|mesh| mesh.hit(&ray, Span::AHEAD));
-        assert_eq!(hits, [hits[0]; 3], "{ray:?}");
-        let shadows = meshes.each_ref().map(|mesh| mesh.shadow_hit(&ray, Span::AHEAD).is_some());
-        assert_eq!(shadows, [hits[0].is_some(); 3], "{ray:?}");
+        let hits = [list.hit(&ray, Span::AHEAD)];
+        assert_eq!(list.shadow_hit(&ray, Span::AHEAD).is_some(), hits[0].is_some(), "{ray:?}");
+        for other in &others {
+            assert_eq!(other.hit(&ray, Span::AHEAD), hits[0], "{ray:?}");
+            let shadow = other.shadow_hit(&ray, Span::AHEAD).is_some();
+            assert_eq!(shadow, hits[0].is_some(), "{ray:?}");
+        }
         let first = loose.iter().filter_map(|t| t.hit(&ray, Span::AHEAD)).map(|hit| hit.t);
         let first = first.fold(f64::INFINITY, f64::min);
         assert_eq!(hits[0].map_or(f64::INFINITY, |hit| hit.t), first, "{ray:?}");
@@ -283,28 +303,120 @@ fn acceleration_equals_the_list_on_instances_of_meshes() {
     agree("instances", objects, some_rays(2251, 6_000, 1.5), 10);
 }
 
-/// Law: a ray in the plane of a box's face is inside that slab (0·∞ is no number), whatever the
-/// signs of zero; and beside it, it misses. Oracle: worked by hand.
+/// Says of every ray that it is hit at this distance.
+struct Anywhere(Aabb, f64);
+
+impl Primitives for Anywhere {
+    fn hit(&self, _: u32, span: Span) -> Option<Candidate> {
+        span.contains(self.1).then_some(Candidate::at(self.1))
+    }
+
+    fn bounds(&self, _: u32) -> Aabb {
+        self.0
+    }
+}
+
+/// Law: a hit counts only where the ray crosses the box of the object; a ray in the plane of a face
+/// is inside that slab (0·∞ is no number), whatever the signs of zero. Oracle: worked by hand.
 #[test]
-fn a_ray_in_the_plane_of_a_face_crosses_the_box() {
+fn a_hit_counts_where_the_ray_crosses_the_box() {
     let unit = Aabb { min: Point::new(0.0, 0.0, 0.0), max: Point::new(1.0, 1.0, 1.0) };
+    // the box is grown by 2⁻²² of its size at least, and by less than 2⁻¹⁹
+    let (inside, outside) = (1.0 / f64::from(1 << 24), 1.0 / f64::from(1 << 18));
+    let list = Accel::build(Method::List, &[unit]);
+    let grid = Accel::build(Method::Grid, &[unit]);
+    let all: Vec<Accel> = [list, grid].into_iter().chain(trees(&[unit])).collect();
     for axis in 0..3 {
         for (face, crosses) in [(0.0, true), (-0.0, true), (1.0, true), (-0.5, false), (1.5, false)]
         {
             for zero in [0.0, -0.0] {
                 let origin = Point::new(-2.0, -2.0, -2.0).with(axis, face);
                 let direction = Point::new(1.0, 1.0, 1.0).with(axis, zero).to_vector();
-                let (entry, exit) = unit.crossing(&SlabRay::new(&Ray::new(origin, direction)));
-                assert_eq!(entry <= exit, crosses, "axis {axis}, face {face}: {entry} {exit}");
-                if crosses {
-                    // the slack of a crossing is 2⁻³⁰, relatively and outward
-                    let slack = 3.1 / f64::from(1 << 30);
-                    assert!(entry <= 2.0 && entry > 2.0 - slack, "{entry}");
-                    assert!(exit >= 3.0 && exit < 3.0 + slack, "{exit}");
+                let ray = Ray::new(origin, direction);
+                for (t, between) in [
+                    (2.0 - outside, false),
+                    (2.0 - inside, true),
+                    (2.5, true),
+                    (3.0 + inside, true),
+                    (3.0 + outside, false),
+                ] {
+                    for accel in &all {
+                        let stub = Anywhere(unit, t);
+                        let found = accel.nearest(&stub, &ray, Span::AHEAD).is_some();
+                        assert_eq!(found, crosses && between, "axis {axis}, face {face}, t {t}");
+                        assert_eq!(accel.any(&stub, &ray, Span::AHEAD).is_some(), found);
+                    }
                 }
             }
         }
     }
+}
+
+/// Law: equal among boxes and spheres inside each other, of sizes down to 2⁻³⁰ of the largest.
+/// Oracle: the list.
+#[test]
+fn acceleration_equals_the_list_on_nested_objects() {
+    let mut objects = Vec::new();
+    for i in 0..40 {
+        let size = groundtruth::math::power(2.0, -0.75 * f64::from(i));
+        let corner = size * Vector::new(1.0, 1.0, 1.0);
+        let (min, max) = (Point::ORIGIN - corner, Point::ORIGIN + corner);
+        objects.push(built(shapes::Box { min, max }));
+        objects.push(built(Sphere { center: Point::ORIGIN, radius: size, inward: false }));
+    }
+    let mut draw = Draw::new(2245);
+    let inner = (0..4_000).map(move |_| {
+        let mut place = || {
+            let reach = draw.decades(-9.0, 0.0);
+            draw.point(reach)
+        };
+        let (from, to) = (place(), place());
+        Ray::new(from, to - from)
+    });
+    agree("nested", objects, inner.chain(some_rays(2246, 4_000, 1.0)), 2);
+}
+
+/// Law: equal for rays that start up to 10¹⁴ sizes away, whose slack is then larger than the scene,
+/// and small objects far from the origin. Oracle: the list.
+#[test]
+fn acceleration_equals_the_list_from_afar() {
+    for (seed, shift) in [(2247, 0.0), (2248, 1e3), (2249, 1e7), (2250, 1e12)] {
+        let mut draw = Draw::new(seed);
+        let middle = Point::new(shift, -0.5 * shift, 0.25 * shift);
+        let objects: Vec<_> = (0..60)
+            .map(|_| {
+                let center = middle + draw.vector(1.0);
+                built(Sphere { center, radius: draw.decades(-1.0, -0.3), inward: false })
+            })
+            .collect();
+        let rays = (0..4_000).map(move |_| {
+            let (target, away) = (middle + draw.vector(1.0), draw.direction());
+            let far = draw.decades(0.0, 14.0);
+            Ray::new(target + far * away, -(draw.decades(-3.0, 3.0) * away))
+        });
+        agree("from afar", objects, rays, 20);
+    }
+}
+
+/// Law: counting changes no answer; the list tests every object, the tree few of many. Oracle: the
+/// list, and the number of objects.
+#[test]
+fn a_counted_search_finds_the_same() {
+    let both = Both::new(spheres(&mut Draw::new(2255), 300));
+    let (mut tests, mut steps) = (0, 0);
+    for ray in some_rays(2256, 1_000, 1.0) {
+        let seen = Seen(&both.objects, &ray);
+        let (mut by_list, mut by_tree) = (Counts::default(), Counts::default());
+        let found = both.list.nearest_counted(&seen, &ray, Span::AHEAD, &mut by_list);
+        assert_eq!(found, both.list.nearest(&seen, &ray, Span::AHEAD));
+        assert_eq!(found, both.trees[0].nearest_counted(&seen, &ray, Span::AHEAD, &mut by_tree));
+        // a ray that passes beside everything tests nothing
+        assert!(by_list.steps == 0 && (by_list.tests == 300 || by_list.tests == 0));
+        tests += by_tree.tests;
+        steps += by_tree.steps;
+    }
+    assert!(tests < 20_000 && steps < 20_000 && steps > 500, "{tests} tests, {steps} nodes");
+    assert!(both.trees[0].memory_bytes() > both.list.memory_bytes());
 }
 
 /// Law: a tree over 10⁵ objects is the same each time, on one thread and on two. Oracle: itself,

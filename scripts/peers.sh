@@ -1,0 +1,12 @@
+#!/bin/sh
+# Fetches Embree 4 from the Python package `embreex` and measures our meshes against it and others.
+set -eu
+cd "$(dirname "$0")/.."
+folder=target/embree
+if [ ! -d "$folder" ]; then
+    python3 -m pip download --quiet --no-deps --only-binary :all: --dest "$folder.wheel" embreex
+    python3 -m zipfile -e "$folder.wheel"/embreex-*.whl "$folder"
+fi
+EMBREE=$(ls "$PWD/$folder"/embreex.libs/libembree4*.so* | head -n 1)
+export EMBREE
+exec cargo run --release --manifest-path benches/peers/Cargo.toml
