@@ -3,4 +3,5 @@
 pub mod compounds;
 mod hard;
 pub mod leaving;
+mod parts;
 mod shapes;
