@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::assembly::{Materials, searched_solid};
+use super::assembly::{Materials, smooth_solid};
 use super::beveled_box::RoundedBox;
-use super::edges::{Named, check_bevel, inset, uncovered};
+use super::edges::{Named, check_bevel, inset, rounding, uncovered};
 use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Instance, Kind, Rectangle, Shape};
 use crate::accel::Method;
@@ -170,7 +170,8 @@ impl Specification for Archway {
         let mut parts = self.columns();
         parts.extend(self.arch());
         parts.extend(self.faces_between());
-        searched_solid(&parts, &self.materials, self.accel, context)
+        let rounding = rounding(self.height.max(self.width).max(self.depth));
+        smooth_solid(&parts, &self.materials, self.accel, rounding, context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

@@ -35,14 +35,16 @@ pub fn solid(
     materials: &Materials,
     context: &mut Context,
 ) -> Result<Arc<dyn Shape>, Invalid> {
-    searched_solid(parts, materials, None, context)
+    smooth_solid(parts, materials, None, 0.0, context)
 }
 
-/// The same, searched in this way.
-pub fn searched_solid(
+/// The same, searched in this way, of parts that touch without an angle: a ray that leaves one of
+/// them at a seam must not meet the other, so no bound of a hit's error is below `least_error`.
+pub fn smooth_solid(
     parts: &[(&'static str, Kind)],
     materials: &Materials,
     accel: Option<Method>,
+    least_error: f64,
     context: &mut Context,
 ) -> Result<Arc<dyn Shape>, Invalid> {
     let names: BTreeSet<&str> = parts.iter().map(|(name, _)| *name).collect();
@@ -55,7 +57,8 @@ pub fn searched_solid(
         let material = materials.get(*name).map(String::as_str);
         PartData { name, material, shape }
     });
-    Ok(Arc::new(Assembly::build("parts", parts, accel, context)?))
+    let assembly = Assembly::build("parts", parts, accel, context)?;
+    Ok(Arc::new(Assembly { least_error, ..assembly }))
 }
 
 /// Parts that are hit as one shape.
@@ -66,6 +69,8 @@ pub struct Assembly {
     leaves: Vec<u64>,
     accel: Accel,
     bounds: Aabb,
+    /// A hit's error is at least this.
+    least_error: f64,
 }
 
 #[derive(Debug)]
@@ -117,6 +122,7 @@ impl Assembly {
             accel: Accel::build(accel.unwrap_or(few), &bounds),
             parts,
             leaves,
+            least_error: 0.0,
         })
     }
 }
@@ -162,7 +168,8 @@ impl Shape for Assembly {
         let part = &self.parts[index];
         let within = Candidate { leaf: at.leaf - self.leaves[index], ..*at };
         let surface = part.shape.surface(ray, &within);
-        Surface { material: surface.material.or(part.material), ..surface }
+        let error = surface.error.max(self.least_error);
+        Surface { error, material: surface.material.or(part.material), ..surface }
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::assembly::{Materials, solid};
-use super::edges::{Named, check_bevel, corner, extended, inset, overlap, quarter, wall};
+use super::assembly::{Materials, smooth_solid};
+use super::edges::{Named, check_bevel, corner, extended, inset, overlap, quarter, rounding, wall};
 use super::{Context, Instance, Kind, Rectangle, Shape};
 use crate::invalid::{Invalid, finite_point};
 use crate::kinds::Specification;
@@ -52,7 +52,7 @@ impl Specification for BeveledBox {
         let rounded = RoundedBox::new(extents.map(|(_, extent)| extent), bevel);
         let parts: Vec<Named> =
             rounded.faces().into_iter().chain(rounded.edges()).chain(rounded.corners()).collect();
-        solid(&parts, &self.materials, context)
+        smooth_solid(&parts, &self.materials, None, rounding(largest(rounded.outer)), context)
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -91,8 +91,7 @@ impl RoundedBox {
     /// The bevel fits.
     pub fn new(outer: [[f64; 2]; 3], bevel: f64) -> Self {
         let inner = outer.map(|extent| inset(extent, bevel));
-        let largest = outer.into_iter().flatten().fold(0.0, |all: f64, c| all.max(c.abs()));
-        let reaching = inner.map(|extent| extended(extent, overlap(largest, bevel)));
+        let reaching = inner.map(|extent| extended(extent, overlap(largest(outer), bevel)));
         Self { outer, inner, reaching, bevel }
     }
 
@@ -176,6 +175,11 @@ impl RoundedBox {
         }
         corners
     }
+}
+
+/// The largest coordinate.
+fn largest(extents: [[f64; 2]; 3]) -> f64 {
+    extents.into_iter().flatten().fold(0.0, |all: f64, c| all.max(c.abs()))
 }
 
 fn along(axis: usize) -> Vector {

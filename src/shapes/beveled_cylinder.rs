@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::assembly::{Materials, solid};
-use super::edges::{Named, check_bevel, extended, inset, overlap};
+use super::assembly::{Materials, smooth_solid};
+use super::edges::{Named, check_bevel, extended, inset, overlap, rounding};
 use super::shoulder::Shoulder;
 use super::{Context, Disk, Instance, Kind, OpenCylinder, Shape};
 use crate::invalid::{Invalid, shown};
@@ -46,7 +46,8 @@ impl Specification for BeveledCylinder {
         }
         let flat = radius - bevel;
         let [low, high] = inset([y0, y1], bevel);
-        let over = overlap(y0.abs().max(y1.abs()).max(radius), bevel);
+        let largest = y0.abs().max(y1.abs()).max(radius);
+        let over = overlap(largest, bevel);
         let mut parts: Vec<Named> = Vec::new();
         if flat > 0.0 {
             for (name, y, normal) in [("bottom", y0, -Vector::Y), ("top", y1, Vector::Y)] {
@@ -65,7 +66,7 @@ impl Specification for BeveledCylinder {
         let up = |y: f64| Step::Translate(y * Vector::Y);
         parts.push(("bottom_edge", edge(vec![Step::Reflect(Axis::Y), up(low)])));
         parts.push(("top_edge", edge(vec![up(high)])));
-        solid(&parts, &self.materials, context)
+        smooth_solid(&parts, &self.materials, None, rounding(largest), context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::angles::full_turn;
 use super::annulus::radii;
-use super::assembly::{Materials, solid};
-use super::edges::{Named, check_bevel, extended, inset, moved, overlap, tube};
+use super::assembly::{Materials, smooth_solid};
+use super::edges::{Named, check_bevel, extended, inset, moved, overlap, rounding, tube};
 use super::{Annulus, Context, OpenCylinder, Shape};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::Specification;
@@ -46,7 +46,8 @@ impl Specification for BeveledRing {
             [("height", [y0, y1]), ("distance between the radii", [inner_radius, outer_radius])];
         check_bevel(bevel, &extents)?;
         let [low, high] = inset([y0, y1], bevel);
-        let over = overlap(y0.abs().max(y1.abs()).max(outer_radius), bevel);
+        let largest = y0.abs().max(y1.abs()).max(outer_radius);
+        let over = overlap(largest, bevel);
         let [near, far] = inset([inner_radius, outer_radius], bevel);
         let mut parts: Vec<Named> = Vec::new();
         if near < far {
@@ -74,7 +75,7 @@ impl Specification for BeveledRing {
             let edge = tube(swept, bevel, full_turn(), theta);
             parts.push(("edges", moved(edge, y * Vector::Y)));
         }
-        solid(&parts, &self.materials, context)
+        smooth_solid(&parts, &self.materials, None, rounding(largest), context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

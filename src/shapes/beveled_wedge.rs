@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::assembly::{Materials, solid};
+use super::assembly::{Materials, smooth_solid};
+use super::edges::rounding;
 use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Shape};
 use crate::invalid::{Invalid, finite};
@@ -58,7 +59,7 @@ impl Specification for BeveledWedge {
         let wedge = Wedge { y, r, phi: ascending(self.phi)?, bevel: self.bevel };
         wedge.check()?;
         let all = Sides { inner_wall: true, outer_wall: true, ends: true };
-        solid(&wedge.parts(all), &self.materials, context)
+        smooth_solid(&wedge.parts(all), &self.materials, None, rounding(wedge.largest()), context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

@@ -48,6 +48,12 @@ pub(super) fn inset([low, high]: [f64; 2], bevel: f64) -> [f64; 2] {
     [low + bevel, high - bevel]
 }
 
+/// How far a hit of a part may be from where another part is that touches it, in a solid whose
+/// coordinates are so large.
+pub(super) fn rounding(largest: f64) -> f64 {
+    64.0 * UNIT_ROUNDOFF * largest
+}
+
 /// By how much the parts of a solid whose coordinates are so large reach over a seam where they touch
 /// without an angle. There the rounding of a hit decides which part it is on, and a ray that is
 /// rounded off both would be lost; in the overlap, where they are apart by less than can be told,
@@ -55,7 +61,7 @@ pub(super) fn inset([low, high]: [f64; 2], bevel: f64) -> [f64; 2] {
 /// that it could be seen on an edge of this radius.
 pub(super) fn overlap(largest: f64, radius: f64) -> f64 {
     const MOST: f64 = 1.0 / (1 << 20) as f64;
-    (64.0 * UNIT_ROUNDOFF * largest).min(MOST * radius)
+    rounding(largest).min(MOST * radius)
 }
 
 /// `range`, longer by so much at each end.

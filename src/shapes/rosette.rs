@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::assembly::{Materials, searched_solid};
+use super::assembly::{Materials, smooth_solid};
 use super::beveled_wedge::heights;
-use super::edges::{Named, uncovered};
+use super::edges::{Named, rounding, uncovered};
 use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Shape};
 use crate::accel::Method;
@@ -102,7 +102,8 @@ impl Specification for Rosette {
                 parts.extend(self.walls_between(ring));
             }
         }
-        searched_solid(&parts, &self.materials, self.accel, context)
+        let rounding = rounding(self.wedges(self.rings - 1)[0].largest());
+        smooth_solid(&parts, &self.materials, self.accel, rounding, context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::angles::full_turn;
 use super::annulus::radii;
-use super::assembly::{Materials, solid};
-use super::edges::{moved, overlap, tube};
+use super::assembly::{Materials, smooth_solid};
+use super::edges::{moved, overlap, rounding, tube};
 use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use super::{Context, Shape};
 use crate::invalid::{Invalid, positive, shown};
@@ -58,7 +58,13 @@ impl Specification for RoundRimmedBowl {
         let [from_inner, from_outer] =
             [inner, outer].map(|radius| theta - to_degrees(overlap(outer, thin) / radius));
         let [outside, inside] = shells([inner, outer], [from_inner.max(0.0), from_outer.max(0.0)]);
-        solid(&[outside, inside, ("rim", rim)], &self.materials, context)
+        smooth_solid(
+            &[outside, inside, ("rim", rim)],
+            &self.materials,
+            None,
+            rounding(outer),
+            context,
+        )
     }
 
     fn scaled(&self, factor: f64) -> Self {

@@ -96,7 +96,12 @@ impl Wedge {
 
     /// How far parts reach over the seams between them.
     pub fn overlap(&self) -> f64 {
-        overlap(self.y[0].abs().max(self.y[1].abs()).max(self.r[1]), self.bevel)
+        overlap(self.largest(), self.bevel)
+    }
+
+    /// The largest coordinate.
+    pub fn largest(&self) -> f64 {
+        self.y[0].abs().max(self.y[1].abs()).max(self.r[1])
     }
 
     /// A wall of this radius that touches the edges around it.

@@ -1,6 +1,7 @@
 //! Chapter 21: transforming objects.
 
 mod beveled;
+mod bevels;
 mod hard;
 mod instances;
 mod leaving;
