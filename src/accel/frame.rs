@@ -18,8 +18,7 @@
 //! - the ray does not cross a box that contains the primitive's, or crosses it beyond the best hit
 //!   or before the span. In `f64`, by [`FrameRay::crossing`], every operation is monotone, so the
 //!   interval of a box contains that of each box in it, to the last bit. In `f32` the boxes are
-//!   larger by more than all its roundings: see
-//!   `accel/bvh/node.rs`.
+//!   larger by more than all its roundings: see `accel/bvh/node.rs`.
 //!
 //! Intervals are closed and compared by `<=`, so of equal hits all are seen, and the first counts.
 
@@ -180,4 +179,34 @@ impl FrameRay {
 /// 1024 for what is no number.
 fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Law: a ray in the plane of a box's grown face is inside that slab, whatever the sign of the
+    /// zero in its direction. Oracle: worked by hand, in numbers that are exact.
+    #[test]
+    fn a_ray_in_a_grown_face_is_inside() {
+        let corner = Point::new(1.0, 1.0, 1.0);
+        let frame = Frame::around(&[Aabb { min: Point::ORIGIN - corner.to_vector(), max: corner }]);
+        for zero in [0.0, -0.0] {
+            let ray =
+                Ray::new(Point::new(-4.0, 0.25, 0.25), Point::new(1.0, zero, zero).to_vector());
+            let ray = frame.ray(&ray).expect("it meets the frame");
+            let whole = Aabb { min: Point::new(-0.5, -0.5, -0.5), max: Point::new(0.5, 0.5, 0.5) };
+            for axis in [1, 2] {
+                let beside = |slacks: f64| ray.origin[axis] + slacks * ray.slack;
+                for (slacks, inside) in [(1.0, true), (2.0, false)] {
+                    let above = Aabb { min: whole.min.with(axis, beside(slacks)), ..whole };
+                    let below = Aabb { max: whole.max.with(axis, beside(-slacks)), ..whole };
+                    for bounds in [above, below] {
+                        let (near, far) = ray.crossing(&bounds);
+                        assert_eq!(near <= far, inside, "{near} {far} {bounds:?}");
+                    }
+                }
+            }
+        }
+    }
 }
