@@ -309,12 +309,12 @@ fn empty_and_impossible_ranges_are_refused() {
     let problem = |kind: Kind| {
         kind.build(&mut Context::default()).map(drop).expect_err("refused").to_string()
     };
-    let azimuths = "but two different azimuths in degrees from -360 to 360 are needed; [350, 10] \
-                    passes through 360";
+    let angles = "but two different angles in degrees from -360 to 360 are needed; [350, 10] \
+                  passes through 360";
     for phi in [[30.0, 30.0], [0.0, 361.0], [f64::NAN, 1.0], [0.0, f64::INFINITY], [360.0, 0.0]] {
         for kind in all_parts(phi) {
             let text = problem(kind);
-            assert!(text.contains(&format!(".phi: found {phi:?}, {azimuths}")), "{text}");
+            assert!(text.contains(&format!(".phi: found {phi:?}, {angles}")), "{text}");
         }
     }
     for theta in [[90.0, 90.0], [100.0, 20.0], [-1.0, 90.0], [0.0, 181.0], [f64::NAN, 90.0]] {

@@ -51,11 +51,14 @@ fn roots_that_meet_are_never_lost() {
             roots.push(other);
         }
         let found = real_roots(&with(&roots));
-        let size = 1.0 + meeting.abs().max(other.abs());
         for &root in &roots {
             let meets = roots.iter().filter(|&&r| r == root).count() as f64;
-            // a neighbour as near as a third takes some more digits
-            let spread = 256.0 * size * groundtruth::math::power(U, 1.0 / meets);
+            // coefficients rounded by 8u move the value by 8u ∏(|x| + |r|) at most, and m roots that
+            // meet by its m-th root over the product of the distances to the others; twice that
+            let value: f64 = roots.iter().map(|r| root.abs() + r.abs()).product();
+            let apart: f64 = roots.iter().map(|r| (root - r).abs()).filter(|&d| d > 0.0).product();
+            let moved = groundtruth::math::power(8.0 * U * value / apart, 1.0 / meets);
+            let spread = 2.0 * moved + 4.0 * U * root.abs();
             let near = found.iter().any(|x| (x - root).abs() <= spread);
             assert!(near, "{roots:?} gave {found:?}");
         }

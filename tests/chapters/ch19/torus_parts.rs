@@ -36,7 +36,7 @@ fn a_part_has_the_hits_whose_angles_are_in_its_ranges() {
             continue;
         };
         let inside = |[from, to]: [f64; 2], angle: f64| {
-            let turn = if to < from { to - from + 360.0 } else { to - from };
+            let turn = if to < from { (to - from).rem_euclid(360.0) } else { to - from };
             turn >= 360.0 || (angle - from).rem_euclid(360.0) <= turn
         };
         for _ in 0..8 {
