@@ -62,6 +62,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     (
         "gallery",
         &[
+            "accel",
             "cameras",
             "kinds",
             "lights",

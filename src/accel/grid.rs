@@ -27,6 +27,11 @@ const PAD: f64 = 1.0 / 64.0;
 const LEAST_PAD: f64 = 1.0 / (1 << 20) as f64;
 /// In the frame, whose box is about 1 long.
 const LEAST_EXTENT: f64 = 1.0 / (1 << 14) as f64;
+/// How many primitives a walk remembers, so as not to test them again in the next cell: without that
+/// a ray that misses tests most of them three times, and three times three in a grid in a grid
+/// (Shevtsov, Soupikov & Kapustin, "Ray-Triangle Intersection Algorithm for Modern CPU
+/// Architectures", 2007).
+const MAILBOXES: usize = 16;
 /// The most entries of all cells, for each primitive and for few of them. Large primitives, which
 /// overlap a great many cells, get coarser ones, or memory would run out.
 const MOST_ENTRIES: usize = 32;
@@ -48,7 +53,7 @@ pub struct Grid {
 struct Cells {
     bounds: Aabb,
     counts: [usize; 3],
-    /// The sides of a cell.
+    /// The sides of a cell; 0 where all boxes are flat and in one plane.
     sides: [f64; 3],
     /// By how much the boxes of primitives are grown.
     pad: f64,
@@ -95,9 +100,13 @@ impl Grid {
             self.all.iter().any(|&index| search.consider(index));
             return;
         };
+        let mut tested = [u32::MAX; MAILBOXES];
         for (cell, end) in walk {
             search.step();
-            let done = self.cell(cell).iter().any(|&index| search.consider(index));
+            let done = self.cell(cell).iter().any(|&index| {
+                let last = std::mem::replace(&mut tested[index as usize % MAILBOXES], index);
+                last != index && search.consider(index)
+            });
             if done || ray.last(search.span()) < end {
                 return;
             }
@@ -121,18 +130,16 @@ impl Cells {
         let s = cbrt(w[0] * w[1] * w[2] / n);
         let counts = w.map(|w| (multiplier * w / s) as usize + 1);
         let side = |extent: f64, i: usize| extent / counts[i] as f64;
-        let least = (0..3).map(|i| side(whole.extent().along(i), i)).fold(f64::INFINITY, f64::min);
-        let pad = (PAD * least).max(LEAST_PAD);
-        let grown = pad * Vector::new(1.0, 1.0, 1.0);
-        let bounds = Aabb { min: whole.min - grown, max: whole.max + grown };
-        let sides = std::array::from_fn(|i| side(bounds.extent().along(i), i));
-        Self { bounds, counts, sides, pad }
+        let longest = (0..3).map(|i| side(w[i], i)).fold(0.0, f64::max);
+        let sides = std::array::from_fn(|i| side(whole.extent().along(i), i));
+        let pad = (PAD * longest).max(LEAST_PAD);
+        Self { bounds: whole, counts, sides, pad }
     }
 
     /// The cell of a coordinate on an axis; the first or last for what lies outside.
     fn along(&self, axis: usize, x: f64) -> usize {
         let place = (x - self.bounds.min.along(axis)) / self.sides[axis];
-        (place as usize).min(self.counts[axis] - 1) // negative numbers become 0
+        (place as usize).min(self.counts[axis] - 1) // negative numbers and 0/0 become 0
     }
 
     /// The number of a cell: the first index runs fastest.
@@ -158,9 +165,9 @@ impl Cells {
     }
 
     /// Where the ray meets the border between cell `k − 1` and cell `k` of an axis; never, for a ray
-    /// along it.
+    /// along it, and for the outermost borders: boxes grown by a ray's slack may reach over them.
     fn border(&self, ray: &FrameRay, axis: usize, k: usize) -> f64 {
-        if ray.inverse[axis].is_infinite() {
+        if k == 0 || k == self.counts[axis] || ray.inverse[axis].is_infinite() {
             return f64::INFINITY;
         }
         let plane = self.bounds.min.along(axis) + k as f64 * self.sides[axis];
@@ -188,6 +195,8 @@ struct Walk<'a> {
     place: [usize; 3],
     /// Where the ray leaves the cell on each axis.
     next: [f64; 3],
+    /// Where it leaves the last cell.
+    far: f64,
     inside: bool,
 }
 
@@ -201,7 +210,7 @@ impl<'a> Walk<'a> {
         if !sound || inside && !start.is_finite() {
             return None;
         }
-        let mut walk = Self { cells, ray, place: [0; 3], next: [0.0; 3], inside };
+        let mut walk = Self { cells, ray, place: [0; 3], next: [0.0; 3], far, inside };
         for axis in 0..3 {
             let x = ray.origin[axis] + start / ray.inverse[axis];
             walk.place[axis] = cells.along(axis, x);
@@ -232,17 +241,11 @@ impl Iterator for Walk<'_> {
         let [x, y, z] = self.next;
         let axis = if x <= y && x <= z { 0 } else { 1 + usize::from(z < y) };
         let end = self.next[axis];
-        let neighbour = if self.backward(axis) {
-            self.place[axis].checked_sub(1)
-        } else {
-            Some(self.place[axis] + 1).filter(|&place| place < self.cells.counts[axis])
-        };
-        match neighbour {
-            Some(place) => {
-                self.place[axis] = place;
-                self.next[axis] = self.end(axis);
-            }
-            None => self.inside = false,
+        self.inside = end < self.far; // so not at an outermost border
+        if self.inside {
+            let place = &mut self.place[axis];
+            *place = if self.ray.inverse[axis] < 0.0 { *place - 1 } else { *place + 1 };
+            self.next[axis] = self.end(axis);
         }
         Some((cell, end))
     }
