@@ -172,7 +172,7 @@ impl World {
         let (index, candidate) = self.accel.nearest(&seen, ray, span)?;
         let object = &self.objects.0[index as usize];
         let surface = object.shape.surface(ray, &candidate);
-        let surface = Surface { leaf: candidate.leaf, part: candidate.part, ..surface };
+        let surface = Surface { leaf: candidate.leaf, ..surface };
         let front = surface.is_front(ray.direction);
         let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
         Some(Hit { t: candidate.t, object, material, surface, front })

@@ -7,8 +7,8 @@ use crate::math::Point;
 use crate::rgb::Rgb;
 use crate::scene::{Image, Material, Object, Scene};
 use crate::shapes::{
-    Annulus, Cone, Kind, Materials, Paraboloid, PartAnnulus, PartCylinder, PartSphere, PartTorus,
-    SolidCylinder, Torus,
+    Annulus, Cone, FlatRimmedBowl, Kind, Materials, Paraboloid, PartAnnulus, PartCylinder,
+    PartSphere, PartTorus, RoundRimmedBowl, SolidCylinder, ThickRing, Torus,
 };
 
 pub const SCENES: List = &[
@@ -16,6 +16,8 @@ pub const SCENES: List = &[
     ("ch19/solid-cylinder", solid_cylinder),
     ("ch19/cone", cone),
     ("ch19/colored-cylinder", colored_cylinder),
+    ("ch19/bowls", bowls),
+    ("ch19/colored-ring", colored_ring),
     ("ch19/part-objects", part_objects),
 ];
 
@@ -74,9 +76,56 @@ fn colored_cylinder() -> Scene {
     scene
 }
 
+fn colored_ring() -> Scene {
+    let about = "figure 19.29b: a thick ring of three materials";
+    let mut scene = stage(about, Point::ORIGIN, 1800.0);
+    let materials =
+        [("bottom", "orange"), ("top", "orange"), ("inner_wall", "green"), ("outer_wall", "blue")];
+    let materials = materials.map(|(part, material)| (part.to_owned(), material.to_owned()));
+    let ring = ThickRing {
+        y0: -0.25,
+        y1: 0.25,
+        inner_radius: 0.5,
+        outer_radius: 1.0,
+        materials: Materials::from(materials),
+    };
+    scene.objects.push(Object::new("ring", "blue", ring));
+    for (name, color) in [
+        ("orange", rgb(1.0, 0.6, 0.1)),
+        ("green", rgb(0.4, 0.9, 0.3)),
+        ("blue", rgb(0.3, 0.5, 1.0)),
+    ] {
+        scene.materials.push(Material::new(name, matte(0.25, 0.75, color)));
+    }
+    scene
+}
+
+fn bowls() -> Scene {
+    let about = "figure 19.27: a bowl with a flat rim and one with a round rim";
+    let lens = Pinhole { distance: 900.0, zoom: 1.0 };
+    let camera = Viewpoint::new(point(1.0, 2.0, 5.0), point(0.0, -0.35, 0.0), lens);
+    let image = Image { samples: 16, ..Image::new(900, 400) };
+    let mut scene = Scene::new(about, image, camera);
+    scene.background = grey(0.05);
+    scene.lights.push(ambient(0.25));
+    scene.lights.push(directional("light", vector(10.0, 20.0, 15.0), 3.0));
+    let (inner_radius, outer_radius, opening) = (0.9, 1.0, 180.0);
+    let materials = Materials::new;
+    let flat = FlatRimmedBowl { inner_radius, outer_radius, opening, materials: materials() };
+    let round = RoundRimmedBowl { inner_radius, outer_radius, opening, materials: materials() };
+    let flat = moved(flat, vector(-1.15, 0.0, 0.0));
+    let round = moved(round, vector(1.15, 0.0, 0.0));
+    add(&mut scene, "flat-rimmed", flat, rgb(0.15, 0.75, 0.9), false);
+    add(&mut scene, "round-rimmed", round, rgb(0.53, 0.67, 0.34), false);
+    scene
+}
+
 fn part_objects() -> Scene {
     let about = "parts of a sphere, a torus, a cylinder and an annulus, a paraboloid and a ring";
-    let mut scene = stage(about, point(0.0, 0.2, 0.0), 560.0);
+    let mut scene = stage(about, Point::ORIGIN, 700.0);
+    scene.camera.eye = point(0.0, 6.0, 11.0);
+    scene.image = Image { samples: 16, ..Image::new(600, 400) };
+    scene.lights[1].shadows = false; // each is to be seen whole
     let at = |shape: Kind, x: f64, z: f64| moved(shape, vector(x, 0.0, z));
     let sphere = PartSphere {
         center: Point::ORIGIN,
@@ -109,12 +158,12 @@ fn part_objects() -> Scene {
     };
     let paraboloid = Paraboloid { height: 1.5, radius: 1.0, inward: false };
     for (name, shape, x, z, color) in [
-        ("sphere", Kind::from(sphere), -2.6, -1.6, rgb(1.0, 0.4, 0.3)),
-        ("torus", torus.into(), 0.2, -1.6, rgb(1.0, 0.75, 0.2)),
-        ("cylinder", cylinder.into(), 3.0, -1.6, rgb(0.4, 0.8, 0.3)),
-        ("annulus", annulus.into(), -2.2, 1.6, rgb(0.3, 0.7, 0.9)),
-        ("ring", ring.into(), 0.4, 1.6, rgb(0.5, 0.5, 1.0)),
-        ("paraboloid", paraboloid.into(), 2.8, 1.6, rgb(0.9, 0.5, 0.9)),
+        ("sphere", Kind::from(sphere), -2.9, -1.8, rgb(1.0, 0.4, 0.3)),
+        ("torus", torus.into(), 0.0, -1.8, rgb(1.0, 0.75, 0.2)),
+        ("cylinder", cylinder.into(), 2.9, 1.6, rgb(0.4, 0.8, 0.3)),
+        ("annulus", annulus.into(), -2.7, 1.6, rgb(0.3, 0.7, 0.9)),
+        ("ring", ring.into(), 0.0, 1.6, rgb(0.5, 0.5, 1.0)),
+        ("paraboloid", paraboloid.into(), 2.7, -1.8, rgb(0.9, 0.5, 0.9)),
     ] {
         add(&mut scene, name, at(shape, x, z), color, true);
     }

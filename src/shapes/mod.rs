@@ -54,23 +54,12 @@ pub struct Surface {
     pub material: Option<u32>,
     /// As in [`Candidate`]; set for what the world hits.
     pub leaf: u64,
-    /// As in [`Candidate`]; set for what the world hits.
-    pub part: u32,
 }
 
 impl Surface {
     /// A surface with one normal, in its own coordinates.
     pub fn new(point: Point, error: f64, normal: Normal) -> Self {
-        Self {
-            point,
-            error,
-            normal,
-            shading: normal,
-            local: point,
-            material: None,
-            leaf: 0,
-            part: 0,
-        }
+        Self { point, error, normal, shading: normal, local: point, material: None, leaf: 0 }
     }
 
     /// The same surface, its normals turned round if it is an inward one.

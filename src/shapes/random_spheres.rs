@@ -89,7 +89,7 @@ struct Seen<'a> {
 impl Primitives for Seen<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         let hit = self.spheres[index as usize].hit(self.ray, span)?;
-        Some(Candidate { part: index, ..hit })
+        Some(Candidate { leaf: index.into(), ..hit })
     }
 
     fn bounds(&self, index: u32) -> Aabb {
@@ -109,14 +109,14 @@ impl Shape for Built {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.spheres[at.part as usize].surface(ray, at)
+        self.spheres[at.leaf as usize].surface(ray, at)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
         for (index, sphere) in (0..).zip(&self.spheres) {
             let within = sphere.roots(ray, span).into_iter();
-            roots.extend(within.map(|at| Candidate { part: index, ..at }));
+            roots.extend(within.map(|at| Candidate { leaf: index, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));
         roots
@@ -124,5 +124,9 @@ impl Shape for Built {
 
     fn bounds(&self) -> Aabb {
         self.bounds
+    }
+
+    fn leaves(&self) -> u64 {
+        self.spheres.len() as u64
     }
 }

@@ -11,8 +11,8 @@ use crate::math::{Pcg32, hash};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
-/// A colour for each part of a compound, sphere of many or triangle of a mesh, uniform in the cube
-/// of colours and the same wherever the part is seen.
+/// A colour for each shape nested in a compound, lattice or set of random spheres, uniform in the
+/// cube of colours and the same wherever the shape is seen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RandomColors {
@@ -40,7 +40,7 @@ impl Specification for RandomColors {
 
 impl Texture for RandomColors {
     fn color(&self, at: &Surface) -> Rgb {
-        let mut random = Pcg32::new(hash(&[self.seed, at.leaf, u64::from(at.part)]), 0);
+        let mut random = Pcg32::new(hash(&[self.seed, at.leaf]), 0);
         let mut channel = || random.uniform();
         Rgb::new(channel(), channel(), channel())
     }
