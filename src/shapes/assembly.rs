@@ -78,6 +78,7 @@ struct Part {
     shape: Arc<dyn Shape>,
     bounds: Aabb,
     material: Option<u32>,
+    /// Whether it, or anything in it, does.
     casts_shadows: bool,
 }
 
@@ -96,10 +97,8 @@ impl Assembly {
             context.take_parts(1).map_err(&here)?;
             let material =
                 part.material.map(|name| context.material(name)).transpose().map_err(&here)?;
-            let shape = context
-                .nested(|context| context.within(material, |context| part.shape.build(context)))
-                .map_err(|e| here(e.inside("shape")))?;
-            let casts_shadows = material.map_or(context.inherited(), |m| m.casts_shadows);
+            let (shape, casts_shadows) =
+                context.part(part.shape, material).map_err(|e| here(e.inside("shape")))?;
             let (bounds, material) = (shape.bounds(), material.map(|m| m.place));
             built.push(Part { shape, bounds, material, casts_shadows });
         }

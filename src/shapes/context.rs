@@ -28,6 +28,8 @@ pub struct Context {
     /// Whether parts without a material of their own cast shadows.
     inherited: bool,
     used: Vec<PartMaterial>,
+    /// How many times a material that casts shadows was given to something.
+    casting: u64,
     meshes: HashMap<PathBuf, Arc<MeshData>>,
     shared: HashMap<String, Arc<dyn Shape>>,
     triangles: u64,
@@ -53,6 +55,7 @@ impl Default for Context {
             materials: BTreeMap::new(),
             inherited: true,
             used: Vec::new(),
+            casting: 0,
             meshes: HashMap::new(),
             shared: HashMap::new(),
             triangles: 0,
@@ -102,9 +105,17 @@ impl Context {
         Ok((shape, std::mem::take(&mut self.used)))
     }
 
-    /// Whether a part without a material of its own casts shadows.
-    pub(super) fn inherited(&self) -> bool {
-        self.inherited
+    /// Builds the shape of a part of this material, and says whether anything in it casts shadows:
+    /// what has no material of its own does as the part, which does as what is around it.
+    pub(super) fn part(
+        &mut self,
+        shape: &Kind,
+        material: Option<PartMaterial>,
+    ) -> Result<(Arc<dyn Shape>, bool), Invalid> {
+        let before = self.casting;
+        let built = self.nested(|context| context.within(material, |c| shape.build(c)))?;
+        let as_around = material.is_none() && self.inherited;
+        Ok((built, as_around || self.casting > before))
     }
 
     /// Builds what stands inside a part of this material.
@@ -116,6 +127,7 @@ impl Context {
         let outer = self.inherited;
         if let Some(material) = material {
             self.inherited = material.casts_shadows;
+            self.casting += u64::from(material.casts_shadows);
             if !self.used.contains(&material) {
                 self.used.push(material);
             }

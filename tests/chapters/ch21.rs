@@ -5,5 +5,7 @@ mod bevels;
 mod hard;
 mod instances;
 mod leaving;
+mod local;
+mod nested;
 mod seams;
 mod stones;

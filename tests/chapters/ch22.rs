@@ -1,5 +1,8 @@
-//! Chapter 22: acceleration. Only its equality with the list is promised so far; the book's regular
-//! grid is not built.
+//! Chapter 22: acceleration: equality with the list, lattices and random spheres, and what a search
+//! costs. Laws of cells and walks stand with the grid.
 
 mod chaos;
 mod equal;
+mod everywhere;
+mod lattices;
+mod steps;

@@ -1,5 +1,6 @@
 //! Chapter 23: triangle meshes.
 
+mod bumps;
 mod files;
 mod hard;
 mod meshes;

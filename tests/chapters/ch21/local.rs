@@ -1,0 +1,146 @@
+//! Where textures are looked up, and what copies of one mesh hold.
+
+use std::sync::Arc;
+
+use groundtruth::kinds::Custom;
+use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
+use groundtruth::shapes::{
+    Compound, Context, Instance, Kind, Lattice, Sphere, Surface, TessellatedSphere,
+};
+
+use crate::draw::Draw;
+use crate::support::U;
+
+fn sphere() -> Kind {
+    Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }.into()
+}
+
+fn steps(draw: &mut Draw) -> Vec<Step> {
+    let factors = [(); 3].map(|()| draw.between(0.5, 2.0));
+    vec![
+        Step::Scale(factors.into()),
+        Step::RotateX(draw.between(-180.0, 180.0)),
+        Step::RotateY(draw.between(-180.0, 180.0)),
+        Step::Translate(draw.vector(2.0)),
+    ]
+}
+
+fn instance(of: Kind, transform: &[Step], transform_texture: bool) -> Kind {
+    Instance { transform_texture, ..Instance::new(of, transform.to_vec()) }.into()
+}
+
+/// The surface at the ray's first hit, in this shape.
+fn seen(kind: &Kind, ray: &Ray) -> Surface {
+    let shape = kind.build(&mut Context::default()).expect("valid");
+    let at = shape.hit(ray, Span::AHEAD).expect("aimed inside");
+    shape.surface(ray, &at)
+}
+
+fn map(steps: &[Step]) -> Transform {
+    Transform::from_steps(steps).expect("not singular")
+}
+
+/// A ray at something near the middle of what this map makes of the unit sphere.
+fn ray_at(draw: &mut Draw, map: &Transform) -> Ray {
+    let target = map.point(draw.point(0.4));
+    Ray::new(target + 20.0 * draw.direction(), Vector::ZERO).aimed(target)
+}
+
+trait Aimed {
+    fn aimed(self, at: Point) -> Ray;
+}
+
+impl Aimed for Ray {
+    fn aimed(self, at: Point) -> Ray {
+        Ray::new(self.origin, at - self.origin)
+    }
+}
+
+/// Points are within 50 of the origin and pass two maps that stretch at most fourfold.
+const CLOSE: f64 = 50.0 * 256.0 * U;
+
+/// Law: with and without `transform_texture` only the local point differs, and that by `M⁻¹`
+/// exactly (invariant 8). Oracle: the forward map.
+#[test]
+fn untransformed_textures_differ_by_the_map_of_the_local_point_alone() {
+    let mut draw = Draw::new(2190);
+    for _ in 0..1_000 {
+        let steps = steps(&mut draw);
+        let map = map(&steps);
+        let ray = ray_at(&mut draw, &map);
+        let [on, off] = [true, false].map(|on| seen(&instance(sphere(), &steps, on), &ray));
+        assert_eq!(Surface { local: on.local, ..off }, on);
+        assert_eq!(off.local, off.point);
+        assert_eq!(map.point(on.local), off.local, "the point is the map of the local one");
+        assert!((on.local.to_vector().length() - 1.0).abs() < CLOSE);
+    }
+}
+
+/// Law: of two nested instances an inner `transform_texture = false` undoes the inner map alone:
+/// the texture still moves with the outer one; an outer one undoes both (the book's nested
+/// instances). Oracle: the two forward maps.
+#[test]
+fn a_nested_instance_undoes_its_own_map_alone() {
+    let mut draw = Draw::new(2191);
+    for _ in 0..1_000 {
+        let (inner, outer) = (steps(&mut draw), steps(&mut draw));
+        let (inside, outside) = (map(&inner), map(&outer));
+        let ray = ray_at(&mut draw, &outside.after(&inside));
+        let nested = |a, b| seen(&instance(instance(sphere(), &inner, a), &outer, b), &ray);
+        let own = nested(true, true);
+        let between = nested(false, true);
+        assert!(between.local.distance(inside.point(own.local)) <= CLOSE);
+        assert!(outside.point(between.local).distance(between.point) <= CLOSE);
+        for inner_moves in [true, false] {
+            let undone = nested(inner_moves, false);
+            assert_eq!(undone.local, own.point);
+        }
+        for other in [between, nested(true, false), nested(false, false)] {
+            assert_eq!(Surface { local: own.local, ..other }, own);
+        }
+    }
+}
+
+/// Law: compounds and lattices leave local points in the space of their parts. Oracle: the unit
+/// sphere about the parts' origin.
+#[test]
+fn copies_and_parts_keep_their_own_local_points() {
+    let mut draw = Draw::new(2192);
+    let spacing = Vector::new(3.0, -2.5, 4.0);
+    let row = Lattice { of: Box::new(sphere()), counts: [3, 2, 2], spacing, accel: None };
+    let kind = Kind::from(Compound::of([Kind::from(row), instance(sphere(), &[], true)]));
+    for _ in 0..500 {
+        let [i, j, k] = [3, 2, 2].map(|n| draw.below(n) as f64);
+        let center = Point::new(3.0 * i, -2.5 * j, 4.0 * k);
+        let ray = Ray::new(center + 1.01 * draw.direction(), Vector::ZERO).aimed(center);
+        let surface = seen(&kind, &ray);
+        assert!((surface.local.to_vector().length() - 1.0).abs() < CLOSE);
+        assert!((center + surface.local.to_vector()).distance(surface.point) < CLOSE);
+    }
+}
+
+/// Law: a million copies hold one mesh (invariant 9). Oracle: the number of owners, which one more
+/// mesh would not add to; and the budget of triangles, which 10⁴ meshes of 9800 would exceed.
+#[test]
+fn a_million_copies_hold_one_mesh() {
+    let mesh = Kind::from(TessellatedSphere::new(20, 10, false));
+    let mesh = mesh.build(&mut Context::default()).expect("valid");
+    let custom = || Kind::Custom(Custom(Arc::clone(&mesh)));
+    let counts = [100, 100, 1];
+    let spacing = Vector::new(3.0, 3.0, 3.0);
+    let plate = Lattice { of: Box::new(custom()), counts, spacing, accel: None };
+    let cube = Lattice { of: Box::new(plate.into()), counts: [1, 1, 100], spacing, accel: None };
+    let built = Kind::from(cube).build(&mut Context::default()).expect("valid");
+    assert_eq!((built.leaves(), Arc::strong_count(&mesh)), (1_000_000, 2));
+
+    let transform = |i: u32| vec![Step::Translate(f64::from(i) * Vector::X)];
+    let same =
+        (0..10_000).map(|i| Instance::new(TessellatedSphere::new(100, 50, false), transform(i)));
+    assert!(Kind::from(Compound::of(same)).build(&mut Context::default()).is_ok());
+    let other = |i: u32| TessellatedSphere {
+        radius: f64::from(i + 1),
+        ..TessellatedSphere::new(1000, 500, false)
+    };
+    let others = (0..5).map(|i| Instance::new(other(i), transform(i)));
+    assert!(Kind::from(Compound::of(others)).build(&mut Context::default()).is_err());
+}

@@ -1,0 +1,169 @@
+//! Compounds of compounds against the same shapes in one list.
+
+use std::sync::Arc;
+
+use groundtruth::accel::Method;
+use groundtruth::math::{Point, Ray, Span, Vector};
+use groundtruth::shapes::{
+    Compound, Context, Kind, Lattice, Part, PartMaterial, Shape, Sphere, Surface,
+};
+
+use crate::draw::Draw;
+
+/// Whether each of the materials, by its place, casts shadows.
+const CASTS_SHADOWS: [bool; 3] = [true, false, true];
+const NAMES: [&str; 3] = ["stone", "glass", "brass"];
+
+fn context() -> Context {
+    let materials = (0_u32..).zip(NAMES).zip(CASTS_SHADOWS);
+    let materials = materials.map(|((place, name), casts_shadows)| {
+        (name.to_owned(), PartMaterial { place, casts_shadows })
+    });
+    Context::default().with_materials(materials.collect())
+}
+
+fn ball(x: f64, radius: f64) -> Sphere {
+    Sphere { center: Point::new(x, 0.0, 0.0), radius, inward: false }
+}
+
+/// A sphere as it would be if all compounds were one, with the material nearest around it.
+struct Leaf {
+    shape: Arc<dyn Shape>,
+    material: Option<u32>,
+}
+
+/// A compound of spheres and compounds, some spheres in it several times; `leaves` gets its spheres
+/// in the order in which they are written.
+fn tree(draw: &mut Draw, depth: usize, around: Option<u32>, leaves: &mut Vec<Leaf>) -> Kind {
+    let mut parts = Vec::new();
+    for _ in 0..1 + draw.below(5) {
+        let own = if draw.coin() { Some(draw.below(3)) } else { None };
+        let material = own.map(|place| place as u32).or(around);
+        let shape = if depth > 0 && draw.coin() {
+            tree(draw, depth - 1, material, leaves)
+        } else {
+            let sphere = ball(draw.pick(&[-0.5, 0.0, 0.75]), draw.pick(&[0.5, 0.625]));
+            let shape = Kind::from(sphere.clone()).build(&mut context()).expect("a sphere");
+            leaves.push(Leaf { shape, material });
+            sphere.into()
+        };
+        let part = Part::new(shape);
+        parts.push(match own {
+            Some(place) => part.of_material(NAMES[place]),
+            None => part,
+        });
+    }
+    let accel = draw.pick(&[None, Some(Method::List), Some(Method::Grid), Some(Method::Bvh)]);
+    Compound { accel, parts }.into()
+}
+
+fn ray(draw: &mut Draw) -> Ray {
+    let origin = draw.point(2.0);
+    Ray::new(origin, draw.point(0.6) - origin)
+}
+
+/// Law: leaves are numbered as if nested compounds were one list, of equal distances the first leaf
+/// is seen, `t` and surface are the leaf's own, and the innermost material counts. Oracle: the
+/// spheres one by one, bit for bit.
+#[test]
+fn nested_compounds_equal_the_same_parts_in_one_list() {
+    let mut draw = Draw::new(2180);
+    let (mut hits, mut ties) = (0, 0);
+    for _ in 0..300 {
+        let mut leaves = Vec::new();
+        let kind = tree(&mut draw, 3, None, &mut leaves);
+        let shape = kind.build(&mut context()).expect("valid");
+        assert_eq!(shape.leaves(), leaves.len() as u64);
+        for _ in 0..30 {
+            let ray = ray(&mut draw);
+            let all = (0_u64..).zip(&leaves);
+            let all =
+                all.filter_map(|(i, leaf)| Some((i, leaf, leaf.shape.hit(&ray, Span::AHEAD)?)));
+            let all: Vec<_> = all.collect();
+            let first = all.iter().min_by(|a, b| a.2.t.total_cmp(&b.2.t).then(a.0.cmp(&b.0)));
+            let found = shape.hit(&ray, Span::AHEAD);
+            let place = found.map(|at| (at.leaf, at.t.to_bits()));
+            assert_eq!(place, first.map(|&(i, _, at)| (i, at.t.to_bits())), "{ray:?}");
+            let (Some(at), Some((_, leaf, alone))) = (found, first) else { continue };
+            let expected = leaf.shape.surface(&ray, alone);
+            let expected = Surface { material: leaf.material, ..expected };
+            assert_eq!(shape.surface(&ray, &at), expected, "{ray:?}");
+            hits += 1;
+            ties += usize::from(all.iter().filter(|(.., other)| other.t == at.t).count() > 1);
+        }
+    }
+    assert!(hits > 2_000 && ties > 500, "{hits} hits, {ties} ties");
+}
+
+/// Law: a part stands in the light's way exactly if the innermost material around it does,
+/// whatever those farther out do. Oracle: the spheres one by one.
+#[test]
+fn the_innermost_material_says_whether_a_part_casts_a_shadow() {
+    let mut draw = Draw::new(2181);
+    let (mut dark, mut light) = (0, 0);
+    for _ in 0..300 {
+        let mut leaves = Vec::new();
+        let kind = tree(&mut draw, 3, None, &mut leaves);
+        let shape = kind.build(&mut context()).expect("valid");
+        for _ in 0..30 {
+            let ray = ray(&mut draw);
+            let casts = |leaf: &Leaf| leaf.material.is_none_or(|m| CASTS_SHADOWS[m as usize]);
+            let mut opaque = leaves.iter().filter(|leaf| casts(leaf));
+            let expected = opaque.any(|leaf| leaf.shape.hit(&ray, Span::SEGMENT).is_some());
+            let shadow = shape.shadow_hit(&ray, Span::SEGMENT).is_some();
+            assert_eq!(shadow, expected, "{ray:?}");
+            dark += usize::from(shadow);
+            light += usize::from(!shadow && shape.hit(&ray, Span::SEGMENT).is_some());
+        }
+    }
+    assert!(dark > 1_000 && light > 200, "{dark} in shadow, {light} through glass");
+}
+
+/// Law: one material for all parts is written once, around them; a part's own wins; without any the
+/// object's is left to the scene. Oracle: worked by hand.
+#[test]
+fn the_innermost_of_three_materials_wins() {
+    let row = Compound {
+        accel: None,
+        parts: vec![
+            Part::new(ball(0.0, 0.25)),
+            Part::new(ball(1.0, 0.25)).of_material("glass"),
+            Part::new(Compound::of([ball(2.0, 0.25)])).of_material("brass"),
+        ],
+    };
+    let inside = Compound { accel: None, parts: vec![Part::new(row.clone()).of_material("stone")] };
+    for (kind, expected) in [
+        (Kind::from(row), [None, Some(1), Some(2)]),
+        (Kind::from(inside), [Some(0), Some(1), Some(2)]),
+    ] {
+        let shape = kind.build(&mut context()).expect("valid");
+        for (x, material) in [0.0, 1.0, 2.0].into_iter().zip(expected) {
+            let ray = Ray::new(Point::new(x, 0.0, 3.0), -Vector::Z);
+            let at = shape.hit(&ray, Span::AHEAD).expect("aimed at");
+            assert_eq!(shape.surface(&ray, &at).material, material, "{x}");
+        }
+    }
+}
+
+/// Copies of a ball, 2¹⁶ of 2¹⁶ …, so many levels.
+fn many(levels: usize, last: u32) -> Kind {
+    (0..levels).fold(ball(0.0, 0.25).into(), |of, level| {
+        let counts = [if level + 1 == levels { last } else { 1 << 16 }, 1, 1];
+        let accel = Some(Method::List);
+        Lattice { of: Box::new(of), counts, spacing: Vector::Y, accel }.into()
+    })
+}
+
+/// Law: leaves are counted up to 2⁶⁴ − 1, and more are an error, not a panic, within a lattice and
+/// together. Oracle: powers of two.
+#[test]
+fn more_leaves_than_numbers_are_refused() {
+    let half = many(4, 1 << 15);
+    let shape = half.build(&mut Context::default()).expect("2⁶³ fit");
+    assert_eq!(shape.leaves(), 1 << 63);
+    let two = Compound::of([half.clone(), ball(9.0, 1.0).into(), half]);
+    let problem = Kind::from(two).build(&mut Context::default()).expect_err("too many").to_string();
+    assert_eq!(problem, "compound.parts: more than 2⁶⁴ shapes are nested here; leave out a level");
+    let problem = many(4, 1 << 16).build(&mut Context::default()).expect_err("2⁶⁴").to_string();
+    assert_eq!(problem, "lattice.counts: more than 2⁶⁴ shapes are nested here; leave out a level");
+}

@@ -1,0 +1,287 @@
+//! Lattices and random spheres against the shapes that they stand for.
+
+use std::sync::Arc;
+
+use groundtruth::accel::Method;
+use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
+use groundtruth::shapes::{
+    Box, Compound, Context, Instance, Kind, Lattice, Plane, RandomSpheres, Shape, Sphere, Surface,
+};
+use groundtruth::textures::{self, RandomColors};
+
+use super::equal::ray;
+use crate::draw::Draw;
+use crate::support::U;
+
+fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
+    kind.into().build(&mut Context::default()).expect("valid")
+}
+
+fn refused(kind: impl Into<Kind>) -> String {
+    kind.into().build(&mut Context::default()).expect_err("refused").to_string()
+}
+
+fn ball(radius: f64) -> Kind {
+    Sphere { center: Point::ORIGIN, radius, inward: false }.into()
+}
+
+fn lattice(of: impl Into<Kind>, counts: [u32; 3], spacing: Vector) -> Lattice {
+    Lattice { of: std::boxed::Box::new(of.into()), counts, spacing, accel: None }
+}
+
+/// The same `t`, leaf and surface, bit for bit, of these many rays; how many hit.
+fn same(a: &dyn Shape, b: &dyn Shape, seed: u64, rays: usize, reach: f64) -> usize {
+    let mut draw = Draw::new(seed);
+    let mut hits = 0;
+    for _ in 0..rays {
+        let ray = ray(&mut draw, reach);
+        let at = a.hit(&ray, Span::AHEAD);
+        assert_eq!(at, b.hit(&ray, Span::AHEAD), "{ray:?}");
+        let [x, y] = [a, b].map(|shape| shape.shadow_hit(&ray, Span::SEGMENT).is_some());
+        assert_eq!(x, y, "{ray:?}");
+        let Some(at) = at else { continue };
+        assert_eq!(a.surface(&ray, &at), b.surface(&ray, &at), "{ray:?}");
+        hits += 1;
+    }
+    hits
+}
+
+/// Law: a lattice is the compound of its copies, the first index running fastest: the same `t`,
+/// leaf, surface and shadows, of boxes that touch (ties), of overlapping balls, of two-part shapes.
+/// Oracle: a compound of moved instances, bit for bit.
+#[test]
+fn a_lattice_is_a_compound_of_moved_copies() {
+    let cube = Box { min: Point::new(-0.5, -0.5, -0.5), max: Point::new(0.5, 0.5, 0.5) };
+    let pair = Compound::of([ball(0.25), cube.clone().into()]);
+    for (of, counts, spacing) in [
+        (Kind::from(cube), [3, 2, 2], Vector::new(1.0, 1.0, 1.0)),
+        (ball(0.5), [4, 1, 3], Vector::new(0.3, 0.0, -0.7)),
+        (ball(0.5), [1, 5, 1], Vector::new(9.0, -0.25, 9.0)),
+        (pair.into(), [2, 3, 4], Vector::new(0.75, 1.1, -1.3)),
+        (ball(0.5), [2, 2, 1], Vector::ZERO),
+    ] {
+        let mut copies = Vec::new();
+        for (k, j, i) in (0..counts[2])
+            .flat_map(|k| (0..counts[1]).map(move |j| (k, j)))
+            .flat_map(|(k, j)| (0..counts[0]).map(move |i| (k, j, i)))
+        {
+            let [i, j, k] = [i, j, k].map(f64::from);
+            let by = Vector::new(i * spacing.x(), j * spacing.y(), k * spacing.z());
+            copies.push(Instance::new(of.clone(), vec![Step::Translate(by)]));
+        }
+        let (a, b) = (built(lattice(of, counts, spacing)), built(Compound::of(copies)));
+        assert_eq!((a.leaves(), a.bounds()), (b.leaves(), b.bounds()));
+        let hits = same(&*a, &*b, 2280, 3_000, 2.0);
+        assert!(hits > 100, "{counts:?}: only {hits} hits");
+    }
+}
+
+/// Law: a lattice of lattices of 10¹⁶ balls finds the one that is aimed at, tells its number, and
+/// `t` is the distance to it. Oracle: the digits of the number, worked out here; distances by the
+/// sphere alone.
+#[test]
+fn a_ball_among_ten_to_the_sixteenth_is_found() {
+    let mut kind = ball(0.375);
+    let mut size = 1.0;
+    for _ in 0..8 {
+        // nested grids of a hundred, as the book's bunnies
+        kind = lattice(kind, [10, 1, 10], Vector::new(size, 0.0, size)).into();
+        size *= 10.0;
+    }
+    let shape = built(kind);
+    assert_eq!(shape.leaves(), 10_000_000_000_000_000);
+    let mut draw = Draw::new(2281);
+    for _ in 0..2_000 {
+        let [mut x, mut z, mut leaf, mut size, mut hundreds] = [0, 0, 0, 1, 1_u64];
+        for _ in 0..8 {
+            let (i, k) = (draw.below(10) as u64, draw.below(10) as u64);
+            (x, z) = (x + i * size, z + k * size);
+            leaf += (i + 10 * k) * hundreds;
+            (size, hundreds) = (10 * size, 100 * hundreds);
+        }
+        let center = Point::new(x as f64, 0.0, z as f64);
+        let away = Vector::new(draw.between(-0.1, 0.1), draw.sign(), draw.between(-0.1, 0.1));
+        let ray = Ray::new(center + 2.0 * away, -away);
+        let at = shape.hit(&ray, Span::AHEAD).expect("aimed at");
+        assert_eq!(at.leaf, leaf, "{ray:?}");
+        let t = 2.0 - 0.375 / away.length();
+        // coordinates of 10⁸ are rounded in the ray's origin
+        assert!((at.t - t).abs() < 64.0 * U * 1e8, "{} for {t}", at.t);
+        let surface = shape.surface(&ray, &at);
+        assert!(surface.normal.dot(away) > 0.99 * away.length());
+        assert!(shape.shadow_hit(&ray, Span::AHEAD).is_some());
+        assert!(shape.shadow_hit(&ray, Span { min: 0.0, max: t - 1e-6 }).is_none());
+    }
+}
+
+/// Law: what no lattice can be is refused by name: no copies, too many, copies of a plane; at the
+/// limit it is built, and spacings near the largest number do not panic. Oracle: the texts.
+#[test]
+fn lattices_that_cannot_be_are_refused() {
+    let one = Vector::new(1.0, 1.0, 1.0);
+    let plane = Plane { point: Point::ORIGIN, normal: Vector::Y };
+    for (kind, problem) in [
+        (
+            lattice(ball(1.0), [0, 1, 1], one),
+            "counts: found [0, 1, 1], but each must be at least 1",
+        ),
+        (
+            lattice(ball(1.0), [3, 2, 0], one),
+            "counts: found [3, 2, 0], but each must be at least 1",
+        ),
+        (lattice(plane, [2, 1, 1], one), "of: an unbounded shape cannot be copied side by side"),
+        (
+            lattice(ball(1.0), [1 << 12, 1 << 11, 1], one),
+            "counts: 8388608 parts so far are too many; at most 4194304 fit",
+        ),
+        (
+            lattice(ball(1.0), [u32::MAX; 3], one),
+            "counts: 18446744073709551615 parts so far are too many; at most 4194304 fit",
+        ),
+        (
+            lattice(lattice(ball(1.0), [1 << 11, 1 << 10, 1], one), [1 << 11, 1 << 10, 2], one),
+            "of.lattice.counts: 6291456 parts so far are too many; at most 4194304 fit",
+        ),
+        (
+            lattice(ball(-1.0), [1; 3], one),
+            "of.sphere.radius: found -1, but a positive, finite number is needed",
+        ),
+    ] {
+        assert_eq!(refused(kind), format!("lattice.{problem}"));
+    }
+    let problem = refused(lattice(ball(1.0), [1; 3], Vector::new(f64::NAN, 0.0, 0.0)));
+    assert!(problem.starts_with("lattice.spacing: found"), "{problem}");
+    for huge in [1e300, f64::MAX, -f64::MAX] {
+        let kind = Kind::from(lattice(ball(1.0), [3, 1, 2], Vector::new(huge, 0.0, huge)));
+        if let Ok(shape) = kind.build(&mut Context::default()) {
+            let ray = Ray::new(Point::new(0.0, 0.0, 5.0), -Vector::Z);
+            let at = shape.hit(&ray, Span::AHEAD).expect("the first copy stands where it is");
+            assert_eq!((at.t, at.leaf), (4.0, 0), "{huge}");
+            assert!(shape.surface(&ray, &at).point.is_finite());
+        }
+    }
+}
+
+fn spheres(count: u32, radius: f64, seed: u64) -> RandomSpheres {
+    RandomSpheres { count, radius, half_side: 1.5, seed, accel: None }
+}
+
+/// Law: random spheres are the compound of their list: `t`, normals and points, bit for bit, and
+/// the part is the sphere's number; all methods agree. Oracle: a compound of spheres.
+#[test]
+fn random_spheres_equal_a_compound_of_spheres() {
+    for (count, radius) in [(1, 1.0), (40, 0.4), (500, 0.1)] {
+        let data = spheres(count, radius, 7);
+        let loose = built(Compound::of(data.spheres()));
+        let mut hits = 0;
+        for method in Method::ALL {
+            let shape = built(RandomSpheres { accel: Some(method), ..data.clone() });
+            assert_eq!(shape.bounds(), loose.bounds());
+            let mut draw = Draw::new(2282);
+            for _ in 0..1_000 {
+                let ray = ray(&mut draw, 1.5);
+                let (a, b) = (shape.hit(&ray, Span::AHEAD), loose.hit(&ray, Span::AHEAD));
+                let place = a.map(|a| (u64::from(a.part), a.leaf, a.t.to_bits()));
+                assert_eq!(place, b.map(|b| (b.leaf, 0, b.t.to_bits())), "{ray:?}");
+                let shadow = |shape: &dyn Shape| shape.shadow_hit(&ray, Span::SEGMENT).is_some();
+                assert_eq!(shadow(&*shape), shadow(&*loose), "{ray:?}");
+                let (Some(a), Some(b)) = (a, b) else { continue };
+                assert_eq!(shape.surface(&ray, &a), loose.surface(&ray, &b));
+                hits += 1;
+            }
+        }
+        assert!(hits > 150, "{count}: only {hits} hits");
+    }
+}
+
+/// Law: the same seed, the same spheres; another seed, others; more of them begin with the same;
+/// scaling by 2ᵏ scales every centre exactly. Oracle: each other.
+#[test]
+fn a_seed_settles_where_random_spheres_are() {
+    let places = |data: &RandomSpheres| -> Vec<Point> {
+        data.spheres().iter().map(|sphere| sphere.center).collect()
+    };
+    let first = places(&spheres(50, 0.1, 3));
+    assert_eq!(places(&spheres(50, 0.2, 3)), first);
+    assert_eq!(places(&spheres(70, 0.1, 3))[..50], first);
+    let other = places(&spheres(50, 0.1, 4));
+    assert!(first.iter().all(|p| !other.contains(p)));
+    let factor = power_of_two(-7);
+    let small = RandomSpheres { half_side: 1.5 * factor, ..spheres(50, 0.1, 3) };
+    let scaled: Vec<Point> = first.iter().map(|p| p.scaled(factor)).collect();
+    assert_eq!(places(&small), scaled);
+}
+
+/// Law: centres are uniform in the cube `[−half_side, half_side]³`: none outside, and each eighth
+/// of it has its share within five standard deviations. Oracle: the binomial distribution.
+#[test]
+fn centres_of_random_spheres_fill_the_cube() {
+    let mut octants = [0_u32; 8];
+    for sphere in spheres(8_000, 0.1, 11).spheres() {
+        assert!(sphere.radius == 0.1 && sphere.center.to_vector().max_abs() <= 1.5);
+        let bit = |i: usize| usize::from(sphere.center.along(i) > 0.0) << i;
+        octants[bit(0) + bit(1) + bit(2)] += 1;
+    }
+    // √(8000 · 1/8 · 7/8) = 29.6
+    assert!(octants.iter().all(|n| n.abs_diff(1_000) < 148), "{octants:?}");
+    let mut outer = [0_u32; 3];
+    for sphere in spheres(8_000, 0.1, 11).spheres() {
+        (0..3).for_each(|i| outer[i] += u32::from(sphere.center.along(i).abs() > 0.75));
+    }
+    // half of them, ± 5 √(8000/4) = 224
+    assert!(outer.iter().all(|n| n.abs_diff(4_000) < 224), "{outer:?}");
+}
+
+/// Law: what no random spheres are is refused by name. Oracle: the texts.
+#[test]
+fn random_spheres_that_cannot_be_are_refused() {
+    let good = spheres(5, 0.1, 0);
+    for (kind, problem) in [
+        (spheres(0, 0.1, 0), "count: found 0, but at least one sphere is needed"),
+        (spheres(1 << 23, 0.1, 0), "count: 8388608 parts so far are too many; at most 4194304 fit"),
+        (
+            RandomSpheres { radius: 0.0, ..good.clone() },
+            "radius: found 0, but a positive, finite number is needed",
+        ),
+        (
+            RandomSpheres { half_side: f64::INFINITY, ..good },
+            "half_side: found inf, but a positive, finite number is needed",
+        ),
+    ] {
+        assert_eq!(refused(kind), format!("random_spheres.{problem}"));
+    }
+}
+
+/// Law: a random colour belongs to the part alone: from everywhere the same for each copy and each
+/// sphere, others for others, another seed, others; channels are within 0 and 1. Oracle: a table of
+/// first sightings by the place of the sphere's centre.
+#[test]
+fn a_part_has_one_random_color_from_everywhere() {
+    let shape = built(lattice(spheres(6, 0.3, 5), [2, 1, 2], Vector::new(8.0, 0.0, 8.0)));
+    let color = |seed, at: &Surface| {
+        let texture = textures::Kind::from(RandomColors { seed }).build(&mut ()).expect("valid");
+        texture.color(at).to_array()
+    };
+    let mut known: Vec<(Point, [f64; 3])> = Vec::new();
+    let mut draw = Draw::new(2283);
+    for _ in 0..20_000 {
+        let target =
+            draw.point(1.5) + Vector::new(draw.pick(&[0.0, 8.0]), 0.0, draw.pick(&[0.0, 8.0]));
+        let ray = Ray::new(target + 20.0 * draw.direction(), Vector::Y);
+        let ray = Ray::new(ray.origin, target - ray.origin);
+        let Some(at) = shape.hit(&ray, Span::AHEAD) else { continue };
+        let surface = shape.surface(&ray, &at);
+        let surface = Surface { leaf: at.leaf, part: at.part, ..surface };
+        let center = surface.point - 0.3 * Vector::from(surface.normal);
+        let here = color(1, &surface);
+        assert!(here.iter().all(|c| (0.0..1.0).contains(c)), "{here:?}");
+        assert_ne!(here, color(2, &surface));
+        match known.iter().find(|(place, _)| place.distance(center) < 1e-9) {
+            Some((_, before)) => assert_eq!(here, *before),
+            None => known.push((center, here)),
+        }
+    }
+    assert_eq!(known.len(), 24);
+    let different = |i: usize| (0..i).all(|j| known[i].1 != known[j].1);
+    assert!((0..24).all(different));
+}
