@@ -76,39 +76,41 @@ fn a_lattice_is_a_compound_of_moved_copies() {
     }
 }
 
-/// Law: a lattice of lattices of 10¹⁶ balls finds the one that is aimed at, tells its number, and
+/// Law: a lattice of lattices of 10¹⁶ balls finds the one aimed at, tells its number, and
 /// `t` is the distance to it. Oracle: the digits of the number, worked out here; distances by the
 /// sphere alone.
 #[test]
 fn a_ball_among_ten_to_the_sixteenth_is_found() {
     let mut kind = ball(0.375);
-    let mut size = 1.0;
+    let mut size = [1.0, 1.0, 1.0];
     for _ in 0..8 {
-        // nested grids of a hundred, as the book's bunnies
-        kind = lattice(kind, [10, 1, 10], Vector::new(size, 0.0, size)).into();
-        size *= 10.0;
+        kind = lattice(kind, [5, 2, 10], size.into()).into();
+        size = [5.0 * size[0], 2.0 * size[1], 10.0 * size[2]];
     }
     let shape = built(kind);
     assert_eq!(shape.leaves(), 10_000_000_000_000_000);
     let mut draw = Draw::new(2281);
     for _ in 0..2_000 {
-        let [mut x, mut z, mut leaf, mut size, mut hundreds] = [0, 0, 0, 1, 1_u64];
+        let (mut place, mut size) = ([0_u64; 3], [1, 1, 1]);
+        let (mut leaf, mut copies) = (0, 1);
         for _ in 0..8 {
-            let (i, k) = (draw.below(10) as u64, draw.below(10) as u64);
-            (x, z) = (x + i * size, z + k * size);
-            leaf += (i + 10 * k) * hundreds;
-            (size, hundreds) = (10 * size, 100 * hundreds);
+            let [i, j, k] = [5, 2, 10].map(|n| draw.below(n) as u64);
+            place = [place[0] + i * size[0], place[1] + j * size[1], place[2] + k * size[2]];
+            size = [5 * size[0], 2 * size[1], 10 * size[2]];
+            leaf += (i + 5 * j + 10 * k) * copies;
+            copies *= 100;
         }
-        let center = Point::new(x as f64, 0.0, z as f64);
-        let away = Vector::new(draw.between(-0.1, 0.1), draw.sign(), draw.between(-0.1, 0.1));
-        let ray = Ray::new(center + 2.0 * away, -away);
+        let center = Point::from(place.map(|x| x as f64));
+        // from between the ball and its neighbours, which begin at 0.625
+        let away = Vector::from(draw.direction());
+        let ray = Ray::new(center + 0.5 * away, -away);
         let at = shape.hit(&ray, Span::AHEAD).expect("aimed at");
         assert_eq!(at.leaf, leaf, "{ray:?}");
-        let t = 2.0 - 0.375 / away.length();
+        let t = 0.5 - 0.375;
         // coordinates of 10⁸ are rounded in the ray's origin
         assert!((at.t - t).abs() < 64.0 * U * 1e8, "{} for {t}", at.t);
         let surface = shape.surface(&ray, &at);
-        assert!(surface.normal.dot(away) > 0.99 * away.length());
+        assert!(surface.normal.dot(away) > 0.99);
         assert!(shape.shadow_hit(&ray, Span::AHEAD).is_some());
         assert!(shape.shadow_hit(&ray, Span { min: 0.0, max: t - 1e-6 }).is_none());
     }
