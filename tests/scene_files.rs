@@ -100,7 +100,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[1, 0, 0]",
         "{ checker4d = { size = 1 } }",
-        "scene.toml:23: materials[0] \"red\", recipe.matte.cd.checker4d: unknown variant `checker4d`, expected one of `constant`, `checker3d`, `plane_checker`",
+        "scene.toml:23: materials[0] \"red\", recipe.matte.cd.checker4d: unknown variant `checker4d`, expected one of `constant`, `checker3d`, …",
     ),
     (
         "cd = [1, 0, 0]\n",

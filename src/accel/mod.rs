@@ -269,6 +269,20 @@ impl Accel {
         }
     }
 
+    /// Which hits of a primitive in this box count; `None` if none can. For those who ask each
+    /// primitive for all its hits.
+    pub fn counting(&self, bounds: &Aabb, ray: &Ray) -> Option<impl Fn(f64) -> bool + use<>> {
+        let bounded = match bounds.is_bounded() {
+            true => Some((self.frame.ray(ray)?, self.frame.boxed(bounds))),
+            false => None,
+        };
+        let met = bounded.as_ref().is_none_or(|(ray, bounds)| {
+            let (near, far) = ray.crossing(bounds);
+            near <= far
+        });
+        met.then_some(move |t| bounded.as_ref().is_none_or(|(ray, bounds)| ray.counts(bounds, t)))
+    }
+
     /// What the structure itself takes, without its primitives.
     pub fn memory_bytes(&self) -> usize {
         let bounded = match &self.bounded {

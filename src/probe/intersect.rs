@@ -49,6 +49,7 @@ impl super::Question for Intersect {
         let span = SpanData::span(self.span)?;
         let shape = build(&self.shape, &self.transform)?;
         if self.all {
+            limits::all_of(&*shape).map_err(|e| e.inside("all"))?;
             let roots = shape.roots(&ray, span);
             return Ok(Hits::All(roots.iter().map(|at| hit(&*shape, &ray, at)).collect()));
         }

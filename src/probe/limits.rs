@@ -3,14 +3,14 @@
 use crate::accel;
 use crate::invalid::Invalid;
 use crate::scene::Scene;
-use crate::shapes::Kind;
+use crate::shapes::{Kind, Shape};
 use crate::world::World;
 
 /// Bytes of a line; an inline scene fits, a mesh belongs into a file.
 pub const LONGEST_LINE: usize = 1 << 20;
 /// Points of sample sets in one answer, and samples of one set.
 pub const MOST_POINTS: u32 = 1 << 14;
-/// Triangles of all procedural meshes of a line. A mesh file is not counted: it takes what a file
+/// Triangles of all procedural meshes, and parts and copies of shapes, of a line. A mesh file is not counted: it takes what a file
 /// of its size takes anywhere else.
 pub const MOST_TRIANGLES: u64 = 1 << 18;
 /// Ray–object tests, roughly, for one radiance: some seconds.
@@ -44,10 +44,22 @@ pub(super) fn buildable<'a>(shapes: impl Iterator<Item = &'a Kind>) -> Result<u6
     let total = shapes.map(primitives).fold(0, u64::saturating_add);
     if total > MOST_TRIANGLES {
         return Err(Invalid::new(format!(
-            "{total} triangles are too many for a line; at most {MOST_TRIANGLES} fit"
+            "{total} triangles and parts are too many for a line; at most {MOST_TRIANGLES} fit"
         )));
     }
     Ok(total)
+}
+
+/// Refuses to look for all hits of more nested shapes than fit.
+pub(super) fn all_of(shape: &dyn Shape) -> Result<(), Invalid> {
+    if shape.leaves() > MOST_TRIANGLES {
+        return Err(Invalid::new(format!(
+            "all hits of {} nested shapes are too many to look for; at most {MOST_TRIANGLES} fit, \
+             or leave it out to get the nearest hit",
+            shape.leaves()
+        )));
+    }
+    Ok(())
 }
 
 /// Refuses a radiance that could take too long.

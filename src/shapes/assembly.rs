@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::{Candidate, Context, Kind, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
-use crate::math::{Aabb, Ray, SlabRay, Span};
+use crate::math::{Aabb, Ray, Span};
 
 /// Up to this many parts are searched one after the other unless the scene says how.
 const FEW: usize = 8;
@@ -52,6 +52,11 @@ pub fn smooth_solid(
         let known = Vec::from_iter(names).join(", ");
         let problem = format!("no part `{unknown}`; there are: {known}");
         return Err(Invalid::field("materials", problem));
+    }
+    for (part, name) in materials {
+        // under the name that its user wrote, not that of the part it is for
+        let checked = context.material(name).map_err(|e| Invalid::field(part, e.problem));
+        checked.map_err(|e| e.inside("materials"))?;
     }
     let parts = parts.iter().map(|(name, shape)| {
         let material = materials.get(*name).map(String::as_str);
@@ -173,15 +178,11 @@ impl Shape for Assembly {
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
-        let slabs = SlabRay::new(ray);
         for (part, first) in self.parts.iter().zip(&self.leaves) {
-            // the first rule of `accel`: what `hit` does not count is no root
-            let (entry, exit) = part.bounds.padded().crossing(&slabs);
-            if entry <= exit {
-                let within = part.shape.roots(ray, span).into_iter();
-                let within = within.filter(|at| entry <= at.t && at.t <= exit);
-                roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
-            }
+            // what `hit` does not count is no root
+            let Some(counts) = self.accel.counting(&part.bounds, ray) else { continue };
+            let within = part.shape.roots(ray, span).into_iter().filter(|at| counts(at.t));
+            roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t)); // stable: ties stay in the order of leaves
         roots

@@ -156,9 +156,13 @@ impl Shape for Built {
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
+        let seen = Seen { lattice: self, ray };
         for copy in 0..self.places.number() {
+            // what `hit` does not count is no root
+            let Some(counts) = self.accel.counting(&seen.bounds(copy), ray) else { continue };
             let within = self.shape.roots(&self.places.of(copy).ray_back(ray), span).into_iter();
             let first = u64::from(copy) * self.leaves;
+            let within = within.filter(|at| counts(at.t));
             roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));

@@ -30,7 +30,7 @@ pub struct PartTorus {
     #[serde(default = "full_turn")]
     pub theta: [f64; 2],
     /// Whether the normal points into the tube instead.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub inward: bool,
 }
 

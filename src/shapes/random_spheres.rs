@@ -115,7 +115,8 @@ impl Shape for Built {
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
         for (index, sphere) in (0..).zip(&self.spheres) {
-            let within = sphere.roots(ray, span).into_iter();
+            let Some(counts) = self.accel.counting(&sphere.bounds(), ray) else { continue };
+            let within = sphere.roots(ray, span).into_iter().filter(|at| counts(at.t));
             roots.extend(within.map(|at| Candidate { leaf: index, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));

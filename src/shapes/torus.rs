@@ -30,7 +30,7 @@ pub struct Torus {
     /// Of the tube, the book's `b`; less than the swept radius.
     pub tube_radius: f64,
     /// Whether the normal points into the tube instead.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub inward: bool,
 }
 

@@ -79,7 +79,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"intersect": {"shape": {"tessellated_sphere": {"horizontal": 4096, "vertical": 4096}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
-        "intersect.shape: 33554432 triangles are too many for a line; at most 262144 fit",
+        "intersect.shape: 33554432 triangles and parts are too many for a line; at most 262144 fit",
     ),
     (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": -1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "transform": [{"translate": [0, 0, 1]}]}}"#,
@@ -297,7 +297,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"radiance": {"scene": {"image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"tessellated_sphere": {"horizontal": 4000, "vertical": 4000}}}]}, "pixel": [0, 0]}}"#,
-        "radiance.scene: 32000000 triangles are too many for a line; at most 262144 fit",
+        "radiance.scene: 32000000 triangles and parts are too many for a line; at most 262144 fit",
     ),
     (
         r#"{"radiance": {"scene": {"tracer": {"whitted": {"max_depth": 128}}, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}, "pixel": [0, 0]}}"#,

@@ -81,7 +81,7 @@ fn an_unknown_part_is_named_with_those_there_are() {
     );
     assert_eq!(
         ring(&[("top", "blue")]).expect_err("no blue"),
-        "thick_ring.parts[1] \"top\", material: no material `blue`; defined are: glass, red"
+        "thick_ring.materials.top: no material `blue`; defined are: glass, red"
     );
 }
 
