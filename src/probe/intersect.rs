@@ -32,6 +32,9 @@ pub struct Hit {
     shading_normal: Option<Triple>,
     front: bool,
     error: Real,
+    /// Texture coordinates, of what has any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uv: Option<[Real; 2]>,
 }
 
 #[derive(Serialize)]
@@ -67,6 +70,7 @@ fn hit(shape: &dyn Shape, ray: &Ray, at: &Candidate) -> Hit {
         shading_normal: differs.then(|| triple(surface.shading)),
         front: surface.is_front(ray.direction),
         error: Real(surface.error),
+        uv: shape.uv(at).map(|uv| uv.map(Real)),
     }
 }
 

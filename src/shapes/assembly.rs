@@ -131,6 +131,14 @@ impl Assembly {
     }
 }
 
+impl Assembly {
+    /// The part that is hit, and the hit as the part sees it.
+    fn within(&self, at: &Candidate) -> (&Part, Candidate) {
+        let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
+        (&self.parts[index], Candidate { leaf: at.leaf - self.leaves[index], ..*at })
+    }
+}
+
 /// The parts as one ray sees them.
 struct Seen<'a> {
     parts: &'a [Part],
@@ -168,12 +176,15 @@ impl Shape for Assembly {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
-        let part = &self.parts[index];
-        let within = Candidate { leaf: at.leaf - self.leaves[index], ..*at };
+        let (part, within) = self.within(at);
         let surface = part.shape.surface(ray, &within);
         let error = surface.error.max(self.least_error);
         Surface { error, material: surface.material.or(part.material), ..surface }
+    }
+
+    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+        let (part, within) = self.within(at);
+        part.shape.uv(&within)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -125,6 +125,10 @@ impl Shape for Placed {
         Surface { local, ..surface }
     }
 
+    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+        self.shape.uv(at)
+    }
+
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         self.shape.roots(&self.transform.ray_back(ray), span)
     }

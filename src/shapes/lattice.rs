@@ -154,6 +154,10 @@ impl Shape for Built {
         surface_seen_through(&self.places.of(copy), &*self.shape, ray, &Candidate { leaf, ..*at })
     }
 
+    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+        self.shape.uv(&Candidate { leaf: at.leaf % self.leaves, ..*at })
+    }
+
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
         let seen = Seen { lattice: self, ray };

@@ -73,6 +73,7 @@ impl Mesh {
             let problem = "found only triangles of area zero, which no ray can hit";
             return Err(Invalid::field("file", problem));
         }
+        mesh.uvs = data.uvs.clone();
         if self.smooth {
             mesh.normals = Some(normals.unwrap_or_else(|| mesh.mean_normals()));
         }
@@ -88,13 +89,14 @@ impl Mesh {
 pub struct TriangleMesh {
     vertices: Vec<Point>,
     normals: Option<Vec<Normal>>,
+    uvs: Option<Vec<[f64; 2]>>,
     triangles: Vec<[u32; 3]>,
 }
 
 impl TriangleMesh {
     /// A flat mesh. Indices must be below the number of vertices.
     pub fn new(vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Self {
-        let mut mesh = Self { vertices, normals: None, triangles };
+        let mut mesh = Self { vertices, normals: None, uvs: None, triangles };
         let triangles = std::mem::take(&mut mesh.triangles);
         let has_area = |&t: &[u32; 3]| watertight::normal(mesh.corners(t)).is_some();
         mesh.triangles = triangles.into_iter().filter(has_area).collect();
@@ -104,6 +106,11 @@ impl TriangleMesh {
     /// The same mesh shaded smoothly with these vertex normals, one for each vertex.
     pub fn with_normals(self, normals: Vec<Normal>) -> Self {
         Self { normals: Some(normals), ..self }
+    }
+
+    /// The same mesh with these texture coordinates, one pair for each vertex.
+    pub fn with_uvs(self, uvs: Vec<[f64; 2]>) -> Self {
+        Self { uvs: Some(uvs), ..self }
     }
 
     /// For each vertex the normalised sum of the normals of its faces, unweighted as in the book;
@@ -312,10 +319,21 @@ impl Shape for AcceleratedMesh {
         surface
     }
 
+    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+        let uvs = self.mesh.uvs.as_ref()?;
+        let [a, b, c] = self.mesh.triangles[at.part as usize].map(|vertex| uvs[vertex as usize]);
+        let [beta, gamma] = at.parameters;
+        Some([0, 1].map(|i| a[i] + beta * (b[i] - a[i]) + gamma * (c[i] - a[i])))
+    }
+
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let seen = self.seen(ray);
+        let hit = |index: u32| {
+            let counts = self.accel.counting(&seen.bounds(index), ray)?;
+            seen.hit(index, span).filter(|at| counts(at.t))
+        };
         let all = 0..self.mesh.triangles.len() as u32;
-        let mut roots: Vec<_> = all.filter_map(|index| seen.hit(index, span)).collect();
+        let mut roots: Vec<_> = all.filter_map(hit).collect();
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));
         roots
     }

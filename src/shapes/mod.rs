@@ -118,6 +118,12 @@ pub trait Shape: Debug + Send + Sync {
         self.hit(ray, span).into_iter().collect()
     }
 
+    /// The texture coordinates at a hit, if the surface has any. Asked for only where something
+    /// looks at them.
+    fn uv(&self, _: &Candidate) -> Option<[f64; 2]> {
+        None
+    }
+
     /// A box that contains every point of the surface.
     fn bounds(&self) -> Aabb;
 

@@ -5,4 +5,5 @@ mod files;
 mod hard;
 mod meshes;
 mod smooth;
+mod uv;
 mod watertight;
