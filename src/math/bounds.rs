@@ -1,6 +1,5 @@
-//! Axis-aligned boxes, and where a ray crosses them.
+//! Axis-aligned boxes.
 
-use super::ray::Ray;
 use super::vectors::{Point, Vector};
 
 /// A box with faces along the axes; empty if `min > max`, unbounded if a coordinate is infinite.
@@ -12,27 +11,8 @@ pub struct Aabb {
     pub max: Point,
 }
 
-/// A ray prepared for slab tests: the reciprocals are taken once.
-#[derive(Clone, Copy, Debug)]
-pub struct SlabRay {
-    origin: [f64; 3],
-    inverse: [f64; 3],
-    backward: [bool; 3],
-}
-
-impl SlabRay {
-    /// Prepares a ray.
-    pub fn new(ray: &Ray) -> Self {
-        let inverse = ray.direction.to_array().map(|d| 1.0 / d);
-        let backward = inverse.map(f64::is_sign_negative);
-        Self { origin: ray.origin.to_array(), inverse, backward }
-    }
-}
-
-/// Relative slack on the two distances of [`Aabb::crossing`], and on the corners of a padded box:
-/// far more than the roundings in them (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013) and in
-/// the `t` that is compared with them, which an instance multiplies by its condition; far less than
-/// would cost a ray more boxes.
+/// By how much of its largest coordinate a box is padded: far more than the rounding of its corners
+/// and of a hit's point.
 const SLACK: f64 = 1.0 / (1 << 30) as f64;
 
 impl Aabb {
@@ -95,31 +75,5 @@ impl Aabb {
         }
         let pad = SLACK * largest * Vector::new(1.0, 1.0, 1.0);
         Self { min: self.min - pad, max: self.max + pad }
-    }
-
-    /// The distances `t` at which the ray enters and leaves; the entry is beyond the exit if it
-    /// misses.
-    ///
-    /// A zero direction component gives NaN where the origin lies on a slab (0·∞): the comparisons
-    /// drop it, so such a ray is inside that slab. Every operation is monotone, so the interval of
-    /// a box contains that of every box inside it, to the last bit.
-    pub fn crossing(&self, ray: &SlabRay) -> (f64, f64) {
-        let (mut entry, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
-        for i in 0..3 {
-            let (low, high) = (self.min.along(i), self.max.along(i));
-            let (near, far) = if ray.backward[i] { (high, low) } else { (low, high) };
-            let t_near = (near - ray.origin[i]) * ray.inverse[i];
-            let t_far = (far - ray.origin[i]) * ray.inverse[i];
-            if t_near > entry {
-                entry = t_near;
-            }
-            if t_far < exit {
-                exit = t_far;
-            }
-        }
-        (
-            if entry > 0.0 { entry * (1.0 - SLACK) } else { entry * (1.0 + SLACK) },
-            if exit > 0.0 { exit * (1.0 + SLACK) } else { exit * (1.0 - SLACK) },
-        )
     }
 }

@@ -16,7 +16,7 @@ mod roots;
 mod transform;
 mod vectors;
 
-pub use bounds::{Aabb, SlabRay};
+pub use bounds::Aabb;
 pub(crate) use exact::difference_of_products;
 pub use exact::exact_cross;
 pub use frame::Frame;
