@@ -6,35 +6,36 @@
 //! in space are the same but for a factor of 1 to 2√3, wherever the ray comes from.
 //!
 //! **The counting rule**: a hit of a bounded primitive counts only if it lies where the ray crosses
-//! the primitive's box, grown on all sides by the ray's *slack*: 2⁻²² for what rounding does to the
-//! box and to shapes in it, and 2⁻³⁶ of the distance that the ray comes from, for what it does to
-//! the ray and to `t`. Both are many thousand roundings, so no true hit is lost. The slack never
-//! decides by itself: it only settles, for all methods at once, the hits that rounding has put
-//! beside the surface's own box (a ray within rounding of a triangle's plane may meet it anywhere).
+//! the primitive's box, grown on all sides by a *slack*: 2⁻²³ of the box's longest side, for what
+//! rounding does to the box and to the shape in it, and 2⁻³⁶ of the distance that the ray comes from
+//! and of the coordinates, for what it does to the ray and to `t`. Both are many thousand roundings,
+//! so no true hit is lost. The slack never decides by itself: it only settles, for all methods at
+//! once, the hits that rounding has put beside the surface's own box (a ray within rounding of a
+//! triangle's plane may meet it anywhere).
 //!
 //! **Why no method can skip a hit that another counts.** All ask this rule, in the same `f64`
 //! operations, before a hit counts. A method may skip a primitive only because
 //! - the ray has no part in the frame ([`Frame::ray`] is `None`): the same for all methods;
 //! - the ray does not cross a box that contains the primitive's, or crosses it beyond the best hit
 //!   or before the span. In `f64`, by [`FrameRay::crossing`], every operation is monotone, so the
-//!   interval of a box contains that of each box in it, to the last bit. In `f32` the boxes are
-//!   larger by more than all its roundings: see `accel/bvh/node.rs`.
+//!   interval of a box contains that of each box in it, to the last bit. In `f32`, and in a frame
+//!   of a part of the boxes ([`Frame::of_part`]), the boxes are larger by more than all roundings:
+//!   see `accel/bvh/node.rs`.
 //!
 //! Intervals are closed and compared by `<=`, so of equal hits all are seen, and the first counts.
 
 use crate::math::{Aabb, Point, Ray, Span, power_of_two};
 
-/// Grows every box: 2²⁹ roundings of a coordinate of the frame.
-const BOX_SLACK: f64 = 1.0 / (1 << 22) as f64;
-/// Grows it further for a ray that comes from afar, by so much of its distance: 2¹⁷ roundings.
+/// Grows a box by so much of its longest side: 2²⁹ roundings of a coordinate in it.
+const SIDE_SLACK: f64 = 1.0 / (1 << 23) as f64;
+/// Grows it further by so much of what the ray and the coordinates reach: 2¹⁷ roundings.
 const FAR_SLACK: f64 = 1.0 / (1_u64 << 36) as f64;
 /// From where the slack would be larger than any frame, a ray is taken to cross all boxes.
 const MOST_SLACK: f64 = 1024.0;
 /// Lengths of directions, in the frame's units, for which no number overflows or underflows here.
 const NUMBERS: std::ops::Range<f64> = 1e-290..1e290;
-/// A frame is not much smaller than the coordinates in it: where all objects are small and lie far
-/// from the origin, its slack still is 2⁻³⁶ of the coordinates, 2¹⁷ of their roundings.
-const LEAST_SIZE: f64 = 1.0 / (1 << 14) as f64;
+/// A frame is not smaller than this part of the coordinates in it: what is has few digits of its own.
+const LEAST_SIZE: f64 = 1.0 / (1 << 30) as f64;
 
 /// Where a set of boxes lies, and how large it is.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +43,9 @@ pub struct Frame {
     middle: Point,
     /// Units of the frame in one unit of the world.
     scale: f64,
+    /// The size of the frame of all boxes, or the largest coordinate in the world if that is more,
+    /// in units of this frame: at least 1.
+    reach: f64,
 }
 
 /// A ray in a frame, where it enters the frame's box. What it meets at `t` is at
@@ -53,7 +57,8 @@ pub struct FrameRay {
     pub(super) inverse: [f64; 3],
     unit: f64,
     start: f64,
-    pub(super) slack: f64,
+    /// The slack of a box that has no sides.
+    far_slack: f64,
 }
 
 impl Frame {
@@ -62,14 +67,21 @@ impl Frame {
         let bounded = bounds.iter().filter(|b| b.is_bounded());
         let whole = bounded.fold(Aabb::EMPTY, |all, &b| all.union(b));
         if !whole.is_bounded() {
-            return Self { middle: Point::ORIGIN, scale: 1.0 };
+            return Self { middle: Point::ORIGIN, scale: 1.0, reach: 1.0 };
         }
         let (min, max) = (0.5 * whole.min.to_vector(), 0.5 * whole.max.to_vector()); // no overflow
         let largest = 2.0 * min.max_abs().max(max.max_abs());
         let size = (max - min).max_abs().max(LEAST_SIZE * largest);
         // the power of two above the size, but for sizes that have no such reciprocal
         let scale = 0.25 * power_of_two(1 - exponent(size).max(-1000));
-        Self { middle: Point::ORIGIN + (min + max), scale }
+        let reach = (scale * largest).max(1.0);
+        Self { middle: Point::ORIGIN + (min + max), scale, reach }
+    }
+
+    /// The frame of some of the boxes, which are much smaller than the frame of all, this one.
+    pub fn of_part(&self, bounds: &[Aabb]) -> Self {
+        let part = Self::around(bounds);
+        Self { reach: self.reach * (part.scale / self.scale), ..part }
     }
 
     /// A box of the world in the coordinates of the frame.
@@ -87,15 +99,14 @@ impl Frame {
         let longest = exponent(ray.direction.max_abs());
         let direction = (power_of_two(-longest.clamp(-1022, 1022)) * ray.direction).to_array();
         let unit = self.scale * power_of_two(longest.clamp(-1022, 1022));
-        let distance =
-            origin.into_iter().fold(1.0_f64, |d, x| if x.abs() > d { x.abs() } else { d });
-        let slack = BOX_SLACK + FAR_SLACK * distance;
-        if !(slack <= MOST_SLACK && NUMBERS.contains(&unit) && longest.abs() < 1022) {
+        let farther = |d: f64, x: f64| if x.abs() > d { x.abs() } else { d };
+        let far_slack = FAR_SLACK * origin.into_iter().fold(self.reach, farther);
+        if !(far_slack <= MOST_SLACK && NUMBERS.contains(&unit) && longest.abs() < 1022) {
             return Some(FrameRay::EVERYWHERE);
         }
         let inverse = direction.map(|d| 1.0 / d);
-        // far more than the slack, so the line enters here before it enters any grown box
-        let half = 1.0 + 2048.0 * slack;
+        // far more than any slack, so the line enters here before it enters any grown box
+        let half = 1.0 + 2048.0 * (2.0 * SIDE_SLACK + far_slack);
         let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
         for i in 0..3 {
             let (near, far) = (half.copysign(-inverse[i]), half.copysign(inverse[i]));
@@ -105,7 +116,7 @@ impl Frame {
             return None;
         }
         let origin: [f64; 3] = std::array::from_fn(|i| origin[i] + enter * direction[i]);
-        Some(FrameRay { origin, inverse, unit, start: enter, slack })
+        Some(FrameRay { origin, inverse, unit, start: enter, far_slack })
     }
 }
 
@@ -127,20 +138,26 @@ fn narrowed(
 impl FrameRay {
     /// For rays from too far away, or too long or short to have numbers in the frame: crosses every box, and every hit of it is at 0.
     const EVERYWHERE: Self =
-        Self { origin: [0.0; 3], inverse: [0.0; 3], unit: 0.0, start: 0.0, slack: 0.0 };
+        Self { origin: [0.0; 3], inverse: [0.0; 3], unit: 0.0, start: 0.0, far_slack: 0.0 };
 
     /// The distance from where the ray enters the frame, of what is at `t`; monotone in `t`.
     pub fn moved(&self, t: f64) -> f64 {
         self.unit * t - self.start
     }
 
-    /// Origin, one over the direction, and the slack as nodes in single precision take them: without
-    /// the part that their boxes have already, and the rest twice.
+    /// How much a box (of the frame) is grown; monotone in the box.
+    pub fn slack(&self, bounds: &Aabb) -> f64 {
+        let side = |i: usize| bounds.max.along(i) - bounds.min.along(i);
+        SIDE_SLACK * side(0).max(side(1)).max(side(2)) + self.far_slack
+    }
+
+    /// Origin, one over the direction, and the slack as nodes in single precision take them: only
+    /// the far part of the slack, four times (`accel/bvh/node.rs`).
     pub fn single(&self) -> ([f64; 3], [f64; 3], f64) {
         if self.unit == 0.0 {
             return ([0.0; 3], [1.0; 3], 1e30); // everywhere
         }
-        (self.origin, self.inverse, 2.0 * (self.slack - BOX_SLACK))
+        (self.origin, self.inverse, 4.0 * self.far_slack)
     }
 
     /// Where the span begins, or the frame: no box lies before that.
@@ -164,9 +181,10 @@ impl FrameRay {
     /// the entry is beyond the exit if it misses. Every operation is monotone, so the interval of a
     /// box contains that of every box inside it, to the last bit.
     pub fn crossing(&self, bounds: &Aabb) -> (f64, f64) {
+        let slack = self.slack(bounds);
         let mut interval = (f64::NEG_INFINITY, f64::INFINITY);
         for i in 0..3 {
-            let planes = [bounds.min.along(i) - self.slack, bounds.max.along(i) + self.slack];
+            let planes = [bounds.min.along(i) - slack, bounds.max.along(i) + slack];
             let backward = usize::from(self.inverse[i].is_sign_negative());
             let (near, far) = (planes[backward], planes[1 - backward]);
             interval = narrowed(interval, near, far, self.origin[i], self.inverse[i]);
@@ -197,7 +215,7 @@ mod tests {
             let ray = frame.ray(&ray).expect("it meets the frame");
             let whole = Aabb { min: Point::new(-0.5, -0.5, -0.5), max: Point::new(0.5, 0.5, 0.5) };
             for axis in [1, 2] {
-                let beside = |slacks: f64| ray.origin[axis] + slacks * ray.slack;
+                let beside = |slacks: f64| ray.origin[axis] + slacks * ray.slack(&whole);
                 for (slacks, inside) in [(1.0, true), (2.0, false)] {
                     let above = Aabb { min: whole.min.with(axis, beside(slacks)), ..whole };
                     let below = Aabb { max: whole.max.with(axis, beside(-slacks)), ..whole };

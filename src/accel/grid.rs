@@ -203,7 +203,8 @@ struct Walk<'a> {
 impl<'a> Walk<'a> {
     /// From `t` on; `None` for a ray whose slack is too large, or whose numbers overflow.
     fn new(cells: &'a Cells, ray: &'a FrameRay, t: f64) -> Option<Self> {
-        let sound = 2.0 * ray.slack <= cells.pad && ray.inverse.iter().all(|&i| i != 0.0);
+        let sound =
+            2.0 * ray.slack(&cells.bounds) <= cells.pad && ray.inverse.iter().all(|&i| i != 0.0);
         let (near, far) = ray.crossing(&cells.bounds);
         let start = near.max(ray.moved(t));
         let inside = start <= far;

@@ -228,8 +228,8 @@ impl Accel {
                 span = span.through(hit.t); // equal t must still be seen: the first object wins
             }
         }
-        let Some(ray) = self.frame.ray(ray) else { return best };
-        let among = Among { primitives, frame: &self.frame, ray };
+        let Some(framed) = self.frame.ray(ray) else { return best };
+        let among = Among { primitives, frame: &self.frame, ray: framed, outside: ray };
         let mut search = Nearest { among, span, best, counter };
         match &self.bounded {
             Structure::List(list) => list.search(&mut search),
@@ -251,7 +251,8 @@ impl Accel {
         if let Some(hit) = self.unbounded.iter().find_map(shadow) {
             return Some(hit);
         }
-        let among = Among { primitives, frame: &self.frame, ray: self.frame.ray(ray)? };
+        let framed = self.frame.ray(ray)?;
+        let among = Among { primitives, frame: &self.frame, ray: framed, outside: ray };
         let mut search = Any { among, span, found: None };
         match &self.bounded {
             Structure::List(list) => list.search(&mut search),

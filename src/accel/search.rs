@@ -4,7 +4,7 @@
 use super::frame::{Frame, FrameRay};
 use super::kernel::Kernel;
 use super::{Counter, Member, Numbered, Primitives};
-use crate::math::Span;
+use crate::math::{Ray, Span};
 use crate::shapes::Candidate;
 
 /// A ray among primitives, and the frame in which their boxes are compared.
@@ -13,6 +13,8 @@ pub struct Among<'a, P> {
     pub primitives: &'a P,
     pub frame: &'a Frame,
     pub ray: FrameRay,
+    /// The ray outside the frame.
+    pub outside: &'a Ray,
 }
 
 impl<P: Primitives> Among<'_, P> {
@@ -26,6 +28,9 @@ impl<P: Primitives> Among<'_, P> {
 pub trait Search {
     /// The ray in the frame of the boxes.
     fn ray(&self) -> &FrameRay;
+
+    /// The ray in the frame of some of the boxes; `None` if it passes beside them.
+    fn ray_in(&self, frame: &Frame) -> Option<FrameRay>;
 
     /// Where hits are still wanted.
     fn span(&self) -> Span;
@@ -75,6 +80,10 @@ impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
 impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
     fn ray(&self) -> &FrameRay {
         &self.among.ray
+    }
+
+    fn ray_in(&self, frame: &Frame) -> Option<FrameRay> {
+        frame.ray(self.among.outside)
     }
 
     fn span(&self) -> Span {
@@ -133,6 +142,10 @@ impl<P: Primitives> Any<'_, P> {
 impl<P: Primitives> Search for Any<'_, P> {
     fn ray(&self) -> &FrameRay {
         &self.among.ray
+    }
+
+    fn ray_in(&self, frame: &Frame) -> Option<FrameRay> {
+        frame.ray(self.among.outside)
     }
 
     fn span(&self) -> Span {

@@ -45,6 +45,10 @@ impl Box32 {
         }
     }
 
+    pub fn longest_side(&self) -> f32 {
+        (0..3).map(|i| self.max[i] - self.min[i]).fold(0.0, f32::max)
+    }
+
     /// Half the surface area.
     pub fn half_area(&self) -> f32 {
         let [x, y, z] = [0, 1, 2].map(|i| self.max[i] - self.min[i]);

@@ -7,7 +7,7 @@
 use arrayvec::ArrayVec;
 
 use super::build::{Binary, join};
-use super::node::{LEAF, Node, WIDTH};
+use super::node::{LEAF, Node, PART, WIDTH};
 use super::{Leaf, LeafCost, NOTHING};
 
 /// The cost of testing a node's boxes, in leaves of one primitive.
@@ -25,24 +25,26 @@ struct Choice {
 /// Least costs as 1 to 7 children; the place 0 is not used.
 type Costs = [f32; WIDTH];
 
-/// The tree of the least cost over primitives in the order of the binary tree's leaves: nodes, the
-/// root first, and leaves.
+/// Adds the tree of the least cost over primitives (and parts) in the order of the binary tree's
+/// leaves to the nodes and leaves; says where its root is.
 pub fn collapse<L: LeafCost>(
     tree: &[Binary],
     order: &[u32],
     leaf_cost: &L,
-) -> (Vec<Node>, Vec<Leaf>) {
+    nodes: &mut Vec<Node>,
+    leaves: &mut Vec<Leaf>,
+) -> u32 {
     let mut choices = vec![Choice::default(); tree.len()];
     choose(tree, &mut choices, order, leaf_cost);
-    let mut wide = Wide { tree, choices: &choices, order, nodes: Vec::new(), leaves: Vec::new() };
-    if choices[0].leaf {
-        let mut root = Node::EMPTY;
-        root.set(0, &tree[0].bounds, wide.leaf(Subtree { at: 0, first: 0 }));
-        wide.nodes.push(root);
-    } else {
-        wide.node(Subtree { at: 0, first: 0 });
+    let mut wide = Wide { tree, choices: &choices, order, nodes, leaves };
+    let all = Subtree { at: 0, first: 0 };
+    if !choices[0].leaf {
+        return wide.node(all);
     }
-    (wide.nodes, wide.leaves)
+    let mut root = Node::EMPTY;
+    root.set(0, &tree[0].bounds, wide.leaf(all));
+    wide.nodes.push(root);
+    wide.nodes.len() as u32 - 1
 }
 
 /// Fills the choices of a subtree, and says what it costs.
@@ -53,12 +55,14 @@ fn choose<L: LeafCost>(
     leaf_cost: &L,
 ) -> Costs {
     let area = tree[0].bounds.half_area();
-    let leaf = area * if order.len() > WIDTH { f32::INFINITY } else { leaf_cost.cost(order) };
     let (choice, below) = choices.split_first_mut().expect("a tree has a root");
-    if order.len() == 1 {
+    if let [index] = order {
         choice.leaf = true;
-        return [leaf; WIDTH];
+        let cost = if is_part(*index) { NODE_COST } else { leaf_cost.cost(order) };
+        return [area * cost; WIDTH];
     }
+    let alone = order.len() > WIDTH || order.iter().any(|&index| is_part(index));
+    let leaf = area * if alone { f32::INFINITY } else { leaf_cost.cost(order) };
     let middle = tree[1].count as usize;
     let (low, high) = below.split_at_mut(2 * middle - 1);
     let half = |start, choices, order| move || choose(&tree[start..], choices, order, leaf_cost);
@@ -83,6 +87,11 @@ fn choose<L: LeafCost>(
     costs
 }
 
+/// Whether this is a part rather than a primitive: it is never in a leaf with others.
+fn is_part(index: u32) -> bool {
+    index & PART == PART
+}
+
 /// A subtree of the binary tree: where its root is, and its first primitive.
 #[derive(Clone, Copy)]
 struct Subtree {
@@ -95,8 +104,8 @@ struct Wide<'a> {
     tree: &'a [Binary],
     choices: &'a [Choice],
     order: &'a [u32],
-    nodes: Vec<Node>,
-    leaves: Vec<Leaf>,
+    nodes: &'a mut Vec<Node>,
+    leaves: &'a mut Vec<Leaf>,
 }
 
 impl Wide<'_> {
@@ -140,8 +149,11 @@ impl Wide<'_> {
         self.roots(right, all - left, children);
     }
 
-    /// Adds the leaf of all primitives of a subtree; says which it is.
+    /// Adds the leaf of all primitives of a subtree; says which it is, or which part.
     fn leaf(&mut self, Subtree { at, first }: Subtree) -> u32 {
+        if is_part(self.order[first]) {
+            return self.order[first];
+        }
         let count = self.tree[at].count as usize;
         let mut leaf = [NOTHING; WIDTH];
         leaf[..count].copy_from_slice(&self.order[first..first + count]);

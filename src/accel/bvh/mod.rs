@@ -2,18 +2,20 @@
 //!
 //! [`build`] makes a binary tree by the surface-area heuristic, [`collapse`] chooses from it the
 //! nodes and leaves of least expected cost, [`node`] tests eight boxes in single precision, and
-//! [`traverse`] walks from the root to the leaves, the nearest first.
+//! [`traverse`] walks from the root to the leaves, the nearest first. What is too small for single
+//! precision beside the rest of the scene ([`parts`]) is a tree of its own, in a frame of its own.
 
 mod build;
 mod collapse;
 mod node;
+mod parts;
 mod traverse;
 
 use super::frame::Frame;
 use super::kernel::Kernel;
 use crate::math::Aabb;
 use build::{Box32, Item};
-use node::{Node, WIDTH};
+use node::{LEAF, Node, PART, WIDTH};
 
 /// The primitives of a leaf, in order; [`NOTHING`] behind the last.
 pub type Leaf = [u32; WIDTH];
@@ -36,12 +38,21 @@ impl LeafCost for OneByOne {
     }
 }
 
-/// The tree: nodes, the root first (none if there are no primitives), and leaves.
+/// The tree: nodes (none if there are no primitives), leaves, and parts.
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Vec<Node>,
     leaves: Vec<Leaf>,
+    parts: Vec<Part>,
     kernel: Kernel,
+}
+
+/// A subtree with a frame of its own.
+#[derive(Debug)]
+struct Part {
+    frame: Frame,
+    /// The node where it begins.
+    root: u32,
 }
 
 impl Bvh {
@@ -53,17 +64,46 @@ impl Bvh {
         leaf_cost: &impl LeafCost,
         kernel: Kernel,
     ) -> Self {
-        let bounds = |index: u32| Box32::padded(&frame.boxed(&bounds[index as usize]));
-        let item = |&index: &u32| Item { bounds: bounds(index), index };
-        let mut items: Vec<Item> = which.iter().map(item).collect();
-        if items.is_empty() {
-            return Self { nodes: Vec::new(), leaves: Vec::new(), kernel };
+        assert!(bounds.len() < (PART ^ LEAF) as usize, "numbers above are those of parts");
+        let mut bvh = Self { nodes: Vec::new(), leaves: Vec::new(), parts: Vec::new(), kernel };
+        if !which.is_empty() {
+            bvh.add(frame, bounds, which, leaf_cost, 0);
         }
-        let tree = build::binary_tree(&mut items);
+        bvh
+    }
+
+    /// Adds a tree over these primitives, in so many frames within each other; says where its root is.
+    fn add(
+        &mut self,
+        frame: &Frame,
+        bounds: &[Aabb],
+        which: &[u32],
+        leaf_cost: &impl LeafCost,
+        depth: usize,
+    ) -> u32 {
+        let boxed = |index: u32| Box32::padded(&frame.boxed(&bounds[index as usize]));
+        let item = |&index: &u32| Item { bounds: boxed(index), index };
+        let mut items: Vec<Item> = which.iter().map(item).collect();
+        let mut tree = build::binary_tree(&mut items);
+        let small = if depth < parts::DEEPEST { parts::find(&tree, &items) } else { Vec::new() };
+        let first = self.parts.len();
+        for part in &small {
+            let bounds: Vec<Aabb> = part.primitives.iter().map(|&i| bounds[i as usize]).collect();
+            self.parts.push(Part { frame: frame.of_part(&bounds), root: 0 });
+        }
+        if !small.is_empty() {
+            items = parts::replaced(&items, &small, first);
+            tree = build::binary_tree(&mut items);
+        }
         let order: Vec<u32> = items.iter().map(|item| item.index).collect();
         drop(items);
-        let (nodes, leaves) = collapse::collapse(&tree, &order, leaf_cost);
-        Self { nodes, leaves, kernel }
+        let root = collapse::collapse(&tree, &order, leaf_cost, &mut self.nodes, &mut self.leaves);
+        for (number, part) in (first..).zip(&small) {
+            let frame = self.parts[number].frame;
+            self.parts[number].root =
+                self.add(&frame, bounds, &part.primitives, leaf_cost, depth + 1);
+        }
+        root
     }
 
     /// The primitives of each leaf.
@@ -72,6 +112,6 @@ impl Bvh {
     }
 
     pub fn memory_bytes(&self) -> usize {
-        size_of_val(&*self.nodes) + size_of_val(&*self.leaves)
+        size_of_val(&*self.nodes) + size_of_val(&*self.leaves) + size_of_val(&*self.parts)
     }
 }

@@ -1,7 +1,7 @@
 //! A node: the boxes of eight children, tested at once.
 //!
 //! The boxes are in single precision, larger on all sides by [`PAD`] than the boxes of the frame.
-//! With that, and with the ray's own slack taken twice for what is far, an interval computed here
+//! With that, and with the far part of the slack taken four times, an interval computed here
 //! contains the one that [`FrameRay::crossing`] computes in `f64`, and no more has to be shown (see
 //! `accel/frame.rs`). The roundings, as the distance in space by which each can move a plane, for
 //! an origin within 1.5 and planes within 1 of the middle (u = 2⁻²⁴):
@@ -11,10 +11,16 @@
 //!   by a fused operation: 1.5 u;
 //! - of the result: 2.5 u.
 //!
-//! Together 8 u, less than the 12 u of [`PAD`] that the rule's own slack of 2⁻²² leaves. An origin
+//! Together 8 u, less than the 12 u of [`PAD`] that the 2⁻²³ of a side of at most 2 leave. An origin
 //! is farther out than 1.5 only if the ray comes from beyond 2²⁴ sizes, and then the second half of
-//! its slack is larger than what its roundings add: 2⁻²⁴ of 2⁻²⁵ of the distance. 1/d is at most
+//! its far slack is larger than what its roundings add: 2⁻²⁴ of 2⁻²⁵ of the distance. 1/d is at most
 //! 10¹⁸, which leaves any plane that is not within 2⁻²⁴ of the origin beyond the frame.
+//!
+//! In the frame of a part of the boxes ([`Frame::of_part`](crate::accel::frame::Frame::of_part))
+//! all numbers are those of another `f64` computation. The distance that the ray comes from is
+//! measured to another middle, which changes the far slack by less than half; and the planes are
+//! moved by some roundings of that distance, of which the far slack has 2¹⁷. Therefore it is taken
+//! four times rather than twice.
 
 use super::build::Box32;
 use crate::accel::frame::FrameRay;
@@ -25,6 +31,8 @@ use crate::math::{Aabb, Span};
 pub const WIDTH: usize = 8;
 /// The bit that tells a leaf among children; the others are its number.
 pub const LEAF: u32 = 1 << 31;
+/// The bits that tell a part with a frame of its own; the others are its number.
+pub const PART: u32 = LEAF | 1 << 30;
 /// How much the boxes are larger.
 const PAD: f64 = 1.0 / (1 << 20) as f64;
 
@@ -34,7 +42,7 @@ const PAD: f64 = 1.0 / (1 << 20) as f64;
 pub struct Node {
     /// The lower and the upper bounds along x, then along y, then along z.
     bounds: [[f32; WIDTH]; 6],
-    /// Where each child is: a node, or with the bit [`LEAF`] a leaf.
+    /// Where each child is: a node, or with the bit [`LEAF`] a leaf, or with [`PART`] a part.
     pub children: [u32; WIDTH],
 }
 

@@ -6,46 +6,57 @@
 use std::mem::MaybeUninit;
 
 use super::build::DEEPEST;
-use super::node::{Crossed, LEAF, Node, Ray32, WIDTH};
+use super::node::{Crossed, LEAF, Node, PART, Ray32, WIDTH};
 use super::{Bvh, NOTHING};
+use crate::accel::frame::FrameRay;
 use crate::accel::kernel::{Instructions, Kernel, prefetch};
 use crate::accel::search::Search;
 
+/// A ray in the frame of the tree, or of a part of it, and the node where that begins.
+struct Way {
+    ray: FrameRay,
+    root: u32,
+}
+
 impl Bvh {
     /// Shows the search every primitive that it might still want, until it has enough.
-    #[allow(unsafe_code, reason = "calls what not every processor can run")]
     pub(in crate::accel) fn search<S: Search>(&self, search: &mut S) {
-        if self.nodes.is_empty() {
-            return;
+        if !self.nodes.is_empty() {
+            self.follow(search, &Way { ray: *search.ray(), root: 0 });
         }
+    }
+
+    /// Searches below a node; says whether the search has enough.
+    #[allow(unsafe_code, reason = "calls what not every processor can run")]
+    fn follow<S: Search>(&self, search: &mut S, way: &Way) -> bool {
         match self.kernel.instructions() {
-            Instructions::Plain => self.walk(search, Kernel::PLAIN),
+            Instructions::Plain => self.walk(search, way, Kernel::PLAIN),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.walk_avx2(search) },
+            Instructions::Avx2 => unsafe { self.walk_avx2(search, way) },
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { self.walk_avx512(search) },
+            Instructions::Avx512 => unsafe { self.walk_avx512(search, way) },
         }
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma")]
-    fn walk_avx2<S: Search>(&self, search: &mut S) {
-        self.walk(search, Kernel::AVX2);
+    fn walk_avx2<S: Search>(&self, search: &mut S, way: &Way) -> bool {
+        self.walk(search, way, Kernel::AVX2)
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma,avx512f")]
-    fn walk_avx512<S: Search>(&self, search: &mut S) {
-        self.walk(search, Kernel::AVX512);
+    fn walk_avx512<S: Search>(&self, search: &mut S, way: &Way) -> bool {
+        self.walk(search, way, Kernel::AVX512)
     }
 
     #[inline(always)]
-    fn walk<S: Search>(&self, search: &mut S, kernel: Kernel) {
-        let ray = Ray32::new(search.ray(), search.span());
-        let mut last = last(search);
+    fn walk<S: Search>(&self, search: &mut S, way: &Way, kernel: Kernel) -> bool {
+        let ray = Ray32::new(&way.ray, search.span());
+        let mut last = last(search, way);
         let mut stack = Stack::new();
-        let mut next = 0;
+        let mut next = way.root;
         loop {
             if next & LEAF == 0 {
                 search.step();
@@ -57,19 +68,31 @@ impl Bvh {
                     continue;
                 }
             } else {
-                if self.leaf(search, kernel, next & !LEAF) {
-                    return;
+                let enough = match next & PART == PART {
+                    true => self.part(search, next ^ PART),
+                    false => self.leaf(search, kernel, next ^ LEAF),
+                };
+                if enough {
+                    return true;
                 }
-                last = self::last(search);
+                last = self::last(search, way);
             }
             // equal distance is not farther: ties are settled by the order of objects
             next = loop {
-                let Some(waiting) = stack.pop() else { return };
+                let Some(waiting) = stack.pop() else { return false };
                 if f32::from_bits((waiting >> 32) as u32) <= last {
                     break waiting as u32;
                 }
             };
         }
+    }
+
+    /// Searches a part, in its own frame.
+    #[cold]
+    fn part<S: Search>(&self, search: &mut S, number: u32) -> bool {
+        let part = &self.parts[number as usize];
+        let Some(ray) = search.ray_in(&part.frame) else { return false };
+        self.follow(search, &Way { ray, root: part.root })
     }
 
     /// The nearest of the children that are crossed; the others go to the stack, the nearest on
@@ -136,8 +159,8 @@ impl Bvh {
 
 /// How far away in the frame a hit may still be, rounded up.
 #[inline(always)]
-fn last(search: &impl Search) -> f32 {
-    (search.ray().last(search.span()) as f32).next_up()
+fn last(search: &impl Search, way: &Way) -> f32 {
+    (way.ray.last(search.span()) as f32).next_up()
 }
 
 /// Children that wait: at most seven for each node above the present one.

@@ -124,7 +124,7 @@ fn a_walk_passes_the_cells_that_the_ray_crosses() {
         let start = ray.moved(0.0);
         for cell in 0..grid.starts.len() - 1 {
             let (min, max) = corners(&grid.cells, cell);
-            let shrunk = 1e-6 * grid.cells.sides[0] + ray.slack;
+            let shrunk = 1e-6 * grid.cells.sides[0] + ray.slack(&grid.cells.bounds);
             let inner = Aabb {
                 min: Point::from(min.map(|x| x + shrunk)),
                 max: Point::from(max.map(|x| x - shrunk)),

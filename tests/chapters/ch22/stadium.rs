@@ -1,0 +1,181 @@
+//! A teapot in a stadium: things so small beside the scene that single precision cannot tell them
+//! apart in its frame.
+
+use std::sync::Arc;
+
+use groundtruth::accel::{Accel, Counts, Method, Primitives};
+use groundtruth::math::{Aabb, Point, Ray, Span, Vector, power};
+use groundtruth::shapes::{self, Candidate, Context, Kind, Shape, Sphere, Triangle};
+
+use super::equal::Both;
+use crate::draw::Draw;
+
+fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
+    kind.into().build(&mut Context::default()).expect("valid")
+}
+
+/// Small spheres, triangles and boxes, all within `size` of a point.
+fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dyn Shape>> {
+    let thing = |i: usize| {
+        let center = middle + draw.vector(0.9 * size);
+        let radius = draw.decades(-2.0, -1.0) * size;
+        let sphere = Sphere { center, radius, inward: false };
+        let mut corner = || center + draw.vector(radius);
+        let kind: Kind = match i % 3 {
+            0 => sphere.clone().into(),
+            1 => Triangle { vertices: [corner(), corner(), corner()], normals: None }.into(),
+            _ => {
+                let Aabb { min, max } = Aabb::around([center, corner()]);
+                shapes::Box { min, max }.into()
+            }
+        };
+        // where coordinates have too few digits for their size, boxes and triangles are refused
+        kind.build(&mut Context::default()).unwrap_or_else(|_| built(sphere))
+    };
+    (0..count).map(thing).collect()
+}
+
+/// Walls and pillars from −1 to 1.
+fn stadium(draw: &mut Draw) -> Vec<Arc<dyn Shape>> {
+    let floor = shapes::Box { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, -0.99, 1.0) };
+    let mut objects = vec![built(floor)];
+    for _ in 0..20 {
+        let (at, radius) = (1.0 * draw.direction(), draw.between(0.01, 0.1));
+        objects.push(built(Sphere { center: Point::ORIGIN + at, radius, inward: false }));
+    }
+    objects
+}
+
+/// A ray at something within `size` of a point, from a distance of 10^(low … high).
+fn ray_at(draw: &mut Draw, middle: Point, size: f64, low: f64, high: f64) -> Ray {
+    let (target, away) = (middle + draw.vector(size), draw.direction());
+    let far = draw.decades(low, high);
+    Ray::new(target + far * away, -(draw.decades(-3.0, 3.0) * away))
+}
+
+/// Law: equal among clusters of 2⁻⁸ to 2⁻³⁶ of the scene, in its middle or not, and clusters in
+/// clusters. Oracle: the list.
+#[test]
+fn acceleration_equals_the_list_in_a_stadium() {
+    let mut draw = Draw::new(2290);
+    for exponent in [8, 14, 18, 22, 28, 36] {
+        let size = power(2.0, -f64::from(exponent));
+        let inner = power(2.0, -20.0) * size;
+        for middle in [Point::ORIGIN, draw.point(0.9)] {
+            let mut objects = teapot(&mut draw, 80, middle, size);
+            objects.extend(stadium(&mut draw));
+            let elsewhere = middle + draw.vector(0.5 * size);
+            objects.extend(teapot(&mut draw, 40, elsewhere, inner));
+            let both = Both::new(objects);
+            let (mut hits, mut count) = (0, 0);
+            let mut check = |ray: &Ray, span: Span| {
+                hits += usize::from(both.check(ray, span, &format!("2^-{exponent}, {middle:?}")));
+                count += 1;
+            };
+            let near = size.log10();
+            for _ in 0..400 {
+                check(&ray_at(&mut draw, middle, size, near, 0.0), Span::AHEAD);
+                check(&ray_at(&mut draw, elsewhere, inner, near - 6.0, 0.0), Span::AHEAD);
+                check(&ray_at(&mut draw, elsewhere, inner, near, near + 6.0), Span::LINE);
+                check(&ray_at(&mut draw, middle, size, 0.0, 8.0), Span::AHEAD);
+                check(&super::equal::ray(&mut draw, 1.0), Span::AHEAD);
+            }
+            assert!(5 * hits > count, "2^-{exponent}: {hits} of {count} hit");
+        }
+    }
+}
+
+/// Boxes that say they are hit where a ray is nearest to their middle, wherever that is: what counts
+/// is settled by the rule alone.
+struct Claims<'a>(&'a [Aabb], &'a Ray);
+
+impl Primitives for Claims<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let Aabb { min, max } = self.0[index as usize];
+        let middle = min + 0.5 * (max - min);
+        let d = self.1.direction;
+        let t = (middle - self.1.origin).dot(d) / d.dot(d);
+        span.contains(t).then(|| Candidate::at(t))
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.0[index as usize]
+    }
+}
+
+/// Law: a hit beside its box, but within the slack, counts in a cluster too small for single
+/// precision, as it does in the list. Oracle: the list.
+#[test]
+fn hits_within_the_slack_of_tiny_boxes_count() {
+    let mut draw = Draw::new(2292);
+    let around = |p: Point, size: f64| {
+        let half = Vector::new(size, size, size);
+        Aabb { min: p - half, max: p + half }
+    };
+    let size = power(2.0, -19.0);
+    let mut bounds = vec![around(Point::ORIGIN, 1.0)];
+    bounds.extend((0..200).map(|_| around(draw.point(size), 0.01 * size)));
+    let [list, tree] = [Method::List, Method::Bvh].map(|method| Accel::build(method, &bounds));
+    let slack = power(2.0, -36.0);
+    let mut beside = 0;
+    for _ in 0..20_000 {
+        // past the faces of one of the boxes, a part of the slack away
+        let Aabb { min, max } = bounds[1 + draw.below(200)];
+        let axis = draw.below(3);
+        let target = (min + draw.between(0.0, 1.0) * (max - min))
+            .with(axis, max.along(axis) + draw.between(0.0, 1.5) * slack);
+        let along = draw.direction() * 1.0;
+        let along = Vector::from([0, 1, 2].map(|i| if i == axis { 0.0 } else { along.along(i) }));
+        let ray = Ray::new(target - draw.decades(-6.0, 0.0) * along, along);
+        let claims = Claims(&bounds, &ray);
+        let span = Span { min: 0.0, max: 2.0 };
+        let [first, found] = [&list, &tree].map(|accel| accel.nearest(&claims, &ray, span));
+        assert_eq!(found, first, "{ray:?}");
+        beside += usize::from(first.is_some_and(|(index, _)| index > 0));
+    }
+    assert!(beside > 5_000, "{beside}");
+}
+
+struct Seen<'a>(&'a [Arc<dyn Shape>], &'a Ray);
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        self.0[index as usize].hit(self.1, span)
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.0[index as usize].bounds()
+    }
+}
+
+/// Law: a teapot costs in a stadium what it costs alone, and some nodes for the stadium. Oracle: the
+/// counts of the search in the teapot alone.
+#[test]
+fn a_teapot_costs_the_same_in_a_stadium() {
+    let mut draw = Draw::new(2291);
+    for exponent in [4, 8, 12, 15, 18, 22] {
+        let size = power(2.0, -f64::from(exponent));
+        for middle in [Point::ORIGIN, draw.point(0.9)] {
+            let alone = teapot(&mut draw, 900, middle, size);
+            let mut all = alone.clone();
+            all.extend(stadium(&mut draw));
+            let rays: Vec<Ray> =
+                (0..500).map(|_| ray_at(&mut draw, middle, size, -1.0, -0.5)).collect();
+            let cost = |objects: &[Arc<dyn Shape>]| {
+                let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds()).collect();
+                let accel = Accel::build(Method::Bvh, &bounds);
+                let mut counts = Counts::default();
+                for ray in &rays {
+                    accel.nearest_counted(&Seen(objects, ray), ray, Span::AHEAD, &mut counts);
+                }
+                counts.tests + counts.steps
+            };
+            let (alone, all) = (cost(&alone), cost(&all));
+            let more = (all as f64 - alone as f64) / rays.len() as f64;
+            assert!(
+                more < 12.0,
+                "2^-{exponent} at {middle:?}: {more} more for a ray, {alone} alone"
+            );
+        }
+    }
+}
