@@ -112,7 +112,9 @@ impl<'a> Input<'a> {
 
     /// A shape that a scene could hold; `None` if building refuses it.
     pub fn shape(&mut self) -> Option<Arc<dyn Shape>> {
-        let kind = match self.byte() % 8 {
+        let choice = self.byte();
+        let kind = match choice % 8 {
+            _ if choice >= 128 => super::kinds::kind(self),
             0 => shapes::Plane { point: self.point(), normal: self.vector() }.into(),
             1 => shapes::Box { min: self.point(), max: self.point() }.into(),
             2 => {

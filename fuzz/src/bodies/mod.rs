@@ -3,6 +3,7 @@
 // shared by the targets
 mod exact;
 mod input;
+mod kinds;
 
 pub mod bvh;
 pub mod obj;

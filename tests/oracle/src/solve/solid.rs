@@ -2,14 +2,15 @@
 
 use super::{Beam, Found, Hit, face, solve};
 use crate::{
-    real::{M, V, magnitude, real},
+    real::{M, Real, V, magnitude, nearest, real},
+    shape::Shape,
     solid::{Form, Part, Solid, parts},
 };
 
 /// The parts' numbers follow from the solid's. Where those change by ε, no part's surface and no
 /// border moves by more than `moves·ε` beyond what its own numbers would: some lengths, and turns
 /// of them.
-pub(super) fn solid(solid: &Solid<crate::real::Real>, beam: &Beam) -> Found {
+pub(super) fn solid(solid: &Solid<Real>, beam: &Beam) -> Found {
     let moves = moves(solid);
     let mut all = Found { hits: Vec::new(), margin: f64::INFINITY };
     for part in parts(solid) {
@@ -21,7 +22,7 @@ pub(super) fn solid(solid: &Solid<crate::real::Real>, beam: &Beam) -> Found {
 }
 
 /// The sum of all lengths, and as much for each radian of an angle.
-fn moves(solid: &Solid<crate::real::Real>) -> f64 {
+fn moves(solid: &Solid<Real>) -> f64 {
     let sum = std::cell::Cell::new(0.0);
     let mut lengths = solid.map(|x| {
         sum.set(sum.get() + magnitude(x));
@@ -36,6 +37,54 @@ fn moves(solid: &Solid<crate::real::Real>) -> f64 {
     (sum.get() - angles) * (1.0 + angles.to_radians())
 }
 
+/// A box around a part, in its frame; `None` for those that cost little.
+fn bounds(form: &Form) -> Option<[[f64; 3]; 2]> {
+    let [radius, low, high] = match form {
+        Form::Shape(Shape::PartTorus { swept_radius, tube_radius, .. }) => {
+            let tube = nearest(tube_radius);
+            [nearest(swept_radius) + tube, -tube, tube]
+        }
+        Form::Shape(Shape::PartSphere { center, radius, .. }) if center.iter().all(is_zero) => {
+            let r = nearest(radius);
+            [r, -r, r]
+        }
+        Form::Shape(Shape::PartCylinder { y0, y1, radius, .. }) => [radius, y0, y1].map(nearest),
+        Form::Cap(cap) => [nearest(&cap.radii[1]), 0.0, 0.0],
+        _ => return None,
+    };
+    Some([[-radius, low, -radius], [radius, high, radius]])
+}
+
+fn is_zero(x: &Real) -> bool {
+    *x == real(0.0)
+}
+
+/// A margin of a part that the ray passes by so far that plain arithmetic can tell: if it misses a
+/// box that is larger by twice what a change by ε can move anything near it, it goes on missing it.
+fn passes_by(form: &Form, beam: &Beam) -> Option<f64> {
+    let [min, max] = bounds(form)?;
+    let [o, d] = [&beam.o, &beam.d].map(|v| v.0.each_ref().map(nearest));
+    let size = (0..3).map(|i| max[i].abs().max(min[i].abs())).sum::<f64>();
+    let along = beam.d_reach / beam.d.len();
+    let moves = beam.o_reach + size + (beam.o.len() + size) * along;
+    [1e-3, 1e-6].into_iter().find(|margin| {
+        let more = 2.0 * margin * moves;
+        let (mut start, mut end) = (0.0_f64, f64::INFINITY);
+        for i in 0..3 {
+            let ends = [min[i] - more - o[i], max[i] + more - o[i]];
+            if d[i] == 0.0 {
+                if ends[0] > 0.0 || ends[1] < 0.0 {
+                    return true;
+                }
+                continue;
+            }
+            let [a, b] = ends.map(|end| end / d[i]);
+            (start, end) = (start.max(a.min(b)), end.min(a.max(b)));
+        }
+        start > end
+    })
+}
+
 fn part_hits(part: &Part, moves: f64, beam: &Beam) -> Found {
     let axes = M(part.axes.clone());
     let local = Beam {
@@ -44,6 +93,9 @@ fn part_hits(part: &Part, moves: f64, beam: &Beam) -> Found {
         o_reach: beam.o_reach + moves,
         d_reach: beam.d_reach,
     };
+    if let Some(margin) = passes_by(&part.form, &local) {
+        return Found { hits: Vec::new(), margin };
+    }
     let mut found = match &part.form {
         Form::Shape(shape) => solve(shape, &local),
         Form::Cap(cap) => face::cap(cap, &local),
