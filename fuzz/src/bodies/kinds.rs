@@ -98,7 +98,7 @@ fn surface(choice: u8, input: &mut Input<'_>) -> Kind {
             let terms = 1 + input.byte() % 6;
             let terms = (0..terms).map(|_| Term {
                 coefficient: input.number(),
-                powers: std::array::from_fn(|_| u32::from(input.byte() % 4)),
+                powers: std::array::from_fn(|_| u32::from(input.byte() % 3)),
             });
             let terms = terms.collect();
             shapes::Algebraic { terms, min: center, max: input.point() }.into()

@@ -2,8 +2,8 @@
 
 // shared by the targets
 mod exact;
-mod input;
-mod kinds;
+pub(crate) mod input;
+pub(crate) mod kinds;
 
 pub mod bvh;
 pub mod obj;
