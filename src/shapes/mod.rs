@@ -41,6 +41,8 @@ pub struct Surface {
     pub point: Point,
     /// Bound on the distance, along the geometric normal, between `point` and the surface as the
     /// shape's own `hit` sees it: a ray that starts farther off than this does not hit it again.
+    /// (A body thinner than a few of these, such as one that instances press flat to some dozens of
+    /// roundings of its coordinates, may be left by its far wall: see `docs/accuracy.md`.)
     pub error: f64,
     /// Perpendicular to the surface; outward for what has an inside, unless its data say `inward`.
     /// Never turned to the viewer.

@@ -141,6 +141,8 @@ fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
             let terms = terms.into_iter().map(term).collect();
             shapes::Algebraic { terms, min: min.into(), max: max.into() }.into()
         }
+        oracle::Shape::CutFace { size, radius } => shapes::CutFace { size, radius }.into(),
+        oracle::Shape::Solid(of) => solid(of),
         oracle::Shape::Instance { matrix, of } => {
             let (inner, exact_inner) = ours(&of)?;
             let transform = steps(&matrix)?;
@@ -153,6 +155,43 @@ fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
         }
     };
     Some((kind, exact.clone()))
+}
+
+/// The library's description of a solid.
+fn solid(exact: oracle::Solid) -> shapes::Kind {
+    use oracle::Solid;
+    let materials = shapes::Materials::new();
+    match exact {
+        Solid::Cylinder { y0, y1, radius } => {
+            shapes::SolidCylinder { y0, y1, radius, materials }.into()
+        }
+        Solid::Cone { height, radius } => shapes::SolidCone { height, radius, materials }.into(),
+        Solid::ThickRing { y0, y1, inner: inner_radius, outer: outer_radius } => {
+            shapes::ThickRing { y0, y1, inner_radius, outer_radius, materials }.into()
+        }
+        Solid::FlatRimmedBowl { inner: inner_radius, outer: outer_radius, opening } => {
+            shapes::FlatRimmedBowl { inner_radius, outer_radius, opening, materials }.into()
+        }
+        Solid::RoundRimmedBowl { inner: inner_radius, outer: outer_radius, opening } => {
+            shapes::RoundRimmedBowl { inner_radius, outer_radius, opening, materials }.into()
+        }
+        Solid::ConcaveLens { radius, thickness, min_distance } => {
+            shapes::ConcaveLens { radius, thickness, min_distance, materials }.into()
+        }
+        Solid::BeveledBox { min, max, bevel } => {
+            shapes::BeveledBox { min: min.into(), max: max.into(), bevel, materials }.into()
+        }
+        Solid::BeveledCylinder { y0, y1, radius, bevel } => {
+            shapes::BeveledCylinder { y0, y1, radius, bevel, materials }.into()
+        }
+        Solid::BeveledRing { y0, y1, inner: inner_radius, outer: outer_radius, bevel } => {
+            shapes::BeveledRing { y0, y1, inner_radius, outer_radius, bevel, materials }.into()
+        }
+        Solid::BeveledWedge { y0, y1, inner: inner_radius, outer: outer_radius, phi, bevel } => {
+            shapes::BeveledWedge { y0, y1, inner_radius, outer_radius, phi, bevel, materials }
+                .into()
+        }
+    }
 }
 
 /// Steps whose product is this matrix but for rounding: shear, scale, rotation, translation, by

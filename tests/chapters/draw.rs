@@ -10,6 +10,11 @@ impl Draw {
         Self(Pcg32::new(seed, 0))
     }
 
+    /// Numbers of their own for each case, so that any one can be run again without those before.
+    pub fn case(seed: u64, index: usize) -> Self {
+        Self(Pcg32::new(seed, 1 + index as u64))
+    }
+
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.0.uniform()
     }

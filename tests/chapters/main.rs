@@ -4,6 +4,7 @@
 //! `tests/contracts`, under the same names.
 
 mod draw;
+mod exact;
 mod hard_cases;
 mod support;
 

@@ -44,16 +44,23 @@ const NASTY: [f64; 24] = [
     90.0,
 ];
 
+/// Numbers so far from 1 that squares and products over- or underflow promise no more than a `t`.
+pub fn is_tame(x: f64) -> bool {
+    x == 0.0 || (1e-30..=1e30).contains(&x.abs())
+}
+
 /// Bytes that are being used up.
 pub struct Input<'a> {
     bytes: &'a [u8],
     pub mode: Mode,
+    /// Whether all numbers so far are.
+    pub tame: bool,
 }
 
 impl<'a> Input<'a> {
     /// The first byte says the mode.
     pub fn new(bytes: &'a [u8]) -> Self {
-        let mut it = Self { bytes, mode: Mode::Grid };
+        let mut it = Self { bytes, mode: Mode::Grid, tame: true };
         if it.byte() % 2 == 1 {
             it.mode = Mode::Chaos;
         }
@@ -80,6 +87,12 @@ impl<'a> Input<'a> {
         if self.mode == Mode::Grid {
             return self.integer() as f64;
         }
+        let number = self.any_number();
+        self.tame &= is_tame(number);
+        number
+    }
+
+    fn any_number(&mut self) -> f64 {
         match self.byte() {
             choice @ 0..96 => NASTY[usize::from(choice) % NASTY.len()],
             choice @ 96..160 => f64::from(choice) - 128.0,
@@ -112,7 +125,9 @@ impl<'a> Input<'a> {
 
     /// A shape that a scene could hold; `None` if building refuses it.
     pub fn shape(&mut self) -> Option<Arc<dyn Shape>> {
-        let kind = match self.byte() % 8 {
+        let choice = self.byte();
+        let kind = match choice % 8 {
+            _ if choice >= 128 => super::kinds::kind(self),
             0 => shapes::Plane { point: self.point(), normal: self.vector() }.into(),
             1 => shapes::Box { min: self.point(), max: self.point() }.into(),
             2 => {

@@ -2,7 +2,8 @@
 
 // shared by the targets
 mod exact;
-mod input;
+pub(crate) mod input;
+pub(crate) mod kinds;
 
 pub mod bvh;
 pub mod obj;

@@ -9,10 +9,7 @@ use groundtruth::math::{Normal, Ray, Span, Vector};
 use groundtruth::shapes::{self, Candidate, Context, Kind, Shape};
 
 use super::exact::{self, Fraction, Side, Triple};
-use super::input::{Input, Mode};
-
-/// Numbers so far from 1 that squares and products over- or underflow promise no more than a `t`.
-const TAME: std::ops::RangeInclusive<f64> = 1e-30..=1e30;
+use super::input::{Input, Mode, is_tame};
 
 /// One shape and some rays.
 pub fn run(data: &[u8]) {
@@ -21,7 +18,7 @@ pub fn run(data: &[u8]) {
         return grid(&mut input);
     }
     let Some(shape) = input.shape() else { return };
-    let tame = input.mode == Mode::Grid;
+    let tame = input.tame;
     for _ in 0..8 {
         let ray = input.ray();
         let span = Span { min: input.number(), max: input.number() };
@@ -32,7 +29,7 @@ pub fn run(data: &[u8]) {
 }
 
 /// What holds for every shape and ray.
-fn one_answer(shape: &dyn Shape, ray: &Ray, span: Span, grid: bool) {
+fn one_answer(shape: &dyn Shape, ray: &Ray, span: Span, tame: bool) {
     let hit = shape.hit(ray, span);
     let shadow = shape.shadow_hit(ray, span);
     assert_eq!(hit.is_some(), shadow.is_some(), "shadows see what eyes see");
@@ -51,13 +48,12 @@ fn one_answer(shape: &dyn Shape, ray: &Ray, span: Span, grid: bool) {
 
     let surface = shape.surface(ray, &hit);
     let numbers = [ray.origin.to_array(), ray.direction.to_array(), ray.at(hit.t).to_array()];
-    let size = |x: &f64| *x == 0.0 || TAME.contains(&x.abs());
-    let bounds = shape.bounds();
-    let corners = [bounds.min.to_array(), bounds.max.to_array()];
-    let tame = numbers.iter().chain(&corners).flatten().all(|x| size(x) || x.is_infinite());
-    if grid || tame && size(&hit.t) {
+    if tame && numbers.as_flattened().iter().chain([&hit.t]).all(|&x| is_tame(x)) {
         let finite = surface.point.is_finite() && surface.local.is_finite();
-        assert!(finite && surface.error.is_finite() && surface.error >= 0.0, "{surface:?}");
+        assert!(
+            finite && surface.error.is_finite() && surface.error >= 0.0,
+            "{surface:?} {shape:?} {ray:?}"
+        );
         for normal in [surface.normal, surface.shading] {
             let length = Vector::from(normal).length();
             assert!((length - 1.0).abs() < 1e-14, "{normal:?} is not unit");

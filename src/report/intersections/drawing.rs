@@ -30,7 +30,7 @@ fn explanation(data: &Data) -> String {
         "<p>Compared are this library's routine for each of {kinds} shapes and the textbook's: the \
          formula as the book prints it, with its constant epsilon (kinds without a textbook form show \
          ours alone). Both get the same rays, {cases} for each shape (a quarter for tori and other \
-         surfaces of high degree, whose truth takes long) in each of twelve families: \
+         surfaces of high degree or of many parts, whose truth takes long) in each of twelve families: \
          ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
          tiny, huge and thin shapes, …). The truth is computed with 512 bits.</p>\n\
          <p>An error is counted in units of u·cond: how far the distance moves if the input is \

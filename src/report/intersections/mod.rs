@@ -70,8 +70,18 @@ pub struct Routine {
     pub miss_ns: Option<f64>,
 }
 
-/// Of degree 4 and above: their exact answers take fifty times as long as the others'.
-const SLOW: [&str; 3] = ["Torus", "PartTorus", "Algebraic"];
+/// Of degree 4 and above, or of many parts: their exact answers take fifty times as long as the
+/// others'.
+const SLOW: [&str; 8] = [
+    "Torus",
+    "PartTorus",
+    "Algebraic",
+    "RoundRimmedBowl",
+    "BeveledBox",
+    "BeveledCylinder",
+    "BeveledRing",
+    "BeveledWedge",
+];
 
 /// How many rays a kind of this name gets for each family.
 fn rays(kind: &str, settings: &Settings) -> usize {

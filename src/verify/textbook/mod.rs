@@ -109,7 +109,10 @@ pub fn of(shape: &oracle::Shape) -> Option<Box<dyn Textbook>> {
         }),
         Shape::Instance { matrix, of: inner } => Box::new(Instance::new(*matrix, of(inner)?)),
         // the book has no formula for these
-        Shape::Paraboloid { .. } | Shape::Algebraic { .. } => return None,
+        Shape::Paraboloid { .. }
+        | Shape::Algebraic { .. }
+        | Shape::CutFace { .. }
+        | Shape::Solid(_) => return None,
     })
 }
 

@@ -5,6 +5,7 @@ use oracle::hard::Kind;
 use crate::draw::Draw;
 use crate::hard_cases::{Pair, judge_all, pair, sweep};
 
+/// A law and its thorough form for each kind.
 macro_rules! sweeps {
     ($($law:ident $thorough:ident $kind:ident;)*) => {$(
         /// Law: hit or miss, every distance and every normal are right within their condition.
@@ -39,6 +40,13 @@ sweeps! {
     tori_are_exact_within_their_condition tori_thoroughly Torus;
     part_tori_are_exact_within_their_condition part_tori_thoroughly PartTorus;
     algebraic_surfaces_are_exact_within_their_condition algebraic_thoroughly Algebraic;
+    cut_faces_are_exact_within_their_condition cut_faces_thoroughly CutFace;
+    solid_cylinders_are_the_union_of_their_parts solid_cylinders_thoroughly SolidCylinder;
+    solid_cones_are_the_union_of_their_parts solid_cones_thoroughly SolidCone;
+    thick_rings_are_the_union_of_their_parts thick_rings_thoroughly ThickRing;
+    flat_rimmed_bowls_are_the_union_of_their_parts flat_rimmed_bowls_thoroughly FlatRimmedBowl;
+    round_rimmed_bowls_are_the_union_of_their_parts round_rimmed_bowls_thoroughly RoundRimmedBowl;
+    concave_lenses_are_the_union_of_their_parts concave_lenses_thoroughly ConcaveLens;
 }
 
 /// Rays that make an angle of 10⁻³ to 10⁻¹² with the axis of a tall cylinder, from inside and from

@@ -1,5 +1,6 @@
 //! Leaving a surface: no ray meets again the point it starts from, and none skips what comes next.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
@@ -9,6 +10,7 @@ use groundtruth::shapes::{
 };
 
 use crate::draw::Draw;
+use crate::exact::{exact, walls_along_normal};
 use crate::support::U;
 
 /// How often a ray that leaves meets the shape again.
@@ -144,8 +146,17 @@ pub fn random_hit(draw: &mut Draw, shape: &dyn Shape, aim: Point, size: f64) -> 
 }
 
 /// Ends with the case if the ray that leaves in a direction on the outer (or inner) side does not
-/// do what the form says.
-pub fn check_leaving(draw: &mut Draw, shape: &dyn Shape, form: Form, s: &Surface, case: &str) {
+/// do what the form says. Where a body is thinner than 8 error bounds, its far wall may be skipped:
+/// says whether it was.
+pub fn check_leaving(
+    draw: &mut Draw,
+    kind: &Kind,
+    shape: &dyn Shape,
+    form: Form,
+    s: &Surface,
+    case: &str,
+) -> bool {
+    let mut skipped = false;
     for outward in [true, false] {
         let n = if outward { s.normal } else { -s.normal };
         let direction = draw.decades(-3.0, 3.0) * draw.leaving(n);
@@ -157,11 +168,25 @@ pub fn check_leaving(draw: &mut Draw, shape: &dyn Shape, form: Form, s: &Surface
             _ => again.is_empty(),
         };
         let steep = direction.dot(n) / direction.length();
-        assert!(right, "{case}: outward {outward}, slope {steep:e}: hits {again:?} of {s:?}");
+        if !right && !outward && is_thin(kind, s) {
+            skipped = true;
+            continue;
+        }
+        assert!(
+            right,
+            "{case}: {ray:?} outward {outward}, slope {steep:e}: hits {again:?} of {s:?}"
+        );
         let blocked = shape.shadow_hit(&ray, Span::AHEAD).is_some();
         assert_eq!(blocked, !again.is_empty(), "{case}: the shadow differs");
         check_next(&ray, n.into(), s, case);
     }
+    skipped
+}
+
+/// Whether the far wall of a body is within 8 error bounds of a hit, along the normal. Oracle:
+/// 512-bit arithmetic.
+pub fn is_thin(kind: &Kind, s: &Surface) -> bool {
+    exact(kind).is_some_and(|exact| walls_along_normal(&exact, s, 8.0 * s.error).len() > 1)
 }
 
 /// Ends with the case if a plane parallel to the surface just beyond 8 error bounds is not found.
@@ -179,10 +204,11 @@ fn built(kind: &Kind) -> Arc<dyn Shape> {
     kind.build(&mut Context::default()).expect("valid")
 }
 
-fn check_shapes(count: usize, seed: u64) {
-    let mut draw = Draw::new(seed);
+fn check_shapes(cases: Range<usize>, seed: u64) {
+    let count = cases.len();
     let (mut largest, mut hits) = (0.0_f64, 0);
-    for i in 0..count {
+    for i in cases {
+        let mut draw = Draw::case(seed, i);
         let size = draw.decades(-6.0, 6.0);
         let (kind, form, middle) = body(&mut draw, size);
         let shape = built(&kind);
@@ -195,7 +221,8 @@ fn check_shapes(count: usize, seed: u64) {
             surface.error <= MOST * U * coordinates,
             "{case}: the bound {surface:?} is too wide"
         );
-        check_leaving(&mut draw, &*shape, form, &surface, &case);
+        let skipped = check_leaving(&mut draw, &kind, &*shape, form, &surface, &case);
+        assert!(!skipped, "{case}: none of these is so thin");
     }
     assert!(10 * hits > 8 * count, "only {hits} hits");
     println!("widest bound: {largest:.1} u of the coordinates");
@@ -209,14 +236,14 @@ const MOST: f64 = 100.0;
 /// down to 1e-9 of grazing. Oracle: how often a line meets convex and flat shapes.
 #[test]
 fn a_ray_that_leaves_does_not_meet_the_same_point_again() {
-    check_shapes(40_000, 1900);
+    check_shapes(0..40_000, 1900);
 }
 
 /// The same, four million cases.
 #[test]
 #[ignore = "cost: cargo test ch19 -- --ignored"]
 fn rays_leave_thoroughly() {
-    check_shapes(4_000_000, 1901);
+    check_shapes(0..4_000_000, 1901);
 }
 
 /// Law: a segment between two points of a convex surface, offset at both ends, meets nothing, down

@@ -101,3 +101,27 @@ fn turned_flat(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)
 fn instances_turned_flat_keep_every_hit() {
     judge_all(turned_flat(2_000));
 }
+
+macro_rules! beveled {
+    ($($law:ident $thorough:ident $kind:ident;)*) => {$(
+        /// Law: hit or miss, every distance and every normal are those of the parts that the book
+        /// names, within their condition. Oracle: those parts in 512-bit arithmetic.
+        #[test]
+        fn $law() {
+            sweep(Hard::$kind, 213, 100);
+        }
+
+        /// The same, ten thousand cases a family.
+        #[test]
+        #[ignore = "cost: cargo test ch21 -- --ignored"]
+        fn $thorough() {
+            sweep(Hard::$kind, 2130, 10_000);
+        }
+    )*};
+}
+beveled! {
+    beveled_boxes_are_the_union_of_their_parts beveled_boxes_thoroughly BeveledBox;
+    beveled_cylinders_are_the_union_of_their_parts beveled_cylinders_thoroughly BeveledCylinder;
+    beveled_rings_are_the_union_of_their_parts beveled_rings_thoroughly BeveledRing;
+    beveled_wedges_are_the_union_of_their_parts beveled_wedges_thoroughly BeveledWedge;
+}

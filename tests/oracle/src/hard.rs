@@ -10,6 +10,7 @@ mod parts;
 mod rays;
 mod rng;
 mod shapes;
+mod solids;
 mod vector;
 
 use crate::{Ray, Shape};
@@ -52,11 +53,33 @@ pub enum Kind {
     PartSphere,
     /// [`Shape::PartCylinder`].
     PartCylinder,
+    /// [`Shape::CutFace`].
+    CutFace,
+    /// [`Solid::Cylinder`](crate::Solid).
+    SolidCylinder,
+    /// [`Solid::Cone`](crate::Solid).
+    SolidCone,
+    /// [`Solid::ThickRing`](crate::Solid).
+    ThickRing,
+    /// [`Solid::FlatRimmedBowl`](crate::Solid).
+    FlatRimmedBowl,
+    /// [`Solid::RoundRimmedBowl`](crate::Solid).
+    RoundRimmedBowl,
+    /// [`Solid::ConcaveLens`](crate::Solid).
+    ConcaveLens,
+    /// [`Solid::BeveledBox`](crate::Solid).
+    BeveledBox,
+    /// [`Solid::BeveledCylinder`](crate::Solid).
+    BeveledCylinder,
+    /// [`Solid::BeveledRing`](crate::Solid).
+    BeveledRing,
+    /// [`Solid::BeveledWedge`](crate::Solid).
+    BeveledWedge,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Kind; 17] = [
+    pub const ALL: [Kind; 28] = [
         Kind::Plane,
         Kind::Sphere,
         Kind::Cuboid,
@@ -74,7 +97,23 @@ impl Kind {
         Kind::Paraboloid,
         Kind::PartSphere,
         Kind::PartCylinder,
+        Kind::CutFace,
+        Kind::SolidCylinder,
+        Kind::SolidCone,
+        Kind::ThickRing,
+        Kind::FlatRimmedBowl,
+        Kind::RoundRimmedBowl,
+        Kind::ConcaveLens,
+        Kind::BeveledBox,
+        Kind::BeveledCylinder,
+        Kind::BeveledRing,
+        Kind::BeveledWedge,
     ];
+
+    /// Whether it is a [`Shape::Solid`], made of the others.
+    pub fn is_solid(self) -> bool {
+        self as u64 > Kind::CutFace as u64
+    }
 }
 
 /// What makes a case hard.
@@ -135,4 +174,10 @@ pub fn cases(kind: Kind, family: Family, seed: u64, n: usize) -> Vec<(Shape, Ray
         (shape, ray)
     };
     (0..n).map(case).collect()
+}
+
+/// About how large a shape is.
+#[cfg(test)]
+pub(crate) fn size_of(shape: &Shape) -> f64 {
+    features::place(shape).1
 }

@@ -17,6 +17,7 @@ mod margin;
 mod polynomials;
 mod real;
 mod shape;
+mod solid;
 mod solve;
 #[cfg(test)]
 mod verified;
@@ -24,4 +25,5 @@ mod verified;
 pub use answer::{Answer, Root, intersect};
 pub use polynomials::{polynomial_roots, residual};
 pub use shape::{Ray, Shape};
+pub use solid::Solid;
 pub use solve::condition;

@@ -1,6 +1,9 @@
 //! What is asked about: a ray and a shape, as plain numbers.
 
-use crate::real::{Real, real};
+use crate::{
+    real::{Real, real},
+    solid::Solid,
+};
 
 /// A half-line `origin + t·direction`, `t > 0`; the direction need not be unit.
 #[derive(Clone, Debug, PartialEq)]
@@ -157,6 +160,16 @@ pub enum Shape<T = f64> {
         /// The corner of greatest coordinates.
         max: [T; 3],
     },
+    /// The points of y = 0 with `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`; the normal is
+    /// `(0, 1, 0)`.
+    CutFace {
+        /// Of the sides; more than 0.
+        size: T,
+        /// Of the hole; more than 0, less than `size/√2`.
+        radius: T,
+    },
+    /// A closed surface of several parts.
+    Solid(Solid<T>),
     /// `of`, moved by the affine `matrix`; the normal moves by the inverse transpose.
     Instance {
         /// The rows of the map from object to world, translation last; not singular.
@@ -182,75 +195,87 @@ impl Shape {
     }
 
     pub(crate) fn exact(&self) -> Shape<Real> {
+        self.map(&|x| real(*x))
+    }
+}
+
+impl<T> Shape<T> {
+    /// The same shape, each number changed.
+    pub(crate) fn map<U>(&self, f: &impl Fn(&T) -> U) -> Shape<U> {
+        let all = |v: &[T; 3]| v.each_ref().map(f);
         match self {
             Shape::Plane { point, normal } => {
-                Shape::Plane { point: point.map(real), normal: normal.map(real) }
+                Shape::Plane { point: point.each_ref().map(f), normal: normal.each_ref().map(f) }
             }
             Shape::Sphere { center, radius } => {
-                Shape::Sphere { center: center.map(real), radius: real(*radius) }
+                Shape::Sphere { center: center.each_ref().map(f), radius: f(radius) }
             }
-            Shape::Cuboid { min, max } => Shape::Cuboid { min: min.map(real), max: max.map(real) },
+            Shape::Cuboid { min, max } => {
+                Shape::Cuboid { min: min.each_ref().map(f), max: max.each_ref().map(f) }
+            }
             Shape::Triangle { vertices } => {
-                Shape::Triangle { vertices: vertices.map(|v| v.map(real)) }
+                Shape::Triangle { vertices: vertices.each_ref().map(all) }
             }
-            Shape::Rectangle { corner, a, b } => {
-                Shape::Rectangle { corner: corner.map(real), a: a.map(real), b: b.map(real) }
-            }
+            Shape::Rectangle { corner, a, b } => Shape::Rectangle {
+                corner: corner.each_ref().map(f),
+                a: a.each_ref().map(f),
+                b: b.each_ref().map(f),
+            },
             Shape::Disk { center, normal, radius } => Shape::Disk {
-                center: center.map(real),
-                normal: normal.map(real),
-                radius: real(*radius),
+                center: center.each_ref().map(f),
+                normal: normal.each_ref().map(f),
+                radius: f(radius),
             },
             Shape::OpenCylinder { y0, y1, radius } => {
-                Shape::OpenCylinder { y0: real(*y0), y1: real(*y1), radius: real(*radius) }
+                Shape::OpenCylinder { y0: f(y0), y1: f(y1), radius: f(radius) }
             }
             Shape::Annulus { center, normal, inner, outer } => Shape::Annulus {
-                center: center.map(real),
-                normal: normal.map(real),
-                inner: real(*inner),
-                outer: real(*outer),
+                center: center.each_ref().map(f),
+                normal: normal.each_ref().map(f),
+                inner: f(inner),
+                outer: f(outer),
             },
             Shape::PartAnnulus { center, inner, outer, phi } => Shape::PartAnnulus {
-                center: center.map(real),
-                inner: real(*inner),
-                outer: real(*outer),
-                phi: phi.map(real),
+                center: center.each_ref().map(f),
+                inner: f(inner),
+                outer: f(outer),
+                phi: phi.each_ref().map(f),
             },
-            Shape::Cone { height, radius } => {
-                Shape::Cone { height: real(*height), radius: real(*radius) }
-            }
+            Shape::Cone { height, radius } => Shape::Cone { height: f(height), radius: f(radius) },
             Shape::Paraboloid { height, radius } => {
-                Shape::Paraboloid { height: real(*height), radius: real(*radius) }
+                Shape::Paraboloid { height: f(height), radius: f(radius) }
             }
             Shape::PartSphere { center, radius, phi, theta } => Shape::PartSphere {
-                center: center.map(real),
-                radius: real(*radius),
-                phi: phi.map(real),
-                theta: theta.map(real),
+                center: center.each_ref().map(f),
+                radius: f(radius),
+                phi: phi.each_ref().map(f),
+                theta: theta.each_ref().map(f),
             },
             Shape::PartCylinder { y0, y1, radius, phi } => Shape::PartCylinder {
-                y0: real(*y0),
-                y1: real(*y1),
-                radius: real(*radius),
-                phi: phi.map(real),
+                y0: f(y0),
+                y1: f(y1),
+                radius: f(radius),
+                phi: phi.each_ref().map(f),
             },
             Shape::Torus { swept_radius, tube_radius } => {
-                Shape::Torus { swept_radius: real(*swept_radius), tube_radius: real(*tube_radius) }
+                Shape::Torus { swept_radius: f(swept_radius), tube_radius: f(tube_radius) }
             }
             Shape::PartTorus { swept_radius, tube_radius, phi, theta } => Shape::PartTorus {
-                swept_radius: real(*swept_radius),
-                tube_radius: real(*tube_radius),
-                phi: phi.map(real),
-                theta: theta.map(real),
+                swept_radius: f(swept_radius),
+                tube_radius: f(tube_radius),
+                phi: phi.each_ref().map(f),
+                theta: theta.each_ref().map(f),
             },
             Shape::Algebraic { terms, min, max } => Shape::Algebraic {
-                terms: terms.iter().map(|(c, powers)| (real(*c), *powers)).collect(),
-                min: min.map(real),
-                max: max.map(real),
+                terms: terms.iter().map(|(c, powers)| (f(c), *powers)).collect(),
+                min: min.each_ref().map(f),
+                max: max.each_ref().map(f),
             },
+            Shape::CutFace { size, radius } => Shape::CutFace { size: f(size), radius: f(radius) },
+            Shape::Solid(solid) => Shape::Solid(solid.map(f)),
             Shape::Instance { matrix, of } => Shape::Instance {
-                matrix: matrix.map(|row| row.map(real)),
-                of: Box::new(of.exact()),
+                matrix: matrix.each_ref().map(|row| row.each_ref().map(f)),
+                of: Box::new(of.map(f)),
             },
         }
     }

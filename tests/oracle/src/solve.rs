@@ -5,12 +5,14 @@ mod border;
 mod cuboid;
 mod cylinder;
 mod disk;
+pub(crate) mod face;
 mod flat;
 mod instance;
 mod polynomial;
 mod quadric;
 mod revolution;
 mod ring;
+pub(crate) mod solid;
 mod sphere;
 mod torus;
 
@@ -104,6 +106,8 @@ pub(crate) fn solve(shape: &Shape<Real>, beam: &Beam) -> Found {
         Shape::Algebraic { terms, min, max } => {
             algebraic::algebraic(terms, [&v(min), &v(max)], beam)
         }
+        Shape::CutFace { size, radius } => face::cut_face(size, radius, beam),
+        Shape::Solid(of) => solid::solid(of, beam),
         Shape::Instance { matrix, of } => instance::instance(matrix, of, beam),
     }
 }

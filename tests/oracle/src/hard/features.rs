@@ -3,6 +3,7 @@
 use super::{
     parts,
     rng::SplitMix64,
+    solids,
     vector::{V, add, along, cross, dot, length, minus, perpendicular, scale, unit},
 };
 use crate::{
@@ -50,6 +51,8 @@ pub(super) fn place(shape: &Shape) -> (V, f64) {
         | Shape::PartTorus { swept_radius, tube_radius, .. } => {
             ([0.0; 3], swept_radius + tube_radius)
         }
+        Shape::CutFace { size, .. } => ([0.0; 3], 0.5 * size),
+        Shape::Solid(solid) => solids::place(solid),
         Shape::Instance { matrix, of } => {
             let (center, size) = place(of);
             let stretch = columns(matrix).map(length).into_iter().fold(0.0, f64::max);
@@ -105,6 +108,8 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             on_tube([*swept_radius, *tube_radius], angles)
         }
         Shape::Algebraic { terms, min, max } => on_zero(terms, [*min, *max], rng),
+        Shape::CutFace { size, radius } => solids::on_cut_face(*size, *radius, rng),
+        Shape::Solid(solid) => return solids::surface(solid, rng),
         Shape::Instance { matrix, of } => return carried(matrix, surface(of, rng)),
         Shape::Annulus { center, normal, inner, outer } => {
             let n = unit(*normal);
@@ -183,6 +188,11 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             let (point, _) = on_tube(radii, angles);
             (point, unit(minus(on_tube(radii, beyond).0, point)), false)
         }
+        Shape::CutFace { size, radius } => {
+            let (point, out) = solids::border_of_cut_face(*size, *radius, rng);
+            (point, out, false)
+        }
+        Shape::Solid(solid) => return solids::border(solid, rng),
         Shape::Instance { matrix, of } => return carried(matrix, border(of, rng)),
         Shape::Annulus { center, normal, inner, outer } => {
             let u = unit(perpendicular(rng.direction(), unit(*normal)));
@@ -200,7 +210,8 @@ pub(super) fn generator(shape: &Shape, rng: &mut SplitMix64) -> V {
         Shape::Plane { normal, .. }
         | Shape::Disk { normal, .. }
         | Shape::Annulus { normal, .. } => in_plane(*normal, rng),
-        Shape::PartAnnulus { .. } => in_plane([0.0, 1.0, 0.0], rng),
+        Shape::PartAnnulus { .. } | Shape::CutFace { .. } => in_plane([0.0, 1.0, 0.0], rng),
+        Shape::Solid(_) => rng.axis(),
         Shape::Sphere { .. } | Shape::Cuboid { .. } | Shape::PartSphere { .. } => rng.axis(),
         Shape::Torus { .. } | Shape::PartTorus { .. } | Shape::Algebraic { .. } => rng.axis(),
         Shape::Cone { height, radius } => {

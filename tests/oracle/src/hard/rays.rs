@@ -92,6 +92,7 @@ fn round(shape: &Shape) -> bool {
         | Shape::PartCylinder { .. }
         | Shape::Torus { .. }
         | Shape::PartTorus { .. }
+        | Shape::Solid(_)
         | Shape::Algebraic { .. } => true,
         Shape::Instance { of, .. } => round(of),
         _ => false,

@@ -3,23 +3,24 @@
 use super::{
     Family, Kind,
     rng::SplitMix64,
+    solids,
     vector::{V, add, along, cross, perpendicular, scale, unit},
 };
 use crate::Shape;
 
 /// What a family asks of a shape.
-struct Want {
+pub(super) struct Want {
     /// The overall size.
-    size: f64,
+    pub(super) size: f64,
     /// The short extent over the long one.
-    aspect: f64,
-    center: V,
-    family: Family,
+    pub(super) aspect: f64,
+    pub(super) center: V,
+    pub(super) family: Family,
 }
 
 impl Want {
     /// Coordinates that a few bits hold, so that points of edges are exact.
-    fn exact(&self) -> bool {
+    pub(super) fn exact(&self) -> bool {
         matches!(self.family, Family::EdgesAndCorners | Family::Degenerate)
     }
 }
@@ -80,11 +81,13 @@ pub(super) fn shape(kind: Kind, family: Family, rng: &mut SplitMix64) -> Shape {
             };
             Shape::PartCylinder { y0, y1, radius, phi: azimuths(&want, rng) }
         }
+        Kind::CutFace => solids::cut_face(&want, rng),
+        solid => Shape::Solid(solids::solid(solid, &want, rng)),
     }
 }
 
 /// To the nearest 64th, and not to 0.
-fn snapped(x: f64) -> f64 {
+pub(super) fn snapped(x: f64) -> f64 {
     let whole = (x * 64.0).round();
     if whole == 0.0 { 1.0 / 64.0 } else { whole / 64.0 }
 }
@@ -107,7 +110,7 @@ fn sphere(want: &Want) -> Shape {
     }
 }
 
-fn cuboid(want: &Want, rng: &mut SplitMix64) -> Shape {
+pub(super) fn cuboid(want: &Want, rng: &mut SplitMix64) -> Shape {
     let mut half = [(); 3].map(|()| want.size * rng.between(0.3, 1.0));
     if want.family == Family::Thin {
         half[rng.below(3)] *= want.aspect; // a plate, or with another a rod
@@ -169,7 +172,7 @@ fn rectangle(want: &Want, rng: &mut SplitMix64) -> Shape {
 }
 
 /// When thin, a ring or a rod.
-fn cylinder(want: &Want, rng: &mut SplitMix64) -> Shape {
+pub(super) fn cylinder(want: &Want, rng: &mut SplitMix64) -> Shape {
     let (mut height, mut radius) = (want.size * rng.between(0.5, 2.0), want.size);
     if want.family == Family::Thin {
         let short = if rng.coin() { &mut height } else { &mut radius };
@@ -190,7 +193,7 @@ fn radii(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
 }
 
 /// Height and radius; when thin, a needle or nearly a disk.
-fn tall_or_flat(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
+pub(super) fn tall_or_flat(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
     let mut sizes = [want.size * rng.between(0.5, 2.0), want.size];
     if want.family == Family::Thin {
         sizes[rng.below(2)] *= want.aspect;

@@ -52,8 +52,10 @@ pub(super) fn torus(a: &Real, b: &Real, part: Option<[Range<'_>; 2]>, beam: &Bea
     let levels = torus.quartic().levels(&(&closest - &reach), &(&closest + &reach));
     let margin = torus.margin(&levels);
     let hits = levels.into_iter().next().unwrap_or_default();
-    let hits =
-        hits.into_iter().filter(|t| torus.out_of_range(&torus.seen(t), |_| (0.0, 0.0)) == 0.0);
+    let hits = hits.into_iter().filter(|t| {
+        let seen = torus.seen(t);
+        torus.is_on_tube(&seen) && torus.out_of_range(&seen, |_| (0.0, 0.0)) == 0.0
+    });
     Found { hits: hits.map(|t| torus.hit(t)).collect(), margin }
 }
 
@@ -76,6 +78,14 @@ impl Torus<'_> {
         let k = &rho - self.a;
         let q = (&k * &k + &p.0[1] * &p.0[1]).sqrt();
         Seen { p, rho, k, q }
+    }
+
+    /// The quartic is `((ρ − a)² + y² − b²)((ρ + a)² + y² − b²)`; where the tube is thicker than the
+    /// ring is wide, the second factor has roots, too, which are on the other side of the axis.
+    fn is_on_tube(&self, seen: &Seen) -> bool {
+        let beyond = &seen.rho + self.a;
+        let other = (&beyond * &beyond + &seen.p.0[1] * &seen.p.0[1]).sqrt();
+        magnitude(&(&seen.q - self.b)) <= magnitude(&(other - self.b))
     }
 
     fn hit(&self, t: Real) -> Hit {

@@ -22,6 +22,8 @@ fn implicit(shape: &Shape<Real>, p: &V) -> Real {
         | Shape::Disk { center: c, normal, .. }
         | Shape::Annulus { center: c, normal, .. } => (p - &v(c)).dot(&v(normal)),
         Shape::PartAnnulus { center, .. } => &p.0[1] - &center[1],
+        Shape::CutFace { .. } => p.0[1].clone(),
+        Shape::Solid(_) => unreachable!("solids have laws of their own"),
         Shape::Sphere { center, radius } | Shape::PartSphere { center, radius, .. } => {
             (p - &v(center)).norm() - radius
         }

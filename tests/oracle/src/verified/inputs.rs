@@ -106,6 +106,8 @@ fn of_shape<'a>(shape: &'a mut Shape<Real>, groups: &mut Vec<Vec<&'a mut Real>>)
             groups.extend([y0, y1, radius].map(|x| vec![x]));
             azimuths(phi, groups);
         }
+        Shape::CutFace { size, radius } => groups.extend([vec![size], vec![radius]]),
+        Shape::Solid(solid) => groups.extend(solid.numbers().into_iter().map(|x| vec![x])),
         Shape::Torus { swept_radius, tube_radius } => {
             groups.extend([vec![swept_radius], vec![tube_radius]]);
         }

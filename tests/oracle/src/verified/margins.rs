@@ -68,7 +68,9 @@ fn a_change_of_four_margins_flips_a_tangent_sphere() {
 fn ordinary_cases_have_ample_margins() {
     for kind in Kind::ALL {
         let margins = cases(kind, Family::Ordinary, 5, 300);
-        let scarce = margins.iter().filter(|(shape, ray)| intersect(shape, ray).margin < 1e-4);
+        // the threads by which the answer of a solid may hang are those of all its parts
+        let ample = if kind.is_solid() { 1e-7 } else { 1e-4 };
+        let scarce = margins.iter().filter(|(shape, ray)| intersect(shape, ray).margin < ample);
         let scarce = scarce.count();
         assert!(scarce < 30, "{kind:?}: {scarce} of 300");
     }
@@ -106,7 +108,8 @@ fn downhill(case: &mut Case, margin: f64) -> Vec<Vec<Real>> {
 /// flip (a rim's margin is sought on a grid, hence half), and before it is used up four times it does.
 #[test]
 fn down_the_steepest_way_the_answer_flips_when_the_margin_is_used_up() {
-    for kind in Kind::ALL {
+    // those of solids are but lower bounds: their parts may move by a sum of lengths
+    for kind in Kind::ALL.into_iter().filter(|kind| !kind.is_solid()) {
         let rim = matches!(kind, Kind::Disk | Kind::OpenCylinder | Kind::Annulus);
         let (mut judged, mut flipped) = (0, 0);
         for (shape, ray) in cases(kind, Family::Tangent, 4, 60) {

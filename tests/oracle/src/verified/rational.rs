@@ -68,6 +68,8 @@ pub(super) fn implicit(shape: &Shape, line: &Line, t: &Q) -> Q {
         | Shape::Disk { center: c, normal, .. }
         | Shape::Annulus { center: c, normal, .. } => plane(c, &normal.map(q)),
         Shape::PartAnnulus { center, .. } => &p[1] - q(center[1]),
+        Shape::CutFace { .. } => p[1].clone(),
+        Shape::Solid(_) => unreachable!("solids have laws of their own"),
         Shape::Sphere { center, radius } | Shape::PartSphere { center, radius, .. } => {
             let w = minus(&p, &center.map(q));
             dot(&w, &w) - square(&q(*radius))
@@ -200,6 +202,15 @@ fn count(shape: &Shape, line: &Line) -> usize {
                 q(*inner) * q(*inner) <= square
                     && square <= q(*outer) * q(*outer)
                     && parts::in_wedge(phi, &w)
+            }))
+        }
+        Shape::CutFace { size, radius } => {
+            let up = [0.0, 1.0, 0.0].map(q);
+            usize::from(on_plane(&[0.0; 3], &up).is_some_and(|p| {
+                let half = q(*size) / q(2.0);
+                let inside = |x: &Q| *x <= half && -x <= half;
+                let square = &p[0] * &p[0] + &p[2] * &p[2];
+                inside(&p[0]) && inside(&p[2]) && square >= q(*radius) * q(*radius)
             }))
         }
         _ => parts::count(shape, line),

@@ -1,0 +1,198 @@
+//! Round, cut and composed shapes from bytes: every kind of chapters 19, 21 and 22 that
+//! `Input::shape` does not make itself. Most numbers of a kind must be positive or ascend, so they
+//! mostly are; what building refuses is no shape.
+
+use groundtruth::math::Vector;
+use groundtruth::shapes::{self, Kind, Materials, Term};
+
+use super::input::{Input, Mode};
+
+/// A size: on the grid from ⅛ to 8, else any number, mostly without its sign.
+fn size(input: &mut Input<'_>) -> f64 {
+    match input.mode {
+        Mode::Grid => (1.0 + f64::from(input.byte() % 64)) / 8.0,
+        Mode::Chaos => {
+            let any = input.number();
+            if input.byte() < 240 { any.abs() } else { any }
+        }
+    }
+}
+
+/// Two sizes, mostly the smaller one first.
+fn sizes(input: &mut Input<'_>) -> [f64; 2] {
+    let [a, b] = [size(input), size(input)];
+    if a < b || input.byte() >= 240 { [a, b] } else { [b, a] }
+}
+
+/// Two numbers, mostly the smaller one first.
+fn heights(input: &mut Input<'_>) -> [f64; 2] {
+    let [a, b] = [input.number(), input.number()];
+    if a < b || input.byte() >= 240 { [a, b] } else { [b, a] }
+}
+
+/// Degrees: multiples of 15, or any number.
+fn degrees(input: &mut Input<'_>, most: u8) -> f64 {
+    match input.byte() {
+        choice @ 0..200 => 15.0 * f64::from(choice % (most / 15 + 1)),
+        _ => input.number(),
+    }
+}
+
+fn azimuths(input: &mut Input<'_>) -> [f64; 2] {
+    // up to 360, which no byte is
+    [(); 2].map(|()| degrees(input, 180) + degrees(input, 180))
+}
+
+fn polar_angles(input: &mut Input<'_>) -> [f64; 2] {
+    [degrees(input, 90), degrees(input, 90) + 90.0]
+}
+
+/// One of so many kinds of surfaces.
+const SURFACES: u8 = 10;
+/// One of so many kinds of solids.
+const SOLIDS: u8 = 10;
+
+/// A surface, a solid, or something made of many.
+pub fn kind(input: &mut Input<'_>) -> Kind {
+    let choice = input.byte();
+    match choice {
+        0..120 => surface(choice % SURFACES, input),
+        120..230 => solid(choice % SOLIDS, input),
+        _ => many(choice % 5, input),
+    }
+}
+
+fn surface(choice: u8, input: &mut Input<'_>) -> Kind {
+    let inward = choice.is_multiple_of(2);
+    let center = input.point();
+    match choice {
+        0 => {
+            let (normal, [inner_radius, outer_radius]) = (input.vector(), sizes(input));
+            shapes::Annulus { center, normal, inner_radius, outer_radius }.into()
+        }
+        1 => {
+            let ([inner_radius, outer_radius], phi) = (sizes(input), azimuths(input));
+            let down = input.byte() % 2 == 1;
+            shapes::PartAnnulus { center, inner_radius, outer_radius, phi, down }.into()
+        }
+        2 => shapes::Cone { height: size(input), radius: size(input), inward }.into(),
+        3 => shapes::Paraboloid { height: size(input), radius: size(input), inward }.into(),
+        4 => {
+            let (radius, phi) = (size(input), azimuths(input));
+            shapes::PartSphere { center, radius, phi, theta: polar_angles(input), inward }.into()
+        }
+        5 => {
+            let ([y0, y1], radius) = (heights(input), size(input));
+            shapes::PartCylinder { y0, y1, radius, phi: azimuths(input), inward }.into()
+        }
+        6 => {
+            let [tube_radius, swept_radius] = sizes(input);
+            shapes::Torus { swept_radius, tube_radius, inward }.into()
+        }
+        7 => {
+            let [tube_radius, swept_radius] = sizes(input);
+            let [phi, theta] = [azimuths(input), azimuths(input)];
+            shapes::PartTorus { swept_radius, tube_radius, phi, theta, inward }.into()
+        }
+        8 => {
+            let terms = 1 + input.byte() % 6;
+            let terms = (0..terms).map(|_| Term {
+                coefficient: input.number(),
+                powers: std::array::from_fn(|_| u32::from(input.byte() % 3)),
+            });
+            let terms = terms.collect();
+            shapes::Algebraic { terms, min: center, max: input.point() }.into()
+        }
+        _ => {
+            let [radius, size] = sizes(input);
+            shapes::CutFace { size, radius }.into()
+        }
+    }
+}
+
+fn solid(choice: u8, input: &mut Input<'_>) -> Kind {
+    let materials = Materials::new();
+    let ([y0, y1], [inner_radius, outer_radius]) = (heights(input), sizes(input));
+    let bevel = 0.25 * size(input);
+    match choice {
+        0 => shapes::SolidCylinder { y0, y1, radius: outer_radius, materials }.into(),
+        1 => shapes::SolidCone { height: inner_radius, radius: outer_radius, materials }.into(),
+        2 => shapes::ThickRing { y0, y1, inner_radius, outer_radius, materials }.into(),
+        3 | 4 => {
+            let opening = degrees(input, 180) + degrees(input, 180);
+            if choice == 3 {
+                shapes::FlatRimmedBowl { inner_radius, outer_radius, opening, materials }.into()
+            } else {
+                shapes::RoundRimmedBowl { inner_radius, outer_radius, opening, materials }.into()
+            }
+        }
+        5 => {
+            let [min_distance, thickness] = [inner_radius, outer_radius];
+            shapes::ConcaveLens { radius: size(input), thickness, min_distance, materials }.into()
+        }
+        6 => {
+            let min = input.point();
+            let sides = Vector::new(size(input), size(input), size(input));
+            shapes::BeveledBox { min, max: min + sides, bevel, materials }.into()
+        }
+        7 => shapes::BeveledCylinder { y0, y1, radius: outer_radius, bevel, materials }.into(),
+        8 => shapes::BeveledRing { y0, y1, inner_radius, outer_radius, bevel, materials }.into(),
+        _ => {
+            let phi = azimuths(input);
+            shapes::BeveledWedge { y0, y1, inner_radius, outer_radius, phi, bevel, materials }
+                .into()
+        }
+    }
+}
+
+/// Few of them: a shape is built for every input.
+fn many(choice: u8, input: &mut Input<'_>) -> Kind {
+    let count = 1 + u32::from(input.byte() % 4);
+    let (materials, accel) = (Materials::new(), None);
+    let [small, large] = sizes(input);
+    let bevel = 0.25 * size(input);
+    match choice {
+        0 => {
+            let [y0, y1] = heights(input);
+            let [hole_radius, ring_width] = [small, large];
+            let rings = count.min(2);
+            let rosette =
+                shapes::Rosette { rings, hole_radius, ring_width, bevel, y0, y1, accel, materials };
+            rosette.into()
+        }
+        1 => shapes::Archway {
+            width: large,
+            height: size(input) + large,
+            depth: size(input),
+            column_width: 0.25 * small,
+            blocks: count,
+            wedges: 2 + count,
+            bevel,
+            accel,
+            materials,
+        }
+        .into(),
+        2 => {
+            let spacing = input.vector();
+            let counts = [count, 1 + u32::from(input.byte() % 3), 1];
+            let of = Box::new(surface(input.byte() % SURFACES, input));
+            shapes::Lattice { of, counts, spacing, accel }.into()
+        }
+        3 => {
+            let seed = u64::from(input.byte());
+            let (radius, half_side) = (small, large);
+            shapes::RandomSpheres { count: 4 * count, radius, half_side, seed, accel }.into()
+        }
+        _ => {
+            let part = |_| {
+                let choice = input.byte();
+                if choice < 200 {
+                    surface(choice % SURFACES, input)
+                } else {
+                    solid(choice % SOLIDS, input)
+                }
+            };
+            shapes::Compound::of((0..count).map(part).collect::<Vec<_>>()).into()
+        }
+    }
+}
