@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, normal_along};
+use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
@@ -46,12 +46,12 @@ impl Specification for Cone {
 }
 
 impl Cone {
-    /// Where the ray meets the half of the double cone below the apex, ascending.
+    /// Where the line meets the half of the double cone below the apex, ascending; NaN for none.
     ///
-    /// With y stretched by `r/h` the double cone is `x² + z² = y²` about its apex. The quadratic is
-    /// formed at the point of the ray nearest to the apex: its discriminant `(d·l)² − A C`, which is
-    /// `(L_x² + L_z²) − L_y²` with `L = l × d`, would cancel for rays nearly along the wall.
-    fn distances(&self, ray: &Ray) -> impl Iterator<Item = f64> + use<> {
+    /// With y stretched by `r/h` the double cone is `Q(v) = x² + z² − y² = 0` about its apex. The
+    /// quadratic is formed at the point `l` of the ray nearest to the apex: its discriminant `(d·l)² −
+    /// Q(d) Q(l)`, which is `Q(l × d)`, would cancel for rays nearly along the wall.
+    fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let slope = self.radius / self.height;
         let stretched = |v: Vector| Vector::new(v.x(), slope * v.y(), v.z());
         let apex = Point::new(0.0, self.height, 0.0);
@@ -59,43 +59,32 @@ impl Cone {
         let shift = -w.dot(d) / d.length_squared();
         let l = w + shift * d;
 
-        // a difference of squares is a product: what is nearly zero keeps its digits
-        let rho_minus_y = |v: Vector| {
-            let rho = v.across_y().length();
-            (rho - v.y().abs()) * (rho + v.y().abs())
-        };
-        let (a, c) = (rho_minus_y(d), rho_minus_y(l));
-        let b = l.x() * d.x() + l.z() * d.z() - l.y() * d.y();
-        let roots = quadratic(a, b, c, rho_minus_y(l.cross(d)));
-        let below = roots.map(|[near, far]| {
-            if a < 0.0 {
-                // steep: one root on each half, the later one below if the ray goes down
-                let root = if d.y() < 0.0 { far } else { near };
-                return [root, f64::NAN];
-            }
-            let below = l.y() + (0.5 * near + 0.5 * far) * d.y() <= 0.0;
-            if below { [near, far] } else { [f64::NAN; 2] }
-        });
-        below.into_iter().flatten().map(move |t| shift + t)
-    }
-
-    /// Every root is tried: when the near one lies below the base, the far one may be on the wall.
-    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        let candidates = self.distances(ray).filter(move |&t| span.contains(t)).map(Candidate::at);
-        candidates.filter(|at| self.is_above_base(ray.at(at.t)))
+        let q = |v: Vector| (v.x() * v.x() + v.z() * v.z()) - v.y() * v.y();
+        let (a, c) = (q(d), q(l));
+        let b = (l.x() * d.x() + l.z() * d.z()) - l.y() * d.y();
+        let [near, far] = quadratic(a, b, c, q(l.cross(d)))?;
+        if a < 0.0 {
+            // steep: one root on each half, the later one below if the ray goes down
+            let root = if d.y() < 0.0 { far } else { near };
+            return Some([shift + root, f64::NAN]);
+        }
+        let below = l.y() + (0.5 * near + 0.5 * far) * d.y() <= 0.0;
+        // a double root is one; where the ray lies in the wall, that is the apex
+        let second = if near == far { f64::NAN } else { shift + far };
+        below.then_some([shift + near, second])
     }
 
     /// Up the wall from the base, measured along the wall: its height alone says little of a flat
-    /// cone, its radius little of a steep one.
+    /// cone, its radius little of a steep one. That is `(r − ρ) r + y h ≥ 0`, without the root in ρ.
     fn is_above_base(&self, p: Point) -> bool {
-        let rho = p.to_vector().across_y().length();
-        (self.radius - rho) * self.radius + p.y() * self.height >= 0.0
+        let most = self.radius + p.y() * (self.height / self.radius);
+        most >= 0.0 && p.x() * p.x() + p.z() * p.z() <= most * most
     }
 }
 
 impl Shape for Cone {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+        first_of(self.distances(ray)?, span, |t| self.is_above_base(ray.at(t)))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -114,7 +103,7 @@ impl Shape for Cone {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+        all_of(self.distances(ray), span, |t| self.is_above_base(ray.at(t)))
     }
 
     fn bounds(&self) -> Aabb {

@@ -134,9 +134,23 @@ pub trait Shape: Debug + Send + Sync {
     }
 }
 
-/// The candidates of a shape of one part at those `ts` (ascending) that the span contains.
-fn inside(span: Span, ts: Option<[f64; 2]>) -> impl Iterator<Item = Candidate> {
-    ts.into_iter().flatten().filter(move |&t| span.contains(t)).map(Candidate::at)
+/// The first of the `ts` (ascending; NaN for none) that the span contains and the shape has, as a
+/// candidate of a shape of one part. Both are tried: when the near one lies beyond an end of the
+/// shape, the far one may be on it.
+fn first_of(ts: [f64; 2], span: Span, has: impl Fn(f64) -> bool) -> Option<Candidate> {
+    let counts = |t: f64| span.contains(t) && has(t);
+    let [near, far] = ts;
+    // no loop: it costs as much as the square root
+    if counts(near) {
+        return Some(Candidate::at(near));
+    }
+    counts(far).then(|| Candidate::at(far))
+}
+
+/// All of them.
+fn all_of(ts: Option<[f64; 2]>, span: Span, has: impl Fn(f64) -> bool) -> Vec<Candidate> {
+    let counted = ts.into_iter().flatten().filter(|&t| span.contains(t) && has(t));
+    counted.map(Candidate::at).collect()
 }
 
 /// The normal along `v`. Where lengths are so far from 1 that nothing is left of `v`, or of the

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, inside, normal_along};
+use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 use crate::invalid::{Invalid, finite_point, positive};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
@@ -50,16 +50,15 @@ impl Sphere {
         Ok(self.clone())
     }
 
-    /// Both roots, as far as the span contains them.
-    pub(super) fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> + use<> {
-        let from_center = ray.origin - self.center;
-        inside(span, perpendicular_roots(from_center, ray.direction, self.radius))
+    /// Where the line meets it, ascending.
+    pub(super) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
+        perpendicular_roots(ray.origin - self.center, ray.direction, self.radius)
     }
 }
 
 impl Shape for Sphere {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+        first_of(self.distances(ray)?, span, |_| true)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -74,7 +73,7 @@ impl Shape for Sphere {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+        all_of(self.distances(ray), span, |_| true)
     }
 
     fn bounds(&self) -> Aabb {

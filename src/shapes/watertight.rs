@@ -9,6 +9,11 @@
 use crate::math::Normal;
 use crate::math::{Aabb, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross};
 
+/// The area of a triangle as a ray sees it, in terms of the products whose sum it is, from which on
+/// plain products do: each weight is then wrong by at most 2u/`LEAST_AREA`, so `t` by twice as much
+/// of the depths that the triangle spans, and those count in its condition.
+const LEAST_AREA: f64 = 0.25;
+
 /// A ray prepared for triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct ShearedRay {
@@ -31,18 +36,19 @@ impl ShearedRay {
     pub fn new(ray: &Ray) -> Self {
         let d = ray.direction;
         let kz = d.dominant_axis();
-        let (kx, ky) = ((kz + 1) % 3, (kz + 2) % 3);
-        let z = d.along(kz);
-        let shear = [d.along(kx) / z, d.along(ky) / z, 1.0 / z];
+        let (kx, ky) = ([1, 2, 0][kz], [2, 0, 1][kz]);
+        let d = d.to_array();
+        let inverse = 1.0 / d[kz];
+        let shear = [d[kx] * inverse, d[ky] * inverse, inverse];
         Self { origin: ray.origin, axes: [kx, ky, kz], shear }
     }
 
     /// A vertex as the ray sees it: offset across the ray, and depth.
     fn see(&self, vertex: Point) -> [f64; 3] {
-        let v = vertex - self.origin;
+        let v = (vertex - self.origin).to_array();
         let [kx, ky, kz] = self.axes;
-        let z = v.along(kz);
-        [v.along(kx) - self.shear[0] * z, v.along(ky) - self.shear[1] * z, self.shear[2] * z]
+        let z = v[kz];
+        [v[kx] - self.shear[0] * z, v[ky] - self.shear[1] * z, self.shear[2] * z]
     }
 
     /// The meeting with a triangle, at any `t`; `None` if the ray passes beside it, lies in its
@@ -52,24 +58,30 @@ impl ShearedRay {
         let outside = |u: f64, v: f64, w: f64| {
             (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)
         };
-        if outside(cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax) {
-            return None;
-        }
-        let u = difference_of_products(cx, by, cy, bx);
-        let v = difference_of_products(ax, cy, ay, cx);
-        let w = difference_of_products(bx, ay, by, ax);
+        // the edge functions are twice the areas of the parts into which the ray divides the triangle
+        let products = [[cx * by, cy * bx], [ax * cy, ay * cx], [bx * ay, by * ax]];
+        let [mut u, mut v, mut w] = products.map(|[plus, minus]| plus - minus);
         if outside(u, v, w) {
             return None;
         }
-        let sum = u + v + w;
-        let t = (u * az + v * bz + w * cz) / sum;
+        let size = products.map(|[plus, minus]| plus.abs() + minus.abs());
+        if !((u + v + w).abs() > LEAST_AREA * (size[0] + size[1] + size[2])) {
+            u = difference_of_products(cx, by, cy, bx);
+            v = difference_of_products(ax, cy, ay, cx);
+            w = difference_of_products(bx, ay, by, ax);
+            if outside(u, v, w) {
+                return None;
+            }
+        }
+        let inverse = 1.0 / (u + v + w);
+        let t = (u * az + v * bz + w * cz) * inverse;
         if t.is_nan() {
             return None;
         }
         // the true t lies between the depths of the corners; a rounded one must too, or a
         // bounding box could hide it from one accelerator and not from another
         let t = t.clamp(az.min(bz).min(cz), az.max(bz).max(cz));
-        Some(Meeting { t, barycentric: [v / sum, w / sum] })
+        Some(Meeting { t, barycentric: [v * inverse, w * inverse] })
     }
 }
 
