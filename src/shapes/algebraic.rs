@@ -11,7 +11,7 @@ use arrayvec::ArrayVec;
 use serde::{Deserialize, Serialize};
 
 use super::{Box, Candidate, Context, Shape, Surface, normal_along};
-use crate::invalid::{Invalid, finite};
+use crate::invalid::{Invalid, finite, shown};
 use crate::kinds::Specification;
 use crate::math::polynomial::{MAX_DEGREE, roots_between};
 use crate::math::{
@@ -105,6 +105,7 @@ impl Specification for Algebraic {
         }
         let domain = Box { min: self.min, max: self.max };
         domain.build(context)?;
+        check_size(&terms, degree, domain.bounds())?;
         Ok(Arc::new(Built { terms, degree, domain }))
     }
 
@@ -149,6 +150,26 @@ impl Specification for Algebraic {
             Self { terms: saddle, min: small, max: large },
         ]
     }
+}
+
+/// Refuses polynomials whose terms leave the range of `f64` in the box: the largest product of
+/// coordinates, or the largest term, whose gradient is squared.
+fn check_size(terms: &[Term], degree: usize, bounds: Aabb) -> Result<(), Invalid> {
+    let size = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
+    let product = power(size, degree as f64);
+    let term = |t: &Term| t.coefficient.abs() * power(size, f64::from(t.degree()));
+    let largest = terms.iter().map(term).fold(0.0, f64::max);
+    let [products, values] = [1e-250..1e250, 1e-100..1e100];
+    if products.contains(&product) && values.contains(&largest) {
+        return Ok(());
+    }
+    let [size, largest] = [size, largest].map(shown);
+    let problem = format!(
+        "of degree {degree} in coordinates up to {size} found a largest term of {largest}, but only \
+         products of coordinates from {:e} to {:e} and terms from {:e} to {:e} are supported",
+        products.start, products.end, values.start, values.end
+    );
+    Err(Invalid::field("terms", problem))
 }
 
 impl Term {

@@ -10,7 +10,9 @@
 
 use std::fmt::Debug;
 use std::path::Path;
+use std::sync::Arc;
 
+use crate::invalid::{Invalid, LENGTHS, lengths, shown};
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 
 /// A hit that may turn out not to be the nearest.
@@ -222,7 +224,7 @@ pub use mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
     /// A shape as a scene file says it.
-    Kind builds dyn Shape with Context;
+    Kind builds dyn Shape with Context, checked by of_supported_size;
     ch03 plane::Plane,
     ch03 sphere::Sphere,
     ch19 cuboid::Box,
@@ -258,6 +260,25 @@ crate::kinds! {
     ch22 lattice::Lattice,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
+}
+
+/// The shape, if its extent and its distance from the origin are in [`LENGTHS`]; the unbounded have
+/// neither.
+fn of_supported_size(shape: Arc<dyn Shape>) -> Result<Arc<dyn Shape>, Invalid> {
+    let bounds = shape.bounds();
+    if bounds == Aabb::EVERYTHING || bounds == Aabb::EMPTY {
+        return Ok(shape);
+    }
+    let farthest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
+    let extent = bounds.extent().max_abs();
+    let found = if farthest > *LENGTHS.end() {
+        format!("found coordinates up to {}", shown(farthest))
+    } else if extent < *LENGTHS.start() {
+        format!("found an extent of {}", shown(extent))
+    } else {
+        return Ok(shape);
+    };
+    Err(Invalid::new(format!("{found}, but {}", lengths())))
 }
 
 impl Kind {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
-use crate::invalid::{Invalid, finite, positive};
+use crate::invalid::{Invalid, finite, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, circle_roots};
 
@@ -51,7 +51,7 @@ impl OpenCylinder {
         if y0 >= y1 {
             return Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")));
         }
-        positive("radius", self.radius)?;
+        length("radius", self.radius)?;
         Ok(self.clone())
     }
 

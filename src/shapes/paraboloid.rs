@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 
@@ -29,8 +29,8 @@ impl Specification for Paraboloid {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        positive("height", self.height)?;
-        positive("radius", self.radius)?;
+        length("height", self.height)?;
+        length("radius", self.radius)?;
         Ok(Arc::new(self.clone()))
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
-use crate::invalid::{Invalid, finite_point, positive};
+use crate::invalid::{Invalid, finite_point, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
 
@@ -46,7 +46,7 @@ impl Sphere {
     /// A copy whose numbers are fit for use.
     pub(super) fn checked(&self) -> Result<Self, Invalid> {
         finite_point("center", self.center)?;
-        positive("radius", self.radius)?;
+        length("radius", self.radius)?;
         Ok(self.clone())
     }
 
