@@ -7,7 +7,7 @@ use super::vectors::Vector;
 /// The roots of `a t² + 2 b t + c`, in ascending order, given `discriminant = b² − a c` however it
 /// was computed. `None` if it is negative or NaN, or if a and b are 0 and c is not. For `a = 0` one
 /// root is infinite or NaN, which no span contains.
-#[inline] // a call would hand the roots over in memory
+#[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> {
     if discriminant.is_nan() || discriminant < 0.0 {
         return None;
@@ -31,7 +31,7 @@ pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> 
 /// cancels for far, small and huge spheres (Haines et al., "Precision Improvements for Ray/Sphere
 /// Intersection", Ray Tracing Gems, ch. 7). Its `a (r² − |l|²)` is taken as `a r² − |f × d|²`, which
 /// needs neither a division nor a square root.
-#[inline] // a call would hand the roots over in memory
+#[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn perpendicular_roots(f: Vector, d: Vector, r: f64) -> Option<[f64; 2]> {
     let a = d.length_squared();
     let discriminant = a * (r * r) - f.cross(d).length_squared();
@@ -40,7 +40,7 @@ pub fn perpendicular_roots(f: Vector, d: Vector, r: f64) -> Option<[f64; 2]> {
 
 /// The same in a plane, a circle about the origin: where a ray meets a cylinder. `None` for a ray
 /// along its axis.
-#[inline] // a call would hand the roots over in memory
+#[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn circle_roots([fx, fy]: [f64; 2], [dx, dy]: [f64; 2], r: f64) -> Option<[f64; 2]> {
     let a = dx * dx + dy * dy;
     let across = fx * dy - fy * dx;

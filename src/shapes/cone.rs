@@ -61,7 +61,7 @@ impl Built {
     /// With y stretched by `r/h` the double cone is `Q(v) = x² + z² − y² = 0` about its apex. The
     /// quadratic is formed at the point `l` of the ray nearest to the apex: its discriminant `(d·l)² −
     /// Q(d) Q(l)`, which is `Q(l × d)`, would cancel for rays nearly along the wall.
-    #[inline(always)] // a call would hand the roots over in memory, a tenth of the time of a hit
+    #[inline(always)] // a call would hand the roots over in memory, which stalls
     fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let stretched = |v: Vector| Vector::new(v.x(), self.slope * v.y(), v.z());
         let apex = Point::new(0.0, self.data.height, 0.0);

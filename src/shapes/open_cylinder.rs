@@ -56,6 +56,7 @@ impl OpenCylinder {
     }
 
     /// Where the line meets the endless cylinder, ascending.
+    #[inline(always)] // as the roots it calls
     pub(super) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let ([ox, _, oz], [dx, _, dz]) = (ray.origin.to_array(), ray.direction.to_array());
         circle_roots([ox, oz], [dx, dz], self.radius)

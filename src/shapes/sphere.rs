@@ -51,6 +51,7 @@ impl Sphere {
     }
 
     /// Where the line meets it, ascending.
+    #[inline(always)] // as the roots it calls
     pub(super) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         perpendicular_roots(ray.origin - self.center, ray.direction, self.radius)
     }

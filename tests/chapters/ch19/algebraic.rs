@@ -180,14 +180,14 @@ fn a_surface_does_not_depend_on_the_sign_of_its_polynomial() {
     let mut draw = Draw::new(1973);
     let mut hits = 0;
     for _ in 0..2_000 {
-        let mut whole = || f64::from(draw.below(5)) - 2.0;
+        let mut whole = || draw.below(5) as f64 - 2.0;
         let terms: Vec<_> =
             [[2, 0, 0], [1, 1, 0], [0, 0, 2], [0, 1, 0], [0; 3]].map(|p| (whole(), p)).into();
         let [x, y, z] = [whole(), whole(), whole()].map(|c| 0.5 * c);
         if terms.iter().all(|&(c, powers)| c == 0.0 || powers == [0; 3]) {
             continue;
         }
-        let axis = [Vector::X, Vector::Y, Vector::Z][draw.below(3) as usize];
+        let axis = [Vector::X, Vector::Y, Vector::Z][draw.below(3)];
         let ray = Ray::new(Point::new(x, y, z) - 4.0 * axis, axis);
         hits += both(&terms, &ray).len();
     }
