@@ -67,16 +67,18 @@ impl Built {
         let apex = Point::new(0.0, self.data.height, 0.0);
         let (w, d) = (stretched(ray.origin - apex), stretched(ray.direction));
         let square = |v: Vector| (v.x() * v.x() + v.z() * v.z()) - v.y() * v.y(); // Q
-        let discriminant = square(w.cross(d)); // w and l differ along d only
+        let shift = -w.dot(d) / d.length_squared();
+        let l = w + shift * d;
+        // not of w, though it differs along d only: all three coefficients must be of one line, or a
+        // ray that leaves along the wall meets it again
+        let discriminant = square(l.cross(d));
         if discriminant.is_nan() || discriminant < 0.0 {
             return None;
         }
-        let shift = -w.dot(d) / d.length_squared();
-        let l = w + shift * d;
         let (a, c) = (square(d), square(l));
         let b = (l.x() * d.x() + l.z() * d.z()) - l.y() * d.y();
         // as in `math::quadratic`: its roots are q/a and c/q, but here not both are needed
-        let q = -(b + discriminant.sqrt().copysign(b));
+        let q = -(b + discriminant.sqrt().copysign(b + 0.0)); // the same for both zeros
         if q == 0.0 {
             // through the apex: once, also where the whole line lies in the wall
             return (c == 0.0).then_some([shift, f64::NAN]);
@@ -90,7 +92,7 @@ impl Built {
             return None; // in their middle, at −b/a, the ray is above the apex
         }
         let (first, second) = (shift + q / a, shift + c / q);
-        Some(if q < 0.0 { [first, second] } else { [second, first] })
+        Some(if first <= second { [first, second] } else { [second, first] })
     }
 
     /// Up the wall from the base, measured along the wall: its height alone says little of a flat
