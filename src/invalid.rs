@@ -106,6 +106,26 @@ pub fn positive(field: &str, value: f64) -> Result<f64, Invalid> {
     ))
 }
 
+/// The lengths that shapes are made for: from Planck's to far beyond the universe's, in metres. Within
+/// it no square of a square leaves the range of `f64`, not even where an instance of one end of it
+/// stands in a scene of the other; beyond, hits would be lost.
+pub const LENGTHS: std::ops::RangeInclusive<f64> = 1e-40..=1e40;
+
+/// `value`, if it is one of the [`LENGTHS`].
+pub fn length(field: &str, value: f64) -> Result<f64, Invalid> {
+    positive(field, value)?;
+    if LENGTHS.contains(&value) {
+        return Ok(value);
+    }
+    Err(Invalid::field(field, format!("found {}, but {}", shown(value), lengths())))
+}
+
+/// What lengths there may be, as the end of a sentence.
+pub(crate) fn lengths() -> String {
+    let [least, most] = [LENGTHS.start(), LENGTHS.end()].map(|&length| shown(length));
+    format!("only lengths from {least} to {most} are supported")
+}
+
 /// `value`, if it is finite and not negative.
 pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
     if value.is_finite() && value >= 0.0 {

@@ -69,7 +69,7 @@ pub fn tag(name: &str) -> String {
 macro_rules! kinds {
     (
         $(#[$doc:meta])*
-        $Kind:ident builds dyn $Trait:ident with $Context:ty;
+        $Kind:ident builds dyn $Trait:ident with $Context:ty $(, checked by $check:path)?;
         $($chapter:ident $module:ident::$Data:ident),* $(,)?
     ) => {
         $(pub use $module::$Data;)*
@@ -126,13 +126,14 @@ macro_rules! kinds {
                 &self,
                 context: &mut $Context,
             ) -> Result<::std::sync::Arc<dyn $Trait>, $crate::invalid::Invalid> {
-                match self {
+                let (built, name) = match self {
                     $(Self::$Data(data) => {
-                        $crate::kinds::Specification::build(data, context)
-                            .map_err(|e| e.inside($crate::kinds::tag(stringify!($Data)).as_str()))
+                        ($crate::kinds::Specification::build(data, context), stringify!($Data))
                     })*
-                    Self::Custom(custom) => Ok(::std::sync::Arc::clone(&custom.0)),
-                }
+                    Self::Custom(custom) => return Ok(::std::sync::Arc::clone(&custom.0)),
+                };
+                $(let built = built.and_then($check);)?
+                built.map_err(|e| e.inside($crate::kinds::tag(name).as_str()))
             }
         }
     };

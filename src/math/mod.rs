@@ -27,7 +27,7 @@ pub use functions::{
 pub use random::{Pcg32, hash, splitmix};
 pub use ray::{Ray, Span};
 pub(crate) use roots::{Tolerance, bracketed_root};
-pub use roots::{perpendicular_roots, quadratic};
+pub use roots::{circle_roots, perpendicular_roots, quadratic};
 pub use transform::{Axis, Singular, Step, Transform};
 pub use vectors::{Normal, Point, Vector};
 

@@ -7,6 +7,7 @@ use super::vectors::Vector;
 /// The roots of `a t² + 2 b t + c`, in ascending order, given `discriminant = b² − a c` however it
 /// was computed. `None` if it is negative or NaN, or if a and b are 0 and c is not. For `a = 0` one
 /// root is infinite or NaN, which no span contains.
+#[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> {
     if discriminant.is_nan() || discriminant < 0.0 {
         return None;
@@ -24,21 +25,28 @@ pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> 
     Some(if first <= second { [first, second] } else { [second, first] })
 }
 
-/// Where `|f + t·d| = r`, in ascending order: a sphere about the origin, or with a zero component
-/// in both vectors a cylinder about that axis.
+/// Where `|f + t·d| = r`, in ascending order: a sphere about the origin.
 ///
-/// The discriminant comes from the part of `f` perpendicular to `d`, `a (r² − |l|²)`, instead of
-/// `b² − a c`, which cancels for far, small and huge spheres (Haines et al., "Precision
-/// Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7).
+/// The discriminant comes from the part `l` of `f` perpendicular to `d`, instead of `b² − a c`, which
+/// cancels for far, small and huge spheres (Haines et al., "Precision Improvements for Ray/Sphere
+/// Intersection", Ray Tracing Gems, ch. 7). Its `a (r² − |l|²)` is taken as `a r² − |f × d|²`, which
+/// needs neither a division nor a square root.
+#[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn perpendicular_roots(f: Vector, d: Vector, r: f64) -> Option<[f64; 2]> {
     let a = d.length_squared();
-    let b = f.dot(d);
-    let l = f - (b / a) * d;
-    let discriminant = a * ((r - l.length()) * (r + l.length()));
-    // (|f| − r)(|f| + r) keeps its digits where |f|² − r² loses them
-    let length = f.length();
-    let c = (length - r) * (length + r);
-    quadratic(a, b, c, discriminant)
+    let discriminant = a * (r * r) - f.cross(d).length_squared();
+    quadratic(a, f.dot(d), f.length_squared() - r * r, discriminant)
+}
+
+/// The same in a plane, a circle about the origin: where a ray meets a cylinder. `None` for a ray
+/// along its axis.
+#[inline(always)] // a call would hand the roots over in memory, which stalls
+pub fn circle_roots([fx, fy]: [f64; 2], [dx, dy]: [f64; 2], r: f64) -> Option<[f64; 2]> {
+    let a = dx * dx + dy * dy;
+    let across = fx * dy - fy * dx;
+    let roots =
+        quadratic(a, fx * dx + fy * dy, (fx * fx + fy * fy) - r * r, a * (r * r) - across * across);
+    roots.filter(|_| a > 0.0)
 }
 
 /// When [`bracketed_root`] is content; zero for the last bit.

@@ -11,7 +11,7 @@ use arrayvec::ArrayVec;
 use serde::{Deserialize, Serialize};
 
 use super::{Box, Candidate, Context, Shape, Surface, normal_along};
-use crate::invalid::{Invalid, finite};
+use crate::invalid::{Invalid, finite, shown};
 use crate::kinds::Specification;
 use crate::math::polynomial::{MAX_DEGREE, roots_between};
 use crate::math::{
@@ -62,8 +62,8 @@ struct Chord {
 }
 
 impl Chord {
-    fn new(ray: &Ray, [enter, leave]: &[Candidate; 2]) -> Option<Self> {
-        let (middle, half) = (0.5 * enter.t + 0.5 * leave.t, 0.5 * leave.t - 0.5 * enter.t);
+    fn new(ray: &Ray, [enter, leave]: [f64; 2]) -> Option<Self> {
+        let (middle, half) = (0.5 * enter + 0.5 * leave, 0.5 * leave - 0.5 * enter);
         let finite = middle.is_finite() && half.is_finite();
         let m = ray.at(middle).to_vector();
         finite.then(|| Self { m, h: half * ray.direction, middle, half })
@@ -105,6 +105,7 @@ impl Specification for Algebraic {
         }
         let domain = Box { min: self.min, max: self.max };
         domain.build(context)?;
+        check_size(&terms, degree, domain.bounds())?;
         Ok(Arc::new(Built { terms, degree, domain }))
     }
 
@@ -149,6 +150,26 @@ impl Specification for Algebraic {
             Self { terms: saddle, min: small, max: large },
         ]
     }
+}
+
+/// Refuses polynomials whose terms leave the range of `f64` in the box: the largest product of
+/// coordinates, or the largest term, whose gradient is squared.
+fn check_size(terms: &[Term], degree: usize, bounds: Aabb) -> Result<(), Invalid> {
+    let size = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
+    let product = power(size, degree as f64);
+    let term = |t: &Term| t.coefficient.abs() * power(size, f64::from(t.degree()));
+    let largest = terms.iter().map(term).fold(0.0, f64::max);
+    let [products, values] = [1e-250..1e250, 1e-100..1e100];
+    if products.contains(&product) && values.contains(&largest) {
+        return Ok(());
+    }
+    let [size, largest] = [size, largest].map(shown);
+    let problem = format!(
+        "of degree {degree} in coordinates up to {size} found a largest term of {largest}, but only \
+         products of coordinates from {:e} to {:e} and terms from {:e} to {:e} are supported",
+        products.start, products.end, values.start, values.end
+    );
+    Err(Invalid::field("terms", problem))
 }
 
 impl Term {
@@ -224,22 +245,35 @@ impl Built {
         sum
     }
 
-    /// Around each hit, a place where the polynomial is negative and one where it is not; ascending.
+    /// Around each hit, a place where the polynomial is negative and one where it is positive, or twice
+    /// the place where it is zero; ascending. None of a line that lies in the surface.
     fn brackets(&self, chord: &Chord) -> ArrayVec<[f64; 2], MAX_DEGREE> {
         let coefficients = self.along(chord);
         let slopes: [f64; MAX_DEGREE] =
             std::array::from_fn(|i| (i + 1) as f64 * coefficients[i + 1]);
         let stationary = roots_between(&slopes, -1.0, 1.0);
         let mut brackets = ArrayVec::new();
-        let mut left = (-1.0, self.values(chord.at(-1.0)).value < 0.0);
+        // −1, 0 or 1: zero is neither, so that f and −f have the same roots
+        let sign = |s: f64| {
+            let value = self.values(chord.at(s)).value;
+            if value == 0.0 { 0.0 } else { value.signum() }
+        };
+        let mut left = (-1.0, sign(-1.0));
+        let mut in_surface = left.1 == 0.0;
         for s in stationary.into_iter().chain([1.0]) {
-            let here = (s, self.values(chord.at(s)).value < 0.0);
-            if here.1 != left.1 {
-                let [below, above] = if here.1 { [s, left.0] } else { [left.0, s] };
-                // there are no more than the degree, as stationary points are one less
-                let _ = brackets.try_push([below, above]);
+            let here = (s, sign(s));
+            // there are no more than the degree, as stationary points are one less
+            if left.1 == 0.0 && here.1 != 0.0 {
+                let _ = brackets.try_push([left.0; 2]);
+            } else if left.1 * here.1 < 0.0 {
+                let bracket = if here.1 < 0.0 { [s, left.0] } else { [left.0, s] };
+                let _ = brackets.try_push(bracket);
             }
             left = here;
+            in_surface &= left.1 == 0.0;
+        }
+        if left.1 == 0.0 && !in_surface {
+            let _ = brackets.try_push([left.0; 2]);
         }
         brackets
     }
@@ -255,7 +289,7 @@ impl Built {
 
     /// The hits inside the span, ascending.
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        let chord = self.domain.faces(ray).and_then(|faces| Chord::new(ray, &faces));
+        let chord = self.domain.chord(ray).and_then(|ends| Chord::new(ray, ends));
         let brackets = chord.as_ref().map(|chord| self.brackets(chord)).unwrap_or_default();
         brackets.into_iter().filter_map(move |bracket| {
             let chord = chord.as_ref()?;

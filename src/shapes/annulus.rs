@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, plane_distance};
-use crate::invalid::{Invalid, direction, finite_point, not_negative, positive, shown};
+use crate::invalid::{Invalid, direction, finite_point, length, not_negative, shown};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
@@ -68,7 +68,7 @@ impl Specification for Annulus {
 /// The fields `inner_radius` and `outer_radius`, if they are in order.
 pub fn radii(inner: f64, outer: f64) -> Result<[f64; 2], Invalid> {
     not_negative("inner_radius", inner)?;
-    positive("outer_radius", outer)?;
+    length("outer_radius", outer)?;
     if inner >= outer {
         let (inner, outer) = (shown(inner), shown(outer));
         let problem = format!("found {outer}, but it must be above inner_radius, {inner}");

@@ -11,7 +11,7 @@ use super::edges::{Named, check_bevel, inset, rounding, uncovered};
 use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Instance, Kind, Rectangle, Shape};
 use crate::accel::Method;
-use crate::invalid::{Invalid, positive, shown};
+use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
 use crate::math::{Point, Step, Vector};
 
@@ -50,10 +50,10 @@ pub struct Archway {
 
 impl Archway {
     fn check(&self) -> Result<(), Invalid> {
-        positive("width", self.width)?;
-        positive("height", self.height)?;
-        positive("depth", self.depth)?;
-        positive("column_width", self.column_width)?;
+        length("width", self.width)?;
+        length("height", self.height)?;
+        length("depth", self.depth)?;
+        length("column_width", self.column_width)?;
         let half = 0.5 * self.width;
         if self.height <= half {
             let [found, half] = [self.height, half].map(shown);

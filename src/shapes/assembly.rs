@@ -139,6 +139,23 @@ impl Assembly {
     }
 }
 
+impl Assembly {
+    /// Whether two hits in a row are one: where parts of a smooth solid reach over a seam a ray meets
+    /// both, in planes that rounding cannot tell apart, from the same side. Between two true hits it
+    /// goes in and out.
+    fn is_repeated(&self, ray: &Ray, first: &Candidate, again: &Candidate) -> bool {
+        if first.leaf == again.leaf {
+            return false;
+        }
+        let [before, after] = [first, again].map(|at| {
+            let normal = self.surface(ray, at).normal;
+            normal.dot(ray.direction)
+        });
+        let apart = (again.t - first.t) * before.abs().min(after.abs());
+        before * after > 0.0 && apart <= 2.0 * self.least_error
+    }
+}
+
 /// The parts as one ray sees them.
 struct Seen<'a> {
     parts: &'a [Part],
@@ -196,6 +213,9 @@ impl Shape for Assembly {
             roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t)); // stable: ties stay in the order of leaves
+        if self.least_error > 0.0 {
+            roots.dedup_by(|again, first| self.is_repeated(ray, first, again));
+        }
         roots
     }
 

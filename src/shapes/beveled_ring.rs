@@ -9,7 +9,7 @@ use super::annulus::radii;
 use super::assembly::{Materials, smooth_solid};
 use super::edges::{Named, check_bevel, extended, inset, moved, overlap, rounding, tube};
 use super::{Annulus, Context, OpenCylinder, Shape};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Point, Vector};
 
@@ -39,7 +39,7 @@ impl Specification for BeveledRing {
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, inner_radius, outer_radius, bevel, .. } = *self;
-        positive("inner_radius", inner_radius)?;
+        length("inner_radius", inner_radius)?;
         radii(inner_radius, outer_radius)?;
         let outer_wall = OpenCylinder { y0, y1, radius: outer_radius, inward: false }.checked()?;
         let extents =

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::angles::full_turn;
 use super::assembly::{Materials, solid};
 use super::{Context, Kind, OpenCylinder, PartSphere, Shape};
-use crate::invalid::{Invalid, positive, shown};
+use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
 use crate::math::{Point, Vector, atan2, to_degrees};
 
@@ -29,9 +29,9 @@ pub struct ConcaveLens {
 
 impl ConcaveLens {
     fn checked(&self) -> Result<(), Invalid> {
-        positive("radius", self.radius)?;
-        positive("thickness", self.thickness)?;
-        positive("min_distance", self.min_distance)?;
+        length("radius", self.radius)?;
+        length("thickness", self.thickness)?;
+        length("min_distance", self.min_distance)?;
         if self.min_distance >= self.thickness {
             let [found, most] = [self.min_distance, self.thickness].map(shown);
             let problem = format!("found {found}, but it must be less than the thickness, {most}");

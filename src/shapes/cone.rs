@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, normal_along};
-use crate::invalid::{Invalid, positive};
+use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
+use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
+use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 
 /// The points with `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`: the apex is at `(0, h, 0)`, the
 /// circle of radius `r` in the plane `y = 0`. The normal points outward, or to the axis.
@@ -23,14 +23,24 @@ pub struct Cone {
     pub inward: bool,
 }
 
+#[derive(Debug)]
+struct Built {
+    data: Cone,
+    /// `r/h`.
+    slope: f64,
+    /// `h/r`.
+    steepness: f64,
+}
+
 impl Specification for Cone {
     type Built = Arc<dyn Shape>;
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        positive("height", self.height)?;
-        positive("radius", self.radius)?;
-        Ok(Arc::new(self.clone()))
+        length("height", self.height)?;
+        length("radius", self.radius)?;
+        let slope = self.radius / self.height;
+        Ok(Arc::new(Built { data: self.clone(), slope, steepness: self.height / self.radius }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -45,61 +55,61 @@ impl Specification for Cone {
     }
 }
 
-impl Cone {
-    /// Where the ray meets the half of the double cone below the apex, ascending.
+impl Built {
+    /// Where the line meets the half of the double cone below the apex, ascending; NaN for none.
     ///
-    /// With y stretched by `r/h` the double cone is `x² + z² = y²` about its apex. The quadratic is
-    /// formed at the point of the ray nearest to the apex: its discriminant `(d·l)² − A C`, which is
-    /// `(L_x² + L_z²) − L_y²` with `L = l × d`, would cancel for rays nearly along the wall.
-    fn distances(&self, ray: &Ray) -> impl Iterator<Item = f64> + use<> {
-        let slope = self.radius / self.height;
-        let stretched = |v: Vector| Vector::new(v.x(), slope * v.y(), v.z());
-        let apex = Point::new(0.0, self.height, 0.0);
+    /// With y stretched by `r/h` the double cone is `Q(v) = x² + z² − y² = 0` about its apex. The
+    /// quadratic is formed at the point `l` of the ray nearest to the apex: its discriminant `(d·l)² −
+    /// Q(d) Q(l)`, which is `Q(l × d)`, would cancel for rays nearly along the wall.
+    #[inline(always)] // a call would hand the roots over in memory, which stalls
+    fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let stretched = |v: Vector| Vector::new(v.x(), self.slope * v.y(), v.z());
+        let apex = Point::new(0.0, self.data.height, 0.0);
         let (w, d) = (stretched(ray.origin - apex), stretched(ray.direction));
+        let square = |v: Vector| (v.x() * v.x() + v.z() * v.z()) - v.y() * v.y(); // Q
         let shift = -w.dot(d) / d.length_squared();
         let l = w + shift * d;
-
-        // a difference of squares is a product: what is nearly zero keeps its digits
-        let rho_minus_y = |v: Vector| {
-            let rho = v.across_y().length();
-            (rho - v.y().abs()) * (rho + v.y().abs())
-        };
-        let (a, c) = (rho_minus_y(d), rho_minus_y(l));
-        let b = l.x() * d.x() + l.z() * d.z() - l.y() * d.y();
-        let roots = quadratic(a, b, c, rho_minus_y(l.cross(d)));
-        let below = roots.map(|[near, far]| {
-            if a < 0.0 {
-                // steep: one root on each half, the later one below if the ray goes down
-                let root = if d.y() < 0.0 { far } else { near };
-                return [root, f64::NAN];
-            }
-            let below = l.y() + (0.5 * near + 0.5 * far) * d.y() <= 0.0;
-            if below { [near, far] } else { [f64::NAN; 2] }
-        });
-        below.into_iter().flatten().map(move |t| shift + t)
-    }
-
-    /// Every root is tried: when the near one lies below the base, the far one may be on the wall.
-    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        let candidates = self.distances(ray).filter(move |&t| span.contains(t)).map(Candidate::at);
-        candidates.filter(|at| self.is_above_base(ray.at(at.t)))
+        // not of w, though it differs along d only: all three coefficients must be of one line, or a
+        // ray that leaves along the wall meets it again
+        let discriminant = square(l.cross(d));
+        if discriminant.is_nan() || discriminant < 0.0 {
+            return None;
+        }
+        let (a, c) = (square(d), square(l));
+        let b = (l.x() * d.x() + l.z() * d.z()) - l.y() * d.y();
+        // as in `math::quadratic`: its roots are q/a and c/q, but here not both are needed
+        let q = -(b + discriminant.sqrt().copysign(b + 0.0)); // the same for both zeros
+        if q == 0.0 {
+            // through the apex: once, also where the whole line lies in the wall
+            return (c == 0.0).then_some([shift, f64::NAN]);
+        }
+        if a < 0.0 {
+            // steep: one root on each half, the later one below if the ray goes down
+            let is_first = (d.y() < 0.0) == (q < 0.0);
+            return Some([shift + if is_first { q / a } else { c / q }, f64::NAN]);
+        }
+        if l.y() * a > b * d.y() {
+            return None; // in their middle, at −b/a, the ray is above the apex
+        }
+        let (first, second) = (shift + q / a, shift + c / q);
+        Some(if first <= second { [first, second] } else { [second, first] })
     }
 
     /// Up the wall from the base, measured along the wall: its height alone says little of a flat
-    /// cone, its radius little of a steep one.
+    /// cone, its radius little of a steep one. That is `(r − ρ) r + y h ≥ 0`, without the root in ρ.
     fn is_above_base(&self, p: Point) -> bool {
-        let rho = p.to_vector().across_y().length();
-        (self.radius - rho) * self.radius + p.y() * self.height >= 0.0
+        let most = self.data.radius + p.y() * self.steepness;
+        most >= 0.0 && p.x() * p.x() + p.z() * p.z() <= most * most
     }
 }
 
-impl Shape for Cone {
+impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+        first_of(self.distances(ray)?, span, |t| self.is_above_base(ray.at(t)))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let Self { height: h, radius: r, inward } = *self;
+        let Cone { height: h, radius: r, inward } = self.data;
         let raw = ray.at(at.t);
         let rho = raw.to_vector().across_y().length();
         // on the cone h − y = (h/r) ρ, and ((h/r)² x, h − y, (h/r)² z) is along this
@@ -114,11 +124,11 @@ impl Shape for Cone {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+        all_of(self.distances(ray), span, |t| self.is_above_base(ray.at(t)))
     }
 
     fn bounds(&self) -> Aabb {
-        let r = self.radius;
-        Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, self.height, r) }
+        let r = self.data.radius;
+        Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, self.data.height, r) }
     }
 }

@@ -48,36 +48,53 @@ impl Specification for Box {
 }
 
 impl Box {
-    /// Where the ray enters and leaves the three slabs; faces are numbered `2·axis`, and one more
-    /// on the side of `max`. A ray in the plane of a face (0/0) is inside that slab.
-    pub(super) fn faces(&self, ray: &Ray) -> Option<[Candidate; 2]> {
-        let mut entry = Candidate::at(f64::NEG_INFINITY);
-        let mut exit = Candidate::at(f64::INFINITY);
+    /// Where the line enters and leaves each of the three slabs. A ray in the plane of a face (NaN,
+    /// from `0·∞`) is inside that slab: [`Box::within`] and [`face`] pass over it.
+    fn slabs(&self, ray: &Ray) -> [[f64; 3]; 2] {
+        let mut slabs = [[0.0; 3]; 2];
         for axis in 0..3 {
-            let (o, d) = (ray.origin.along(axis), ray.direction.along(axis));
-            let low = Candidate {
-                part: 2 * axis as u32,
-                ..Candidate::at((self.min.along(axis) - o) / d)
-            };
-            let high = Candidate {
-                part: 2 * axis as u32 + 1,
-                ..Candidate::at((self.max.along(axis) - o) / d)
-            };
-            let (near, far) = if d.is_sign_negative() { (high, low) } else { (low, high) };
-            if near.t > entry.t {
-                entry = near;
-            }
-            if far.t < exit.t {
-                exit = far;
-            }
+            let (o, inverse) = (ray.origin.along(axis), 1.0 / ray.direction.along(axis));
+            let low = (self.min.along(axis) - o) * inverse;
+            let high = (self.max.along(axis) - o) * inverse;
+            let backward = inverse.is_sign_negative();
+            slabs[0][axis] = if backward { high } else { low };
+            slabs[1][axis] = if backward { low } else { high };
         }
-        (entry.t <= exit.t).then_some([entry, exit])
+        slabs
     }
+
+    /// The part of the line that is in all slabs.
+    fn within([enter, leave]: &[[f64; 3]; 2]) -> Option<[f64; 2]> {
+        let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
+        for axis in 0..3 {
+            first = if enter[axis] > first { enter[axis] } else { first };
+            last = if leave[axis] < last { leave[axis] } else { last };
+        }
+        (first <= last).then_some([first, last])
+    }
+
+    /// Where the line enters and leaves the box.
+    pub(super) fn chord(&self, ray: &Ray) -> Option<[f64; 2]> {
+        Self::within(&self.slabs(ray))
+    }
+}
+
+/// The hit at `t`, which is where one of the slabs ends; `far` if it is left there. Faces are
+/// numbered `2·axis`, and one more on the side of `max`.
+fn face(slabs: &[f64; 3], t: f64, far: bool, ray: &Ray) -> Candidate {
+    let axis = if slabs[0] == t { 0 } else { 2 - usize::from(slabs[1] == t) };
+    let backward = ray.direction.along(axis).is_sign_negative();
+    Candidate { part: 2 * axis as u32 + u32::from(far != backward), ..Candidate::at(t) }
 }
 
 impl Shape for Box {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.faces(ray)?.into_iter().find(|face| span.contains(face.t))
+        let slabs = self.slabs(ray);
+        let [first, last] = Self::within(&slabs)?;
+        if span.contains(first) {
+            return Some(face(&slabs[0], first, false, ray));
+        }
+        span.contains(last).then(|| face(&slabs[1], last, true, ray))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -92,8 +109,11 @@ impl Shape for Box {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        let faces = self.faces(ray).into_iter().flatten();
-        faces.filter(|face| span.contains(face.t)).collect()
+        let slabs = self.slabs(ray);
+        let Some([first, last]) = Self::within(&slabs) else { return Vec::new() };
+        let mut faces = vec![face(&slabs[0], first, false, ray), face(&slabs[1], last, true, ray)];
+        faces.retain(|face| span.contains(face.t));
+        faces
     }
 
     fn bounds(&self) -> Aabb {

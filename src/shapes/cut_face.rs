@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, plane_distance};
-use crate::invalid::{Invalid, positive, shown};
+use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span};
 
@@ -26,8 +26,8 @@ impl Specification for CutFace {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let size = positive("size", self.size)?;
-        let radius = positive("radius", self.radius)?;
+        let size = length("size", self.size)?;
+        let radius = length("radius", self.radius)?;
         let to_corner = size * std::f64::consts::FRAC_1_SQRT_2;
         if radius >= to_corner {
             let (radius, size, most) = (shown(radius), shown(size), shown(to_corner));

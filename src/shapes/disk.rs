@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, plane_distance};
-use crate::invalid::{Invalid, direction, finite_point, positive};
+use crate::invalid::{Invalid, direction, finite_point, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
@@ -36,7 +36,7 @@ impl Specification for Disk {
         Ok(Arc::new(Built {
             center: finite_point("center", self.center)?,
             normal: direction("normal", self.normal)?,
-            radius: positive("radius", self.radius)?,
+            radius: length("radius", self.radius)?,
         }))
     }
 

@@ -3,7 +3,7 @@
 //! and leaves the hidden halves inside; quarters leave nothing inside that a ray could hit.)
 
 use super::{Instance, Kind, PartCylinder, PartSphere, PartTorus};
-use crate::invalid::{Invalid, positive, shown};
+use crate::invalid::{Invalid, length, shown};
 use crate::math::{Point, Step, UNIT_ROUNDOFF, Vector, to_degrees};
 
 /// A part by its name.
@@ -77,7 +77,7 @@ pub(super) fn widened(phi: [f64; 2], by: f64, radius: f64) -> [f64; 2] {
 /// Checks that `bevel` is positive and fits twice into each extent, up to the rounding of their
 /// ends: a bevel of just the half leaves no flat between.
 pub(super) fn check_bevel(bevel: f64, extents: &[(&str, [f64; 2])]) -> Result<(), Invalid> {
-    positive("bevel", bevel)?;
+    length("bevel", bevel)?;
     for &(what, [low, high]) in extents {
         let rounding = 4.0 * UNIT_ROUNDOFF * low.abs().max(high.abs());
         if 2.0 * bevel > (high - low) + rounding {

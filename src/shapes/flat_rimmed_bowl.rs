@@ -8,7 +8,7 @@ use super::angles::full_turn;
 use super::annulus::radii;
 use super::assembly::{Materials, solid};
 use super::{Annulus, Context, Kind, PartSphere, Shape};
-use crate::invalid::{Invalid, positive, shown};
+use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
@@ -62,7 +62,7 @@ impl Specification for FlatRimmedBowl {
     type Context = Context;
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        positive("inner_radius", self.inner_radius)?;
+        length("inner_radius", self.inner_radius)?;
         let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;
         let theta = polar_angle(self.opening)?;
         // the cut: at this height, from the inner sphere to the outer one

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Kind, Shape, Surface, normal_along};
-use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector};
+use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
 
@@ -45,6 +45,10 @@ impl Specification for Instance {
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let transform = transform_of("transform", &self.transform)?;
         let shape = context.nested(|context| self.of.build(context)).map_err(|e| e.inside("of"))?;
+        if shape.bounds().is_bounded() && !transform.bounds(&shape.bounds()).is_bounded() {
+            let problem = format!("found coordinates beyond any number, but {}", lengths());
+            return Err(Invalid::field("transform", problem));
+        }
         let transform_texture = self.transform_texture;
         Ok(Arc::new(Placed { shape, transform, transform_texture }))
     }

@@ -256,7 +256,7 @@ impl accel::Member for Member<'_> {
     }
 
     fn hit(&self, span: Span) -> Option<Candidate> {
-        let meeting = self.ray.meet(self.corners)?;
+        let meeting = self.ray.meet(&self.corners)?;
         span.contains(meeting.t).then_some(Candidate {
             part: self.index,
             parameters: meeting.barycentric,

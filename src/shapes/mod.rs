@@ -10,7 +10,9 @@
 
 use std::fmt::Debug;
 use std::path::Path;
+use std::sync::Arc;
 
+use crate::invalid::{Invalid, LENGTHS, lengths, shown};
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 
 /// A hit that may turn out not to be the nearest.
@@ -136,9 +138,23 @@ pub trait Shape: Debug + Send + Sync {
     }
 }
 
-/// The candidates of a shape of one part at those `ts` (ascending) that the span contains.
-fn inside(span: Span, ts: Option<[f64; 2]>) -> impl Iterator<Item = Candidate> {
-    ts.into_iter().flatten().filter(move |&t| span.contains(t)).map(Candidate::at)
+/// The first of the `ts` (ascending; NaN for none) that the span contains and the shape has, as a
+/// candidate of a shape of one part. Both are tried: when the near one lies beyond an end of the
+/// shape, the far one may be on it.
+fn first_of(ts: [f64; 2], span: Span, has: impl Fn(f64) -> bool) -> Option<Candidate> {
+    let counts = |t: f64| span.contains(t) && has(t);
+    let [near, far] = ts;
+    // no loop: it costs as much as the square root
+    if counts(near) {
+        return Some(Candidate::at(near));
+    }
+    counts(far).then(|| Candidate::at(far))
+}
+
+/// All of them.
+fn all_of(ts: Option<[f64; 2]>, span: Span, has: impl Fn(f64) -> bool) -> Vec<Candidate> {
+    let counted = ts.into_iter().flatten().filter(|&t| span.contains(t) && has(t));
+    counted.map(Candidate::at).collect()
 }
 
 /// The normal along `v`. Where lengths are so far from 1 that nothing is left of `v`, or of the
@@ -210,7 +226,7 @@ pub use mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
     /// A shape as a scene file says it.
-    Kind builds dyn Shape with Context;
+    Kind builds dyn Shape with Context, checked by of_supported_size;
     ch03 plane::Plane,
     ch03 sphere::Sphere,
     ch19 cuboid::Box,
@@ -246,6 +262,25 @@ crate::kinds! {
     ch22 lattice::Lattice,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
+}
+
+/// The shape, if its extent and its distance from the origin are in [`LENGTHS`]; the unbounded have
+/// neither.
+fn of_supported_size(shape: Arc<dyn Shape>) -> Result<Arc<dyn Shape>, Invalid> {
+    let bounds = shape.bounds();
+    if bounds == Aabb::EVERYTHING || bounds == Aabb::EMPTY {
+        return Ok(shape);
+    }
+    let farthest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
+    let extent = bounds.extent().max_abs();
+    let found = if farthest > *LENGTHS.end() {
+        format!("found coordinates up to {}", shown(farthest))
+    } else if extent < *LENGTHS.start() {
+        format!("found an extent of {}", shown(extent))
+    } else {
+        return Ok(shape);
+    };
+    Err(Invalid::new(format!("{found}, but {}", lengths())))
 }
 
 impl Kind {

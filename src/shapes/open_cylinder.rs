@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, inside, normal_along};
-use crate::invalid::{Invalid, finite, positive};
+use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
+use crate::invalid::{Invalid, finite, length};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, perpendicular_roots};
+use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, circle_roots};
 
 /// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -51,23 +51,27 @@ impl OpenCylinder {
         if y0 >= y1 {
             return Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")));
         }
-        positive("radius", self.radius)?;
+        length("radius", self.radius)?;
         Ok(self.clone())
     }
 
-    /// Both roots are tried: when the near one lies beyond an end, the far one may be on the wall.
-    pub(super) fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> + use<> {
-        let (f, d) = (ray.origin.to_vector().across_y(), ray.direction.across_y());
-        let (y, dy) = (ray.origin.y(), ray.direction.y());
-        let wall = self.y0..=self.y1;
-        inside(span, perpendicular_roots(f, d, self.radius))
-            .filter(move |at| wall.contains(&(y + at.t * dy)))
+    /// Where the line meets the endless cylinder, ascending.
+    #[inline(always)] // as the roots it calls
+    pub(super) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let ([ox, _, oz], [dx, _, dz]) = (ray.origin.to_array(), ray.direction.to_array());
+        circle_roots([ox, oz], [dx, dz], self.radius)
+    }
+
+    /// Whether the ray is between the ends.
+    pub(super) fn is_between_ends(&self, ray: &Ray, t: f64) -> bool {
+        let y = ray.origin.y() + t * ray.direction.y();
+        self.y0 <= y && y <= self.y1
     }
 }
 
 impl Shape for OpenCylinder {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+        first_of(self.distances(ray)?, span, |t| self.is_between_ends(ray, t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -80,7 +84,7 @@ impl Shape for OpenCylinder {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+        all_of(self.distances(ray), span, |t| self.is_between_ends(ray, t))
     }
 
     fn bounds(&self) -> Aabb {

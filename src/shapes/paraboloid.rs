@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, inside, normal_along};
-use crate::invalid::{Invalid, positive};
+use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
+use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 
@@ -29,8 +29,8 @@ impl Specification for Paraboloid {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        positive("height", self.height)?;
-        positive("radius", self.radius)?;
+        length("height", self.height)?;
+        length("radius", self.radius)?;
         Ok(Arc::new(self.clone()))
     }
 
@@ -63,11 +63,6 @@ impl Paraboloid {
         quadratic(a, b, c, (rise + a * w.y()) - across * across)
     }
 
-    /// Every root is tried: when the near one lies above the rim, the far one may not.
-    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        inside(span, self.distances(ray)).filter(|at| self.is_below_rim(ray.at(at.t)))
-    }
-
     /// Down the wall from the rim, measured along the wall there: its height alone says little of a
     /// flat one, its radius little of a steep one.
     fn is_below_rim(&self, p: Point) -> bool {
@@ -78,7 +73,7 @@ impl Paraboloid {
 
 impl Shape for Paraboloid {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+        first_of(self.distances(ray)?, span, |t| self.is_below_rim(ray.at(t)))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -102,7 +97,7 @@ impl Shape for Paraboloid {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+        all_of(self.distances(ray), span, |t| self.is_below_rim(ray.at(t)))
     }
 
     fn bounds(&self) -> Aabb {

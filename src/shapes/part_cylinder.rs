@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
-use super::{Candidate, Context, OpenCylinder, Shape, Surface};
+use super::{Candidate, Context, OpenCylinder, Shape, Surface, all_of, first_of};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span};
@@ -58,15 +58,17 @@ impl Specification for PartCylinder {
 }
 
 impl Built {
-    /// Each root is tried: the near one may lie outside the range and the far one in it.
-    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        self.whole.hits(ray, span).filter(|at| self.phi.has_azimuth_of(ray.at(at.t).to_vector()))
+    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
+        |t| {
+            let in_range = self.phi.has_azimuth_of(ray.at(t).to_vector());
+            in_range && self.whole.is_between_ends(ray, t)
+        }
     }
 }
 
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+        first_of(self.whole.distances(ray)?, span, self.has(ray))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -74,7 +76,7 @@ impl Shape for Built {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+        all_of(self.whole.distances(ray), span, self.has(ray))
     }
 
     fn bounds(&self) -> Aabb {

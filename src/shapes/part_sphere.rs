@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
-use super::{Candidate, Context, Shape, Sphere, Surface};
+use super::{Candidate, Context, Shape, Sphere, Surface, all_of, first_of};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
@@ -85,9 +85,8 @@ impl Specification for PartSphere {
 }
 
 impl Built {
-    /// Each root is tried: the near one may lie outside the ranges and the far one in them.
-    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        self.whole.hits(ray, span).filter(|at| self.contains(ray.at(at.t) - self.whole.center))
+    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
+        |t| self.contains(ray.at(t) - self.whole.center)
     }
 
     /// The polar angle, too, is told by cross products, in the half-plane of ρ and y: a test of the
@@ -103,7 +102,7 @@ impl Built {
 
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+        first_of(self.whole.distances(ray)?, span, self.has(ray))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -111,7 +110,7 @@ impl Shape for Built {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+        all_of(self.whole.distances(ray), span, self.has(ray))
     }
 
     fn bounds(&self) -> Aabb {

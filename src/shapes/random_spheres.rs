@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Sphere, Surface};
 use crate::accel::{Accel, Method, Primitives};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Pcg32, Point, Ray, Span};
 
@@ -41,8 +41,8 @@ impl Specification for RandomSpheres {
     type Context = Context;
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        positive("radius", self.radius)?;
-        positive("half_side", self.half_side)?;
+        length("radius", self.radius)?;
+        length("half_side", self.half_side)?;
         if self.count == 0 {
             return Err(Invalid::field("count", "found 0, but at least one sphere is needed"));
         }

@@ -25,6 +25,8 @@ pub struct Rectangle {
 struct Built {
     data: Rectangle,
     normal: Normal,
+    /// `|a|²` and `|b|²`.
+    squared: [f64; 2],
 }
 
 /// How far from perpendicular the sides may be, as the cosine between them: more than the rounding
@@ -53,7 +55,8 @@ impl Specification for Rectangle {
                 format!("found {b:?}, but it must be perpendicular to a, {a:?}"),
             ));
         }
-        Ok(Arc::new(Built { data: self.clone(), normal }))
+        let squared = [a.length_squared(), b.length_squared()];
+        Ok(Arc::new(Built { data: self.clone(), normal, squared }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -84,8 +87,11 @@ impl Shape for Built {
             return None;
         }
         let d = ray.at(t) - corner;
-        let inside = |side: Vector| (0.0..=side.length_squared()).contains(&d.dot(side));
-        (inside(a) && inside(b)).then(|| Candidate::at(t))
+        let [a_squared, b_squared] = self.squared;
+        let (along_a, along_b) = (d.dot(a), d.dot(b));
+        let inside_a = 0.0 <= along_a && along_a <= a_squared;
+        let inside_b = 0.0 <= along_b && along_b <= b_squared;
+        (inside_a && inside_b).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {

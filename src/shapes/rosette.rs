@@ -10,7 +10,7 @@ use super::edges::{Named, rounding, uncovered};
 use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Shape};
 use crate::accel::Method;
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 
 /// How many wedges each ring has, from the innermost.
@@ -86,8 +86,8 @@ impl Specification for Rosette {
             let problem = format!("found {}, but from 1 to 6 rings are needed", self.rings);
             return Err(Invalid::field("rings", problem));
         }
-        positive("hole_radius", self.hole_radius)?;
-        positive("ring_width", self.ring_width)?;
+        length("hole_radius", self.hole_radius)?;
+        length("ring_width", self.ring_width)?;
         heights(self.y0, self.y1)?;
         let mut parts: Vec<Named> = Vec::new();
         for ring in 0..self.rings {

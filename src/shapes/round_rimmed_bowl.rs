@@ -10,7 +10,7 @@ use super::assembly::{Materials, smooth_solid};
 use super::edges::{moved, overlap, rounding, tube};
 use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use super::{Context, Shape};
-use crate::invalid::{Invalid, positive, shown};
+use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
 use crate::math::{Vector, cos_degrees, sin_degrees, to_degrees};
 
@@ -41,7 +41,7 @@ impl Specification for RoundRimmedBowl {
     /// `(sin θ, cos θ)`. The tube touches them in that direction and, on the other side, in the
     /// opposite one; between, its half turned to the opening is the rim.
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        positive("inner_radius", self.inner_radius)?;
+        length("inner_radius", self.inner_radius)?;
         let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;
         let theta = polar_angle(self.opening)?;
         let (middle, thin) = (0.5 * (inner + outer), 0.5 * (outer - inner));

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, inside, normal_along};
-use crate::invalid::{Invalid, finite_point, positive};
+use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
+use crate::invalid::{Invalid, finite_point, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
 
@@ -46,20 +46,20 @@ impl Sphere {
     /// A copy whose numbers are fit for use.
     pub(super) fn checked(&self) -> Result<Self, Invalid> {
         finite_point("center", self.center)?;
-        positive("radius", self.radius)?;
+        length("radius", self.radius)?;
         Ok(self.clone())
     }
 
-    /// Both roots, as far as the span contains them.
-    pub(super) fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> + use<> {
-        let from_center = ray.origin - self.center;
-        inside(span, perpendicular_roots(from_center, ray.direction, self.radius))
+    /// Where the line meets it, ascending.
+    #[inline(always)] // as the roots it calls
+    pub(super) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
+        perpendicular_roots(ray.origin - self.center, ray.direction, self.radius)
     }
 }
 
 impl Shape for Sphere {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+        first_of(self.distances(ray)?, span, |_| true)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -74,7 +74,7 @@ impl Shape for Sphere {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+        all_of(self.distances(ray), span, |_| true)
     }
 
     fn bounds(&self) -> Aabb {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::mesh::TriangleMesh;
 use super::{Context, Shape};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::math::{Normal, Point, cos, sin};
 
@@ -49,7 +49,7 @@ impl Specification for TessellatedSphere {
                 return Err(Invalid::field(field, problem));
             }
         }
-        positive("radius", self.radius)?;
+        length("radius", self.radius)?;
         if !(0.0..1.0).contains(&self.bumps) {
             let problem = format!("found {}, but a number from 0 to below 1 is needed", self.bumps);
             return Err(Invalid::field("bumps", problem));

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::annulus::radii;
 use super::assembly::{Materials, solid};
 use super::{Annulus, Context, Kind, OpenCylinder, Shape};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Point, Vector};
 
@@ -36,7 +36,7 @@ impl Specification for ThickRing {
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, inner_radius, outer_radius, .. } = *self;
-        positive("inner_radius", inner_radius)?;
+        length("inner_radius", inner_radius)?;
         radii(inner_radius, outer_radius)?;
         let wall = |radius, inward| OpenCylinder { y0, y1, radius, inward };
         wall(outer_radius, false).checked()?; // names the height that does not fit

@@ -14,7 +14,7 @@ use arrayvec::ArrayVec;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, normal_along};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{
     Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root, cbrt, cos,
@@ -122,8 +122,8 @@ fn minima(p: f64, q: f64) -> ArrayVec<f64, 2> {
 impl Torus {
     /// Whether the radii are those of a torus that does not meet itself.
     pub(super) fn check(&self) -> Result<(), Invalid> {
-        let swept = positive("swept_radius", self.swept_radius)?;
-        let tube = positive("tube_radius", self.tube_radius)?;
+        let swept = length("swept_radius", self.swept_radius)?;
+        let tube = length("tube_radius", self.tube_radius)?;
         if tube < swept {
             return Ok(());
         }

@@ -84,7 +84,7 @@ fn vertex_normals(normals: [Vector; 3], normal: Normal) -> Result<[Normal; 3], I
 
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let meeting = watertight::ShearedRay::new(ray).meet(self.vertices)?;
+        let meeting = watertight::ShearedRay::meet_once(ray, &self.vertices)?;
         span.contains(meeting.t)
             .then_some(Candidate { parameters: meeting.barycentric, ..Candidate::at(meeting.t) })
     }

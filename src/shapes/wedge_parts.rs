@@ -8,7 +8,7 @@ use super::edges::{
     Named, check_bevel, corner, extended, inset, moved, overlap, tube, wall, widened,
 };
 use super::{Candidate, Instance, Kind, Rectangle, Shape, Surface, plane_distance};
-use crate::invalid::{Invalid, positive, shown};
+use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Custom;
 use crate::math::{
     Aabb, Axis, Normal, Point, Ray, Span, Step, Vector, atan2, cos_degrees, sin_degrees, to_degrees,
@@ -45,7 +45,7 @@ impl Wedge {
     /// Whether the bevel fits; the heights ascend, and so do the azimuths, by less than 360°.
     pub fn check(&self) -> Result<(), Invalid> {
         let [r0, r1] = self.r;
-        positive("inner_radius", r0)?;
+        length("inner_radius", r0)?;
         radii(r0, r1)?;
         check_bevel(self.bevel, &[("height", self.y), ("distance between the radii", self.r)])?;
         let width = self.phi[1] - self.phi[0];

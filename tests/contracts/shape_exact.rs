@@ -3,7 +3,7 @@
 //! Powers of two, signs and exchanged axes round nowhere, so what they change is known exactly.
 
 use groundtruth::math::{Axis, Point, Ray, Span, Step, Vector, power_of_two};
-use groundtruth::shapes::{Candidate, Instance, Kind};
+use groundtruth::shapes::{Candidate, Context, Instance, Kind};
 use libtest_mimic::Trial;
 
 use super::rays::{Rays, built};
@@ -16,6 +16,7 @@ pub fn trials() -> Vec<Trial> {
             ("t_halves_when_the_direction_doubles", t_halves_when_the_direction_doubles),
             ("t_does_not_depend_on_the_span", t_does_not_depend_on_the_span),
             ("scaling_by_a_power_of_two_scales_every_bit", scaling_scales_every_bit),
+            ("sizes_beyond_the_supported_are_refused", sizes_beyond_numbers_are_refused),
             ("a_transformed_shape_is_hit_as_by_the_ray_moved_back", transforms_commute),
         ],
     )
@@ -67,9 +68,14 @@ fn t_does_not_depend_on_the_span(kind: &Kind) -> Holds {
 /// the same to the last bit, lengths times 2ᵏ.
 fn scaling_scales_every_bit(kind: &Kind) -> Holds {
     let shape = built(kind);
-    for k in [1, -1, 30, -30] {
+    for k in [1, -1, 30, -30, 120, -120] {
         let factor = power_of_two(k);
-        let larger = built(&kind.scaled(factor));
+        let larger = match kind.scaled(factor).build(&mut Context::default()) {
+            Ok(larger) => larger,
+            // powers of coordinates leave the range of numbers before they do
+            Err(_) if k.abs() == 120 && matches!(kind, Kind::Algebraic(_)) => continue,
+            Err(e) => return Err(format!("times 2^{k}: {e}")),
+        };
         let mut rays = Rays::new(&*shape);
         for _ in 0..RAYS {
             let ray = rays.next();
@@ -84,6 +90,24 @@ fn scaling_scales_every_bit(kind: &Kind) -> Holds {
             expected.error *= factor;
             let found = larger.surface(&far, &large);
             ensure!(found == expected, "{ray:?} times 2^{k}: {found:?}, not {expected:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Law: what is so large or small that its hits would be lost is refused, and it is said what would
+/// fit; a shape without an end has no size.
+fn sizes_beyond_numbers_are_refused(kind: &Kind) -> Holds {
+    let endless = !built(kind).bounds().is_bounded();
+    for k in [200, -200, 530, -530, 900, -900] {
+        let found = kind.scaled(power_of_two(k)).build(&mut Context::default());
+        match found {
+            Ok(_) => ensure!(endless, "built at 2^{k}"),
+            // farther out, an area or a volume may be the first thing that is missed
+            Err(e) if k.abs() == 200 && !matches!(kind, Kind::Algebraic(_)) => {
+                ensure!(e.to_string().ends_with("are supported"), "at 2^{k}: {e}");
+            }
+            Err(_) => {}
         }
     }
     Ok(())

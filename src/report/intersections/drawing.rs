@@ -39,7 +39,9 @@ fn explanation(data: &Data) -> String {
          not found, and <em>wrong</em> if there was none to find; rays whose answer turns on the \
          rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. A \
          constant epsilon loses every hit that is nearer than it. Times are medians for one call on \
-         one thread.</p>\n"
+         one thread, of both for the question that a ray asks of every shape: is there a hit, and at \
+         which t? (The nearest; what follows for the one that wins, its point and normal, is not in \
+         them, of either.)</p>\n"
     )
 }
 

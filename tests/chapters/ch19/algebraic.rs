@@ -156,6 +156,44 @@ fn the_surface_ends_at_its_box() {
     }
 }
 
+/// Law: f = 0 and −f = 0 are the same surface, to the bit, also where it meets a face of the box, or
+/// only touches the ray. Oracle: worked by hand; and the symmetry.
+#[test]
+fn a_surface_does_not_depend_on_the_sign_of_its_polynomial() {
+    let both = |terms: &[(f64, [u32; 3])], ray: &Ray| {
+        let turned: Vec<_> = terms.iter().map(|&(c, powers)| (-c, powers)).collect();
+        let [plus, minus] = [terms, &turned].map(|terms| ts(&*built(surface(terms, 1.0)), ray));
+        assert_eq!(plus, minus, "{terms:?} {ray:?}");
+        plus
+    };
+    let along_x = |x: f64| Ray::new(Point::new(x, 0.5, 0.25), Vector::X);
+    let sheet = |x: f64| [(1.0, [1, 0, 0]), (-x, [0; 3])];
+    for face in [-1.0, 1.0] {
+        assert_eq!(both(&sheet(face), &along_x(-4.0)), [face + 4.0]);
+    }
+    let walls = [(1.0, [2, 0, 0]), (-1.0, [0; 3])]; // x² = 1: both faces of the box
+    assert_eq!(both(&walls, &along_x(-4.0)), [3.0, 5.0]);
+    let touched = [(1.0, [2, 0, 0]), (1.0, [0, 1, 0]), (-0.5, [0; 3])]; // x² + y = 1/2 from below
+    assert_eq!(both(&touched, &along_x(-4.0)), [4.0]);
+    let within = [(1.0, [0, 1, 0]), (-0.5, [0; 3])]; // y = 1/2: the ray lies in it
+    assert_eq!(both(&within, &along_x(-4.0)), [0.0; 0]);
+    let mut draw = Draw::new(1973);
+    let mut hits = 0;
+    for _ in 0..2_000 {
+        let mut whole = || draw.below(5) as f64 - 2.0;
+        let terms: Vec<_> =
+            [[2, 0, 0], [1, 1, 0], [0, 0, 2], [0, 1, 0], [0; 3]].map(|p| (whole(), p)).into();
+        let [x, y, z] = [whole(), whole(), whole()].map(|c| 0.5 * c);
+        if terms.iter().all(|&(c, powers)| c == 0.0 || powers == [0; 3]) {
+            continue;
+        }
+        let axis = [Vector::X, Vector::Y, Vector::Z][draw.below(3)];
+        let ray = Ray::new(Point::new(x, y, z) - 4.0 * axis, axis);
+        hits += both(&terms, &ray).len();
+    }
+    assert!(hits > 300, "{hits}");
+}
+
 /// Law: what is no surface is refused, with the field and what would fit.
 #[test]
 fn what_is_no_surface_is_refused() {

@@ -89,6 +89,10 @@ fn rays_along_generators_and_down_the_axis_meet_a_cone_once() {
     assert_eq!(along([0.25, -5.0, 0.0], [0.0, 1.0, -0.0]), [5.75]);
     assert_eq!(along([-5.0, 1.5, 0.0], [1.0, 0.0, 0.0]), [0.0; 0]);
     assert_eq!(along([-5.0, 0.5, 0.0], [1.0, 0.0, 0.0]), [4.5, 5.5]);
+    // in the wall itself, and level through the apex: the apex counts once
+    assert_eq!(along([1.0, 0.0, 0.0], [-0.5, 0.5, 0.0]), [2.0]);
+    assert_eq!(along([0.0, -1.0, 2.0], [0.0, 1.0, -1.0]), [2.0]);
+    assert_eq!(along([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0]), [3.0]);
     // through the wall of the other half, which is not there
     assert_eq!(along([0.0, 1.25, 0.0], [0.5, -1.5, 0.0]), [0.25]);
 }

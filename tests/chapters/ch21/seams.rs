@@ -3,7 +3,8 @@
 
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
-    BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Kind, Materials, RoundRimmedBowl,
+    BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Candidate, Kind, Materials,
+    RoundRimmedBowl,
 };
 
 use crate::ch19::compounds::built;
@@ -164,6 +165,13 @@ fn no_ray_slips_through_a_seam() {
                 let near = hit.filter(|at| (at.t - 1.0).abs() < CLOSE / ray.direction.length());
                 let at = near.unwrap_or_else(|| panic!("{kind:?}: {hit:?} at {target:?}"));
                 let surface = shape.surface(&ray, &at);
+                // where the parts reach over the seam it is met once
+                let again = shape.roots(&ray, Span { min: 0.9, max: 1.1 });
+                let outward =
+                    |at: &&Candidate| shape.surface(&ray, at).normal.dot(ray.direction) > 0.0;
+                let ways_out = again.iter().filter(outward).count();
+                let inward = again.len() - ways_out;
+                assert_eq!(ways_out, inward + 1, "{kind:?}: {again:?} at {target:?}");
                 let leaves = surface.normal.dot(ray.direction) > 0.0;
                 assert!(leaves, "{kind:?}: {surface:?} faces inward");
                 for _ in 0..3 {
