@@ -49,7 +49,7 @@ impl Specification for Box {
 
 impl Box {
     /// Where the line enters and leaves each of the three slabs. A ray in the plane of a face (NaN,
-    /// from `0·∞`) is inside that slab: [`Box::within`] and [`face`] pass over it.
+    /// from `0·∞`) is inside that slab: [`Box::within`] passes over it.
     fn slabs(&self, ray: &Ray) -> [[f64; 3]; 2] {
         let mut slabs = [[0.0; 3]; 2];
         for axis in 0..3 {
@@ -79,22 +79,30 @@ impl Box {
     }
 }
 
-/// The hit at `t`, which is where one of the slabs ends; `far` if it is left there. Faces are
-/// numbered `2·axis`, and one more on the side of `max`.
-fn face(slabs: &[f64; 3], t: f64, far: bool, ray: &Ray) -> Candidate {
-    let axis = if slabs[0] == t { 0 } else { 2 - usize::from(slabs[1] == t) };
-    let backward = ray.direction.along(axis).is_sign_negative();
-    Candidate { part: 2 * axis as u32 + u32::from(far != backward), ..Candidate::at(t) }
+impl Box {
+    /// The hit where the line enters the slab that it enters at `t`, or leaves it if `far`. Faces are
+    /// numbered `2·axis`, and one more on the side of `max`.
+    ///
+    /// The reciprocal has found the slab; the division is monotone, so that a segment that ends in
+    /// front of the face does not reach it by rounding.
+    fn face(&self, slabs: &[f64; 3], t: f64, far: bool, ray: &Ray) -> Candidate {
+        let axis = if slabs[0] == t { 0 } else { 2 - usize::from(slabs[1] == t) };
+        let (o, d) = (ray.origin.to_array()[axis], ray.direction.to_array()[axis]);
+        let is_max = far != d.is_sign_negative();
+        let plane = if is_max { self.max } else { self.min }.to_array()[axis];
+        Candidate { part: 2 * axis as u32 + u32::from(is_max), ..Candidate::at((plane - o) / d) }
+    }
 }
 
 impl Shape for Box {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let slabs = self.slabs(ray);
         let [first, last] = Self::within(&slabs)?;
-        if span.contains(first) {
-            return Some(face(&slabs[0], first, false, ray));
+        let near = self.face(&slabs[0], first, false, ray);
+        if span.contains(near.t) {
+            return Some(near);
         }
-        span.contains(last).then(|| face(&slabs[1], last, true, ray))
+        Some(self.face(&slabs[1], last, true, ray)).filter(|far| span.contains(far.t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -111,7 +119,9 @@ impl Shape for Box {
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let slabs = self.slabs(ray);
         let Some([first, last]) = Self::within(&slabs) else { return Vec::new() };
-        let mut faces = vec![face(&slabs[0], first, false, ray), face(&slabs[1], last, true, ray)];
+        let near = self.face(&slabs[0], first, false, ray);
+        let mut faces = vec![near, self.face(&slabs[1], last, true, ray)];
+        faces.sort_by(|a, b| a.t.total_cmp(&b.t)); // at an edge rounding may turn them round
         faces.retain(|face| span.contains(face.t));
         faces
     }
