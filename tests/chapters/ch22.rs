@@ -5,5 +5,6 @@ mod chaos;
 mod equal;
 mod everywhere;
 mod lattices;
+mod searched;
 mod stadium;
 mod steps;

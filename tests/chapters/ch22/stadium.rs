@@ -7,12 +7,8 @@ use groundtruth::accel::{Accel, Counts, Method, Primitives};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, power};
 use groundtruth::shapes::{self, Candidate, Context, Kind, Shape, Sphere, Triangle};
 
-use super::equal::Both;
+use super::searched::{self, Both, Seen, built};
 use crate::draw::Draw;
-
-fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
-    kind.into().build(&mut Context::default()).expect("valid")
-}
 
 /// Small spheres, triangles and boxes, all within `size` of a point.
 fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dyn Shape>> {
@@ -78,7 +74,7 @@ fn acceleration_equals_the_list_in_a_stadium() {
                 check(&ray_at(&mut draw, elsewhere, inner, near - 6.0, 0.0), Span::AHEAD);
                 check(&ray_at(&mut draw, elsewhere, inner, near, near + 6.0), Span::LINE);
                 check(&ray_at(&mut draw, middle, size, 0.0, 8.0), Span::AHEAD);
-                check(&super::equal::ray(&mut draw, 1.0), Span::AHEAD);
+                check(&searched::ray(&mut draw, 1.0), Span::AHEAD);
             }
             assert!(5 * hits > count, "2^-{exponent}: {hits} of {count} hit");
         }
@@ -134,18 +130,6 @@ fn hits_within_the_slack_of_tiny_boxes_count() {
         beside += usize::from(first.is_some_and(|(index, _)| index > 0));
     }
     assert!(beside > 5_000, "{beside}");
-}
-
-struct Seen<'a>(&'a [Arc<dyn Shape>], &'a Ray);
-
-impl Primitives for Seen<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        self.0[index as usize].hit(self.1, span)
-    }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.0[index as usize].bounds()
-    }
 }
 
 /// Law: a teapot costs in a stadium what it costs alone, and some nodes for the stadium. Oracle: the
