@@ -51,24 +51,22 @@ impl Box {
     /// Where the line enters and leaves each of the three slabs. A ray in the plane of a face (NaN,
     /// from `0·∞`) is inside that slab: [`Box::within`] passes over it.
     fn slabs(&self, ray: &Ray) -> [[f64; 3]; 2] {
-        let mut slabs = [[0.0; 3]; 2];
-        for axis in 0..3 {
+        let slab = |axis: usize| {
             let (o, inverse) = (ray.origin.along(axis), 1.0 / ray.direction.along(axis));
             let low = (self.min.along(axis) - o) * inverse;
             let high = (self.max.along(axis) - o) * inverse;
-            let backward = inverse.is_sign_negative();
-            slabs[0][axis] = if backward { high } else { low };
-            slabs[1][axis] = if backward { low } else { high };
-        }
-        slabs
+            if inverse.is_sign_negative() { (high, low) } else { (low, high) }
+        };
+        let (x, y, z) = (slab(0), slab(1), slab(2));
+        [[x.0, y.0, z.0], [x.1, y.1, z.1]]
     }
 
     /// The part of the line that is in all slabs.
     fn within([enter, leave]: &[[f64; 3]; 2]) -> Option<[f64; 2]> {
         let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
-        for axis in 0..3 {
-            first = if enter[axis] > first { enter[axis] } else { first };
-            last = if leave[axis] < last { leave[axis] } else { last };
+        for (&enter, &leave) in enter.iter().zip(leave) {
+            first = if enter > first { enter } else { first };
+            last = if leave < last { leave } else { last };
         }
         (first <= last).then_some([first, last])
     }
@@ -92,6 +90,13 @@ impl Box {
         let plane = if is_max { self.max } else { self.min }.to_array()[axis];
         Candidate { part: 2 * axis as u32 + u32::from(is_max), ..Candidate::at((plane - o) / d) }
     }
+
+    /// The hit where the line leaves the box; not before the other one, which at an edge it would
+    /// be by rounding.
+    fn exit(&self, slabs: &[[f64; 3]; 2], last: f64, near: &Candidate, ray: &Ray) -> Candidate {
+        let far = self.face(&slabs[1], last, true, ray);
+        if far.t < near.t { Candidate { t: near.t, ..far } } else { far }
+    }
 }
 
 impl Shape for Box {
@@ -102,7 +107,7 @@ impl Shape for Box {
         if span.contains(near.t) {
             return Some(near);
         }
-        Some(self.face(&slabs[1], last, true, ray)).filter(|far| span.contains(far.t))
+        Some(self.exit(&slabs, last, &near, ray)).filter(|far| span.contains(far.t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -120,8 +125,7 @@ impl Shape for Box {
         let slabs = self.slabs(ray);
         let Some([first, last]) = Self::within(&slabs) else { return Vec::new() };
         let near = self.face(&slabs[0], first, false, ray);
-        let mut faces = vec![near, self.face(&slabs[1], last, true, ray)];
-        faces.sort_by(|a, b| a.t.total_cmp(&b.t)); // at an edge rounding may turn them round
+        let mut faces = vec![near, self.exit(&slabs, last, &near, ray)];
         faces.retain(|face| span.contains(face.t));
         faces
     }
