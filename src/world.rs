@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::accel::{Accel, Primitives};
+use crate::accel::{Accel, Method, Primitives};
 use crate::cameras::View;
 use crate::invalid::{Invalid, Key, positive, shown};
 use crate::lights::Light;
@@ -146,6 +146,8 @@ impl World {
         let mut materials = placed_materials(scene)?;
         let objects = Objects(placed_objects(scene, folder, &mut materials)?);
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
+        // a single object is tested, not searched for
+        let method = if bounds.len() == 1 { Method::List } else { scene.accel };
         Ok(Self {
             image: scene.image.clone(),
             view,
@@ -155,7 +157,7 @@ impl World {
             pixel_samples,
             lights: placed_lights(scene)?,
             materials,
-            accel: Accel::build(scene.accel, &bounds),
+            accel: Accel::build(method, &bounds),
             objects,
         })
     }
@@ -171,8 +173,8 @@ impl World {
         let seen = Seen { objects: &self.objects, ray };
         let (index, candidate) = self.accel.nearest(&seen, ray, span)?;
         let object = &self.objects.0[index as usize];
-        let surface = object.shape.surface(ray, &candidate);
-        let surface = Surface { leaf: candidate.leaf, ..surface };
+        let mut surface = object.shape.surface(ray, &candidate);
+        surface.leaf = candidate.leaf;
         let front = surface.is_front(ray.direction);
         let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
         Some(Hit { t: candidate.t, object, material, surface, front })

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Boundary, Material, Medium};
+use super::{Boundary, Material, Medium, Response};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::lobes::{About, FresnelReflector, FresnelTransmitter, Lobes};
+use crate::lobes::{About, FresnelReflector, FresnelTransmitter};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
@@ -66,14 +66,10 @@ impl Specification for Dielectric {
 }
 
 impl Material for Built {
-    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes) {
-        self.phong.lobes(at, cos_o, lobes);
-        lobes.push((FresnelReflector { eta: self.eta }.into(), About::Geometry));
-        lobes.push((FresnelTransmitter { eta: self.eta }.into(), About::Geometry));
-    }
-
-    fn ambient(&self, at: &Surface) -> Rgb {
-        self.phong.ambient(at)
+    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+        self.phong.respond(at, cos_o, response);
+        response.lobes.push((FresnelReflector { eta: self.eta }.into(), About::Geometry));
+        response.lobes.push((FresnelTransmitter { eta: self.eta }.into(), About::Geometry));
     }
 
     fn boundary(&self) -> Option<Boundary> {

@@ -4,10 +4,9 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::Material;
+use super::{Material, Response};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Specification};
-use crate::lobes::Lobes;
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -48,7 +47,7 @@ impl Specification for Emissive {
 }
 
 impl Material for Built {
-    fn lobes(&self, _: &Surface, _: f64, _: &mut Lobes) {}
+    fn respond(&self, _: &Surface, _: f64, _: &mut Response) {}
 
     fn emitted(&self, at: &Surface, cos_o: f64) -> Rgb {
         if cos_o > 0.0 { self.ls * self.ce.color(at) } else { Rgb::BLACK }

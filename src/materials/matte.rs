@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::Material;
+use super::{Material, Response};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::Specification;
-use crate::lobes::{About, Lambertian, Lobes};
+use crate::lobes::{About, Lambertian};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -62,14 +62,15 @@ impl Specification for Matte {
 }
 
 impl Material for Built {
-    fn lobes(&self, at: &Surface, _: f64, lobes: &mut Lobes) {
-        if self.kd > 0.0 {
-            let reflectance = self.kd * self.cd.color(at);
-            lobes.push((Lambertian { reflectance }.into(), About::Shading));
+    fn respond(&self, at: &Surface, _: f64, response: &mut Response) {
+        if self.ka == 0.0 && self.kd == 0.0 {
+            return;
         }
-    }
-
-    fn ambient(&self, at: &Surface) -> Rgb {
-        if self.ka > 0.0 { self.ka * self.cd.color(at) } else { Rgb::BLACK }
+        let cd = self.cd.color(at);
+        response.ambient = self.ka * cd;
+        if self.kd > 0.0 {
+            let lobe = Lambertian { reflectance: self.kd * cd };
+            response.lobes.push((lobe.into(), About::Shading));
+        }
     }
 }

@@ -22,13 +22,9 @@ use crate::shapes::Surface;
 
 /// What a surface is made of. Contract: `tests/contracts/material.rs`.
 pub trait Material: Debug + Send + Sync {
-    /// Adds the lobes of the surface seen under `cos_o = n·ω_o`; negative on the inner side.
-    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes);
-
-    /// What the surface makes of ambient light, `ρ = k_a c_d`.
-    fn ambient(&self, _: &Surface) -> Rgb {
-        Rgb::BLACK
-    }
+    /// Adds what the surface, seen under `cos_o = n·ω_o` (negative on the inner side), makes of the
+    /// light that comes to it. Asked once for a hit, as textures may be costly.
+    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response);
 
     /// Radiance it sends out by itself towards a viewer at `cos_o`.
     fn emitted(&self, _: &Surface, _cos_o: f64) -> Rgb {
@@ -45,6 +41,15 @@ pub trait Material: Debug + Send + Sync {
     fn transmits(&self) -> bool {
         self.boundary().is_some()
     }
+}
+
+/// What a surface makes of the light that comes to it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Response {
+    /// The reflectance for ambient light, `ρ = k_a c_d`.
+    pub ambient: Rgb,
+    /// How light from a direction is scattered.
+    pub lobes: Lobes,
 }
 
 /// The absorption `σ` on each side of a surface.

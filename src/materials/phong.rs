@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Material, matte};
+use super::{Material, Response, matte};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::Specification;
-use crate::lobes::{About, GlossySpecular, Lobes};
+use crate::lobes::{About, GlossySpecular};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -77,16 +77,12 @@ impl Specification for Phong {
 }
 
 impl Material for Built {
-    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes) {
-        self.matte.lobes(at, cos_o, lobes);
+    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+        self.matte.respond(at, cos_o, response);
         if self.ks > 0.0 {
             let reflectance = self.ks * self.cs.color(at);
             let lobe = GlossySpecular { reflectance, exponent: self.exponent };
-            lobes.push((lobe.into(), About::Shading));
+            response.lobes.push((lobe.into(), About::Shading));
         }
-    }
-
-    fn ambient(&self, at: &Surface) -> Rgb {
-        self.matte.ambient(at)
     }
 }

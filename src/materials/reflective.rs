@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::Material;
 use super::phong::{self, Phong};
+use super::{Material, Response};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Specification};
-use crate::lobes::{About, Lobes, PerfectSpecular};
+use crate::lobes::{About, PerfectSpecular};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -57,15 +57,11 @@ impl Specification for Reflective {
 }
 
 impl Material for Built {
-    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes) {
-        self.phong.lobes(at, cos_o, lobes);
+    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+        self.phong.respond(at, cos_o, response);
         let reflectance = self.kr * self.cr.color(at);
         if !reflectance.is_black() {
-            lobes.push((PerfectSpecular { reflectance }.into(), About::Shading));
+            response.lobes.push((PerfectSpecular { reflectance }.into(), About::Shading));
         }
-    }
-
-    fn ambient(&self, at: &Surface) -> Rgb {
-        self.phong.ambient(at)
     }
 }

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::Material;
 use super::phong::{self, Phong};
+use super::{Material, Response};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::{self, Specification};
-use crate::lobes::{About, Lobes, PerfectSpecular, PerfectTransmitter};
+use crate::lobes::{About, PerfectSpecular, PerfectTransmitter};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -69,8 +69,8 @@ impl Specification for Transparent {
 }
 
 impl Material for Built {
-    fn lobes(&self, at: &Surface, cos_o: f64, lobes: &mut Lobes) {
-        self.phong.lobes(at, cos_o, lobes);
+    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+        self.phong.respond(at, cos_o, response);
         let transmitter = PerfectTransmitter { transmittance: self.kt, eta: self.eta };
         // weight 1, not k_r: nothing passes that could make up for the rest
         let reflectance = if transmitter.reflects_totally(cos_o) {
@@ -79,15 +79,11 @@ impl Material for Built {
             self.kr * self.cr.color(at)
         };
         if !reflectance.is_black() {
-            lobes.push((PerfectSpecular { reflectance }.into(), About::Geometry));
+            response.lobes.push((PerfectSpecular { reflectance }.into(), About::Geometry));
         }
         if self.kt > 0.0 {
-            lobes.push((transmitter.into(), About::Geometry));
+            response.lobes.push((transmitter.into(), About::Geometry));
         }
-    }
-
-    fn ambient(&self, at: &Surface) -> Rgb {
-        self.phong.ambient(at)
     }
 
     fn transmits(&self) -> bool {

@@ -12,7 +12,7 @@ mod tree;
 
 use crate::lights::{Illumination, LightSample, Reach};
 use crate::lobes::{About, LobeSample, Lobes};
-use crate::materials::Boundary;
+use crate::materials::{Boundary, Response};
 use crate::math::{Frame, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
 use crate::scene::Tracer;
@@ -70,10 +70,10 @@ impl<R: Recorder> Tracing<'_, R> {
         let mut transmittance = Rgb::WHITE;
         if self.max_depth.is_some_and(|max_depth| *depth > max_depth) {
             self.recorder.outcome(Outcome::TooDeep);
-        } else if let Some(hit) = self.world.hit(ray, Span::AHEAD) {
-            self.recorder.outcome(Outcome::Hit(&hit));
+        } else if let Some(hit) = &self.world.hit(ray, Span::AHEAD) {
+            self.recorder.outcome(Outcome::Hit(hit));
             transmittance = medium.transmittance(hit.t);
-            self.shade(traveller, &hit, &mut sum);
+            self.shade(traveller, hit, &mut sum);
         } else {
             self.recorder.outcome(Outcome::Background);
             transmittance = medium.transmittance(f64::INFINITY);
@@ -92,25 +92,26 @@ impl<R: Recorder> Tracing<'_, R> {
         if !emitted.is_black() {
             sum.add(self.recorder, What::Emission, Rgb::WHITE, emitted);
         }
-        let mut lobes = Lobes::new();
-        material.lobes(&hit.surface, side.cos_o, &mut lobes);
+        let mut response = Response::default();
+        material.respond(&hit.surface, side.cos_o, &mut response);
 
         let world = self.world;
         for light in &world.lights {
             match light.light.illuminate(hit.surface.point) {
                 Illumination::Ambient(radiance) => {
-                    let reflectance = material.ambient(&hit.surface);
-                    if !reflectance.is_black() {
+                    if !response.ambient.is_black() {
                         let what = What::Ambient { light: light.place };
-                        sum.add(self.recorder, what, reflectance, radiance);
+                        sum.add(self.recorder, what, response.ambient, radiance);
                     }
                 }
-                Illumination::From(sample) => self.direct(&side, &lobes, light, &sample, sum),
+                Illumination::From(sample) => {
+                    self.direct(&side, &response.lobes, light, &sample, sum)
+                }
             }
         }
         if self.max_depth.is_some() {
             let boundary = material.boundary();
-            for (lobe, about) in lobes.iter().filter(|(lobe, _)| lobe.is_specular()) {
+            for (lobe, about) in response.lobes.iter().filter(|(l, _)| l.is_specular()) {
                 let frame = side.frame(*about);
                 let wo = frame.to_local(side.wo);
                 if let Some(sample) = lobe.sample(wo, [0.5; 2]) {

@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use groundtruth::lobes::Lobes;
-use groundtruth::materials::{Boundary, Kind, Material};
+use groundtruth::materials::{Boundary, Kind, Material, Response};
 use groundtruth::math::{Pcg32, power_of_two};
 use groundtruth::rgb::Rgb;
 use libtest_mimic::Trial;
@@ -34,10 +33,10 @@ fn sound(color: Rgb) -> bool {
     color.to_array().iter().all(|c| c.is_finite() && *c >= 0.0)
 }
 
-fn lobes(material: &dyn Material, at: &groundtruth::shapes::Surface, cos_o: f64) -> Lobes {
-    let mut lobes = Lobes::new();
-    material.lobes(at, cos_o, &mut lobes);
-    lobes
+fn response(material: &dyn Material, at: &groundtruth::shapes::Surface, cos_o: f64) -> Response {
+    let mut response = Response::default();
+    material.respond(at, cos_o, &mut response);
+    response
 }
 
 /// Law: the lobes fit where they are kept (one more would panic), and each answers with finite
@@ -47,7 +46,7 @@ fn lobes_are_few_and_finite(kind: &Kind) -> Holds {
     let mut random = Pcg32::new(14, 1);
     for at in surfaces().take(200) {
         for cos_o in COSINES {
-            for (lobe, _) in lobes(&*material, &at, cos_o) {
+            for (lobe, _) in response(&*material, &at, cos_o).lobes {
                 let (wo, wi) = (anywhere(&mut random), anywhere(&mut random));
                 ensure!(sound(lobe.f(wo, wi)), "{lobe:?}: f {:?}", lobe.f(wo, wi));
                 let weight = lobe.sample(wo, [0.5; 2]).map(|sample| sample.weight);
@@ -61,8 +60,9 @@ fn lobes_are_few_and_finite(kind: &Kind) -> Holds {
 fn other_light_is_finite(kind: &Kind) -> Holds {
     let material = built(kind);
     for at in surfaces() {
-        ensure!(sound(material.ambient(&at)), "{at:?}: {:?}", material.ambient(&at));
         for cos_o in COSINES {
+            let ambient = response(&*material, &at, cos_o).ambient;
+            ensure!(sound(ambient), "{at:?} at {cos_o}: {ambient:?}");
             let emitted = material.emitted(&at, cos_o);
             ensure!(sound(emitted), "{at:?} at {cos_o}: {emitted:?}");
         }
@@ -79,7 +79,7 @@ fn what_transmits_says_so(kind: &Kind) -> Holds {
     let mut transmits = false;
     for _ in 0..200 {
         let wo = anywhere(&mut random);
-        for (lobe, _) in lobes(&*material, &at, wo.z()) {
+        for (lobe, _) in response(&*material, &at, wo.z()).lobes {
             let sample = lobe.sample(wo, [0.5; 2]);
             transmits |= sample.is_some_and(|sample| sample.wi.z() * wo.z() < 0.0);
         }
@@ -104,12 +104,12 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
         for at in surfaces().take(500) {
             let far = scaled(&at, factor);
             for cos_o in COSINES {
-                let (here, there) = (lobes(&*material, &at, cos_o), lobes(&*larger, &far, cos_o));
+                let here = response(&*material, &at, cos_o);
+                let there = response(&*larger, &far, cos_o);
                 ensure!(here == there, "2^{k}, {cos_o}: {there:?}, not {here:?}");
                 let same = material.emitted(&at, cos_o) == larger.emitted(&far, cos_o);
                 ensure!(same, "2^{k}, {cos_o}: emission differs");
             }
-            ensure!(material.ambient(&at) == larger.ambient(&far), "2^{k}: ambient differs");
         }
         let expected = material.boundary().map(|Boundary { inside, outside }| Boundary {
             inside: inside / factor,

@@ -5,8 +5,7 @@ use std::sync::Arc;
 use groundtruth::cameras::{self, Camera};
 use groundtruth::kinds::Custom;
 use groundtruth::lights::{self, Directional, Illumination, Light as LightKind};
-use groundtruth::lobes::Lobes;
-use groundtruth::materials::{self, Material as MaterialKind, Matte};
+use groundtruth::materials::{self, Material as MaterialKind, Matte, Response};
 use groundtruth::math::{Aabb, Normal, Pcg32, Point, Ray, Span, Step, Vector};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
@@ -153,10 +152,8 @@ impl LightKind for RedSky {
 struct Glow(Arc<dyn Texture>);
 
 impl MaterialKind for Glow {
-    fn lobes(&self, _: &Surface, _: f64, _: &mut Lobes) {}
-
-    fn ambient(&self, _: &Surface) -> Rgb {
-        Rgb::grey(0.25)
+    fn respond(&self, _: &Surface, _: f64, response: &mut Response) {
+        response.ambient = Rgb::grey(0.25);
     }
 
     fn emitted(&self, at: &Surface, _: f64) -> Rgb {
