@@ -145,10 +145,10 @@ fn part_objects() -> Scene {
         PartCylinder { y0: -0.75, y1: 0.75, radius: 1.0, phi: [350.0, 200.0], inward: false };
     let annulus = PartAnnulus {
         center: Point::ORIGIN,
+        normal: vector(0.0, 1.0, 0.0),
         inner_radius: 0.5,
         outer_radius: 1.2,
         phi: [90.0, 20.0],
-        down: false,
     };
     let ring = Annulus {
         center: Point::ORIGIN,

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 use super::angles::{Angles, full_turn};
 use super::annulus::{between, radii};
 use super::{Candidate, Context, Shape, Surface, plane_distance};
-use crate::invalid::{Invalid, finite_point};
+use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
 /// The part of a level annulus within a range of azimuths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,6 +17,9 @@ use crate::math::{Aabb, Normal, Point, Ray, Span};
 pub struct PartAnnulus {
     /// The centre.
     pub center: Point,
+    /// Upward or downward, as azimuths are about the y axis; need not be unit.
+    #[serde(default = "upward")]
+    pub normal: Vector,
     /// The radius of the hole; not negative.
     pub inner_radius: f64,
     /// Above `inner_radius`.
@@ -24,9 +27,10 @@ pub struct PartAnnulus {
     /// From the first azimuth up to the second, in degrees from +z towards +x.
     #[serde(default = "full_turn")]
     pub phi: [f64; 2],
-    /// Whether the normal is (0, −1, 0) and not (0, 1, 0).
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub down: bool,
+}
+
+fn upward() -> Vector {
+    Vector::Y
 }
 
 #[derive(Debug)]
@@ -44,7 +48,7 @@ impl Specification for PartAnnulus {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(Built {
             center: finite_point("center", self.center)?,
-            normal: if self.down { -Normal::Y } else { Normal::Y },
+            normal: vertical(self.normal)?,
             radii: radii(self.inner_radius, self.outer_radius)?,
             phi: Angles::new("phi", self.phi)?,
         }))
@@ -60,18 +64,31 @@ impl Specification for PartAnnulus {
     }
 
     fn specimens() -> Vec<Self> {
-        let part = |center, radii: [f64; 2], phi, down| Self {
+        let part = |center, normal, radii: [f64; 2], phi| Self {
             center,
+            normal,
             inner_radius: radii[0],
             outer_radius: radii[1],
             phi,
-            down,
         };
         vec![
-            part(Point::ORIGIN, [0.5, 1.0], [0.0, 90.0], false),
-            part(Point::new(0.5, -0.25, 1.0), [0.0, 0.75], [300.0, 130.0], true),
+            part(Point::ORIGIN, Vector::Y, [0.5, 1.0], [0.0, 90.0]),
+            part(Point::new(0.5, -0.25, 1.0), -2.0 * Vector::Y, [0.0, 0.75], [300.0, 130.0]),
         ]
     }
+}
+
+/// The field `normal`, if it is along the y axis.
+fn vertical(normal: Vector) -> Result<Normal, Invalid> {
+    let [x, y, z] = direction("normal", normal)?.to_array();
+    if x != 0.0 || z != 0.0 {
+        let found = normal.to_array();
+        let problem = format!(
+            "found {found:?}, but a part annulus is level: [0, 1, 0] or [0, -1, 0]; an instance tilts it"
+        );
+        return Err(Invalid::field("normal", problem));
+    }
+    Ok(if y > 0.0 { Normal::Y } else { -Normal::Y })
 }
 
 impl Shape for Built {

@@ -112,10 +112,10 @@ fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
         .into(),
         oracle::Shape::PartAnnulus { center, inner, outer, phi } => shapes::PartAnnulus {
             center: center.into(),
+            normal: Vector::Y,
             inner_radius: inner,
             outer_radius: outer,
             phi,
-            down: false,
         }
         .into(),
         oracle::Shape::Cone { height, radius } => {

@@ -107,8 +107,8 @@ fn round_part(draw: &mut Draw, size: f64, center: Point) -> (Kind, Form, Point) 
         1 => {
             let [inner_radius, outer_radius] = [0.25 * size, size];
             let point = center + (size * draw.between(0.3, 0.95)) * u;
-            let down = draw.coin();
-            let part = PartAnnulus { center, inner_radius, outer_radius, phi, down };
+            let normal = draw.sign() * Vector::Y;
+            let part = PartAnnulus { center, normal, inner_radius, outer_radius, phi };
             (part.into(), Form::Flat, point)
         }
         2 => {

@@ -42,7 +42,8 @@ pub fn part_cylinder(phi: [f64; 2]) -> PartCylinder {
 }
 
 fn part_annulus(phi: [f64; 2]) -> PartAnnulus {
-    PartAnnulus { center: CENTER, inner_radius: 0.25, outer_radius: 0.75, phi, down: false }
+    let normal = Vector::Y;
+    PartAnnulus { center: CENTER, normal, inner_radius: 0.25, outer_radius: 0.75, phi }
 }
 
 /// The three parts of one range of azimuths.
@@ -327,4 +328,10 @@ fn empty_and_impossible_ranges_are_refused() {
         problem(ring.into()),
         "annulus.outer_radius: found 1, but it must be above inner_radius, 2"
     );
+    for normal in [Vector::new(0.0, 1.0, 1e-9), Vector::X, -Vector::Z] {
+        let (found, tilted) =
+            (normal.to_array(), PartAnnulus { normal, ..part_annulus([0.0, 9.0]) });
+        let rest = "but a part annulus is level: [0, 1, 0] or [0, -1, 0]; an instance tilts it";
+        assert_eq!(problem(tilted.into()), format!("part_annulus.normal: found {found:?}, {rest}"));
+    }
 }
