@@ -5,4 +5,5 @@ mod chaos;
 mod equal;
 mod everywhere;
 mod lattices;
+mod searched;
 mod steps;

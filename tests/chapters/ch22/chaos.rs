@@ -7,7 +7,7 @@ use groundtruth::shapes::{
     Box, Context, Disk, Kind, OpenCylinder, Plane, Rectangle, Shape, Sphere, Triangle,
 };
 
-use super::equal::Both;
+use super::searched::Both;
 use crate::draw::Draw;
 
 /// A finite number of any exponent, zeros of either sign among them; or near another one's size.

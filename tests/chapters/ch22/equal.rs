@@ -3,131 +3,16 @@
 
 use std::sync::Arc;
 
-use groundtruth::accel::{Accel, Counts, Kernel, Method, OneByOne, Primitives};
+use groundtruth::accel::{Accel, Kernel, Method, Primitives};
 use groundtruth::kinds::Custom;
 use groundtruth::math::{Aabb, Point, Ray, Span, Step, Vector};
 use groundtruth::shapes::{
-    self, Candidate, Context, Disk, Instance, Kind, Plane, Rectangle, Shape, Sphere,
-    TessellatedSphere, Triangle, TriangleMesh,
+    self, Candidate, Disk, Instance, Kind, Plane, Rectangle, Shape, Sphere, TessellatedSphere,
+    Triangle, TriangleMesh,
 };
 
+use super::searched::{Both, Seen, agree, built, some_rays, spheres, trees};
 use crate::draw::Draw;
-
-/// Objects in order, and the ray that looks at them.
-struct Seen<'a>(&'a [Arc<dyn Shape>], &'a Ray);
-
-impl Primitives for Seen<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        self.0[index as usize].hit(self.1, span)
-    }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.0[index as usize].bounds()
-    }
-}
-
-/// The same objects, searched in every way, and by every kernel that the processor has.
-pub struct Both {
-    objects: Vec<Arc<dyn Shape>>,
-    list: Accel,
-    grid: Accel,
-    trees: Vec<Accel>,
-}
-
-/// Trees for all kernels.
-fn trees(bounds: &[Aabb]) -> Vec<Accel> {
-    let tree = |kernel| Accel::build_for(Method::Bvh, bounds, &OneByOne, kernel);
-    Kernel::available().into_iter().map(tree).collect()
-}
-
-impl Both {
-    pub fn new(objects: Vec<Arc<dyn Shape>>) -> Self {
-        let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds()).collect();
-        let [list, grid] = [Method::List, Method::Grid].map(|m| Accel::build(m, &bounds));
-        Self { objects, list, grid, trees: trees(&bounds) }
-    }
-
-    /// All but the list.
-    fn others(&self) -> impl Iterator<Item = &Accel> {
-        [&self.grid].into_iter().chain(&self.trees)
-    }
-
-    /// The first object at the least distance, by asking each.
-    fn first(&self, ray: &Ray) -> Option<(u32, f64)> {
-        let hits = (0_u32..).zip(&self.objects);
-        let hits = hits.filter_map(|(i, object)| Some((i, object.hit(ray, Span::AHEAD)?.t)));
-        hits.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
-    }
-
-    /// Whether anything is hit; fails if they do not agree.
-    pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
-        let seen = Seen(&self.objects, ray);
-        let find = |accel: &Accel| {
-            let found = accel.nearest(&seen, ray, span);
-            found.map(|(i, hit)| (i, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits)))
-        };
-        let first = find(&self.list);
-        for accel in self.others() {
-            assert_eq!(find(accel), first, "{case}: {ray:?} in {span:?}");
-        }
-        let any = |accel: &Accel| accel.any(&seen, ray, span).map(|(_, hit)| hit.t);
-        let shadows: Vec<_> = [&self.list].into_iter().chain(self.others()).map(any).collect();
-        let same = shadows.iter().all(|t| t.is_some() == first.is_some());
-        assert!(same, "{case}: shadow of {ray:?} in {span:?}");
-        for t in shadows.into_iter().flatten().chain(first.map(|(_, t, ..)| f64::from_bits(t))) {
-            assert!(span.contains(t), "{case}: {t:e} outside {span:?}");
-        }
-        first.is_some()
-    }
-}
-
-fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
-    kind.into().build(&mut Context::default()).expect("valid")
-}
-
-/// Rays from everywhere, a third of them with zeros of either sign, some from very far.
-pub fn ray(draw: &mut Draw, reach: f64) -> Ray {
-    let far = if draw.below(4) == 0 { draw.decades(0.0, 8.0) } else { draw.between(0.0, 2.0) };
-    let target = draw.point(reach);
-    let away = draw.direction();
-    let mut direction = draw.decades(-3.0, 3.0) * away;
-    let origin = target + (far * reach) * away;
-    if draw.below(3) == 0 {
-        let mut d = direction.to_array();
-        for _ in 0..=draw.below(2) {
-            d[draw.below(3)] = draw.pick(&[0.0, -0.0]);
-        }
-        if d != [0.0; 3] {
-            direction = d.into();
-            return Ray::new(target - (far * reach / direction.length()) * direction, direction);
-        }
-    }
-    Ray::new(origin, -direction)
-}
-
-/// Both methods on this many rays; at least one ray in `rarely` hits.
-fn agree(name: &str, objects: Vec<Arc<dyn Shape>>, rays: impl Iterator<Item = Ray>, rarely: usize) {
-    let both = Both::new(objects);
-    let spans = [Span::AHEAD, Span::SEGMENT, Span::LINE, Span { min: 0.25, max: 3.0 }];
-    let (mut hits, mut count) = (0, 0);
-    for (i, ray) in rays.enumerate() {
-        count += 1;
-        hits += usize::from(both.check(&ray, spans[0], name));
-        both.check(&ray, spans[i % 4], name);
-    }
-    assert!(hits * rarely >= count && count > 0, "{name}: only {hits} of {count} rays hit");
-}
-
-fn some_rays(seed: u64, count: usize, reach: f64) -> impl Iterator<Item = Ray> {
-    let mut draw = Draw::new(seed);
-    (0..count).map(move |_| ray(&mut draw, reach))
-}
-
-fn spheres(draw: &mut Draw, count: usize) -> Vec<Arc<dyn Shape>> {
-    let sphere =
-        |_| Sphere { center: draw.point(1.0), radius: draw.decades(-2.5, -0.7), inward: false };
-    (0..count).map(sphere).map(built).collect()
-}
 
 /// Law: equal on the book's scene of random spheres, with overlap. Oracle: the list.
 #[test]
@@ -396,27 +281,6 @@ fn acceleration_equals_the_list_from_afar() {
         });
         agree("from afar", objects, rays, 20);
     }
-}
-
-/// Law: counting changes no answer; the list tests every object, the tree few of many. Oracle: the
-/// list, and the number of objects.
-#[test]
-fn a_counted_search_finds_the_same() {
-    let both = Both::new(spheres(&mut Draw::new(2255), 300));
-    let (mut tests, mut steps) = (0, 0);
-    for ray in some_rays(2256, 1_000, 1.0) {
-        let seen = Seen(&both.objects, &ray);
-        let (mut by_list, mut by_tree) = (Counts::default(), Counts::default());
-        let found = both.list.nearest_counted(&seen, &ray, Span::AHEAD, &mut by_list);
-        assert_eq!(found, both.list.nearest(&seen, &ray, Span::AHEAD));
-        assert_eq!(found, both.trees[0].nearest_counted(&seen, &ray, Span::AHEAD, &mut by_tree));
-        // a ray that passes beside everything tests nothing
-        assert!(by_list.steps == 0 && (by_list.tests == 300 || by_list.tests == 0));
-        tests += by_tree.tests;
-        steps += by_tree.steps;
-    }
-    assert!(tests < 20_000 && steps < 20_000 && steps > 500, "{tests} tests, {steps} nodes");
-    assert!(both.trees[0].memory_bytes() > both.list.memory_bytes());
 }
 
 /// Law: a tree over 10⁵ objects is the same each time, on one thread and on two. Oracle: itself,

@@ -10,7 +10,7 @@ use groundtruth::shapes::{
     Sphere, TessellatedSphere,
 };
 
-use super::equal::ray;
+use super::searched::ray;
 use crate::draw::Draw;
 use crate::support::U;
 

@@ -9,7 +9,7 @@ use groundtruth::shapes::{
 };
 use groundtruth::textures::{self, RandomColors};
 
-use super::equal::ray;
+use super::searched::ray;
 use crate::draw::Draw;
 use crate::support::U;
 

@@ -4,6 +4,7 @@ use groundtruth::accel::{Accel, Counts, Method, Primitives};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, cbrt};
 use groundtruth::shapes::{Candidate, RandomSpheres, Shape, Sphere};
 
+use super::searched::{self, Both, some_rays};
 use crate::draw::Draw;
 
 struct Seen<'a>(&'a [Sphere], &'a Ray);
@@ -74,4 +75,25 @@ fn steps_grow_slowly_in_the_books_scene() {
         }
         assert!(costs[2][1] < 64.0, "{method:?} tests {}", costs[2][1]);
     }
+}
+
+/// Law: counting changes no answer; the list tests every object, the tree few of many. Oracle: the
+/// list, and the number of objects.
+#[test]
+fn a_counted_search_finds_the_same() {
+    let both = Both::new(searched::spheres(&mut Draw::new(2255), 300));
+    let (mut tests, mut steps) = (0, 0);
+    for ray in some_rays(2256, 1_000, 1.0) {
+        let seen = searched::Seen(&both.objects, &ray);
+        let (mut by_list, mut by_tree) = (Counts::default(), Counts::default());
+        let found = both.list.nearest_counted(&seen, &ray, Span::AHEAD, &mut by_list);
+        assert_eq!(found, both.list.nearest(&seen, &ray, Span::AHEAD));
+        assert_eq!(found, both.trees[0].nearest_counted(&seen, &ray, Span::AHEAD, &mut by_tree));
+        // a ray that passes beside everything tests nothing
+        assert!(by_list.steps == 0 && (by_list.tests == 300 || by_list.tests == 0));
+        tests += by_tree.tests;
+        steps += by_tree.steps;
+    }
+    assert!(tests < 20_000 && steps < 20_000 && steps > 500, "{tests} tests, {steps} nodes");
+    assert!(both.trees[0].memory_bytes() > both.list.memory_bytes());
 }

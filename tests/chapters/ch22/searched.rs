@@ -1,0 +1,130 @@
+//! The same objects searched in every way, and rays to search them along.
+
+use std::sync::Arc;
+
+use groundtruth::accel::{Accel, Kernel, Method, OneByOne, Primitives};
+use groundtruth::math::{Aabb, Ray, Span};
+use groundtruth::shapes::{Candidate, Context, Kind, Shape, Sphere};
+
+use crate::draw::Draw;
+
+/// Objects in order, and the ray that looks at them.
+pub struct Seen<'a>(pub &'a [Arc<dyn Shape>], pub &'a Ray);
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        self.0[index as usize].hit(self.1, span)
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.0[index as usize].bounds()
+    }
+}
+
+/// The same objects, searched in every way, and by every kernel that the processor has.
+pub struct Both {
+    pub objects: Vec<Arc<dyn Shape>>,
+    pub list: Accel,
+    pub grid: Accel,
+    pub trees: Vec<Accel>,
+}
+
+/// Trees for all kernels.
+pub fn trees(bounds: &[Aabb]) -> Vec<Accel> {
+    let tree = |kernel| Accel::build_for(Method::Bvh, bounds, &OneByOne, kernel);
+    Kernel::available().into_iter().map(tree).collect()
+}
+
+impl Both {
+    pub fn new(objects: Vec<Arc<dyn Shape>>) -> Self {
+        let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds()).collect();
+        let [list, grid] = [Method::List, Method::Grid].map(|m| Accel::build(m, &bounds));
+        Self { objects, list, grid, trees: trees(&bounds) }
+    }
+
+    /// All but the list.
+    pub fn others(&self) -> impl Iterator<Item = &Accel> {
+        [&self.grid].into_iter().chain(&self.trees)
+    }
+
+    /// The first object at the least distance, by asking each.
+    pub fn first(&self, ray: &Ray) -> Option<(u32, f64)> {
+        let hits = (0_u32..).zip(&self.objects);
+        let hits = hits.filter_map(|(i, object)| Some((i, object.hit(ray, Span::AHEAD)?.t)));
+        hits.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
+    }
+
+    /// Whether anything is hit; fails if they do not agree.
+    pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
+        let seen = Seen(&self.objects, ray);
+        let find = |accel: &Accel| {
+            let found = accel.nearest(&seen, ray, span);
+            found.map(|(i, hit)| (i, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits)))
+        };
+        let first = find(&self.list);
+        for accel in self.others() {
+            assert_eq!(find(accel), first, "{case}: {ray:?} in {span:?}");
+        }
+        let any = |accel: &Accel| accel.any(&seen, ray, span).map(|(_, hit)| hit.t);
+        let shadows: Vec<_> = [&self.list].into_iter().chain(self.others()).map(any).collect();
+        let same = shadows.iter().all(|t| t.is_some() == first.is_some());
+        assert!(same, "{case}: shadow of {ray:?} in {span:?}");
+        for t in shadows.into_iter().flatten().chain(first.map(|(_, t, ..)| f64::from_bits(t))) {
+            assert!(span.contains(t), "{case}: {t:e} outside {span:?}");
+        }
+        first.is_some()
+    }
+}
+
+pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
+    kind.into().build(&mut Context::default()).expect("valid")
+}
+
+/// Rays from everywhere, a third of them with zeros of either sign, some from very far.
+pub fn ray(draw: &mut Draw, reach: f64) -> Ray {
+    let far = if draw.below(4) == 0 { draw.decades(0.0, 8.0) } else { draw.between(0.0, 2.0) };
+    let target = draw.point(reach);
+    let away = draw.direction();
+    let mut direction = draw.decades(-3.0, 3.0) * away;
+    let origin = target + (far * reach) * away;
+    if draw.below(3) == 0 {
+        let mut d = direction.to_array();
+        for _ in 0..=draw.below(2) {
+            d[draw.below(3)] = draw.pick(&[0.0, -0.0]);
+        }
+        if d != [0.0; 3] {
+            direction = d.into();
+            return Ray::new(target - (far * reach / direction.length()) * direction, direction);
+        }
+    }
+    Ray::new(origin, -direction)
+}
+
+/// Both methods on this many rays; at least one ray in `rarely` hits.
+pub fn agree(
+    name: &str,
+    objects: Vec<Arc<dyn Shape>>,
+    rays: impl Iterator<Item = Ray>,
+    rarely: usize,
+) {
+    let both = Both::new(objects);
+    let spans = [Span::AHEAD, Span::SEGMENT, Span::LINE, Span { min: 0.25, max: 3.0 }];
+    let (mut hits, mut count) = (0, 0);
+    for (i, ray) in rays.enumerate() {
+        count += 1;
+        hits += usize::from(both.check(&ray, spans[0], name));
+        both.check(&ray, spans[i % 4], name);
+    }
+    assert!(hits * rarely >= count && count > 0, "{name}: only {hits} of {count} rays hit");
+}
+
+pub fn some_rays(seed: u64, count: usize, reach: f64) -> impl Iterator<Item = Ray> {
+    let mut draw = Draw::new(seed);
+    (0..count).map(move |_| ray(&mut draw, reach))
+}
+
+pub fn spheres(draw: &mut Draw, count: usize) -> Vec<Arc<dyn Shape>> {
+    let sphere =
+        |_| Sphere { center: draw.point(1.0), radius: draw.decades(-2.5, -0.7), inward: false };
+    (0..count).map(sphere).map(built).collect()
+}
