@@ -79,7 +79,7 @@ pub(super) fn build(
     shape: &Kind,
     transform: &[Step],
 ) -> Result<std::sync::Arc<dyn Shape>, Invalid> {
-    limits::buildable(std::iter::once(shape)).map_err(|e| e.inside("shape"))?;
+    limits::buildable(std::iter::once(shape), |_, e| e.inside("shape"))?;
     let mut context = Context::default();
     if transform.is_empty() {
         return shape.build(&mut context).map_err(|e| e.inside("shape"));

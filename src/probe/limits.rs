@@ -16,38 +16,62 @@ pub const MOST_TRIANGLES: u64 = 1 << 18;
 /// Ray–object tests, roughly, for one radiance: some seconds.
 pub const MOST_WORK: f64 = 2e8;
 
-/// The primitives that building this shape makes.
-fn primitives(shape: &Kind) -> u64 {
+/// The primitives that building this shape makes; an error names the field that asks for too many.
+fn primitives(shape: &Kind) -> Result<u64, Invalid> {
     match shape {
         Kind::TessellatedSphere(sphere) => {
-            2 * u64::from(sphere.horizontal) * u64::from(sphere.vertical)
+            let triangles = 2 * u64::from(sphere.horizontal) * u64::from(sphere.vertical);
+            few(triangles).map_err(|e| e.inside("horizontal").inside("tessellated_sphere"))
         }
-        Kind::Instance(instance) => primitives(&instance.of),
+        Kind::Instance(instance) => {
+            primitives(&instance.of).map_err(|e| e.inside("of").inside("instance"))
+        }
         Kind::Compound(compound) => {
-            let parts = compound.parts.iter().map(|part| primitives(&part.shape));
-            parts.fold(0, u64::saturating_add)
+            let parts = compound.parts.iter().map(|part| &part.shape);
+            buildable(parts, |part, e| e.inside("shape").inside(part))
+                .map_err(|e| e.inside("parts").inside("compound"))
         }
         Kind::Lattice(lattice) => {
             let copies = lattice.counts.iter().fold(1_u64, |n, &c| n.saturating_mul(c.into()));
-            copies.saturating_add(primitives(&lattice.of))
+            let of = primitives(&lattice.of).map_err(|e| e.inside("of"));
+            let all =
+                of.and_then(|of| few(copies.saturating_add(of)).map_err(|e| e.inside("counts")));
+            all.map_err(|e| e.inside("lattice"))
         }
-        Kind::RandomSpheres(spheres) => spheres.count.into(),
-        // some 26 parts a stone
-        Kind::Archway(arch) => 26 * (2 * u64::from(arch.blocks) + u64::from(arch.wedges)),
-        Kind::Rosette(_) => 26 * 115,
-        _ => 1,
+        Kind::RandomSpheres(spheres) => {
+            few(spheres.count.into()).map_err(|e| e.inside("count").inside("random_spheres"))
+        }
+        Kind::Archway(arch) => {
+            let (blocks, wedges) = (2 * u64::from(arch.blocks), u64::from(arch.wedges));
+            let field = if blocks > wedges { "blocks" } else { "wedges" };
+            // some 26 parts a stone
+            few(26 * (blocks + wedges)).map_err(|e| e.inside(field).inside("archway"))
+        }
+        Kind::Rosette(_) => Ok(26 * 115),
+        _ => Ok(1),
     }
 }
 
-/// Refuses shapes of more triangles than fit.
-pub(super) fn buildable<'a>(shapes: impl Iterator<Item = &'a Kind>) -> Result<u64, Invalid> {
-    let total = shapes.map(primitives).fold(0, u64::saturating_add);
-    if total > MOST_TRIANGLES {
+/// So many primitives, if a line may have them.
+fn few(count: u64) -> Result<u64, Invalid> {
+    if count > MOST_TRIANGLES {
         return Err(Invalid::new(format!(
-            "{total} triangles and parts are too many for a line; at most {MOST_TRIANGLES} fit"
+            "{count} triangles and parts are too many for a line; at most {MOST_TRIANGLES} fit"
         )));
     }
-    Ok(total)
+    Ok(count)
+}
+
+/// Refuses shapes of more triangles than fit; `here` adds where a shape of this index stands.
+pub(super) fn buildable<'a>(
+    shapes: impl Iterator<Item = &'a Kind>,
+    here: impl Fn(usize, Invalid) -> Invalid,
+) -> Result<u64, Invalid> {
+    let mut total = 0_u64;
+    for (index, shape) in shapes.enumerate() {
+        total = total.saturating_add(primitives(shape).map_err(|e| here(index, e))?);
+    }
+    few(total)
 }
 
 /// Refuses to look for all hits of more nested shapes than fit.

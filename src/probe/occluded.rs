@@ -68,7 +68,7 @@ impl Occluded {
 }
 
 fn any(shapes: &[Kind], ray: &Ray, span: Span) -> Result<bool, Invalid> {
-    limits::buildable(shapes.iter())?;
+    limits::buildable(shapes.iter(), |index, e| e.inside(index))?;
     let mut context = Context::default();
     let mut blocked = false;
     for (index, shape) in shapes.iter().enumerate() {

@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::numbers::{RayData, Triple, color};
 use super::{camera_ray, limits};
-use crate::invalid::Invalid;
+use crate::invalid::{Invalid, Key};
 use crate::rgb::Rgb;
 use crate::scene::{self, Scene, SceneError};
 use crate::world::{DEFAULT_SEED, World};
@@ -142,7 +142,11 @@ impl Radiance {
             scene.image.samples = samples;
         }
         let shapes = scene.objects.iter().map(|object| &object.shape);
-        let primitives = limits::buildable(shapes).map_err(outer)?;
+        let here = |index: usize, e: Invalid| {
+            let name = Some(scene.objects[index].name.clone());
+            e.inside("shape").inside(Key::Item(index, name)).inside("objects")
+        };
+        let primitives = limits::buildable(shapes, here).map_err(outer)?;
         let world = World::build_seeded(&scene, folder, seed).map_err(|e| outer(invalid(e)))?;
         let samples = if self.ray.is_some() { 1.0 } else { f64::from(world.samples_per_pixel()) };
         limits::traceable(&scene, &world, primitives, samples * replicas)?;

@@ -221,7 +221,7 @@ impl Context {
     ) -> Result<T, Invalid> {
         if self.depth == MAX_NESTING {
             return Err(Invalid::new(format!(
-                "shapes are nested deeper than {MAX_NESTING}; combine their transforms"
+                "shapes are nested deeper than {MAX_NESTING}; leave out a level, or combine transforms"
             )));
         }
         self.depth += 1;

@@ -79,7 +79,15 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"intersect": {"shape": {"tessellated_sphere": {"horizontal": 4096, "vertical": 4096}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
-        "intersect.shape: 33554432 triangles and parts are too many for a line; at most 262144 fit",
+        "intersect.shape.tessellated_sphere.horizontal: 33554432 triangles and parts are too many for a line; at most 262144 fit",
+    ),
+    (
+        r#"{"intersect": {"shape": {"instance": {"of": {"random_spheres": {"count": 300000, "radius": 0.1}}, "transform": []}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "intersect.shape.instance.of.random_spheres.count: 300000 triangles and parts are too many for a line; at most 262144 fit",
+    ),
+    (
+        r#"{"occluded": {"shapes": [{"compound": {"parts": [{"shape": {"lattice": {"of": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "counts": [100, 100, 100], "spacing": [3, 3, 3]}}}]}}], "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "occluded.shapes[0].compound.parts[0].shape.lattice.counts: 1000001 triangles and parts are too many for a line; at most 262144 fit",
     ),
     (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": -1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "transform": [{"translate": [0, 0, 1]}]}}"#,
@@ -297,7 +305,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"radiance": {"scene": {"image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"tessellated_sphere": {"horizontal": 4000, "vertical": 4000}}}]}, "pixel": [0, 0]}}"#,
-        "radiance.scene: 32000000 triangles and parts are too many for a line; at most 262144 fit",
+        r#"radiance.scene.objects[0] "ball", shape.tessellated_sphere.horizontal: 32000000 triangles and parts are too many for a line; at most 262144 fit"#,
     ),
     (
         r#"{"radiance": {"scene": {"tracer": {"whitted": {"max_depth": 128}}, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}, "pixel": [0, 0]}}"#,

@@ -35,7 +35,7 @@ fn ten_thousand_instances_in_one_another_are_refused() {
         assert_eq!(
             error,
             "objects[0] \"ball\", shape.instance.of.instance.of.instance.of.instance.of.instance.of\
-             .instance….instance.of: shapes are nested deeper than 64; combine their transforms",
+             .instance….instance.of: shapes are nested deeper than 64; leave out a level, or combine transforms",
             "{levels} levels"
         );
     }
