@@ -1,6 +1,8 @@
 //! Solids: a ray is outside and inside in turn as the solid's inequality says, in closed form; and
 //! margins hold for changed numbers.
 
+#![expect(clippy::disallowed_methods, reason = "compared to 1e-7: any platform's sines will do")]
+
 use super::inputs::Case;
 use crate::{
     Ray, Shape, Solid,
