@@ -8,7 +8,7 @@ use super::{
 use crate::{
     angle::{Wedge, sin_cos},
     margin::{Gate, Verdict},
-    real::{Real, V, magnitude, nearest, real},
+    real::{Real, V, nearest, real},
 };
 
 fn up() -> V {
@@ -54,49 +54,43 @@ fn arc(radius: &Real, ends: Option<[V; 2]>, reach: f64) -> Curve {
     Curve::arc(&origin(), [&(&from * radius), &(&ahead * radius)], [0.0, place], reach)
 }
 
-/// Four sides and a circle; where that reaches over the sides, eight pieces and four arcs.
+/// Four sides and a circle; where that reaches over the sides, eight pieces and four arcs. (Where they
+/// meet they slide along themselves, too, but one goes on where the other ends.)
 pub(super) fn cut_face(size: &Real, radius: &Real, beam: &Beam) -> Found {
     let half = size / real(2.0);
     let (far, hole) = (nearest(&half), nearest(radius));
     let square = radius * radius - &half * &half;
-    let whole = square <= real(0.0);
     // along a side, from its middle to where the hole leaves it
-    let gap = if whole { real(0.0) } else { square.sqrt() };
+    let gap = (square > real(0.0)).then(|| square.sqrt());
     let mut borders = Vec::new();
     let quarter_turn = |v: &V| level(v.0[2].clone(), -&v.0[0]);
     let (mut out, mut side) = (level(real(0.0), real(1.0)), level(real(1.0), real(0.0)));
     for _ in 0..4 {
         let at = |along: &Real| &(&out * &half) + &(&side * along);
-        // the ends of the pieces move with both numbers
-        let reach = 2.0 * far
-            + if whole { 0.0 } else { far * far + hole * hole }
-                / nearest(&gap).max(f64::MIN_POSITIVE);
-        if whole {
-            borders.push(Curve::line(&at(&-&half), &at(&half), 2.0 * far));
-        } else {
-            let reach = reach.min(1e3 * far);
-            borders.push(Curve::line(&at(&gap), &at(&half), reach));
-            borders.push(Curve::line(&at(&-&half), &at(&-&gap), reach));
-            let direction = |v: V| v.unit().expect("not the origin");
-            let ends = [direction(at(&gap)), direction(&(&side * &half) + &(&out * &gap))];
-            borders.push(arc(radius, Some(ends), hole.max(reach)));
+        // a corner is √2 from the middle
+        let line = |from: &Real, to: &Real| Curve::line(&at(from), &at(to), 2.0 * far);
+        match &gap {
+            None => borders.push(line(&-&half, &half)),
+            Some(gap) => {
+                borders.extend([line(gap, &half), line(&-&half, &-gap)]);
+                // around the corner between this side and the next
+                let ends = [at(gap), &(&side * &half) + &(&out * gap)];
+                let ends = ends.map(|end| end.unit().expect("a side is not the middle"));
+                borders.push(arc(radius, Some(ends), hole));
+            }
         }
         (out, side) = (quarter_turn(&out), quarter_turn(&side));
     }
-    if whole {
+    if gap.is_none() {
         borders.push(arc(radius, None, hole));
     }
     let within = |p: &V, reach: f64| {
         let gate =
-            |x: &Real| Gate::new(&(magnitude_of(x) - &half), reach + far, 0.0).not_positive();
+            |x: &Real| Gate::new(&(x.clone().max(-x) - &half), reach + far, 0.0).not_positive();
         let clear = Gate::new(&(from_axis(p) - radius), reach + hole, 0.0).not_negative();
         Verdict::all([gate(&p.0[0]), gate(&p.0[2]), clear])
     };
     face(&borders, within, beam)
-}
-
-fn magnitude_of(x: &Real) -> Real {
-    if *x < real(0.0) { -x } else { x.clone() }
 }
 
 /// What a bevel leaves of the top of a wedge, in the plane y = 0.
@@ -147,6 +141,5 @@ pub(super) fn cap(cap: &Cap, beam: &Beam) -> Found {
         });
         Verdict::all(clear.chain([radial, outer, wedge.holds(p, moved)]))
     };
-    debug_assert!(magnitude(bevel) > 0.0);
     face(&borders, within, beam)
 }

@@ -30,6 +30,15 @@ struct Seen {
     q: Real,
 }
 
+impl Seen {
+    /// Away from the axis; on the axis, where only a tube thicker than its ring gets, any way.
+    fn out(&self) -> V {
+        let [x, _, z] = &self.p.0;
+        let level = V([x.clone(), real(0.0), z.clone()]);
+        level.unit().unwrap_or_else(|| V([0.0, 0.0, 1.0].map(real)))
+    }
+}
+
 struct Torus<'a> {
     a: &'a Real,
     b: &'a Real,
@@ -89,11 +98,12 @@ impl Torus<'_> {
     }
 
     fn hit(&self, t: Real) -> Hit {
-        let Seen { p, rho, k, .. } = self.seen(&t);
-        let out = V([&p.0[0] / &rho, real(0.0), &p.0[2] / &rho]);
+        let seen = self.seen(&t);
+        let out = seen.out();
+        let Seen { p, rho, k, .. } = seen;
         let around = V([out.0[2].clone(), real(0.0), -&out.0[0]]);
         let gradient = V([&k * &out.0[0], p.0[1].clone(), &k * &out.0[2]]);
-        let bend = &k / &rho;
+        let bend = if sign(&rho).is_gt() { &k / &rho } else { real(0.0) };
         let outer = |v: &V, i: usize, j: usize| &v.0[i] * &v.0[j];
         let hessian = M(from_fn(|i| {
             V(from_fn(|j| {
@@ -207,7 +217,7 @@ impl Torus<'_> {
     /// second order.
     fn ends(&self, seen: &Seen, moves: impl Fn(&V) -> (f64, f64)) -> Vec<[(f64, bool); 2]> {
         let zero = || real(0.0);
-        let out = V([&seen.p.0[0] / &seen.rho, zero(), &seen.p.0[2] / &seen.rho]);
+        let out = seen.out();
         let z = V([zero(), zero(), real(1.0)]);
         let x = V([real(1.0), zero(), zero()]);
         let y = V([zero(), real(1.0), zero()]);

@@ -31,7 +31,7 @@ fn about_half_of_the_rays_hit() {
     for kind in Kind::ALL {
         let level = matches!(kind, Kind::PartAnnulus | Kind::CutFace);
         for family in Family::ALL {
-            let cases = cases(kind, family, 11, if kind.is_solid() { 100 } else { 200 });
+            let cases = cases(kind, family, 11, if kind.is_solid() { 40 } else { 200 });
             let hits = cases.iter().filter(|(s, r)| !intersect(s, r).roots.is_empty()).count();
             let (least, most) = match family {
                 Family::EdgesAndCorners => (40, 185), // the border counts, unless the ray turns away

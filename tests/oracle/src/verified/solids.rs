@@ -1,6 +1,8 @@
 //! Solids: a ray is outside and inside in turn as the solid's inequality says, in closed form; and
 //! margins hold for changed numbers.
 
+#![expect(clippy::disallowed_methods, reason = "compared to 1e-7: any platform's sines will do")]
+
 use super::inputs::Case;
 use crate::{
     Ray, Shape, Solid,
@@ -178,5 +180,18 @@ fn no_change_below_the_margin_changes_the_answer_of_a_solid() {
                 }
             }
         }
+    }
+}
+
+/// Law: a ray along the axis of a cylinder whose edges are rounder than its ends are wide meets the
+/// two ends, where its tori meet themselves. Oracle: the heights.
+#[test]
+fn along_the_axis_of_a_round_edged_cylinder_there_are_two_ends() {
+    let solid = Solid::BeveledCylinder { y0: 0.25, y1: 1.85, radius: 1.0, bevel: 0.75 };
+    for x in [0.0, 0.1] {
+        let ray = Ray { origin: [x, 3.0, 0.0], direction: [0.0, -1.0, 0.0] };
+        let roots = intersect(&Shape::Solid(solid.clone()), &ray).roots;
+        let ts: Vec<f64> = roots.iter().map(|root| root.t).collect();
+        assert_eq!(ts, [3.0 - 1.85, 3.0 - 0.25]);
     }
 }
