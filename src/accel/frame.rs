@@ -89,11 +89,13 @@ impl Frame {
         Aabb { min: self.point(bounds.min), max: self.point(bounds.max) }
     }
 
+    #[inline]
     fn point(&self, p: Point) -> Point {
         Point::ORIGIN + self.scale * (p - self.middle)
     }
 
     /// The ray as the frame sees it, or `None` if it passes beside all boxes.
+    #[inline]
     pub fn ray(&self, ray: &Ray) -> Option<FrameRay> {
         let origin = self.point(ray.origin).to_array();
         let longest = exponent(ray.direction.max_abs());
@@ -124,6 +126,7 @@ impl Frame {
 ///
 /// A zero direction component gives NaN where the origin lies on a plane (0·∞): the comparisons
 /// drop it, so such a ray is inside.
+#[inline]
 fn narrowed(
     (enter, leave): (f64, f64),
     near: f64,
@@ -141,11 +144,13 @@ impl FrameRay {
         Self { origin: [0.0; 3], inverse: [0.0; 3], unit: 0.0, start: 0.0, far_slack: 0.0 };
 
     /// The distance from where the ray enters the frame, of what is at `t`; monotone in `t`.
+    #[inline]
     pub fn moved(&self, t: f64) -> f64 {
         self.unit * t - self.start
     }
 
     /// How much a box (of the frame) is grown; monotone in the box.
+    #[inline]
     pub fn slack(&self, bounds: &Aabb) -> f64 {
         let side = |i: usize| bounds.max.along(i) - bounds.min.along(i);
         SIDE_SLACK * side(0).max(side(1)).max(side(2)) + self.far_slack
@@ -153,6 +158,7 @@ impl FrameRay {
 
     /// Origin, one over the direction, and the slack as nodes in single precision take them: only
     /// the far part of the slack, four times (`accel/bvh/node.rs`).
+    #[inline]
     pub fn single(&self) -> ([f64; 3], [f64; 3], f64) {
         if self.unit == 0.0 {
             return ([0.0; 3], [1.0; 3], 1e30); // everywhere
@@ -161,16 +167,19 @@ impl FrameRay {
     }
 
     /// Where the span begins, or the frame: no box lies before that.
+    #[inline]
     pub fn first(&self, span: Span) -> f64 {
         self.moved(span.min).max(0.0) // also where it is not a number
     }
 
     /// Where the span ends.
+    #[inline]
     pub fn last(&self, span: Span) -> f64 {
         self.moved(span.max).min(f64::INFINITY) // also where it is not a number
     }
 
     /// Whether a hit of the primitive in this box (of the frame) counts: the rule.
+    #[inline]
     pub fn counts(&self, bounds: &Aabb, t: f64) -> bool {
         let (near, far) = self.crossing(bounds);
         let t = self.moved(t);
@@ -180,6 +189,7 @@ impl FrameRay {
     /// The distances at which the ray enters and leaves a box (of the frame) grown by the slack;
     /// the entry is beyond the exit if it misses. Every operation is monotone, so the interval of a
     /// box contains that of every box inside it, to the last bit.
+    #[inline]
     pub fn crossing(&self, bounds: &Aabb) -> (f64, f64) {
         let slack = self.slack(bounds);
         let mut interval = (f64::NEG_INFINITY, f64::INFINITY);
@@ -195,6 +205,7 @@ impl FrameRay {
 
 /// `e` with `2^e ≤ x < 2^(e + 1)`, for a positive normal number; −1023 for 0 and what is too small,
 /// 1024 for what is no number.
+#[inline]
 fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
 }

@@ -20,8 +20,8 @@ use frame::Frame;
 use search::{Among, Any, Nearest};
 
 pub use bvh::{LeafCost, OneByOne};
+pub(crate) use kernel::Instructions;
 pub use kernel::Kernel;
-pub(crate) use kernel::{Instructions, prefetch};
 
 /// How the primitives are searched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -57,10 +57,12 @@ pub trait Primitives {
         u8::MAX
     }
 
-    /// Is told of a leaf that will probably be asked for.
+    /// Where in memory the content of a leaf begins, which will probably be asked for; anywhere if
+    /// it is not worth fetching beforehand.
     #[inline(always)]
-    fn expect(&self, leaf: u32) {
+    fn place(&self, leaf: u32) -> *const u8 {
         let _ = leaf;
+        std::ptr::null()
     }
 
     /// A primitive at its place in a leaf, where it may be nearer at hand than by its number, which

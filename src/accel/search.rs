@@ -49,8 +49,8 @@ pub trait Search {
         index: impl FnOnce() -> Option<u32>,
     ) -> bool;
 
-    /// See [`Primitives::expect`].
-    fn expect(&self, leaf: u32);
+    /// See [`Primitives::place`].
+    fn place(&self, leaf: u32) -> *const u8;
 
     /// See [`Primitives::sift`].
     fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
@@ -113,8 +113,8 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
     }
 
     #[inline(always)]
-    fn expect(&self, leaf: u32) {
-        self.among.primitives.expect(leaf);
+    fn place(&self, leaf: u32) -> *const u8 {
+        self.among.primitives.place(leaf)
     }
 
     #[inline(always)]
@@ -170,8 +170,8 @@ impl<P: Primitives> Search for Any<'_, P> {
     }
 
     #[inline(always)]
-    fn expect(&self, leaf: u32) {
-        self.among.primitives.expect(leaf);
+    fn place(&self, leaf: u32) -> *const u8 {
+        self.among.primitives.place(leaf)
     }
 
     #[inline(always)]

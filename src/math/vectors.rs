@@ -67,7 +67,7 @@ macro_rules! coordinates {
 
             /// The coordinate along axis 0, 1 or 2.
             pub fn along(self, axis: usize) -> f64 {
-                self.0[axis]
+                self.to_array()[axis] // not `self.0[axis]`, which is a chain of branches
             }
 
             /// The three coordinates.
@@ -220,13 +220,8 @@ impl Vector {
     /// The axis (0, 1, 2) along which the component is largest, without its sign.
     pub fn dominant_axis(self) -> usize {
         let a = self.0.abs();
-        if a.x > a.y {
-            if a.x > a.z { 0 } else { 2 }
-        } else if a.y > a.z {
-            1
-        } else {
-            2
-        }
+        let (axis, larger) = if a.x > a.y { (0, a.x) } else { (1, a.y) };
+        if larger > a.z { axis } else { 2 }
     }
 }
 

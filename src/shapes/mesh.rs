@@ -211,10 +211,8 @@ impl Primitives for Seen<'_> {
     }
 
     #[inline(always)]
-    fn expect(&self, leaf: u32) {
-        if let Some(block) = self.blocks.get(leaf as usize) {
-            accel::prefetch(block);
-        }
+    fn place(&self, leaf: u32) -> *const u8 {
+        self.blocks.as_ptr().wrapping_add(leaf as usize).cast()
     }
 
     #[inline(always)]

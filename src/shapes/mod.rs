@@ -273,6 +273,11 @@ fn of_supported_size(shape: Arc<dyn Shape>) -> Result<Arc<dyn Shape>, Invalid> {
     }
     let farthest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
     let extent = bounds.extent().max_abs();
+    if extent == 0.0 {
+        let problem = "too small to be told from a point at its coordinates: make it larger, or move it \
+                       nearer to the origin";
+        return Err(Invalid::new(problem));
+    }
     let found = if farthest > *LENGTHS.end() {
         format!("found coordinates up to {}", shown(farthest))
     } else if extent < *LENGTHS.start() {

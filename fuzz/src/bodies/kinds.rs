@@ -72,8 +72,12 @@ fn surface(choice: u8, input: &mut Input<'_>) -> Kind {
         }
         1 => {
             let ([inner_radius, outer_radius], phi) = (sizes(input), azimuths(input));
-            let down = input.byte() % 2 == 1;
-            shapes::PartAnnulus { center, inner_radius, outer_radius, phi, down }.into()
+            let normal = match input.byte() % 3 {
+                0 => Vector::Y,
+                1 => -Vector::Y,
+                _ => input.vector(), // refused, most of the time
+            };
+            shapes::PartAnnulus { center, inner_radius, outer_radius, phi, normal }.into()
         }
         2 => shapes::Cone { height: size(input), radius: size(input), inward }.into(),
         3 => shapes::Paraboloid { height: size(input), radius: size(input), inward }.into(),

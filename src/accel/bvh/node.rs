@@ -72,6 +72,7 @@ impl Box32 {
 }
 
 impl Ray32 {
+    #[inline]
     pub fn new(ray: &FrameRay, span: Span) -> Self {
         let (origin, inverse, slack) = ray.single();
         let ahead = inverse.map(|i| if i.is_sign_negative() { -slack } else { slack });

@@ -132,13 +132,13 @@ impl Bvh {
         u64::from(near[slot].to_bits()) << 32 | u64::from(node.children[slot])
     }
 
-    /// Has what will be visited brought nearer in memory.
+    /// Has what will be visited brought nearer in memory. Both addresses are worked out, because
+    /// which of them it is can hardly be predicted.
     #[inline(always)]
     fn expect<S: Search>(&self, search: &S, child: u32) {
-        match self.nodes.get(child as usize) {
-            Some(node) => prefetch(node),
-            None => search.expect(child & !LEAF),
-        }
+        let node = self.nodes.as_ptr().wrapping_add(child as usize).cast();
+        let leaf = search.place(child & !LEAF);
+        prefetch(if child & LEAF == 0 { node } else { leaf });
     }
 
     /// Shows the search the primitives of a leaf; says whether it has enough.

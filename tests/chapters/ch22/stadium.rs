@@ -25,10 +25,12 @@ fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dy
                 shapes::Box { min, max }.into()
             }
         };
-        // where coordinates have too few digits for their size, boxes and triangles are refused
-        kind.build(&mut Context::default()).unwrap_or_else(|_| built(sphere))
+        // where coordinates have too few digits for their size, boxes and triangles are refused, and
+        // even spheres
+        let build = |kind: Kind| kind.build(&mut Context::default()).ok();
+        build(kind).or_else(|| build(sphere.into()))
     };
-    (0..count).map(thing).collect()
+    (0..count).filter_map(thing).collect()
 }
 
 /// Walls and pillars from −1 to 1.
@@ -68,7 +70,7 @@ fn acceleration_equals_the_list_in_a_stadium() {
                 hits += usize::from(both.check(ray, span, &format!("2^-{exponent}, {middle:?}")));
                 count += 1;
             };
-            let near = size.log10();
+            let near = -f64::from(exponent) * std::f64::consts::LOG10_2;
             for _ in 0..400 {
                 check(&ray_at(&mut draw, middle, size, near, 0.0), Span::AHEAD);
                 check(&ray_at(&mut draw, elsewhere, inner, near - 6.0, 0.0), Span::AHEAD);
