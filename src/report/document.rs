@@ -37,7 +37,8 @@ figcaption { font-size: 0.9em; max-width: 48em; color: #333; }
 @page { size: A4; margin: 14mm; }
 @media print {
   body { margin: 0; max-width: none; padding: 0; font-size: 10.5pt; }
-  section { break-before: page; border-top: none; margin-top: 0; }
+  section { border-top: none; margin-top: 0; }
+  section ~ section { break-before: page; }
   table { font-size: 7.5pt; }
   td, th { padding: 0.1em 0.35em; }
 }

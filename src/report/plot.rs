@@ -38,7 +38,7 @@ pub struct Plot {
     pub limit: Option<(f64, String)>,
 }
 
-const SIZE: (u32, u32) = (640, 400);
+const SIZE: (u32, u32) = (640, 440);
 const FONT: &str = "sans-serif";
 /// Dark enough for paper, and different in grey too.
 const COLORS: [RGBColor; 5] = [
@@ -62,10 +62,11 @@ impl Plot {
     }
 
     fn draw(&self, area: &Area<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
-        let all = || self.series.iter().flat_map(|series| visible(&series.points));
+        let points: Vec<(f64, f64)> =
+            self.series.iter().flat_map(|series| visible(&series.points)).collect();
         let limit = self.limit.as_ref().map(|(y, _)| *y);
-        let [x0, x1] = range(all().map(|p| p.0), 0.06);
-        let [y0, y1] = range(all().map(|p| p.1).chain(limit), 0.06);
+        let [x0, x1] = range(points.iter().map(|p| p.0), 0.06);
+        let [y0, y1] = range(points.iter().map(|p| p.1).chain(limit), 0.06);
         let mut chart = ChartBuilder::on(area)
             .margin(8)
             .margin_right(24)
@@ -96,6 +97,7 @@ impl Plot {
             let words = Text::new(words.clone(), (4, -16), style);
             chart.draw_series([EmptyElement::at((x0, *y)) + words])?;
         }
+        let mut labels = Labels { x: [x0, x1], y: [y0, y1], taken: Vec::new() };
         for (index, series) in self.series.iter().enumerate() {
             let color = COLORS[index % COLORS.len()];
             let line: Vec<(f64, f64)> = match series.fit {
@@ -122,13 +124,13 @@ impl Plot {
             });
             let words = series.points.iter().zip(&series.labels).map(|(&at, label)| {
                 let style = (FONT, 11).into_font().color(&color);
-                EmptyElement::at(at) + Text::new(label.clone(), (6, -12), style)
+                EmptyElement::at(at) + Text::new(label.clone(), labels.place(at), style)
             });
             chart.draw_series(words)?;
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperLeft)
+            .position(emptiest_corner(&points, [x0, x1], [y0, y1]))
             .background_style(WHITE.mix(0.85))
             .border_style(GRID)
             .label_font((FONT, 13))
@@ -136,6 +138,60 @@ impl Plot {
         area.present()?;
         Ok(())
     }
+}
+
+/// Where words beside points stand: not on each other, as far as there is a place.
+struct Labels {
+    x: [f64; 2],
+    y: [f64; 2],
+    /// In pixels.
+    taken: Vec<(i32, i32)>,
+}
+
+impl Labels {
+    /// The offset in pixels of the words of a point.
+    fn place(&mut self, (x, y): (f64, f64)) -> (i32, i32) {
+        let pixel = |share: f64, pixels: u32| (share * f64::from(pixels)) as i32;
+        let at =
+            (pixel(share(x, self.x), SIZE.0 - 100), pixel(1.0 - share(y, self.y), SIZE.1 - 60));
+        let moved = |&(dx, dy): &(i32, i32)| (at.0 + dx, at.1 + dy);
+        let free = |offset: &&(i32, i32)| {
+            let (x, y) = moved(offset);
+            self.taken.iter().all(|t| (t.0 - x).abs() > 12 || (t.1 - y).abs() > 10)
+        };
+        let offsets = [(6, -12), (6, 3), (-16, -12), (-16, 3), (-4, -20), (-4, 10), (-4, -30)];
+        let offset = offsets.iter().find(free).unwrap_or(&offsets[0]);
+        self.taken.push(moved(offset));
+        *offset
+    }
+}
+
+/// How far along a logarithmic axis a value lies, from 0 to 1.
+fn share(value: f64, [low, high]: [f64; 2]) -> f64 {
+    ln(value / low) / ln(high / low)
+}
+
+/// The corner for the legend: the one with the fewest points.
+fn emptiest_corner(
+    points: &[(f64, f64)],
+    x_range: [f64; 2],
+    y_range: [f64; 2],
+) -> SeriesLabelPosition {
+    let inside = |left: bool, upper: bool| {
+        let beside = |share: f64, low: bool| if low { share < 0.35 } else { share > 0.65 };
+        let here = |&&(x, y): &&(f64, f64)| {
+            beside(share(x, x_range), left) && beside(share(y, y_range), !upper)
+        };
+        points.iter().filter(here).count()
+    };
+    let corners = [
+        (inside(true, true), SeriesLabelPosition::UpperLeft),
+        (inside(false, true), SeriesLabelPosition::UpperRight),
+        (inside(false, false), SeriesLabelPosition::LowerRight),
+        (inside(true, false), SeriesLabelPosition::LowerLeft),
+    ];
+    let [first, others @ ..] = corners;
+    others.into_iter().fold(first, |best, other| if other.0 < best.0 { other } else { best }).1
 }
 
 /// Powers of ten; where these are few, also twice and five times them.
