@@ -51,8 +51,11 @@ impl Shoulder {
         if !(line.m.length_squared() < end * end && slope(-end) < 0.0 && slope(end) > 0.0) {
             return crossings;
         }
-        // the distance is stationary there: half of the digits are enough
-        let coarse = Tolerance { value: 0.0, step: 1e-9 * size };
+        // there the square of the distance is stationary, its second slope at most 2, so a step δ
+        // beside it costs δ², which may be some of the rounding of the square, 2 u size distance:
+        // half of the digits are enough, but of a thin edge, that is of its chords, not of the disk
+        let step = 0.1 * (UNIT_ROUNDOFF * size * self.distance).sqrt();
+        let coarse = Tolerance { value: 0.0, step };
         let slopes = |s: f64| {
             let [_, slope, bend] = self.squared(line, s);
             [slope, bend]

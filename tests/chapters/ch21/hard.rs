@@ -1,12 +1,12 @@
 //! Instances against exact arithmetic, on hard cases.
 
-use groundtruth::math::{Point, Step, Transform, Vector};
+use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Context, Instance, Kind, Rectangle};
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
 use crate::draw::Draw;
-use crate::hard_cases::{Pair, instanced, judge_all, sweep, sweep_as};
+use crate::hard_cases::{Pair, instanced, judge_all, pair, sweep, sweep_as};
 
 /// Law: an instance is hit as exactly as the condition of its matrix allows. Oracle: 512-bit
 /// arithmetic on the matrix as the library has it.
@@ -124,4 +124,32 @@ beveled! {
     beveled_cylinders_are_the_union_of_their_parts beveled_cylinders_thoroughly BeveledCylinder;
     beveled_rings_are_the_union_of_their_parts beveled_rings_thoroughly BeveledRing;
     beveled_wedges_are_the_union_of_their_parts beveled_wedges_thoroughly BeveledWedge;
+}
+
+/// Rays that cut round edges of 10⁻⁷ to 10⁻¹ of a cylinder's size in chords of 10⁻⁴ to 1 of the edge.
+fn short_chords(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
+    let mut draw = Draw::new(2113);
+    (0..count).map(move |index| {
+        let size = draw.decades(-3.0, 3.0);
+        let bevel = size * draw.decades(-7.0, -1.0);
+        let (y0, y1) = (-size, size * draw.between(0.0, 1.0));
+        let solid = oracle::Solid::BeveledCylinder { y0, y1, radius: size, bevel };
+        // in the half-plane z = 0: a point of the tube, seen from its middle, and across that
+        let angle = draw.between(1.0, 89.0);
+        let out = Vector::new(cos_degrees(angle), sin_degrees(angle), 0.0);
+        let across = Vector::new(-out.y(), out.x(), 0.1 * draw.between(-1.0, 1.0));
+        let chord = bevel * draw.decades(-4.0, 0.0);
+        let deep = bevel - 0.125 * chord * chord / bevel;
+        let middle = Point::new(size - bevel, y1 - bevel, 0.0) + deep * out;
+        let origin = middle - (size * draw.between(0.1, 2.0)) * across;
+        let ray = oracle::Ray { origin: origin.into(), direction: across.into() };
+        let pair = pair(&Shape::Solid(solid)).expect("valid");
+        (format!("chord {index}"), pair, ray)
+    })
+}
+
+/// Law: thin edges are hit by what cuts them short, too. Oracle: as above.
+#[test]
+fn short_chords_of_thin_edges_are_found() {
+    judge_all(short_chords(600));
 }
