@@ -47,17 +47,12 @@ impl Specification for Box {
     }
 }
 
-/// A product by the reciprocal is off by up to 3u; with this factor never to the near side. So a
-/// segment that ends in front of a face (a shadow ray to a point of it) does not reach it by rounding,
-/// as it would not by a division, which is monotone but takes three times as long.
-const BEYOND: f64 = 1.0 + 4.0 * UNIT_ROUNDOFF;
-
 impl Box {
-    /// Where the line enters and leaves each of the three slabs, times `scale`. A ray in the plane of
-    /// a face (NaN, from `0·∞`) is inside that slab: [`Box::within`] and [`face`] pass over it.
-    fn slabs(&self, ray: &Ray, scale: f64) -> [[f64; 3]; 2] {
+    /// Where the line enters and leaves each of the three slabs. A ray in the plane of a face (NaN,
+    /// from `0·∞`) is inside that slab: [`Box::within`] passes over it.
+    fn slabs(&self, ray: &Ray) -> [[f64; 3]; 2] {
         let slab = |axis: usize| {
-            let (o, inverse) = (ray.origin.along(axis), scale / ray.direction.along(axis));
+            let (o, inverse) = (ray.origin.along(axis), 1.0 / ray.direction.along(axis));
             let low = (self.min.along(axis) - o) * inverse;
             let high = (self.max.along(axis) - o) * inverse;
             if inverse.is_sign_negative() { (high, low) } else { (low, high) }
@@ -78,26 +73,41 @@ impl Box {
 
     /// Where the line enters and leaves the box.
     pub(super) fn chord(&self, ray: &Ray) -> Option<[f64; 2]> {
-        Self::within(&self.slabs(ray, 1.0))
+        Self::within(&self.slabs(ray))
     }
 }
 
-/// The hit at `t`, which is where one of the slabs ends; `far` if it is left there. Faces are
-/// numbered `2·axis`, and one more on the side of `max`.
-fn face(slabs: &[f64; 3], t: f64, far: bool, ray: &Ray) -> Candidate {
-    let axis = if slabs[0] == t { 0 } else { 2 - usize::from(slabs[1] == t) };
-    let is_max = far != ray.direction.along(axis).is_sign_negative();
-    Candidate { part: 2 * axis as u32 + u32::from(is_max), ..Candidate::at(t) }
+impl Box {
+    /// The hit where the line enters the slab that it enters at `t`, or leaves it if `far`. Faces are
+    /// numbered `2·axis`, and one more on the side of `max`.
+    ///
+    /// The reciprocal has found the slab; the division is monotone, so that a segment that ends in
+    /// front of the face does not reach it by rounding.
+    fn face(&self, slabs: &[f64; 3], t: f64, far: bool, ray: &Ray) -> Candidate {
+        let axis = if slabs[0] == t { 0 } else { 2 - usize::from(slabs[1] == t) };
+        let (o, d) = (ray.origin.to_array()[axis], ray.direction.to_array()[axis]);
+        let is_max = far != d.is_sign_negative();
+        let plane = if is_max { self.max } else { self.min }.to_array()[axis];
+        Candidate { part: 2 * axis as u32 + u32::from(is_max), ..Candidate::at((plane - o) / d) }
+    }
+
+    /// The hit where the line leaves the box; not before the other one, which at an edge it would
+    /// be by rounding.
+    fn exit(&self, slabs: &[[f64; 3]; 2], last: f64, near: &Candidate, ray: &Ray) -> Candidate {
+        let far = self.face(&slabs[1], last, true, ray);
+        if far.t < near.t { Candidate { t: near.t, ..far } } else { far }
+    }
 }
 
 impl Shape for Box {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let slabs = self.slabs(ray, BEYOND);
+        let slabs = self.slabs(ray);
         let [first, last] = Self::within(&slabs)?;
-        if span.contains(first) {
-            return Some(face(&slabs[0], first, false, ray));
+        let near = self.face(&slabs[0], first, false, ray);
+        if span.contains(near.t) {
+            return Some(near);
         }
-        span.contains(last).then(|| face(&slabs[1], last, true, ray))
+        Some(self.exit(&slabs, last, &near, ray)).filter(|far| span.contains(far.t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -112,9 +122,10 @@ impl Shape for Box {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        let slabs = self.slabs(ray, BEYOND);
+        let slabs = self.slabs(ray);
         let Some([first, last]) = Self::within(&slabs) else { return Vec::new() };
-        let mut faces = vec![face(&slabs[0], first, false, ray), face(&slabs[1], last, true, ray)];
+        let near = self.face(&slabs[0], first, false, ray);
+        let mut faces = vec![near, self.exit(&slabs, last, &near, ray)];
         faces.retain(|face| span.contains(face.t));
         faces
     }

@@ -107,14 +107,15 @@ impl ShearedRay {
                 return None;
             }
         }
-        let inverse = 1.0 / (u + v + w);
-        let t = (u * az + v * bz + w * cz) * inverse;
+        let sum = u + v + w;
+        let t = (u * az + v * bz + w * cz) / sum; // no slower: it need not wait for the reciprocal
         if t.is_nan() {
             return None;
         }
         // the true t lies between the depths of the corners; a rounded one must too, or a
         // bounding box could hide it from one accelerator and not from another
         let t = t.clamp(least(az, bz, cz), greatest(az, bz, cz));
+        let inverse = 1.0 / sum;
         Some(Meeting { t, barycentric: [v * inverse, w * inverse] })
     }
 }
