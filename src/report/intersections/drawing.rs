@@ -29,9 +29,9 @@ fn explanation(data: &Data) -> String {
     format!(
         "<p>Compared are this library's routine for each of {kinds} shapes and the textbook's: the \
          formula as the book prints it, with its constant epsilon (kinds without a textbook form show \
-         ours alone). Both get the same rays, {cases} for each shape (a quarter for tori and other \
-         surfaces of high degree or of many parts, whose truth takes long) in each of twelve families: \
-         ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
+         ours alone). Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
+         surfaces of high degree and solids of many parts, whose truth takes long) in each of twelve \
+         families: ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
          tiny, huge and thin shapes, …). The truth is computed with 512 bits.</p>\n\
          <p>An error is counted in units of u·cond: how far the distance moves if the input is \
          wrong in its last bit. An error of 1 is as good as any routine can promise, up to {ALLOWED} \

@@ -70,22 +70,30 @@ pub struct Routine {
     pub miss_ns: Option<f64>,
 }
 
-/// Of degree 4 and above, or of many parts: their exact answers take fifty times as long as the
+/// Of degree 4 and above, or of some parts: their exact answers take ten times as long as the
 /// others'.
 const SLOW: [&str; 8] = [
     "Torus",
     "PartTorus",
     "Algebraic",
-    "RoundRimmedBowl",
-    "BeveledBox",
-    "BeveledCylinder",
-    "BeveledRing",
-    "BeveledWedge",
+    "SolidCylinder",
+    "SolidCone",
+    "ThickRing",
+    "FlatRimmedBowl",
+    "ConcaveLens",
 ];
+/// Of parts of degree 4, or of some dozens of parts.
+const SLOWEST: [&str; 5] =
+    ["RoundRimmedBowl", "BeveledBox", "BeveledCylinder", "BeveledRing", "BeveledWedge"];
 
 /// How many rays a kind of this name gets for each family.
 fn rays(kind: &str, settings: &Settings) -> usize {
-    if SLOW.contains(&kind) { settings.cases.div_ceil(4) } else { settings.cases }
+    let share = match kind {
+        kind if SLOW.contains(&kind) => 4,
+        kind if SLOWEST.contains(&kind) => 16,
+        _ => 1,
+    };
+    settings.cases.div_ceil(share)
 }
 
 impl Page for Intersections {
