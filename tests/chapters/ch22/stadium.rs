@@ -3,9 +3,9 @@
 
 use std::sync::Arc;
 
-use groundtruth::accel::{Accel, Counts, Method, Primitives};
+use groundtruth::accel::{Accel, Counts, Kernel, Method, Primitives};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, power};
-use groundtruth::shapes::{self, Candidate, Context, Kind, Shape, Sphere, Triangle};
+use groundtruth::shapes::{self, Candidate, Context, Kind, Shape, Sphere, Triangle, TriangleMesh};
 
 use super::searched::{self, Both, Seen, built};
 use crate::draw::Draw;
@@ -81,6 +81,48 @@ fn acceleration_equals_the_list_in_a_stadium() {
             assert!(5 * hits > count, "2^-{exponent}: {hits} of {count} hit");
         }
     }
+}
+
+/// Law: a mesh with fine detail in one place, whose leaves are blocks of triangles, has the hits of
+/// its list, with every kernel; and its triangles are all there. Oracle: the list.
+#[test]
+fn a_mesh_with_fine_detail_equals_its_list() {
+    let mut draw = Draw::new(2293);
+    let detail = Point::new(0.25, -0.5, 0.125);
+    let size = power(2.0, -17.0);
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for i in 0..600 {
+        let (middle, size) = if i < 40 { (Point::ORIGIN, 1.0) } else { (detail, size) };
+        let corner = middle + draw.vector(0.8 * size);
+        let first = vertices.len() as u32;
+        vertices.extend([
+            corner,
+            corner + draw.vector(0.2 * size),
+            corner + draw.vector(0.2 * size),
+        ]);
+        triangles.push([first, first + 1, first + 2]);
+    }
+    let build = |method, kernel| {
+        TriangleMesh::new(vertices.clone(), triangles.clone()).accelerated_for(method, kernel)
+    };
+    let list = build(Method::List, Kernel::PLAIN);
+    let trees: Vec<_> =
+        Kernel::available().into_iter().map(|kernel| build(Method::Bvh, kernel)).collect();
+    let (mut hits, mut counts) = (0, Counts::default());
+    for i in 0..6_000 {
+        let (low, high) = if i % 2 == 0 { (-6.0, -4.0) } else { (-1.0, 6.0) };
+        let ray = ray_at(&mut draw, detail, size, low, high);
+        let first = list.hit(&ray, Span::AHEAD);
+        for tree in &trees {
+            assert_eq!(tree.hit(&ray, Span::AHEAD), first, "{ray:?}");
+            let shadow = tree.shadow_hit(&ray, Span::AHEAD);
+            assert_eq!(shadow.is_some(), first.is_some(), "shadow of {ray:?}");
+        }
+        trees[0].hit_counted(&ray, Span::AHEAD, &mut counts);
+        hits += usize::from(first.is_some());
+    }
+    assert!(hits > 3_000, "{hits}");
+    assert!(counts.tests + counts.steps < 30 * 6_000, "{counts:?}");
 }
 
 /// Boxes that say they are hit where a ray is nearest to their middle, wherever that is: what counts
