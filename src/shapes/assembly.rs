@@ -137,9 +137,7 @@ impl Assembly {
         let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
         (&self.parts[index], Candidate { leaf: at.leaf - self.leaves[index], ..*at })
     }
-}
 
-impl Assembly {
     /// Whether two hits in a row are one: where parts of a smooth solid reach over a seam a ray meets
     /// both, in planes that rounding cannot tell apart, from the same side. Between two true hits it
     /// goes in and out.

@@ -75,9 +75,7 @@ impl Box {
     pub(super) fn chord(&self, ray: &Ray) -> Option<[f64; 2]> {
         Self::within(&self.slabs(ray))
     }
-}
 
-impl Box {
     /// The hit where the line enters the slab that it enters at `t`, or leaves it if `far`. Faces are
     /// numbered `2·axis`, and one more on the side of `max`.
     ///
