@@ -48,6 +48,12 @@ pub trait Sampler: Debug + Send + Sync {
 
     /// The least number of points, at least `n`, that the pattern can have.
     fn round_up(&self, n: u32) -> u32;
+
+    /// Whether each draw shifts the whole set by a random vector, across the edges of the square
+    /// (Cranley & Patterson 1976): for patterns that have one set only.
+    fn is_shifted(&self) -> bool {
+        false
+    }
 }
 
 crate::kinds! {

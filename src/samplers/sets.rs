@@ -1,7 +1,7 @@
 //! The book's 83 sets and shuffled indices, without its shared `count` and `jump`.
 
 use super::Sampler;
-use crate::math::{Pcg32, hash};
+use crate::math::{ONE_MINUS, Pcg32, hash};
 
 /// As many sets as in the book: a prime.
 pub const SETS: usize = 83;
@@ -14,13 +14,41 @@ pub struct SampleSets {
     permutations: Vec<u32>,
     /// The sample that all are, if they are: there is nothing to draw then.
     only: Option<[f64; 2]>,
+    /// Whether each draw moves its samples; see [`Sampler::is_shifted`].
+    shifted: bool,
 }
 
 /// What a draw is for; draws for different things are independent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// The place in the pixel.
-    Pixel = 1,
+    Pixel,
+    /// The place on the lens.
+    Lens,
+    /// A point of a light, seen from a hit.
+    Light {
+        /// The hit's ray: its number in the ray tree, 0 for the camera's.
+        node: u32,
+        /// The light's place in the scene.
+        light: u32,
+    },
+    /// The direction in which a ray goes on from a hit.
+    Bounce {
+        /// The hit's ray: its number in the ray tree, 0 for the camera's.
+        node: u32,
+    },
+}
+
+impl Purpose {
+    /// Different for different purposes.
+    fn words(self) -> [u64; 3] {
+        match self {
+            Self::Pixel => [1, 0, 0],
+            Self::Lens => [2, 0, 0],
+            Self::Light { node, light } => [3, node.into(), light.into()],
+            Self::Bounce { node } => [4, node.into(), 0],
+        }
+    }
 }
 
 /// Names a draw: it decides on the set and the permutation.
@@ -39,7 +67,8 @@ impl Key {
 
     fn hash(self) -> u64 {
         let [x, y] = self.pixel.map(u64::from);
-        hash(&[self.seed, x, y, self.purpose as u64])
+        let [what, node, light] = self.purpose.words();
+        hash(&[self.seed, x, y, what, node, light])
     }
 }
 
@@ -56,8 +85,10 @@ impl SampleSets {
             random.shuffle(&mut permutation);
             permutations.extend(permutation);
         }
-        let only = samples.first().copied().filter(|first| samples.iter().all(|s| s == first));
-        Self { per_set, samples, permutations, only }
+        let shifted = sampler.is_shifted();
+        let only = samples.first().copied();
+        let only = only.filter(|first| !shifted && samples.iter().all(|s| s == first));
+        Self { per_set, samples, permutations, only, shifted }
     }
 
     /// The number of samples that use up a set: `n`, or the next square where the pattern needs one.
@@ -72,7 +103,10 @@ impl SampleSets {
     }
 
     /// Sample `index` of a draw. Each run of [`SampleSets::per_set`] indices returns every sample
-    /// of one set exactly once; the next run has a set and a permutation of its own.
+    /// of one set exactly once; the next run has a set and an order of its own.
+    ///
+    /// The order is one of the 83 permutations, begun at any of its places: without that, each
+    /// 83rd pixel would pair two draws of the same permutation, cell by cell.
     pub fn draw(&self, key: Key, index: u32) -> [f64; 2] {
         if let Some(only) = self.only {
             return only; // without the hashes, a tenth of what a simple scene's pixel takes
@@ -80,8 +114,23 @@ impl SampleSets {
         let n = self.per_set as usize;
         let (run, place) = (index as usize / n, index as usize % n);
         let choice = hash(&[key.hash(), run as u64]);
-        let set = choice as u32 as usize % SETS;
-        let permutation = (choice >> 32) as usize % SETS;
-        self.samples[set * n + self.permutations[permutation * n + place] as usize]
+        // the choice, written as digits to the bases 83, 83, n
+        let (set, rest) = ((choice % SETS as u64) as usize, choice / SETS as u64);
+        let (permutation, rest) = ((rest % SETS as u64) as usize, rest / SETS as u64);
+        let start = (rest % n as u64) as usize;
+        let permutation = &self.permutations[permutation * n..][..n];
+        let sample = self.samples[set * n + permutation[(start + place) % n] as usize];
+        if self.shifted { shifted(sample, choice) } else { sample }
     }
+}
+
+/// The sample moved across the edges of the square, by a vector that follows from the choice
+/// (Cranley & Patterson 1976).
+fn shifted(sample: [f64; 2], choice: u64) -> [f64; 2] {
+    let mut random = Pcg32::new(choice, 1);
+    sample.map(|x| {
+        let moved = x + random.uniform();
+        // a sum just below 2 may round up to 2
+        if moved < 1.0 { moved } else { (moved - 1.0).min(ONE_MINUS) }
+    })
 }
