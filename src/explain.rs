@@ -7,7 +7,7 @@ use std::fmt::{self, Write as _};
 
 use serde::Serialize;
 
-use crate::render;
+use crate::render::{self, CameraSample};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
 use crate::trace::{RayKind, RayTree, RecordedOutcome, What};
@@ -35,12 +35,17 @@ pub struct SampleExplanation {
     pub index: u32,
     /// Where it is on the view plane, in world units from its centre.
     pub film: [f64; 2],
+    /// Where it is on the lens, in the unit disk, if the camera has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lens: Option<[f64; 2]>,
+    /// What the filter lets it count.
+    pub weight: f64,
     /// What it adds to the mean.
     pub radiance: Rgb,
     /// Whether all its rays are shown; a tree of more than a million is cut off.
     pub complete: bool,
-    /// The camera's ray and all that came of it.
-    pub ray: RayExplanation,
+    /// The camera's ray and all that came of it; `None` where the camera sees nothing.
+    pub ray: Option<RayExplanation>,
 }
 
 /// One ray explained.
@@ -138,9 +143,10 @@ pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -
 pub fn sample(scene: &Scene, world: &World, pixel: [u32; 2], index: u32) -> SampleExplanation {
     let mut tree = RayTree::default();
     let radiance = render::sample(world, pixel, index, &mut tree);
-    let (_, film) = render::camera_ray(world, pixel, index);
+    let CameraSample { film, lens, weight, ray, .. } = render::camera_sample(world, pixel, index);
     let complete = tree.is_complete();
-    SampleExplanation { index, film, radiance, complete, ray: ray(scene, &tree) }
+    let ray = ray.map(|_| explain(scene, &tree, 0, Rgb::grey(weight)));
+    SampleExplanation { index, film, lens, weight, radiance, complete, ray }
 }
 
 /// Explains a recorded tree.
@@ -314,14 +320,24 @@ impl fmt::Display for PixelExplanation {
         )?;
         for sample in &self.samples {
             let [px, py] = sample.film;
-            writeln!(
+            write!(
                 f,
                 "\nsample {} at ({}, {}) on the view plane",
                 sample.index,
                 brief(px),
                 brief(py)
             )?;
-            write!(f, "{}", sample.ray)?;
+            if let Some([lx, ly]) = sample.lens {
+                write!(f, ", ({}, {}) on the lens", brief(lx), brief(ly))?;
+            }
+            if sample.weight != 1.0 {
+                write!(f, ", counts {} by the filter", brief(sample.weight))?;
+            }
+            writeln!(f)?;
+            match &sample.ray {
+                Some(ray) => write!(f, "{ray}")?,
+                None => writeln!(f, "no ray: the camera sees nothing there")?,
+            }
             if !sample.complete {
                 writeln!(
                     f,

@@ -137,6 +137,19 @@ pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
     ))
 }
 
+/// `value`, if it lies in this range.
+pub fn within(
+    field: &str,
+    value: f64,
+    range: std::ops::RangeInclusive<f64>,
+) -> Result<f64, Invalid> {
+    if range.contains(&value) {
+        return Ok(value);
+    }
+    let [least, most] = [range.start(), range.end()].map(|&end| shown(end));
+    Err(Invalid::field(field, format!("found {}, but {least} to {most} fit", shown(value))))
+}
+
 /// `p`, if its coordinates are finite.
 pub fn finite_point(field: &str, p: Point) -> Result<Point, Invalid> {
     if p.is_finite() {

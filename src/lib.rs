@@ -9,12 +9,14 @@
 //! measures what to choose, [`probe`] answers questions in JSON.
 //!
 //! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
-//! lights, cameras, samplers → lobes, textures → accel ⇄ shapes → math`.
+//! lights, cameras, samplers, filters → lobes, textures → accel ⇄ shapes → math`.
 
 pub mod accel;
+pub mod background;
 pub mod cameras;
 pub mod explain;
 pub mod film;
+pub mod filters;
 pub mod gallery;
 pub mod invalid;
 pub mod kinds;

@@ -12,19 +12,35 @@ use rayon::prelude::*;
 use crate::film::Film;
 use crate::math::Ray;
 use crate::rgb::Rgb;
-use crate::samplers::{Key, Purpose};
+use crate::samplers::{Key, Purpose, maps};
 use crate::scene::Image;
 use crate::trace::{self, Recorder};
 use crate::world::World;
 
-/// The camera ray of a sample, and its place on the view plane.
-pub fn camera_ray(world: &World, pixel: [u32; 2], index: u32) -> (Ray, [f64; 2]) {
-    let key = Key::new(world.seed, pixel, Purpose::Pixel);
-    let film = film_place(&world.image, pixel, world.pixel_samples.draw(key, index));
-    (world.view.ray(film), film)
+/// How a sample passes through filter and camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CameraSample {
+    /// The place on the film, in world units from its centre.
+    pub film: [f64; 2],
+    /// The place on the lens, in the unit disk; `None` if the camera has none.
+    pub lens: Option<[f64; 2]>,
+    /// What its radiance is multiplied by, from the filter.
+    pub weight: f64,
+    /// Its ray, with a unit direction; `None` where the camera sees nothing, and the picture is black.
+    pub ray: Option<Ray>,
 }
 
-/// Where a place in a pixel, `[0, 1]²` from its lower left corner, lies on the view plane.
+/// The way of a sample of a pixel through filter and camera.
+pub fn camera_sample(world: &World, pixel: [u32; 2], index: u32) -> CameraSample {
+    let draw = |purpose| world.samples.draw(Key::new(world.seed, pixel, purpose), index);
+    let [(x, weight_x), (y, weight_y)] = draw(Purpose::Pixel).map(|u| world.filter.draw(u));
+    let film = film_place(&world.image, pixel, [x, y]);
+    let lens = world.view.has_lens().then(|| maps::disk(draw(Purpose::Lens)));
+    let ray = world.view.ray(film, lens.unwrap_or_default());
+    CameraSample { film, lens, weight: weight_x * weight_y, ray }
+}
+
+/// Where a place in or around a pixel, in pixels from its lower left corner, lies on the view plane.
 pub fn film_place(image: &Image, pixel: [u32; 2], [sx, sy]: [f64; 2]) -> [f64; 2] {
     let (column, row) = (f64::from(pixel[0]), f64::from(image.height - 1 - pixel[1]));
     // half of the real number of pixels: an integer half would shift odd pictures
@@ -33,10 +49,14 @@ pub fn film_place(image: &Image, pixel: [u32; 2], [sx, sy]: [f64; 2]) -> [f64; 2
     [x, y]
 }
 
-/// The radiance of one sample of one pixel (x right, y down, from 0 at the top left).
+/// The radiance of one sample of one pixel (x right, y down, from 0 at the top left), weighed by the
+/// filter.
 pub fn sample<R: Recorder>(world: &World, pixel: [u32; 2], index: u32, recorder: &mut R) -> Rgb {
-    let (ray, _) = camera_ray(world, pixel, index);
-    trace::radiance(world, &ray, recorder)
+    let CameraSample { weight, ray, .. } = camera_sample(world, pixel, index);
+    match ray {
+        Some(ray) => weight * trace::radiance(world, &ray, recorder),
+        None => Rgb::BLACK,
+    }
 }
 
 /// A pixel: the mean of its samples times the exposure time.

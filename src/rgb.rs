@@ -2,9 +2,11 @@
 
 use std::fmt;
 use std::iter::Sum;
+use std::marker::PhantomData;
 use std::ops::{Add, AddAssign, Div, Mul};
 
-use serde::de::{self, SeqAccess, Visitor};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::invalid::Invalid;
@@ -148,7 +150,7 @@ impl<'de> Deserialize<'de> for Rgb {
 }
 
 /// Reads `[r, g, b]` or a grey value.
-pub(crate) struct ColorVisitor;
+struct ColorVisitor;
 
 impl<'de> Visitor<'de> for ColorVisitor {
     type Value = Rgb;
@@ -178,5 +180,47 @@ impl<'de> Visitor<'de> for ColorVisitor {
             return Err(de::Error::invalid_length(4, &self));
         }
         Ok(channels.into())
+    }
+}
+
+/// A colour, or a kind that gives colours: `{ kind = { … } }`.
+pub(crate) enum ColorOr<K> {
+    Color(Rgb),
+    Kind(K),
+}
+
+impl<'de, K: Deserialize<'de>> Deserialize<'de> for ColorOr<K> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ColorOrVisitor(PhantomData))
+    }
+}
+
+struct ColorOrVisitor<K>(PhantomData<K>);
+
+impl<'de, K: Deserialize<'de>> Visitor<'de> for ColorOrVisitor<K> {
+    type Value = ColorOr<K>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a colour [r, g, b], one number for a grey, or `{ kind = { … } }`")
+    }
+
+    fn visit_f64<E: de::Error>(self, grey: f64) -> Result<ColorOr<K>, E> {
+        ColorVisitor.visit_f64(grey).map(ColorOr::Color)
+    }
+
+    fn visit_i64<E: de::Error>(self, grey: i64) -> Result<ColorOr<K>, E> {
+        ColorVisitor.visit_i64(grey).map(ColorOr::Color)
+    }
+
+    fn visit_u64<E: de::Error>(self, grey: u64) -> Result<ColorOr<K>, E> {
+        ColorVisitor.visit_u64(grey).map(ColorOr::Color)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<ColorOr<K>, A::Error> {
+        ColorVisitor.visit_seq(seq).map(ColorOr::Color)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ColorOr<K>, A::Error> {
+        K::deserialize(MapAccessDeserializer::new(map)).map(ColorOr::Kind)
     }
 }

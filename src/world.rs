@@ -5,12 +5,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::accel::{Accel, Method, Primitives};
+use crate::background::Background;
 use crate::cameras::View;
+use crate::filters::Filter;
 use crate::invalid::{Invalid, Key, positive, shown};
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
-use crate::rgb::Rgb;
 use crate::samplers::{Kind as SamplerKind, MultiJittered, Regular, SampleSets};
 use crate::scene::{self, Image, Scene, SceneError, Tracer};
 use crate::shapes::{Candidate, Context, PartMaterial, Shape, Surface};
@@ -33,13 +34,15 @@ pub struct World {
     /// The camera.
     pub view: View,
     /// What a ray sees that hits nothing.
-    pub background: Rgb,
+    pub background: Background,
     /// How light is followed.
     pub tracer: Tracer,
     /// The seed of all random choices.
     pub seed: u64,
-    /// Where in a pixel the samples are.
-    pub pixel_samples: SampleSets,
+    /// The samples of all draws.
+    pub samples: SampleSets,
+    /// How what lies around a pixel's centre counts.
+    pub filter: Arc<dyn Filter>,
     /// The lights that are on.
     pub lights: Vec<PlacedLight>,
     /// The scene's materials, in its order.
@@ -133,15 +136,17 @@ impl World {
     }
 
     fn checked(scene: &Scene, folder: &Path, seed: u64) -> Result<Self, Invalid> {
-        let pixel_samples = samples(&scene.image, seed).map_err(|e| e.inside("image"))?;
-        scene.background.checked("background")?;
+        let samples = samples(&scene.image, seed).map_err(|e| e.inside("image"))?;
+        let filter = scene.image.filter.build(&mut ());
+        let filter = filter.map_err(|e| e.inside("filter").inside("image"))?;
+        scene.background.check()?;
         if let Tracer::Whitted(whitted) = scene.tracer
             && whitted.max_depth > DEEPEST
         {
             let problem = format!("found {}, but at most {DEEPEST} fits", whitted.max_depth);
             return Err(Invalid::field("max_depth", problem).inside("whitted").inside("tracer"));
         }
-        let view = scene.camera.build().map_err(|e| e.inside("camera"))?;
+        let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
         let mut materials = placed_materials(scene)?;
         let objects = Objects(placed_objects(scene, folder, &mut materials)?);
@@ -151,10 +156,11 @@ impl World {
         Ok(Self {
             image: scene.image.clone(),
             view,
-            background: scene.background,
+            background: scene.background.clone(),
             tracer: scene.tracer,
             seed,
-            pixel_samples,
+            samples,
+            filter,
             lights: placed_lights(scene)?,
             materials,
             accel: Accel::build(method, &bounds),
@@ -165,7 +171,7 @@ impl World {
     /// Makes all random choices anew, from another seed.
     pub fn reseed(&mut self, seed: u64) {
         self.seed = seed;
-        self.pixel_samples = samples(&self.image, seed).expect("the image was checked");
+        self.samples = samples(&self.image, seed).expect("the image was checked");
     }
 
     /// What the ray meets first.
@@ -194,7 +200,7 @@ impl World {
 
     /// Samples for each pixel.
     pub fn samples_per_pixel(&self) -> u32 {
-        self.pixel_samples.per_set()
+        self.samples.per_set()
     }
 
     /// The most rays the whole picture can take, shadow rays left out.

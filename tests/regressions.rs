@@ -70,7 +70,7 @@ fn a_lamp_on_a_surface_is_not_in_that_surfaces_shadow() {
 fn an_invisible_ball_does_not_clear_the_fog() {
     let mut scene =
         scene(vec![Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }.into()]);
-    scene.background = Rgb::WHITE;
+    scene.background = Rgb::WHITE.into();
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 4 });
     let wall = Plane { point: Point::new(0.0, 0.0, -5.0), normal: Vector::Z };
     scene.objects.push(Object::new("wall", "glow", wall));

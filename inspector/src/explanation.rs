@@ -133,15 +133,20 @@ impl Selection {
             ui.spinner();
             return;
         };
+        let Some(camera_ray) = &sample.ray else {
+            ui.strong(format!("Sample {index}"));
+            ui.label("No ray: the camera sees nothing there.");
+            return;
+        };
         Panel::bottom("details").frame(inner).resizable(true).default_size(330.0).show(ui, |ui| {
             ScrollArea::both().id_salt("details").auto_shrink(false).show(ui, |ui| {
-                let ray = tree::find(&sample.ray, &self.ray).unwrap_or(&sample.ray);
+                let ray = tree::find(camera_ray, &self.ray).unwrap_or(camera_ray);
                 details::show(ui, ray);
             });
         });
         CentralPanel::default().frame(inner).show(ui, |ui| {
             let [x, y] = sample.film;
-            let rays = tree::count(&sample.ray);
+            let rays = tree::count(camera_ray);
             ui.horizontal(|ui| {
                 ui.strong(format!("Sample {index}"));
                 ui.weak(format!("{rays} rays, at ({x:.4}, {y:.4}) on the view plane"));
@@ -149,7 +154,7 @@ impl Selection {
             tree::legend(ui);
             ScrollArea::both().id_salt("tree").auto_shrink(false).show(ui, |ui| {
                 ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-                tree::show(ui, &sample.ray, tone, &mut self.ray);
+                tree::show(ui, camera_ray, tone, &mut self.ray);
             });
         });
     }

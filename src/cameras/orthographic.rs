@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::Camera;
+use super::{Camera, ViewPlane};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
@@ -20,9 +20,9 @@ pub struct Orthographic {
 
 impl Specification for Orthographic {
     type Built = Arc<dyn Camera>;
-    type Context = ();
+    type Context = ViewPlane;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Camera>, Invalid> {
+    fn build(&self, _: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         positive("zoom", self.zoom)?;
         Ok(Arc::new(self.clone()))
     }
@@ -37,7 +37,12 @@ impl Specification for Orthographic {
 }
 
 impl Camera for Orthographic {
-    fn ray(&self, [x, y]: [f64; 2]) -> (Point, Vector) {
-        (Point::new(x / self.zoom, y / self.zoom, 0.0), -Vector::Z)
+    fn ray(&self, [x, y]: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {
+        Some((Point::new(x / self.zoom, y / self.zoom, 0.0), -Vector::Z))
+    }
+
+    /// What lies before the plane through the eye.
+    fn project(&self, point: Point) -> Option<[f64; 2]> {
+        (point.z() < 0.0).then(|| [self.zoom * point.x(), self.zoom * point.y()])
     }
 }

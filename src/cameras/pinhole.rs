@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::Camera;
+use super::{Camera, ViewPlane};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
@@ -22,9 +22,9 @@ pub struct Pinhole {
 
 impl Specification for Pinhole {
     type Built = Arc<dyn Camera>;
-    type Context = ();
+    type Context = ViewPlane;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Camera>, Invalid> {
+    fn build(&self, _: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         positive("distance", self.distance)?;
         positive("zoom", self.zoom)?;
         Ok(Arc::new(self.clone()))
@@ -40,7 +40,13 @@ impl Specification for Pinhole {
 }
 
 impl Camera for Pinhole {
-    fn ray(&self, [x, y]: [f64; 2]) -> (Point, Vector) {
-        (Point::ORIGIN, Vector::new(x / self.zoom, y / self.zoom, -self.distance))
+    fn ray(&self, [x, y]: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {
+        Some((Point::ORIGIN, Vector::new(x / self.zoom, y / self.zoom, -self.distance)))
+    }
+
+    /// By similar triangles: `x' = d x / depth`.
+    fn project(&self, point: Point) -> Option<[f64; 2]> {
+        let scale = self.zoom * self.distance / -point.z();
+        (point.z() < 0.0).then(|| [scale * point.x(), scale * point.y()])
     }
 }

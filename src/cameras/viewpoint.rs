@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::kinds;
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, Kind};
+use super::{Camera, Kind, ViewPlane};
 use crate::invalid::{Invalid, finite, finite_point, finite_vector, positive};
 use crate::materials::Medium;
 use crate::math::{Frame, Point, Ray, Vector, cos_degrees, sin_degrees};
@@ -63,11 +63,11 @@ impl Viewpoint {
         Self { eye, look_at, up, roll: 0.0, exposure_time: 1.0, medium, lens }
     }
 
-    /// Checks and builds.
+    /// Checks and builds, for a film of this size.
     ///
     /// # Errors
     /// [`Invalid`] names the field that does not fit.
-    pub fn build(&self) -> Result<View, Invalid> {
+    pub fn build(&self, film: ViewPlane) -> Result<View, Invalid> {
         finite_point("eye", self.eye)?;
         finite_point("look_at", self.look_at)?;
         let up = finite_vector("up", self.up)?;
@@ -86,7 +86,7 @@ impl Viewpoint {
             frame: rolled(upright(back, up), self.roll),
             exposure_time: positive("exposure_time", self.exposure_time)?,
             medium: self.medium.checked("medium")?,
-            camera: self.lens.build(&mut ()).map_err(|e| e.inside("lens"))?,
+            camera: self.lens.build(&mut film.clone()).map_err(|e| e.inside("lens"))?,
         })
     }
 
@@ -126,17 +126,30 @@ fn rolled(Frame { u, v, w }: Frame, degrees: f64) -> Frame {
 }
 
 impl View {
-    /// The ray for a point of the view plane; its direction is unit.
-    pub fn ray(&self, film: [f64; 2]) -> Ray {
-        let (origin, direction) = self.camera.ray(film);
+    /// The ray for a point of the film and one of the lens; its direction is unit. `None` where the
+    /// camera sees nothing. See [`Camera::ray`].
+    pub fn ray(&self, film: [f64; 2], lens: [f64; 2]) -> Option<Ray> {
+        let (origin, direction) = self.camera.ray(film, lens)?;
         let offset = self.frame.to_world(origin.to_vector());
         let direction = self.frame.to_world(direction);
-        Ray::new(self.eye + offset, direction.unit().expect("cameras look somewhere"))
+        Some(Ray::new(self.eye + offset, direction.unit().expect("cameras look somewhere")))
     }
 
-    /// Whether the ray for a point of the view plane exists: far enough out, numbers overflow.
+    /// Whether samples on the lens matter.
+    pub fn has_lens(&self) -> bool {
+        self.camera.has_lens()
+    }
+
+    /// Where on the film a point of the world is seen; `None` if it is out of view.
+    pub fn project(&self, point: Point) -> Option<[f64; 2]> {
+        let local = self.frame.to_local(point - self.eye);
+        self.camera.project(Point::ORIGIN + local)
+    }
+
+    /// Whether the ray for a point of the film, if there is one, is made of numbers: far enough out,
+    /// they overflow.
     pub(crate) fn reaches(&self, film: [f64; 2]) -> bool {
-        let (origin, direction) = self.camera.ray(film);
+        let Some((origin, direction)) = self.camera.ray(film, [0.0; 2]) else { return true };
         let origin = self.eye + self.frame.to_world(origin.to_vector());
         origin.is_finite() && self.frame.to_world(direction).unit().is_some()
     }

@@ -86,7 +86,7 @@ fn set() -> Scene {
     let image = Image { samples: 16, ..Image::new(600, 400) };
     let about = "figure 14.7: two spheres, a cylinder, a box and a plane under a directional light";
     let mut scene = Scene::new(about, image, camera);
-    scene.background = rgb(0.0, 0.225, 0.1875);
+    scene.background = rgb(0.0, 0.225, 0.1875).into();
     scene.lights.push(ambient(0.5));
     scene.lights.push(directional("sun", vector(15.0, 15.0, 2.5), 2.0).without_shadows());
 

@@ -27,7 +27,7 @@ fn stage(about: &str, look_at: Point, distance: f64) -> Scene {
     let camera = Viewpoint::new(point(4.0, 6.0, 10.0), look_at, lens);
     let image = Image { samples: 16, ..Image::new(400, 400) };
     let mut scene = Scene::new(about, image, camera);
-    scene.background = grey(0.05);
+    scene.background = grey(0.05).into();
     scene.lights.push(ambient(0.25));
     scene.lights.push(directional("light", vector(15.0, 15.0, 2.5), 3.0));
     scene
@@ -106,7 +106,7 @@ fn bowls() -> Scene {
     let camera = Viewpoint::new(point(1.0, 2.0, 5.0), point(0.0, -0.35, 0.0), lens);
     let image = Image { samples: 16, ..Image::new(900, 400) };
     let mut scene = Scene::new(about, image, camera);
-    scene.background = grey(0.05);
+    scene.background = grey(0.05).into();
     scene.lights.push(ambient(0.25));
     scene.lights.push(directional("light", vector(10.0, 20.0, 15.0), 3.0));
     let (inner_radius, outer_radius, opening) = (0.9, 1.0, 180.0);

@@ -22,7 +22,7 @@ fn scaled(about: &str, factors: Vector) -> Scene {
     let camera = Viewpoint::new(point(60.0, 40.0, 80.0), Point::ORIGIN, lens);
     let image = Image { samples: 25, ..Image::new(600, 600) };
     let mut scene = Scene::new(about, image, camera);
-    scene.background = grey(0.5);
+    scene.background = grey(0.5).into();
     scene.lights.push(ambient(0.25));
     scene.lights.push(point_light("lamp", point(100.0, 100.0, 60.0), 3.0));
     let shape = transformed(sphere(Point::ORIGIN, 1.0), vec![Step::Scale(factors)]);

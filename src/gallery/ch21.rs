@@ -161,7 +161,7 @@ fn rosette() -> Scene {
 fn archway() -> Scene {
     let about = "figure 21.11b, plain: an archway of six blocks a column and ten wedges";
     let mut scene = stage(about, point(20.0, 15.0, 60.0), point(0.0, 12.0, 0.0), 850.0);
-    scene.background = rgb(0.6, 0.75, 0.95);
+    scene.background = rgb(0.6, 0.75, 0.95).into();
     scene.lights.push(directional("sun", vector(15.0, 20.0, 25.0), 3.0));
     let archway = Archway {
         width: 20.0,

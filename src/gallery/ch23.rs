@@ -57,7 +57,7 @@ fn penguins() -> Scene {
     let image = Image { samples: 16, ..Image::new(600, 400) };
     let about = "as figure 23.10: a penguin of eleven meshes, flat and smooth";
     let mut scene = Scene::new(about, image, camera);
-    scene.background = grey(0.1);
+    scene.background = grey(0.1).into();
     scene.lights.push(ambient(0.25));
     scene.lights.push(directional("light", vector(10.0, 15.0, 20.0), 2.5));
     for (name, color) in [
@@ -129,7 +129,7 @@ fn nested() -> Scene {
     let image = Image { samples: 16, ..Image::new(600, 400) };
     let about = "as figure 23.12: 100⁸ instances of one mesh, eight grids inside each other";
     let mut scene = Scene::new(about, image, camera);
-    scene.background = rgb(0.7, 0.8, 1.0);
+    scene.background = rgb(0.7, 0.8, 1.0).into();
     scene.lights.push(ambient(0.25));
     scene.lights.push(directional("sun", vector(-20.0, 20.0, 10.0), 2.5));
     let (object, material) = object("meshes", shape, matte(0.5, 0.75, rgb(0.9, 0.65, 0.4)));

@@ -25,7 +25,7 @@ fn reflective_set() -> Scene {
     let about = "figure 24.6: mirrors among matte things, up to ten reflections of one another";
     let mut scene = Scene::new(about, image, camera);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
-    scene.background = grey(0.15);
+    scene.background = grey(0.15).into();
     scene.lights.push(ambient(0.5));
     scene.lights.push(point_light("lamp", point(150.0, 150.0, 0.0), 3.0));
 

@@ -27,7 +27,7 @@ pub(super) fn common_set_with(about: &str, glass: MaterialKind) -> Scene {
     let image = Image { samples: 16, ..Image::new(600, 600) };
     let mut scene = Scene::new(about, image, camera);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 5 });
-    scene.background = rgb(0.0, 0.3, 0.25);
+    scene.background = rgb(0.0, 0.3, 0.25).into();
     scene.lights.push(ambient(0.25));
     scene.lights.push(point_light("high lamp", point(40.0, 50.0, 0.0), 4.5));
     scene.lights.push(point_light("front lamp", point(-10.0, 20.0, 10.0), 4.5));

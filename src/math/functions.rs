@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-pub use libm::{acos, atan2, cbrt, cos, exp, floor, log as ln, sin, tan};
+pub use libm::{acos, atan2, cbrt, cos, erf, exp, floor, log as ln, sin, tan};
 
 /// `base^exponent` for `base ≥ 0`; whole exponents up to 2³⁰ by multiplication, as `pow` is not
 /// exact even for 3.

@@ -17,6 +17,9 @@ pub struct CameraRay {
     pixel: [u32; 2],
     #[serde(default = "middle")]
     place: [f64; 2],
+    /// In the unit disk; its centre if left out.
+    #[serde(default)]
+    lens: [f64; 2],
 }
 
 #[derive(Deserialize)]
@@ -34,8 +37,9 @@ fn middle() -> [f64; 2] {
 
 #[derive(Serialize)]
 pub struct Answer {
-    origin: Triple,
-    direction: Triple,
+    /// `None`, as the direction, where the camera sees nothing.
+    origin: Option<Triple>,
+    direction: Option<Triple>,
     /// The place on the view plane.
     film: [Real; 2],
 }
@@ -49,11 +53,17 @@ impl super::Question for CameraRay {
         world::check_image(&image).map_err(|e| e.inside("image"))?;
         inside(self.pixel, &image)?;
         let place = in_square("place", self.place, CLOSED)?;
-        let view = self.camera.build().map_err(|e| e.inside("camera"))?;
+        let view = self.camera.build(image.plane()).map_err(|e| e.inside("camera"))?;
         world::check_view(&view, &image)?;
         let film = render::film_place(&image, self.pixel, place);
-        let ray = view.ray(film);
-        let (origin, direction) = (triple(ray.origin), triple(ray.direction));
+        let [x, y] = self.lens;
+        if !(x * x + y * y <= 1.0) {
+            let problem = format!("found {:?}, which is outside the unit disk", self.lens);
+            return Err(Invalid::field("lens", problem));
+        }
+        let ray = view.ray(film, self.lens);
+        let origin = ray.map(|ray| triple(ray.origin));
+        let direction = ray.map(|ray| triple(ray.direction));
         Ok(Answer { origin, direction, film: film.map(Real) })
     }
 }

@@ -7,10 +7,10 @@ mod places;
 
 use serde::{Deserialize, Serialize};
 
-use crate::cameras::Viewpoint;
+use crate::background::Background;
+use crate::cameras::{ViewPlane, Viewpoint};
 use crate::film::OutOfGamut;
-use crate::rgb::Rgb;
-use crate::{accel, kinds, lights, materials, samplers, shapes};
+use crate::{accel, filters, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
 pub use file::{Source, from_toml, open, read, to_toml};
@@ -30,7 +30,7 @@ pub struct Scene {
     pub accel: accel::Method,
     /// What a ray sees that hits nothing.
     #[serde(default)]
-    pub background: Rgb,
+    pub background: Background,
     /// The picture.
     pub image: Image,
     /// Where it is seen from.
@@ -84,6 +84,9 @@ pub struct Image {
     /// book.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sampler: Option<samplers::Kind>,
+    /// How what lies around a pixel's centre counts; the box if left out.
+    #[serde(default, skip_serializing_if = "filters::Kind::is_default")]
+    pub filter: filters::Kind,
     /// The picture is shown to the power of 1/gamma.
     #[serde(default = "kinds::one")]
     pub gamma: f64,
@@ -156,9 +159,16 @@ impl Image {
             pixel_size: 1.0,
             samples: 1,
             sampler: None,
+            filter: filters::Kind::default(),
             gamma: 1.0,
             out_of_gamut: OutOfGamut::default(),
         }
+    }
+
+    /// The part of the view plane that the picture covers.
+    pub fn plane(&self) -> ViewPlane {
+        let [width, height] = [self.width, self.height].map(|n| self.pixel_size * f64::from(n));
+        ViewPlane { width, height }
     }
 
     /// The same view in another number of pixels: their size is changed so that the width of the
@@ -205,7 +215,7 @@ impl Scene {
             about: about.to_owned(),
             tracer: Tracer::RayCast,
             accel: accel::Method::default(),
-            background: Rgb::BLACK,
+            background: Background::default(),
             image,
             camera,
             lights: Vec::new(),
@@ -222,6 +232,7 @@ impl Scene {
         let mut scene = self.clone();
         scene.image.pixel_size *= factor;
         scene.camera = scene.camera.scaled(factor);
+        scene.background = scene.background.scaled(factor);
         for light in &mut scene.lights {
             light.source = light.source.scaled(factor);
         }

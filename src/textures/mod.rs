@@ -6,15 +6,13 @@ mod constant;
 mod plane_checker;
 mod random_colors;
 
-use std::fmt::{self, Debug};
+use std::fmt::Debug;
 use std::sync::Arc;
 
-use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::invalid::Invalid;
-use crate::rgb::{ColorVisitor, Rgb};
+use crate::rgb::{ColorOr, Rgb};
 use crate::shapes::Surface;
 
 /// A colour for each point of a surface. Contract: `tests/contracts/texture.rs`.
@@ -77,36 +75,9 @@ impl Serialize for Paint {
 
 impl<'de> Deserialize<'de> for Paint {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(PaintVisitor)
-    }
-}
-
-struct PaintVisitor;
-
-impl<'de> Visitor<'de> for PaintVisitor {
-    type Value = Paint;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a colour [r, g, b], one number for a grey, or a texture")
-    }
-
-    fn visit_f64<E: de::Error>(self, grey: f64) -> Result<Paint, E> {
-        ColorVisitor.visit_f64(grey).map(Paint::plain)
-    }
-
-    fn visit_i64<E: de::Error>(self, grey: i64) -> Result<Paint, E> {
-        ColorVisitor.visit_i64(grey).map(Paint::plain)
-    }
-
-    fn visit_u64<E: de::Error>(self, grey: u64) -> Result<Paint, E> {
-        ColorVisitor.visit_u64(grey).map(Paint::plain)
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Paint, A::Error> {
-        Rgb::deserialize(SeqAccessDeserializer::new(seq)).map(Paint::plain)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Paint, A::Error> {
-        Kind::deserialize(MapAccessDeserializer::new(map)).map(Paint)
+        Ok(match ColorOr::deserialize(deserializer)? {
+            ColorOr::Color(color) => Self::plain(color),
+            ColorOr::Kind(kind) => Self(kind),
+        })
     }
 }

@@ -77,7 +77,8 @@ impl<R: Recorder> Tracing<'_, R> {
         } else {
             self.recorder.outcome(Outcome::Background);
             transmittance = medium.transmittance(f64::INFINITY);
-            sum.add(self.recorder, What::Background, Rgb::WHITE, self.world.background);
+            let radiance = self.world.background.radiance(ray);
+            sum.add(self.recorder, What::Background, Rgb::WHITE, radiance);
         }
         let arriving = transmittance * sum.0;
         self.recorder.leave(transmittance, arriving);

@@ -61,7 +61,7 @@ fn object<'a>(scene: &'a mut Scene, name: &str) -> &'a mut crate::scene::Object 
 
 /// Moves a sphere sideways by what one pixel sees at its distance.
 fn move_sphere(scene: &mut Scene, name: &str) {
-    let view = scene.camera.build().expect("the camera is sound");
+    let view = scene.camera.build(scene.image.plane()).expect("the camera is sound");
     let crate::cameras::Kind::Pinhole(lens) = &scene.camera.lens else { unreachable!() };
     let (eye, per_unit) = (scene.camera.eye, scene.image.pixel_size / (lens.distance * lens.zoom));
     let ShapeKind::Sphere(sphere) = &mut object(scene, name).shape else { unreachable!() };

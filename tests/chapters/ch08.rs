@@ -8,18 +8,18 @@ use groundtruth::shapes::{self, Sphere};
 use proptest::prelude::*;
 
 use crate::pictures::studio::{RED, add_flat, bits, built, from_front, pixels};
-use crate::support::{U, laws, point};
+use crate::support::{ANY_FILM, Seen, U, laws, point};
 
 /// The eye on the z axis, looking along −z.
 fn pinhole(eye: f64, distance: f64) -> View {
     let eye = Point::new(0.0, 0.0, eye);
     let view = Viewpoint::new(eye, eye - Vector::Z, Pinhole { distance, zoom: 1.0 });
-    view.build().expect("a valid view")
+    view.build(ANY_FILM).expect("a valid view")
 }
 
 fn hits(view: &View, sphere: Sphere, film: [f64; 2]) -> bool {
     let shape = shapes::Kind::from(sphere).build(&mut shapes::Context::default());
-    shape.expect("a valid sphere").hit(&view.ray(film), Span::AHEAD).is_some()
+    shape.expect("a valid sphere").hit(&view.seen(film), Span::AHEAD).is_some()
 }
 
 /// Law: 300 pixels of side 1 at the distance 400 make a field of view of 41.11°. Oracle: 2 atan(w/2d),
@@ -28,7 +28,7 @@ fn hits(view: &View, sphere: Sphere, film: [f64; 2]) -> bool {
 fn the_field_of_view_is_twice_the_arc_tangent() {
     for (width, d) in [(300.0, 400.0), (2.0, 1.0), (500.0, 73.0)] {
         let view = pinhole(250.0, d);
-        let [left, right] = [-0.5 * width, 0.5 * width].map(|x| view.ray([x, 0.0]).direction);
+        let [left, right] = [-0.5 * width, 0.5 * width].map(|x| view.seen([x, 0.0]).direction);
         let fov = to_degrees(acos(left.dot(right)));
         assert!((fov - 2.0 * to_degrees(atan2(0.5 * width, d))).abs() < 1e-12, "{fov}");
         assert!(d != 400.0 || (fov - 41.11).abs() < 0.005, "{fov}");
@@ -43,7 +43,7 @@ proptest! {
     /// view plane is seen, and nothing behind the eye.
     #[test]
     fn rays_start_at_the_eye_and_are_unit(x in -1e3..1e3_f64, y in -1e3..1e3_f64, d in 0.01..1e3_f64) {
-        let ray = pinhole(75.0, d).ray([x, y]);
+        let ray = pinhole(75.0, d).seen([x, y]);
         prop_assert_eq!(ray.origin, Point::new(0.0, 0.0, 75.0));
         prop_assert!((ray.direction.length() - 1.0).abs() <= 4.0 * U);
         prop_assert!(ray.direction.z() < 0.0);
@@ -56,7 +56,7 @@ proptest! {
         p in point(50.0), depth in 0.1..500.0_f64, d in 0.5..500.0_f64, eye in -100.0..100.0_f64,
     ) {
         let p = Point::new(p.x(), p.y(), eye - depth);
-        let ray = pinhole(eye, d).ray([d * p.x() / depth, d * p.y() / depth]);
+        let ray = pinhole(eye, d).seen([d * p.x() / depth, d * p.y() / depth]);
         let to = p - ray.origin;
         prop_assert!(to.cross(ray.direction).length() < 16.0 * U * (to.length() + 100.0));
         prop_assert!(to.dot(ray.direction) > 0.0);
@@ -68,9 +68,9 @@ proptest! {
     fn size_is_proportional_to_the_distance(
         x in -200.0..200.0_f64, y in -200.0..200.0_f64, d in 1.0..500.0_f64, k in 0.1..10.0_f64,
     ) {
-        let near = pinhole(0.0, d).ray([x, y]);
-        prop_assert_eq!(pinhole(0.0, 2.0 * d).ray([2.0 * x, 2.0 * y]), near);
-        let far = pinhole(0.0, k * d).ray([k * x, k * y]);
+        let near = pinhole(0.0, d).seen([x, y]);
+        prop_assert_eq!(pinhole(0.0, 2.0 * d).seen([2.0 * x, 2.0 * y]), near);
+        let far = pinhole(0.0, k * d).seen([k * x, k * y]);
         prop_assert!((far.direction - near.direction).length() < 8.0 * U);
     }
 
@@ -116,7 +116,7 @@ proptest! {
         d in 1.0..100.0_f64,
     ) {
         let (view, along) = (pinhole(20.0, d), Vector::new(x, y, z));
-        let ray = view.ray([d * x / -z, d * y / -z]);
+        let ray = view.seen([d * x / -z, d * y / -z]);
         prop_assert!(ray.direction.cross(along).length() < 8.0 * U * along.length());
         let far = (start + 1e9 * along) - Point::new(0.0, 0.0, 20.0);
         let seen = far.unit().expect("far away");
@@ -129,7 +129,7 @@ proptest! {
     fn straight_lines_stay_straight(a in point(50.0), b in point(50.0), s in -2.0..3.0_f64) {
         let view = pinhole(7.0, 60.0);
         let on = |s: f64| [a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y())];
-        let [p, q, r] = [0.0, 1.0, s].map(|s| view.ray(on(s)).direction);
+        let [p, q, r] = [0.0, 1.0, s].map(|s| view.seen(on(s)).direction);
         prop_assert!(p.dot(q.cross(r)).abs() < 32.0 * U);
     }
 
@@ -141,7 +141,7 @@ proptest! {
         x in -100.0..100.0_f64, y in -100.0..100.0_f64, h in -50.0..50.0_f64, exponent in 10..40_i32,
     ) {
         let eye = groundtruth::math::power_of_two(exponent);
-        let ray = pinhole(eye, eye).ray([x, y]);
+        let ray = pinhole(eye, eye).seen([x, y]);
         let p = ray.at((h - eye) / ray.direction.z());
         let drift = Vector::new(-x * h / eye, -y * h / eye, 0.0);
         let found = p - Point::new(x, y, h);

@@ -8,12 +8,12 @@ use groundtruth::shapes::Sphere;
 use proptest::prelude::*;
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, small};
-use crate::support::{U, laws, point};
+use crate::support::{ANY_FILM, Seen, U, laws, point};
 
 const LENS: Pinhole = Pinhole { distance: 500.0, zoom: 1.0 };
 
 fn view(viewpoint: &Viewpoint) -> View {
-    viewpoint.build().expect("a valid view")
+    viewpoint.build(ANY_FILM).expect("a valid view")
 }
 
 /// Eyes and points looked at, among them straight up and down, and nearly so.
@@ -61,7 +61,7 @@ proptest! {
     #[test]
     fn the_middle_shows_the_point_looked_at(viewpoint in viewpoint()) {
         let view = view(&viewpoint);
-        let ray = view.ray([0.0, 0.0]);
+        let ray = view.seen([0.0, 0.0]);
         prop_assert_eq!(ray.origin, viewpoint.eye);
         let distance = viewpoint.eye.to_vector().length();
         prop_assert!((ray.at(distance) - Point::ORIGIN).length() < 16.0 * U * distance);
@@ -74,7 +74,7 @@ proptest! {
         let view = view(&viewpoint);
         let frame = view.frame();
         let expected = x * frame.u + y * frame.v + -500.0 * frame.w;
-        let ray = view.ray([x, y]);
+        let ray = view.seen([x, y]);
         prop_assert!((expected.length() * ray.direction - expected).length() < 1e-12 * 500.0);
     }
 
@@ -84,13 +84,13 @@ proptest! {
     fn zoom_is_distance(viewpoint in viewpoint(), [x, y] in film(), k in 0.1..10.0_f64) {
         let with = |lens: Pinhole| view(&Viewpoint { lens: lens.into(), ..viewpoint.clone() });
         for (k, tolerance) in [(k, 8.0 * U), (4.0, 0.0), (0.25, 0.0)] {
-            let zoomed = with(Pinhole { zoom: k, ..LENS }).ray([x, y]);
-            let longer = with(Pinhole { distance: k * 500.0, zoom: 1.0 }).ray([x, y]);
+            let zoomed = with(Pinhole { zoom: k, ..LENS }).seen([x, y]);
+            let longer = with(Pinhole { distance: k * 500.0, zoom: 1.0 }).seen([x, y]);
             prop_assert!(apart(&zoomed, &longer) <= tolerance, "{k}");
-            prop_assert!(apart(&zoomed, &with(LENS).ray([x / k, y / k])) <= tolerance, "{k}");
+            prop_assert!(apart(&zoomed, &with(LENS).seen([x / k, y / k])) <= tolerance, "{k}");
             let parallel =
                 |zoom| view(&Viewpoint { lens: Orthographic { zoom }.into(), ..viewpoint.clone() });
-            prop_assert_eq!(parallel(k).ray([x, y]), parallel(1.0).ray([x / k, y / k]));
+            prop_assert_eq!(parallel(k).seen([x, y]), parallel(1.0).seen([x / k, y / k]));
         }
     }
 
@@ -99,7 +99,7 @@ proptest! {
     fn parallel_rays_start_beside_the_eye(viewpoint in viewpoint(), [x, y] in film()) {
         let lens = Orthographic { zoom: 1.0 }.into();
         let view = view(&Viewpoint { lens, ..viewpoint.clone() });
-        let (ray, frame) = (view.ray([x, y]), view.frame());
+        let (ray, frame) = (view.seen([x, y]), view.frame());
         let start = viewpoint.eye + (x * frame.u + y * frame.v);
         prop_assert!((ray.origin - start).length() < 8.0 * U * 700.0);
         prop_assert!((ray.direction + frame.w).length() < 4.0 * U);
@@ -109,7 +109,7 @@ proptest! {
     /// by a quarter: what was at the right is at the bottom.
     #[test]
     fn rolls_turn_the_picture(viewpoint in viewpoint(), [x, y] in film(), turns in -3..4_i32) {
-        let rolled = |roll: f64, at| view(&Viewpoint { roll, ..viewpoint.clone() }).ray(at);
+        let rolled = |roll: f64, at| view(&Viewpoint { roll, ..viewpoint.clone() }).seen(at);
         let still = rolled(0.0, [x, y]);
         prop_assert_eq!(rolled(360.0 * f64::from(turns), [x, y]), still);
         prop_assert_eq!(rolled(180.0, [-x, -y]), still);
@@ -126,7 +126,7 @@ proptest! {
     fn up_is_a_direction([x, y] in film(), eye in point(100.0), along in -2.0..2.0_f64) {
         let viewpoint = Viewpoint::new(eye, Point::ORIGIN, LENS);
         prop_assume!(Vector::new(eye.x(), 0.0, eye.z()).length() > 1.0);
-        let with = |up: Vector, at| view(&Viewpoint { up, ..viewpoint.clone() }).ray(at);
+        let with = |up: Vector, at| view(&Viewpoint { up, ..viewpoint.clone() }).seen(at);
         let ray = with(Vector::Y, [x, y]);
         prop_assert_eq!(with(-Vector::Y, [-x, -y]), ray);
         prop_assert_eq!(with(0.125 * Vector::Y, [x, y]), ray);
@@ -140,17 +140,17 @@ proptest! {
     #[test]
     fn only_the_line_of_sight_matters(viewpoint in viewpoint(), at in film(), k in 0.01..50.0_f64) {
         prop_assume!(Vector::new(viewpoint.eye.x(), 0.0, viewpoint.eye.z()).length() > 1.0);
-        let ray = view(&viewpoint).ray(at);
+        let ray = view(&viewpoint).seen(at);
         // the direction of a hundredth of the way has a hundred times its rounding, and so again
         // the level axis of a view that is a hundredth level
         for (k, tolerance) in [(k, 4e4 * U), (2.0, 4e2 * U)] {
             let look_at = viewpoint.eye - k * viewpoint.eye.to_vector();
-            let other = view(&Viewpoint { look_at, ..viewpoint.clone() }).ray(at);
+            let other = view(&Viewpoint { look_at, ..viewpoint.clone() }).seen(at);
             prop_assert!(apart(&other, &ray) < tolerance);
         }
         let shift = Vector::new(3.0, -64.0, 17.0);
         let (eye, look_at) = (viewpoint.eye + shift, Point::ORIGIN + shift);
-        let moved = view(&Viewpoint { eye, look_at, ..viewpoint.clone() }).ray(at);
+        let moved = view(&Viewpoint { eye, look_at, ..viewpoint.clone() }).seen(at);
         prop_assert_eq!(moved.origin, eye);
         prop_assert!((moved.direction - ray.direction).length() < 1e-10);
     }
@@ -227,7 +227,7 @@ fn views_that_cannot_be_built_name_the_field() {
     let refusal = |spoil: &dyn Fn(&mut Viewpoint)| {
         let mut viewpoint = Viewpoint::new(Point::new(1.0, 2.0, 3.0), Point::ORIGIN, LENS);
         spoil(&mut viewpoint);
-        viewpoint.build().expect_err("it is spoiled").to_string()
+        viewpoint.build(ANY_FILM).expect_err("it is spoiled").to_string()
     };
     let nan = f64::NAN;
     for (text, field) in [

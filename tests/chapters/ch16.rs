@@ -6,7 +6,7 @@ use groundtruth::gallery;
 use groundtruth::lights::{Directional, Point as Lamp};
 use groundtruth::materials::Matte;
 use groundtruth::math::{Point, Span, Vector, cos, power_of_two, sin};
-use groundtruth::render::{camera_ray, pixel, render};
+use groundtruth::render::{pixel, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Box as Cuboid, Disk, Plane, Sphere, TessellatedSphere};
@@ -15,7 +15,7 @@ use groundtruth::{cameras, lights, shapes};
 use proptest::prelude::*;
 
 use crate::ch14::stage::*;
-use crate::support::{U, laws, point, unit};
+use crate::support::{U, camera_ray, laws, point, unit};
 
 fn white() -> Matte {
     Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }

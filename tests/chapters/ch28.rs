@@ -6,14 +6,14 @@ use std::f64::consts::TAU;
 
 use groundtruth::materials::{Dielectric, Emissive, Medium};
 use groundtruth::math::{Normal, Pcg32, Point, Vector, cos, exp, power, sin};
-use groundtruth::render::{camera_ray, pixel, render};
+use groundtruth::render::{pixel, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
 use groundtruth::trace::{Node, RayKind, RayTree, RecordedOutcome};
 use proptest::prelude::*;
 
 use crate::ch14::stage::*;
-use crate::support::{U, laws, point, unit};
+use crate::support::{U, camera_ray, laws, point, unit};
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
 

@@ -3,7 +3,7 @@
 use groundtruth::lights::Ambient;
 use groundtruth::materials::Matte;
 use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, power_of_two};
-use groundtruth::render::{camera_ray, pixel};
+use groundtruth::render::pixel;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Box as Cuboid, Instance, Kind as Shape, Plane, Sphere, Surface};
@@ -11,7 +11,7 @@ use groundtruth::textures::{Checker3d, Kind as Texture, Paint, PlaneChecker};
 use proptest::prelude::*;
 
 use crate::ch14::stage::*;
-use crate::support::{laws, point, unit};
+use crate::support::{camera_ray, laws, point, unit};
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);

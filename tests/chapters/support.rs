@@ -1,11 +1,34 @@
 //! What the chapters' laws share: how cases are drawn.
 
-use groundtruth::math::{Normal, Point, Vector};
+use groundtruth::cameras::{View, ViewPlane};
+use groundtruth::math::{Normal, Point, Ray, Vector};
+use groundtruth::render;
+use groundtruth::world::World;
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
 
 /// Half the distance from 1 to the next number: the largest relative error of one rounding.
 pub const U: f64 = f64::EPSILON / 2.0;
+
+/// A film for views whose rays do not depend on its size.
+pub const ANY_FILM: ViewPlane = ViewPlane { width: 1.0, height: 1.0 };
+
+/// The ray of a film point, through the centre of the lens, of a camera that sees all its film.
+pub trait Seen {
+    fn seen(&self, film: [f64; 2]) -> Ray;
+}
+
+impl Seen for View {
+    fn seen(&self, film: [f64; 2]) -> Ray {
+        self.ray(film, [0.0; 2]).expect("the camera sees all its film")
+    }
+}
+
+/// The camera's ray of a sample, and its place on the film.
+pub fn camera_ray(world: &World, pixel: [u32; 2], index: u32) -> (Ray, [f64; 2]) {
+    let sample = render::camera_sample(world, pixel, index);
+    (sample.ray.expect("the camera sees all its film"), sample.film)
+}
 
 /// How laws are tested: the same cases every time, and those that ever failed first. The variable
 /// `LAWS_SEED` draws other cases, `LAWS_CASES` more of them.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use groundtruth::cameras::{Camera, Kind, Viewpoint};
+use groundtruth::cameras::{Camera, Kind, ViewPlane, Viewpoint};
 use groundtruth::math::{Pcg32, Point, Vector, power_of_two};
 use libtest_mimic::Trial;
 
@@ -21,8 +21,11 @@ pub fn trials() -> Vec<Trial> {
     )
 }
 
+/// The film that [`films`] are drawn from.
+const PLANE: ViewPlane = ViewPlane { width: 400.0, height: 300.0 };
+
 fn built(kind: &Kind) -> Arc<dyn Camera> {
-    kind.build(&mut ()).expect("specimens are valid")
+    kind.build(&mut PLANE.clone()).expect("specimens are valid")
 }
 
 fn films() -> impl Iterator<Item = [f64; 2]> {
@@ -31,7 +34,7 @@ fn films() -> impl Iterator<Item = [f64; 2]> {
 }
 
 fn the_centre_looks_along_minus_w(kind: &Kind) -> Holds {
-    let (origin, direction) = built(kind).ray([0.0, 0.0]);
+    let (origin, direction) = built(kind).ray([0.0, 0.0], [0.0; 2]).expect("a ray");
     ensure!(origin == Point::ORIGIN, "it starts at {origin:?}");
     let along = direction.x() == 0.0 && direction.y() == 0.0 && direction.z() < 0.0;
     ensure!(along, "it looks along {direction:?}");
@@ -43,7 +46,7 @@ fn the_centre_looks_along_minus_w(kind: &Kind) -> Holds {
 fn right_is_right(kind: &Kind) -> Holds {
     let camera = built(kind);
     let place = |film: [f64; 2]| {
-        let (origin, direction) = camera.ray(film);
+        let (origin, direction) = camera.ray(film, [0.0; 2]).expect("a ray");
         let t = (-1000.0 - origin.z()) / direction.z();
         [origin.x() + t * direction.x(), origin.y() + t * direction.y()]
     };
@@ -69,9 +72,9 @@ fn viewpoint(kind: &Kind) -> Viewpoint {
 const UNIT: f64 = 4.0 * f64::EPSILON;
 
 fn rays_are_finite_and_unit(kind: &Kind) -> Holds {
-    let view = viewpoint(kind).build().expect("the viewpoint is valid");
+    let view = viewpoint(kind).build(PLANE).expect("the viewpoint is valid");
     for film in films() {
-        let ray = view.ray(film);
+        let ray = view.ray(film, [0.0; 2]).expect("a ray");
         ensure!(ray.origin.is_finite() && ray.direction.is_finite(), "{film:?}: {ray:?}");
         let length = ray.direction.length();
         ensure!((length - 1.0).abs() <= UNIT, "{film:?}: direction of length {length}");
@@ -82,12 +85,15 @@ fn rays_are_finite_and_unit(kind: &Kind) -> Holds {
 /// Law: with all lengths and the film times 2ᵏ, rays have the same directions, bit for bit, and
 /// origins 2ᵏ times as far.
 fn scaling_scales_every_bit(kind: &Kind) -> Holds {
-    let view = viewpoint(kind).build().expect("the viewpoint is valid");
+    let view = viewpoint(kind).build(PLANE).expect("the viewpoint is valid");
     for k in [1, -7, 30, -30] {
         let factor = power_of_two(k);
-        let scaled = viewpoint(kind).scaled(factor).build().expect("the viewpoint is valid");
+        let scaled = viewpoint(kind).scaled(factor).build(PLANE).expect("the viewpoint is valid");
         for film in films() {
-            let (ray, far) = (view.ray(film), scaled.ray(film.map(|x| factor * x)));
+            let (ray, far) = (
+                view.ray(film, [0.0; 2]).expect("a ray"),
+                scaled.ray(film.map(|x| factor * x), [0.0; 2]).expect("a ray"),
+            );
             ensure!(far.direction == ray.direction, "{film:?}, 2^{k}: {far:?}, {ray:?}");
             ensure!(far.origin == ray.origin.scaled(factor), "{film:?}, 2^{k}: {far:?}, {ray:?}");
         }
@@ -103,7 +109,7 @@ fn the_view_turns_with_its_frame(kind: &Kind) -> Holds {
     let camera = built(kind);
     let mut viewpoint = viewpoint(kind);
     viewpoint.roll = 0.0;
-    let view = viewpoint.build().expect("the viewpoint is valid");
+    let view = viewpoint.build(PLANE).expect("the viewpoint is valid");
     let back = viewpoint.eye - viewpoint.look_at;
     let w = back / back.length();
     let across = Vector::Y.cross(w);
@@ -112,10 +118,10 @@ fn the_view_turns_with_its_frame(kind: &Kind) -> Holds {
     for film in films() {
         let ([o, d], ray) = (
             {
-                let (o, d) = camera.ray(film);
+                let (o, d) = camera.ray(film, [0.0; 2]).expect("a ray");
                 [o.to_vector(), d]
             },
-            view.ray(film),
+            view.ray(film, [0.0; 2]).expect("a ray"),
         );
         let world = |a: Vector| a.x() * u + a.y() * v + a.z() * w;
         let off = (ray.origin - (viewpoint.eye + world(o))).length();

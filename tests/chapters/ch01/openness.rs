@@ -118,8 +118,12 @@ fn a_shape_defined_here_casts_shadows() {
 struct UpsideDown;
 
 impl Camera for UpsideDown {
-    fn ray(&self, [x, y]: [f64; 2]) -> (Point, Vector) {
-        (Point::new(x, -y, 0.0), -Vector::Z)
+    fn ray(&self, [x, y]: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {
+        Some((Point::new(x, -y, 0.0), -Vector::Z))
+    }
+
+    fn project(&self, point: Point) -> Option<[f64; 2]> {
+        Some([point.x(), -point.y()])
     }
 }
 

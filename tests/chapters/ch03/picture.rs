@@ -10,6 +10,7 @@ use groundtruth::trace::{RayTree, RecordedOutcome};
 use groundtruth::world::World;
 
 use crate::pictures::studio::{RED, add_flat, assert_same_bits, built, from_front, pixels};
+use crate::support::camera_ray;
 
 /// Law: the pixel in column c and row r (counted up) looks from `(s (c − (w − 1)/2), s (r − (h −
 /// 1)/2), 100)` along −z, also where the number of pixels is odd. Oracle: the book's formula in
@@ -19,7 +20,7 @@ fn pixels_look_through_their_centers() {
     for (width, height, size) in [(5, 4, 0.5), (1, 1, 3.0), (8, 3, 2.0)] {
         let world = built(&from_front(width, height, size));
         for at in pixels(width, height) {
-            let (ray, film) = render::camera_ray(&world, at, 0);
+            let (ray, film) = camera_ray(&world, at, 0);
             let [c, r] = [f64::from(at[0]), f64::from(height - 1 - at[1])];
             let x = size * (c - 0.5 * f64::from(width - 1));
             let y = size * (r - 0.5 * f64::from(height - 1));
@@ -92,7 +93,7 @@ fn the_nearest_object_keeps_its_normal() {
     let world = built(&scene);
     let mut seen = [0; 3];
     for at in pixels(50, 50) {
-        let (_, [x, y]) = render::camera_ray(&world, at, 0);
+        let (_, [x, y]) = camera_ray(&world, at, 0);
         let ball = |c: f64, r: f64| (r * r - x * x - (y - c) * (y - c)).sqrt(); // NaN beside it
         let (half, a, b) = (0.5_f64.sqrt(), ball(-25.0, 80.0), ball(30.0, 60.0));
         let heights = [
@@ -150,7 +151,7 @@ fn spheres_around_the_eye_show_what_is_in_front_of_it() {
         (1000.0, 10.0, false),
     ] {
         let mut scene = from_front(1, 1, 1.0);
-        scene.background = background;
+        scene.background = background.into();
         add_flat(
             &mut scene,
             "ball",

@@ -15,7 +15,7 @@ use groundtruth::trace::RayCounts;
 use proptest::prelude::*;
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
-use crate::support::laws;
+use crate::support::{camera_ray, laws};
 
 /// Law: one regular sample, which is the default, is the centre of its pixel, exactly.
 #[test]
@@ -25,7 +25,7 @@ fn one_regular_sample_is_the_centre() {
         scene.image.sampler = sampler;
         let world = built(&scene);
         for at in pixels(7, 4) {
-            let (_, film) = render::camera_ray(&world, at, 0);
+            let (_, film) = camera_ray(&world, at, 0);
             let [x, y] = at.map(f64::from);
             assert_eq!(film, [2.0 * x - 6.0, 3.0 - 2.0 * y], "{at:?}");
         }
@@ -41,7 +41,7 @@ fn regular_samples_are_the_centres_of_subcells() {
     scene.image.sampler = Some(Regular {}.into());
     let world = built(&scene);
     for at in pixels(3, 3) {
-        let mut found: Vec<_> = (0..16).map(|i| render::camera_ray(&world, at, i).1).collect();
+        let mut found: Vec<_> = (0..16).map(|i| camera_ray(&world, at, i).1).collect();
         found.sort_by(|a, b| a.partial_cmp(b).expect("finite"));
         let corner = [f64::from(at[0]) - 1.5, 0.5 - f64::from(at[1])];
         let cell = |i: u32| (f64::from(i) + 0.5) / 4.0;

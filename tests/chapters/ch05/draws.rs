@@ -3,7 +3,6 @@
 use std::collections::{HashMap, HashSet};
 
 use groundtruth::math::power_of_two;
-use groundtruth::render;
 use groundtruth::samplers::{
     Jittered, Key, Kind, MultiJittered, Purpose, Random, Regular, SampleSets,
 };
@@ -13,7 +12,7 @@ use proptest::prelude::*;
 use super::patterns::{built, occupied, once_each};
 use crate::ch02::statistics::{all_equal, most_sigmas};
 use crate::pictures::studio::{built as world, from_front, pixels};
-use crate::support::laws;
+use crate::support::{camera_ray, laws};
 
 fn sets(kind: impl Into<Kind>, n: u32, seed: u64) -> SampleSets {
     SampleSets::new(&*built(kind), n, seed)
@@ -134,7 +133,7 @@ fn correlation(pairs: &[(f64, f64)]) -> f64 {
 #[test]
 fn the_default_is_regular_for_one_and_multi_jittered_for_more() {
     let mut scene = from_front(5, 5, 1.0);
-    let film = |scene: &Scene, at, i| render::camera_ray(&world(scene), at, i).1.map(|x| x + 2.5);
+    let film = |scene: &Scene, at, i| camera_ray(&world(scene), at, i).1.map(|x| x + 2.5);
     assert_eq!(film(&scene, [2, 2], 0), [2.5, 2.5]);
     scene.image.samples = 9;
     let points: Vec<_> = (0..9).map(|i| film(&scene, [2, 2], i).map(|x| x - 2.0)).collect();

@@ -17,7 +17,7 @@ use crate::support::unit;
 pub fn stage(background: Rgb) -> Scene {
     let eye = Point::new(0.0, 0.0, 10.0);
     let camera = Viewpoint::new(eye, Point::ORIGIN, Orthographic { zoom: 1.0 });
-    Scene { background, ..Scene::new("", Image::new(1, 1), camera) }
+    Scene { background: background.into(), ..Scene::new("", Image::new(1, 1), camera) }
 }
 
 /// An empty stage on which mirrors and glass are followed.

@@ -31,7 +31,7 @@ const LIT: [&str; 5] = [
 fn lights_add() {
     for name in LIT {
         let mut scene = small(name, 24, 24, 2);
-        scene.background = Rgb::BLACK;
+        scene.background = Rgb::BLACK.into();
         let together = render::render(&built(&scene));
         let alone: Vec<_> = (0..scene.lights.len())
             .map(|only| {

@@ -1,0 +1,106 @@
+//! What a ray sees that hits nothing.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::invalid::{Invalid, positive};
+use crate::kinds;
+use crate::math::{Ray, sin};
+use crate::rgb::{ColorOr, Rgb};
+
+/// A colour, in scene files `[r, g, b]` or one number for a grey; or a pattern, as
+/// `{ sinusoid = {} }`.
+#[derive(Clone, Debug)]
+pub enum Background {
+    /// The same everywhere.
+    Color(Rgb),
+    /// See [`Pattern`].
+    Pattern(Pattern),
+}
+
+/// A background that is not the same everywhere.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Pattern {
+    /// See [`Sinusoid`].
+    Sinusoid(Sinusoid),
+}
+
+/// The test function of chapter 4: the grey `(1 + sin(x² y²))/2` where the ray meets the plane
+/// `z = 0`, whose waves become shorter without end along both axes. Black for rays that do not.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sinusoid {
+    /// The length in which x and y are measured.
+    #[serde(default = "kinds::one")]
+    pub unit: f64,
+}
+
+impl Background {
+    /// What arrives along a ray that hits nothing.
+    pub fn radiance(&self, ray: &Ray) -> Rgb {
+        match self {
+            Self::Color(color) => *color,
+            Self::Pattern(Pattern::Sinusoid(sinusoid)) => Rgb::grey(sinusoid.value(ray)),
+        }
+    }
+
+    /// Refuses colours and lengths that do not fit.
+    pub(crate) fn check(&self) -> Result<(), Invalid> {
+        match self {
+            Self::Color(color) => color.checked("background").map(drop),
+            Self::Pattern(Pattern::Sinusoid(sinusoid)) => positive("unit", sinusoid.unit)
+                .map(drop)
+                .map_err(|e| e.inside("sinusoid").inside("background")),
+        }
+    }
+
+    /// The same with every length multiplied by `factor`.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        match self {
+            Self::Color(_) => self.clone(),
+            Self::Pattern(Pattern::Sinusoid(Sinusoid { unit })) => {
+                Self::Pattern(Pattern::Sinusoid(Sinusoid { unit: factor * unit }))
+            }
+        }
+    }
+}
+
+impl Sinusoid {
+    fn value(&self, ray: &Ray) -> f64 {
+        let t = -ray.origin.z() / ray.direction.z();
+        let p = ray.at(t);
+        let [x, y] = [p.x() / self.unit, p.y() / self.unit];
+        let phase = (x * x) * (y * y);
+        if t >= 0.0 && phase.is_finite() { 0.5 * (1.0 + sin(phase)) } else { 0.0 }
+    }
+}
+
+impl Default for Background {
+    fn default() -> Self {
+        Rgb::BLACK.into()
+    }
+}
+
+impl From<Rgb> for Background {
+    fn from(color: Rgb) -> Self {
+        Self::Color(color)
+    }
+}
+
+impl Serialize for Background {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Color(color) => color.serialize(serializer),
+            Self::Pattern(pattern) => pattern.serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Background {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(match ColorOr::deserialize(deserializer)? {
+            ColorOr::Color(color) => Self::Color(color),
+            ColorOr::Kind(pattern) => Self::Pattern(pattern),
+        })
+    }
+}

@@ -1,0 +1,45 @@
+//! The box filter (Suffern, ch. 4): the mean over the pixel.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Filter;
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+
+/// 1 within the pixel, 0 outside.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Box {}
+
+impl Specification for Box {
+    type Built = Arc<dyn Filter>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self {}]
+    }
+}
+
+impl Filter for Box {
+    fn draw(&self, u: f64) -> (f64, f64) {
+        (u, 1.0)
+    }
+
+    fn value(&self, x: f64) -> f64 {
+        if x.abs() <= 0.5 { 1.0 } else { 0.0 }
+    }
+
+    fn radius(&self) -> f64 {
+        0.5
+    }
+}

@@ -1,0 +1,90 @@
+//! The Gaussian filter, cut off.
+
+use std::f64::consts::{PI, SQRT_2};
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Filter, inverse};
+use crate::invalid::{Invalid, positive};
+use crate::kinds::Specification;
+use crate::math::{erf, exp};
+
+/// `c exp(−x²/2σ²)` within the radius.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Gaussian {
+    /// The standard deviation σ, in pixels; at least a hundredth of the radius.
+    #[serde(default = "half")]
+    pub sigma: f64,
+    /// In pixels; at most 16.
+    #[serde(default = "three_halves")]
+    pub radius: f64,
+}
+
+fn half() -> f64 {
+    0.5
+}
+
+fn three_halves() -> f64 {
+    1.5
+}
+
+impl Specification for Gaussian {
+    type Built = Arc<dyn Filter>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
+        let radius = super::radius(self.radius)?;
+        let sigma = positive("sigma", self.sigma)?;
+        if sigma < 0.01 * radius {
+            let problem = format!("found {sigma}, less than a hundredth of the radius {radius}");
+            return Err(Invalid::field("sigma", problem));
+        }
+        let end = radius / (SQRT_2 * sigma);
+        Ok(Arc::new(Built { radius, scale: SQRT_2 * sigma, end, whole: erf(end) }))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        let [book, wide] = [(half(), three_halves()), (2.0, 3.0)];
+        [book, wide].map(|(sigma, radius)| Self { sigma, radius }).to_vec()
+    }
+}
+
+/// In units of `√2 σ` the filter is `exp(−z²)`.
+#[derive(Debug)]
+struct Built {
+    radius: f64,
+    /// `√2 σ`.
+    scale: f64,
+    /// The radius in that unit.
+    end: f64,
+    /// The error function there.
+    whole: f64,
+}
+
+impl Filter for Built {
+    /// The inverse of `erf(z)/erf(end)`, of both signs.
+    fn draw(&self, u: f64) -> (f64, f64) {
+        let v = 2.0 * u - 1.0;
+        let slope = |z: f64| 2.0 / PI.sqrt() * exp(-z * z);
+        let z = inverse(v.abs() * self.whole, self.end, |z| [erf(z), slope(z)]);
+        (0.5 + (self.scale * z).copysign(v), 1.0)
+    }
+
+    fn value(&self, x: f64) -> f64 {
+        let z = x / self.scale;
+        if x.abs() > self.radius {
+            return 0.0;
+        }
+        exp(-z * z) / (PI.sqrt() * self.scale * self.whole)
+    }
+
+    fn radius(&self) -> f64 {
+        self.radius
+    }
+}

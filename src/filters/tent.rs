@@ -1,0 +1,53 @@
+//! The tent filter: straight down from the pixel's centre.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::Filter;
+use crate::invalid::Invalid;
+use crate::kinds::{self, Specification};
+
+/// `(1 − |x|/r)/r` within the radius `r`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tent {
+    /// In pixels; at most 16. At 1 the tents of all pixels add up to 1 everywhere.
+    #[serde(default = "kinds::one")]
+    pub radius: f64,
+}
+
+impl Specification for Tent {
+    type Built = Arc<dyn Filter>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
+        super::radius(self.radius)?;
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { radius: 1.0 }, Self { radius: 2.5 }]
+    }
+}
+
+impl Filter for Tent {
+    /// The area of a corner of the triangle is the square of its side: `u = ½ (1 + x/r)²` left of the
+    /// centre.
+    fn draw(&self, u: f64) -> (f64, f64) {
+        let x = if u < 0.5 { (2.0 * u).sqrt() - 1.0 } else { 1.0 - (2.0 - 2.0 * u).sqrt() };
+        (0.5 + self.radius * x, 1.0)
+    }
+
+    fn value(&self, x: f64) -> f64 {
+        (1.0 - x.abs() / self.radius).max(0.0) / self.radius
+    }
+
+    fn radius(&self) -> f64 {
+        self.radius
+    }
+}
