@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use groundtruth::{cameras, lights, lobes, materials, samplers, shapes, textures};
+use groundtruth::{cameras, filters, lights, lobes, materials, samplers, shapes, textures};
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -56,6 +56,7 @@ fn every_kind_is_in_the_map_of_the_book() {
     shapes::Kind::ENTRIES.iter().for_each(|e| check("shapes", e.module));
     samplers::Kind::ENTRIES.iter().for_each(|e| check("samplers", e.module));
     cameras::Kind::ENTRIES.iter().for_each(|e| check("cameras", e.module));
+    filters::Kind::ENTRIES.iter().for_each(|e| check("filters", e.module));
     lights::Kind::ENTRIES.iter().for_each(|e| check("lights", e.module));
     lobes::Lobe::ENTRIES.iter().for_each(|e| check("lobes", e.module));
     materials::Kind::ENTRIES.iter().for_each(|e| check("materials", e.module));

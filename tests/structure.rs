@@ -24,12 +24,16 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("lights", &["invalid", "kinds", "math", "rgb"]),
     ("cameras", &["invalid", "kinds", "materials", "math"]),
     ("film", &["math", "rgb"]),
+    ("filters", &["invalid", "kinds", "math"]),
+    ("background", &["invalid", "kinds", "math", "rgb"]),
     (
         "scene",
         &[
             "accel",
+            "background",
             "cameras",
             "film",
+            "filters",
             "invalid",
             "kinds",
             "lights",
@@ -45,7 +49,9 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         "world",
         &[
             "accel",
+            "background",
             "cameras",
+            "filters",
             "invalid",
             "lights",
             "materials",
@@ -63,7 +69,9 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         "gallery",
         &[
             "accel",
+            "background",
             "cameras",
+            "filters",
             "kinds",
             "lights",
             "materials",
@@ -97,7 +105,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "world",
         ],
     ),
-    ("report", &["accel", "film", "kinds", "math", "shapes", "verify"]),
+    ("report", &["accel", "film", "kinds", "math", "samplers", "shapes", "verify"]),
     (
         "verify",
         &[
@@ -118,8 +126,8 @@ const MAY_NAME: &[(&str, &[&str])] = &[
 ];
 
 /// The folders whose files are kinds of something.
-const KINDS: [&str; 7] =
-    ["shapes", "lobes", "materials", "lights", "samplers", "cameras", "textures"];
+const KINDS: [&str; 8] =
+    ["shapes", "lobes", "materials", "lights", "samplers", "cameras", "textures", "filters"];
 
 fn sources() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")

@@ -109,12 +109,11 @@ impl Inspector {
             .frame(bar)
             .default_size(190.0)
             .show(ui, |ui| switches::show(ui, &mut self.wanted));
-        if changed.inner {
-            self.rebuild(&ctx);
-        }
-        Panel::right("explanation").frame(bar).default_size(580.0).min_size(300.0).show(ui, |ui| {
+        let right = Panel::right("explanation").frame(bar).default_size(580.0).min_size(300.0);
+        let resampled = right.show(ui, |ui| {
             ui.take_available_width();
-            self.selection.show(ui, &self.rendering, &self.picture.tone);
+            let of = (&self.rendering, self.generation);
+            self.selection.show(ui, of, &self.picture.tone, &mut self.wanted)
         });
         Panel::top("look")
             .frame(bar)
@@ -123,6 +122,9 @@ impl Inspector {
             let size = self.rendering.size();
             self.mouse = self.picture.show(ui, size, self.selection.pixel);
         });
+        if changed.inner || resampled.inner {
+            self.rebuild(&ctx);
+        }
         if let Some(pixel) = self.mouse.clicked {
             self.select(pixel);
         }

@@ -13,6 +13,7 @@ use groundtruth::scene::Scene;
 use groundtruth::trace::RayCounts;
 use groundtruth::world::World;
 
+use crate::samples::Samples;
 use crate::worker::{Background, Progress, Rendering};
 use crate::{details, picture, tree};
 
@@ -40,8 +41,22 @@ pub struct Selection {
     pub sample: u32,
     /// The ray whose details are shown: the way to it from the camera's ray.
     pub ray: Vec<usize>,
+    /// What is below the tree.
+    pub below: Below,
+    /// The samples, when they are below the tree.
+    pub samples: Samples,
     answered: Option<(Question, Answer)>,
     working: Background<(Question, Answer)>,
+}
+
+/// What is shown below the tree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Below {
+    /// The selected ray.
+    #[default]
+    Ray,
+    /// The samples of the pixel.
+    Samples,
 }
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
@@ -112,41 +127,64 @@ impl Selection {
         self.working.is_busy() || current != self.pixel
     }
 
-    /// Shows it.
-    pub fn show(&mut self, ui: &mut Ui, rendering: &Rendering, tone: &Tone) {
+    /// Shows it; whether `wanted` was changed.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        (rendering, generation): (&Rendering, u64),
+        tone: &Tone,
+        wanted: &mut Scene,
+    ) -> bool {
         let answer = match &self.answered {
             Some((_, Ok(explanation))) => Arc::clone(explanation),
             Some((_, Err(error))) => {
                 ui.colored_label(ui.visuals().error_fg_color, error);
-                return;
+                return false;
             }
             None => {
                 ui.heading("No pixel selected");
                 ui.label("Click a pixel of the picture, or type its coordinates above.");
-                return;
+                return false;
             }
         };
         let inner = Frame::new().inner_margin(Margin::symmetric(0, 4));
         Panel::top("pixel").frame(inner).show(ui, |ui| self.head(ui, &answer, rendering, tone));
         let index = self.sample.min(answer.samples_per_pixel - 1);
-        let Some(sample) = answer.samples.iter().find(|sample| sample.index == index) else {
-            ui.spinner();
-            return;
-        };
-        let Some(camera_ray) = &sample.ray else {
-            ui.strong(format!("Sample {index}"));
-            ui.label("No ray: the camera sees nothing there.");
-            return;
-        };
-        Panel::bottom("details").frame(inner).resizable(true).default_size(330.0).show(ui, |ui| {
-            ScrollArea::both().id_salt("details").auto_shrink(false).show(ui, |ui| {
-                let ray = tree::find(camera_ray, &self.ray).unwrap_or(camera_ray);
-                details::show(ui, ray);
+        let sample = answer.samples.iter().find(|sample| sample.index == index);
+        let camera_ray = sample.and_then(|sample| sample.ray.as_ref());
+        let panel = Panel::bottom("details").frame(inner).resizable(true).default_size(330.0);
+        let changed = panel.show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.selectable_value(&mut self.below, Below::Ray, "The ray");
+                ui.selectable_value(&mut self.below, Below::Samples, "The samples");
             });
+            let area = ScrollArea::both().id_salt("details").auto_shrink(false);
+            let shown = area.show(ui, |ui| match self.below {
+                Below::Ray => {
+                    if let Some(root) = camera_ray {
+                        details::show(ui, tree::find(root, &self.ray).unwrap_or(root));
+                    }
+                    false
+                }
+                Below::Samples => {
+                    let (of, pixel) = ((rendering, generation), answer.pixel);
+                    self.samples.show(ui, of, pixel, &mut self.sample, wanted)
+                }
+            });
+            shown.inner
         });
         CentralPanel::default().frame(inner).show(ui, |ui| {
+            let Some(sample) = sample else {
+                ui.spinner();
+                return;
+            };
             let [x, y] = sample.film;
-            let rays = tree::count(camera_ray);
+            let Some(root) = camera_ray else {
+                ui.strong(format!("Sample {index}"));
+                ui.label("No ray: the camera sees nothing there.");
+                return;
+            };
+            let rays = tree::count(root);
             ui.horizontal(|ui| {
                 ui.strong(format!("Sample {index}"));
                 ui.weak(format!("{rays} rays, at ({x:.4}, {y:.4}) on the view plane"));
@@ -154,9 +192,10 @@ impl Selection {
             tree::legend(ui);
             ScrollArea::both().id_salt("tree").auto_shrink(false).show(ui, |ui| {
                 ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-                tree::show(ui, camera_ray, tone, &mut self.ray);
+                tree::show(ui, root, tone, &mut self.ray);
             });
         });
+        changed.inner
     }
 
     fn head(&mut self, ui: &mut Ui, answer: &PixelExplanation, rendering: &Rendering, tone: &Tone) {

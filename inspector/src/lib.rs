@@ -9,6 +9,7 @@ pub mod details;
 pub mod explanation;
 pub mod panels;
 pub mod picture;
+pub mod samples;
 pub mod switches;
 pub mod tree;
 pub mod view;

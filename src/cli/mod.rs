@@ -46,8 +46,8 @@ enum Command {
     /// Measure speed against error on this machine: one HTML page, and its data
     ///
     /// Writes index.html, which needs nothing beside it, and report.json. The pages are:
-    /// intersections (ours beside the textbook's formulas) and acceleration (list, grid, bvh, by
-    /// number of objects). Each takes up to two minutes.
+    /// intersections (ours beside the textbook's formulas), acceleration (list, grid, bvh, by number
+    /// of objects) and samplers (by number of samples). Each takes up to two minutes.
     Report(report::Report),
 }
 

@@ -16,7 +16,7 @@ pub struct Report {
     /// The folder for index.html and report.json; made if it is not there
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Make this page only: intersections or acceleration (may be repeated)
+    /// Make this page only: intersections, acceleration or samplers (may be repeated)
     #[arg(long, value_name = "PAGE")]
     only: Vec<String>,
     /// Measure little, in a few seconds, to see what a report looks like
@@ -28,6 +28,9 @@ pub struct Report {
     /// Acceleration: the most objects
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(100..=1_000_000))]
     objects: Option<u32>,
+    /// Samplers: the most samples for each pixel
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=65536))]
+    samples: Option<u32>,
     /// The seed of all random choices
     #[arg(long, value_name = "N", default_value_t = Settings::FULL.seed)]
     seed: u64,
@@ -91,6 +94,7 @@ impl Report {
             seed: self.seed,
             cases: self.cases.map_or(size.cases, |cases| cases as usize),
             objects: self.objects.unwrap_or(size.objects),
+            samples: self.samples.unwrap_or(size.samples),
             ..size
         }
     }

@@ -3,6 +3,9 @@
 //! Each chapter's file holds its scenes and their list; [`scenes`] is all of them in order.
 
 mod ch03;
+mod ch04;
+mod ch08;
+mod ch09;
 mod ch14;
 mod ch16;
 mod ch19;
@@ -16,6 +19,7 @@ mod ch28;
 
 // shared by the chapters
 mod parts;
+mod sets;
 
 use crate::scene::Scene;
 
@@ -32,6 +36,9 @@ pub struct Entry {
 pub fn scenes() -> impl Iterator<Item = Entry> {
     [
         ch03::SCENES,
+        ch04::SCENES,
+        ch08::SCENES,
+        ch09::SCENES,
         ch14::SCENES,
         ch16::SCENES,
         ch19::SCENES,

@@ -4,9 +4,9 @@ use crate::lights::{Ambient, Directional, Point as PointLight};
 use crate::materials::{Matte, Phong};
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
-use crate::scene::{Light, Material, Object};
+use crate::scene::{Light, Material, Object, Scene};
 use crate::shapes::{self, Plane, Sphere};
-use crate::textures::Paint;
+use crate::textures::{Checker3d, Paint};
 
 pub fn point(x: f64, y: f64, z: f64) -> Point {
     Point::new(x, y, z)
@@ -74,4 +74,21 @@ pub fn object(
     recipe: impl Into<crate::materials::Kind>,
 ) -> (Object, Material) {
     (Object::new(name, name, shape), Material::new(name, recipe))
+}
+
+/// Adds an object and its material to a scene.
+pub fn add(
+    scene: &mut Scene,
+    name: &str,
+    shape: impl Into<shapes::Kind>,
+    recipe: impl Into<crate::materials::Kind>,
+) {
+    let (object, material) = object(name, shape, recipe);
+    scene.objects.push(object);
+    scene.materials.push(material);
+}
+
+/// Cubes of two colours, through all of space.
+pub fn checker3d(size: f64, color1: Rgb, color2: Rgb) -> Paint {
+    Paint(Checker3d { size, color1, color2 }.into())
 }

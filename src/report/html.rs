@@ -64,6 +64,12 @@ pub fn figure(svg: &str, caption: &str) -> String {
     format!("<figure>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>\n")
 }
 
+/// With a capital first letter.
+pub fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
 /// A number to two digits: `0.031`, `4.2`, `350`, `1.2·10⁷`.
 pub fn short(x: f64) -> String {
     if x == 0.0 {

@@ -11,6 +11,7 @@ mod html;
 mod intersections;
 mod plot;
 mod provenance;
+mod samplers;
 mod watch;
 
 use serde_json::{Value, json};
@@ -54,7 +55,8 @@ pub trait Findings: Send {
 }
 
 /// All pages, in their order.
-pub const PAGES: &[&dyn Page] = &[&intersections::Intersections, &acceleration::Acceleration];
+pub const PAGES: &[&dyn Page] =
+    &[&intersections::Intersections, &acceleration::Acceleration, &samplers::Samplers];
 
 /// The page of this name.
 pub fn page(name: &str) -> Option<&'static dyn Page> {
@@ -72,13 +74,28 @@ pub struct Settings {
     pub objects: u32,
     /// Acceleration: pixels along each side of the picture.
     pub side: u32,
+    /// Samplers: the most samples for each pixel.
+    pub samples: u32,
+    /// Samplers: pixels, each with a function of its own.
+    pub pixels: u32,
+    /// Samplers: seeds.
+    pub seeds: u32,
 }
 
 impl Settings {
     /// At most two minutes for each page on two cores.
-    pub const FULL: Self = Self { seed: 1, cases: 2000, objects: 1_000_000, side: 256 };
+    pub const FULL: Self = Self {
+        seed: 1,
+        cases: 2000,
+        objects: 1_000_000,
+        side: 256,
+        samples: 4096,
+        pixels: 64,
+        seeds: 16,
+    };
     /// A few seconds, to see what the report looks like; its numbers mean little.
-    pub const QUICK: Self = Self { seed: 1, cases: 60, objects: 1000, side: 32 };
+    pub const QUICK: Self =
+        Self { seed: 1, cases: 60, objects: 1000, side: 32, samples: 64, pixels: 4, seeds: 4 };
 }
 
 /// A finished report.

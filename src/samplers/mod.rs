@@ -65,6 +65,19 @@ crate::kinds! {
     ch05 multi_jittered::MultiJittered,
 }
 
+/// Every sampler under a name for people, in the order of the list.
+pub fn named() -> Vec<(String, Kind)> {
+    let named = |entry: &crate::kinds::Entry<Kind>| {
+        let name = entry.module.replace('_', " ");
+        let specimens = (entry.specimens)().into_iter();
+        specimens.map(move |kind| {
+            let shifted = kind.build(&mut ()).is_ok_and(|sampler| sampler.is_shifted());
+            (name.clone() + if shifted { ", shifted" } else { "" }, kind)
+        })
+    };
+    Kind::ENTRIES.iter().flat_map(|entry| named(entry).collect::<Vec<_>>()).collect()
+}
+
 /// The side of the smallest square grid of at least `n` cells.
 fn side(n: u32) -> u32 {
     let root = n.isqrt();

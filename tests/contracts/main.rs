@@ -5,6 +5,7 @@
 //! `cargo test ch19` runs the contracts of chapter 19 beside its own laws.
 
 mod camera;
+mod filter;
 mod golden;
 mod light;
 mod lobe;
@@ -69,6 +70,7 @@ fn main() {
     all.extend(lobe::trials());
     all.extend(sampler::trials());
     all.extend(camera::trials());
+    all.extend(filter::trials());
     all.extend(light::trials());
     all.extend(texture::trials());
     all.extend(material::trials());

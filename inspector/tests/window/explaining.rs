@@ -2,7 +2,6 @@
 
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
-use groundtruth::explain;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 
@@ -19,7 +18,7 @@ fn a_click_on_the_glass_sphere_shows_its_tree() {
     assert!(window.query_by_label_contains("hits \"glass sphere\"").is_none());
     click(&mut window, ON_GLASS);
     let scene = small_glass_sphere();
-    let ray = explain::sample(&scene, &built(&scene), ON_GLASS, 0).ray;
+    let ray = ray_of(&scene, ON_GLASS, 0);
     assert!(ray.line().starts_with("camera"));
     assert!(ray.line().contains("hits \"glass sphere\""));
     // in the tree and above the details
@@ -146,11 +145,11 @@ fn the_sample_chooser_changes_the_tree() {
     // the rim of the sphere, where samples differ
     let pixel = [7, 20];
     click(&mut window, pixel);
-    let (scene, world) = (small_glass_sphere(), built(&small_glass_sphere()));
+    let scene = small_glass_sphere();
     for index in 1..4 {
         window.get_by_label(">").click();
         settle(&mut window);
-        let line = explain::sample(&scene, &world, pixel, index).ray.line();
+        let line = root_line_of(&scene, pixel, index);
         assert_eq!(window.get_all_by_label(&line).count(), 2, "sample {index}");
     }
     window.get_by_label(">").click();
@@ -187,7 +186,7 @@ fn a_click_on_a_ray_shows_its_details() {
     let mut window = glass_window();
     click(&mut window, ON_GLASS);
     let scene = small_glass_sphere();
-    let root = explain::sample(&scene, &built(&scene), ON_GLASS, 0).ray;
+    let root = ray_of(&scene, ON_GLASS, 0);
     let ray = root.children.iter().find(|ray| ray.kind == "transmitted").expect("it is glass");
     window.get_by_label(&ray.line()).click();
     settle(&mut window);

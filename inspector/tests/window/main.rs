@@ -4,5 +4,6 @@ mod arguments;
 mod explaining;
 mod looking;
 mod renderer;
+mod sampling;
 mod scenes;
 mod support;

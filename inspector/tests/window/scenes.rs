@@ -1,7 +1,6 @@
 //! Opening, switching, saving; and never waiting.
 
 use egui_kittest::kittest::Queryable;
-use groundtruth::explain;
 use groundtruth::film::read_exr;
 use groundtruth::rgb::Rgb;
 use inspector::worker::{Progress, Source};
@@ -169,7 +168,7 @@ fn the_window_does_not_wait_for_the_picture() {
         window.step();
     }
     assert!(running(&window) && !old.is_cancelled());
-    let line = explain::sample(&scene, &built(&scene), [200, 240], 0).ray.line();
+    let line = root_line_of(&scene, [200, 240], 0);
     window.run_steps(2);
     assert!(window.query_all_by_label(&line).next().is_some());
 

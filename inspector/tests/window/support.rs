@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use eframe::egui::{Context, Pos2, Theme, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::explain;
+use groundtruth::explain::{self, RayExplanation};
 use groundtruth::gallery;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
@@ -81,15 +81,25 @@ pub fn click(window: &mut Window, pixel: [u32; 2]) {
 
 /// Types into the field of this name, and Enter.
 pub fn type_into(window: &mut Window, field: &str, text: &str) {
-    let input = |window: &Window| window.get_by_role_and_label(Role::TextInput, field).rect();
-    let at = input(window).center();
+    type_as(window, Role::TextInput, field, text);
+}
+
+/// Types into the number of this name, and Enter.
+pub fn type_number(window: &mut Window, field: &str, text: &str) {
+    type_as(window, Role::SpinButton, field, text);
+}
+
+fn type_as(window: &mut Window, role: Role, field: &str, text: &str) {
+    let at = window.get_by_role_and_label(role, field).rect().center();
     window.hover_at(at);
     window.drag_at(at);
     window.drop_at(at);
     window.step();
     window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, eframe::egui::Key::A);
     window.step();
-    window.get_by_role_and_label(Role::TextInput, field).type_text(text);
+    // a number turns into a text while it is typed
+    let focused = window.get_all_by(|node| node.is_focused()).next().expect("it has the keys");
+    focused.type_text(text);
     window.step();
     window.key_press(eframe::egui::Key::Enter);
     settle(window);
@@ -106,5 +116,16 @@ fn text_of(node: &egui_kittest::kittest::AccessKitNode<'_>) -> String {
 
 /// The line of the camera's ray of sample 0, from the library.
 pub fn root_line(scene: &Scene, pixel: [u32; 2]) -> String {
-    explain::sample(scene, &built(scene), pixel, 0).ray.line()
+    root_line_of(scene, pixel, 0)
+}
+
+/// The line of the camera's ray of a sample, from the library.
+pub fn root_line_of(scene: &Scene, pixel: [u32; 2], sample: u32) -> String {
+    ray_of(scene, pixel, sample).line()
+}
+
+/// The tree of a sample, from the library.
+pub fn ray_of(scene: &Scene, pixel: [u32; 2], sample: u32) -> RayExplanation {
+    let explained = explain::sample(scene, &built(scene), pixel, sample);
+    explained.ray.expect("the camera sees all its film")
 }

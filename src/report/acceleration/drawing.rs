@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Data, Run, StageData};
-use crate::report::html::{Table, bytes, count, escaped, figure, listed, short, time};
+use crate::report::html::{Table, bytes, capital, count, escaped, figure, listed, short, time};
 use crate::report::plot::{Plot, Series};
 use crate::verify::statistics::{PowerLaw, power_law};
 
@@ -66,11 +66,6 @@ fn structures<'a>(stages: impl IntoIterator<Item = &'a StageData>) -> Vec<&'a st
 
 fn runs<'a>(stage: &'a StageData, structure: &'a str) -> impl Iterator<Item = &'a Run> {
     stage.runs.iter().filter(move |run| run.structure == structure)
-}
-
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// How much longer than the best one of its scene and size a structure takes, at worst, and where;

@@ -1,4 +1,6 @@
 //! Chapter 4: antialiasing.
 
 mod edges;
+mod filters;
 mod pixel;
+mod sinusoid;

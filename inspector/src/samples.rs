@@ -1,0 +1,283 @@
+//! The samples of the selected pixel: where they lie on square, disk and hemisphere, and whether
+//! their sampler is fair.
+
+use eframe::egui::{
+    Align2, Color32, ComboBox, DragValue, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2,
+    pos2, vec2,
+};
+use groundtruth::render;
+use groundtruth::samplers::{self, Key, Purpose, maps};
+use groundtruth::scene::Scene;
+use groundtruth::verify::statistics::chi_square;
+use groundtruth::world::World;
+
+use crate::worker::Rendering;
+
+/// More would be a blot.
+const MOST_POINTS: u32 = 4096;
+/// The side of a plot, in points of the screen.
+const SIDE: f32 = 168.0;
+/// How near to a point a click must be.
+const REACH: f32 = 8.0;
+
+/// What the plots show, worked out once for each pixel of each rendering.
+#[derive(Default)]
+pub struct Samples {
+    /// The generation of the rendering, and the pixel.
+    of: Option<(u64, [u32; 2])>,
+    plots: Vec<Plot>,
+    fairness: Option<Fairness>,
+}
+
+/// The points of one use, and where they are on the screen.
+pub struct Plot {
+    title: &'static str,
+    /// What is said under the mouse.
+    about: &'static str,
+    outline: Outline,
+    /// In sample order; in the outline's own square `[−1, 1]²`, y up.
+    points: Vec<[f64; 2]>,
+    area: Rect,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Outline {
+    Square,
+    Disk,
+}
+
+/// Draws of many pixels beside what a fair sampler would do.
+struct Fairness {
+    /// Draws whose x lies in each of so many strips.
+    strips: Vec<u64>,
+    draws: u64,
+    /// From χ² over [`CELLS`]² cells.
+    p: f64,
+}
+
+/// Cells along each side, for χ²: odd, so that strata do not line up with them.
+const CELLS: usize = 15;
+const STRIPS: usize = 32;
+/// So many pixels along each side are looked at.
+const PIXELS: u32 = 32;
+/// And at most so many draws in all.
+const MOST_DRAWS: u32 = 200_000;
+
+impl Fairness {
+    /// Looks at draws for the place in the pixel, over a square of pixels.
+    fn of(world: &World) -> Self {
+        let (mut strips, mut cells) = (vec![0; STRIPS], vec![0; CELLS * CELLS]);
+        let of_pixel = world.samples_per_pixel().min(MOST_DRAWS / (PIXELS * PIXELS));
+        for at in 0..PIXELS * PIXELS {
+            let key = Key::new(world.seed, [at % PIXELS, at / PIXELS], Purpose::Pixel);
+            for index in 0..of_pixel {
+                let [x, y] = world.samples.draw(key, index);
+                let place = |x: f64, n: usize| (x * n as f64) as usize;
+                strips[place(x, STRIPS)] += 1;
+                cells[place(y, CELLS) * CELLS + place(x, CELLS)] += 1;
+            }
+        }
+        let draws = u64::from(of_pixel * PIXELS * PIXELS);
+        let expected = vec![draws as f64 / cells.len() as f64; cells.len()];
+        Self { strips, draws, p: chi_square(&cells, &expected) }
+    }
+
+    fn verdict(&self) -> String {
+        let words = match self.p {
+            p if p < 1e-3 => "not fair: some places are drawn too often (as on a fixed grid)",
+            p if p > 0.999 => "fair, and more even than chance: stratified",
+            _ => "fair: as even as chance",
+        };
+        format!("χ² of {} draws in {CELLS} × {CELLS} cells: p = {:.3}; {words}", self.draws, self.p)
+    }
+}
+
+impl Samples {
+    /// Works out what is shown, unless that is done.
+    fn refresh(&mut self, rendering: &Rendering, generation: u64, pixel: [u32; 2]) {
+        if self.of == Some((generation, pixel)) {
+            return;
+        }
+        let world = &rendering.world;
+        if self.of.is_none_or(|(of, _)| of != generation) {
+            self.fairness = Some(Fairness::of(world));
+        }
+        self.of = Some((generation, pixel));
+        let count = world.samples_per_pixel().min(MOST_POINTS);
+        let draw = |purpose, index| world.samples.draw(Key::new(world.seed, pixel, purpose), index);
+        let centered = |[x, y]: [f64; 2]| [2.0 * x - 1.0, 2.0 * y - 1.0];
+        let plot = |title, about, outline, points: Vec<[f64; 2]>| Plot {
+            title,
+            about,
+            outline,
+            points,
+            area: Rect::NOTHING,
+        };
+        let pixel_points = (0..count).map(|i| centered(draw(Purpose::Pixel, i))).collect();
+        let lens = |i| render::camera_sample(world, pixel, i).lens;
+        let lens_points = (0..count).filter_map(lens).collect();
+        let bounce = |i| {
+            let up = maps::hemisphere(draw(Purpose::Bounce { node: 0 }, i), 1.0);
+            [up.x(), up.y()]
+        };
+        self.plots = vec![
+            plot(
+                "pixel",
+                "where in the pixel (before the filter moves it)",
+                Outline::Square,
+                pixel_points,
+            ),
+            plot("lens", "where on the lens", Outline::Disk, lens_points),
+            plot(
+                "hemisphere, from above",
+                "cosine-weighted directions from the first hit, as diffuse light would need them",
+                Outline::Disk,
+                (0..count).map(bounce).collect(),
+            ),
+        ];
+    }
+
+    /// The place of a sample on the screen, in the plot of this number.
+    pub fn on_screen(&self, plot: usize, sample: usize) -> Option<Pos2> {
+        let plot = self.plots.get(plot)?;
+        plot.points.get(sample).map(|&point| plot.place(point))
+    }
+
+    /// Shows it; a click on a point chooses its sample. Whether the scene was changed.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        (rendering, generation): (&Rendering, u64),
+        pixel: [u32; 2],
+        sample: &mut u32,
+        wanted: &mut Scene,
+    ) -> bool {
+        self.refresh(rendering, generation, pixel);
+        let changed = choose(ui, rendering, wanted);
+        ui.horizontal_wrapped(|ui| {
+            for plot in &mut self.plots {
+                plot.show(ui, sample);
+            }
+        });
+        if rendering.world.samples_per_pixel() > MOST_POINTS {
+            ui.weak(format!("the first {MOST_POINTS} samples"));
+        }
+        if let Some(fairness) = &self.fairness {
+            histogram(ui, &fairness.strips);
+            ui.label(fairness.verdict());
+        }
+        changed
+    }
+}
+
+impl Plot {
+    fn place(&self, [x, y]: [f64; 2]) -> Pos2 {
+        let half = 0.5 * self.area.width() - 6.0;
+        self.area.center() + half * vec2(x as f32, -y as f32)
+    }
+
+    fn show(&mut self, ui: &mut Ui, sample: &mut u32) {
+        ui.vertical(|ui| {
+            ui.label(self.title).on_hover_text(self.about);
+            let (area, response) = ui.allocate_exact_size(Vec2::splat(SIDE), Sense::click());
+            self.area = area;
+            let response = response.on_hover_text(self.about);
+            let painter = ui.painter_at(area);
+            painter.rect_filled(area, 2.0, Color32::from_gray(18));
+            let edge = Stroke::new(1.0, Color32::from_gray(110));
+            let [low, high] = [[-1.0, 1.0], [1.0, -1.0]].map(|corner| self.place(corner));
+            match self.outline {
+                Outline::Square => {
+                    let square = Rect::from_two_pos(low, high);
+                    painter.rect_stroke(square, 0.0, edge, StrokeKind::Outside);
+                }
+                Outline::Disk => {
+                    painter.circle_stroke(area.center(), 0.5 * (high.x - low.x), edge);
+                }
+            }
+            if self.points.is_empty() {
+                let font = FontId::proportional(13.0);
+                let grey = Color32::from_gray(165);
+                painter.text(area.center(), Align2::CENTER_CENTER, "not used", font, grey);
+            }
+            let radius = if self.points.len() > 400 { 1.2 } else { 2.4 };
+            for &point in &self.points {
+                painter.circle_filled(self.place(point), radius, Color32::from_rgb(120, 180, 255));
+            }
+            if let Some(&chosen) = self.points.get(*sample as usize) {
+                let at = self.place(chosen);
+                painter.circle_filled(at, radius + 1.0, Color32::from_rgb(255, 200, 60));
+                let ring = Stroke::new(1.5, Color32::from_rgb(255, 200, 60));
+                painter.circle_stroke(at, radius + 4.0, ring);
+            }
+            if let (true, Some(at)) = (response.clicked(), response.interact_pointer_pos())
+                && let Some(nearest) = self.nearest(at)
+            {
+                *sample = nearest;
+            }
+        });
+    }
+
+    /// The sample nearest to a place of the screen, if it is near.
+    fn nearest(&self, at: Pos2) -> Option<u32> {
+        let far = |point: &[f64; 2]| self.place(*point).distance(at);
+        let nearest = (0..).zip(&self.points).min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
+        nearest.filter(|(_, point)| far(point) <= REACH).map(|(index, _)| index)
+    }
+}
+
+/// Sampler and count; whether they were changed.
+fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
+    let mut changed = false;
+    ui.horizontal(|ui| {
+        let label = ui.label("Sampler");
+        let image = &mut wanted.image;
+        let words = |kind: &samplers::Kind| format!("{kind:?}");
+        let usual = "as the book: one regular sample, or multi-jittered ones";
+        let all = samplers::named();
+        let current = image.sampler.as_ref().map(words);
+        let name = all.iter().find(|(_, kind)| Some(words(kind)) == current);
+        let shown = name.map_or("usual", |(name, _)| name.as_str());
+        let combo = ComboBox::from_id_salt("sampler").selected_text(shown).width(190.0);
+        let combo = combo.show_ui(ui, |ui| {
+            let none = ui.selectable_label(image.sampler.is_none(), "usual");
+            if none.on_hover_text(usual).clicked() {
+                image.sampler = None;
+                changed = true;
+            }
+            for (name, kind) in &all {
+                if ui.selectable_label(Some(words(kind)) == current, name).clicked() {
+                    image.sampler = Some(kind.clone());
+                    changed = true;
+                }
+            }
+        });
+        combo.response.labelled_by(label.id);
+        let label = ui.label("Samples");
+        let count = DragValue::new(&mut image.samples).range(1..=1024).update_while_editing(false);
+        changed |= ui.add(count).labelled_by(label.id).changed();
+        let used = rendering.world.samples_per_pixel();
+        if used != rendering.scene.image.samples {
+            ui.weak(format!("rounded up to {used}"));
+        }
+    });
+    changed
+}
+
+/// How many draws fall into each strip of the square.
+fn histogram(ui: &mut Ui, strips: &[u64]) {
+    let most = strips.iter().copied().max().unwrap_or(0).max(1);
+    let size = vec2(ui.available_width().min(3.0 * SIDE), 44.0);
+    let (area, response) = ui.allocate_exact_size(size, Sense::hover());
+    response.on_hover_text("Draws of many pixels by their x: level if the sampler is fair");
+    let painter = ui.painter_at(area);
+    painter.rect_filled(area, 2.0, Color32::from_gray(18));
+    let width = area.width() / strips.len() as f32;
+    for (index, &count) in strips.iter().enumerate() {
+        let left = area.left() + width * index as f32;
+        let top = area.bottom() - (area.height() - 4.0) * (count as f32 / most as f32);
+        let bar =
+            Rect::from_min_max(pos2(left + 0.5, top), pos2(left + width - 0.5, area.bottom()));
+        painter.rect_filled(bar, 0.0, Color32::from_rgb(120, 180, 255));
+    }
+}

@@ -1,0 +1,162 @@
+//! Page 3 as tables and pictures, from its data alone.
+
+use super::{CONFIDENCE, Data, FITTED_FROM, IntegrandData, SamplerData};
+use crate::report::html::{Table, capital, count, escaped, figure, listed, short, time};
+use crate::report::plot::{Plot, Series};
+
+/// A sampler is as good as the best if it takes no more than this times its time.
+const AS_GOOD: f64 = 1.2;
+/// The book's, for the first plot of each integrand; the others are in the second, beside the first
+/// of these.
+const BOOKS: [&str; 5] = ["random", "regular", "jittered", "n rooks", "multi jittered"];
+
+pub fn page(data: &Data) -> String {
+    let mut html = explanation(data) + &summary(data);
+    for integrand in &data.integrands {
+        let heading = capital(&integrand.name);
+        html += &format!("<h3>{heading}</h3>\n<p>{}</p>\n", escaped(&integrand.about));
+        html +=
+            &format!("<p class=\"pick\"><strong>What to pick.</strong> {}</p>\n", pick(integrand));
+        html += "<div class=\"pictures\">\n";
+        let of_book = |s: &&SamplerData| BOOKS.contains(&&*s.sampler);
+        let (book, others): (Vec<_>, Vec<_>) = integrand.samplers.iter().partition(of_book);
+        let first = book.iter().filter(|s| s.sampler == BOOKS[0]).copied();
+        html +=
+            &figure(&picture(&book).svg(), "The book's samplers of random kind, and regular ones.");
+        let others: Vec<&SamplerData> = first.chain(others).collect();
+        html += &figure(&picture(&others).svg(), "Random samples again, and the other samplers.");
+        html += "</div>\n";
+        html += &table(integrand);
+    }
+    html
+}
+
+fn explanation(data: &Data) -> String {
+    let Data { pixels, seeds, .. } = data;
+    format!(
+        "<p>Each integrand is a family of functions whose means are known, one function for each of \
+         {pixels} pixels. A sampler's error is the root mean square of what its mean is off, over \
+         these pixels and {seeds} seeds; of white for things that are black or white, of the mean for \
+         the others. Draws are made as a renderer makes them: one of 83 sets and an order for each \
+         pixel and use.</p>\n\
+         <p>On logarithmic axes a power of the number of samples is a straight line: random samples \
+         fall with slope −1/2, whatever the function. Slopes are fitted from {FITTED_FROM} samples \
+         on, with an interval of {:.0} % confidence. Seconds are for one pixel on one thread, draws \
+         and the function itself; tracing a ray costs far more, so that where rays are traced the \
+         number of samples decides.</p>\n",
+        100.0 * CONFIDENCE
+    )
+}
+
+/// Samples for an error of 1 %, of all.
+fn summary(data: &Data) -> String {
+    let Some(first) = data.integrands.first() else { return String::new() };
+    let row = |(i, sampler): (usize, &SamplerData)| {
+        let of = |integrand: &IntegrandData| samples_needed(&integrand.samplers[i]);
+        let cells = data.integrands.iter().map(of);
+        std::iter::once(sampler.sampler.clone()).chain(cells).collect()
+    };
+    let names = data.integrands.iter().map(|integrand| integrand.name.clone());
+    Table {
+        caption: "To reach an error of 1 %: samples for each pixel".to_owned(),
+        headings: std::iter::once("sampler".to_owned()).chain(names).collect(),
+        rows: first.samplers.iter().enumerate().map(row).collect(),
+        ..Table::default()
+    }
+    .html()
+}
+
+fn samples_needed(s: &SamplerData) -> String {
+    let most = s.errors.last().map_or(0, |e| e.samples);
+    s.samples_for_one_percent.map_or(format!("&gt; {}", count(most as usize)), short)
+}
+
+fn picture(samplers: &[&SamplerData]) -> Plot {
+    let series = |s: &&SamplerData| Series {
+        name: s.sampler.clone(),
+        points: s.errors.iter().map(|e| (f64::from(e.samples), e.rms)).collect(),
+        joined: true,
+        ..Series::default()
+    };
+    Plot {
+        x: "samples for each pixel".to_owned(),
+        y: "root mean square error".to_owned(),
+        series: samplers.iter().map(series).collect(),
+        limit: Some((super::ONE_PERCENT, "1 %".to_owned())),
+    }
+}
+
+/// One sentence: the sampler with the fewest samples for 1 %, those that are as good, and what random
+/// samples need.
+fn pick(integrand: &IntegrandData) -> String {
+    let needs = |s: &&SamplerData| s.samples_for_one_percent;
+    let mut known: Vec<&SamplerData> =
+        integrand.samplers.iter().filter(|s| needs(s).is_some()).collect();
+    known.sort_by(|a, b| needs(a).partial_cmp(&needs(b)).expect("numbers of samples"));
+    let Some(best) = known.first() else {
+        let last = |s: &SamplerData| s.errors.last().map_or(f64::INFINITY, |e| e.rms);
+        let all = integrand.samplers.iter();
+        let best = all.min_by(|a, b| last(a).total_cmp(&last(b)));
+        return best.map_or(String::new(), |best| {
+            format!("None reaches 1 %; {} comes nearest.", best.sampler)
+        });
+    };
+    let fewest = needs(best).unwrap_or(f64::NAN);
+    let as_good = known[1..].iter().filter(|s| needs(s).is_some_and(|n| n <= AS_GOOD * fewest));
+    let as_good: Vec<String> = as_good.map(|s| s.sampler.clone()).collect();
+    let beside = match as_good.len() {
+        0 => String::new(),
+        _ => format!(" (or {}, about as good)", listed(&as_good)),
+    };
+    let random = integrand.samplers.iter().find(|s| s.sampler == "random");
+    let random = match random.and_then(|s| needs(&s)) {
+        Some(n) => format!("; random samples need {}", short(n)),
+        None => "; random samples do not reach it".to_owned(),
+    };
+    format!(
+        "{}{beside}: {} samples make the error 1 %{random}.",
+        capital(&best.sampler),
+        short(fewest)
+    )
+}
+
+fn table(integrand: &IntegrandData) -> String {
+    let row = |s: &SamplerData| {
+        let at = |n: u32| {
+            let error = s.errors.iter().find(|e| e.samples == n);
+            error.map_or(
+                "–".to_owned(),
+                |e| if e.rms == 0.0 { "0".to_owned() } else { short(e.rms) },
+            )
+        };
+        let slope = match s.slope {
+            Some([slope, low, high]) => format!("{slope:.2} ({low:.2} … {high:.2})"),
+            None => "–".to_owned(),
+        };
+        vec![
+            s.sampler.clone(),
+            at(16),
+            at(256),
+            at(4096),
+            slope,
+            samples_needed(s),
+            s.seconds_for_one_percent().map_or("–".to_owned(), time),
+        ]
+    };
+    let headings = [
+        "sampler",
+        "error, 16 samples",
+        "256",
+        "4096",
+        "slope",
+        "samples for 1 %",
+        "seconds for 1 %",
+    ];
+    Table {
+        caption: format!("{}: error and cost", capital(&integrand.name)),
+        headings: headings.map(str::to_owned).to_vec(),
+        rows: integrand.samplers.iter().map(row).collect(),
+        ..Table::default()
+    }
+    .html()
+}

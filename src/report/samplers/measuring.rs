@@ -1,0 +1,120 @@
+//! Errors and times, measured.
+
+use rayon::prelude::*;
+
+use super::integrands::{INTEGRANDS, Integrand, Problem};
+use super::{Data, Error, IntegrandData, Interrupted, SamplerData, Settings, Watch};
+use crate::math::{Pcg32, hash};
+use crate::report::clock;
+use crate::samplers::{self, Key, Kind, Purpose, SampleSets};
+
+/// 1, 4, 16 … up to `most`: squares, and powers of two.
+fn counts(most: u32) -> impl Iterator<Item = u32> {
+    (0..=8).map(|k| 1_u32 << (2 * k)).filter(move |&n| n <= most.max(4))
+}
+
+pub fn steps(settings: &Settings) -> u64 {
+    (samplers::named().len() * (counts(settings.samples).count() + 1)) as u64
+}
+
+/// A problem of each integrand for each pixel.
+type Problems = Vec<Vec<Problem>>;
+
+pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> {
+    let problem = |integrand: &Integrand, pixel: u32| {
+        (integrand.problem)(&mut Pcg32::new(hash(&[settings.seed, pixel.into()]), 1))
+    };
+    let problems: Problems = INTEGRANDS
+        .iter()
+        .map(|integrand| (0..settings.pixels).map(|pixel| problem(integrand, pixel)).collect())
+        .collect();
+    let mut data: Vec<IntegrandData> = INTEGRANDS
+        .iter()
+        .map(|integrand| IntegrandData {
+            name: integrand.name.to_owned(),
+            about: integrand.about.to_owned(),
+            samplers: Vec::new(),
+        })
+        .collect();
+    for (sampler, kind) in samplers::named() {
+        let mut errors = vec![Vec::new(); INTEGRANDS.len()];
+        for n in counts(settings.samples) {
+            for (errors, rms) in errors.iter_mut().zip(rms_errors(&kind, n, &problems, settings)) {
+                errors.push(Error { samples: n, rms });
+            }
+            watch.step()?;
+        }
+        let seconds = sample_seconds(&kind, &problems, settings);
+        watch.step()?;
+        for ((data, errors), sample_seconds) in data.iter_mut().zip(errors).zip(seconds) {
+            let samples_for_one_percent = SamplerData::reach(&errors);
+            let sampler = sampler.clone();
+            let mut found = SamplerData {
+                sampler,
+                errors,
+                sample_seconds,
+                slope: None,
+                samples_for_one_percent,
+            };
+            found.slope = found.law().map(|l| [l.exponent, l.interval[0], l.interval[1]]);
+            data.samplers.push(found);
+        }
+    }
+    Ok(Data { pixels: settings.pixels, seeds: settings.seeds, integrands: data })
+}
+
+fn sets(kind: &Kind, n: u32, seed: u64) -> SampleSets {
+    let sampler = kind.build(&mut ()).expect("specimens are valid");
+    SampleSets::new(&*sampler, n, seed)
+}
+
+/// The root mean square error of each integrand with `n` samples, over pixels and seeds.
+fn rms_errors(kind: &Kind, n: u32, problems: &Problems, settings: &Settings) -> Vec<f64> {
+    let of_seed = |seed: u64| -> Vec<f64> {
+        let sets = sets(kind, n, seed);
+        let squares = |(integrand, problems): (&Integrand, &Vec<Problem>)| {
+            let error = |(pixel, problem): (u32, &Problem)| {
+                let mean = sum(integrand, problem, &sets, seed, pixel) / f64::from(sets.per_set());
+                (mean - problem.exact) / problem.scale
+            };
+            (0..).zip(problems).map(error).map(|e| e * e).sum()
+        };
+        INTEGRANDS.iter().zip(problems).map(squares).collect()
+    };
+    // collected in the order of the seeds, so that sums are the same on any number of threads
+    let seeds: Vec<Vec<f64>> = (0..u64::from(settings.seeds))
+        .into_par_iter()
+        .map(|i| of_seed(hash(&[settings.seed, i])))
+        .collect();
+    let count = f64::from(settings.seeds) * f64::from(settings.pixels);
+    let of_integrand = |i: usize| seeds.iter().map(|squares| squares[i]).sum::<f64>();
+    (0..INTEGRANDS.len()).map(|i| (of_integrand(i) / count).sqrt()).collect()
+}
+
+/// The sum of the samples of a pixel, drawn as a renderer does.
+fn sum(integrand: &Integrand, problem: &Problem, sets: &SampleSets, seed: u64, pixel: u32) -> f64 {
+    let key = |purpose| Key::new(seed, [pixel, 0], purpose);
+    let (film, lens) = (key(Purpose::Pixel), key(Purpose::Lens));
+    let value = |i| {
+        let lens = if integrand.four_dimensional { sets.draw(lens, i) } else { [0.0; 2] };
+        (problem.value)(sets.draw(film, i), lens)
+    };
+    (0..sets.per_set()).map(value).sum()
+}
+
+/// Seconds for a sample of each integrand, on one thread: the median of some rounds.
+fn sample_seconds(kind: &Kind, problems: &Problems, settings: &Settings) -> Vec<f64> {
+    const ROUNDS: usize = 9;
+    let sets = sets(kind, 256.min(settings.samples), settings.seed);
+    let seconds = |(integrand, problems): (&Integrand, &Vec<Problem>)| {
+        let mut job = || {
+            let each = |(pixel, problem): (u32, &Problem)| {
+                sum(integrand, problem, &sets, settings.seed, pixel)
+            };
+            std::hint::black_box((0..).zip(problems).map(each).sum::<f64>());
+        };
+        let samples = f64::from(sets.per_set()) * problems.len() as f64;
+        clock::medians(ROUNDS, &mut [&mut job])[0] / samples
+    };
+    INTEGRANDS.iter().zip(problems).map(seconds).collect()
+}

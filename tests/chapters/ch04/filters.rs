@@ -1,0 +1,241 @@
+//! Filters on whole pictures: what a pixel counts beside itself.
+
+use groundtruth::background::Background;
+use groundtruth::filters::{Box, Filter, Gaussian, Kind, Mitchell, Tent};
+use groundtruth::math::{Point, erf, exp};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::{Jittered, Random};
+use groundtruth::scene::Scene;
+use groundtruth::shapes;
+use groundtruth::trace::RayTree;
+use groundtruth::world::World;
+use proptest::prelude::*;
+use std::f64::consts::SQRT_2;
+use std::path::Path;
+
+use crate::pictures::studio::{add_flat, bits, built, from_front, pixels};
+use crate::support::laws;
+
+fn filter(kind: impl Into<Kind>) -> std::sync::Arc<dyn Filter> {
+    kind.into().build(&mut ()).expect("a valid filter")
+}
+
+fn gaussian(sigma: f64, radius: f64) -> Gaussian {
+    Gaussian { sigma, radius }
+}
+
+/// Every kind, and what makes each of them different.
+fn kinds() -> Vec<Kind> {
+    Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)()).collect()
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: the filters of all pixels add up to 1 everywhere, for the box, the tent of radius 1 and
+    /// all of Mitchell and Netravali's family (their equation 8 was made so). Oracle: the sum.
+    #[test]
+    fn filters_of_all_pixels_add_up_to_one(b in 0.0..=1.0_f64, c in 0.0..=1.0_f64, x in 0.0..1.0_f64) {
+        for kind in [Mitchell { b, c }.into(), Tent { radius: 1.0 }.into(), Kind::from(Box {})] {
+            let filter = filter(kind);
+            prop_assume!(x != 0.5); // two boxes meet there
+            let sum: f64 = (-3..=3).map(|i| filter.value(x + f64::from(i))).sum();
+            prop_assert!((sum - 1.0).abs() < 8.0 * f64::EPSILON, "{sum}");
+        }
+    }
+
+    /// Law: b = 1, c = 0 is the cubic B-spline. Oracle: `Σ (−1)^k (4 choose k) (x + 2 − k)³₊ / 6`.
+    #[test]
+    fn mitchell_with_b_1_is_the_b_spline(x in -2.5..2.5_f64) {
+        let part = |k: i32, times: f64| {
+            let p = (x + 2.0 - f64::from(k)).max(0.0);
+            times * p * p * p / 6.0
+        };
+        let spline = part(0, 1.0) + part(1, -4.0) + part(2, 6.0) + part(3, -4.0) + part(4, 1.0);
+        let found = filter(Mitchell { b: 1.0, c: 0.0 }).value(x);
+        // five terms of up to 15, and their cancellation
+        prop_assert!((found - spline).abs() < 1e-14, "{found} {spline}");
+    }
+
+    /// Law: the interpolating filters, b = 0, are 1 at the centre and 0 at all other whole numbers; the
+    /// general one is `1 − b/3`, `b/6` and 0 at 0, 1 and 2. Oracle: the paper's polynomials there.
+    #[test]
+    fn mitchell_has_its_values_at_whole_numbers(b in 0.0..=1.0_f64, c in 0.0..=1.0_f64) {
+        let filter = filter(Mitchell { b, c });
+        for (x, value) in [(0.0, 1.0 - b / 3.0), (1.0, b / 6.0), (-1.0, b / 6.0), (2.0, 0.0)] {
+            prop_assert!((filter.value(x) - value).abs() < 4.0 * f64::EPSILON, "{x}");
+        }
+    }
+
+    /// Law: the Gaussian's place is that of the normal distribution, cut off. Oracle: the error
+    /// function of the place, which is u.
+    #[test]
+    fn gaussian_places_are_normal(u in 0.0..1.0_f64, sigma in 0.2..3.0_f64, radius in 0.3..6.0_f64) {
+        let (place, weight) = filter(gaussian(sigma, radius)).draw(u);
+        let share = |x: f64| erf(x / (SQRT_2 * sigma));
+        let found = 0.5 * (1.0 + share(place - 0.5) / share(radius));
+        prop_assert!((found - u).abs() < 1e-14, "{found} {u}");
+        prop_assert_eq!(weight, 1.0);
+        let ratio = |x: f64| filter(gaussian(sigma, radius)).value(x * radius)
+            / filter(gaussian(sigma, radius)).value(0.0);
+        let z = 0.7 * radius / sigma;
+        prop_assert!((ratio(0.7) - exp(-0.5 * z * z)).abs() < 1e-14);
+    }
+}
+
+/// A white half plane left of `x`, in a picture of one pixel.
+fn edge(x: f64, filter: Kind, samples: u32) -> Scene {
+    let mut scene = from_front(1, 1, 1.0);
+    scene.image.filter = filter;
+    scene.image.samples = samples;
+    scene.image.sampler = Some(Random {}.into());
+    let half = shapes::Box { min: Point::new(-99.0, -99.0, -1.0), max: Point::new(x, 99.0, 1.0) };
+    add_flat(&mut scene, "half", half, Rgb::WHITE);
+    scene
+}
+
+/// Mean and standard error of one pixel over seeds. Random samples: replicas are independent.
+fn replicas(scene: &Scene, seeds: u64) -> (f64, f64) {
+    let value = |seed| {
+        let world = World::build_seeded(scene, Path::new(""), seed).expect("the scene is valid");
+        render::pixel(&world, [0, 0]).r
+    };
+    let values: Vec<f64> = (0..seeds).map(value).collect();
+    let n = seeds as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let variance = values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / (n - 1.0);
+    (mean, (variance / n).sqrt())
+}
+
+/// Law: the pixel beside an edge is the filter's integral up to the edge, negative lobes too. Oracle:
+/// quadrature of the filter; 5 standard errors of 64 replicas, 35 tests (two-sided level 1e-5
+/// together with Student's t of 63 degrees: below 1e-3).
+#[test]
+fn an_edge_is_blurred_by_the_filters_integral() {
+    for kind in kinds() {
+        let value = filter(kind.clone());
+        for x in [-1.3, -0.6, 0.0, 0.4, 1.5] {
+            let r = value.radius();
+            let n = 20_000;
+            let h = (x + r).clamp(0.0, 2.0 * r) / f64::from(n);
+            let exact: f64 = (0..n).map(|i| h * value.value(-r + h * (f64::from(i) + 0.5))).sum();
+            let (mean, error) = replicas(&edge(x, kind.clone(), 64), 64);
+            // all or nothing leaves no error; the quadrature's is below 1e-4
+            assert!((mean - exact).abs() <= 5.0 * error + 1e-4, "{kind:?} at {x}: {mean} {exact}");
+        }
+    }
+}
+
+/// Law: x and y are filtered alike: the picture of the edge turned by 90° has the same mean. Oracle:
+/// symmetry; the other axis's integral is 1.
+#[test]
+fn both_axes_are_filtered() {
+    let kind: Kind = Mitchell { b: 1.0 / 3.0, c: 1.0 / 3.0 }.into();
+    let upright = replicas(&edge(0.3, kind.clone(), 64), 64);
+    let mut scene = edge(0.0, kind, 64);
+    let half = shapes::Box { min: Point::new(-99.0, -99.0, -1.0), max: Point::new(99.0, 0.3, 1.0) };
+    scene.objects[0].shape = half.into();
+    let flat = replicas(&scene, 64);
+    let error = (upright.1 * upright.1 + flat.1 * flat.1).sqrt();
+    assert!((upright.0 - flat.0).abs() < 5.0 * error, "{upright:?} {flat:?}");
+    // it sharpens: beside the edge it is brighter than the box, which gives 0.8
+    assert!(upright.0 > 0.85 && flat.0 > 0.85, "{upright:?} {flat:?}");
+}
+
+/// Law: filters without negative lobes leave a constant as it is, to the last bit; the others on the
+/// average, with weights that differ in sign only. Oracle: the constant.
+#[test]
+fn a_constant_stays_what_it_is() {
+    for kind in kinds() {
+        let mut scene = from_front(2, 2, 1.0);
+        scene.background = Rgb::new(0.1, 0.7, 3.0).into();
+        scene.image.filter = kind.clone();
+        scene.image.samples = 4096;
+        scene.image.sampler = Some(Jittered {}.into());
+        let found = render::pixel(&built(&scene), [1, 0]);
+        if matches!(kind, Kind::Mitchell(_)) {
+            // at most 64 + 64 of 4096 jittered cells are cut by a change of sign, each off by ≤ 2 · 1.3²
+            assert!((found.g / 0.7 - 1.0).abs() < 0.03, "{kind:?}: {found:?}");
+        } else {
+            assert_eq!(bits(found), bits(Rgb::new(0.1, 0.7, 3.0)), "{kind:?}");
+        }
+    }
+}
+
+/// Law: leaving the filter out is the box, which uses the pixel's samples as they are: bit for bit,
+/// and in a scene file nothing is written.
+#[test]
+fn the_box_is_the_default() {
+    let mut scene = edge(0.3, Box {}.into(), 16);
+    let with = render::render(&built(&scene));
+    let text = groundtruth::scene::to_toml(&scene).expect("it can be written");
+    assert!(!text.contains("filter"), "{text}");
+    scene.image.filter = Kind::default();
+    assert_eq!(bits(render::render(&built(&scene)).get([0, 0])), bits(with.get([0, 0])));
+}
+
+/// Law: a sample is its filter's weight times what arrives along its ray, recorded or not; the mean of
+/// all is the pixel. Oracle: the recorded tree, and the sum.
+#[test]
+fn a_sample_is_weighed_by_its_filter() {
+    let mut scene = edge(0.2, Mitchell { b: 0.0, c: 0.5 }.into(), 64);
+    scene.background = Background::from(Rgb::new(0.2, 0.4, 0.6));
+    let world = built(&scene);
+    let mut negative = 0;
+    for index in 0..64 {
+        let way = render::camera_sample(&world, [0, 0], index);
+        negative += u32::from(way.weight < 0.0);
+        let mut tree = RayTree::default();
+        let sample = render::sample(&world, [0, 0], index, &mut tree);
+        let arriving = tree.nodes()[0].radiance;
+        assert_eq!(bits(sample), bits(way.weight * arriving));
+        assert_eq!(bits(sample), bits(render::sample(&world, [0, 0], index, &mut ())));
+        let inside = way.film[0] < 0.2;
+        assert_eq!(arriving, if inside { Rgb::WHITE } else { Rgb::new(0.2, 0.4, 0.6) });
+    }
+    assert!((1..32).contains(&negative), "{negative} of 64 samples count negatively");
+}
+
+/// Law: a filter is about pixels: with the picture in twice as many of half the size, samples lie half
+/// as far from their pixel's centre.
+#[test]
+fn a_filters_radius_counts_pixels() {
+    let mut scene = from_front(4, 4, 1.0);
+    scene.image.filter = Tent { radius: 2.0 }.into();
+    scene.image.samples = 256;
+    let spread = |scene: &Scene| {
+        let world = built(scene);
+        let far = |at| (0..256).map(move |i| (at, i));
+        pixels(scene.image.width, scene.image.height)
+            .flat_map(far)
+            .map(|(at, i)| {
+                let [x, _] = render::camera_sample(&world, at, i).film;
+                let center = render::film_place(&scene.image, at, [0.5, 0.5])[0];
+                (x - center).abs()
+            })
+            .fold(0.0, f64::max)
+    };
+    let whole = spread(&scene);
+    assert!((1.8..=2.0).contains(&whole), "{whole}");
+    scene.image.resize(8, 8);
+    let half = spread(&scene);
+    assert!((0.9..=1.0).contains(&half), "{half}");
+}
+
+/// Law: a filter that does not fit is refused with the field's name and what fits.
+#[test]
+fn wrong_filters_are_refused() {
+    for (kind, text) in [
+        (Kind::from(Tent { radius: 0.0 }), "image.filter.tent.radius: found 0, but a positive"),
+        (Tent { radius: 17.0 }.into(), "image.filter.tent.radius: found 17, but 0 to 16 fit"),
+        (gaussian(f64::NAN, 2.0).into(), "image.filter.gaussian.sigma: found NaN, but a positive"),
+        (gaussian(0.001, 2.0).into(), "image.filter.gaussian.sigma: found 0.001, less than"),
+        (Mitchell { b: 1.5, c: 0.0 }.into(), "image.filter.mitchell.b: found 1.5, but 0 to 1 fit"),
+    ] {
+        let mut scene = from_front(2, 2, 1.0);
+        scene.image.filter = kind;
+        let error = World::build(&scene).expect_err("it does not fit").to_string();
+        assert!(error.contains(text), "{error}");
+    }
+}

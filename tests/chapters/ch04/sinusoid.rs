@@ -1,0 +1,200 @@
+//! The test function sin(x² y²), which needs no object, and what sampling makes of it.
+
+use std::f64::consts::{PI, TAU};
+
+use groundtruth::background::{Background, Pattern, Sinusoid};
+use groundtruth::cameras::{Orthographic, Pinhole, Viewpoint};
+use groundtruth::math::{Point, Vector, power_of_two, sin};
+use groundtruth::render;
+use groundtruth::samplers::{Jittered, Random};
+use groundtruth::scene::{Image, Scene};
+use groundtruth::trace::RayCounts;
+
+use crate::pictures::studio::{bits, built, pixels};
+
+/// The side of the book's square: figure 4.2 shows `[0, 10.83]²`.
+const SIDE: f64 = 10.83;
+
+fn pattern(unit: f64) -> Background {
+    Background::Pattern(Pattern::Sinusoid(Sinusoid { unit }))
+}
+
+/// The square in n × n pixels.
+fn scene(n: u32) -> Scene {
+    let center = Point::new(0.5 * SIDE, 0.5 * SIDE, 0.0);
+    let eye = center + 100.0 * Vector::Z;
+    let image = Image { pixel_size: SIDE / f64::from(n), ..Image::new(n, n) };
+    let view = Viewpoint::new(eye, center, Orthographic { zoom: 1.0 });
+    Scene { background: pattern(1.0), ..Scene::new("", image, view) }
+}
+
+fn value(x: f64, y: f64) -> f64 {
+    0.5 * (1.0 + sin(x * x * y * y))
+}
+
+/// Law: with one sample a pixel is the function at its centre. Oracle: the formula at the book's
+/// `s (c + ½)`, rows counted from the bottom.
+#[test]
+fn a_pixel_is_the_function_at_its_centre() {
+    let scene = scene(128);
+    let film = render::render(&built(&scene));
+    let s = SIDE / 128.0;
+    for [column, row] in pixels(128, 128) {
+        let (x, y) = (s * (f64::from(column) + 0.5), s * (f64::from(127 - row) + 0.5));
+        // x and y are off by some u of 11, the phase by 4 x³ times that
+        let error = (film.get([column, row]).r - value(x, y)).abs();
+        assert!(error < 1e-10, "{column} {row}: {error:e}");
+    }
+}
+
+/// Law: it needs no object, and costs one ray a sample.
+#[test]
+fn it_needs_one_ray_and_no_object() {
+    let world = built(&scene(8));
+    assert!(world.objects().is_empty());
+    let mut counts = RayCounts::default();
+    render::sample(&world, [3, 4], 0, &mut counts);
+    assert_eq!(counts, RayCounts { camera: 1, ..RayCounts::default() });
+}
+
+/// Law (invariant 1): waves are shown truly only where the phase changes by less than π from pixel to
+/// pixel, `x y² < π/2s` (74.26 for 512 pixels). Oracle: sign changes of `f − ½` along a row, counted
+/// in the picture and in the formula on a grid 64 times as fine; beyond the bound waves are lost.
+#[test]
+fn waves_are_lost_beyond_the_nyquist_bound() {
+    let n = 512;
+    let s = SIDE / f64::from(n);
+    let bound = PI / (2.0 * s);
+    assert!((bound - 74.26).abs() < 0.005, "{bound}");
+    let film = render::render(&built(&scene(n)));
+    let row = 200;
+    let y = s * (f64::from(n - 1 - row) + 0.5);
+    let limit = bound / (y * y);
+    let changes = |values: Vec<f64>| {
+        values.windows(2).filter(|pair| (pair[0] > 0.5) != (pair[1] > 0.5)).count()
+    };
+    let last = (limit / s) as u32; // the first column beyond
+    let shown =
+        |from: u32, to: u32| changes((from..to).map(|column| film.get([column, row]).r).collect());
+    let true_waves = |from: u32, to: u32| {
+        let fine = 64 * from..64 * to - 63;
+        changes(fine.map(|i| value(s * (f64::from(i) / 64.0 + 0.5), y)).collect())
+    };
+    assert!((40..470).contains(&last), "{last}");
+    assert_eq!(shown(0, last), true_waves(0, last));
+    let (few, many) = (shown(last, n), true_waves(last, n));
+    assert!(few < many, "{few} of {many} waves beyond the bound");
+}
+
+/// Law (invariant 2): where the phase changes by a multiple of 2π from pixel to pixel along both axes,
+/// the picture shows a centre that is not there: neighbours hardly differ, though the function runs
+/// through a whole wave between them. Oracle: `2x³ s = 2π` on the diagonal.
+#[test]
+fn false_centres_appear_where_whole_waves_fit_between_pixels() {
+    let n = 512;
+    let s = SIDE / f64::from(n);
+    let center = libm::cbrt(PI / s);
+    let at = (center / s - 0.5).round() as u32;
+    let film = render::render(&built(&scene(n)));
+    let grey = |dx: i32, dy: i32| {
+        let [x, y] = [at.wrapping_add_signed(dx), (n - 1 - at).wrapping_add_signed(dy)];
+        film.get([x, y]).r
+    };
+    // the pixel is within ½ of the true place, where the phase step differs from 2π by 3·2π·½s/x;
+    // the second difference of the phase is s² y²
+    let allowed = 0.5 * (1.5 * TAU * s / center + s * s * center * center) + 1e-6;
+    assert!(allowed < 0.03, "{allowed}");
+    for (dx, dy) in [(1, 0), (-1, 0), (0, 1), (0, -1)] {
+        let step = (grey(dx, dy) - grey(0, 0)).abs();
+        assert!(step < allowed, "{dx} {dy}: {step} of {allowed}");
+    }
+    let x = s * (f64::from(at) + 0.5);
+    let between = (0..64).map(|i| value(x + s * f64::from(i) / 64.0, x));
+    let (low, high) = between.fold((1.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
+    assert!(high - low > 0.99, "{low} to {high}");
+}
+
+/// Law (invariant 3): with as many samples, jittered pixels are nearer to the truth than random ones.
+/// Oracle: 64 × 64 regular samples of each pixel by the formula.
+#[test]
+fn jittered_pixels_are_nearer_to_the_truth_than_random_ones() {
+    let n = 32;
+    let s = SIDE / f64::from(n);
+    let mean = |column: u32, row: u32| {
+        let place = |i: u32, k: u32| s * (f64::from(i) + (f64::from(k) + 0.5) / 64.0);
+        let cells = (0..64).flat_map(|i| (0..64).map(move |j| (i, j)));
+        cells.map(|(i, j)| value(place(column, i), place(n - 1 - row, j))).sum::<f64>() / 4096.0
+    };
+    let error = |sampler: groundtruth::samplers::Kind| {
+        let mut scene = scene(n);
+        scene.image.samples = 16;
+        scene.image.sampler = Some(sampler);
+        let film = render::render(&built(&scene));
+        let off = |at: [u32; 2]| film.get(at).r - mean(at[0], at[1]);
+        pixels(n, n).map(|at| off(at) * off(at)).sum::<f64>() / f64::from(n * n)
+    };
+    let (random, jittered) = (error(Random {}.into()), error(Jittered {}.into()));
+    // the variance of a sine sampled at random is 1/8, of 16 samples 1/128
+    assert!((random * 128.0 - 1.0).abs() < 0.25, "{random}");
+    assert!(jittered < 0.8 * random, "{jittered} {random}");
+}
+
+/// Law: the mean of the whole square is near ½. Oracle: `∬ sin(x² y²)` over it, which quadrature of
+/// the formula on 4096 × 4096 points gives as 0.0143 of the area.
+#[test]
+fn the_mean_is_a_little_over_a_half() {
+    let mut scene = scene(64);
+    scene.image.samples = 64;
+    let film = render::render(&built(&scene));
+    let mean = pixels(64, 64).map(|at| film.get(at).r).sum::<f64>() / 4096.0;
+    let quadrature = {
+        let n = 2048;
+        let h = SIDE / f64::from(n);
+        let place = |i: u32| h * (f64::from(i) + 0.5);
+        let rows = (0..n).map(|i| (0..n).map(|j| value(place(i), place(j))).sum::<f64>());
+        rows.sum::<f64>() / f64::from(n) / f64::from(n)
+    };
+    // 262 144 stratified samples of variance at most 1/8 each: σ < 7e-4
+    assert!((mean - quadrature).abs() < 3.5e-3, "{mean} {quadrature}");
+    assert!((0.5..0.53).contains(&mean), "{mean}");
+}
+
+/// Law: any ray that hits nothing sees the plane z = 0: through a pinhole the pattern is in
+/// perspective, and rays away from the plane are black. Oracle: similar triangles.
+#[test]
+fn a_pinhole_sees_the_pattern_in_perspective() {
+    let eye = Point::new(1.0, 2.0, 10.0);
+    let lens = Pinhole { distance: 5.0, zoom: 1.0 };
+    let view = Viewpoint::new(eye, Point::new(1.0, 2.0, 0.0), lens);
+    let image = Image { pixel_size: 0.25, ..Image::new(9, 7) };
+    let mut scene = Scene { background: pattern(1.0), ..Scene::new("", image, view) };
+    let film = render::render(&built(&scene));
+    for at in pixels(9, 7) {
+        let [x, y] = render::film_place(&scene.image, at, [0.5, 0.5]);
+        let error = (film.get(at).r - value(1.0 + 2.0 * x, 2.0 + 2.0 * y)).abs();
+        assert!(error < 1e-12, "{at:?}: {error:e}");
+    }
+    scene.camera.look_at = Point::new(1.0, 2.0, 20.0);
+    let film = render::render(&built(&scene));
+    assert!(pixels(9, 7).all(|at| film.get(at).is_black()));
+}
+
+/// Law: a scene twice as large with a unit twice as long is the same picture, bit for bit; and a unit
+/// that is no length is refused.
+#[test]
+fn the_unit_scales_with_the_scene() {
+    let scene = scene(32);
+    let film = render::render(&built(&scene));
+    for exponent in [-20, 1, 30] {
+        let scaled = scene.scaled(exponent);
+        let Background::Pattern(Pattern::Sinusoid(sinusoid)) = &scaled.background else {
+            unreachable!()
+        };
+        assert_eq!(sinusoid.unit, power_of_two(exponent));
+        let other = render::render(&built(&scaled));
+        assert!(pixels(32, 32).all(|at| bits(film.get(at)) == bits(other.get(at))));
+    }
+    let wrong = Scene { background: pattern(0.0), ..scene };
+    let error = groundtruth::world::World::build(&wrong).expect_err("no length").to_string();
+    assert!(error.contains("background.sinusoid.unit: found 0, but a positive"), "{error}");
+}

@@ -1,0 +1,98 @@
+//! The page of samplers.
+
+use std::collections::BTreeSet;
+
+use groundtruth::samplers::Kind;
+use serde_json::Value;
+
+use super::{REPORT, SMALL, list};
+
+fn integrands() -> &'static [Value] {
+    list(&REPORT.json["pages"]["samplers"]["integrands"])
+}
+
+fn sampler<'a>(integrand: &'a Value, name: &str) -> &'a Value {
+    let found = list(&integrand["samplers"]).iter().find(|s| s["sampler"] == name);
+    found.expect("the sampler is there")
+}
+
+/// Samples and errors.
+fn errors(sampler: &Value) -> Vec<(f64, f64)> {
+    let pair = |e: &Value| Some((e["samples"].as_f64()?, e["rms"].as_f64()?));
+    list(&sampler["errors"]).iter().map(|e| pair(e).expect("numbers")).collect()
+}
+
+/// Law: at least six integrands, each with every sampler, from 1 sample to the most; no two share a
+/// name.
+#[test]
+fn every_sampler_is_there_for_every_integrand() {
+    let count: usize = Kind::ENTRIES.iter().map(|entry| (entry.specimens)().len()).sum();
+    assert!(integrands().len() >= 6);
+    for integrand in integrands() {
+        let samplers = list(&integrand["samplers"]);
+        let names: BTreeSet<_> = samplers.iter().map(|s| s["sampler"].as_str()).collect();
+        assert_eq!((names.len(), samplers.len()), (count, count));
+        for sampler in samplers {
+            let samples: Vec<f64> = errors(sampler).into_iter().map(|(n, _)| n).collect();
+            assert_eq!(samples, [1.0, 4.0, 16.0, 64.0, 256.0, f64::from(SMALL.samples)]);
+            assert!(sampler["sample_seconds"].as_f64().is_some_and(|s| s > 0.0));
+        }
+    }
+}
+
+/// Law: random samples fall with slope −1/2, whatever is integrated, and their mean of squares is the
+/// variance over n: four times the samples halve the error. Oracle: the theory; with 256 errors, each
+/// error is known to 1/√512 = 4.4 % (one σ), the ratio to 6.3 %, five of which are allowed for 35
+/// ratios.
+#[test]
+fn random_samples_halve_their_error_with_four_times_as_many() {
+    for integrand in integrands() {
+        let random = sampler(integrand, "random");
+        for pair in errors(random).windows(2) {
+            let ratio = pair[0].1 / pair[1].1;
+            assert!((0.5 * ratio - 1.0).abs() < 0.32, "{}: {pair:?}", integrand["name"]);
+        }
+        let slope = random["slope"][0].as_f64().expect("a slope");
+        assert!((slope + 0.5).abs() < 0.06, "{}: {slope}", integrand["name"]);
+    }
+}
+
+/// Law: stratified samples are never worse than random ones (their variance is at most as large: the
+/// scatter between cells is gone), and far better for a corner or a disk, whose slope is −3/4.
+#[test]
+fn stratified_samples_are_better() {
+    for integrand in integrands() {
+        let random = errors(sampler(integrand, "random"));
+        for name in ["jittered", "multi jittered"] {
+            let stratified = sampler(integrand, name);
+            for (r, s) in random.iter().zip(errors(stratified)) {
+                assert!(s.1 < 1.3 * r.1, "{} {name}: {s:?} {r:?}", integrand["name"]);
+            }
+            if ["corner", "disk"].contains(&integrand["name"].as_str().expect("a name")) {
+                let slope = stratified["slope"][0].as_f64().expect("a slope");
+                assert!(slope < -0.65, "{} {name}: {slope}", integrand["name"]);
+            }
+        }
+    }
+}
+
+/// Law: the number of samples for 1 % lies between two measured ones whose errors enclose 1 %, or
+/// before the first, or beyond the last.
+#[test]
+fn one_percent_is_reached_where_the_errors_say() {
+    for sampler in integrands().iter().flat_map(|integrand| list(&integrand["samplers"])) {
+        let errors = errors(sampler);
+        match sampler["samples_for_one_percent"].as_f64() {
+            None => assert!(errors.last().is_some_and(|e| e.1 > 0.01), "{sampler}"),
+            Some(n) => {
+                let after = errors.iter().filter(|e| e.0 >= n);
+                assert!(
+                    after.clone().count() > 0 && after.clone().all(|e| e.1 <= 0.01),
+                    "{sampler}"
+                );
+                let before = errors.iter().rev().find(|e| e.0 < n);
+                assert!(before.is_none_or(|e| e.1 > 0.01), "{sampler}");
+            }
+        }
+    }
+}
