@@ -5,7 +5,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::invalid::{Invalid, positive};
 use crate::kinds;
 use crate::math::{Ray, sin};
-use crate::rgb::{ColorOr, Rgb};
+use crate::rgb::{ColorOr, Colorful, Rgb};
 
 /// A colour, in scene files `[r, g, b]` or one number for a grey; or a pattern, as
 /// `{ sinusoid = {} }`.
@@ -94,6 +94,10 @@ impl Serialize for Background {
             Self::Pattern(pattern) => pattern.serialize(serializer),
         }
     }
+}
+
+impl Colorful for Pattern {
+    const NAME: &'static str = "a pattern";
 }
 
 impl<'de> Deserialize<'de> for Background {

@@ -183,13 +183,19 @@ impl<'de> Visitor<'de> for ColorVisitor {
     }
 }
 
-/// A colour, or a kind that gives colours: `{ kind = { … } }`.
+/// What gives colours and is read from `{ kind = { … } }`.
+pub(crate) trait Colorful {
+    /// What people call it, with its article.
+    const NAME: &'static str;
+}
+
+/// A colour, or a kind that gives colours.
 pub(crate) enum ColorOr<K> {
     Color(Rgb),
     Kind(K),
 }
 
-impl<'de, K: Deserialize<'de>> Deserialize<'de> for ColorOr<K> {
+impl<'de, K: Colorful + Deserialize<'de>> Deserialize<'de> for ColorOr<K> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(ColorOrVisitor(PhantomData))
     }
@@ -197,11 +203,11 @@ impl<'de, K: Deserialize<'de>> Deserialize<'de> for ColorOr<K> {
 
 struct ColorOrVisitor<K>(PhantomData<K>);
 
-impl<'de, K: Deserialize<'de>> Visitor<'de> for ColorOrVisitor<K> {
+impl<'de, K: Colorful + Deserialize<'de>> Visitor<'de> for ColorOrVisitor<K> {
     type Value = ColorOr<K>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a colour [r, g, b], one number for a grey, or `{ kind = { … } }`")
+        write!(f, "a colour [r, g, b], one number for a grey, or {}", K::NAME)
     }
 
     fn visit_f64<E: de::Error>(self, grey: f64) -> Result<ColorOr<K>, E> {

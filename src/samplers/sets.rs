@@ -41,12 +41,13 @@ pub enum Purpose {
 
 impl Purpose {
     /// Different for different purposes.
-    fn words(self) -> [u64; 3] {
+    fn words(self) -> [u64; 2] {
+        let both = |node: u32, light: u32| u64::from(node) << 32 | u64::from(light);
         match self {
-            Self::Pixel => [1, 0, 0],
-            Self::Lens => [2, 0, 0],
-            Self::Light { node, light } => [3, node.into(), light.into()],
-            Self::Bounce { node } => [4, node.into(), 0],
+            Self::Pixel => [1, 0],
+            Self::Lens => [2, 0],
+            Self::Light { node, light } => [3, both(node, light)],
+            Self::Bounce { node } => [4, both(node, 0)],
         }
     }
 }
@@ -65,10 +66,11 @@ impl Key {
         Self { seed, pixel, purpose }
     }
 
-    fn hash(self) -> u64 {
+    /// A number for a run of this draw.
+    fn hash(self, run: u32) -> u64 {
         let [x, y] = self.pixel.map(u64::from);
-        let [what, node, light] = self.purpose.words();
-        hash(&[self.seed, x, y, what, node, light])
+        let [what, which] = self.purpose.words();
+        hash(&[self.seed, x << 32 | y, what, which, run.into()])
     }
 }
 
@@ -111,9 +113,9 @@ impl SampleSets {
         if let Some(only) = self.only {
             return only; // without the hashes, a tenth of what a simple scene's pixel takes
         }
+        let (run, place) = (index / self.per_set, (index % self.per_set) as usize);
+        let choice = key.hash(run);
         let n = self.per_set as usize;
-        let (run, place) = (index as usize / n, index as usize % n);
-        let choice = hash(&[key.hash(), run as u64]);
         // the choice, written as digits to the bases 83, 83, n
         let (set, rest) = ((choice % SETS as u64) as usize, choice / SETS as u64);
         let (permutation, rest) = ((rest % SETS as u64) as usize, rest / SETS as u64);

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::invalid::Invalid;
-use crate::rgb::{ColorOr, Rgb};
+use crate::rgb::{ColorOr, Colorful, Rgb};
 use crate::shapes::Surface;
 
 /// A colour for each point of a surface. Contract: `tests/contracts/texture.rs`.
@@ -71,6 +71,10 @@ impl Serialize for Paint {
             kind => kind.serialize(serializer),
         }
     }
+}
+
+impl Colorful for Kind {
+    const NAME: &'static str = "a texture";
 }
 
 impl<'de> Deserialize<'de> for Paint {

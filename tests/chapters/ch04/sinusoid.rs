@@ -114,29 +114,36 @@ fn false_centres_appear_where_whole_waves_fit_between_pixels() {
     assert!(high - low > 0.99, "{low} to {high}");
 }
 
-/// Law (invariant 3): with as many samples, jittered pixels are nearer to the truth than random ones.
-/// Oracle: 64 × 64 regular samples of each pixel by the formula.
+/// Law (invariant 3): with as many samples, jittered pixels are nearer to the truth than random ones,
+/// where the phase changes by less than π across a cell. Oracle: 64 × 64 regular samples of each pixel
+/// by the formula; random samples of a linear phase of up to 4π have errors of many times more.
 #[test]
 fn jittered_pixels_are_nearer_to_the_truth_than_random_ones() {
-    let n = 32;
+    let n = 64;
     let s = SIDE / f64::from(n);
-    let mean = |column: u32, row: u32| {
-        let place = |i: u32, k: u32| s * (f64::from(i) + (f64::from(k) + 0.5) / 64.0);
+    let place = |i: u32, k: f64| s * (f64::from(i) + k);
+    let mean = |[column, row]: [u32; 2]| {
+        let cell = |k: u32| (f64::from(k) + 0.5) / 64.0;
         let cells = (0..64).flat_map(|i| (0..64).map(move |j| (i, j)));
-        cells.map(|(i, j)| value(place(column, i), place(n - 1 - row, j))).sum::<f64>() / 4096.0
+        let at = |(i, j)| value(place(column, cell(i)), place(n - 1 - row, cell(j)));
+        cells.map(at).sum::<f64>() / 4096.0
     };
+    let smooth = |[column, row]: &[u32; 2]| {
+        let (x, y) = (place(*column, 1.0), place(n - 1 - row, 1.0));
+        2.0 * x * y * x.max(y) * s / 4.0 < PI
+    };
+    let seen: Vec<[u32; 2]> = pixels(n, n).filter(smooth).collect();
+    assert!(seen.len() > 500, "{}", seen.len());
     let error = |sampler: groundtruth::samplers::Kind| {
         let mut scene = scene(n);
         scene.image.samples = 16;
         scene.image.sampler = Some(sampler);
         let film = render::render(&built(&scene));
-        let off = |at: [u32; 2]| film.get(at).r - mean(at[0], at[1]);
-        pixels(n, n).map(|at| off(at) * off(at)).sum::<f64>() / f64::from(n * n)
+        let off = |&at: &[u32; 2]| film.get(at).r - mean(at);
+        seen.iter().map(|at| off(at) * off(at)).sum::<f64>() / seen.len() as f64
     };
     let (random, jittered) = (error(Random {}.into()), error(Jittered {}.into()));
-    // the variance of a sine sampled at random is 1/8, of 16 samples 1/128
-    assert!((random * 128.0 - 1.0).abs() < 0.25, "{random}");
-    assert!(jittered < 0.8 * random, "{jittered} {random}");
+    assert!(jittered < 0.3 * random, "{jittered} {random}");
 }
 
 /// Law: the mean of the whole square is near ½. Oracle: `∬ sin(x² y²)` over it, which quadrature of

@@ -3,11 +3,13 @@
 use groundtruth::explain;
 use groundtruth::film::Film;
 use groundtruth::render;
+use groundtruth::rgb::Rgb;
 use groundtruth::trace::{RayKind, RayTree};
 
 use super::studio::{assert_same_bits, bits, built, gallery_in_small, pixels, small};
 
-/// Law: a recorded sample has the bits of a silent one, for every pixel of every scene. At every ray
+/// Law: a recorded sample has the bits of a silent one, for every pixel of every scene, and is what
+/// arrives along the camera's ray times the filter's weight; black without a ray. At every ray
 /// what arrives is `T · Σ terms`, each term local or `weight · L(child)`, to the bit. Oracle: the
 /// silent rendering, and the sum worked out again from the tree.
 #[test]
@@ -15,12 +17,14 @@ fn recorded_is_silent_and_every_node_is_the_sum_of_its_terms() {
     for (name, scene) in gallery_in_small(2) {
         let world = built(&scene);
         let silent = render::render(&world);
-        let mut recorded = Film::new(24, 24);
-        for at in pixels(24, 24) {
+        let mut recorded = Film::new(silent.width(), silent.height());
+        for at in pixels(silent.width(), silent.height()) {
             let samples = (0..world.samples_per_pixel()).map(|i| {
                 let mut tree = RayTree::default();
                 let radiance = render::sample(&world, at, i, &mut tree);
-                assert_eq!(bits(radiance), bits(tree.root().radiance), "{name} {at:?}");
+                let way = render::camera_sample(&world, at, i);
+                let arriving = way.ray.map_or(Rgb::BLACK, |_| way.weight * tree.root().radiance);
+                assert_eq!(bits(radiance), bits(arriving), "{name} {at:?}");
                 for node in tree.nodes() {
                     assert_eq!(bits(node.radiance), bits(tree.folded(node)), "{name} {at:?}");
                 }
