@@ -57,7 +57,8 @@ proptest! {
         let best = grids.filter(|&cells| cells >= n).min();
         let rounded = built(CorrelatedMultiJittered {}).round_up(n);
         prop_assert_eq!(Some(rounded), best);
-        prop_assert!(rounded <= built(Jittered {}).round_up(n));
+        let square = built(Jittered {}).round_up(n);
+        prop_assert!(rounded <= square, "{rounded}, beyond {square}");
     }
 
     /// Law: jittered and multi-jittered sets have one point in each cell of the n × n grid;
