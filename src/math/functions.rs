@@ -4,7 +4,10 @@
 
 use std::f64::consts::PI;
 
-pub use libm::{acos, atan2, cbrt, cos, erf, exp, floor, log as ln, sin, tan};
+pub use libm::{
+    acos, atan, atan2, cbrt, cos, erf, exp, expm1 as exp_m1, floor, log as ln, log1p as ln_1p, sin,
+    tan,
+};
 
 /// `base^exponent` for `base ≥ 0`; whole exponents up to 2³⁰ by multiplication, as `pow` is not
 /// exact even for 3.

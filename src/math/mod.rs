@@ -21,8 +21,8 @@ pub(crate) use exact::difference_of_products;
 pub use exact::exact_cross;
 pub use frame::Frame;
 pub use functions::{
-    acos, atan2, cbrt, cos, cos_degrees, erf, exp, floor, ln, power, power_of_two, sin,
-    sin_degrees, tan, to_degrees, to_radians,
+    acos, atan, atan2, cbrt, cos, cos_degrees, erf, exp, exp_m1, floor, ln, ln_1p, power,
+    power_of_two, sin, sin_degrees, tan, to_degrees, to_radians,
 };
 pub use random::{Pcg32, hash, splitmix};
 pub use ray::{Ray, Span};

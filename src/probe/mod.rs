@@ -13,6 +13,7 @@ mod fresnel;
 mod intersect;
 mod light;
 mod lobe;
+mod map;
 mod occluded;
 mod radiance;
 mod samples;
@@ -89,6 +90,7 @@ questions! {
     occluded::Occluded,
     camera_ray::CameraRay,
     samples::Samples,
+    map::Map,
     lobe::Lobe,
     fresnel::Fresnel,
     light::Light,

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, side};
-use crate::math::{ONE_MINUS, Pcg32};
+use super::{Sampler, next_square, place, side};
+use crate::math::Pcg32;
 
 /// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that is
 /// no square is rounded up to the next.
@@ -16,8 +16,7 @@ without_settings!(Jittered);
 impl Sampler for Jittered {
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {
         let side = side(n);
-        let mut jitter =
-            |i: u32| ((f64::from(i) + random.uniform()) / f64::from(side)).min(ONE_MINUS);
+        let mut jitter = |i: u32| place(i, side, random);
         (0..side * side).map(|i| [jitter(i % side), jitter(i / side)]).collect()
     }
 

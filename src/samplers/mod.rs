@@ -26,10 +26,14 @@ macro_rules! without_settings {
     };
 }
 
+mod correlated_multi_jittered;
+mod hammersley;
 mod jittered;
 mod multi_jittered;
+mod n_rooks;
 mod random;
 mod regular;
+mod sobol;
 
 // shared by the kinds
 pub mod maps;
@@ -62,7 +66,11 @@ crate::kinds! {
     ch04 regular::Regular,
     ch04 random::Random,
     ch04 jittered::Jittered,
+    ch05 n_rooks::NRooks,
     ch05 multi_jittered::MultiJittered,
+    ch05 hammersley::Hammersley,
+    ch05 correlated_multi_jittered::CorrelatedMultiJittered,
+    ch05 sobol::Sobol,
 }
 
 /// Every sampler under a name for people, in the order of the list.
@@ -87,4 +95,11 @@ fn side(n: u32) -> u32 {
 /// `n` rounded up to the next square.
 fn next_square(n: u32) -> u32 {
     side(n) * side(n)
+}
+
+/// A place anywhere in stratum `i` of `n` equal ones of `[0, 1)`.
+fn place(i: u32, n: u32, random: &mut Pcg32) -> f64 {
+    let (i, n) = (f64::from(i), f64::from(n));
+    // rounding may reach the next stratum, or 1
+    ((i + random.uniform()) / n).min(((i + 1.0) / n).next_down())
 }

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, side};
-use crate::math::{ONE_MINUS, Pcg32};
+use super::{Sampler, next_square, place, side};
+use crate::math::Pcg32;
 
 /// One point in each cell of an `n × n` grid and, at the same time, one in each of the `n²` rows and
 /// columns. A count that is no square is rounded up to the next.
@@ -27,9 +27,7 @@ impl Sampler for MultiJittered {
         columns.iter_mut().for_each(|fine| random.shuffle(fine));
         rows.iter_mut().for_each(|fine| random.shuffle(fine));
 
-        let fine_side = f64::from(side * side);
-        let mut jitter =
-            |fine: u32| ((f64::from(fine) + random.uniform()) / fine_side).min(ONE_MINUS);
+        let mut jitter = |fine: u32| place(fine, side * side, random);
         let mut points = Vec::with_capacity((side * side) as usize);
         for i in 0..side as usize {
             for j in 0..side as usize {

@@ -130,6 +130,28 @@ proptest! {
         prop_assert_eq!(same.count(), 1);
     }
 
+    /// Law: concentric squares become circles; the height over the horizon is `(1 − u₂)^(1/(e+1))`, on
+    /// the sphere `1 − 2u₁`; and the point leads back. Closed forms (Suffern, ch. 6 and 7).
+    #[test]
+    fn maps_are_the_books_and_lead_back(u in [0.01..0.99_f64, 0.01..0.99_f64], e in 0.0..50.0_f64) {
+        use groundtruth::math::power;
+        let hemisphere = json!({"hemisphere": {"exponent": e}});
+        for to in [json!({"disk": {}}), hemisphere.clone(), json!({"sphere": {}})] {
+            let point = ask(&json!({"map": {"to": to, "u": u}}));
+            let back = ask(&json!({"map": {"to": to, "point": point}}));
+            prop_assert!(close(&back, &u, ROUNDING), "{to}: {back}");
+            let p = numbers(&point);
+            if p.len() == 2 {
+                let side = (2.0 * u[0] - 1.0).abs().max((2.0 * u[1] - 1.0).abs());
+                prop_assert!((p[0] * p[0] + p[1] * p[1] - side * side).abs() < ROUNDING);
+            } else {
+                let z =
+                    if to == hemisphere { power(1.0 - u[1], 1.0 / (e + 1.0)) } else { 1.0 - 2.0 * u[0] };
+                prop_assert!((p[2] - z).abs() < ROUNDING);
+            }
+        }
+    }
+
     /// Law: `f = ρ/π`, density `cos θ/π`, albedo ρ. Closed forms (Suffern, ch. 13).
     #[test]
     fn a_lambertian_lobe_is_rho_over_pi(wo in unit(), wi in unit(), length in 0.1..10.0_f64) {

@@ -12,15 +12,15 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{}"#,
-        "column 2: no question; there are: intersect, occluded, camera_ray, samples, lobe, fresnel, light, texture, transform, radiance",
+        "column 2: no question; there are: intersect, occluded, camera_ray, samples, map, lobe, fresnel, light, texture, transform, radiance",
     ),
     (
         r#"{"id": 3}"#,
-        "column 9: no question; there are: intersect, occluded, camera_ray, samples, lobe, fresnel, light, texture, transform, radiance",
+        "column 9: no question; there are: intersect, occluded, camera_ray, samples, map, lobe, fresnel, light, texture, transform, radiance",
     ),
     (
         r#"{"intersekt": {}}"#,
-        "column 12: no question `intersekt`; there are: intersect, occluded, camera_ray, samples, lobe, fresnel, light, texture, transform, radiance",
+        "column 12: no question `intersekt`; there are: intersect, occluded, camera_ray, samples, map, lobe, fresnel, light, texture, transform, radiance",
     ),
     (
         r#"{"fresnel": {"cos_i": 1, "eta": 1}, "light": {"light": {"ambient": {}}, "from": [0, 0, 0]}}"#,
@@ -180,6 +180,31 @@ const ERRORS: &[(&str, &str)] = &[
     (
         r#"{"samples": {"sampler": {"regular": {}}, "n": 4, "seed": -1}}"#,
         "column 59: invalid value: integer `-1`, expected a whole number that is not negative",
+    ),
+    (
+        r#"{"map": {"to": {"disk": {}}, "u": [1, 0]}}"#,
+        "map.u: found [1.0, 0.0], but two numbers of at least 0 and below 1 are needed",
+    ),
+    (r#"{"map": {"to": {"disk": {}}}}"#, "map: needs either `u` or `point`"),
+    (
+        r#"{"map": {"to": {"disk": {}}, "point": [0.8, 0.8]}}"#,
+        "map.point: found [0.8, 0.8], but a point [x, y] of the unit disk is needed",
+    ),
+    (
+        r#"{"map": {"to": {"hemisphere": {"exponent": -0.5}}, "u": [0, 0]}}"#,
+        "map.to.hemisphere.exponent: found -0.5, but 0 or more fits",
+    ),
+    (
+        r#"{"map": {"to": {"hemisphere": {"exponent": 1}}, "point": [0, 0, -1]}}"#,
+        "map.point: found [0.0, 0.0, -1.0], but a direction [x, y, z] with z of at least 0 is needed",
+    ),
+    (
+        r#"{"map": {"to": {"sphere": {}}, "point": [0, 1]}}"#,
+        "map.point: found [0.0, 1.0], but a direction [x, y, z] is needed",
+    ),
+    (
+        r#"{"map": {"to": {"sphere": {}}, "point": [0, 0, 0]}}"#,
+        "map.point: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
     ),
     (
         r#"{"lobe": {"lobe": {"lambertian": {"reflectance": -1}}, "wo": [0, 0, 1]}}"#,

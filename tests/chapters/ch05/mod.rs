@@ -1,4 +1,7 @@
 //! Chapter 5: sampling techniques.
 
+mod convergence;
+mod discrepancy;
 mod draws;
-mod patterns;
+pub mod patterns;
+mod sequences;

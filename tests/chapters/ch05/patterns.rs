@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use groundtruth::math::Pcg32;
-use groundtruth::samplers::{Jittered, Kind, MultiJittered, Random, Regular, Sampler};
+use groundtruth::samplers::{
+    CorrelatedMultiJittered, Jittered, Kind, MultiJittered, NRooks, Random, Regular, Sampler, Sobol,
+};
 use proptest::prelude::*;
 
 use crate::ch02::statistics::{most_sigmas, sigmas};
@@ -46,8 +48,21 @@ proptest! {
         }
     }
 
+    /// Law: a count that no grid of correlated multi-jittered points has is rounded up to the next that
+    /// one has, at most the next square. Oracle: a search for the grid of `m` columns and m, m + 1 or
+    /// m + 2 rows with the fewest cells.
+    #[test]
+    fn correlated_sets_are_rounded_up_to_their_grid(n in 1..5000_u32) {
+        let grids = (1..100).flat_map(|m: u32| (0..3).map(move |more| m * (m + more)));
+        let best = grids.filter(|&cells| cells >= n).min();
+        let rounded = built(CorrelatedMultiJittered {}).round_up(n);
+        prop_assert_eq!(Some(rounded), best);
+        let square = built(Jittered {}).round_up(n);
+        prop_assert!(rounded <= square, "{rounded}, beyond {square}");
+    }
+
     /// Law: jittered and multi-jittered sets have one point in each cell of the n × n grid;
-    /// multi-jittered ones at the same time one in each of the n² columns and rows.
+    /// multi-jittered ones and n rooks at the same time one in each of the n² columns and rows.
     #[test]
     fn sets_are_stratified(side in 1..20_u32, seed: u64) {
         let random = &mut Pcg32::new(seed, 0);
@@ -58,6 +73,9 @@ proptest! {
         prop_assert!(once_each(&occupied(&multi, side, side)));
         prop_assert!(once_each(&occupied(&multi, n, 1)), "columns");
         prop_assert!(once_each(&occupied(&multi, 1, n)), "rows");
+        let rooks = built(NRooks {}).fill(n, random);
+        prop_assert!(once_each(&occupied(&rooks, n, 1)), "columns of rooks");
+        prop_assert!(once_each(&occupied(&rooks, 1, n)), "rows of rooks");
     }
 }
 
@@ -83,93 +101,67 @@ fn multi_jittered_points_are_anywhere_in_their_cell() {
     }
 }
 
-/// Law: the mean of x over a set has the variance `1/(12 N)` for random points, `1/(12 N²)` for
-/// jittered ones (N strata of width N^−½, √N in each column) and `1/(12 N³)` for multi-jittered ones
-/// (N strata of width 1/N). Oracle: these closed forms; the mean is ½.
-#[test]
-fn means_have_the_variance_of_their_strata() {
-    for n in [16_u32, 64] {
-        let count = f64::from(n);
-        for (kind, variance) in [
-            (Kind::from(Random {}), 1.0 / (12.0 * count)),
-            (Jittered {}.into(), 1.0 / (12.0 * count * count)),
-            (MultiJittered {}.into(), 1.0 / (12.0 * count * count * count)),
-        ] {
-            let (sampler, mut random) = (built(kind), Pcg32::new(12, u64::from(n)));
-            let sets: Vec<_> = (0..4000).map(|_| sampler.fill(n, &mut random)).collect();
-            for axis in 0..2 {
-                let means = sets.iter().map(|set| set.iter().map(|p| p[axis]).sum::<f64>() / count);
-                let errors: Vec<f64> = means.map(|mean| mean - 0.5).collect();
-                let squares: Vec<f64> = errors.iter().map(|e| e * e).collect();
-                let (bias, spread) = (sigmas(&errors, 0.0), sigmas(&squares, variance));
-                assert!(bias.abs() < most_sigmas(24), "{sampler:?} {n}: {bias}");
-                assert!(spread.abs() < most_sigmas(24), "{sampler:?} {n}: {spread}");
-            }
-        }
-    }
-}
-
 /// Law: x and y of a point have nothing to do with each other: `E (x − ½)(y − ½) = 0`. Oracle: z test
 /// over sets, which are independent of one another.
 #[test]
 fn coordinates_do_not_depend_on_each_other() {
-    for kind in [Kind::from(Random {}), Jittered {}.into(), MultiJittered {}.into()] {
+    for kind in [
+        Kind::from(Random {}),
+        Jittered {}.into(),
+        NRooks {}.into(),
+        MultiJittered {}.into(),
+        CorrelatedMultiJittered {}.into(),
+        Sobol {}.into(),
+    ] {
         let (sampler, mut random) = (built(kind), Pcg32::new(8, 8));
         let covariance = |set: Vec<[f64; 2]>| {
             set.iter().map(|[x, y]| (x - 0.5) * (y - 0.5)).sum::<f64>() / set.len() as f64
         };
         let sets: Vec<_> = (0..4000).map(|_| covariance(sampler.fill(25, &mut random))).collect();
-        assert!(sigmas(&sets, 0.0).abs() < most_sigmas(3), "{sampler:?}");
+        assert!(sigmas(&sets, 0.0).abs() < most_sigmas(6), "{sampler:?}");
     }
 }
 
-/// The star discrepancy: the largest difference between the share of points in a box at the origin
-/// and its area. It is taken where the box has a point at each upper side, just in it or just out.
-fn star_discrepancy(points: &[[f64; 2]]) -> f64 {
-    let mut xs: Vec<f64> = points.iter().map(|p| p[0]).chain([1.0]).collect();
-    xs.sort_by(f64::total_cmp);
-    let mut by_y = points.to_vec();
-    by_y.sort_by(|a, b| a[1].total_cmp(&b[1]));
-    let n = points.len() as f64;
-    let mut worst: f64 = 0.0;
-    for &x in &xs {
-        let (mut open, mut closed) = (0, 0);
-        for (rank, &[px, y]) in by_y.iter().enumerate() {
-            // the open box ends below y: points of a smaller y, and x
-            if rank == 0 || by_y[rank - 1][1] < y {
-                open = by_y[..rank].iter().filter(|p| p[0] < x).count();
-            }
-            closed += usize::from(px <= x);
-            let last = by_y.get(rank + 1).is_none_or(|next| next[1] > y);
-            worst = worst.max(x * y - f64::from(open as u32) / n);
-            if last {
-                worst = worst.max(f64::from(closed as u32) / n - x * y);
-            }
-        }
-        let below = points.iter().filter(|p| p[0] < x).count();
-        worst = worst.max(x - below as f64 / n);
-    }
-    worst
-}
-
-/// Law: of 256 points the regular ones have the star discrepancy `1 − (1 − 1/(2·16))²` (a box that
-/// just leaves out the last row and column), and random, jittered and multi-jittered ones about 0.081,
-/// 0.035 and 0.021. Oracle: the closed form; for the others independent measurements (means of 8
-/// sets, a set being off by about a fifth: the means of 16 and of 8 agree within 15 %).
+/// Law: n rooks are a random permutation: each of the 24 of four rooks is as likely. Oracle: χ².
 #[test]
-fn star_discrepancies_are_those_of_the_patterns() {
-    let mut random = Pcg32::new(256, 0);
-    let regular = star_discrepancy(&built(Regular {}).fill(256, &mut random));
-    let corner = 1.0 - 1.0 / 32.0;
-    assert!((regular - (1.0 - corner * corner)).abs() < 1e-15, "{regular}");
-    for (kind, measured) in [
-        (Kind::from(Random {}), 0.081),
-        (Jittered {}.into(), 0.035),
-        (MultiJittered {}.into(), 0.021),
-    ] {
-        let sampler = built(kind);
-        let mean =
-            (0..16).map(|_| star_discrepancy(&sampler.fill(256, &mut random))).sum::<f64>() / 16.0;
-        assert!((mean / measured - 1.0).abs() < 0.15, "{sampler:?}: {mean}");
+fn rooks_take_every_order() {
+    let (sampler, mut random) = (built(NRooks {}), Pcg32::new(24, 5));
+    let mut orders = std::collections::BTreeMap::new();
+    for _ in 0..24_000 {
+        let points = sampler.fill(4, &mut random);
+        let row_of = |column: usize| {
+            let point = points.iter().find(|p| (4.0 * p[0]) as usize == column);
+            point.map(|p| (4.0 * p[1]) as usize)
+        };
+        *orders.entry([0, 1, 2, 3].map(row_of)).or_insert(0_u64) += 1;
     }
+    let counts: Vec<u64> = orders.into_values().collect();
+    assert_eq!(counts.len(), 24);
+    assert!(crate::ch02::statistics::all_equal(&counts, 1000.0, 1), "{counts:?}");
+}
+
+/// Law: in a correlated multi-jittered set, all cells of one row have their point in the same of the n
+/// fine columns, and all of one column in the same of the m fine rows, so that neighbours of one row
+/// or column keep their distance; each order is as likely. Oracle: whole numbers, and χ² over the 3!
+/// orders.
+#[test]
+fn correlated_sets_have_one_order_for_all() {
+    let (sampler, mut random) = (built(CorrelatedMultiJittered {}), Pcg32::new(13, 1));
+    let mut orders = std::collections::BTreeMap::new();
+    // 12 points: 3 columns, 4 rows
+    for _ in 0..6000 {
+        let (mut fine_columns, mut fine_rows) = ([None; 4], [None; 3]);
+        for [x, y] in sampler.fill(12, &mut random) {
+            let (column, row) = ((x * 12.0) as usize, (y * 12.0) as usize);
+            let (i, j) = (column / 4, row / 3);
+            let first = *fine_columns[j].get_or_insert(column % 4);
+            assert_eq!(first, column % 4, "row {j} of cells");
+            let first = *fine_rows[i].get_or_insert(row % 3);
+            assert_eq!(first, row % 3, "column {i} of cells");
+        }
+        *orders.entry(fine_rows).or_insert(0_u64) += 1;
+    }
+    let counts: Vec<u64> = orders.into_values().collect();
+    assert_eq!(counts.len(), 6);
+    assert!(crate::ch02::statistics::all_equal(&counts, 1000.0, 1), "{counts:?}");
 }

@@ -1,0 +1,31 @@
+//! N-rooks samples (Suffern, ch. 5; Shirley, "Discrepancy as a Quality Measure for Sample
+//! Distributions", 1991).
+
+use serde::{Deserialize, Serialize};
+
+use super::{Sampler, place};
+use crate::math::Pcg32;
+
+/// One point in each of `n` rows and in each of `n` columns, as rooks that do not threaten each other:
+/// the diagonal of an `n × n` grid, its rows shuffled. Any count; in two dimensions no better spread
+/// than random points.
+///
+/// The book shuffles the columns too. One shuffle gives the same sets, each as likely; their order is
+/// decided by the draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NRooks {}
+
+without_settings!(NRooks);
+
+impl Sampler for NRooks {
+    fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {
+        let mut rows: Vec<u32> = (0..n).collect();
+        random.shuffle(&mut rows);
+        (0..n).zip(rows).map(|(k, j)| [place(k, n, random), place(j, n, random)]).collect()
+    }
+
+    fn round_up(&self, n: u32) -> u32 {
+        n
+    }
+}

@@ -1,0 +1,152 @@
+//! Hammersley's and Sobol's points, digit by digit.
+
+use groundtruth::math::Pcg32;
+use groundtruth::samplers::{Hammersley, Key, Purpose, SampleSets, Sobol};
+
+use super::patterns::{built, occupied, once_each};
+use crate::ch02::statistics::{all_equal, most_sigmas, sigmas};
+
+fn hammersley(n: u32) -> Vec<[f64; 2]> {
+    built(Hammersley { shifted: false }).fill(n, &mut Pcg32::new(0, 0))
+}
+
+/// Law: `Φ(1) = 1/2`, `Φ(2) = 1/4`, `Φ(3) = 3/4`, `Φ(6) = 3/8`; and x is `i/N`. Oracle: the book's table,
+/// and the digits of i written as text and read from behind.
+#[test]
+fn hammersley_points_are_the_mirrored_digits() {
+    let points = hammersley(1000);
+    for (i, y) in [(0, 0.0), (1, 0.5), (2, 0.25), (3, 0.75), (6, 0.375)] {
+        assert_eq!(points[i][1], y);
+    }
+    for (i, &[x, y]) in (0_u32..).zip(&points) {
+        assert_eq!(x, f64::from(i) / 1000.0);
+        let digits = format!("{i:b}");
+        let read = |sum: f64, digit: char| 0.5 * (sum + f64::from(u8::from(digit == '1')));
+        assert_eq!(y, digits.chars().fold(0.0, read), "{i}");
+    }
+}
+
+/// Law: Hammersley's set is the same for every set, seed and pixel; shifted, it is the same set still,
+/// but draws of two pixels have no point in common. Oracle: the set.
+#[test]
+fn hammersley_has_one_set() {
+    let fixed = hammersley(10);
+    for shifted in [false, true] {
+        for seed in [1, 2] {
+            let sets = SampleSets::new(&*built(Hammersley { shifted }), 10, seed);
+            assert!((0..83).all(|i| sets.set(i) == fixed));
+            for x in 0..20 {
+                let key = Key::new(seed, [x, 0], Purpose::Pixel);
+                let drawn: Vec<_> = (0..10).map(|i| sets.draw(key, i)).collect();
+                assert_eq!(
+                    drawn.iter().filter(|p| fixed.contains(p)).count(),
+                    10 * usize::from(!shifted)
+                );
+            }
+        }
+    }
+}
+
+/// The first two dimensions of Sobol's sequence, as words of `m` digits. The first mirrors i; digit r of
+/// the second is the sum of the digits k of i times `(k over r)`, without carries: Pascal's triangle
+/// modulo 2, which the polynomial 1 + x generates.
+fn sobol(i: u32, m: u32) -> [u32; 2] {
+    // (k over r) is odd if and only if r has no digit that k has not (Lucas)
+    let odd = |k: u32, r: u32| k & r == r;
+    let digit = |r: u32| (0..m).filter(|&k| i >> k & 1 == 1 && odd(k, r)).count() as u32 & 1;
+    let mirrored = (0..m).fold(0, |word, k| 2 * word + (i >> k & 1));
+    [mirrored, (0..m).fold(0, |word, r| 2 * word + digit(r))]
+}
+
+/// The first `m` digits of a number.
+fn digits(x: f64, m: u32) -> u32 {
+    (x * f64::from(1_u32 << m)) as u32
+}
+
+/// Law: the scramble is nested: two of Sobol's points that share exactly their first k digits share
+/// exactly as many when they are scrambled, in both dimensions. Oracle: Pascal's triangle for the
+/// points, and whole numbers.
+#[test]
+fn the_scramble_is_nested() {
+    const M: u32 = 7;
+    let shared = |a: u32, b: u32| (a ^ b).leading_zeros();
+    let mut random = Pcg32::new(20, 20);
+    for _ in 0..20 {
+        let scrambled = built(Sobol {}).fill(1 << M, &mut random);
+        for axis in 0..2 {
+            let words: Vec<(u32, u32)> = (0..)
+                .zip(&scrambled)
+                .map(|(i, point)| (sobol(i, M)[axis], digits(point[axis], M)))
+                .collect();
+            for &(a, found) in &words {
+                for &(b, other) in &words {
+                    assert_eq!(shared(a, b), shared(found, other), "axis {axis}: {a} and {b}");
+                }
+            }
+        }
+    }
+}
+
+/// Law: every coin of the scramble is fair and thrown by itself: each of the 256 ways in which the
+/// fourth digit's eight coins fall is as likely, and so are those of the first three digits' coins with
+/// one of the fourth; and the coins of x and y have nothing to do with each other. Oracle: χ² over
+/// 25 600 sets.
+#[test]
+fn the_coins_of_the_scramble_are_fair_and_independent() {
+    let (sampler, mut random) = (built(Sobol {}), Pcg32::new(95, 95));
+    let mut counts = [[0_u64; 256]; 5];
+    for _ in 0..25_600 {
+        let set = sampler.fill(16, &mut random);
+        // coins[axis][node]: node 1 decides on the first digit, those below node i are 2 i, 2 i + 1
+        let mut coins = [[0_usize; 16]; 2];
+        for (i, point) in (0..).zip(&set) {
+            for axis in 0..2 {
+                let (word, found) = (sobol(i, 4)[axis], digits(point[axis], 4));
+                for k in 0..4 {
+                    let node = 1 << k | word >> (4 - k);
+                    coins[axis][node as usize] = ((word ^ found) >> (3 - k) & 1) as usize;
+                }
+            }
+        }
+        let pattern = |coins: &[usize]| coins.iter().fold(0, |word, coin| 2 * word + coin);
+        for axis in 0..2 {
+            counts[axis][pattern(&coins[axis][8..])] += 1;
+            counts[2 + axis][pattern(&coins[axis][1..9])] += 1;
+        }
+        counts[4][16 * pattern(&coins[0][1..5]) + pattern(&coins[1][1..5])] += 1;
+    }
+    for counts in counts {
+        assert!(all_equal(&counts, 100.0, 5), "{counts:?}");
+    }
+}
+
+/// Law: Sobol's points up to any power of two lie one in each box `2^−a × 2^(a−m)`, though the set goes
+/// on; of other counts no box has two points more than another. Oracle: counting.
+#[test]
+fn prefixes_of_sobol_are_nets_too() {
+    let set = built(Sobol {}).fill(300, &mut Pcg32::new(7, 7));
+    for m in 0..=8 {
+        for a in 0..=m {
+            assert!(once_each(&occupied(&set[..1 << m], 1 << a, 1 << (m - a))), "{m}, {a}");
+        }
+    }
+    for a in 0..=8 {
+        let counts = occupied(&set, 1 << a, 1 << (8 - a));
+        assert!(counts.iter().all(|count| (1..=2).contains(count)), "{a}");
+    }
+}
+
+/// Law: where a point of Sobol's lies in its finest box is uniform in x and in y, with no relation
+/// between the two. Oracle: z test of the product of the distances from the middle, over sets.
+#[test]
+fn places_in_the_finest_box_are_free() {
+    let (sampler, mut random) = (built(Sobol {}), Pcg32::new(8, 9));
+    let product = |_| {
+        let [x, y] = sampler.fill(8, &mut random)[5].map(|x| (8.0 * x).fract() - 0.5);
+        x * y
+    };
+    let products: Vec<f64> = (0..20_000).map(product).collect();
+    assert!(sigmas(&products, 0.0).abs() < most_sigmas(1));
+    let squares: Vec<f64> = products.iter().map(|p| p * p).collect();
+    assert!(sigmas(&squares, 1.0 / 144.0).abs() < most_sigmas(1));
+}

@@ -1,0 +1,290 @@
+//! Chapter 6: mapping samples to a disk.
+
+use std::f64::consts::PI;
+
+use groundtruth::math::{ONE_MINUS, Pcg32, atan2, floor};
+use groundtruth::samplers::{Jittered, maps};
+use groundtruth::verify::statistics::{chi_square, kolmogorov_smirnov, sidak};
+use proptest::prelude::*;
+
+use crate::ch05::patterns::{built, occupied, once_each};
+use crate::support::{U, laws};
+
+/// The chance of a false alarm of each law here that judges chance.
+const LEVEL: f64 = 1e-3;
+
+/// Independent uniform points of the unit square.
+pub fn random_points(count: u32, seed: u64) -> Vec<[f64; 2]> {
+    let mut random = Pcg32::new(seed, 6);
+    (0..count).map(|_| [random.uniform(), random.uniform()]).collect()
+}
+
+/// Whether independent points are uniform over the unit square: each coordinate by Kolmogorov and
+/// Smirnov, both together by χ² over 7 × 11 cells; as one of `families` such questions.
+pub fn uniform(points: &[[f64; 2]], families: usize) -> bool {
+    let level = sidak(LEVEL, 3 * families);
+    let along =
+        |axis: usize| kolmogorov_smirnov(&points.iter().map(|p| p[axis]).collect::<Vec<_>>());
+    let mut cells = [0; 77];
+    for [x, y] in points {
+        cells[(floor(7.0 * x) + 7.0 * floor(11.0 * y)) as usize] += 1;
+    }
+    let both = chi_square(&cells, &[points.len() as f64 / 77.0; 77]);
+    along(0) > level && along(1) > level && both > level
+}
+
+/// Places in the square: all over it, on the axes and diagonals, at the ends and next to the centre.
+fn place() -> impl Strategy<Value = [f64; 2]> {
+    let coordinate = || {
+        prop_oneof![
+            6 => 0.0..1.0_f64,
+            1 => Just(0.0),
+            1 => Just(ONE_MINUS),
+            1 => Just(0.5),
+            1 => 0.5 - 1e-12..0.5 + 1e-12,
+            1 => 0.0..1e-300,
+        ]
+    };
+    let diagonal = coordinate().prop_map(|u| [u, u]);
+    let other = coordinate().prop_map(|u| [u, 1.0 - u]).prop_filter("inside", |u| u[1] < 1.0);
+    prop_oneof![6 => [coordinate(), coordinate()], 1 => diagonal, 1 => other]
+}
+
+/// The square of side 2 about the origin.
+fn centered(u: [f64; 2]) -> [f64; 2] {
+    u.map(|u| 2.0 * u - 1.0)
+}
+
+fn length([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+fn distance([x, y]: [f64; 2], [z, w]: [f64; 2]) -> f64 {
+    length([x - z, y - w])
+}
+
+/// Cosine, sine, two products, two squares, their sum and its root: each at most a rounding or two.
+const ROUNDING: f64 = 8.0 * U;
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: concentric squares become concentric circles, `r = max(|a|, |b|)`, at every place: finite,
+    /// inside the disk. Oracle: the closed form.
+    #[test]
+    fn squares_become_circles(u in place()) {
+        let [a, b] = centered(u);
+        let r = length(maps::disk(u));
+        let expected = a.abs().max(b.abs());
+        prop_assert!((r - expected).abs() <= ROUNDING * expected, "{r} for {expected}");
+        prop_assert!(r <= 1.0 + ROUNDING);
+    }
+
+    /// Law: along the side of a square the angle grows evenly: φ = π/4 times the book's `b/a`,
+    /// `2 − a/b`, `4 + b/a`, `6 − a/b`. Oracle: the book's table, and the arc tangent.
+    #[test]
+    fn angles_are_those_of_the_four_sectors(u in place()) {
+        let [a, b] = centered(u);
+        prop_assume!([a, b] != [0.0, 0.0]);
+        let eighths = if a > -b {
+            if a > b { b / a } else { 2.0 - a / b }
+        } else if a < b {
+            4.0 + b / a
+        } else {
+            6.0 - a / b
+        };
+        let [x, y] = maps::disk(u);
+        let turns = (atan2(y, x) - 0.25 * PI * eighths) / (2.0 * PI);
+        prop_assert!((turns - (turns + 0.5).floor()).abs() < ROUNDING, "{turns}");
+    }
+
+    /// Law: each eighth of the square, between an axis and a diagonal, becomes the same eighth of the
+    /// disk. Oracle: signs and comparisons.
+    #[test]
+    fn each_eighth_stays_itself(u in place()) {
+        let ([a, b], [x, y]) = (centered(u), maps::disk(u));
+        prop_assert!(x * a >= 0.0 && y * b >= 0.0, "{x}, {y}");
+        prop_assume!((a.abs() - b.abs()).abs() > ROUNDING);
+        prop_assert_eq!(x.abs() > y.abs(), a.abs() > b.abs());
+    }
+
+    /// Law: turning the square by 90° turns the disk, and exchanging its axes mirrors it in the
+    /// diagonal: bit for bit off the diagonals. Oracle: coordinates exchanged; those of multiples of
+    /// 2⁻²⁰ are exact.
+    #[test]
+    fn quarter_turns_and_mirrors_carry_over(i in 1..(1_u32 << 20), j in 1..(1_u32 << 20)) {
+        let part = |i: u32| f64::from(i) / f64::from(1_u32 << 20);
+        let (u1, u2) = (part(i), part(j));
+        let [x, y] = maps::disk([u1, u2]);
+        let (turned, mirrored) = (maps::disk([1.0 - u2, u1]), maps::disk([u2, u1]));
+        if i != j && i + j != 1 << 20 {
+            prop_assert_eq!((turned, mirrored), ([-y, x], [y, x]));
+        }
+        prop_assert!(distance(turned, [-y, x]) < ROUNDING && distance(mirrored, [y, x]) < ROUNDING);
+    }
+
+    /// Law: the map is continuous, across the seams too: a step of the square is at most four times
+    /// as long on the disk. Oracle: the largest singular value of `∂(x, y)/∂(a, b)` is below 1.4, at
+    /// the diagonals; `a = 2 u − 1` doubles it.
+    #[test]
+    fn small_steps_stay_small(
+        u in place(), angle in 0.0..2.0 * PI, step in prop_oneof![Just(1e-12), Just(1e-6), Just(1e-3)]
+    ) {
+        use groundtruth::math::{cos, sin};
+        let next = [u[0] + step * cos(angle), u[1] + step * sin(angle)];
+        prop_assume!(next.iter().all(|u| (0.0..1.0).contains(u)));
+        let moved = distance(maps::disk(u), maps::disk(next));
+        prop_assert!(moved < 2.8 * step + ROUNDING, "{moved:e} for {step:e}");
+    }
+
+    /// Law: areas keep their ratio at every place: `|∂(x, y)/∂(a, b)| = π/4`. Oracle: central
+    /// differences, whose error is `h²` and `U/h`.
+    #[test]
+    fn the_jacobian_is_a_quarter_of_pi([u1, u2] in [0.001..0.999_f64, 0.001..0.999_f64]) {
+        const H: f64 = 1e-5;
+        let [a, b] = centered([u1, u2]);
+        // no seam within reach, and the centre, where the third derivatives grow, not near
+        prop_assume!((a.abs() - b.abs()).abs() > 4.0 * H && a.abs().max(b.abs()) > 0.05);
+        let slope = |to: [f64; 2], from: [f64; 2]| {
+            let (to, from) = (maps::disk(to), maps::disk(from));
+            [(to[0] - from[0]) / (4.0 * H), (to[1] - from[1]) / (4.0 * H)]
+        };
+        let by_a = slope([u1 + H, u2], [u1 - H, u2]);
+        let by_b = slope([u1, u2 + H], [u1, u2 - H]);
+        let jacobian = by_a[0] * by_b[1] - by_a[1] * by_b[0];
+        prop_assert!((jacobian - 0.25 * PI).abs() < 1e-7, "{jacobian}");
+    }
+
+    /// Law: the inverse recovers the place in the square, and the map the point of the disk. Oracle:
+    /// the place itself; near the centre the angle is that of a short vector, so errors stay absolute.
+    #[test]
+    fn the_inverse_undoes_the_map(u in place(), [x, y] in [-0.7..0.7_f64, -0.7..0.7_f64]) {
+        let back = maps::disk_inverse(maps::disk(u));
+        prop_assert!(back.iter().all(|u| (0.0..1.0).contains(u)), "{back:?}");
+        prop_assert!(distance(back, u) < ROUNDING, "{back:?}");
+        prop_assert!(distance(maps::disk(maps::disk_inverse([x, y])), [x, y]) < ROUNDING);
+    }
+}
+
+/// Law: the centre is the centre, without 0/0; the middles of the sides lie on the axes; corners, as
+/// near as they come, at odd multiples of 45°; the ends of the range give points of the disk.
+#[test]
+fn special_places_are_where_they_belong() {
+    assert_eq!(maps::disk([0.5; 2]), [0.0; 2]);
+    assert_eq!(maps::disk_inverse([0.0; 2]), [0.5; 2]);
+    assert_eq!(maps::disk([0.0, 0.5]), [-1.0, 0.0]);
+    assert_eq!(maps::disk([0.5, 0.0]), [0.0, -1.0]);
+    assert_eq!(maps::disk([0.75, 0.5]), [0.5, 0.0]);
+    assert_eq!(maps::disk([0.5, 0.75]), [0.0, 0.5]);
+    let half = 0.5_f64.sqrt();
+    for (corner, point) in [
+        ([ONE_MINUS; 2], [half, half]),
+        ([0.0; 2], [-half, -half]),
+        ([0.0, ONE_MINUS], [-half, half]),
+        ([ONE_MINUS, 0.0], [half, -half]),
+    ] {
+        assert!(distance(maps::disk(corner), point) < ROUNDING, "{corner:?}");
+        assert!(distance(maps::disk_inverse(point), corner) < ROUNDING, "{corner:?}");
+    }
+    // what rounding puts a little outside the disk is still in the square
+    assert_eq!(maps::disk_inverse([1.0 + U, 0.0]), [ONE_MINUS, 0.5]);
+    assert_eq!(maps::disk_inverse([-1.0 - 2.0 * U, 0.0]), [0.0, 0.5]);
+}
+
+/// Law: random points of the square become uniform points of the disk: `P(r < R) = R²`, the angle
+/// uniform, the two independent. Oracle: Kolmogorov and Smirnov and χ² of `r²` and the angle, which
+/// know nothing of squares; a density that is off by 3 % is found.
+#[test]
+fn disk_points_are_uniform() {
+    let points = random_points(100_000, 61).into_iter().map(|u| {
+        let [x, y] = maps::disk(u);
+        let turns = atan2(y, x) / (2.0 * PI);
+        [(x * x + y * y).min(ONE_MINUS), if turns < 0.0 { turns + 1.0 } else { turns }]
+    });
+    assert!(uniform(&points.collect::<Vec<_>>(), 1));
+}
+
+/// Law: the inverse makes uniform points of the disk uniform points of the square. Oracle: a second
+/// route, points of the disk by rejection, which owe nothing to the map.
+#[test]
+fn the_inverse_makes_disk_points_uniform_in_the_square() {
+    let points = maps::disk_by_rejection(random_points(130_000, 62)).map(maps::disk_inverse);
+    assert!(uniform(&points.collect::<Vec<_>>(), 1));
+}
+
+/// Law: `E[r] = 2/3`, `E[r²] = 1/2`, `E[x²] = E[y²] = 1/4`, `E[x] = E[y] = E[x y] = 0`. Oracle: these
+/// integrals over the disk; the map is averaged over a grid of 400² centres. Each 200th cell is on a
+/// diagonal, where r has a kink and is off by a sixth of a side, 1/1200; the odd means are exact.
+#[test]
+fn moments_are_those_of_the_disk() {
+    const SIDE: u32 = 400;
+    const GRID: f64 = 1e-5;
+    let center = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE);
+    let points: Vec<[f64; 2]> =
+        (0..SIDE * SIDE).map(|i| maps::disk([center(i % SIDE), center(i / SIDE)])).collect();
+    let mean = |of: fn(f64, f64) -> f64| {
+        points.iter().map(|&[x, y]| of(x, y)).sum::<f64>() / points.len() as f64
+    };
+    assert!((mean(|x, y| length([x, y])) - 2.0 / 3.0).abs() < GRID);
+    assert!((mean(|x, y| x * x + y * y) - 0.5).abs() < GRID);
+    assert!((mean(|x, _| x * x) - 0.25).abs() < GRID);
+    assert!((mean(|_, y| y * y) - 0.25).abs() < GRID);
+    for odd in [mean(|x, _| x), mean(|_, y| y), mean(|x, y| x * y)] {
+        assert!(odd.abs() < 1e-13, "{odd:e}");
+    }
+}
+
+/// Law: strata of the square stay strata: of jittered points each cell's has its image in the image of
+/// the cell. Oracle: the cells by the inverse map.
+#[test]
+fn strata_stay_strata() {
+    let mut random = Pcg32::new(63, 0);
+    for side in [3, 8, 16] {
+        let square = built(Jittered {}).fill(side * side, &mut random);
+        let back: Vec<_> = square.into_iter().map(|u| maps::disk_inverse(maps::disk(u))).collect();
+        assert!(once_each(&occupied(&back, side, side)));
+    }
+}
+
+/// Law: rejection keeps `π/4 = 78.5 %` of random points. Oracle: the binomial distribution, four
+/// standard deviations.
+#[test]
+fn rejection_keeps_a_quarter_of_pi() {
+    let n = 1_000_000;
+    let kept = maps::disk_by_rejection(random_points(n, 64)).count() as f64;
+    let share = 0.25 * PI;
+    let deviation = (f64::from(n) * share * (1.0 - share)).sqrt();
+    assert!((kept - f64::from(n) * share).abs() < 4.0 * deviation, "{kept}");
+}
+
+/// Law: rejection keeps the points that are in the disk where they are, in their order, and no others;
+/// the circle itself is outside. Oracle: points given by hand.
+#[test]
+fn rejection_moves_nothing() {
+    let points = [[0.5, 0.5], [0.0, 0.0], [0.75, 0.25], [0.0, 0.5], [0.95, 0.9], [0.25, 0.25]];
+    let kept: Vec<_> = maps::disk_by_rejection(points).collect();
+    assert_eq!(kept, [[0.0, 0.0], [0.5, -0.5], [-0.5, -0.5]]);
+}
+
+/// Law: rejection keeps of stratified sets a number that cannot be foretold, and leaves strata of the
+/// disk empty; the map does neither. Oracle: 256 jittered points in 14 × 14 cells of equal area of the
+/// disk, about as many as are kept, by the inverse map.
+#[test]
+fn rejection_loses_count_and_strata() {
+    let (sampler, mut random) = (built(Jittered {}), Pcg32::new(65, 0));
+    let (mut counts, mut empty) = (Vec::new(), 0);
+    for _ in 0..100 {
+        let kept = maps::disk_by_rejection(sampler.fill(256, &mut random));
+        let kept: Vec<_> = kept.map(maps::disk_inverse).collect();
+        counts.push(kept.len());
+        empty += occupied(&kept, 14, 14).into_iter().filter(|&count| count == 0).count();
+    }
+    let mean = counts.iter().sum::<usize>() as f64 / 100.0;
+    // the cells on the circle decide: about 50, each at most ±½, so that the mean is within ±0.4
+    assert!((mean - 64.0 * PI).abs() < 1.5, "{mean}");
+    counts.sort_unstable();
+    counts.dedup();
+    assert!(counts.len() > 5, "{counts:?}");
+    // random points would leave e⁻¹ = 37 % of the cells empty
+    assert!(empty > 20 * 100, "{empty} empty cells in 100 sets");
+}

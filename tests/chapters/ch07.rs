@@ -1,0 +1,289 @@
+//! Chapter 7: mapping samples to a hemisphere, and to a sphere.
+
+use std::f64::consts::PI;
+
+use groundtruth::math::{ONE_MINUS, Pcg32, Vector, acos, atan2, power};
+use groundtruth::samplers::{Jittered, maps};
+use proptest::prelude::*;
+
+use crate::ch05::patterns::{built, occupied, once_each};
+use crate::ch06::{random_points, uniform};
+use crate::support::{U, laws};
+
+/// Exponents of the book's lobes, between and far beyond.
+const EXPONENTS: [f64; 8] = [0.0, 0.5, 1.0, 2.5, 10.0, 100.0, 1e4, 1e6];
+
+/// Sine and cosine of the angle about z, two powers, products, squares and their sum.
+const ROUNDING: f64 = 8.0 * U;
+
+fn exponent() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => 0.0..200.0_f64, 2 => proptest::sample::select(&EXPONENTS[..]), 1 => 200.0..1e6]
+}
+
+/// Places in the square, also its ends and within rounding of them.
+fn place() -> impl Strategy<Value = [f64; 2]> {
+    let coordinate = || {
+        prop_oneof![
+            6 => 0.0..1.0_f64,
+            1 => Just(0.0),
+            1 => Just(ONE_MINUS),
+            1 => 0.0..1e-12,
+            1 => 0.0..1e-300,
+            1 => 1.0 - 1e-12..1.0
+        ]
+    };
+    [coordinate(), coordinate()]
+}
+
+/// The angle about z in turns.
+fn turns(v: Vector) -> f64 {
+    let turns = atan2(v.y(), v.x()) / (2.0 * PI);
+    if turns < 0.0 { turns + 1.0 } else { turns }
+}
+
+/// Cells of the midpoint rule along `u₂`.
+const FINE: u32 = 10_000;
+
+/// The mean over the centres of cells, four along `u₁`.
+fn mean(of: impl Fn([f64; 2]) -> f64) -> f64 {
+    let u2 = |i: u32| (f64::from(i) + 0.5) / f64::from(FINE);
+    let u1 = |k: u32| (f64::from(k) + 0.5) / 4.0;
+    let places = (0..FINE).flat_map(|i| (0..4).map(move |k| [u1(k), u2(i)]));
+    places.map(of).sum::<f64>() / f64::from(4 * FINE)
+}
+
+/// The midpoint rule's error is that of an end cell where a root or a logarithm has its singularity:
+/// less than a tenth of the cell.
+const GRID: f64 = 0.1 / FINE as f64;
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: directions are unit and above the surface, for every exponent and at the ends of the
+    /// range. Oracle: Pythagoras.
+    #[test]
+    fn directions_are_unit_and_above(u in place(), e in exponent()) {
+        for direction in [maps::hemisphere(u, e), maps::sphere(u)] {
+            prop_assert!((direction.length() - 1.0).abs() < ROUNDING, "{direction:?}");
+        }
+        prop_assert!(maps::hemisphere(u, e).z() >= 0.0);
+    }
+
+    /// Law: an element of the square becomes a solid angle in inverse proportion to the density,
+    /// `|∂ω/∂u₁ × ∂ω/∂u₂| = 2π / ((e + 1) cos^e θ)`, and `4π` on the sphere. Oracle: central
+    /// differences; the third derivatives are large near the pole and where `cosθ` nears 0, which
+    /// are left out.
+    #[test]
+    fn solid_angles_are_those_of_the_density(
+        u1 in 0.01..0.99_f64, u2 in 0.05..0.95_f64, e in 0.0..20.0_f64
+    ) {
+        const H: f64 = 1e-5;
+        let solid_angle = |map: &dyn Fn([f64; 2]) -> Vector| {
+            let by_u1 = map([u1 + H, u2]) - map([u1 - H, u2]);
+            let by_u2 = map([u1, u2 + H]) - map([u1, u2 - H]);
+            by_u1.cross(by_u2).length() / (4.0 * H * H)
+        };
+        let cos_theta = maps::hemisphere([u1, u2], e).z();
+        let expected = 2.0 * PI / ((e + 1.0) * power(cos_theta, e));
+        let found = solid_angle(&|u| maps::hemisphere(u, e));
+        prop_assert!((found / expected - 1.0).abs() < 1e-6, "{found} for {expected}");
+        let sphere = solid_angle(&|[u1, u2]| maps::sphere([u2, u1]));
+        prop_assert!((sphere / (4.0 * PI) - 1.0).abs() < 1e-6, "{sphere}");
+    }
+
+    /// Law: near the pole sinθ keeps its relative accuracy, however large the exponent. Oracle: the
+    /// binomial series of `1 − (1 − u)^x`, x = 2/(e + 1) ≤ 1: its terms are all positive.
+    #[test]
+    fn polar_angles_are_accurate_near_the_pole(
+        u in prop_oneof![0.0..0.5_f64, 0.0..1e-6, 0.0..1e-100], e in prop_oneof![1.0..1e3_f64, 1e3..1e6]
+    ) {
+        let x = 2.0 / (e + 1.0);
+        let (mut term, mut series) = (x * u, 0.0);
+        for k in 1..80 {
+            series += term;
+            term *= u * (f64::from(k) - x) / (f64::from(k) + 1.0);
+        }
+        let v = maps::hemisphere([0.0, u], e);
+        prop_assert_eq!(v.y(), 0.0);
+        // two square roots of numbers with a few roundings each, and the series' own 80 at most
+        prop_assert!((v.x() - series.sqrt()).abs() <= 10.0 * U * v.x(), "{} for {}", v.x(), series.sqrt());
+    }
+
+    /// Law: the inverses recover the place in the square, whatever the direction's length for the
+    /// hemisphere. Oracle: the place itself; the angle about z says nothing at the pole.
+    #[test]
+    fn the_inverses_undo_the_maps(u in place(), e in exponent(), length in 0.1..10.0_f64) {
+        let close = |found: f64, expected: f64, relative: f64| {
+            (found - expected).abs() <= (relative * expected).max(relative * 1e-3)
+        };
+        let around = |found: f64| (found - u[0]).abs().min(1.0 - (found - u[0]).abs()) < ROUNDING;
+        let back = maps::hemisphere_inverse(length * maps::hemisphere(u, e), e);
+        prop_assert!(back.iter().all(|u| (0.0..1.0).contains(u)), "{back:?}");
+        prop_assert!(close(back[1], u[1], 1e-13), "{back:?}");
+        prop_assert!(u[1] < 1e-290 || around(back[0]), "{back:?}");
+        let back = maps::sphere_inverse(maps::sphere([u[1], u[0]]));
+        prop_assert!(back.iter().all(|u| (0.0..1.0).contains(u)), "{back:?}");
+        prop_assert!(close(back[0], u[1], 1e-13), "{back:?}");
+        prop_assert!(u[1] < 1e-290 || around(back[1]), "{back:?}");
+    }
+}
+
+/// Law: `u₁ = u₂ = 0` is the pole, `u₂ → 1` the horizon, at every exponent; the first coordinate turns
+/// from x to y; an infinite exponent leaves only the pole. The sphere starts at its upper pole.
+#[test]
+fn special_places_are_where_they_belong() {
+    for e in EXPONENTS {
+        assert_eq!(maps::hemisphere([0.0, 0.0], e), Vector::new(0.0, 0.0, 1.0));
+        let low = maps::hemisphere([0.25, ONE_MINUS], e);
+        assert!((low.z() - power(U, 1.0 / (e + 1.0))).abs() < U && low.y() > 0.0);
+        assert!(low.x().abs() < U && maps::hemisphere([0.5, 0.5], e).x() < 0.0);
+    }
+    assert_eq!(maps::hemisphere([0.3, 0.7], f64::INFINITY), Vector::new(0.0, 0.0, 1.0));
+    assert_eq!(maps::sphere([0.0, 0.3]), Vector::new(0.0, 0.0, 1.0));
+    assert_eq!(maps::sphere([0.5, 0.0]), Vector::new(1.0, 0.0, 0.0));
+    assert!(maps::sphere([ONE_MINUS, 0.3]).z() <= -1.0 + 2.0 * U);
+    assert_eq!(maps::sphere_inverse(Vector::new(0.0, 0.0, 1.0)), [0.0, 0.0]);
+    assert_eq!(maps::sphere_inverse(Vector::new(0.0, 0.0, -1.0))[0], ONE_MINUS);
+}
+
+/// Law: `P(cosθ > c) = 1 − c^(e+1)`, the angle about z is uniform, and the two are independent.
+/// Oracle: Kolmogorov and Smirnov and χ² of `cos^(e+1) θ` and the angle.
+#[test]
+fn directions_have_their_density() {
+    for (seed, e) in (70..).zip(EXPONENTS) {
+        let places = random_points(20_000, seed).into_iter().map(|u| {
+            let v = maps::hemisphere(u, e);
+            // of acos, as z is not what the map works with; near the pole the sine tells the angle
+            [(1.0 - power(v.z(), e + 1.0)).clamp(0.0, ONE_MINUS), turns(v)]
+        });
+        assert!(uniform(&places.collect::<Vec<_>>(), EXPONENTS.len()), "{e}");
+    }
+}
+
+/// Law: the book's means: `E[cosθ] = (e + 1)/(e + 2)` and `E[cos²θ] = (e + 1)/(e + 3)`: 1/2 and 1/3 for
+/// e = 0, 2/3 and 1/2 for 1, 11/12 and 11/13 for 10; `E[x] = E[y] = 0`, `E[x² + y²] = 2/(e + 3)`.
+/// Oracle: these integrals of the density.
+#[test]
+fn moments_are_those_of_the_density() {
+    for e in EXPONENTS {
+        let of = |f: fn(Vector) -> f64| mean(|u| f(maps::hemisphere(u, e)));
+        assert!((of(|v| v.z()) - (e + 1.0) / (e + 2.0)).abs() < GRID, "{e}");
+        assert!((of(|v| v.z() * v.z()) - (e + 1.0) / (e + 3.0)).abs() < GRID, "{e}");
+        assert!((of(|v| v.x() * v.x() + v.y() * v.y()) - 2.0 / (e + 3.0)).abs() < GRID, "{e}");
+        assert!(of(|v| v.x()).abs() < 1e-13 && of(|v| v.y()).abs() < 1e-13, "{e}");
+    }
+}
+
+/// Law: the density integrates `∫ cosⁿθ dω = 2π/(n + 1)`: the mean of `cosⁿθ / p`. Oracle: the closed
+/// form; for n ≥ e the quotient is bounded.
+#[test]
+fn importance_sampling_integrates_powers_of_the_cosine() {
+    for (e, n) in [(0.0, 1.0), (0.0, 7.0), (0.5, 0.5), (1.0, 1.0), (1.0, 2.0), (10.0, 12.5)] {
+        let quotient = |u: [f64; 2]| {
+            let cos_theta = maps::hemisphere(u, e).z();
+            power(cos_theta, n) / ((e + 1.0) / (2.0 * PI) * power(cos_theta, e))
+        };
+        let found = mean(quotient);
+        assert!((found - 2.0 * PI / (n + 1.0)).abs() < 2.0 * PI * GRID, "{e}, {n}: {found}");
+    }
+}
+
+/// Law (Malley): for e = 1, seen along z, the directions fill the disk uniformly; and a uniform disk
+/// lifted to the hemisphere has the density `cosθ/π`. Oracle: each map's inverse after the other map;
+/// and rejection in the place of the map to the disk.
+#[test]
+fn the_cosine_density_is_a_lifted_disk() {
+    let lift = |[x, y]: [f64; 2]| {
+        maps::hemisphere_inverse(Vector::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt()), 1.0)
+    };
+    let seen = |u| {
+        let v = maps::hemisphere(u, 1.0);
+        maps::disk_inverse([v.x(), v.y()])
+    };
+    let disk = random_points(50_000, 81).into_iter().map(|u| lift(maps::disk(u)));
+    assert!(uniform(&disk.collect::<Vec<_>>(), 3));
+    let rejected = maps::disk_by_rejection(random_points(50_000, 82)).map(lift);
+    assert!(uniform(&rejected.collect::<Vec<_>>(), 3));
+    let lowered = random_points(50_000, 83).into_iter().map(seen);
+    assert!(uniform(&lowered.collect::<Vec<_>>(), 3));
+}
+
+/// Law: directions of random points of a ball are uniform over the sphere, and those above over the
+/// hemisphere: the inverses make them uniform in the square. Oracle: this second route, by rejection,
+/// owes nothing to the maps.
+#[test]
+fn directions_from_a_ball_are_uniform_in_the_square() {
+    let mut random = Pcg32::new(84, 7);
+    let mut in_cube = || 2.0 * random.uniform() - 1.0;
+    let cube = (0..100_000).map(|_| Vector::new(in_cube(), in_cube(), in_cube()));
+    let directions: Vec<Vector> = cube
+        .filter(|v| v.length() < 1.0 && v.length() > 0.0)
+        .map(|v| (1.0 / v.length()) * v)
+        .collect();
+    let on_sphere: Vec<_> = directions.iter().map(|&v| maps::sphere_inverse(v)).collect();
+    assert!(uniform(&on_sphere, 2));
+    let above = directions.iter().filter(|v| v.z() > 0.0);
+    let above: Vec<_> = above.map(|&v| maps::hemisphere_inverse(v, 0.0)).collect();
+    assert!(uniform(&above, 2));
+}
+
+/// Law: as the exponent grows all directions near the pole; the mean polar angle nears `√(π/(2e))`.
+/// Oracle: with `cosθ ≈ exp(−θ²/2)` the angle is a Rayleigh variable; what is left out is of the order
+/// 1/e beside it.
+#[test]
+fn large_exponents_gather_at_the_pole() {
+    for e in [1e2, 1e4, 1e6, 1e9, 1e12] {
+        // the arc sine, where the arc cosine has no digits left
+        let theta = mean(|u| {
+            let v = maps::hemisphere(u, e);
+            atan2((v.x() * v.x() + v.y() * v.y()).sqrt(), v.z())
+        });
+        let limit = (PI / (2.0 * e)).sqrt();
+        assert!((theta / limit - 1.0).abs() < 1.0 / e + GRID, "{e}: {theta} for {limit}");
+    }
+}
+
+/// Law: a sphere's points have uniform z and a uniform angle, independent of each other:
+/// `E[z] = 0`, `E[z²] = 1/3`, and the same for x and y. Oracle: Archimedes, and moments.
+#[test]
+fn sphere_points_are_uniform() {
+    let places = random_points(100_000, 85).into_iter().map(|u| {
+        let v = maps::sphere(u);
+        [(0.5 * (v.z() + 1.0)).min(ONE_MINUS), turns(v)]
+    });
+    assert!(uniform(&places.collect::<Vec<_>>(), 1));
+    for axis in 0..3 {
+        let component = |u: [f64; 2]| maps::sphere([u[1], u[0]]).to_array()[axis];
+        assert!(mean(component).abs() < 1e-13);
+        assert!((mean(|u| component(u) * component(u)) - 1.0 / 3.0).abs() < GRID);
+    }
+}
+
+/// Law: strata of the square stay strata of equal weight on the hemisphere and the sphere. Oracle: the
+/// cells by the inverse maps.
+#[test]
+fn strata_stay_strata() {
+    let (sampler, mut random) = (built(Jittered {}), Pcg32::new(86, 0));
+    for e in EXPONENTS {
+        let square = sampler.fill(64, &mut random);
+        let back = |u: &[f64; 2]| maps::hemisphere_inverse(maps::hemisphere(*u, e), e);
+        assert!(once_each(&occupied(&square.iter().map(back).collect::<Vec<_>>(), 8, 8)), "{e}");
+        let back = |u: &[f64; 2]| maps::sphere_inverse(maps::sphere(*u));
+        assert!(once_each(&occupied(&square.iter().map(back).collect::<Vec<_>>(), 8, 8)));
+    }
+}
+
+/// Law: exponent 0 is uniform in `cosθ = 1 − u₂` exactly, exponent 1 has `cosθ = √(1 − u₂)`,
+/// `sinθ = √u₂`. Oracle: the square root, which is correctly rounded.
+#[test]
+fn whole_exponents_have_their_closed_forms() {
+    for u2 in [0.0, 1e-9, 0.1, 0.25, 0.5, 0.75, 0.9, ONE_MINUS] {
+        assert_eq!(maps::hemisphere([0.0, u2], 0.0).z(), 1.0 - u2);
+        let v = maps::hemisphere([0.0, u2], 1.0);
+        assert!((v.z() - (1.0 - u2).sqrt()).abs() <= U * v.z());
+        assert!((v.x() - u2.sqrt()).abs() <= 2.0 * U * v.x());
+        // two routes to one angle
+        let theta = acos(v.z());
+        assert!((theta - atan2(v.x(), v.z())).abs() < 1e-8);
+    }
+}
