@@ -133,7 +133,7 @@ impl Selection {
             ui.spinner();
             return;
         };
-        let Some(camera_ray) = &sample.ray else {
+        let (Some(camera_ray), Some([x, y])) = (&sample.ray, sample.film) else {
             ui.strong(format!("Sample {index}"));
             ui.label("No ray: the camera sees nothing there.");
             return;
@@ -145,7 +145,6 @@ impl Selection {
             });
         });
         CentralPanel::default().frame(inner).show(ui, |ui| {
-            let [x, y] = sample.film;
             let rays = tree::count(camera_ray);
             ui.horizontal(|ui| {
                 ui.strong(format!("Sample {index}"));

@@ -14,6 +14,7 @@ mod intersect;
 mod light;
 mod lobe;
 mod occluded;
+mod project;
 mod radiance;
 mod samples;
 mod texture;
@@ -88,6 +89,7 @@ questions! {
     intersect::Intersect,
     occluded::Occluded,
     camera_ray::CameraRay,
+    project::Project,
     samples::Samples,
     lobe::Lobe,
     fresnel::Fresnel,
