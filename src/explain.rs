@@ -33,8 +33,9 @@ pub struct PixelExplanation {
 pub struct SampleExplanation {
     /// Its index.
     pub index: u32,
-    /// Where it is on the view plane, in world units from its centre.
-    pub film: [f64; 2],
+    /// Where it is on the view plane, in world units from its centre; `None` in the gap of a stereo
+    /// pair.
+    pub film: Option<[f64; 2]>,
     /// Where it is on the lens, in the unit disk, if the camera has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<[f64; 2]>,
@@ -143,10 +144,15 @@ pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -
 pub fn sample(scene: &Scene, world: &World, pixel: [u32; 2], index: u32) -> SampleExplanation {
     let mut tree = RayTree::default();
     let radiance = render::sample(world, pixel, index, &mut tree);
-    let CameraSample { film, lens, weight, ray, .. } = render::camera_sample(world, pixel, index);
     let complete = tree.is_complete();
+    let Some(CameraSample { film, lens, weight, ray, .. }) =
+        render::camera_sample(world, pixel, index)
+    else {
+        let (film, lens, weight, ray) = (None, None, 0.0, None);
+        return SampleExplanation { index, film, lens, weight, radiance, complete, ray };
+    };
     let ray = ray.map(|_| explain(scene, &tree, 0, Rgb::grey(weight)));
-    SampleExplanation { index, film, lens, weight, radiance, complete, ray }
+    SampleExplanation { index, film: Some(film), lens, weight, radiance, complete, ray }
 }
 
 /// Explains a recorded tree.
@@ -319,7 +325,10 @@ impl fmt::Display for PixelExplanation {
             self.samples_per_pixel
         )?;
         for sample in &self.samples {
-            let [px, py] = sample.film;
+            let Some([px, py]) = sample.film else {
+                writeln!(f, "\nsample {}: between the two images, no ray", sample.index)?;
+                continue;
+            };
             write!(
                 f,
                 "\nsample {} at ({}, {}) on the view plane",

@@ -150,6 +150,25 @@ pub fn within(
     Err(Invalid::field(field, format!("found {}, but {least} to {most} fit", shown(value))))
 }
 
+/// `value`, if it is an angle above 0° and at most `most`.
+pub fn angle(field: &str, value: f64, most: f64) -> Result<f64, Invalid> {
+    if value > 0.0 && value <= most {
+        return Ok(value);
+    }
+    let problem = format!("found {}, but more than 0 and at most {most} degrees fit", shown(value));
+    Err(Invalid::field(field, problem))
+}
+
+/// `value`, if it is an angle above 0° and below `limit`.
+pub fn angle_below(field: &str, value: f64, limit: f64) -> Result<f64, Invalid> {
+    if value > 0.0 && value < limit {
+        return Ok(value);
+    }
+    let problem =
+        format!("found {}, but more than 0 and less than {limit} degrees fit", shown(value));
+    Err(Invalid::field(field, problem))
+}
+
 /// `p`, if its coordinates are finite.
 pub fn finite_point(field: &str, p: Point) -> Result<Point, Invalid> {
     if p.is_finite() {

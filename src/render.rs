@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
+use crate::cameras::Side;
 use crate::film::Film;
 use crate::math::Ray;
 use crate::rgb::Rgb;
@@ -20,6 +21,8 @@ use crate::world::World;
 /// How a sample passes through filter and camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraSample {
+    /// The pixel of its eye's image: that of the picture, but for stereo pairs.
+    pub pixel: [u32; 2],
     /// The place on the film, in world units from its centre.
     pub film: [f64; 2],
     /// The place on the lens, in the unit disk; `None` if the camera has none.
@@ -30,14 +33,18 @@ pub struct CameraSample {
     pub ray: Option<Ray>,
 }
 
-/// The way of a sample of a pixel through filter and camera.
-pub fn camera_sample(world: &World, pixel: [u32; 2], index: u32) -> CameraSample {
+/// The way of a sample of a pixel of the picture through filter and camera; `None` in the gap of a
+/// stereo pair. Both eyes of a pair draw the same samples, as they belong to the pixel of the eye's
+/// image.
+pub fn camera_sample(world: &World, [column, row]: [u32; 2], index: u32) -> Option<CameraSample> {
+    let (eye, column) = world.view.seen_by(column, world.image.width)?;
+    let pixel = [column, row];
     let draw = |purpose| world.samples.draw(Key::new(world.seed, pixel, purpose), index);
     let [(x, weight_x), (y, weight_y)] = draw(Purpose::Pixel).map(|u| world.filter.draw(u));
     let film = film_place(&world.image, pixel, [x, y]);
     let lens = world.view.has_lens().then(|| maps::disk(draw(Purpose::Lens)));
-    let ray = world.view.ray(film, lens.unwrap_or_default());
-    CameraSample { film, lens, weight: weight_x * weight_y, ray }
+    let ray = eye.ray(film, lens.unwrap_or_default());
+    Some(CameraSample { pixel, film, lens, weight: weight_x * weight_y, ray })
 }
 
 /// Where a place in or around a pixel, in pixels from its lower left corner, lies on the view plane.
@@ -49,13 +56,21 @@ pub fn film_place(image: &Image, pixel: [u32; 2], [sx, sy]: [f64; 2]) -> [f64; 2
     [x, y]
 }
 
+/// The place in the image of an eye where a place of the view plane is seen, in pixels from its top
+/// left corner, x right, y down: the middle of the pixel [0, 0] is [0.5, 0.5].
+pub fn image_place(image: &Image, [x, y]: [f64; 2]) -> [f64; 2] {
+    let [width, height] = [image.width, image.height].map(f64::from);
+    [0.5 * width + x / image.pixel_size, 0.5 * height - y / image.pixel_size]
+}
+
 /// The radiance of one sample of one pixel (x right, y down, from 0 at the top left), weighed by the
 /// filter.
 pub fn sample<R: Recorder>(world: &World, pixel: [u32; 2], index: u32, recorder: &mut R) -> Rgb {
-    let CameraSample { weight, ray, .. } = camera_sample(world, pixel, index);
-    match ray {
-        Some(ray) => weight * trace::radiance(world, &ray, recorder),
-        None => Rgb::BLACK,
+    match camera_sample(world, pixel, index) {
+        Some(CameraSample { weight, ray: Some(ray), .. }) => {
+            weight * trace::radiance(world, &ray, recorder)
+        }
+        _ => Rgb::BLACK,
     }
 }
 
@@ -118,7 +133,7 @@ const TILE: u32 = 16;
 impl Canvas {
     /// An empty picture of the whole view of a world.
     pub fn new(world: &World) -> Self {
-        let (width, height) = (world.image.width, world.image.height);
+        let [width, height] = world.picture_size();
         Self::cropped(Crop { x: 0, y: 0, width, height })
     }
 
@@ -191,4 +206,14 @@ pub fn render(world: &World) -> Film {
     let canvas = Canvas::new(world);
     canvas.render(world);
     canvas.film()
+}
+
+/// The images of the left and the right eye of a whole picture of a stereo pair; `None` if the world
+/// has one eye, or the film is not its whole picture.
+pub fn eye_images(world: &World, film: &Film) -> Option<[Film; 2]> {
+    let stereo = world.view.stereo()?;
+    let width = world.image.width;
+    let image = |side| film.columns(stereo.first_column(side, width), width);
+    let whole = [film.width(), film.height()] == world.picture_size();
+    whole.then(|| [Side::Left, Side::Right].map(image))
 }

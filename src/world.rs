@@ -198,6 +198,12 @@ impl World {
         &self.objects.0
     }
 
+    /// Pixels across and down of the whole picture: of a stereo pair both images and the gap.
+    pub fn picture_size(&self) -> [u32; 2] {
+        let width = self.view.picture_width(self.image.width);
+        [width.try_into().expect("the view was checked"), self.image.height]
+    }
+
     /// Samples for each pixel.
     pub fn samples_per_pixel(&self) -> u32 {
         self.samples.per_set()
@@ -207,6 +213,7 @@ impl World {
     pub fn most_rays(&self) -> f64 {
         let image = &self.image;
         let samples = f64::from(image.width) * f64::from(image.height);
+        let samples = samples * self.view.eyes().len() as f64;
         let samples = samples * f64::from(self.samples_per_pixel());
         let mut used = self.materials.iter().filter(|material| material.used);
         let opaque = !used.any(|material| material.recipe.transmits());
@@ -241,8 +248,17 @@ pub(crate) fn check_image(image: &Image) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// Refuses a view whose rays are no numbers: the corners of the picture lie too far off.
+/// Refuses a view whose rays are no numbers, as the corners of the picture lie too far off; and a
+/// stereo pair of too many pixels.
 pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
+    let (width, height) = (view.picture_width(image.width), u64::from(image.height));
+    if width * height > MOST_PIXELS {
+        let problem = format!(
+            "{width} × {height} pixels of both images and the gap are too many; at most \
+             {MOST_PIXELS} fit"
+        );
+        return Err(Invalid::field("gap", problem).inside("stereo").inside("camera"));
+    }
     // twice as far: sums on the way to a ray within the picture cannot overflow either
     let [x, y] = [image.width, image.height].map(|n| image.pixel_size * f64::from(n));
     for corner in [[x, y], [-x, y], [x, -y], [-x, -y]] {

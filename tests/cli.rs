@@ -191,7 +191,7 @@ fn help_speaks_of_every_option() {
     let scene = ["--size", "--samples", "--seed", "<SCENE>"];
     for (command, options) in [
         ("list", &["--json"][..]),
-        ("render", &["--output", "--crop", "--threads"]),
+        ("render", &["--output", "--crop", "--stereo", "--threads"]),
         ("explain", &["<X>", "<Y>", "--sample", "--all", "--json"]),
         ("export", &[]),
         ("probe", &["docs/probe.md"]),

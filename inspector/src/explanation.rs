@@ -178,8 +178,7 @@ impl Selection {
                 ui.spinner();
                 return;
             };
-            let [x, y] = sample.film;
-            let Some(root) = camera_ray else {
+            let (Some(root), Some([x, y])) = (camera_ray, sample.film) else {
                 ui.strong(format!("Sample {index}"));
                 ui.label("No ray: the camera sees nothing there.");
                 return;

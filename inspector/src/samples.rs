@@ -104,7 +104,11 @@ impl Samples {
         }
         self.of = Some((generation, pixel));
         let count = world.samples_per_pixel().min(MOST_POINTS);
-        let draw = |purpose, index| world.samples.draw(Key::new(world.seed, pixel, purpose), index);
+        // of a stereo pair: the pixel of the eye's image
+        let drawn = render::camera_sample(world, pixel, 0).map(|sample| sample.pixel);
+        let count = if drawn.is_some() { count } else { 0 };
+        let drawn = drawn.unwrap_or_default();
+        let draw = |purpose, index| world.samples.draw(Key::new(world.seed, drawn, purpose), index);
         let centered = |[x, y]: [f64; 2]| [2.0 * x - 1.0, 2.0 * y - 1.0];
         let plot = |title, about, outline, points: Vec<[f64; 2]>| Plot {
             title,
@@ -114,7 +118,7 @@ impl Samples {
             area: Rect::NOTHING,
         };
         let pixel_points = (0..count).map(|i| centered(draw(Purpose::Pixel, i))).collect();
-        let lens = |i| render::camera_sample(world, pixel, i).lens;
+        let lens = |i| render::camera_sample(world, pixel, i)?.lens;
         let lens_points = (0..count).filter_map(lens).collect();
         let bounce = |i| {
             let up = maps::hemisphere(draw(Purpose::Bounce { node: 0 }, i), 1.0);

@@ -212,7 +212,7 @@ impl Rendering {
 
     /// Pixels across and down.
     pub fn size(&self) -> [u32; 2] {
-        [self.world.image.width, self.world.image.height]
+        self.world.picture_size()
     }
 }
 

@@ -3,17 +3,23 @@
 //! A [`Camera`] knows its own coordinates only: the eye at the origin, looking along −w, u to the
 //! right and v up. [`Viewpoint`] puts it into the world.
 
+mod cylindrical_panorama;
+mod fisheye;
 mod orthographic;
 mod pinhole;
+mod spherical_panorama;
+mod thin_lens;
 
 // shared by the kinds
+mod stereo;
 mod viewpoint;
 
 use std::fmt::Debug;
 
 use crate::math::{Point, Vector};
 
-pub use viewpoint::{View, Viewpoint};
+pub use stereo::{Side, Stereo, Viewing};
+pub use viewpoint::{Eye, View, Viewpoint};
 
 /// The part of the plane of the film that the picture covers, about its centre, in world units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +28,23 @@ pub struct ViewPlane {
     pub width: f64,
     /// From the lower edge to the upper one; positive.
     pub height: f64,
+}
+
+impl ViewPlane {
+    /// Film coordinates as the book normalises them: from −1 to 1 across the picture.
+    fn normalised(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [2.0 * x / self.width, 2.0 * y / self.height]
+    }
+
+    /// The film place of normalised coordinates.
+    fn place(&self, [xn, yn]: [f64; 2]) -> [f64; 2] {
+        [0.5 * xn * self.width, 0.5 * yn * self.height]
+    }
+
+    /// Whether the picture covers a place; its edges are part of it.
+    fn contains(&self, [x, y]: [f64; 2]) -> bool {
+        x.abs() <= 0.5 * self.width && y.abs() <= 0.5 * self.height
+    }
 }
 
 /// A way to turn film into rays, and back. Contract: `tests/contracts/camera.rs`.
@@ -37,9 +60,16 @@ pub trait Camera: Debug + Send + Sync {
         false
     }
 
-    /// Where on the film a point (in camera coordinates) is seen, through the centre of the lens;
-    /// `None` if it is out of view.
+    /// Where on the film a point (in camera coordinates) is seen, through the centre of the lens, in
+    /// the picture or beside it: the inverse of [`Camera::ray`]. `None` if no film could see it.
     fn project(&self, point: Point) -> Option<[f64; 2]>;
+
+    /// By how much all film places move to the right when the eye moves to the left by `aside` and the
+    /// window in space through which it looks stays where it is: the asymmetric frustum of a stereo
+    /// pair (Suffern, ch. 12). 0 for cameras that look through no window.
+    fn window_shift(&self, _aside: f64) -> f64 {
+        0.0
+    }
 }
 
 crate::kinds! {
@@ -47,4 +77,8 @@ crate::kinds! {
     Kind builds dyn Camera with ViewPlane;
     ch03 orthographic::Orthographic,
     ch08 pinhole::Pinhole,
+    ch10 thin_lens::ThinLens,
+    ch11 fisheye::Fisheye,
+    ch11 spherical_panorama::SphericalPanorama,
+    ch11 cylindrical_panorama::CylindricalPanorama,
 }

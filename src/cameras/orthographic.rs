@@ -45,4 +45,8 @@ impl Camera for Orthographic {
     fn project(&self, point: Point) -> Option<[f64; 2]> {
         (point.z() < 0.0).then(|| [self.zoom * point.x(), self.zoom * point.y()])
     }
+
+    fn window_shift(&self, aside: f64) -> f64 {
+        self.zoom * aside
+    }
 }

@@ -49,4 +49,8 @@ impl Camera for Pinhole {
         let scale = self.zoom * self.distance / -point.z();
         (point.z() < 0.0).then(|| [scale * point.x(), scale * point.y()])
     }
+
+    fn window_shift(&self, aside: f64) -> f64 {
+        self.zoom * aside
+    }
 }

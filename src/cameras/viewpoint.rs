@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::kinds;
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, Kind, ViewPlane};
+use super::{Camera, Kind, Side, Stereo, ViewPlane};
 use crate::invalid::{Invalid, finite, finite_point, finite_vector, positive};
 use crate::materials::Medium;
 use crate::math::{Frame, Point, Ray, Vector, cos_degrees, sin_degrees};
@@ -32,6 +32,9 @@ pub struct Viewpoint {
     /// What the eye is in: only its absorption counts, as it is the surfaces that bend light.
     #[serde(default, skip_serializing_if = "is_air")]
     pub medium: Medium,
+    /// Two eyes and two images in place of one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stereo: Option<Stereo>,
     /// How film becomes rays.
     pub lens: Kind,
 }
@@ -47,20 +50,32 @@ fn is_air(medium: &Medium) -> bool {
 /// A camera in the world, ready to be asked.
 #[derive(Debug)]
 pub struct View {
-    eye: Point,
+    /// One, or the left and the right one of a stereo pair.
+    eyes: Vec<Eye>,
+    stereo: Option<Stereo>,
     frame: Frame,
     /// Multiplies every pixel.
     pub exposure_time: f64,
     /// What the eye is in.
     pub medium: Medium,
+}
+
+/// A camera at one place: all of a [`View`], or one half of a stereo pair.
+#[derive(Debug)]
+pub struct Eye {
+    place: Point,
+    frame: Frame,
     camera: Arc<dyn Camera>,
+    film: ViewPlane,
+    /// Added to x on the film: see [`Camera::window_shift`].
+    shift: f64,
 }
 
 impl Viewpoint {
     /// A camera with the book's defaults: upright, exposure 1, in air.
     pub fn new(eye: Point, look_at: Point, lens: impl Into<Kind>) -> Self {
         let (up, medium, lens) = (up(), Medium::default(), lens.into());
-        Self { eye, look_at, up, roll: 0.0, exposure_time: 1.0, medium, lens }
+        Self { eye, look_at, up, roll: 0.0, exposure_time: 1.0, medium, stereo: None, lens }
     }
 
     /// Checks and builds, for a film of this size.
@@ -81,13 +96,30 @@ impl Viewpoint {
             return Err(Invalid::field("look_at", problem));
         }
         finite("roll", self.roll)?;
-        Ok(View {
-            eye: self.eye,
-            frame: rolled(upright(back, up), self.roll),
-            exposure_time: positive("exposure_time", self.exposure_time)?,
-            medium: self.medium.checked("medium")?,
-            camera: self.lens.build(&mut film.clone()).map_err(|e| e.inside("lens"))?,
-        })
+        let exposure_time = positive("exposure_time", self.exposure_time)?;
+        let medium = self.medium.checked("medium")?;
+        let camera = self.lens.build(&mut film.clone()).map_err(|e| e.inside("lens"))?;
+        let frame = rolled(upright(back, up), self.roll);
+        // an eye that is `aside` to the left: its window moves to the right, to stay where it is
+        let eye = |aside: f64| Eye {
+            place: self.eye - aside * frame.u,
+            frame,
+            camera: Arc::clone(&camera),
+            film,
+            shift: camera.window_shift(aside),
+        };
+        let eyes = match self.stereo {
+            None => vec![eye(0.0)],
+            Some(stereo) => {
+                let x = stereo.half_distance(back.length()).map_err(|e| e.inside("stereo"))?;
+                vec![eye(x), eye(-x)]
+            }
+        };
+        if let Some(lost) = eyes.iter().find(|eye| !eye.place.is_finite()) {
+            let problem = format!("an eye is then at {:?}: too far off", lost.place.to_array());
+            return Err(Invalid::field("separation", problem).inside("stereo"));
+        }
+        Ok(View { eyes, stereo: self.stereo, frame, exposure_time, medium })
     }
 
     /// The same view of a scene whose lengths are multiplied by `factor`.
@@ -126,36 +158,90 @@ fn rolled(Frame { u, v, w }: Frame, degrees: f64) -> Frame {
 }
 
 impl View {
-    /// The ray for a point of the film and one of the lens; its direction is unit. `None` where the
-    /// camera sees nothing. See [`Camera::ray`].
-    pub fn ray(&self, film: [f64; 2], lens: [f64; 2]) -> Option<Ray> {
-        let (origin, direction) = self.camera.ray(film, lens)?;
-        let offset = self.frame.to_world(origin.to_vector());
-        let direction = self.frame.to_world(direction);
-        Some(Ray::new(self.eye + offset, direction.unit().expect("cameras look somewhere")))
+    /// The eyes: one, or the left and the right one of a stereo pair.
+    pub fn eyes(&self) -> &[Eye] {
+        &self.eyes
+    }
+
+    /// One eye of a stereo pair; of another view the only one.
+    pub fn eye(&self, side: Side) -> &Eye {
+        match side {
+            Side::Left => &self.eyes[0],
+            Side::Right => self.eyes.last().expect("there is an eye"),
+        }
+    }
+
+    /// How the picture is made of two images, if it is.
+    pub fn stereo(&self) -> Option<&Stereo> {
+        self.stereo.as_ref()
+    }
+
+    /// Columns of the whole picture, if an eye's image has `width`.
+    pub fn picture_width(&self, width: u32) -> u64 {
+        let width = u64::from(width);
+        self.stereo.map_or(width, |stereo| 2 * width + u64::from(stereo.gap))
+    }
+
+    /// The eye that sees a column of the whole picture, and the column of its image; `None` in the gap
+    /// of a stereo pair.
+    pub fn seen_by(&self, column: u32, width: u32) -> Option<(&Eye, u32)> {
+        let Some(stereo) = self.stereo else { return Some((&self.eyes[0], column)) };
+        let (side, column) = stereo.seen_by(column, width)?;
+        Some((self.eye(side), column))
     }
 
     /// Whether samples on the lens matter.
     pub fn has_lens(&self) -> bool {
-        self.camera.has_lens()
+        self.eyes[0].camera.has_lens()
     }
 
-    /// Where on the film a point of the world is seen; `None` if it is out of view.
-    pub fn project(&self, point: Point) -> Option<[f64; 2]> {
-        let local = self.frame.to_local(point - self.eye);
-        self.camera.project(Point::ORIGIN + local)
-    }
-
-    /// Whether the ray for a point of the film, if there is one, is made of numbers: far enough out,
-    /// they overflow.
+    /// Whether the rays for a point of the film, if there are any, are made of numbers: far enough
+    /// out, they overflow.
     pub(crate) fn reaches(&self, film: [f64; 2]) -> bool {
-        let Some((origin, direction)) = self.camera.ray(film, [0.0; 2]) else { return true };
-        let origin = self.eye + self.frame.to_world(origin.to_vector());
-        origin.is_finite() && self.frame.to_world(direction).unit().is_some()
+        self.eyes.iter().all(|eye| eye.reaches(film))
     }
 
     /// The axes u, v, w of the camera in the world.
     pub fn frame(&self) -> &Frame {
         &self.frame
+    }
+}
+
+impl Eye {
+    /// Where it is.
+    pub fn place(&self) -> Point {
+        self.place
+    }
+
+    /// The ray for a point of the film and one of the lens; its direction is unit. `None` where the
+    /// camera sees nothing. See [`Camera::ray`].
+    pub fn ray(&self, film: [f64; 2], lens: [f64; 2]) -> Option<Ray> {
+        let (origin, direction) = self.unnormalised(film, lens)?;
+        Some(Ray::new(origin, direction.unit().expect("cameras look somewhere")))
+    }
+
+    fn unnormalised(&self, [x, y]: [f64; 2], lens: [f64; 2]) -> Option<(Point, Vector)> {
+        let (origin, direction) = self.camera.ray([x + self.shift, y], lens)?;
+        let offset = self.frame.to_world(origin.to_vector());
+        Some((self.place + offset, self.frame.to_world(direction)))
+    }
+
+    /// Where on the film a point of the world is seen, through the centre of the lens; `None` if it is
+    /// out of view: where no film could see it, or beyond the edges of the picture, which belong to
+    /// it. The inverse of [`Eye::ray`]. (Whether something is in the way is another question.)
+    pub fn project(&self, point: Point) -> Option<[f64; 2]> {
+        let local = self.frame.to_local(point - self.place);
+        let [x, y] = self.camera.project(Point::ORIGIN + local)?;
+        let film = [x - self.shift, y];
+        self.film.contains(film).then_some(film)
+    }
+
+    fn reaches(&self, film: [f64; 2]) -> bool {
+        const CENTER: [f64; 2] = [0.0, 0.0];
+        const AROUND: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+        let lens = if self.camera.has_lens() { &AROUND[..] } else { &[CENTER] };
+        lens.iter()
+            .filter_map(|&lens| self.unnormalised(film, lens))
+            .all(|(origin, direction)| origin.is_finite() && direction.unit().is_some())
     }
 }

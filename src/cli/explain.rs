@@ -28,7 +28,7 @@ pub struct Explain {
 impl Explain {
     pub fn run(&self) -> Outcome {
         let (scene, world) = self.scene.load()?;
-        let (width, height) = (world.image.width, world.image.height);
+        let [width, height] = world.picture_size();
         if self.x >= width || self.y >= height {
             let (x, y) = (self.x, self.y);
             return Err(

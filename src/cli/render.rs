@@ -1,12 +1,13 @@
 //! `groundtruth render`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use groundtruth::film::{self, Tone};
-use groundtruth::render::Canvas;
+use groundtruth::render::{self, Canvas};
+use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::scene::{CropArgument, SceneArguments, start_threads};
@@ -22,9 +23,23 @@ pub struct Render {
     /// Render a part only: X,Y,WxH from the top left
     #[arg(long, value_name = "X,Y,WxH")]
     crop: Option<CropArgument>,
+    /// How the two images of a stereo pair are written; side-by-side if left out
+    #[arg(long, value_enum, value_name = "HOW")]
+    stereo: Option<Pair>,
     /// Threads to use; all cores if left out. The picture is the same for any number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+}
+
+/// How the two images of a stereo pair are written.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Pair {
+    /// One picture: both images and the gap between them
+    SideBySide,
+    /// One picture for glasses, red over the left eye and cyan over the right one
+    Anaglyph,
+    /// Two pictures, -left and -right added to the name
+    TwoFiles,
 }
 
 /// A picture of more rays than this is announced before it begins.
@@ -38,7 +53,12 @@ impl Render {
         let start = Instant::now();
         start_threads(self.threads)?;
         let (scene, world) = self.scene.load()?;
-        film::writable(&self.output)?;
+        let pair = self.pair(&world)?;
+        let files = match pair {
+            Pair::TwoFiles => ["-left", "-right"].map(|end| named(&self.output, end)).to_vec(),
+            _ => vec![self.output.clone()],
+        };
+        files.iter().try_for_each(|file| film::writable(file))?;
         let canvas = Arc::new(match self.crop {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
             None => Canvas::new(&world),
@@ -79,10 +99,44 @@ impl Render {
         let rendered = start.elapsed() - loaded;
         let image = &scene.image;
         let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
-        canvas.look(|film| film::write(film, &tone, &self.output))?;
-        let (path, loaded, rendered) =
-            (self.output.display(), loaded.as_secs_f64(), rendered.as_secs_f64());
-        eprintln!("{path}: loaded in {loaded:.2} s, rendered in {rendered:.2} s");
+        let film = canvas.film();
+        let films = match (pair, render::eye_images(&world, &film)) {
+            (Pair::Anaglyph, Some([left, right])) => vec![film::anaglyph(&left, &right)],
+            (Pair::TwoFiles, Some(images)) => images.to_vec(),
+            _ => vec![film],
+        };
+        for (film, file) in films.iter().zip(&files) {
+            film::write(film, &tone, file)?;
+        }
+        let paths: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+        let (paths, loaded, rendered) =
+            (paths.join(", "), loaded.as_secs_f64(), rendered.as_secs_f64());
+        eprintln!("{paths}: loaded in {loaded:.2} s, rendered in {rendered:.2} s");
         Ok(Answer::Yes)
     }
+
+    /// How a pair is to be written, if that can be done.
+    fn pair(&self, world: &World) -> Result<Pair, &'static str> {
+        match self.stereo {
+            None => Ok(Pair::SideBySide),
+            Some(_) if world.view.stereo().is_none() => {
+                Err("--stereo needs a scene whose camera has `stereo`; this one has one eye")
+            }
+            Some(pair) if pair != Pair::SideBySide && self.crop.is_some() => Err(
+                "--crop gives a part of the picture side by side; it goes with no other --stereo",
+            ),
+            Some(pair) => Ok(pair),
+        }
+    }
+}
+
+/// `a-left.png` from `a.png`.
+fn named(file: &Path, end: &str) -> PathBuf {
+    let mut name = file.file_stem().unwrap_or_default().to_owned();
+    name.push(end);
+    if let Some(extension) = file.extension() {
+        name.push(".");
+        name.push(extension);
+    }
+    file.with_file_name(name)
 }

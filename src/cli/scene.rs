@@ -14,7 +14,8 @@ use groundtruth::world::{DEFAULT_SEED, World};
 pub struct SceneArguments {
     /// A gallery name such as ch28/glass-sphere (see `list`), or a scene file
     scene: String,
-    /// Width and height of the picture in pixels, as 300x200; the view stays the same
+    /// Width and height of the picture in pixels, as 300x200; the view stays the same. Of a stereo
+    /// pair: of each eye's image
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
     /// Samples for each pixel
@@ -119,11 +120,10 @@ impl CropArgument {
         let fits = |start: u32, length: u32, whole: u32| {
             start.checked_add(length).is_some_and(|end| end <= whole)
         };
-        let image = &world.image;
-        if fits(x, width, image.width) && fits(y, height, image.height) {
+        let [w, h] = world.picture_size();
+        if fits(x, width, w) && fits(y, height, h) {
             return Ok(self.0);
         }
-        let (w, h) = (image.width, image.height);
         Err(format!("--crop {x},{y},{width}x{height} reaches beyond the picture of {w}x{h}").into())
     }
 }

@@ -48,8 +48,29 @@ impl Film {
         &self.pixels
     }
 
+    /// The picture of so many columns from the one at `first`.
+    #[must_use]
+    pub fn columns(&self, first: u32, width: u32) -> Self {
+        let mut part = Self::new(width, self.height);
+        for (row, pixels) in self.pixels.chunks_exact(self.width as usize).enumerate() {
+            let at = row * width as usize;
+            part.pixels[at..at + width as usize]
+                .copy_from_slice(&pixels[first as usize..(first + width) as usize]);
+        }
+        part
+    }
+
     /// All channels as they are stored in files: single precision.
     pub fn to_f32(&self) -> impl Iterator<Item = [f32; 3]> {
         self.pixels.iter().map(|pixel| pixel.to_array().map(|c| c as f32))
     }
+}
+
+/// One picture for red and cyan glasses: red from the left eye's image, green and blue from the right
+/// eye's, which must be of the same size.
+pub fn anaglyph(left: &Film, right: &Film) -> Film {
+    assert_eq!((left.width, left.height), (right.width, right.height), "both are of one size");
+    let both = left.pixels.iter().zip(&right.pixels);
+    let pixels = both.map(|(left, right)| Rgb::new(left.r, right.g, right.b)).collect();
+    Film { width: left.width, height: left.height, pixels }
 }

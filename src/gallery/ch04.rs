@@ -6,7 +6,10 @@ use crate::background::{Background, Pattern, Sinusoid};
 use crate::cameras::{Orthographic, Pinhole, Viewpoint};
 use crate::filters::{Box, Gaussian, Kind as Filter, Mitchell, Tent};
 use crate::math::{Point, Vector};
-use crate::samplers::{Jittered, Kind as Sampler, MultiJittered, Random, Regular};
+use crate::samplers::{
+    CorrelatedMultiJittered, Hammersley, Jittered, Kind as Sampler, MultiJittered, NRooks, Random,
+    Regular, Sobol,
+};
 use crate::scene::{Image, Scene};
 
 pub const SCENES: List = &[
@@ -14,9 +17,17 @@ pub const SCENES: List = &[
     ("ch04/sinusoid-regular", || sinusoid("25 regular samples", Regular {}, 25)),
     ("ch04/sinusoid-random", || sinusoid("25 random samples", Random {}, 25)),
     ("ch04/sinusoid-jittered", || sinusoid("25 jittered samples", Jittered {}, 25)),
+    ("ch04/sinusoid-n-rooks", || sinusoid("25 n-rooks samples", NRooks {}, 25)),
     ("ch04/sinusoid-multi-jittered", || {
         sinusoid("25 multi-jittered samples", MultiJittered {}, 25)
     }),
+    ("ch04/sinusoid-hammersley", || {
+        sinusoid("25 samples of Hammersley's one set", Hammersley { shifted: false }, 25)
+    }),
+    ("ch04/sinusoid-correlated-multi-jittered", || {
+        sinusoid("25 correlated multi-jittered samples", CorrelatedMultiJittered {}, 25)
+    }),
+    ("ch04/sinusoid-sobol", || sinusoid("32 samples of Sobol's scrambled sequence", Sobol {}, 32)),
     ("ch04/jagged-sphere", || ball("figure 4.4a: a sphere with one sample a pixel", 1)),
     ("ch04/smooth-sphere", || ball("figure 4.4b: a sphere with 16 samples a pixel", 16)),
     ("ch04/checker", || checker("figure 4.8: a checker to the horizon, 64 samples", Box {}.into())),

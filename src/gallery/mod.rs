@@ -4,8 +4,12 @@
 
 mod ch03;
 mod ch04;
+mod ch06;
 mod ch08;
 mod ch09;
+mod ch10;
+mod ch11;
+mod ch12;
 mod ch14;
 mod ch16;
 mod ch19;
@@ -37,8 +41,12 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
     [
         ch03::SCENES,
         ch04::SCENES,
+        ch06::SCENES,
         ch08::SCENES,
         ch09::SCENES,
+        ch10::SCENES,
+        ch11::SCENES,
+        ch12::SCENES,
         ch14::SCENES,
         ch16::SCENES,
         ch19::SCENES,

@@ -94,6 +94,7 @@ pub(super) fn traceable(
     samples: f64,
 ) -> Result<(), Invalid> {
     let pixels = f64::from(world.image.width) * f64::from(world.image.height);
+    let pixels = pixels * world.view.eyes().len() as f64;
     let rays = world.most_rays() / (pixels * f64::from(world.samples_per_pixel())) * samples;
     let tests = match scene.accel {
         // a teapot in a stadium is in one cell

@@ -15,6 +15,7 @@ mod light;
 mod lobe;
 mod map;
 mod occluded;
+mod project;
 mod radiance;
 mod samples;
 mod texture;
@@ -89,6 +90,7 @@ questions! {
     intersect::Intersect,
     occluded::Occluded,
     camera_ray::CameraRay,
+    project::Project,
     samples::Samples,
     map::Map,
     lobe::Lobe,

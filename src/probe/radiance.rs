@@ -94,7 +94,7 @@ impl Radiance {
         }
         let seed = self.seed.unwrap_or(DEFAULT_SEED);
         let mut world = self.world(seed, f64::from(replicas))?;
-        camera_ray::inside(pixel, &world.image)?;
+        camera_ray::inside(pixel, world.picture_size())?;
         let mut values = Vec::with_capacity(replicas as usize);
         for i in 0..replicas {
             if i > 0 {

@@ -46,7 +46,8 @@ impl View {
         if self == Self::Radiance {
             return render::render(world);
         }
-        let mut film = Film::new(world.image.width, world.image.height);
+        let [width, height] = world.picture_size();
+        let mut film = Film::new(width, height);
         for y in 0..film.height() {
             for x in 0..film.width() {
                 let mut first = FirstHit::default();

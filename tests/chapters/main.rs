@@ -3,6 +3,7 @@
 //! One binary with a module for each chapter. The contracts of traits and the golden images are in
 //! `tests/contracts`, under the same names.
 
+mod calibration;
 mod draw;
 mod exact;
 mod hard_cases;
@@ -17,6 +18,9 @@ mod ch06;
 mod ch07;
 mod ch08;
 mod ch09;
+mod ch10;
+mod ch11;
+mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;

@@ -20,13 +20,13 @@ pub trait Seen {
 
 impl Seen for View {
     fn seen(&self, film: [f64; 2]) -> Ray {
-        self.ray(film, [0.0; 2]).expect("the camera sees all its film")
+        self.eyes()[0].ray(film, [0.0; 2]).expect("the camera sees all its film")
     }
 }
 
 /// The camera's ray of a sample, and its place on the film.
 pub fn camera_ray(world: &World, pixel: [u32; 2], index: u32) -> (Ray, [f64; 2]) {
-    let sample = render::camera_sample(world, pixel, index);
+    let sample = render::camera_sample(world, pixel, index).expect("the picture has no gap");
     (sample.ray.expect("the camera sees all its film"), sample.film)
 }
 

@@ -1,9 +1,10 @@
-//! The contract of [`Camera`] (Suffern, ch. 3, 8, 9).
+//! The contract of [`Camera`] (Suffern, ch. 3, 8–12).
 
 use std::sync::Arc;
 
-use groundtruth::cameras::{Camera, Kind, ViewPlane, Viewpoint};
+use groundtruth::cameras::{Camera, Kind, View, ViewPlane, Viewpoint};
 use groundtruth::math::{Pcg32, Point, Vector, power_of_two};
+use groundtruth::samplers::maps;
 use libtest_mimic::Trial;
 
 use super::{Holds, ensure};
@@ -17,6 +18,11 @@ pub fn trials() -> Vec<Trial> {
             ("rays_are_finite_and_unit", rays_are_finite_and_unit),
             ("scaling_by_a_power_of_two_scales_every_bit", scaling_scales_every_bit),
             ("the_view_turns_with_its_frame", the_view_turns_with_its_frame),
+            ("a_point_on_a_ray_is_seen_where_the_ray_starts", project_inverts_ray),
+            ("a_point_that_is_seen_lies_on_the_ray_of_its_place", ray_inverts_project),
+            ("what_no_ray_of_the_picture_meets_is_out_of_view", what_no_ray_meets_is_out_of_view),
+            ("places_on_the_lens_matter_if_there_is_one", lens_places_matter),
+            ("neighbours_on_the_film_look_nearly_the_same_way", neighbours_look_the_same_way),
         ],
     )
 }
@@ -28,35 +34,53 @@ fn built(kind: &Kind) -> Arc<dyn Camera> {
     kind.build(&mut PLANE.clone()).expect("specimens are valid")
 }
 
-fn films() -> impl Iterator<Item = [f64; 2]> {
+/// Places all over the film, many of them close to its centre.
+fn all_films() -> impl Iterator<Item = [f64; 2]> {
     let mut random = Pcg32::new(9, 0);
-    (0..500).map(move |_| [400.0 * (random.uniform() - 0.5), 300.0 * (random.uniform() - 0.5)])
+    (0..1000).map(move |i| {
+        let scale = if i % 4 == 0 { power_of_two(-(i / 16)) } else { 1.0 };
+        [400.0 * scale * (random.uniform() - 0.5), 300.0 * scale * (random.uniform() - 0.5)]
+    })
+}
+
+/// Those where the camera sees something: at least half of them.
+fn films(camera: &dyn Camera) -> Vec<[f64; 2]> {
+    let seen: Vec<_> = all_films().filter(|&film| camera.ray(film, [0.0; 2]).is_some()).collect();
+    assert!(seen.len() > 500, "the camera sees {} places of 1000", seen.len());
+    seen
+}
+
+/// Origin and direction through the centre of the lens; the direction made unit.
+fn ray(camera: &dyn Camera, film: [f64; 2]) -> (Point, Vector) {
+    let (origin, direction) = camera.ray(film, [0.0; 2]).expect("a ray");
+    (origin, direction.unit().expect("a direction"))
 }
 
 fn the_centre_looks_along_minus_w(kind: &Kind) -> Holds {
-    let (origin, direction) = built(kind).ray([0.0, 0.0], [0.0; 2]).expect("a ray");
-    ensure!(origin == Point::ORIGIN, "it starts at {origin:?}");
-    let along = direction.x() == 0.0 && direction.y() == 0.0 && direction.z() < 0.0;
-    ensure!(along, "it looks along {direction:?}");
+    for zero in [0.0, -0.0] {
+        let (origin, direction) = built(kind).ray([zero, 0.0], [0.0; 2]).expect("a ray");
+        ensure!(origin == Point::ORIGIN, "it starts at {origin:?}");
+        let along = direction.x() == 0.0 && direction.y() == 0.0 && direction.z() < 0.0;
+        ensure!(along, "it looks along {direction:?}");
+    }
     Ok(())
 }
 
-/// Law: where the ray of film point (x, y) meets a far plane across the view, it is right of the
-/// centre for x > 0 and above it for y > 0, and the mirrored film point meets the mirrored place.
+/// Law: far along its ray, film point (x, y) sees what is right of the centre for x > 0 and above it
+/// for y > 0, and the mirrored film point sees the mirrored place.
 fn right_is_right(kind: &Kind) -> Holds {
     let camera = built(kind);
     let place = |film: [f64; 2]| {
-        let (origin, direction) = camera.ray(film, [0.0; 2]).expect("a ray");
-        let t = (-1000.0 - origin.z()) / direction.z();
-        [origin.x() + t * direction.x(), origin.y() + t * direction.y()]
+        let (origin, direction) = ray(&*camera, film);
+        (origin + 1000.0 * direction).to_array()
     };
-    for [x, y] in films() {
-        let [u, v] = place([x, y]);
+    for [x, y] in films(&*camera) {
+        let [u, v, w] = place([x, y]);
         ensure!(u * x > 0.0 && v * y > 0.0, "({x}, {y}) sees ({u}, {v})");
         let mirrored = place([-x, y]);
-        ensure!(mirrored == [-u, v], "({x}, {y}) sees ({u}, {v}), mirrored {mirrored:?}");
+        ensure!(mirrored == [-u, v, w], "({x}, {y}) sees ({u}, {v}), mirrored {mirrored:?}");
         let upside_down = place([x, -y]);
-        ensure!(upside_down == [u, -v], "({x}, {y}) sees ({u}, {v}), down {upside_down:?}");
+        ensure!(upside_down == [u, -v, w], "({x}, {y}) sees ({u}, {v}), down {upside_down:?}");
     }
     Ok(())
 }
@@ -68,34 +92,49 @@ fn viewpoint(kind: &Kind) -> Viewpoint {
     viewpoint
 }
 
+fn view(kind: &Kind) -> View {
+    viewpoint(kind).build(PLANE).expect("the viewpoint is valid")
+}
+
 /// Two roundings in the length, one in the quotient.
 const UNIT: f64 = 4.0 * f64::EPSILON;
 
 fn rays_are_finite_and_unit(kind: &Kind) -> Holds {
-    let view = viewpoint(kind).build(PLANE).expect("the viewpoint is valid");
-    for film in films() {
-        let ray = view.ray(film, [0.0; 2]).expect("a ray");
-        ensure!(ray.origin.is_finite() && ray.direction.is_finite(), "{film:?}: {ray:?}");
-        let length = ray.direction.length();
-        ensure!((length - 1.0).abs() <= UNIT, "{film:?}: direction of length {length}");
+    let view = view(kind);
+    let eye = &view.eyes()[0];
+    for film in films(&*built(kind)) {
+        for lens in [[0.0, 0.0], [1.0, 0.0], [-0.6, 0.8]] {
+            let ray = eye.ray(film, lens).expect("a ray");
+            ensure!(ray.origin.is_finite() && ray.direction.is_finite(), "{film:?}: {ray:?}");
+            let length = ray.direction.length();
+            ensure!((length - 1.0).abs() <= UNIT, "{film:?}: direction of length {length}");
+        }
     }
     Ok(())
 }
 
 /// Law: with all lengths and the film times 2ᵏ, rays have the same directions, bit for bit, and
-/// origins 2ᵏ times as far.
+/// origins 2ᵏ times as far, and points 2ᵏ times as far are seen 2ᵏ times as far out.
 fn scaling_scales_every_bit(kind: &Kind) -> Holds {
-    let view = viewpoint(kind).build(PLANE).expect("the viewpoint is valid");
+    let view = view(kind);
+    let eye = &view.eyes()[0];
     for k in [1, -7, 30, -30] {
         let factor = power_of_two(k);
-        let scaled = viewpoint(kind).scaled(factor).build(PLANE).expect("the viewpoint is valid");
-        for film in films() {
+        let [width, height] = [PLANE.width, PLANE.height].map(|x| factor * x);
+        let scaled = viewpoint(kind).scaled(factor).build(ViewPlane { width, height });
+        let scaled = scaled.expect("the viewpoint is valid");
+        let other = &scaled.eyes()[0];
+        for film in films(&*built(kind)) {
+            let lens = [0.6, -0.8];
             let (ray, far) = (
-                view.ray(film, [0.0; 2]).expect("a ray"),
-                scaled.ray(film.map(|x| factor * x), [0.0; 2]).expect("a ray"),
+                eye.ray(film, lens).expect("a ray"),
+                other.ray(film.map(|x| factor * x), lens).expect("a ray"),
             );
             ensure!(far.direction == ray.direction, "{film:?}, 2^{k}: {far:?}, {ray:?}");
             ensure!(far.origin == ray.origin.scaled(factor), "{film:?}, 2^{k}: {far:?}, {ray:?}");
+            let (near, far) = (ray.at(30.0), ray.at(30.0).scaled(factor));
+            let expected = eye.project(near).map(|place| place.map(|x| factor * x));
+            ensure!(other.project(far) == expected, "{near:?}, 2^{k}");
         }
     }
     Ok(())
@@ -115,19 +154,139 @@ fn the_view_turns_with_its_frame(kind: &Kind) -> Holds {
     let across = Vector::Y.cross(w);
     let u = across / across.length();
     let v = w.cross(u);
-    for film in films() {
-        let ([o, d], ray) = (
-            {
-                let (o, d) = camera.ray(film, [0.0; 2]).expect("a ray");
-                [o.to_vector(), d]
-            },
-            view.ray(film, [0.0; 2]).expect("a ray"),
-        );
+    for film in films(&*camera) {
+        let lens = [-0.8, 0.6];
+        let (o, d) = camera.ray(film, lens).expect("a ray");
+        let ray = view.eyes()[0].ray(film, lens).expect("a ray");
         let world = |a: Vector| a.x() * u + a.y() * v + a.z() * w;
-        let off = (ray.origin - (viewpoint.eye + world(o))).length();
+        let off = (ray.origin - (viewpoint.eye + world(o.to_vector()))).length();
         ensure!(off <= ROUNDING, "{film:?}: the origin is off by {off:e}");
         let off = (ray.direction - world(d) / d.length()).length();
         ensure!(off <= ROUNDING, "{film:?}: the direction is off by {off:e}");
+    }
+    Ok(())
+}
+
+/// Of the size of the film: the round trip of a place is good to some ten roundings of it.
+const ROUND_TRIP: f64 = 1e-12 * 400.0;
+
+fn apart([x, y]: [f64; 2], [s, t]: [f64; 2]) -> f64 {
+    (x - s).abs().max((y - t).abs())
+}
+
+/// Law: every point of the ray through the centre of the lens, however near or far, is seen where the
+/// ray was asked for.
+fn project_inverts_ray(kind: &Kind) -> Holds {
+    let camera = built(kind);
+    for film in films(&*camera) {
+        let (origin, direction) = ray(&*camera, film);
+        for depth in [1e-6, 0.1, 1.0, 7.5, 1e3, 1e9] {
+            let found = camera.project(origin + depth * direction);
+            let Some(found) = found else { return Err(format!("{film:?}, {depth}: not seen")) };
+            let off = apart(found, film);
+            ensure!(off <= ROUND_TRIP, "{film:?} at {depth}: {found:?}, off by {off:e}");
+        }
+    }
+    ensure!(built(kind).project(Point::ORIGIN).is_none(), "the eye sees itself");
+    Ok(())
+}
+
+/// Points all around the camera, near and far.
+fn points() -> impl Iterator<Item = Point> {
+    let mut random = Pcg32::new(11, 0);
+    (0..4000).map(move |_| {
+        let reach = power_of_two((20.0 * random.uniform()) as i32 - 8);
+        let mut c = || reach * (2.0 * random.uniform() - 1.0);
+        Point::new(c(), c(), c())
+    })
+}
+
+/// Law: the ray of the place where a point is seen meets the point, ahead. Oracle: the distance of
+/// the point from the ray, by a cross product.
+fn ray_inverts_project(kind: &Kind) -> Holds {
+    let camera = built(kind);
+    for p in points() {
+        let Some(film) = camera.project(p) else { continue };
+        let Some((origin, direction)) = camera.ray(film, [0.0; 2]) else {
+            return Err(format!("{p:?} is seen at {film:?}, where there is no ray"));
+        };
+        let (to, direction) = (p - origin, direction.unit().expect("a direction"));
+        let off = to.cross(direction).length() / (to.length() + origin.to_vector().length());
+        ensure!(off <= 1e-13 && to.dot(direction) > 0.0, "{p:?} {film:?}: off by {off:e}");
+    }
+    Ok(())
+}
+
+/// Law: the picture sees a point exactly if one of its rays passes it. Oracle: the cell of a fine
+/// mesh of rays, all over the film and its edges, in which the direction to the point lies: of all
+/// rays of the mesh the closest one is as close as the mesh is fine, or not.
+fn what_no_ray_meets_is_out_of_view(kind: &Kind) -> Holds {
+    const ACROSS: i32 = 60;
+    let view = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), kind.clone()).build(PLANE);
+    let view = view.expect("the viewpoint is valid");
+    let eye = &view.eyes()[0];
+    let step = |i: i32, size: f64| size * (f64::from(i) / f64::from(ACROSS) - 0.5);
+    let mut mesh = Vec::new();
+    let mut fine = [0.0_f64; 2];
+    for (i, j) in (0..=ACROSS).flat_map(|i| (0..=ACROSS).map(move |j| (i, j))) {
+        let at = |i, j| eye.ray([step(i, 400.0), step(j, 300.0)], [0.0; 2]);
+        let Some(ray) = at(i, j) else { continue };
+        mesh.push(ray);
+        for next in [at(i + 1, j + 1), at(i + 1, j), at(i, j + 1)].into_iter().flatten() {
+            let sizes =
+                [(next.direction - ray.direction).length(), (next.origin - ray.origin).length()];
+            fine = [0, 1].map(|k: usize| fine[k].max(sizes[k]));
+        }
+    }
+    let (mut inside, mut outside) = (0, 0);
+    for p in points().take(400) {
+        let off = |ray: &groundtruth::math::Ray| {
+            let to = p - ray.origin;
+            let ahead = to.dot(ray.direction) > 0.0;
+            if ahead { to.cross(ray.direction).length() } else { f64::INFINITY }
+        };
+        let nearest = mesh.iter().map(off).fold(f64::INFINITY, f64::min);
+        let reach = fine[0] * p.to_vector().length() + fine[1];
+        let seen = eye.project(p).is_some();
+        if seen {
+            inside += 1;
+            ensure!(nearest <= reach, "{p:?} is seen, but the closest ray is {nearest} off");
+        } else {
+            outside += 1;
+            // a point just outside the edge is close to a ray, too: further out none is
+            let all_around = nearest < 1e-3 * reach;
+            ensure!(!all_around, "{p:?} is out of view, but a ray is {nearest} off");
+        }
+    }
+    ensure!(inside + outside == 400, "all were judged");
+    Ok(())
+}
+
+/// Law: a place on the lens changes the ray exactly if the camera has a lens.
+fn lens_places_matter(kind: &Kind) -> Holds {
+    let camera = built(kind);
+    let mut random = Pcg32::new(10, 0);
+    for film in films(&*camera) {
+        let lens = maps::disk([random.uniform(), random.uniform()]);
+        let (centre, aside) = (camera.ray(film, [0.0; 2]), camera.ray(film, lens));
+        let matters = centre != aside;
+        ensure!(matters == camera.has_lens(), "{film:?}, {lens:?}: {centre:?}, {aside:?}");
+    }
+    Ok(())
+}
+
+/// Law: film places a billionth of the picture apart see nearly the same: there are no jumps.
+fn neighbours_look_the_same_way(kind: &Kind) -> Holds {
+    let camera = built(kind);
+    for [x, y] in films(&*camera) {
+        for [s, t] in [[4e-7, 0.0], [0.0, 3e-7]] {
+            let Some((origin, direction)) = camera.ray([x + s, y + t], [0.0; 2]) else { continue };
+            let (o, d) = ray(&*camera, [x, y]);
+            let turned = (direction.unit().expect("a direction") - d).length();
+            // twice around the world over the film, at the most; distances of specimens are ≥ 2.5
+            ensure!(turned <= 2e-6, "({x}, {y}): turned by {turned:e}");
+            ensure!((origin - o).length() <= 1e-6, "({x}, {y}): {o:?} jumps to {origin:?}");
+        }
     }
     Ok(())
 }

@@ -295,7 +295,8 @@ fn a_draw_is_where_the_renderer_samples() {
     let world = groundtruth::world::World::build(&(entry.build)()).expect("it is valid");
     let (size, half) = (world.image.pixel_size, 300.0);
     for (x, y, index) in [(0, 0, 0), (17, 430, 5), (599, 599, 15), (17, 431, 5)] {
-        let film = groundtruth::render::camera_sample(&world, [x, y], index).film;
+        let sample = groundtruth::render::camera_sample(&world, [x, y], index);
+        let film = sample.expect("the picture has no gap").film;
         let corner = [f64::from(x) - half, f64::from(599 - y) - half];
         let place = [film[0] / size - corner[0], film[1] / size - corner[1]];
         let draw = json!({"pixel": [x, y], "index": index});

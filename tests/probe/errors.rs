@@ -12,15 +12,15 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{}"#,
-        "column 2: no question; there are: intersect, occluded, camera_ray, samples, map, lobe, fresnel, light, texture, transform, radiance",
+        "column 2: no question; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, radiance",
     ),
     (
         r#"{"id": 3}"#,
-        "column 9: no question; there are: intersect, occluded, camera_ray, samples, map, lobe, fresnel, light, texture, transform, radiance",
+        "column 9: no question; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, radiance",
     ),
     (
         r#"{"intersekt": {}}"#,
-        "column 12: no question `intersekt`; there are: intersect, occluded, camera_ray, samples, map, lobe, fresnel, light, texture, transform, radiance",
+        "column 12: no question `intersekt`; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, radiance",
     ),
     (
         r#"{"fresnel": {"cos_i": 1, "eta": 1}, "light": {"light": {"ambient": {}}, "from": [0, 0, 0]}}"#,
@@ -152,6 +152,34 @@ const ERRORS: &[(&str, &str)] = &[
     (
         r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [0, 0], "place": [0, 1.5]}}"#,
         "camera_ray.place: found [0.0, 1.5], but two numbers from 0 to 1 are needed",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [0, 0], "lens": [1, 0.5]}}"#,
+        "camera_ray.lens: found [1.0, 0.5], which is outside the unit disk",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [0, 0], "eye": "left"}}"#,
+        "camera_ray.eye: goes with a stereo pair",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "stereo": {"viewing": "parallel", "separation": 5}, "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [0, 0]}}"#,
+        "camera_ray.eye: a stereo pair has two: left, right",
+    ),
+    (
+        r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "stereo": {"viewing": "parallel", "separation": 5}, "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [6, 0], "eye": "left"}}"#,
+        "camera_ray.pixel: found [6, 0], which is outside the picture of 6 × 2",
+    ),
+    (
+        r#"{"project": {"camera": {"eye": [0, 0, 4], "lens": {"fisheye": {"fov": 400}}}, "image": {"width": 6, "height": 2}, "point": [0, 0, 0]}}"#,
+        "project.camera.lens.fisheye.fov: found 400, but more than 0 and at most 360 degrees fit",
+    ),
+    (
+        r#"{"project": {"camera": {"eye": [0, 0, 4], "lens": {"thin_lens": {"distance": 4, "focal_distance": 8, "lens_radius": -1}}}, "image": {"width": 6, "height": 2}, "point": [0, 0, 0]}}"#,
+        "project.camera.lens.thin_lens.lens_radius: found -1, but a finite number of at least 0 is needed",
+    ),
+    (
+        r#"{"project": {"camera": {"eye": [0, 0, 4], "stereo": {"viewing": "crossed", "separation": 5}, "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "point": [0, 0, 0]}}"#,
+        "column 79: unknown variant `crossed`, expected `parallel` or `transverse`",
     ),
     (
         r#"{"samples": {"sampler": {"regular": {}}, "n": 0}}"#,

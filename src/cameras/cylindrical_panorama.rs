@@ -1,0 +1,71 @@
+//! The cylindrical panorama (an exercise of Suffern, ch. 11): upright lines stay straight.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Camera, ViewPlane};
+use crate::invalid::{Invalid, angle, angle_below};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
+
+/// Film to the right is longitude, evenly; film up is height on the unit cylinder about the v axis:
+/// the tangent of the latitude. Things keep their shape near the horizon if width is to height as
+/// `λ_max` in radians to `tan ψ_max`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CylindricalPanorama {
+    /// From the left edge to the right one, in degrees; above 0, at most 360.
+    pub horizontal_fov: f64,
+    /// From the lower edge to the upper one, in degrees; above 0, below 180.
+    pub vertical_fov: f64,
+}
+
+impl Specification for CylindricalPanorama {
+    type Built = Arc<dyn Camera>;
+    type Context = ViewPlane;
+
+    fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
+        let lambda_max = 0.5 * angle("horizontal_fov", self.horizontal_fov, 360.0)?;
+        let psi_max = 0.5 * angle_below("vertical_fov", self.vertical_fov, 180.0)?;
+        let tan_psi_max = sin_degrees(psi_max) / cos_degrees(psi_max);
+        Ok(Arc::new(Built { film: *film, lambda_max, tan_psi_max }))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        let fovs = [(180.0, 90.0), (360.0, 120.0), (1e-6, 2e-6), (270.0, 20.0)];
+        fovs.map(|(horizontal_fov, vertical_fov)| Self { horizontal_fov, vertical_fov }).into()
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    film: ViewPlane,
+    /// In degrees: there the sines of right angles are exact.
+    lambda_max: f64,
+    tan_psi_max: f64,
+}
+
+impl Camera for Built {
+    /// `sin λ u + yn tan ψ_max v − cos λ w` with `λ = xn λ_max`.
+    fn ray(&self, film: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {
+        let [xn, yn] = self.film.normalised(film);
+        let lambda = xn * self.lambda_max;
+        let direction =
+            Vector::new(sin_degrees(lambda), yn * self.tan_psi_max, -cos_degrees(lambda));
+        Some((Point::ORIGIN, direction))
+    }
+
+    /// What is straight above or below is nowhere on the cylinder.
+    fn project(&self, point: Point) -> Option<[f64; 2]> {
+        let level = point.to_vector().across_y().length();
+        let lambda = to_degrees(atan2(point.x(), -point.z()));
+        let height = point.y() / level;
+        let place = self.film.place([lambda / self.lambda_max, height / self.tan_psi_max]);
+        (level > 0.0).then_some(place)
+    }
+}

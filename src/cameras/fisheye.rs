@@ -1,0 +1,78 @@
+//! The fisheye camera (Suffern, ch. 11): up to all directions in one disc.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Camera, ViewPlane};
+use crate::invalid::{Invalid, angle};
+use crate::kinds::{self, Specification};
+use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
+
+/// The angle to the line of sight grows evenly from the centre of the picture to the circle (or
+/// ellipse) that touches its edges, where it is half the field of view.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fisheye {
+    /// The full field of view in degrees, from edge to edge; above 0, at most 360.
+    pub fov: f64,
+    /// Whether the corners outside the circle see something: they continue the law, as far as straight
+    /// back. If not, they are black.
+    #[serde(default, skip_serializing_if = "kinds::is_no")]
+    pub rectangular: bool,
+}
+
+impl Specification for Fisheye {
+    type Built = Arc<dyn Camera>;
+    type Context = ViewPlane;
+
+    fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
+        let psi_max = 0.5 * angle("fov", self.fov, 360.0)?;
+        Ok(Arc::new(Built { film: *film, psi_max, rectangular: self.rectangular }))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        let fovs = [(120.0, false), (360.0, false), (1e-6, false), (180.0, true), (300.0, true)];
+        fovs.map(|(fov, rectangular)| Self { fov, rectangular }).into()
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    film: ViewPlane,
+    /// At the circle, in degrees: there the sines of right angles are exact.
+    psi_max: f64,
+    rectangular: bool,
+}
+
+impl Camera for Built {
+    /// `sin ψ cos α u + sin ψ sin α v − cos ψ w` with `ψ = r ψ_max`, (r, α) being the polar form of
+    /// the normalised film coordinates.
+    fn ray(&self, film: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {
+        let [xn, yn] = self.film.normalised(film);
+        let r = (xn * xn + yn * yn).sqrt();
+        let psi = r * self.psi_max;
+        let seen = if self.rectangular { psi <= 180.0 } else { r <= 1.0 };
+        // the centre has no α; nor needs it one, as sin ψ is 0
+        let (cos_alpha, sin_alpha) = if r == 0.0 { (1.0, 0.0) } else { (xn / r, yn / r) };
+        let (sin_psi, cos_psi) = (sin_degrees(psi), cos_degrees(psi));
+        let direction = Vector::new(sin_psi * cos_alpha, sin_psi * sin_alpha, -cos_psi);
+        seen.then_some((Point::ORIGIN, direction))
+    }
+
+    /// Every direction within the circle, or, if rectangular, every direction, has one place.
+    fn project(&self, point: Point) -> Option<[f64; 2]> {
+        let across = (point.x() * point.x() + point.y() * point.y()).sqrt();
+        let psi = to_degrees(atan2(across, -point.z()));
+        let r = psi / self.psi_max;
+        let seen = (self.rectangular || r <= 1.0) && point != Point::ORIGIN;
+        // straight back, too, has no α; all directions there are one
+        let (cos_alpha, sin_alpha) =
+            if across == 0.0 { (1.0, 0.0) } else { (point.x() / across, point.y() / across) };
+        seen.then(|| self.film.place([r * cos_alpha, r * sin_alpha]))
+    }
+}

@@ -1,0 +1,74 @@
+//! The spherical panorama (Suffern, ch. 11): degrees of longitude and latitude.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Camera, ViewPlane};
+use crate::invalid::{Invalid, angle};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
+
+/// Film to the right is longitude, film up is latitude, about the v axis, both evenly. Things keep
+/// their shape near the horizon if the picture's sides are as the two fields of view.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SphericalPanorama {
+    /// From the left edge to the right one, in degrees; above 0, at most 360.
+    pub horizontal_fov: f64,
+    /// From the lower edge to the upper one, in degrees; above 0, at most 180.
+    pub vertical_fov: f64,
+}
+
+impl Specification for SphericalPanorama {
+    type Built = Arc<dyn Camera>;
+    type Context = ViewPlane;
+
+    fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
+        let lambda_max = 0.5 * angle("horizontal_fov", self.horizontal_fov, 360.0)?;
+        let psi_max = 0.5 * angle("vertical_fov", self.vertical_fov, 180.0)?;
+        Ok(Arc::new(Built { film: *film, lambda_max, psi_max }))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        let fovs = [(84.0, 56.0), (360.0, 180.0), (1e-6, 2e-6), (180.0, 120.0)];
+        fovs.map(|(horizontal_fov, vertical_fov)| Self { horizontal_fov, vertical_fov }).into()
+    }
+}
+
+/// Half angles in degrees: there the sines of right angles are exact.
+#[derive(Debug)]
+struct Built {
+    film: ViewPlane,
+    lambda_max: f64,
+    psi_max: f64,
+}
+
+impl Camera for Built {
+    /// `cos ψ sin λ u + sin ψ v − cos ψ cos λ w` with `λ = xn λ_max`, `ψ = yn ψ_max`.
+    fn ray(&self, film: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {
+        let [xn, yn] = self.film.normalised(film);
+        let (lambda, psi) = (xn * self.lambda_max, yn * self.psi_max);
+        let level = cos_degrees(psi);
+        let direction = Vector::new(
+            level * sin_degrees(lambda),
+            sin_degrees(psi),
+            level * -cos_degrees(lambda),
+        );
+        Some((Point::ORIGIN, direction))
+    }
+
+    /// Longitude and latitude; a point straight above or below, which a whole row sees, in the
+    /// middle of it.
+    fn project(&self, point: Point) -> Option<[f64; 2]> {
+        let level = point.to_vector().across_y().length();
+        let lambda = if level == 0.0 { 0.0 } else { to_degrees(atan2(point.x(), -point.z())) };
+        let psi = to_degrees(atan2(point.y(), level));
+        let place = self.film.place([lambda / self.lambda_max, psi / self.psi_max]);
+        (point != Point::ORIGIN).then_some(place)
+    }
+}

@@ -1,0 +1,78 @@
+//! Stereo pairs (Suffern, ch. 12): two eyes side by side, and how their images share the picture.
+
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, shown};
+use crate::math::{cos_degrees, sin_degrees};
+
+/// What makes a viewpoint a stereo pair.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stereo {
+    /// How the pair is looked at.
+    pub viewing: Viewing,
+    /// The black columns between the two images; they belong to neither.
+    #[serde(default = "five")]
+    pub gap: u32,
+    /// The angle β in degrees under which the point looked at sees both eyes; at least 0, below 180.
+    pub separation: f64,
+}
+
+/// How a stereo pair is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Viewing {
+    /// Left image on the left: the left eye looks at it, with parallel lines of sight.
+    Parallel,
+    /// Left image on the right: for crossed eyes.
+    Transverse,
+}
+
+/// One of the two eyes of a stereo pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// At −x along u.
+    Left,
+    /// At +x along u.
+    Right,
+}
+
+fn five() -> u32 {
+    5
+}
+
+impl Stereo {
+    /// Half the distance between the eyes, `x = r tan(β/2)`, for a point looked at at the distance r.
+    pub(super) fn half_distance(&self, r: f64) -> Result<f64, Invalid> {
+        let beta = self.separation;
+        if !(0.0..180.0).contains(&beta) {
+            let found = shown(beta);
+            let problem = format!("found {found}, but at least 0 and less than 180 degrees fit");
+            return Err(Invalid::field("separation", problem));
+        }
+        Ok(r * (sin_degrees(0.5 * beta) / cos_degrees(0.5 * beta)))
+    }
+
+    /// The images from left to right.
+    pub fn order(&self) -> [Side; 2] {
+        match self.viewing {
+            Viewing::Parallel => [Side::Left, Side::Right],
+            Viewing::Transverse => [Side::Right, Side::Left],
+        }
+    }
+
+    /// The first column of an eye's image, if each has `width` columns.
+    pub fn first_column(&self, side: Side, width: u32) -> u32 {
+        if self.order()[0] == side { 0 } else { width + self.gap }
+    }
+
+    /// Whose image a column of the picture belongs to, and its column there; `None` in the gap.
+    pub fn seen_by(&self, column: u32, width: u32) -> Option<(Side, u32)> {
+        let [first, second] = self.order();
+        if column < width {
+            return Some((first, column));
+        }
+        Some((second, column.checked_sub(width + self.gap)?))
+    }
+}

@@ -1,0 +1,56 @@
+//! Chapter 10: depth of field.
+
+use super::List;
+use super::parts::*;
+use super::sets::{LENS, boxes_in_depth};
+use crate::cameras::{ThinLens, Viewpoint};
+use crate::materials::Reflective;
+use crate::math::Point;
+use crate::rgb::Rgb;
+use crate::samplers::Regular;
+use crate::scene::{Image, Scene, Tracer, Whitted};
+
+pub const SCENES: List = &[
+    ("ch10/near-focus", || boxes("figure 10.9b: the near box in focus", 50.0, 1.0)),
+    ("ch10/middle-focus", || boxes("figure 10.9a: the middle box in focus", 74.0, 1.0)),
+    ("ch10/far-focus", || boxes("figure 10.10: the far box in focus", 98.0, 1.0)),
+    ("ch10/focus-at-infinity", || {
+        boxes("figure 10.11: focused far behind everything, by a small lens", 1e5, 0.25)
+    }),
+    ("ch10/mirror", mirror),
+    ("ch10/regular-lens", || {
+        let mut scene = boxes("figure 10.13: regular samples show as copies", 50.0, 1.0);
+        scene.image.sampler = Some(Regular {}.into());
+        scene
+    }),
+];
+
+fn camera(eye: Point, look_at: Point, focal_distance: f64, lens_radius: f64) -> Viewpoint {
+    Viewpoint::new(eye, look_at, ThinLens { focal_distance, lens_radius, ..LENS })
+}
+
+/// Figures 10.9 to 10.11.
+fn boxes(about: &str, focal_distance: f64, lens_radius: f64) -> Scene {
+    let (eye, look_at) = (point(0.0, 6.0, 50.0), point(0.0, 6.0, 0.0));
+    let view = camera(eye, look_at, focal_distance, lens_radius);
+    let image = Image { pixel_size: 0.05, samples: 100, ..Image::new(400, 300) };
+    let mut scene = Scene::new(about, image, view);
+    boxes_in_depth(&mut scene);
+    scene
+}
+
+/// Figure 10.12: a mirror block behind a box; what it reflects is sharp where the whole path from
+/// the lens has the focal distance.
+fn mirror() -> Scene {
+    let view = camera(point(15.0, 25.0, 50.0), point(0.0, 8.0, 0.0), 100.0, 1.0);
+    let image = Image { pixel_size: 0.05, samples: 100, ..Image::new(400, 300) };
+    let about = "figure 10.12: the mirror is out of focus, what it reflects is in focus";
+    let mut scene = Scene::new(about, image, view);
+    boxes_in_depth(&mut scene);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });
+    let silver = phong(0.0, 0.0, Rgb::BLACK, 0.0, 1.0);
+    let recipe = Reflective { phong: silver, kr: 0.9, cr: Rgb::WHITE.into() };
+    let block = boxed(point(-16.0, 0.0, -26.0), point(-10.0, 18.0, -1.5));
+    add(&mut scene, "mirror block", block, recipe);
+    scene
+}

@@ -1,0 +1,157 @@
+//! What holds for the fisheye and both panoramas.
+
+use groundtruth::cameras::{
+    CylindricalPanorama, Fisheye, Kind, Pinhole, SphericalPanorama, View, ViewPlane,
+};
+use groundtruth::math::{cos, sin, to_radians};
+use proptest::prelude::*;
+
+use super::views::{FILM, cylindrical, fisheye, looking, on_film, spherical};
+use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
+use crate::support::laws;
+
+/// The solid angle of a square of normalised film, by the cross product of two sides, over its area.
+fn density(view: &View, [xn, yn]: [f64; 2]) -> f64 {
+    const H: f64 = 1e-4;
+    let at = |dx: f64, dy: f64| looking(view, [xn + dx, yn + dy]).expect("seen");
+    let (a, b) = (at(H, 0.0) - at(-H, 0.0), at(0.0, H) - at(0.0, -H));
+    a.cross(b).length() / (4.0 * H * H)
+}
+
+/// Central differences leave h²/6 of third derivatives, which are at most π³ of the first ones here.
+const DIFFERENCE: f64 = 1e-6;
+
+fn all(fov: f64) -> [Kind; 3] {
+    let (horizontal_fov, vertical_fov) = (fov, 0.5 * fov);
+    [
+        Fisheye { fov, rectangular: true }.into(),
+        SphericalPanorama { horizontal_fov, vertical_fov }.into(),
+        CylindricalPanorama { horizontal_fov, vertical_fov }.into(),
+    ]
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: the solid angle of film goes as `sin ψ/ψ` for the fisheye, `cos ψ` for the spherical and
+    /// `cos³ψ` for the cylindrical panorama, and is the product of the half angles in the centre.
+    /// Oracle: differences of directions.
+    #[test]
+    fn film_covers_the_solid_angle_of_its_projection(
+        fov in 10.0..300.0_f64, v in 10.0..170.0_f64, xn in -0.6..0.6_f64, yn in -0.6..0.6_f64,
+    ) {
+        let (lambda_max, psi_max) = (to_radians(0.5 * fov), to_radians(0.5 * v));
+        let psi = lambda_max * (xn * xn + yn * yn).sqrt();
+        prop_assume!(psi > 0.01);
+        let expected = lambda_max * lambda_max * sin(psi) / psi;
+        let found = density(&fisheye(fov), [xn, yn]);
+        prop_assert!((found - expected).abs() < DIFFERENCE * lambda_max * lambda_max, "{found} {expected}");
+        let psi = psi_max * yn;
+        let expected = lambda_max * psi_max * cos(psi);
+        let found = density(&spherical(fov, v), [xn, yn]);
+        prop_assert!((found - expected).abs() < DIFFERENCE * lambda_max * psi_max);
+        let height = groundtruth::math::tan(psi_max);
+        let cos_psi = 1.0 / (1.0 + yn * yn * height * height).sqrt();
+        let expected = lambda_max * height * cos_psi * cos_psi * cos_psi;
+        let found = density(&cylindrical(fov, v), [xn, yn]);
+        let third = 1.0 + height * height;
+        prop_assert!((found - expected).abs() < DIFFERENCE * third * lambda_max * height);
+    }
+
+    /// Law: with a small field of view they are pinhole cameras of the distance `width/(2 λ_max)`: the
+    /// difference falls with the cube of the angle. Oracle: the pinhole; 1/3 of the cube, at the rim.
+    #[test]
+    fn a_small_field_of_view_is_a_pinholes(exponent in -7.0..-1.0_f64, xn in -0.7..0.7_f64, yn in -0.7..0.7_f64) {
+        let square = ViewPlane { width: 6.0, height: 6.0 };
+        let fov = groundtruth::math::exp(exponent * 2.302_585_092_994_046);
+        let lambda_max = to_radians(0.5 * fov);
+        let pinhole = on_film(Pinhole { distance: 3.0 / lambda_max, zoom: 1.0 }, square);
+        let film = [3.0 * xn, 3.0 * yn];
+        let expected = pinhole.eyes()[0].ray(film, [0.0; 2]).expect("seen").direction;
+        let [fisheye, _, _] = all(fov);
+        let (h, v) = (fov, fov);
+        let spherical = SphericalPanorama { horizontal_fov: h, vertical_fov: v }.into();
+        let cylindrical = CylindricalPanorama { horizontal_fov: h, vertical_fov: v }.into();
+        for lens in [fisheye, spherical, cylindrical] {
+            let d = on_film(lens, square).eyes()[0].ray(film, [0.0; 2]).expect("seen").direction;
+            let off = (d - expected).length();
+            let cube = lambda_max * lambda_max * lambda_max;
+            prop_assert!(off < cube + 4.0 * f64::EPSILON, "{off:e} of {cube:e}");
+            // and the small directions themselves are good to the same relative error
+            prop_assert!((d.x() - expected.x()).abs() <= (lambda_max * lambda_max + 1e-15) * d.x().abs() + cube * 1e-300);
+        }
+    }
+
+    /// Law: the picture does not depend on the size of a pixel, nor on how many there are: only on the
+    /// part of the film. Oracle: a film of another size, and a power of two bit for bit.
+    #[test]
+    fn pictures_do_not_depend_on_the_pixel_size(fov in 1.0..360.0_f64, xn in -0.7..0.7_f64, yn in -0.7..0.7_f64) {
+        let other = ViewPlane { width: 7.3, height: 0.31 };
+        let twice = ViewPlane { width: 2.0 * FILM.width, height: 8.0 * FILM.height };
+        let at = |lens: &Kind, film: ViewPlane| {
+            let view = on_film(lens.clone(), film);
+            let ray = view.eyes()[0].ray([0.5 * xn * film.width, 0.5 * yn * film.height], [0.0; 2]);
+            ray.map(|ray| ray.direction)
+        };
+        for lens in all(fov) {
+            let (a, b) = (at(&lens, FILM), at(&lens, other));
+            prop_assert_eq!(at(&lens, twice), a);
+            if let (Some(a), Some(b)) = (a, b) {
+                prop_assert!((a - b).length() < 16.0 * f64::EPSILON);
+            }
+        }
+    }
+}
+
+/// Law: a picture shows a point where `project` says, to a hundredth of a pixel, also behind the eye.
+#[test]
+fn a_picture_agrees_with_project() {
+    for lens in [
+        Kind::from(Fisheye { fov: 300.0, rectangular: false }),
+        Fisheye { fov: 120.0, rectangular: true }.into(),
+        SphericalPanorama { horizontal_fov: 360.0, vertical_fov: 180.0 }.into(),
+        CylindricalPanorama { horizontal_fov: 270.0, vertical_fov: 120.0 }.into(),
+    ] {
+        let scene = calibration(lens);
+        for (film, distance) in [([3.1, -2.2], 2.0), ([-4.4, 1.7], 30.0), ([0.01, 0.02], 5.0)] {
+            let point = point_at(&scene, 0, film, distance);
+            assert_seen_where_projected(scene.clone(), 0, point);
+        }
+    }
+}
+
+/// Law: a field of view that cannot be says which field is wrong and what fits. Oracle: the text.
+#[test]
+fn fields_of_view_that_cannot_be_are_refused() {
+    let refusal = |lens: Kind| lens.build(&mut FILM.clone()).expect_err("it is wrong").to_string();
+    let spherical = |horizontal_fov, vertical_fov| {
+        refusal(SphericalPanorama { horizontal_fov, vertical_fov }.into())
+    };
+    let cylindrical = |horizontal_fov, vertical_fov| {
+        refusal(CylindricalPanorama { horizontal_fov, vertical_fov }.into())
+    };
+    let fisheye = |fov| refusal(Fisheye { fov, rectangular: false }.into());
+    for (text, expected) in [
+        (fisheye(0.0), "fisheye.fov: found 0, but more than 0 and at most 360 degrees fit"),
+        (fisheye(361.0), "fisheye.fov: found 361, but more than 0 and at most 360 degrees fit"),
+        (fisheye(f64::NAN), "fisheye.fov: found NaN, but more than 0 and at most 360 degrees fit"),
+        (
+            spherical(400.0, 90.0),
+            "spherical_panorama.horizontal_fov: found 400, but more than 0 and at most 360 degrees fit",
+        ),
+        (
+            spherical(90.0, 181.0),
+            "spherical_panorama.vertical_fov: found 181, but more than 0 and at most 180 degrees fit",
+        ),
+        (
+            cylindrical(-1.0, 90.0),
+            "cylindrical_panorama.horizontal_fov: found -1, but more than 0 and at most 360 degrees fit",
+        ),
+        (
+            cylindrical(90.0, 180.0),
+            "cylindrical_panorama.vertical_fov: found 180, but more than 0 and less than 180 degrees fit",
+        ),
+    ] {
+        assert_eq!(text, expected);
+    }
+}

@@ -1,0 +1,189 @@
+//! The fisheye: angles from the line of sight.
+
+use groundtruth::cameras::{Fisheye, Viewpoint};
+use groundtruth::math::{Point, Vector, acos, atan2, cos, sin, to_degrees};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Image, Scene};
+use groundtruth::shapes::Sphere;
+use proptest::prelude::*;
+
+use super::views::{FILM, fisheye, looking, on_film, rectangular, seen};
+use crate::pictures::studio::{add_flat, built, pixels, small};
+use crate::support::{U, laws};
+
+/// In degrees, by lengths: accurate for all angles, the small and those near 180°.
+fn from_line_of_sight(d: Vector) -> f64 {
+    to_degrees(atan2(d.cross(Vector::Z).length(), -d.z()))
+}
+
+/// Views from the narrowest to all around.
+fn fov() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => 1.0..360.0_f64, 1 => 1e-9..1.0_f64, 1 => Just(180.0), 1 => Just(360.0)]
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: the angle to the line of sight is r times half the field of view, to some roundings of
+    /// the angle itself, however small; and the place about it is kept. Oracle: the angle by lengths
+    /// of products, the place by a ratio.
+    #[test]
+    fn angles_grow_evenly(fov in fov(), r in 0.0..1.0_f64, alpha in 0.0..std::f64::consts::TAU) {
+        let at = [r * cos(alpha), r * sin(alpha)];
+        let d = looking(&fisheye(fov), at).expect("inside the circle");
+        let expected = 0.5 * fov * r;
+        // near 180° the angle has the rounding of its complement's radians
+        let error = (from_line_of_sight(d) - expected).abs();
+        prop_assert!(error < 16.0 * U * expected + 8.0 * U * expected, "{d:?} {error:e}");
+        let turned = d.x() * sin(alpha) - d.y() * cos(alpha);
+        prop_assert!(turned.abs() < 8.0 * U * (d.x().abs() + d.y().abs()) && d.x() * cos(alpha) >= 0.0);
+    }
+
+    /// Law: nothing is seen outside the circle; if rectangular, the corners go on as far as straight
+    /// back, and no farther, as that would be seen twice. Oracle: the angle that would be.
+    #[test]
+    fn the_circle_ends_what_is_seen(fov in fov(), xn in -1.0..1.0_f64, yn in -1.0..1.0_f64) {
+        let r = (xn * xn + yn * yn).sqrt();
+        prop_assume!((r - 1.0).abs() > 1e-12 && (0.5 * fov * r - 180.0).abs() > 1e-9);
+        prop_assert_eq!(looking(&fisheye(fov), [xn, yn]).is_some(), r < 1.0);
+        let corner = looking(&rectangular(fov), [xn, yn]);
+        prop_assert_eq!(corner.is_some(), 0.5 * fov * r < 180.0);
+        if let Some(d) = corner {
+            prop_assert!((from_line_of_sight(d) - 0.5 * fov * r).abs() < 1e-13);
+        }
+    }
+
+    /// Law: a point is seen if the angle to it is within the field of view; beyond it is out of view.
+    /// Oracle: its angle by the arc cosine.
+    #[test]
+    fn what_is_in_the_field_of_view_is_seen(fov in 1.0..360.0_f64, x in -1.0..1.0_f64, y in -1.0..1.0_f64, z in -1.0..1.0_f64) {
+        let length = (x * x + y * y + z * z).sqrt();
+        prop_assume!(length > 1e-3);
+        let angle = to_degrees(acos(-z / length));
+        prop_assume!((angle - 0.5 * fov).abs() > 1e-6);
+        prop_assert_eq!(seen(&fisheye(fov), [x, y, z]).is_some(), angle < 0.5 * fov);
+    }
+
+    /// Law: on a square film the camera has no preferred direction about its axis: turned by 90° it
+    /// gives the same rays at places turned by 90°, to the bit.
+    #[test]
+    fn rolling_turns_the_disc(fov in fov(), x in -3.0..3.0_f64, y in -3.0..3.0_f64) {
+        let square = groundtruth::cameras::ViewPlane { width: 6.0, height: 6.0 };
+        let view = |roll: f64| {
+            let lens = Fisheye { fov, rectangular: false };
+            let mut viewpoint = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), lens);
+            viewpoint.roll = roll;
+            viewpoint.build(square).expect("a valid view")
+        };
+        let (still, turned) = (view(0.0), view(90.0));
+        prop_assert_eq!(
+            turned.eyes()[0].ray([y, -x], [0.0; 2]),
+            still.eyes()[0].ray([x, y], [0.0; 2])
+        );
+    }
+}
+
+/// Law: the rim of 180° looks along ±u and ±v, that of 360° straight back, exactly; the centre looks
+/// along −w. Oracle: by hand.
+#[test]
+fn the_rim_looks_aside_or_back() {
+    let rim = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+    for at in rim {
+        let aside = Vector::new(at[0], at[1], 0.0);
+        assert_eq!(looking(&fisheye(180.0), at), Some(aside));
+        assert_eq!(looking(&rectangular(180.0), at), Some(aside));
+        assert_eq!(looking(&fisheye(360.0), at), Some(Vector::Z));
+        assert_eq!(looking(&fisheye(360.0), at.map(|c| 0.5 * c)), Some(aside));
+    }
+    for fov in [1e-9, 90.0, 180.0, 360.0] {
+        for zero in [0.0, -0.0] {
+            assert_eq!(looking(&fisheye(fov), [zero, 0.0]), Some(-Vector::Z));
+        }
+    }
+}
+
+/// Law: just below 360° the rim is just off straight back: no digits are lost there. Oracle: the
+/// sine of a small angle is the angle.
+#[test]
+fn nearly_all_around_is_accurate() {
+    for missing in [1e-3, 1e-6, 1e-9] {
+        let fov = 360.0 - missing;
+        let d = looking(&fisheye(fov), [1.0, 0.0]).expect("on the rim");
+        let off = to_degrees(d.x());
+        // 360 − missing is itself rounded by half of 5.7e-14
+        assert!((off - 0.5 * missing).abs() < 1e-13 + 1e-9 * missing, "{off:e}");
+        assert!(d.z() > 0.0);
+    }
+}
+
+/// Law: the disc of a film that is not square is an ellipse that touches all four edges.
+#[test]
+fn the_disc_touches_all_edges() {
+    let view = fisheye(200.0);
+    let ray = |x, y| view.eyes()[0].ray([x, y], [0.0; 2]);
+    assert!(ray(0.5 * FILM.width, 0.0).is_some() && ray(0.0, -0.5 * FILM.height).is_some());
+    assert!(ray(0.501 * FILM.width, 0.0).is_none() && ray(0.0, 0.501 * FILM.height).is_none());
+    // at 45° of the ellipse, not of the film
+    let diagonal = 0.5_f64.sqrt();
+    let at = |k: f64| ray(0.5 * k * diagonal * FILM.width, 0.5 * k * diagonal * FILM.height);
+    assert!(at(0.999).is_some() && at(1.001).is_none());
+}
+
+/// Law: within a sphere of light the circle shines and the corners are black; if rectangular, all
+/// shine. Oracle: which pixels' centres are in the circle, and that it covers π/4.
+#[test]
+fn corners_are_black_or_not() {
+    let mut scene = Scene::new("", Image::new(61, 61), {
+        let lens = Fisheye { fov: 250.0, rectangular: false };
+        Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), lens)
+    });
+    let around = Sphere { center: Point::ORIGIN, radius: 5.0, inward: false };
+    add_flat(&mut scene, "sky", around, Rgb::WHITE);
+    let film = render::render(&built(&scene));
+    let inside = |[x, y]: [u32; 2]| {
+        let (x, y) = (f64::from(x) - 30.0, f64::from(y) - 30.0);
+        x * x + y * y <= 30.5 * 30.5
+    };
+    let mut lit = 0;
+    for at in pixels(61, 61) {
+        assert_eq!(film.get(at) == Rgb::WHITE, inside(at), "{at:?}");
+        assert!(film.get(at) == Rgb::WHITE || film.get(at) == Rgb::BLACK);
+        lit += u32::from(inside(at));
+    }
+    assert!((f64::from(lit) / 3721.0 - 0.25 * std::f64::consts::PI).abs() < 0.01);
+    scene.camera.lens = Fisheye { fov: 250.0, rectangular: true }.into();
+    let film = render::render(&built(&scene));
+    assert!(film.pixels().iter().all(|&pixel| pixel == Rgb::WHITE));
+}
+
+/// Law: a masked pixel has no ray, not a wrong one, and takes no time: its radiance is black under any
+/// background.
+#[test]
+fn a_masked_pixel_casts_no_ray() {
+    let mut scene = small("ch14/page-one", 20, 20, 4);
+    scene.camera.lens = Fisheye { fov: 100.0, rectangular: false }.into();
+    let world = built(&scene);
+    let mut counts = groundtruth::trace::RayCounts::default();
+    for index in 0..4 {
+        let light = render::sample(&world, [0, 19], index, &mut counts);
+        assert_eq!((light, counts.camera), (Rgb::BLACK, 0));
+    }
+    render::sample(&world, [10, 10], 0, &mut counts);
+    assert_eq!(counts.camera, 1);
+}
+
+/// Law: rectangular film has one place for each direction in view; that of a point straight back is on
+/// the ring of 180°, if the film reaches so far. Oracle: by hand.
+#[test]
+fn each_direction_has_one_place() {
+    let wide = on_film(Fisheye { fov: 300.0, rectangular: true }, FILM);
+    // 180° is at r = 1.2: above and right of the picture, but in no corner of the axes
+    assert_eq!(seen(&wide, [0.0, 0.0, 1.0]), None);
+    let behind = seen(&wide, [1e-9, 1e-9, 1.0]).expect("in the corner");
+    let r = 1.2 * 0.5_f64.sqrt();
+    assert!((behind[0] - r).abs() < 1e-6 && (behind[1] - r).abs() < 1e-6, "{behind:?}");
+    let whole = on_film(Fisheye { fov: 360.0, rectangular: false }, FILM);
+    assert_eq!(seen(&whole, [0.0, 0.0, 1.0]), Some([1.0, 0.0]));
+    assert_eq!(seen(&whole, [0.0, 0.0, 0.0]), None);
+}

@@ -1,0 +1,6 @@
+//! Chapter 11: nonlinear projections.
+
+mod directions;
+mod fisheye;
+mod panoramas;
+mod views;

@@ -1,0 +1,157 @@
+//! The panoramas: longitude and latitude.
+
+use groundtruth::math::{Vector, atan2, cos, sin, tan, to_degrees, to_radians};
+use proptest::prelude::*;
+
+use super::views::{cylindrical, looking, seen, spherical};
+use crate::support::{U, laws};
+
+fn horizontal() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => 1.0..360.0_f64, 1 => 1e-9..1.0_f64, 1 => Just(360.0)]
+}
+
+fn vertical() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => 1.0..180.0_f64, 1 => 1e-9..1.0_f64, 1 => Just(180.0)]
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: `cos ψ sin λ u + sin ψ v − cos ψ cos λ w` at `λ = xn λ_max`, `ψ = yn ψ_max`. Oracle: the
+    /// book's form, with `φ = π − λ` and `θ = π/2 − ψ`, in radians.
+    #[test]
+    fn spherical_panoramas_follow_the_book(
+        h in horizontal(), v in vertical(), xn in -1.0..1.0_f64, yn in -1.0..1.0_f64,
+    ) {
+        let d = looking(&spherical(h, v), [xn, yn]).expect("it sees all its film");
+        let (lambda, psi) = (xn * to_radians(0.5 * h), yn * to_radians(0.5 * v));
+        let (phi, theta) = (std::f64::consts::PI - lambda, 0.5 * std::f64::consts::PI - psi);
+        let expected = Vector::new(sin(theta) * sin(phi), cos(theta), sin(theta) * cos(phi));
+        // the angles of up to 2π have been rounded
+        prop_assert!((d - expected).length() < 32.0 * U, "{d:?} {expected:?}");
+    }
+
+    /// Law: longitude and latitude grow evenly, each with its own field of view, to some roundings of
+    /// the angles themselves, however small. Oracle: arc tangents of the direction.
+    #[test]
+    fn longitude_and_latitude_grow_evenly(
+        h in horizontal(), v in vertical(), xn in -1.0..1.0_f64, yn in -1.0..1.0_f64,
+    ) {
+        let d = looking(&spherical(h, v), [xn, yn]).expect("it sees all its film");
+        let level = (d.x() * d.x() + d.z() * d.z()).sqrt();
+        let (lambda, psi) = (to_degrees(atan2(d.x(), -d.z())), to_degrees(atan2(d.y(), level)));
+        prop_assert!((lambda - 0.5 * xn * h).abs() <= 16.0 * U * (0.5 * xn * h).abs());
+        prop_assert!((psi - 0.5 * yn * v).abs() <= 16.0 * U * (0.5 * yn * v).abs());
+    }
+
+    /// Law: on a cylindrical panorama longitude grows evenly, and the tangent of the latitude does.
+    /// Oracle: slopes of the direction.
+    #[test]
+    fn the_cylinder_keeps_heights(
+        h in horizontal(), v in 1e-9..179.0_f64, xn in -1.0..1.0_f64, yn in -1.0..1.0_f64,
+    ) {
+        let d = looking(&cylindrical(h, v), [xn, yn]).expect("it sees all its film");
+        let lambda = to_degrees(atan2(d.x(), -d.z()));
+        prop_assert!((lambda - 0.5 * xn * h).abs() <= 16.0 * U * (0.5 * xn * h).abs());
+        let slope = d.y() / (d.x() * d.x() + d.z() * d.z()).sqrt();
+        let expected = yn * tan(to_radians(0.5 * v));
+        // near 180° the tangent's condition grows with it
+        let rounding = 32.0 * U * (1.0 + tan(to_radians(0.5 * v)));
+        prop_assert!((slope - expected).abs() <= rounding * expected.abs(), "{slope} {expected}");
+    }
+
+    /// Law: an upright line is an upright line on both panoramas; its points are at one x. On the
+    /// cylinder their heights keep their ratio. Oracle: the points themselves.
+    #[test]
+    fn upright_lines_stay_upright(x in -5.0..5.0_f64, z in -5.0..5.0_f64, y in 0.01..1.0_f64, k in 0.1..10.0_f64) {
+        prop_assume!(x * x + z * z > 1.0);
+        for view in [spherical(360.0, 180.0), cylindrical(360.0, 179.0)] {
+            let at = |y| seen(&view, [x, y, z]).expect("all around");
+            let (a, b) = (at(y), at(k * y));
+            prop_assert_eq!(a[0], b[0]);
+            prop_assert!((b[1] > a[1]) == (k > 1.0));
+        }
+        let at = |y| seen(&cylindrical(360.0, 179.0), [x, y, z]).expect("all around")[1];
+        prop_assert!((at(k * y) - k * at(y)).abs() < 8.0 * U * k * at(y));
+    }
+
+    /// Law: the two fields of view are independent: longitude feels the horizontal one alone, latitude
+    /// the vertical one. Oracle: where the same point is seen.
+    #[test]
+    fn fields_of_view_are_independent(
+        (h1, h2) in (30.0..360.0_f64, 30.0..360.0_f64), (v1, v2) in (30.0..179.0_f64, 30.0..179.0_f64),
+        x in -0.1..0.1_f64, y in -0.1..0.1_f64,
+    ) {
+        let p = [x, y, -1.0];
+        let all = |view: fn(f64, f64) -> groundtruth::cameras::View, h, v| {
+            seen(&view(h, v), p).expect("it is ahead")
+        };
+        for view in [spherical, cylindrical] {
+            let (a, b, c) = (all(view, h1, v1), all(view, h1, v2), all(view, h2, v1));
+            prop_assert_eq!((a[0], a[1]), (b[0], c[1]));
+            prop_assert!((a[0] * h1 - c[0] * h2).abs() < 8.0 * U * (a[0] * h1).abs() + 1e-300);
+        }
+    }
+
+    /// Law: a point is out of view beyond the edges in longitude, and in latitude. Oracle: its angles.
+    #[test]
+    fn panoramas_end_at_their_angles(
+        h in horizontal(), v in vertical(), lambda in -180.0..180.0_f64, psi in -89.0..89.0_f64,
+    ) {
+        let inside = 2.0 * lambda.abs() < h && 2.0 * psi.abs() < v;
+        prop_assume!((2.0 * lambda.abs() - h).abs() > 1e-9 && (2.0 * psi.abs() - v).abs() > 1e-9);
+        let (l, p) = (to_radians(lambda), to_radians(psi));
+        let there = [3.0 * cos(p) * sin(l), 3.0 * sin(p), -3.0 * cos(p) * cos(l)];
+        prop_assert_eq!(seen(&spherical(h, v), there).is_some(), inside);
+        if v < 180.0 {
+            prop_assert_eq!(seen(&cylindrical(h, v), there).is_some(), inside);
+        }
+    }
+}
+
+/// Law: the seam of 360°: both edges look straight back, exactly; the top row of 180° straight up, the
+/// bottom row straight down, at every x; right of the middle is u. Oracle: by hand.
+#[test]
+fn seams_and_poles() {
+    let whole = spherical(360.0, 180.0);
+    for x in [-1.0, 1.0] {
+        assert_eq!(looking(&whole, [x, 0.0]), Some(Vector::Z));
+        assert_eq!(looking(&cylindrical(360.0, 90.0), [x, 0.0]), Some(Vector::Z));
+        // the seam is closed: the rays on both sides of it are one, at every height
+        let [a, b] = [1.0, -1.0].map(|side| looking(&whole, [side * x, 0.4]).expect("seen"));
+        assert_eq!(a, b);
+    }
+    for x in [-1.0, -0.3, 0.0, 0.7, 1.0] {
+        assert_eq!(looking(&whole, [x, 1.0]), Some(Vector::Y));
+        assert_eq!(looking(&whole, [x, -1.0]), Some(-Vector::Y));
+    }
+    for view in [whole, cylindrical(360.0, 120.0)] {
+        assert_eq!(looking(&view, [0.5, 0.0]), Some(Vector::X));
+        assert_eq!(looking(&view, [-0.5, 0.0]), Some(-Vector::X));
+    }
+}
+
+/// Law: what is straight above is in the middle of the top row of a whole sphere, and nowhere on a
+/// cylinder; the eye is nowhere. Oracle: by hand.
+#[test]
+fn what_is_straight_above() {
+    assert_eq!(seen(&spherical(360.0, 180.0), [0.0, 7.0, 0.0]), Some([0.0, 1.0]));
+    assert_eq!(seen(&spherical(360.0, 180.0), [0.0, -7.0, -0.0]), Some([0.0, -1.0]));
+    assert_eq!(seen(&spherical(360.0, 179.0), [0.0, 7.0, 0.0]), None);
+    assert_eq!(seen(&cylindrical(360.0, 179.0), [0.0, 7.0, 0.0]), None);
+    for view in [spherical(360.0, 180.0), cylindrical(360.0, 179.0)] {
+        assert_eq!(seen(&view, [0.0, 0.0, 0.0]), None);
+    }
+}
+
+/// Law: a cylinder of nearly 180° ends at the tangent of nearly 90°: the cotangent of the small angle
+/// that is missing. Oracle: 1/x.
+#[test]
+fn nearly_180_degrees_is_accurate() {
+    for missing in [1e-3, 1e-6, 1e-9] {
+        let missing = 180.0 - (180.0 - missing); // as rounded
+        let d = looking(&cylindrical(90.0, 180.0 - missing), [0.0, 1.0]).expect("seen");
+        let cotangent = 1.0 / tan(to_radians(0.5 * missing));
+        assert!((d.y() / -d.z() / cotangent - 1.0).abs() < 1e-12, "{missing:e}");
+    }
+}

@@ -1,0 +1,223 @@
+//! Where the eyes are, and where each sees a point.
+
+use groundtruth::cameras::{
+    CylindricalPanorama, Fisheye, Kind, Orthographic, Pinhole, Side, SphericalPanorama, Stereo,
+    ThinLens, View, ViewPlane, Viewing, Viewpoint,
+};
+use groundtruth::math::{Point, Vector, tan, to_radians};
+use proptest::prelude::*;
+
+use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
+use crate::support::{U, laws, point};
+
+const FILM: ViewPlane = ViewPlane { width: 40.0, height: 30.0 };
+
+fn pair(separation: f64) -> Option<Stereo> {
+    Some(Stereo { viewing: Viewing::Parallel, gap: 5, separation })
+}
+
+fn viewpoint(eye: Point, lens: impl Into<Kind>, separation: f64) -> Viewpoint {
+    Viewpoint { stereo: pair(separation), ..Viewpoint::new(eye, Point::ORIGIN, lens) }
+}
+
+fn built(viewpoint: &Viewpoint) -> View {
+    viewpoint.build(FILM).expect("a valid pair")
+}
+
+/// From z = r, along −z: the left eye at −x, the right one at x.
+fn from_front(r: f64, lens: impl Into<Kind>, separation: f64) -> View {
+    built(&viewpoint(Point::new(0.0, 0.0, r), lens, separation))
+}
+
+const SIDES: [Side; 2] = [Side::Left, Side::Right];
+
+fn planar(distance: f64, zoom: f64) -> [Kind; 2] {
+    let (focal_distance, lens_radius) = (3.0 * distance, 0.5);
+    [
+        Pinhole { distance, zoom }.into(),
+        ThinLens { distance, focal_distance, lens_radius, zoom }.into(),
+    ]
+}
+
+fn others() -> [Kind; 3] {
+    [
+        Fisheye { fov: 200.0, rectangular: true }.into(),
+        SphericalPanorama { horizontal_fov: 360.0, vertical_fov: 180.0 }.into(),
+        CylindricalPanorama { horizontal_fov: 300.0, vertical_fov: 120.0 }.into(),
+    ]
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: the eyes are at `eye ∓ x u` with `x = r tan(β/2)`, r being the distance of the point looked
+    /// at, and look the same way: the ray of a place where the film is not shifted. Oracle: the book's
+    /// formula with the axes of the camera.
+    #[test]
+    fn the_eyes_are_side_by_side(eye in point(100.0), beta in 0.0..120.0_f64, roll in -180.0..180.0_f64) {
+        for lens in planar(10.0, 1.0).into_iter().chain(others()) {
+            let mut viewpoint = viewpoint(eye, lens, beta);
+            viewpoint.roll = roll;
+            let view = built(&viewpoint);
+            let r = eye.to_vector().length();
+            let x = r * tan(to_radians(0.5 * beta));
+            prop_assert_eq!(view.eyes().len(), 2);
+            for (side, sign) in SIDES.into_iter().zip([-1.0, 1.0]) {
+                let place = view.eye(side).place();
+                let expected = eye + sign * x * view.frame().u;
+                prop_assert!((place - expected).length() <= 16.0 * U * (r + x));
+            }
+        }
+    }
+
+    /// Law: the parallax of a point at the depth z is `x_L − x_R = 2x (d/z − 1)` on the film (over the
+    /// size of a pixel, in pixels), times the zoom; positive before the view plane, negative behind
+    /// it, `−2x` at infinity. Oracle: the formula.
+    #[test]
+    fn parallax(
+        r in 1.0..100.0_f64, d in 0.5..100.0_f64, beta in 0.1..10.0_f64, zoom in 0.5..2.0_f64, k in 0.3..20.0_f64, s in -0.2..0.2_f64, t in -0.1..0.1_f64,
+    ) {
+        let (z, x) = (k * d, r * tan(to_radians(0.5 * beta)));
+        for lens in planar(d, zoom) {
+            let view = Viewpoint { stereo: pair(beta), ..Viewpoint::new(Point::new(0.0, 0.0, r), Point::ORIGIN, lens) };
+            let film = ViewPlane { width: 1e6, height: 1e6 };
+            let view = view.build(film).expect("a valid pair");
+            let p = Point::new(s * z, t * z, r - z);
+            let [left, right] = SIDES.map(|side| view.eye(side).project(p).expect("on a large film"));
+            let expected = 2.0 * x * (d / z - 1.0) * zoom;
+            let rounding = 64.0 * U * zoom * (d + 2.0 * x * (d / z + 1.0) + r * d / z);
+            prop_assert!((left[0] - right[0] - expected).abs() < rounding, "{left:?} {right:?} {expected}");
+            // the same row: no vertical parallax
+            prop_assert_eq!(left[1], right[1]);
+            let far = Point::new(0.0, 0.0, -1e12);
+            let [left, right] = SIDES.map(|side| view.eye(side).project(far).expect("ahead")[0]);
+            prop_assert!((left - right + 2.0 * x * zoom).abs() < 1e-6 * zoom * x);
+        }
+    }
+
+    /// Law: what lies in the view plane, at the depth d, has no parallax, whatever the zoom: both eyes
+    /// look through one window. So the point looked at has none only if it lies there. Oracle: where
+    /// both rays of a film place meet.
+    #[test]
+    fn both_eyes_look_through_one_window(
+        r in 1.0..100.0_f64, d in 0.5..100.0_f64, beta in 0.1..10.0_f64, zoom in 0.5..2.0_f64, x in -20.0..20.0_f64, y in -15.0..15.0_f64,
+    ) {
+        for lens in planar(d, zoom) {
+            let view = from_front(r, lens, beta);
+            let size = 64.0 * U * (r + d + 40.0 + r * tan(to_radians(0.5 * beta)));
+            let window = SIDES.map(|side| {
+                let ray = view.eye(side).ray([x, y], [0.0; 2]).expect("seen");
+                ray.at((r - d - ray.origin.z()) / ray.direction.z())
+            });
+            for p in window {
+                let expected = Point::new(x / zoom, y / zoom, r - d);
+                prop_assert!((p - expected).length() < 8.0 * size, "{p:?} {expected:?}");
+            }
+            // that of the point looked at: zero only at r = d
+            let [left, right] = SIDES.map(|side| view.eye(side).project(Point::ORIGIN));
+            if let (Some(left), Some(right)) = (left, right) {
+                prop_assert!((left[0] - right[0]).signum() == (d / r - 1.0).signum() || (d / r - 1.0).abs() < 1e-9);
+            }
+        }
+    }
+
+    /// Law: cameras without a window only move their eye: both look the same way at each place of the
+    /// film, from two places. Oracle: the camera with one eye.
+    #[test]
+    fn others_only_move_the_eye(x in -20.0..20.0_f64, y in -15.0..15.0_f64, beta in 0.1..20.0_f64) {
+        let eye = Point::new(3.0, 4.0, 12.0);
+        for lens in others() {
+            let stereo = built(&viewpoint(eye, lens.clone(), beta));
+            let mono = built(&Viewpoint::new(eye, Point::ORIGIN, lens));
+            let expected = mono.eyes()[0].ray([x, y], [0.0; 2]).map(|ray| ray.direction);
+            for side in SIDES {
+                let ray = stereo.eye(side).ray([x, y], [0.0; 2]);
+                prop_assert_eq!(ray.map(|ray| ray.direction), expected);
+                prop_assert_eq!(ray.map(|ray| ray.origin), expected.map(|_| stereo.eye(side).place()));
+            }
+        }
+    }
+
+    /// Law: parallel rays through one window are the same for both eyes: the orthographic camera sees
+    /// no depth. Oracle: the camera with one eye.
+    #[test]
+    fn parallel_rays_see_no_depth(x in -20.0..20.0_f64, y in -15.0..15.0_f64, zoom in 0.5..2.0_f64) {
+        let eye = Point::new(0.0, 0.0, 20.0);
+        let view = built(&viewpoint(eye, Orthographic { zoom }, 4.0));
+        for side in SIDES {
+            let ray = view.eye(side).ray([x, y], [0.0; 2]).expect("seen");
+            prop_assert!((ray.origin - Point::new(x / zoom, y / zoom, 20.0)).length() < 1e-13);
+            prop_assert_eq!(ray.direction, -Vector::Z);
+        }
+    }
+
+    /// Law: each eye's `project` is the inverse of its own ray; out of one eye's view is not out of the
+    /// other's. Oracle: the place that was asked for.
+    #[test]
+    fn project_is_for_one_eye(x in -20.0..20.0_f64, y in -15.0..15.0_f64, beta in 0.0..20.0_f64, away in 0.5..100.0_f64) {
+        let eye = Point::new(3.0, 4.0, 12.0);
+        for lens in planar(10.0, 1.5).into_iter().chain(others()) {
+            let view = built(&viewpoint(eye, lens, beta));
+            for side in SIDES {
+                let Some(ray) = view.eye(side).ray([x, y], [0.0; 2]) else { continue };
+                let Some(found) = view.eye(side).project(ray.at(away)) else {
+                    return Err(TestCaseError::fail("it is not seen"));
+                };
+                let off = (found[0] - x).abs().max((found[1] - y).abs());
+                // the point has the rounding of numbers up to 100, seen from half a unit
+                prop_assert!(off < 1e-11, "{found:?} {off:e}");
+            }
+        }
+    }
+}
+
+/// Law: by hand, with the eyes at ±1, d = 10 and nothing between: a point at half the distance has the
+/// parallax 2, one at twice −1; to the edge of the picture, which each eye has for itself.
+#[test]
+fn parallax_by_hand() {
+    // tan(β/2) = 1/10
+    let beta = 2.0 * 5.710_593_137_499_643;
+    let view = from_front(10.0, Pinhole { distance: 10.0, zoom: 1.0 }, beta);
+    let project = |z: f64| SIDES.map(|side| view.eye(side).project(Point::new(0.0, 0.0, z)));
+    for (z, left, right) in [(5.0, 1.0, -1.0), (0.0, 0.0, 0.0), (-10.0, -0.5, 0.5)] {
+        let [l, r] = project(z).map(|place| place.expect("in view"));
+        assert!((l[0] - left).abs() < 1e-14 && (r[0] - right).abs() < 1e-14, "{l:?} {r:?}");
+    }
+    // 9.7 before the eyes, 0.3 from them, at 20 · 0.03 to the right: the left eye sees it too far right
+    let p = Point::new(0.0, 0.0, 9.6);
+    assert_eq!(SIDES.map(|side| view.eye(side).project(p)), [None, None]);
+    let p = Point::new(-0.8, 0.0, 9.6);
+    let [left, right] = SIDES.map(|side| view.eye(side).project(p));
+    assert!(left.is_some() && right.is_none(), "{left:?} {right:?}");
+}
+
+/// Law: a picture shows a point where each eye's `project` says, to a hundredth of a pixel.
+#[test]
+fn a_picture_agrees_with_project() {
+    for lens in [
+        Kind::from(Pinhole { distance: 11.0, zoom: 1.25 }),
+        Fisheye { fov: 200.0, rectangular: true }.into(),
+    ] {
+        let mut scene = calibration(lens);
+        scene.image.resize(4000, 2600);
+        scene.camera.stereo = pair(4.0);
+        for (eye, film) in [(0, [3.1, -2.2]), (1, [-4.0, 1.3])] {
+            let point = point_at(&scene, eye, film, 9.0);
+            assert_seen_where_projected(scene.clone(), eye, point);
+        }
+    }
+}
+
+/// Law: a pair that cannot be says which field is wrong and what fits. Oracle: the text.
+#[test]
+fn pairs_that_cannot_be_are_refused() {
+    for (separation, found) in [(-1.0, "-1"), (180.0, "180"), (f64::NAN, "NaN")] {
+        let viewpoint =
+            viewpoint(Point::new(0.0, 0.0, 5.0), Orthographic { zoom: 1.0 }, separation);
+        let error = viewpoint.build(FILM).expect_err("it is wrong").to_string();
+        let expected = format!(
+            "stereo.separation: found {found}, but at least 0 and less than 180 degrees fit"
+        );
+        assert_eq!(error, expected);
+    }
+}

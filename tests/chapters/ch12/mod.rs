@@ -1,0 +1,4 @@
+//! Chapter 12: stereoscopy.
+
+mod geometry;
+mod pictures;

@@ -1,0 +1,254 @@
+//! Two images in one picture.
+
+use groundtruth::cameras::{Fisheye, Kind, Pinhole, Side, Stereo, Viewing, Viewpoint};
+use groundtruth::explain;
+use groundtruth::film::{self, Film};
+use groundtruth::math::Point;
+use groundtruth::render::{self, Canvas, Crop};
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::Regular;
+use groundtruth::scene::{Image, Scene, from_toml, to_toml};
+use groundtruth::shapes::Sphere;
+use groundtruth::world::World;
+
+use crate::pictures::studio::{add_flat, assert_same_bits, bits, built, pixels, small};
+
+const WIDTH: u32 = 26;
+const HEIGHT: u32 = 20;
+
+/// Some scene as a stereo pair with a gap of 3.
+fn pair(viewing: Viewing, separation: f64) -> Scene {
+    let mut scene = small("ch14/page-one", WIDTH, HEIGHT, 4);
+    scene.camera.stereo = Some(Stereo { viewing, gap: 3, separation });
+    scene
+}
+
+fn rendered(scene: &Scene) -> (World, Film) {
+    let world = built(scene);
+    let film = render::render(&world);
+    (world, film)
+}
+
+fn halves(scene: &Scene) -> [Film; 2] {
+    let (world, film) = rendered(scene);
+    render::eye_images(&world, &film).expect("it is a pair")
+}
+
+/// Every kind of camera, looking at something.
+fn lenses() -> Vec<Kind> {
+    let kinds = Kind::ENTRIES.iter();
+    kinds.map(|entry| (entry.specimens)().swap_remove(0)).collect()
+}
+
+/// Law: the picture is `2 w + gap` by h; the columns of the gap are black and cast no ray, under a white
+/// background; the others belong to the eyes. Oracle: which columns are white.
+#[test]
+fn the_gap_is_black() {
+    for (gap, viewing) in [(0, Viewing::Parallel), (1, Viewing::Transverse), (7, Viewing::Parallel)]
+    {
+        let mut scene = Scene::new("", Image::new(6, 4), {
+            let lens = Pinhole { distance: 5.0, zoom: 1.0 };
+            Viewpoint::new(Point::new(0.0, 0.0, 5.0), Point::ORIGIN, lens)
+        });
+        scene.camera.stereo = Some(Stereo { viewing, gap, separation: 3.0 });
+        scene.background = Rgb::WHITE.into();
+        let (world, film) = rendered(&scene);
+        assert_eq!([film.width(), film.height()], [12 + gap, 4]);
+        assert_eq!(world.picture_size(), [12 + gap, 4]);
+        for at in pixels(12 + gap, 4) {
+            let in_gap = (6..6 + gap).contains(&at[0]);
+            assert_eq!(film.get(at), if in_gap { Rgb::BLACK } else { Rgb::WHITE }, "{at:?}");
+            assert_eq!(render::camera_sample(&world, at, 0).is_none(), in_gap);
+        }
+    }
+}
+
+/// Law: without separation both images are the same, bit for bit, and that of one eye; with it they are
+/// not. Oracle: the camera without stereo.
+#[test]
+fn no_separation_gives_two_equal_images() {
+    for lens in lenses() {
+        let mut scene = pair(Viewing::Parallel, 0.0);
+        scene.camera.lens = lens;
+        let [left, right] = halves(&scene);
+        scene.camera.stereo = None;
+        let (_, mono) = rendered(&scene);
+        assert_same_bits("the left image", &left, &mono);
+        assert_same_bits("the right image", &right, &mono);
+    }
+    let [left, right] = halves(&pair(Viewing::Parallel, 5.0));
+    assert!(left != right);
+}
+
+/// Law: the transverse picture is the parallel one with its halves swapped: the eyes themselves stay
+/// as they are. Oracle: the columns.
+#[test]
+fn transverse_swaps_the_halves() {
+    let (_, parallel) = rendered(&pair(Viewing::Parallel, 5.0));
+    let (_, transverse) = rendered(&pair(Viewing::Transverse, 5.0));
+    let second = WIDTH + 3;
+    assert_same_bits("1", &parallel.columns(0, WIDTH), &transverse.columns(second, WIDTH));
+    assert_same_bits("2", &parallel.columns(second, WIDTH), &transverse.columns(0, WIDTH));
+    let [a, b] = [Viewing::Parallel, Viewing::Transverse].map(|v| halves(&pair(v, 5.0)));
+    assert_same_bits("left", &a[0], &b[0]);
+    assert_same_bits("right", &a[1], &b[1]);
+}
+
+/// Law: the image of an eye is what a camera in its place sees, with the same samples: for cameras
+/// without a window, bit for bit. Oracle: one eye, moved by hand.
+#[test]
+fn each_image_is_that_of_a_camera_in_its_place() {
+    let mut scene = pair(Viewing::Transverse, 6.0);
+    scene.camera.lens = Fisheye { fov: 150.0, rectangular: false }.into();
+    let (world, film) = rendered(&scene);
+    let images = render::eye_images(&world, &film).expect("it is a pair");
+    for (side, image) in [Side::Left, Side::Right].into_iter().zip(&images) {
+        let mut mono = scene.clone();
+        mono.camera.stereo = None;
+        let place = world.view.eye(side).place();
+        mono.camera.look_at = mono.camera.look_at + (place - mono.camera.eye);
+        mono.camera.eye = place;
+        let (_, mono) = rendered(&mono);
+        // the direction to the point looked at may differ in its last bits
+        let differ = pixels(WIDTH, HEIGHT).filter(|&at| {
+            let (a, b) = (image.get(at).to_array(), mono.get(at).to_array());
+            (0..3).any(|i| (a[i] - b[i]).abs() > 1e-9)
+        });
+        assert_eq!(differ.count(), 0, "{side:?}");
+    }
+}
+
+/// Law: both eyes use the same samples: the pixel of the eye's image names them, not that of the
+/// picture. Oracle: place, lens place and weight of each.
+#[test]
+fn both_eyes_use_the_same_samples() {
+    for lens in lenses() {
+        let mut scene = pair(Viewing::Parallel, 2.0);
+        scene.camera.lens = lens;
+        let world = built(&scene);
+        for ([x, y], index) in [([0, 0], 0), ([25, 19], 3), ([7, 11], 2)] {
+            let both = [x, x + WIDTH + 3].map(|x| render::camera_sample(&world, [x, y], index));
+            let [a, b] = both.map(|sample| sample.expect("no gap"));
+            assert_eq!((a.pixel, a.film, a.lens, a.weight), (b.pixel, b.film, b.lens, b.weight));
+            assert_eq!(a.pixel, [x, y]);
+        }
+    }
+}
+
+/// Law: of a scene that is its own mirror image in the plane between the eyes, the right image is the
+/// left one mirrored. Oracle: mirrored columns, with samples at the centres of pixels.
+#[test]
+fn a_symmetric_scene_has_mirrored_images() {
+    let lenses: [Kind; 3] = [
+        Pinhole { distance: 10.0, zoom: 1.5 }.into(),
+        Fisheye { fov: 170.0, rectangular: false }.into(),
+        groundtruth::cameras::SphericalPanorama { horizontal_fov: 200.0, vertical_fov: 120.0 }
+            .into(),
+    ];
+    for lens in lenses {
+        let camera = Viewpoint::new(Point::new(0.0, 0.0, 10.0), Point::ORIGIN, lens);
+        let mut scene = Scene::new("", Image { pixel_size: 0.25, ..Image::new(40, 30) }, camera);
+        scene.image.sampler = Some(Regular {}.into());
+        scene.camera.stereo = Some(Stereo { viewing: Viewing::Parallel, gap: 2, separation: 8.0 });
+        let mut add = |name: &str, x: f64, y: f64, z: f64, color: Rgb| {
+            let (center, radius) = (Point::new(x, y, z), 0.9);
+            add_flat(&mut scene, name, Sphere { center, radius, inward: false }, color);
+        };
+        let (blue, red) = (Rgb::new(0.0, 0.0, 1.0), Rgb::new(1.0, 0.0, 0.0));
+        add("left", -2.0, 1.0, 0.5, red);
+        add("right", 2.0, 1.0, 0.5, red);
+        add("near left", -0.7, -1.0, 5.0, blue);
+        add("near right", 0.7, -1.0, 5.0, blue);
+        let [left, right] = halves(&scene);
+        assert!(left != right);
+        for [x, y] in pixels(40, 30) {
+            assert_eq!(left.get([x, y]), right.get([39 - x, y]), "({x}, {y})");
+        }
+    }
+}
+
+/// Law: no length is special: scaled by a power of two, a pair is the same picture, bit for bit, with
+/// every camera. Oracle: the pair as it is.
+#[test]
+fn pairs_do_not_feel_powers_of_two() {
+    for lens in lenses() {
+        let mut scene = pair(Viewing::Parallel, 3.0);
+        scene.camera.lens = lens;
+        let (_, original) = rendered(&scene);
+        for k in [-30, 5] {
+            assert_same_bits(&format!("2^{k}"), &rendered(&scene.scaled(k)).1, &original);
+        }
+    }
+}
+
+/// Law: written to a file and read again, a pair is the same picture; what a file leaves out is the
+/// book's: a gap of 5. Oracle: the pair as it is.
+#[test]
+fn pairs_are_plain_data() {
+    let scene = pair(Viewing::Transverse, 3.0);
+    let text = to_toml(&scene).expect("plain data");
+    let path = std::path::Path::new("scene.toml");
+    let (_, world) = from_toml(&text, path).expect("it reads back");
+    assert_same_bits("reread", &render::render(&world), &rendered(&scene).1);
+    let shorter = text.replace("gap = 3\n", "");
+    assert!(shorter != text);
+    let (reread, world) = from_toml(&shorter, path).expect("the gap may be left out");
+    assert_eq!(reread.camera.stereo.expect("a pair").gap, 5);
+    assert_eq!(world.picture_size(), [2 * WIDTH + 5, HEIGHT]);
+}
+
+/// Law: a part of the picture is that part, across the gap too. Oracle: the whole picture.
+#[test]
+fn a_part_of_a_pair_is_that_part() {
+    let (world, whole) = rendered(&pair(Viewing::Parallel, 5.0));
+    let crop = Crop { x: WIDTH - 4, y: 5, width: 12, height: 9 };
+    let canvas = Canvas::cropped(crop);
+    canvas.render(&world);
+    let part = canvas.film();
+    for [x, y] in pixels(12, 9) {
+        assert_eq!(bits(part.get([x, y])), bits(whole.get([crop.x + x, crop.y + y])));
+    }
+    assert!(render::eye_images(&world, &part).is_none(), "a part has no two images");
+}
+
+/// Law: an anaglyph is red from the left image, green and blue from the right one. Oracle: the channels.
+#[test]
+fn an_anaglyph_has_both_images() {
+    let [left, right] = halves(&pair(Viewing::Transverse, 5.0));
+    let both = film::anaglyph(&left, &right);
+    for at in pixels(WIDTH, HEIGHT) {
+        let (l, r, both) = (left.get(at), right.get(at), both.get(at));
+        assert_eq!(bits(both), bits(Rgb::new(l.r, r.g, r.b)));
+    }
+    let mono = built(&small("ch14/page-one", WIDTH, HEIGHT, 1));
+    assert!(render::eye_images(&mono, &render::render(&mono)).is_none(), "one eye has no pair");
+}
+
+/// Law: a pixel is explained as it is rendered: in both images; in the gap it is said that there is no
+/// ray. Oracle: the picture.
+#[test]
+fn pixels_of_pairs_are_explained() {
+    let scene = pair(Viewing::Parallel, 5.0);
+    let (world, film) = rendered(&scene);
+    for at in [[3, 4], [WIDTH + 1, 4], [WIDTH + 6, 4], [2 * WIDTH + 2, HEIGHT - 1]] {
+        let explained = explain::pixel(&scene, &world, at, None);
+        assert_eq!(bits(explained.radiance), bits(film.get(at)));
+        let in_gap = (WIDTH..WIDTH + 3).contains(&at[0]);
+        assert!(explained.samples.iter().all(|sample| sample.ray.is_none() == in_gap));
+        assert_eq!(explained.to_string().contains("between the two images"), in_gap);
+    }
+}
+
+/// Law: a pair of more pixels than fit is refused before anything is made. Oracle: the text.
+#[test]
+fn pairs_of_too_many_pixels_are_refused() {
+    let mut scene = pair(Viewing::Parallel, 5.0);
+    scene.camera.stereo =
+        Some(Stereo { viewing: Viewing::Parallel, gap: u32::MAX, separation: 5.0 });
+    let error = World::build(&scene).expect_err("it is too wide").to_string();
+    assert_eq!(
+        error,
+        "camera.stereo.gap: 4294967347 × 20 pixels of both images and the gap are too many; at most \
+         33554432 fit"
+    );
+}
