@@ -64,18 +64,18 @@ impl Domain {
         let unfit = |what: &str| {
             Err(Invalid::field("point", format!("found {point:?}, but {what} is needed")))
         };
-        match (self, *point) {
+        match (self, point) {
             // as for unit vectors, rounding may put it a little outside
-            (Self::Disk {}, [x, y]) if x * x + y * y <= 1.0 + 8.0 * UNIT_ROUNDOFF => {
+            (Self::Disk {}, &[x, y]) if x * x + y * y <= 1.0 + 8.0 * UNIT_ROUNDOFF => {
                 Ok(maps::disk_inverse([x, y]))
             }
             (Self::Disk {}, _) => unfit("a point [x, y] of the unit disk"),
-            (Self::Hemisphere { exponent }, [x, y, z]) if z >= 0.0 => {
+            (Self::Hemisphere { exponent }, &[x, y, z]) if z >= 0.0 => {
                 let direction = unit("point", Vector::new(x, y, z))?;
                 Ok(maps::hemisphere_inverse(direction, exponent))
             }
             (Self::Hemisphere { .. }, _) => unfit("a direction [x, y, z] with z of at least 0"),
-            (Self::Sphere {}, [x, y, z]) => {
+            (Self::Sphere {}, &[x, y, z]) => {
                 Ok(maps::sphere_inverse(unit("point", Vector::new(x, y, z))?))
             }
             (Self::Sphere {}, _) => unfit("a direction [x, y, z]"),

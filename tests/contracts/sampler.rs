@@ -176,21 +176,23 @@ fn a_draw_is_uniform_over_the_square(kind: &Kind) -> Holds {
     if is_fixed(kind) && !sampler.is_shifted() {
         return Ok(());
     }
-    let draw = |seed: u32| {
-        let key = Key::new(seed.into(), [seed % 7, 3], Purpose::Pixel);
-        SampleSets::new(&*sampler, 16, seed.into()).draw(key, seed % 16)
-    };
-    let draws: Vec<[f64; 2]> = (0..SEEDS).map(draw).collect();
-    for axis in 0..2 {
-        let p = kolmogorov_smirnov(&draws.iter().map(|draw| draw[axis]).collect::<Vec<_>>());
-        ensure!(p > each_level(), "axis {axis}: p = {p:e}");
+    for n in [1, 16] {
+        let draw = |seed: u32| {
+            let key = Key::new(seed.into(), [seed % 7, 3], Purpose::Pixel);
+            SampleSets::new(&*sampler, n, seed.into()).draw(key, seed % n)
+        };
+        let draws: Vec<[f64; 2]> = (0..SEEDS).map(draw).collect();
+        for axis in 0..2 {
+            let p = kolmogorov_smirnov(&draws.iter().map(|draw| draw[axis]).collect::<Vec<_>>());
+            ensure!(p > each_level(), "{n} points, axis {axis}: p = {p:e}");
+        }
+        let mut cells = [0; 25];
+        for [x, y] in draws {
+            cells[(floor(5.0 * x) + 5.0 * floor(5.0 * y)) as usize] += 1;
+        }
+        let p = chi_square(&cells, &[f64::from(SEEDS) / 25.0; 25]);
+        ensure!(p > each_level(), "{n} points, cells: p = {p:e}");
     }
-    let mut cells = [0; 25];
-    for [x, y] in draws {
-        cells[(floor(5.0 * x) + 5.0 * floor(5.0 * y)) as usize] += 1;
-    }
-    let p = chi_square(&cells, &[f64::from(SEEDS) / 25.0; 25]);
-    ensure!(p > each_level(), "cells: p = {p:e}");
     Ok(())
 }
 
