@@ -71,7 +71,7 @@ fn the_square_shows_the_strata() {
     let points: Vec<Pos2> = (0..16).map(|i| point(&window, 0, i)).collect();
     let world = built(&sixteen());
     // the square's scale from two points whose film places are known
-    let film = |i: u32| render::camera_sample(&world, ON_GLASS, i).film;
+    let film = |i: u32| render::camera_sample(&world, ON_GLASS, i).expect("no gap").film;
     let scale = f64::from(points[1].x - points[0].x) / (film(1)[0] - film(0)[0]);
     let side = scale * world.image.pixel_size;
     let mut cells = std::collections::BTreeSet::new();

@@ -15,7 +15,7 @@ use std::f64::consts::SQRT_2;
 use std::path::Path;
 
 use crate::pictures::studio::{add_flat, bits, built, from_front, pixels};
-use crate::support::{U, laws};
+use crate::support::{U, camera_ray, laws};
 
 /// The polynomials have coefficients up to 60, at places up to 2: terms of up to 240/6, each off by
 /// some roundings.
@@ -199,7 +199,7 @@ fn a_sample_is_weighed_by_its_filter() {
     let world = built(&scene);
     let mut negative = 0;
     for index in 0..64 {
-        let way = render::camera_sample(&world, [0, 0], index);
+        let way = render::camera_sample(&world, [0, 0], index).expect("no gap");
         negative += u32::from(way.weight < 0.0);
         let mut tree = RayTree::default();
         let sample = render::sample(&world, [0, 0], index, &mut tree);
@@ -225,7 +225,7 @@ fn a_filters_radius_counts_pixels() {
         pixels(scene.image.width, scene.image.height)
             .flat_map(far)
             .map(|(at, i)| {
-                let [x, _] = render::camera_sample(&world, at, i).film;
+                let [x, _] = camera_ray(&world, at, i).1;
                 let center = render::film_place(&scene.image, at, [0.5, 0.5])[0];
                 (x - center).abs()
             })

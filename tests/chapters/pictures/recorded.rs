@@ -23,7 +23,8 @@ fn recorded_is_silent_and_every_node_is_the_sum_of_its_terms() {
                 let mut tree = RayTree::default();
                 let radiance = render::sample(&world, at, i, &mut tree);
                 let way = render::camera_sample(&world, at, i);
-                let arriving = way.ray.map_or(Rgb::BLACK, |_| way.weight * tree.root().radiance);
+                let seen = way.filter(|way| way.ray.is_some());
+                let arriving = seen.map_or(Rgb::BLACK, |way| way.weight * tree.root().radiance);
                 assert_eq!(bits(radiance), bits(arriving), "{name} {at:?}");
                 for node in tree.nodes() {
                     assert_eq!(bits(node.radiance), bits(tree.folded(node)), "{name} {at:?}");
@@ -45,6 +46,9 @@ fn recorded_rays_form_a_tree() {
         for at in pixels(24, 24) {
             let mut tree = RayTree::default();
             render::sample(&world, at, 0, &mut tree);
+            if tree.nodes().is_empty() {
+                continue; // the camera sees nothing there
+            }
             let mut parents = vec![0; tree.nodes().len()];
             for (i, node) in tree.nodes().iter().enumerate() {
                 for &child in &node.children {
