@@ -13,6 +13,7 @@ use crate::explanation::Selection;
 use crate::panels::{self, Fields, Wish};
 use crate::picture::{self, Mouse, Picture};
 use crate::switches;
+use crate::trail;
 use crate::view::parse_pixel;
 use crate::worker::{Background, Loaded, Progress, Rendering, Source};
 
@@ -121,6 +122,8 @@ impl Inspector {
         CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
             let size = self.rendering.size();
             self.mouse = self.picture.show(ui, size, self.selection.pixel);
+            let trail = self.selection.trail(&self.rendering);
+            trail::paint(ui.painter(), &self.picture.placed(size), &trail);
         });
         if changed.inner || resampled.inner {
             self.rebuild(&ctx);

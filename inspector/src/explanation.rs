@@ -14,6 +14,7 @@ use groundtruth::trace::RayCounts;
 use groundtruth::world::World;
 
 use crate::samples::Samples;
+use crate::trail::{self, Station};
 use crate::worker::{Background, Progress, Rendering};
 use crate::{details, picture, tree};
 
@@ -119,6 +120,22 @@ impl Selection {
     /// The explanation, when it is there.
     pub fn explanation(&self) -> Option<&PixelExplanation> {
         self.answered.as_ref()?.1.as_deref().ok()
+    }
+
+    /// The hits on the way to the selected ray, as the camera sees them.
+    pub fn trail(&self, rendering: &Rendering) -> Vec<Station> {
+        let explained = self.explanation().and_then(|explanation| {
+            let mut samples = explanation.samples.iter();
+            let sample = samples.find(|sample| sample.index == self.sample)?;
+            Some((explanation.pixel, sample.ray.as_ref()?))
+        });
+        match explained {
+            // an explanation of the picture before is no guide to this one
+            Some((pixel, root)) if self.pixel == Some(pixel) => {
+                trail::stations(&rendering.world, pixel, root, &self.ray)
+            }
+            _ => Vec::new(),
+        }
     }
 
     /// Whether what is selected is not explained yet.

@@ -11,6 +11,7 @@ pub mod panels;
 pub mod picture;
 pub mod samples;
 pub mod switches;
+pub mod trail;
 pub mod tree;
 pub mod view;
 pub mod worker;

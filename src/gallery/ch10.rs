@@ -39,7 +39,7 @@ fn boxes(about: &str, focal_distance: f64, lens_radius: f64) -> Scene {
     scene
 }
 
-/// Figure 10.12: a mirror block behind a box; what it reflects is sharp where the whole path from
+/// Figure 10.12: a mirror block behind the boxes; what it reflects is sharp where the whole path from
 /// the lens has the focal distance.
 fn mirror() -> Scene {
     let view = camera(point(15.0, 25.0, 50.0), point(0.0, 8.0, 0.0), 100.0, 1.0);
@@ -50,7 +50,7 @@ fn mirror() -> Scene {
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });
     let silver = phong(0.0, 0.0, Rgb::BLACK, 0.0, 1.0);
     let recipe = Reflective { phong: silver, kr: 0.9, cr: Rgb::WHITE.into() };
-    let block = boxed(point(-16.0, 0.0, -26.0), point(-10.0, 18.0, -1.5));
+    let block = boxed(point(-24.0, 0.0, -42.0), point(0.0, 20.0, -40.0));
     add(&mut scene, "mirror block", block, recipe);
     scene
 }

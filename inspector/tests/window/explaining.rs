@@ -221,3 +221,25 @@ fn a_click_on_a_ray_shows_its_details() {
         assert!(window.query_all_by_label(&term.what).next().is_some(), "{}", term.what);
     }
 }
+
+/// Law: the hits on the way to a ray are marked where the camera sees them: that of the camera's ray
+/// at its own sample's place in the pixel, up to rounding. Oracle: the sample's place on the film.
+#[test]
+fn the_way_to_a_ray_is_marked_in_the_picture() {
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    let scene = small_glass_sphere();
+    let world = built(&scene);
+    let root = ray_of(&scene, ON_GLASS, 0);
+    let with_hit = root.children.iter().position(|child| child.hit.is_some());
+    window.state_mut().selection.ray = vec![with_hit.expect("glass sends on rays that hit")];
+    settle(&mut window);
+    let trail = window.state().selection.trail(&window.state().rendering);
+    assert_eq!(trail.len(), 2);
+    let film = render::camera_sample(&world, ON_GLASS, 0).expect("no gap").film;
+    let expected = render::image_place(&world.image, film);
+    let [x, y] = trail[0].0.expect("the camera sees what it hit");
+    let off = (x - expected[0]).abs().max((y - expected[1]).abs());
+    assert!(off < 1e-9, "{off:e}");
+    assert_eq!([x as u32, y as u32], ON_GLASS);
+}

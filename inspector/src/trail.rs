@@ -1,0 +1,64 @@
+//! The way to the selected ray, seen from the camera: where its hits lie in the picture.
+
+use eframe::egui::{Color32, Painter, Pos2, Stroke};
+use groundtruth::explain::RayExplanation;
+use groundtruth::math::Point;
+use groundtruth::render;
+use groundtruth::world::World;
+
+use crate::tree::kind_color;
+use crate::view::Placed;
+
+/// A hit on the way: where the camera sees it (in pixels of the picture from its top left corner),
+/// if it is in view, and the colour of the ray that met it.
+pub type Station = (Option<[f64; 2]>, Color32);
+
+/// The hits of the rays from the camera's to the one at the end of `path`, in the image of the eye
+/// to which the pixel belongs.
+pub fn stations(
+    world: &World,
+    pixel: [u32; 2],
+    root: &RayExplanation,
+    path: &[usize],
+) -> Vec<Station> {
+    let Some((eye, column)) = world.view.seen_by(pixel[0], world.image.width) else {
+        return Vec::new();
+    };
+    let first_column = f64::from(pixel[0] - column);
+    let mut rays = vec![root];
+    for &child in path {
+        match rays.last().and_then(|ray| ray.children.get(child)) {
+            Some(ray) => rays.push(ray),
+            None => break,
+        }
+    }
+    let station = |ray: &&RayExplanation| {
+        let point = Point::from(ray.hit.as_ref()?.point);
+        let place = eye.project(point).map(|film| {
+            let [x, y] = render::image_place(&world.image, film);
+            [first_column + x, y]
+        });
+        Some((place, kind_color(ray)))
+    };
+    rays.iter().filter_map(station).collect()
+}
+
+/// Joins the hits by lines; those out of view are left out.
+pub fn paint(painter: &Painter, placed: &Placed, stations: &[Station]) {
+    let on_screen = |[x, y]: [f64; 2]| -> Pos2 {
+        let whole = placed.whole();
+        whole.min + placed.scale * eframe::egui::vec2(x as f32, y as f32)
+    };
+    let seen: Vec<(Pos2, Color32)> = stations
+        .iter()
+        .filter_map(|&(place, color)| place.map(|place| (on_screen(place), color)))
+        .collect();
+    for pair in seen.windows(2) {
+        for (width, color) in [(3.5, Color32::BLACK), (1.5, pair[1].1)] {
+            painter.line_segment([pair[0].0, pair[1].0], Stroke::new(width, color));
+        }
+    }
+    for (at, color) in seen {
+        painter.circle(at, 3.5, color, Stroke::new(1.5, Color32::BLACK));
+    }
+}
