@@ -2,3 +2,4 @@
 
 mod edges;
 mod pixel;
+mod variance;

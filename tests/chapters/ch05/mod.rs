@@ -1,4 +1,5 @@
 //! Chapter 5: sampling techniques.
 
 mod draws;
+mod independence;
 mod patterns;
