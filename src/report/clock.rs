@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use crate::verify::statistics::quantile;
+use crate::verify::quantile;
 
 /// The seconds that a job takes.
 pub fn seconds<T>(job: impl FnOnce() -> T) -> (T, f64) {

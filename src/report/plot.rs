@@ -8,7 +8,7 @@ use plotters::prelude::*;
 
 use super::html::superscript;
 use crate::math::{exp, ln, power};
-use crate::verify::statistics::PowerLaw;
+use crate::verify::slope::PowerLaw;
 
 /// Points of one kind.
 #[derive(Clone, Debug, Default)]

@@ -3,12 +3,32 @@
 //!
 //! Each checker here is itself checked: it passes on the truth and fails on a planted error just
 //! above the power its doc line states.
+//!
+//! Which test for which question:
+//!
+//! | question | test |
+//! | --- | --- |
+//! | do samples fall into cells as a density says? | [`chi_square::goodness_of_fit`] |
+//! | do two properties have to do with each other? | [`chi_square::independence`] |
+//! | do numbers follow a continuous distribution? | [`ks::uniform`] of its F |
+//! | are two numbers correlated? | [`correlation::pearson`] |
+//! | is a mean, such as a pixel's over replicas, what it should be? | [`means::one_sample`] |
+//! | do two renderers' means agree? | [`means::two_samples`] |
+//! | how fast does an error fall? | [`slope::power_law`] |
+//! | at what level, if there are many tests? | [`significance::sidak`] |
+//! | how sure is a rate that was counted? | [`significance::proportion`] |
 
 pub mod against;
+pub mod chi_square;
 pub mod compare;
+pub mod correlation;
 pub mod golden;
+pub mod ks;
+pub mod means;
+mod quantile;
 pub mod review;
-pub mod statistics;
+pub mod significance;
+pub mod slope;
 pub mod textbook;
 
 // what goldens are made of
@@ -17,6 +37,11 @@ mod view;
 
 #[cfg(test)]
 mod controls;
+#[cfg(test)]
+mod many_seeds;
+#[cfg(test)]
+mod planted;
 
 pub use error::GoldenError;
+pub use quantile::quantile;
 pub use view::View;

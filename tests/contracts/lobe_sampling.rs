@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{Pcg32, Vector, acos, atan2, cos, sin};
-use groundtruth::verify::statistics::{chi_square, sidak};
+use groundtruth::verify::chi_square::goodness_of_fit;
+use groundtruth::verify::significance::sidak;
 
 use super::lobe::viewers;
 use super::{Holds, ensure};
@@ -52,7 +53,7 @@ pub fn samples_follow_the_pdf(lobe: &Lobe) -> Holds {
             continue; // a viewer to whom it sends nothing
         }
         expected.iter_mut().for_each(|e| *e *= share * SAMPLES as f64 / whole);
-        let p = chi_square(&observed, &expected);
+        let p = goodness_of_fit(&observed, &expected);
         ensure!(p > sidak(LEVEL, TESTS), "{wo:?}: p = {p:e}");
     }
     Ok(())

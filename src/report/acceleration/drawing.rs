@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Data, Run, StageData};
 use crate::report::html::{Table, bytes, capital, count, escaped, figure, listed, short, time};
 use crate::report::plot::{Plot, Series};
-use crate::verify::statistics::{PowerLaw, power_law};
+use crate::verify::slope::{PowerLaw, power_law};
 
 /// Slopes are fitted from so many objects on, if there are enough.
 const FITTED_FROM: usize = 1000;

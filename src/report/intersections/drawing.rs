@@ -4,7 +4,7 @@ use super::{Data, FamilyData, KindData, Routine};
 use crate::report::html::{Table, count, figure, listed, short, short_or_dash};
 use crate::report::plot::{Plot, Series};
 use crate::verify::against::ALLOWED;
-use crate::verify::statistics::quantile;
+use crate::verify::quantile;
 
 /// Errors below are drawn there: a logarithmic axis has no 0.
 const LEAST_DRAWN: f64 = 0.01;

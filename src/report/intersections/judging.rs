@@ -9,7 +9,7 @@ use super::{FamilyData, Routine};
 use crate::math::{Ray, Span};
 use crate::shapes::Shape;
 use crate::verify::against::{ALLOWED, is_decided, pair, ray, t_error};
-use crate::verify::statistics::quantile;
+use crate::verify::quantile;
 use crate::verify::textbook::{self, Textbook};
 
 /// A ray and the shape that it is tested against, in both forms.

@@ -9,10 +9,10 @@ use crate::ch02::statistics::{moments, most_sigmas, sigmas};
 
 /// The half plane `a x + b y < c`.
 #[derive(Clone, Copy)]
-struct Edge {
-    a: f64,
-    b: f64,
-    c: f64,
+pub struct Edge {
+    pub a: f64,
+    pub b: f64,
+    pub c: f64,
 }
 
 impl Edge {
@@ -25,13 +25,13 @@ impl Edge {
         Self { a, b, c: 0.5 * a + 0.5 * b + offset }
     }
 
-    fn covers(&self, [x, y]: [f64; 2]) -> bool {
+    pub fn covers(&self, [x, y]: [f64; 2]) -> bool {
         self.a * x + self.b * y < self.c
     }
 
     /// How much of the unit square it covers, exactly: `∫∫ [a x + b y < c]` is a sum of second powers
     /// of what c is above the four corners, for positive a and b.
-    fn area(&self) -> f64 {
+    pub fn area(&self) -> f64 {
         // mirrored so that a, b > 0
         let (a, b) = (self.a.abs(), self.b.abs());
         let c = self.c - self.a.min(0.0) - self.b.min(0.0);

@@ -4,3 +4,4 @@ mod edges;
 mod filters;
 mod pixel;
 mod sinusoid;
+mod variance;

@@ -3,5 +3,6 @@
 mod convergence;
 mod discrepancy;
 mod draws;
+mod independence;
 pub mod patterns;
 mod sequences;

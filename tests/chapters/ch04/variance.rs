@@ -1,0 +1,204 @@
+//! How fast errors of known integrals fall with the number of samples.
+
+use std::f64::consts::PI;
+
+use groundtruth::math::{Pcg32, power};
+use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
+use groundtruth::verify::means::one_sample;
+use groundtruth::verify::significance::sidak;
+use groundtruth::verify::slope::power_law;
+
+use super::edges::Edge;
+
+/// The chance that one of the rates is called wrong if all are right, had the seeds been drawn anew.
+const LEVEL: f64 = 0.01;
+
+const COUNTS: [u32; 6] = [4, 16, 64, 256, 1024, 4096];
+
+/// Rates that are only approached are fitted from here on: cells of 1/8 are small beside the disk.
+const SMALL_CELLS: f64 = 64.0;
+
+/// By how much rates differ; a fit that is less exact could not tell them.
+const APART: f64 = 0.5;
+
+/// Mean squares of errors for each count, each of [`SETS`] sets.
+const BATCHES: u32 = 8;
+
+/// The area of a disk of radius 0.3.
+const DISK: f64 = 0.09 * PI;
+
+/// A function of the unit square, and its integral.
+type Integrand = (Box<dyn Fn([f64; 2]) -> f64>, f64);
+
+/// Draws where its edges lie.
+type Place = fn(&mut Pcg32) -> Integrand;
+
+fn inside(region: impl Fn([f64; 2]) -> bool + 'static, area: f64) -> Integrand {
+    (Box::new(move |at| if region(at) { 1.0 } else { 0.0 }), area)
+}
+
+/// What is integrated. Where an edge lies is drawn anew each time, uniformly: for one at a fixed place
+/// the variance depends on how it meets the grid, from count to count.
+const INTEGRANDS: [(&str, Place); 7] = [
+    ("constant", |_| (Box::new(|_| 0.75), 0.75)),
+    ("linear", |_| (Box::new(|[x, y]| x + 0.5 * y), 0.75)),
+    // (1 + x)² (1 + y)²; ∫ (1 + x)² = 7/3
+    ("smooth", |_| {
+        (Box::new(|[x, y]| ((1.0 + x) * (1.0 + y)) * ((1.0 + x) * (1.0 + y))), 49.0 / 9.0)
+    }),
+    ("upright or level edge", |random| {
+        let (axis, c) = (random.below(2) as usize, random.uniform());
+        inside(move |at| at[axis] < c, c)
+    }),
+    ("slanted edge", |random| {
+        let edge = Edge { a: 1.0, b: 0.6, c: 1.6 * random.uniform() };
+        inside(move |at| edge.covers(at), edge.area())
+    }),
+    ("corner", |random| {
+        let [c, d] = [random.uniform(), random.uniform()];
+        inside(move |[x, y]| x < c && y < d, c * d)
+    }),
+    ("disk", |random| {
+        let [a, b] = [0.3 + 0.4 * random.uniform(), 0.3 + 0.4 * random.uniform()];
+        inside(move |[x, y]| (x - a) * (x - a) + (y - b) * (y - b) < 0.09, DISK)
+    }),
+];
+
+/// How the mean square of the error falls with N.
+#[derive(Clone, Copy, Debug)]
+enum Rate {
+    /// There is no error.
+    None,
+    /// `factor · N^e`, for every N.
+    Exactly(f64, f64),
+    /// As `N^e`.
+    Is(f64),
+    /// No slower than `N^e`.
+    AtMost(f64),
+}
+
+/// The rates of theory, in the order of the integrands; of kinds not named here only that they are
+/// no worse than random ones.
+///
+/// - Random: `σ²/N`, with `σ² = ∫ f² − (∫ f)²`, which for a region of area A is `A − A²` (its mean over
+///   the places that are drawn: `½ − ⅓` for an edge, `¼ − 1/9` for a corner).
+/// - Jittered: `Σ σ²(cell)/N²`, the cells having the side `h = N^−½`. A smooth f has `σ² = h² |∇f|²/12 +
+///   O(h⁴)` in each of N cells: N⁻². An edge crosses some `L/h` cells, each with a variance that does not
+///   depend on h: `N^½/N²` (Mitchell, "Consequences of Stratified Sampling in Graphics", 1996); for the
+///   edges exactly, as they are anywhere alike and so each cell sees them as the whole square does
+///   (upright: `1/6 N^−1.5`), and of a corner `(n/6 − 1/36)/N²` with `n = √N`.
+/// - Multi-jittered and n-rooks: x has one point in each of N columns, y in each of N rows, so a sum of
+///   functions of x and of y alone is integrated as in one dimension: `N · N⁻² |f'|²/12 / N²`, N⁻³ for a
+///   linear one, and for an upright edge, which crosses one column, `1/6 N⁻²`. Of the rest (f less its
+///   means over rows and columns) n-rooks is random, and a multi-jittered set, whose cells are those of a
+///   jittered one, stratified. Rest and sum fall at different rates, so only the slower one is a limit.
+fn theory(module: &str) -> [Rate; 7] {
+    use Rate::{AtMost, Exactly, Is, None};
+    let linear = |e| Exactly((1.0 + 0.25) / 12.0, e);
+    let edge = |e| Exactly(1.0 / 6.0, e);
+    match module {
+        "random" => {
+            let smooth = (31.0 / 5.0) * (31.0 / 5.0) - (49.0 / 9.0) * (49.0 / 9.0);
+            let disk = Exactly(DISK * (1.0 - DISK), -1.0);
+            let corner = Exactly(1.0 / 4.0 - 1.0 / 9.0, -1.0);
+            [None, linear(-1.0), Exactly(smooth, -1.0), edge(-1.0), Is(-1.0), corner, disk]
+        }
+        "jittered" => [None, linear(-2.0), Is(-2.0), edge(-1.5), Is(-1.5), Is(-1.5), Is(-1.5)],
+        "multi_jittered" => {
+            let edges = AtMost(-1.5);
+            [None, linear(-3.0), AtMost(-2.0), edge(-2.0), edges, edges, edges]
+        }
+        "n_rooks" => {
+            let rest = AtMost(-1.0);
+            [None, linear(-3.0), rest, edge(-2.0), rest, rest, rest]
+        }
+        _ => {
+            let any = AtMost(-1.0);
+            [None, any, any, any, any, any, any]
+        }
+    }
+}
+
+/// The kinds whose sets differ, or are shifted: the error of one fixed set has no variance.
+fn randomising() -> Vec<(&'static str, Kind)> {
+    let all = Kind::ENTRIES.iter().flat_map(|e| (e.specimens)().into_iter().map(|k| (e.module, k)));
+    all.filter(|(_, kind)| {
+        let sampler = kind.build(&mut ()).expect("specimens are valid");
+        let sets = SampleSets::new(&*sampler, 16, 1);
+        sampler.is_shifted() || sets.set(0) != sets.set(1)
+    })
+    .collect()
+}
+
+/// The mean square of the error of each integrand, over the sets of one seed.
+fn mean_squares(kind: &Kind, n: u32, seed: u64) -> [f64; 7] {
+    let sampler = kind.build(&mut ()).expect("specimens are valid");
+    let sets = SampleSets::new(&*sampler, n, seed);
+    let n = sets.per_set();
+    let mut random = Pcg32::new(seed, 21);
+    let mut squares = [0.0; 7];
+    for index in 0..SETS as u32 {
+        let key = Key::new(seed, [index, 0], Purpose::Pixel);
+        let points: Vec<[f64; 2]> = match sampler.is_shifted() {
+            true => (0..n).map(|i| sets.draw(key, i)).collect(),
+            false => sets.set(index as usize).to_vec(),
+        };
+        for (square, (_, draw)) in squares.iter_mut().zip(INTEGRANDS) {
+            let (f, exact) = draw(&mut random);
+            let mean = points.iter().map(|&at| f(at)).sum::<f64>() / f64::from(n);
+            *square += (mean - exact) * (mean - exact) / SETS as f64;
+        }
+    }
+    squares
+}
+
+/// For each integrand the points `(N, mean square of the error)`.
+fn measured(kind: &Kind) -> [Vec<(f64, f64)>; 7] {
+    let mut points = [const { Vec::new() }; 7];
+    for (i, n) in (0..).zip(COUNTS) {
+        for batch in 0..BATCHES {
+            // no two share their random numbers
+            let squares = mean_squares(kind, n, u64::from(100 * batch + i));
+            for (points, square) in points.iter_mut().zip(squares) {
+                points.push((f64::from(n), square));
+            }
+        }
+    }
+    points
+}
+
+/// Law: the mean square of the error falls at the rate of theory. Oracle: [`theory`]'s slope must lie in
+/// the fitted one's interval (99 % for all together), which must be narrow enough to tell the rates
+/// apart; where the closed form is known, t tests of the ratios to it.
+#[test]
+fn errors_of_known_integrals_fall_at_their_rates() {
+    let kinds = randomising();
+    assert!(kinds.len() >= 3, "{kinds:?}");
+    // a slope and a factor of each
+    let level = sidak(LEVEL, 2 * kinds.len() * INTEGRANDS.len());
+    for (module, kind) in &kinds {
+        for (((name, _), rate), points) in INTEGRANDS.iter().zip(theory(module)).zip(measured(kind))
+        {
+            if let Rate::None = rate {
+                assert!(points.iter().all(|p| p.1 == 0.0), "{module}, {name}: {points:?}");
+                continue;
+            }
+            let from = if let Rate::Exactly(..) = rate { 1.0 } else { SMALL_CELLS };
+            let fitted: Vec<_> = points.iter().copied().filter(|p| p.0 >= from).collect();
+            let fit = power_law(&fitted, 1.0 - level).expect("there are errors");
+            let [low, high] = fit.interval;
+            assert!(high - low < APART, "{module}, {name}: {fit:?} tells nothing");
+            let right = match rate {
+                Rate::None => false,
+                Rate::Exactly(_, e) | Rate::Is(e) => low <= e && e <= high,
+                Rate::AtMost(e) => low <= e,
+            };
+            assert!(right, "{module}, {name}: {fit:?} is not {rate:?}");
+            if let Rate::Exactly(factor, e) = rate {
+                let ratio = |&(n, square): &(f64, f64)| square * power(n, -e) / factor;
+                let p = one_sample(&points.iter().map(ratio).collect::<Vec<_>>(), 1.0);
+                assert!(p > level, "{module}, {name}: {fit:?} is not {rate:?}, p = {p:e}");
+            }
+        }
+    }
+}
