@@ -12,6 +12,7 @@ mod lobe_sampling;
 mod material;
 mod rays;
 mod sampler;
+mod sampler_draws;
 mod shape;
 mod shape_exact;
 mod texture;
