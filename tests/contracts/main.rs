@@ -13,6 +13,7 @@ mod lobe_sampling;
 mod material;
 mod rays;
 mod sampler;
+mod sampler_draws;
 mod shape;
 mod shape_exact;
 mod texture;

@@ -198,8 +198,8 @@ const ERRORS: &[(&str, &str)] = &[
         "samples.sets: found 83, but 1 to 16 sets of 1000 fit",
     ),
     (
-        r#"{"samples": {"sampler": {"hammersley": {}}, "n": 4}}"#,
-        "column 37: unknown variant `hammersley`, expected one of `regular`, `random`, `jittered`, `multi_jittered`",
+        r#"{"samples": {"sampler": {"halton": {}}, "n": 4}}"#,
+        "column 33: unknown variant `halton`, expected one of `regular`, `random`, `jittered`, `n_rooks`, `multi_jittered`, `hammersley`, `correlated_multi_jittered`, `sobol`",
     ),
     (
         r#"{"samples": {"sampler": {"regular": {}}, "n": 4, "sets": 1, "draw": {"pixel": [0, 0], "index": 0}}}"#,
