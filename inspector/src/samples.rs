@@ -8,7 +8,7 @@ use eframe::egui::{
 use groundtruth::render;
 use groundtruth::samplers::{self, Key, Purpose, maps};
 use groundtruth::scene::Scene;
-use groundtruth::verify::statistics::chi_square;
+use groundtruth::verify::chi_square;
 use groundtruth::world::World;
 
 use crate::worker::Rendering;
@@ -79,7 +79,7 @@ impl Fairness {
         }
         let draws = u64::from(of_pixel * PIXELS * PIXELS);
         let expected = vec![draws as f64 / cells.len() as f64; cells.len()];
-        Self { strips, draws, p: chi_square(&cells, &expected) }
+        Self { strips, draws, p: chi_square::goodness_of_fit(&cells, &expected) }
     }
 
     fn verdict(&self) -> String {

@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use groundtruth::math::{ONE_MINUS, Pcg32, atan2, floor};
 use groundtruth::samplers::{Jittered, maps};
-use groundtruth::verify::statistics::{chi_square, kolmogorov_smirnov, sidak};
+use groundtruth::verify::chi_square;
+use groundtruth::verify::ks;
+use groundtruth::verify::significance::sidak;
 use proptest::prelude::*;
 
 use crate::ch05::patterns::{built, occupied, once_each};
@@ -23,13 +25,12 @@ pub fn random_points(count: u32, seed: u64) -> Vec<[f64; 2]> {
 /// Smirnov, both together by χ² over 7 × 11 cells; as one of `families` such questions.
 pub fn uniform(points: &[[f64; 2]], families: usize) -> bool {
     let level = sidak(LEVEL, 3 * families);
-    let along =
-        |axis: usize| kolmogorov_smirnov(&points.iter().map(|p| p[axis]).collect::<Vec<_>>());
+    let along = |axis: usize| ks::uniform(&points.iter().map(|p| p[axis]).collect::<Vec<_>>());
     let mut cells = [0; 77];
     for [x, y] in points {
         cells[(floor(7.0 * x) + 7.0 * floor(11.0 * y)) as usize] += 1;
     }
-    let both = chi_square(&cells, &[points.len() as f64 / 77.0; 77]);
+    let both = chi_square::goodness_of_fit(&cells, &[points.len() as f64 / 77.0; 77]);
     along(0) > level && along(1) > level && both > level
 }
 

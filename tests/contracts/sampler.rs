@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use groundtruth::math::{Pcg32, floor};
 use groundtruth::samplers::{Kind, SETS, SampleSets, Sampler};
-use groundtruth::verify::statistics::{kolmogorov_smirnov, sidak};
+use groundtruth::verify::ks;
+use groundtruth::verify::significance::sidak;
 use libtest_mimic::Trial;
 
 use super::sampler_draws::{
@@ -133,7 +134,7 @@ fn places_in_a_stratum_are_uniform(kind: &Kind) -> Holds {
         }
     }
     for places in places {
-        let p = kolmogorov_smirnov(&places);
+        let p = ks::uniform(&places);
         ensure!(p > each_level(), "p = {p:e}");
     }
     Ok(())

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 
 use groundtruth::math::{Pcg32, floor};
 use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
-use groundtruth::verify::statistics::{chi_square, kolmogorov_smirnov};
+use groundtruth::verify::chi_square;
+use groundtruth::verify::ks;
 
 use super::sampler::{built, each_level, is_fixed};
 use super::{Holds, ensure};
@@ -26,14 +27,14 @@ pub fn a_draw_is_uniform_over_the_square(kind: &Kind) -> Holds {
         };
         let draws: Vec<[f64; 2]> = (0..SEEDS).map(draw).collect();
         for axis in 0..2 {
-            let p = kolmogorov_smirnov(&draws.iter().map(|draw| draw[axis]).collect::<Vec<_>>());
+            let p = ks::uniform(&draws.iter().map(|draw| draw[axis]).collect::<Vec<_>>());
             ensure!(p > each_level(), "{n} points, axis {axis}: p = {p:e}");
         }
         let mut cells = [0; 25];
         for [x, y] in draws {
             cells[(floor(5.0 * x) + 5.0 * floor(5.0 * y)) as usize] += 1;
         }
-        let p = chi_square(&cells, &[f64::from(SEEDS) / 25.0; 25]);
+        let p = chi_square::goodness_of_fit(&cells, &[f64::from(SEEDS) / 25.0; 25]);
         ensure!(p > each_level(), "{n} points, cells: p = {p:e}");
     }
     Ok(())

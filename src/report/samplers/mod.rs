@@ -7,7 +7,7 @@ mod measuring;
 use serde::Serialize;
 
 use super::{Findings, Interrupted, Page, Settings, Watch};
-use crate::verify::statistics::{PowerLaw, power_law};
+use crate::verify::slope::{PowerLaw, power_law};
 
 /// Which sampler to use, and how many samples: by error and time, over integrands of known value.
 pub struct Samplers;

@@ -5,7 +5,7 @@ use groundtruth::samplers::{
     CorrelatedMultiJittered, Hammersley, Jittered, Key, Kind, MultiJittered, NRooks, Purpose,
     Random, SampleSets, Sobol,
 };
-use groundtruth::verify::statistics::power_law;
+use groundtruth::verify::slope::power_law;
 
 use super::patterns::built;
 use crate::ch02::statistics::{most_sigmas, sigmas};
