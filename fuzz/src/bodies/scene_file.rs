@@ -42,7 +42,7 @@ pub fn run(data: &[u8]) {
             let bits = |color: groundtruth::rgb::Rgb| color.to_array().map(f64::to_bits);
             assert_eq!(bits(heard), bits(silent), "a recorder cannot change the picture");
             let seen = render::camera_sample(&world, [x, y], 0).is_some_and(|s| s.ray.is_some());
-            assert_eq!(counts.camera, seen.into());
+            assert_eq!(counts.camera, u64::from(seen));
         }
     }
 }
