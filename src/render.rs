@@ -9,7 +9,6 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
-use crate::cameras::Side;
 use crate::film::Film;
 use crate::math::Ray;
 use crate::rgb::Rgb;
@@ -211,9 +210,7 @@ pub fn render(world: &World) -> Film {
 /// The images of the left and the right eye of a whole picture of a stereo pair; `None` if the world
 /// has one eye, or the film is not its whole picture.
 pub fn eye_images(world: &World, film: &Film) -> Option<[Film; 2]> {
-    let stereo = world.view.stereo()?;
-    let width = world.image.width;
-    let image = |side| film.columns(stereo.first_column(side, width), width);
+    let first_columns = world.view.stereo()?.first_columns(world.image.width);
     let whole = [film.width(), film.height()] == world.picture_size();
-    whole.then(|| [Side::Left, Side::Right].map(image))
+    whole.then(|| first_columns.map(|first| film.columns(first, world.image.width)))
 }

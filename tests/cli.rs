@@ -3,6 +3,8 @@
 #[path = "cli/interrupt.rs"]
 #[cfg(unix)]
 mod interrupt;
+#[path = "cli/stereo.rs"]
+mod stereo;
 
 use std::path::Path;
 use std::process::{Command, Stdio};

@@ -54,22 +54,20 @@ impl Stereo {
         Ok(r * (sin_degrees(0.5 * beta) / cos_degrees(0.5 * beta)))
     }
 
-    /// The images from left to right.
-    pub fn order(&self) -> [Side; 2] {
+    /// The first columns of the images of the left and the right eye, if each has `width` columns.
+    pub fn first_columns(&self, width: u32) -> [u32; 2] {
         match self.viewing {
-            Viewing::Parallel => [Side::Left, Side::Right],
-            Viewing::Transverse => [Side::Right, Side::Left],
+            Viewing::Parallel => [0, width + self.gap],
+            Viewing::Transverse => [width + self.gap, 0],
         }
-    }
-
-    /// The first column of an eye's image, if each has `width` columns.
-    pub fn first_column(&self, side: Side, width: u32) -> u32 {
-        if self.order()[0] == side { 0 } else { width + self.gap }
     }
 
     /// Whose image a column of the picture belongs to, and its column there; `None` in the gap.
     pub fn seen_by(&self, column: u32, width: u32) -> Option<(Side, u32)> {
-        let [first, second] = self.order();
+        let [first, second] = match self.viewing {
+            Viewing::Parallel => [Side::Left, Side::Right],
+            Viewing::Transverse => [Side::Right, Side::Left],
+        };
         if column < width {
             return Some((first, column));
         }

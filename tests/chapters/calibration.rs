@@ -70,10 +70,7 @@ pub fn assert_seen_where_projected(mut scene: Scene, eye: usize, point: Point) {
 fn centre_of_light(world: &World, eye: usize, [column, row]: [u32; 2]) -> ([f64; 2], f64) {
     const REACH: u32 = 5;
     let first = match world.view.stereo() {
-        Some(stereo) => {
-            let sides = [groundtruth::cameras::Side::Left, groundtruth::cameras::Side::Right];
-            stereo.first_column(sides[eye], world.image.width)
-        }
+        Some(stereo) => stereo.first_columns(world.image.width)[eye],
         None => 0,
     };
     let (mut sum, mut x, mut y) = (0.0, 0.0, 0.0);

@@ -179,7 +179,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"project": {"camera": {"eye": [0, 0, 4], "stereo": {"viewing": "crossed", "separation": 5}, "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "point": [0, 0, 0]}}"#,
-        "column 79: unknown variant `crossed`, expected `parallel` or `transverse`",
+        "column 73: unknown variant `crossed`, expected `parallel` or `transverse`",
     ),
     (
         r#"{"samples": {"sampler": {"regular": {}}, "n": 0}}"#,

@@ -63,7 +63,7 @@ proptest! {
     #[test]
     fn a_small_field_of_view_is_a_pinholes(exponent in -7.0..-1.0_f64, xn in -0.7..0.7_f64, yn in -0.7..0.7_f64) {
         let square = ViewPlane { width: 6.0, height: 6.0 };
-        let fov = groundtruth::math::exp(exponent * 2.302_585_092_994_046);
+        let fov = groundtruth::math::exp(exponent * std::f64::consts::LN_10);
         let lambda_max = to_radians(0.5 * fov);
         let pinhole = on_film(Pinhole { distance: 3.0 / lambda_max, zoom: 1.0 }, square);
         let film = [3.0 * xn, 3.0 * yn];
