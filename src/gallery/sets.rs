@@ -3,7 +3,7 @@
 
 use super::parts::*;
 use crate::cameras::ThinLens;
-use crate::math::{Pcg32, Step, Vector};
+use crate::math::{Pcg32, Point, Step, Vector};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
 use crate::shapes::{self, Compound, OpenCylinder, Triangle};
@@ -141,19 +141,29 @@ pub fn rings_of_columns(scene: &mut Scene) {
 pub const LENS: ThinLens =
     ThinLens { distance: 40.0, focal_distance: 50.0, lens_radius: 1.0, zoom: 1.0 };
 
-/// The three checkered boxes of chapter 10, their fronts at z = 0, −24 and −48.
-pub fn boxes_in_depth(scene: &mut Scene) {
+/// The light and the ground of chapter 10.
+pub fn daylight(scene: &mut Scene) {
     scene.background = Rgb::WHITE.into();
     scene.lights.push(ambient(0.5));
     scene.lights.push(directional("sun", vector(1.0, 1.0, 1.0), 7.5));
-    for (name, [min, max], color) in [
+    let checks = checker3d(8.0, grey(0.25), Rgb::WHITE);
+    add(scene, "ground", ground(0.0), matte(0.5, 0.35, checks));
+}
+
+/// A box between these corners, checkered in a colour and black.
+pub fn add_checkered_box(scene: &mut Scene, name: &str, [min, max]: [Point; 2], color: Rgb) {
+    let checks = matte(0.5, 0.35, checker3d(2.0, color, Rgb::BLACK));
+    add(scene, name, boxed(min, max), checks);
+}
+
+/// The three checkered boxes of chapter 10, their fronts at z = 0, −24 and −48.
+pub fn boxes_in_depth(scene: &mut Scene) {
+    daylight(scene);
+    for (name, corners, color) in [
         ("near box", [[-9.0, 0.0, -1.0], [-3.0, 12.0, 0.0]], rgb(1.0, 1.0, 0.33)),
         ("middle box", [[-3.25, 0.0, -25.0], [4.75, 14.0, -24.0]], rgb(0.1, 1.0, 0.5)),
         ("far box", [[8.0, 0.0, -49.0], [18.0, 15.0, -48.0]], rgb(1.0, 0.6, 0.15)),
     ] {
-        let checks = matte(0.5, 0.35, checker3d(2.0, color, Rgb::BLACK));
-        add(scene, name, boxed(min.into(), max.into()), checks);
+        add_checkered_box(scene, name, corners.map(Point::from), color);
     }
-    let checks = checker3d(8.0, grey(0.25), Rgb::WHITE);
-    add(scene, "ground", ground(0.0), matte(0.5, 0.35, checks));
 }
