@@ -1,12 +1,13 @@
 //! Chapter 8: perspective viewing.
 
-use groundtruth::cameras::{Orthographic, Pinhole, View, Viewpoint};
+use groundtruth::cameras::{Orthographic, Pinhole, View, ViewPlane, Viewpoint};
 use groundtruth::math::{Point, Vector, atan2, sin, tan, to_degrees};
 use groundtruth::math::{Span, acos};
 use groundtruth::render;
 use groundtruth::shapes::{self, Sphere};
 use proptest::prelude::*;
 
+use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::pictures::studio::{RED, add_flat, bits, built, from_front, pixels};
 use crate::support::{ANY_FILM, Seen, U, laws, point};
 
@@ -181,4 +182,38 @@ fn what_is_before_the_view_plane_is_drawn() {
     assert!(!hits(&view, ball(50.0), [0.0, 0.0]));
     // the eye inside: whatever is looked at is the far side
     assert!(hits(&view, ball(0.0), [70.0, -80.0]));
+}
+
+/// Law: `project` is the other way round: a point X to the right at the depth D is seen at `d X/D`;
+/// nothing behind the eye, at its depth, or beyond the edges, which belong to the picture. Oracle:
+/// similar triangles, by hand.
+#[test]
+fn project_follows_similar_triangles() {
+    let lens = Pinhole { distance: 200.0, zoom: 1.0 };
+    let viewpoint = Viewpoint::new(Point::new(0.0, 0.0, 250.0), Point::ORIGIN, lens);
+    let film = ViewPlane { width: 400.0, height: 300.0 };
+    let view = viewpoint.build(film).expect("a valid view");
+    let project = |x, y, z| view.eyes()[0].project(Point::new(x, y, z));
+    assert_eq!(project(0.0, 0.0, 0.0), Some([0.0, 0.0]));
+    assert_eq!(project(10.0, -20.0, 50.0), Some([10.0, -20.0]));
+    assert_eq!(project(10.0, -20.0, 150.0), Some([20.0, -40.0]));
+    assert_eq!(project(10.0, -20.0, -150.0), Some([5.0, -10.0]));
+    // the corners, and just beyond
+    assert_eq!(project(100.0, 75.0, 150.0), Some([200.0, 150.0]));
+    assert_eq!(project(-100.0, -75.0, 150.0), Some([-200.0, -150.0]));
+    assert_eq!(project(100.000_001, 0.0, 150.0), None);
+    assert_eq!(project(0.0, -75.000_001, 150.0), None);
+    for z in [250.0, 251.0, 1e9, f64::INFINITY, f64::NAN] {
+        assert_eq!(project(1.0, 1.0, z), None);
+        assert_eq!(project(0.0, 0.0, z), None);
+    }
+}
+
+/// Law: a picture shows a point where `project` says, to a hundredth of a pixel.
+#[test]
+fn a_picture_agrees_with_project() {
+    let scene = calibration(Pinhole { distance: 11.0, zoom: 1.25 });
+    for (film, distance) in [([3.1, -2.2], 2.0), ([-5.0, 3.3], 30.0), ([0.0, 0.0], 9.0)] {
+        assert_seen_where_projected(scene.clone(), 0, point_at(&scene, 0, film, distance));
+    }
 }

@@ -7,6 +7,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::shapes::Sphere;
 use proptest::prelude::*;
 
+use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::pictures::studio::{RED, add_flat, built, from_front, small};
 use crate::support::{ANY_FILM, Seen, U, laws, point};
 
@@ -154,6 +155,23 @@ proptest! {
         prop_assert_eq!(moved.origin, eye);
         prop_assert!((moved.direction - ray.direction).length() < 1e-10);
     }
+
+    /// Law: `project` turns with the camera: the point looked at is in the middle, and each point of a
+    /// ray is seen where the ray is, also straight up and down and rolled. Oracle: the place that was
+    /// asked for.
+    #[test]
+    fn project_turns_with_the_camera(viewpoint in viewpoint(), at in [-0.5..0.5_f64, -0.5..0.5_f64], away in 0.1..1e3_f64) {
+        for lens in [Pinhole { distance: 0.7, zoom: 1.25 }.into(), Orthographic { zoom: 0.3 }.into()] {
+            let view = view(&Viewpoint { lens, ..viewpoint.clone() });
+            let eye = &view.eyes()[0];
+            let middle = eye.project(Point::ORIGIN).expect("it is looked at");
+            prop_assert!(middle.iter().all(|c| c.abs() < 64.0 * U * 200.0), "{middle:?}");
+            let found = eye.project(view.seen(at).at(away)).expect("it is seen");
+            // the eye is up to 200 away from the origin, and the point as little as 0.1 from the eye
+            let off = (found[0] - at[0]).abs().max((found[1] - at[1]).abs());
+            prop_assert!(off < 1e-12 * (1.0 + 1.0 / away), "{found:?} {off:e}");
+        }
+    }
 }
 
 /// Law: straight down u is z and v is x; straight up u is x and v is z (the book's frames). Oracle: by
@@ -248,5 +266,36 @@ fn views_that_cannot_be_built_name_the_field() {
         (refusal(&|v| v.lens = Orthographic { zoom: nan }.into()), "lens.orthographic.zoom: "),
     ] {
         assert!(text.starts_with(field), "{text}");
+    }
+}
+
+/// Law: the orthographic camera sees what is before its plane, as large everywhere, up to the edges,
+/// which belong to the picture. Oracle: by hand.
+#[test]
+fn parallel_rays_project_without_depth() {
+    let scene = from_front(8, 6, 0.5); // the film is 4 × 3
+    let world = built(&scene);
+    let project = |x, y, z| world.view.eyes()[0].project(Point::new(x, y, z));
+    for z in [99.0, 0.0, -1e6] {
+        assert_eq!(project(1.25, -0.5, z), Some([1.25, -0.5]));
+        assert_eq!(project(-2.0, 1.5, z), Some([-2.0, 1.5]));
+        assert_eq!(project(-2.01, 1.5, z), None);
+        assert_eq!(project(2.0, -1.51, z), None);
+    }
+    assert_eq!(project(1.25, -0.5, 100.0), None);
+    assert_eq!(project(1.25, -0.5, 101.0), None);
+    // and in pixels of the picture: 8 × 6 of side 1/2, from its top left corner
+    let image = |film| render::image_place(&scene.image, film);
+    assert_eq!(image([0.0, 0.0]), [4.0, 3.0]);
+    assert_eq!(image([-2.0, 1.5]), [0.0, 0.0]);
+    assert_eq!(image([1.75, -1.25]), [7.5, 5.5]);
+}
+
+/// Law: a picture shows a point where `project` says, to a hundredth of a pixel.
+#[test]
+fn a_picture_agrees_with_project() {
+    let scene = calibration(Orthographic { zoom: 1.25 });
+    for (film, distance) in [([3.1, -2.2], 2.0), ([-5.0, 3.3], 30.0)] {
+        assert_seen_where_projected(scene.clone(), 0, point_at(&scene, 0, film, distance));
     }
 }
