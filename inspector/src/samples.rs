@@ -6,7 +6,7 @@ use eframe::egui::{
     pos2, vec2,
 };
 use groundtruth::render;
-use groundtruth::samplers::{self, Key, Purpose, maps};
+use groundtruth::samplers::{self, Key, Purpose, SETS, maps};
 use groundtruth::scene::Scene;
 use groundtruth::verify::chi_square;
 use groundtruth::world::World;
@@ -46,11 +46,11 @@ enum Outline {
     Disk,
 }
 
-/// Draws of many pixels beside what a fair sampler would do.
+/// All places that a sampler may draw, beside what a fair one would do.
 struct Fairness {
-    /// Draws whose x lies in each of so many strips.
+    /// Places whose x lies in each of so many strips.
     strips: Vec<u64>,
-    draws: u64,
+    places: usize,
     /// From χ² over [`CELLS`]² cells.
     p: f64,
 }
@@ -58,28 +58,32 @@ struct Fairness {
 /// Cells along each side, for χ²: odd, so that strata do not line up with them.
 const CELLS: usize = 15;
 const STRIPS: usize = 32;
-/// So many pixels along each side are looked at.
-const PIXELS: u32 = 32;
-/// And at most so many draws in all.
-const MOST_DRAWS: u32 = 200_000;
+/// So many places are enough.
+const MOST_PLACES: usize = 400_000;
 
 impl Fairness {
-    /// Looks at draws for the place in the pixel, over a square of pixels.
+    /// Looks at the points of all sets; where each draw moves them, at the draws of as many pixels.
     fn of(world: &World) -> Self {
+        let samples = &world.samples;
         let (mut strips, mut cells) = (vec![0; STRIPS], vec![0; CELLS * CELLS]);
-        let of_pixel = world.samples_per_pixel().min(MOST_DRAWS / (PIXELS * PIXELS));
-        for at in 0..PIXELS * PIXELS {
-            let key = Key::new(world.seed, [at % PIXELS, at / PIXELS], Purpose::Pixel);
-            for index in 0..of_pixel {
-                let [x, y] = world.samples.draw(key, index);
-                let place = |x: f64, n: usize| (x * n as f64) as usize;
-                strips[place(x, STRIPS)] += 1;
-                cells[place(y, CELLS) * CELLS + place(x, CELLS)] += 1;
-            }
+        let of_pixel = |x: u32| {
+            let key = Key::new(world.seed, [x, 0], Purpose::Pixel);
+            (0..samples.per_set()).map(move |i| samples.draw(key, i))
+        };
+        let sets = 0..SETS as u32;
+        let places: Vec<[f64; 2]> = if samples.is_shifted() {
+            sets.flat_map(of_pixel).take(MOST_PLACES).collect()
+        } else {
+            sets.flat_map(|i| samples.set(i as usize)).copied().take(MOST_PLACES).collect()
+        };
+        for [x, y] in &places {
+            let place = |x: &f64, n: usize| (x * n as f64) as usize;
+            strips[place(x, STRIPS)] += 1;
+            cells[place(y, CELLS) * CELLS + place(x, CELLS)] += 1;
         }
-        let draws = u64::from(of_pixel * PIXELS * PIXELS);
-        let expected = vec![draws as f64 / cells.len() as f64; cells.len()];
-        Self { strips, draws, p: chi_square::goodness_of_fit(&cells, &expected) }
+        let expected = vec![places.len() as f64 / cells.len() as f64; cells.len()];
+        let p = chi_square::goodness_of_fit(&cells, &expected);
+        Self { strips, places: places.len(), p }
     }
 
     fn verdict(&self) -> String {
@@ -88,7 +92,8 @@ impl Fairness {
             p if p > 0.999 => "fair, and more even than chance: stratified",
             _ => "fair: as even as chance",
         };
-        format!("χ² of {} draws in {CELLS} × {CELLS} cells: p = {:.3}; {words}", self.draws, self.p)
+        let Self { places, p, .. } = self;
+        format!("χ² of {places} places in {CELLS} × {CELLS} cells: p = {p:.3}; {words}")
     }
 }
 
@@ -268,12 +273,12 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
     changed
 }
 
-/// How many draws fall into each strip of the square.
+/// How many places fall into each strip of the square.
 fn histogram(ui: &mut Ui, strips: &[u64]) {
     let most = strips.iter().copied().max().unwrap_or(0).max(1);
     let size = vec2(ui.available_width().min(3.0 * SIDE), 44.0);
     let (area, response) = ui.allocate_exact_size(size, Sense::hover());
-    response.on_hover_text("Draws of many pixels by their x: level if the sampler is fair");
+    response.on_hover_text("The places of all sets by their x: level if the sampler is fair");
     let painter = ui.painter_at(area);
     painter.rect_filled(area, 2.0, Color32::from_gray(18));
     let width = area.width() / strips.len() as f32;

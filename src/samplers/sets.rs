@@ -104,6 +104,11 @@ impl SampleSets {
         &self.samples[index * n..(index + 1) * n]
     }
 
+    /// Whether each draw moves its set; see [`Sampler::is_shifted`].
+    pub fn is_shifted(&self) -> bool {
+        self.shifted
+    }
+
     /// Sample `index` of a draw. Each run of [`SampleSets::per_set`] indices returns every sample
     /// of one set exactly once; the next run has a set and an order of its own.
     ///
