@@ -21,8 +21,7 @@ pub fn page(data: &Data) -> String {
         let of_book = |s: &&SamplerData| BOOKS.contains(&&*s.sampler);
         let (book, others): (Vec<_>, Vec<_>) = integrand.samplers.iter().partition(of_book);
         let first = book.iter().filter(|s| s.sampler == BOOKS[0]).copied();
-        html +=
-            &figure(&picture(&book).svg(), "The book's samplers of random kind, and regular ones.");
+        html += &figure(&picture(&book).svg(), "Five of the book's samplers.");
         let others: Vec<&SamplerData> = first.chain(others).collect();
         html += &figure(&picture(&others).svg(), "Random samples again, and the other samplers.");
         html += "</div>\n";
@@ -86,13 +85,21 @@ fn picture(samplers: &[&SamplerData]) -> Plot {
     }
 }
 
-/// One sentence: the sampler with the fewest samples for 1 %, those that are as good, and what random
-/// samples need.
+/// The same in every pixel: what they get wrong forms patterns, which a mean of squares does not see.
+const FIXED: [&str; 2] = ["regular", "hammersley"];
+
+/// One sentence: the sampler with the fewest samples for 1 %, those that are as good, what random
+/// samples need, and the fixed sampler that needs fewer still.
 fn pick(integrand: &IntegrandData) -> String {
     let needs = |s: &&SamplerData| s.samples_for_one_percent;
-    let mut known: Vec<&SamplerData> =
-        integrand.samplers.iter().filter(|s| needs(s).is_some()).collect();
-    known.sort_by(|a, b| needs(a).partial_cmp(&needs(b)).expect("numbers of samples"));
+    let by_need = |fixed: bool| {
+        let of_kind = |s: &&SamplerData| FIXED.contains(&&*s.sampler) == fixed;
+        let all = integrand.samplers.iter().filter(of_kind);
+        let mut known: Vec<&SamplerData> = all.filter(|s| needs(s).is_some()).collect();
+        known.sort_by(|a, b| needs(a).partial_cmp(&needs(b)).expect("numbers of samples"));
+        known
+    };
+    let known = by_need(false);
     let Some(best) = known.first() else {
         let last = |s: &SamplerData| s.errors.last().map_or(f64::INFINITY, |e| e.rms);
         let all = integrand.samplers.iter();
@@ -110,14 +117,19 @@ fn pick(integrand: &IntegrandData) -> String {
     };
     let random = integrand.samplers.iter().find(|s| s.sampler == "random");
     let random = match random.and_then(|s| needs(&s)) {
-        Some(n) => format!("; random samples need {}", short(n)),
-        None => "; random samples do not reach it".to_owned(),
+        Some(n) => format!("random samples need {}", short(n)),
+        None => "random samples do not reach it".to_owned(),
     };
-    format!(
-        "{}{beside}: {} samples make the error 1 %{random}.",
-        capital(&best.sampler),
-        short(fewest)
-    )
+    let fixed = match by_need(true).first() {
+        Some(fixed) if needs(fixed).is_some_and(|n| n < fewest) => format!(
+            "; {} needs only {}, but errs alike in all pixels, which shows as patterns",
+            fixed.sampler,
+            needs(fixed).map_or(String::new(), short),
+        ),
+        _ => String::new(),
+    };
+    let best = capital(&best.sampler);
+    format!("{best}{beside}: {} samples make the error 1 %; {random}{fixed}.", short(fewest))
 }
 
 fn table(integrand: &IntegrandData) -> String {
@@ -130,7 +142,9 @@ fn table(integrand: &IntegrandData) -> String {
             )
         };
         let slope = match s.slope {
-            Some([slope, low, high]) => format!("{slope:.2} ({low:.2} … {high:.2})"),
+            Some([slope, low, high]) => {
+                format!("{slope:.2} ({low:.2} … {high:.2})").replace('-', "−")
+            }
             None => "–".to_owned(),
         };
         vec![

@@ -14,7 +14,7 @@ fn counts(most: u32) -> impl Iterator<Item = u32> {
 }
 
 pub fn steps(settings: &Settings) -> u64 {
-    (samplers::named().len() * (counts(settings.samples).count() + 1)) as u64
+    (samplers::named().len() * counts(settings.samples).count() + INTEGRANDS.len()) as u64
 }
 
 /// A problem of each integrand for each pixel.
@@ -44,11 +44,9 @@ pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> 
             }
             watch.step()?;
         }
-        let seconds = sample_seconds(&kind, &problems, settings);
-        watch.step()?;
-        for ((data, errors), sample_seconds) in data.iter_mut().zip(errors).zip(seconds) {
+        for (data, errors) in data.iter_mut().zip(errors) {
             let samples_for_one_percent = SamplerData::reach(&errors);
-            let sampler = sampler.clone();
+            let (sampler, sample_seconds) = (sampler.clone(), f64::NAN);
             let mut found = SamplerData {
                 sampler,
                 errors,
@@ -60,6 +58,7 @@ pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> 
             data.samplers.push(found);
         }
     }
+    time_samples(&mut data, &problems, settings, watch)?;
     Ok(Data { pixels: settings.pixels, seeds: settings.seeds, integrands: data })
 }
 
@@ -102,19 +101,33 @@ fn sum(integrand: &Integrand, problem: &Problem, sets: &SampleSets, seed: u64, p
     (0..sets.per_set()).map(value).sum()
 }
 
-/// Seconds for a sample of each integrand, on one thread: the median of some rounds.
-fn sample_seconds(kind: &Kind, problems: &Problems, settings: &Settings) -> Vec<f64> {
+/// Seconds for a sample of each integrand by each sampler, on one thread: the median of some rounds,
+/// in which all samplers take turns.
+fn time_samples(
+    data: &mut [IntegrandData],
+    problems: &Problems,
+    settings: &Settings,
+    watch: &Watch,
+) -> Result<(), Interrupted> {
     const ROUNDS: usize = 9;
-    let sets = sets(kind, 256.min(settings.samples), settings.seed);
-    let seconds = |(integrand, problems): (&Integrand, &Vec<Problem>)| {
-        let mut job = || {
+    let n = settings.samples.min(256);
+    let all: Vec<SampleSets> =
+        samplers::named().iter().map(|(_, kind)| sets(kind, n, settings.seed)).collect();
+    for ((integrand, problems), data) in INTEGRANDS.iter().zip(problems).zip(data) {
+        let job = |sets: &SampleSets| {
             let each = |(pixel, problem): (u32, &Problem)| {
-                sum(integrand, problem, &sets, settings.seed, pixel)
+                sum(integrand, problem, sets, settings.seed, pixel)
             };
             std::hint::black_box((0..).zip(problems).map(each).sum::<f64>());
         };
-        let samples = f64::from(sets.per_set()) * problems.len() as f64;
-        clock::medians(ROUNDS, &mut [&mut job])[0] / samples
-    };
-    INTEGRANDS.iter().zip(problems).map(seconds).collect()
+        let mut jobs: Vec<_> = all.iter().map(|sets| move || job(sets)).collect();
+        let mut turns: Vec<&mut dyn FnMut()> = Vec::new();
+        jobs.iter_mut().for_each(|job| turns.push(job));
+        let seconds = clock::medians(ROUNDS, &mut turns);
+        for ((found, sets), seconds) in data.samplers.iter_mut().zip(&all).zip(seconds) {
+            found.sample_seconds = seconds / (f64::from(sets.per_set()) * problems.len() as f64);
+        }
+        watch.step()?;
+    }
+    Ok(())
 }
