@@ -112,10 +112,11 @@ fn places_are_mirrored_about_the_centre(kind: &Kind) -> Holds {
         // both are exact
         let u = f64::from(i) / 1024.0;
         let [(left, a), (right, b)] = [u, 1.0 - u].map(|u| filter.draw(u.min(ONE_MINUS)));
-        // at its very end a tent's place changes as the square root of u, Mitchell's as the cube root
-        // (there the filter has a double zero); 1 is 1 − u/2 here, and the root of that 5e-6
+        // at its very end a tent's place changes as the square root of u, the B-spline's (Mitchell's
+        // with b = 1) as the fourth root, for its zero is triple: a rounding there moves it by
+        // (24 · 1e-16)^¼ = 2e-4
         let off = (left + right - 1.0).abs();
-        ensure!(off < if i == 0 { 5e-5 } else { 1e-12 }, "{u} gives {left} and {right}");
+        ensure!(off < if i == 0 { 1e-3 } else { 1e-12 }, "{u} gives {left} and {right}");
         ensure!(a == b, "{u} counts {a} on the left and {b} on the right");
     }
     let middle = filter.draw(0.5).0;
