@@ -240,6 +240,7 @@ fn the_way_to_a_ray_is_marked_in_the_picture() {
     let expected = render::image_place(&world.image, film);
     let [x, y] = trail[0].0.expect("the camera sees what it hit");
     let off = (x - expected[0]).abs().max((y - expected[1]).abs());
+    // places of up to 48 pixels, from points known to about 1e-14 of their distance
     assert!(off < 1e-9, "{off:e}");
     assert_eq!([x as u32, y as u32], ON_GLASS);
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::math::{Pcg32, acos, cos_degrees, exp, floor, power, sin_degrees};
+use crate::math::{Pcg32, acos, cos_degrees, exp, exp_m1, floor, power, sin_degrees};
 use crate::samplers::maps;
 
 /// A family of functions, one for each pixel.
@@ -190,7 +190,7 @@ fn cosine_power(random: &mut Pcg32) -> Problem {
 /// `∏ exp(aₖ xₖ)`, a from −2 to 2: the mean of each is `(eᵃ − 1)/a`.
 fn smooth_product(random: &mut Pcg32) -> Problem {
     let a = [0; 4].map(|_| 4.0 * random.uniform() - 2.0);
-    let mean = |a: f64| if a.abs() < 1e-6 { 1.0 + 0.5 * a } else { (exp(a) - 1.0) / a };
+    let mean = |a: f64| if a == 0.0 { 1.0 } else { exp_m1(a) / a };
     let value = move |[x, y]: [f64; 2], [lx, ly]: [f64; 2]| {
         exp(a[0] * x + a[1] * y + a[2] * lx + a[3] * ly)
     };
