@@ -2,6 +2,7 @@
 
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
+use groundtruth::cameras::{Stereo, Viewing};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 
@@ -243,4 +244,21 @@ fn the_way_to_a_ray_is_marked_in_the_picture() {
     // places of up to 48 pixels, from points known to about 1e-14 of their distance
     assert!(off < 1e-9, "{off:e}");
     assert_eq!([x as u32, y as u32], ON_GLASS);
+}
+
+/// Law: in a stereo pair, the hit is marked in the image of the eye whose ray was selected. Oracle: the
+/// pixel that was clicked.
+#[test]
+fn each_eye_marks_its_own_hits() {
+    let mut scene = small_glass_sphere();
+    scene.camera.stereo = Some(Stereo { viewing: Viewing::Parallel, gap: 4, separation: 3.0 });
+    let in_the_right_image = [scene.image.width + 4 + ON_GLASS[0], ON_GLASS[1]];
+    let mut window = open(scene);
+    settle(&mut window);
+    for pixel in [ON_GLASS, in_the_right_image] {
+        click(&mut window, pixel);
+        let trail = window.state().selection.trail(&window.state().rendering);
+        let [x, y] = trail[0].0.expect("the eye sees what it hit");
+        assert_eq!([x as u32, y as u32], pixel);
+    }
 }

@@ -1,7 +1,8 @@
 //! The samples of the selected pixel: points linked to rays, another sampler, and its fairness.
 
-use eframe::egui::Pos2;
+use eframe::egui::{Pos2, Vec2};
 use egui_kittest::kittest::Queryable;
+use groundtruth::cameras::{Stereo, Viewing};
 use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::samplers::{Jittered, Kind, Regular};
@@ -63,33 +64,47 @@ fn a_click_on_a_point_shows_its_ray() {
     }
 }
 
-/// Law: the points are the draws of the pixel: those of 16 jittered samples lie one in each of 4 × 4
-/// cells of the square as it is drawn. Oracle: counting on the screen.
+/// Points of a plot lie like these of the library, from the first on: x to the right and y up, in
+/// `unit` points of the screen.
+fn assert_drawn_as(window: &Window, plot: usize, unit: f64, expected: &[[f64; 2]]) {
+    let first = point(window, plot, 0);
+    for (i, [x, y]) in expected.iter().enumerate() {
+        let at = point(window, plot, i) - first;
+        let [right, up] = [x - expected[0][0], y - expected[0][1]].map(|along| unit * along);
+        let off = (f64::from(at.x) - right).abs().max((f64::from(at.y) + up).abs());
+        assert!(off < 0.5, "sample {i} of plot {plot} is {off} off");
+    }
+}
+
+/// Law: the points are the draws of the pixel, and of another one that is selected then; in a stereo
+/// pair, those of the eye's image. Oracle: the places of the samples on the film; 16 jittered samples
+/// lie one in each of 4 × 4 cells.
 #[test]
 fn the_square_shows_the_strata() {
-    let window = samples_of(sixteen(), ON_GLASS);
-    let points: Vec<Pos2> = (0..16).map(|i| point(&window, 0, i)).collect();
-    let world = built(&sixteen());
-    // the square's scale from two points whose film places are known
-    let film = |i: u32| render::camera_sample(&world, ON_GLASS, i).expect("no gap").film;
-    let scale = f64::from(points[1].x - points[0].x) / (film(1)[0] - film(0)[0]);
-    let side = scale * world.image.pixel_size;
-    let mut cells = std::collections::BTreeSet::new();
-    for (i, at) in points.iter().enumerate() {
-        // y on the screen goes down
-        let place = film(i as u32);
-        let expected = points[0].x as f64 + scale * (place[0] - film(0)[0]);
-        assert!((f64::from(at.x) - expected).abs() < 0.5, "sample {i}");
-        let expected = points[0].y as f64 - scale * (place[1] - film(0)[1]);
-        assert!((f64::from(at.y) - expected).abs() < 0.5, "sample {i}");
-        let corner = render::film_place(&world.image, ON_GLASS, [0.0, 0.0]);
-        let cell = |axis: usize| {
-            (4.0 * (place[axis] - corner[axis]) / world.image.pixel_size).floor() as i64
-        };
-        cells.insert((cell(0), cell(1)));
+    let mut pair = sixteen();
+    let separation = 3.0;
+    pair.camera.stereo = Some(Stereo { viewing: Viewing::Parallel, gap: 4, separation });
+    let of_the_right_eye = [pair.image.width + 4 + ON_GLASS[0], ON_GLASS[1]];
+    for (scene, pixels) in [(sixteen(), [ON_GLASS, [30, 8]]), (pair, [ON_GLASS, of_the_right_eye])]
+    {
+        let world = built(&scene);
+        let mut window = samples_of(scene, pixels[0]);
+        for pixel in pixels {
+            click(&mut window, pixel);
+            let samples: Vec<_> =
+                (0..16).map(|i| render::camera_sample(&world, pixel, i).expect("no gap")).collect();
+            let places: Vec<_> = samples.iter().map(|sample| sample.film).collect();
+            let size = world.image.pixel_size;
+            // the square's side, 156 points
+            assert_drawn_as(&window, 0, 156.0 / size, &places);
+            let corner = render::film_place(&world.image, samples[0].pixel, [0.0, 0.0]);
+            let cell = |[x, y]: &[f64; 2]| {
+                [x - corner[0], y - corner[1]].map(|along| (4.0 * along / size).floor() as i64)
+            };
+            let cells: std::collections::BTreeSet<_> = places.iter().map(cell).collect();
+            assert_eq!(cells.len(), 16);
+        }
     }
-    assert_eq!(cells.len(), 16);
-    assert!((100.0..170.0).contains(&side), "{side}");
 }
 
 /// Law: another sampler and another count are followed by the picture, which is then what the library
@@ -130,7 +145,8 @@ fn the_verdict_tells_a_fair_sampler_from_a_fixed_one() {
     }
 }
 
-/// Law: a camera without a lens uses no lens samples; with one, each is drawn on the disk.
+/// Law: a camera without a lens uses no lens samples; with one, each is drawn on the disk where its ray
+/// begins. Oracle: the library's samples.
 #[test]
 fn the_lens_is_shown_where_there_is_one() {
     let window = samples_of(sixteen(), ON_GLASS);
@@ -138,6 +154,23 @@ fn the_lens_is_shown_where_there_is_one() {
     let mut scene = (gallery::find("ch10/near-focus").expect("in the gallery").build)();
     scene.image.resize(40, 30);
     scene.image.samples = 9;
+    let world = built(&scene);
     let window = samples_of(scene, [20, 15]);
-    assert!((0..9).all(|i| window.state().selection.samples.on_screen(1, i).is_some()));
+    let place = |i| render::camera_sample(&world, [20, 15], i).and_then(|sample| sample.lens);
+    let places: Vec<_> = (0..9).map(|i| place(i).expect("it has a lens")).collect();
+    // the disk's radius, 78 points
+    assert_drawn_as(&window, 1, 78.0, &places);
+}
+
+/// Law: the hemisphere is seen from above and cosine-weighted: the mean square of the distance from
+/// its axis is ½ (⅔, were directions spread evenly). Oracle: the integrals, within four standard errors
+/// of 16 jittered samples, 0.02 each, and the mean's share.
+#[test]
+fn the_hemisphere_is_cosine_weighted() {
+    let window = samples_of(sixteen(), ON_GLASS);
+    let points: Vec<Pos2> = (0..16).map(|i| point(&window, 2, i)).collect();
+    let mean = points.iter().fold(Vec2::ZERO, |sum, at| sum + at.to_vec2()) / 16.0;
+    let squares: f32 = points.iter().map(|at| (at.to_vec2() - mean).length_sq()).sum();
+    let mean_square = squares / 16.0 / (78.0 * 78.0);
+    assert!((mean_square - 0.5).abs() < 0.1, "{mean_square}");
 }

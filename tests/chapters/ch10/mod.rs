@@ -1,0 +1,4 @@
+//! Chapter 10: depth of field.
+
+mod blur;
+mod rays;
