@@ -86,7 +86,7 @@ impl Settings {
     /// At most two minutes for each page on two cores.
     pub const FULL: Self = Self {
         seed: 1,
-        cases: 2000,
+        cases: 1000,
         objects: 1_000_000,
         side: 256,
         samples: 4096,
