@@ -5,11 +5,14 @@
 //! each shape, by the oracle's name for it, each with the shape's data as fields.
 
 mod annulus;
+mod compound;
 mod cone;
 mod cuboid;
+mod cut_face;
 mod disk;
 mod instance;
 mod open_cylinder;
+mod paraboloid;
 mod part_cylinder;
 mod part_sphere;
 mod part_torus;
@@ -23,11 +26,14 @@ mod triangle;
 use std::fmt::Debug;
 
 pub use annulus::{Annulus, PartAnnulus};
+pub use compound::Compound;
 pub use cone::OpenCone;
 pub use cuboid::Cuboid;
+pub use cut_face::CutFace;
 pub use disk::Disk;
 pub use instance::Instance;
 pub use open_cylinder::OpenCylinder;
+pub use paraboloid::Paraboloid;
 pub use part_cylinder::PartCylinder;
 pub use part_sphere::PartSphere;
 pub use part_torus::PartTorus;
@@ -108,11 +114,13 @@ pub fn of(shape: &oracle::Shape) -> Option<Box<dyn Textbook>> {
             theta: Angles::degrees(*theta),
         }),
         Shape::Instance { matrix, of: inner } => Box::new(Instance::new(*matrix, of(inner)?)),
-        // the book has no formula for these
-        Shape::Paraboloid { .. }
-        | Shape::Algebraic { .. }
-        | Shape::CutFace { .. }
-        | Shape::Solid(_) => return None,
+        Shape::Paraboloid { height, radius } => {
+            Box::new(Paraboloid { height: *height, radius: *radius })
+        }
+        Shape::CutFace { size, radius } => Box::new(CutFace { size: *size, radius: *radius }),
+        Shape::Solid(solid) => Box::new(compound::of(solid)?),
+        // the book has no formula for it
+        Shape::Algebraic { .. } => return None,
     })
 }
 
