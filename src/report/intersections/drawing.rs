@@ -28,8 +28,8 @@ fn explanation(data: &Data) -> String {
     let (kinds, cases) = (data.kinds.len(), data.cases);
     format!(
         "<p>Compared are this library's routine for each of {kinds} shapes and the textbook's: the \
-         formula as the book prints it, with its constant epsilon (kinds without a textbook form show \
-         ours alone). Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
+         formula as the book prints it, or solids put together of such, with its constant epsilon \
+         (kinds without a textbook form show ours alone). Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
          surfaces of high degree and solids of many parts, whose truth takes long) in each of twelve \
          families: ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
          tiny, huge and thin shapes, …). The truth is computed with 512 bits.</p>\n\

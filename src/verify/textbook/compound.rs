@@ -206,12 +206,15 @@ fn beveled_box([min, max]: [[f64; 3]; 2], bevel: f64) -> Compound {
             }
         }
     }
-    for (x, y, z) in SIDES.into_iter().flat_map(|x| {
-        SIDES.into_iter().flat_map(move |y| SIDES.into_iter().map(move |z| (x, y, z)))
-    }) {
-        let center = Point::new(end(0, x), end(1, y), end(2, z));
-        let theta = Angles::degrees(if y > 0.0 { [0.0, 90.0] } else { [90.0, 180.0] });
-        parts.push(Box::new(PartSphere { center, radius: bevel, phi: quadrant(x, z), theta }));
+    for x in SIDES {
+        for y in SIDES {
+            for z in SIDES {
+                let center = Point::new(end(0, x), end(1, y), end(2, z));
+                let theta = Angles::degrees(if y > 0.0 { [0.0, 90.0] } else { [90.0, 180.0] });
+                let phi = quadrant(x, z);
+                parts.push(Box::new(PartSphere { center, radius: bevel, phi, theta }));
+            }
+        }
     }
     Compound { min: min.into(), max: max.into(), parts }
 }
