@@ -1,5 +1,7 @@
 //! Axis-aligned boxes.
 
+use super::UNIT_ROUNDOFF;
+use super::ray::Ray;
 use super::vectors::{Point, Vector};
 
 /// A box with faces along the axes; empty if `min > max`, unbounded if a coordinate is infinite.
@@ -42,6 +44,25 @@ impl Aabb {
     /// Whether the point is inside or on the surface.
     pub fn contains(&self, p: Point) -> bool {
         (0..3).all(|i| self.min.along(i) <= p.along(i) && p.along(i) <= self.max.along(i))
+    }
+
+    /// Whether the ray's line may meet the box: always where it does, and also where it passes by
+    /// within some roundings.
+    ///
+    /// Each end of a slab is wrong by up to γ₃ of itself, so the exit is moved on by more than twice
+    /// that (Ize, "Robust BVH Ray Traversal", JCGT 2013). A ray in the plane of a face (NaN, from
+    /// `0·∞`) is inside that slab.
+    pub fn may_meet(&self, ray: &Ray) -> bool {
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for axis in 0..3 {
+            let (o, inverse) = (ray.origin.along(axis), 1.0 / ray.direction.along(axis));
+            let low = (self.min.along(axis) - o) * inverse;
+            let high = (self.max.along(axis) - o) * inverse;
+            let (near, far) = if inverse < 0.0 { (high, low) } else { (low, high) };
+            enter = if near > enter { near } else { enter };
+            leave = if far < leave { far } else { leave };
+        }
+        enter <= leave * (1.0 + (8.0 * UNIT_ROUNDOFF).copysign(leave))
     }
 
     /// Diagonal.

@@ -13,7 +13,7 @@ use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
 use crate::math::{Aabb, Ray, Span};
 
-/// Up to this many parts are searched one after the other unless the scene says how.
+/// Up to this many parts are tried one after the other unless the scene says how.
 const FEW: usize = 8;
 
 /// A part as a scene describes it.
@@ -62,7 +62,10 @@ pub fn smooth_solid(
         let material = materials.get(*name).map(String::as_str);
         PartData { name, material, shape }
     });
-    let assembly = Assembly::build("parts", parts, accel, context)?;
+    let mut assembly = Assembly::build("parts", parts, accel, context)?;
+    if accel.is_none() && assembly.parts.len() <= FEW {
+        assembly.accel = None; // walls and disks are hit inside their own boxes only: no rule is needed
+    }
     Ok(Arc::new(Assembly { least_error, ..assembly }))
 }
 
@@ -72,7 +75,8 @@ pub struct Assembly {
     parts: Vec<Part>,
     /// The number of each part's first leaf, and of all leaves.
     leaves: Vec<u64>,
-    accel: Accel,
+    /// All parts are tried in turn if `None`.
+    accel: Option<Accel>,
     bounds: Aabb,
     /// A hit's error is at least this.
     least_error: f64,
@@ -123,7 +127,7 @@ impl Assembly {
         let few = if parts.len() <= FEW { Method::List } else { context.accel() };
         Ok(Self {
             bounds: bounds.iter().fold(Aabb::EMPTY, |all, &part| all.union(part)),
-            accel: Accel::build(accel.unwrap_or(few), &bounds),
+            accel: Some(Accel::build(accel.unwrap_or(few), &bounds)),
             parts,
             leaves,
             least_error: 0.0,
@@ -179,15 +183,33 @@ impl Primitives for Seen<'_> {
 }
 
 impl Shape for Assembly {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let seen = Seen { parts: &self.parts, ray };
-        let (index, at) = self.accel.nearest(&seen, ray, span)?;
-        Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
+    fn hit(&self, ray: &Ray, mut span: Span) -> Option<Candidate> {
+        if !self.bounds.may_meet(ray) {
+            return None;
+        }
+        if let Some(accel) = &self.accel {
+            let (index, at) = accel.nearest(&Seen { parts: &self.parts, ray }, ray, span)?;
+            return Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at });
+        }
+        let mut nearest = None;
+        for (part, first) in self.parts.iter().zip(&self.leaves) {
+            if let Some(at) = part.shape.hit(ray, span) {
+                nearest = Some(Candidate { leaf: first + at.leaf, ..at });
+                span.max = at.t; // not `through` it: of equal hits the first wins
+            }
+        }
+        nearest
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        if !self.bounds.may_meet(ray) {
+            return None;
+        }
         let seen = Seen { parts: &self.parts, ray };
-        self.accel.any(&seen, ray, span).map(|(_, at)| at.t)
+        if let Some(accel) = &self.accel {
+            return accel.any(&seen, ray, span).map(|(_, at)| at.t);
+        }
+        (0..self.parts.len() as u32).find_map(|i| seen.shadow_hit(i, span)).map(|at| at.t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -204,11 +226,17 @@ impl Shape for Assembly {
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
+        // what `hit` does not count is no root
+        if !self.bounds.may_meet(ray) {
+            return roots;
+        }
         for (part, first) in self.parts.iter().zip(&self.leaves) {
-            // what `hit` does not count is no root
-            let Some(counts) = self.accel.counting(&part.bounds, ray) else { continue };
-            let within = part.shape.roots(ray, span).into_iter().filter(|at| counts(at.t));
-            roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
+            let mut within = part.shape.roots(ray, span);
+            if let Some(accel) = &self.accel {
+                let counts = accel.counting(&part.bounds, ray);
+                within.retain(|at| counts.as_ref().is_some_and(|counts| counts(at.t)));
+            }
+            roots.extend(within.into_iter().map(|at| Candidate { leaf: first + at.leaf, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t)); // stable: ties stay in the order of leaves
         if self.least_error > 0.0 {

@@ -23,13 +23,14 @@ pub struct Cone {
     pub inward: bool,
 }
 
+/// A ray is along the wall if `|Q(d)|` is less than this part of the direction's square.
+const ALONG_WALL: f64 = 1.0 / 16.0;
+
 #[derive(Debug)]
 struct Built {
     data: Cone,
     /// `r/h`.
     slope: f64,
-    /// `h/r`.
-    steepness: f64,
 }
 
 impl Specification for Cone {
@@ -40,7 +41,7 @@ impl Specification for Cone {
         length("height", self.height)?;
         length("radius", self.radius)?;
         let slope = self.radius / self.height;
-        Ok(Arc::new(Built { data: self.clone(), slope, steepness: self.height / self.radius }))
+        Ok(Arc::new(Built { data: self.clone(), slope }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -59,23 +60,35 @@ impl Built {
     /// Where the line meets the half of the double cone below the apex, ascending; NaN for none.
     ///
     /// With y stretched by `r/h` the double cone is `Q(v) = x² + z² − y² = 0` about its apex. The
-    /// quadratic is formed at the point `l` of the ray nearest to the apex: its discriminant `(d·l)² −
-    /// Q(d) Q(l)`, which is `Q(l × d)`, would cancel for rays nearly along the wall.
+    /// quadratic is formed at a point `l` of the ray, and its discriminant `(d·l)² − Q(d) Q(l)` is
+    /// `Q(l × d)`, which does not cancel. That point is the origin, but for a ray nearly along the
+    /// wall the one nearest to the apex: elsewhere along it all three coefficients are small beside
+    /// their terms. (An origin far away on the double cone, where Q alone is, is no such case: from
+    /// there only rays along the wall meet it near the apex.)
     #[inline(always)] // a call would hand the roots over in memory, which stalls
     fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let stretched = |v: Vector| Vector::new(v.x(), self.slope * v.y(), v.z());
         let apex = Point::new(0.0, self.data.height, 0.0);
         let (w, d) = (stretched(ray.origin - apex), stretched(ray.direction));
-        let square = |v: Vector| (v.x() * v.x() + v.z() * v.z()) - v.y() * v.y(); // Q
-        let shift = -w.dot(d) / d.length_squared();
-        let l = w + shift * d;
-        // not of w, though it differs along d only: all three coefficients must be of one line, or a
-        // ray that leaves along the wall meets it again
-        let discriminant = square(l.cross(d));
+        // Q is the first less the second, and the square of the length is their sum
+        let squares = |v: Vector| (v.x() * v.x() + v.z() * v.z(), v.y() * v.y());
+        let ((w_across, w_along), (d_across, d_along)) = (squares(w), squares(d));
+        let a = d_across - d_along;
+        let (shift, l, c) = if a.abs() >= ALONG_WALL * (d_across + d_along) {
+            (0.0, w, w_across - w_along)
+        } else {
+            let shift = -w.dot(d) / (d_across + d_along);
+            let l = w + shift * d;
+            let (across, along) = squares(l);
+            // not Q(w), though it differs along d only: all three coefficients must be of one line,
+            // or a ray that leaves along the wall meets it again
+            (shift, l, across - along)
+        };
+        let (across, along) = squares(l.cross(d));
+        let discriminant = across - along;
         if discriminant.is_nan() || discriminant < 0.0 {
             return None;
         }
-        let (a, c) = (square(d), square(l));
         let b = (l.x() * d.x() + l.z() * d.z()) - l.y() * d.y();
         // as in `math::quadratic`: its roots are q/a and c/q, but here not both are needed
         let q = -(b + discriminant.sqrt().copysign(b + 0.0)); // the same for both zeros
@@ -92,20 +105,28 @@ impl Built {
             return None; // in their middle, at −b/a, the ray is above the apex
         }
         let (first, second) = (shift + q / a, shift + c / q);
-        Some(if first <= second { [first, second] } else { [second, first] })
+        Some(match first == second {
+            true => [first, f64::NAN], // a tangent touches once
+            false if first < second => [first, second],
+            false => [second, first],
+        })
     }
 
-    /// Up the wall from the base, measured along the wall: its height alone says little of a flat
-    /// cone, its radius little of a steep one. That is `(r − ρ) r + y h ≥ 0`, without the root in ρ.
-    fn is_above_base(&self, p: Point) -> bool {
-        let most = self.data.radius + p.y() * self.steepness;
-        most >= 0.0 && p.x() * p.x() + p.z() * p.z() <= most * most
+    /// By the height, which says little of a flat cone, or by the radius, which says little of a
+    /// steep one.
+    fn is_above_base(&self, ray: &Ray, t: f64) -> bool {
+        let (o, d) = (ray.origin, ray.direction);
+        if self.data.height >= self.data.radius {
+            return o.y() + t * d.y() >= 0.0;
+        }
+        let (x, z) = (o.x() + t * d.x(), o.z() + t * d.z());
+        x * x + z * z <= self.data.radius * self.data.radius
     }
 }
 
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, |t| self.is_above_base(ray.at(t)))
+        first_of(self.distances(ray)?, span, |t| self.is_above_base(ray, t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -124,7 +145,7 @@ impl Shape for Built {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, |t| self.is_above_base(ray.at(t)))
+        all_of(self.distances(ray), span, |t| self.is_above_base(ray, t))
     }
 
     fn bounds(&self) -> Aabb {

@@ -49,13 +49,16 @@ impl Specification for Box {
 
 impl Box {
     /// Where the line enters and leaves each of the three slabs. A ray in the plane of a face (NaN,
-    /// from `0·∞`) is inside that slab: [`Box::within`] passes over it.
+    /// from `0/0`) is inside that slab: [`Box::within`] passes over it.
+    ///
+    /// Divisions, not products with a reciprocal: a quotient is monotone, so that a segment that
+    /// ends in front of a face does not reach it by rounding.
     fn slabs(&self, ray: &Ray) -> [[f64; 3]; 2] {
         let slab = |axis: usize| {
-            let (o, inverse) = (ray.origin.along(axis), 1.0 / ray.direction.along(axis));
-            let low = (self.min.along(axis) - o) * inverse;
-            let high = (self.max.along(axis) - o) * inverse;
-            if inverse.is_sign_negative() { (high, low) } else { (low, high) }
+            let (o, d) = (ray.origin.along(axis), ray.direction.along(axis));
+            let low = (self.min.along(axis) - o) / d;
+            let high = (self.max.along(axis) - o) / d;
+            if d.is_sign_negative() { (high, low) } else { (low, high) }
         };
         let (x, y, z) = (slab(0), slab(1), slab(2));
         [[x.0, y.0, z.0], [x.1, y.1, z.1]]
@@ -76,24 +79,12 @@ impl Box {
         Self::within(&self.slabs(ray))
     }
 
-    /// The hit where the line enters the slab that it enters at `t`, or leaves it if `far`. Faces are
+    /// The hit at `t`, where the line enters one of these slabs, or leaves it if `far`. Faces are
     /// numbered `2·axis`, and one more on the side of `max`.
-    ///
-    /// The reciprocal has found the slab; the division is monotone, so that a segment that ends in
-    /// front of the face does not reach it by rounding.
-    fn face(&self, slabs: &[f64; 3], t: f64, far: bool, ray: &Ray) -> Candidate {
+    fn face(slabs: &[f64; 3], t: f64, far: bool, ray: &Ray) -> Candidate {
         let axis = if slabs[0] == t { 0 } else { 2 - usize::from(slabs[1] == t) };
-        let (o, d) = (ray.origin.to_array()[axis], ray.direction.to_array()[axis]);
-        let is_max = far != d.is_sign_negative();
-        let plane = if is_max { self.max } else { self.min }.to_array()[axis];
-        Candidate { part: 2 * axis as u32 + u32::from(is_max), ..Candidate::at((plane - o) / d) }
-    }
-
-    /// The hit where the line leaves the box; not before the other one, which at an edge it would
-    /// be by rounding.
-    fn exit(&self, slabs: &[[f64; 3]; 2], last: f64, near: &Candidate, ray: &Ray) -> Candidate {
-        let far = self.face(&slabs[1], last, true, ray);
-        if far.t < near.t { Candidate { t: near.t, ..far } } else { far }
+        let is_max = far != ray.direction.along(axis).is_sign_negative();
+        Candidate { part: 2 * axis as u32 + u32::from(is_max), ..Candidate::at(t) }
     }
 }
 
@@ -101,11 +92,10 @@ impl Shape for Box {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let slabs = self.slabs(ray);
         let [first, last] = Self::within(&slabs)?;
-        let near = self.face(&slabs[0], first, false, ray);
-        if span.contains(near.t) {
-            return Some(near);
+        if span.contains(first) {
+            return Some(Self::face(&slabs[0], first, false, ray));
         }
-        Some(self.exit(&slabs, last, &near, ray)).filter(|far| span.contains(far.t))
+        span.contains(last).then(|| Self::face(&slabs[1], last, true, ray))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -122,8 +112,8 @@ impl Shape for Box {
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let slabs = self.slabs(ray);
         let Some([first, last]) = Self::within(&slabs) else { return Vec::new() };
-        let near = self.face(&slabs[0], first, false, ray);
-        let mut faces = vec![near, self.exit(&slabs, last, &near, ray)];
+        let mut faces =
+            vec![Self::face(&slabs[0], first, false, ray), Self::face(&slabs[1], last, true, ray)];
         faces.retain(|face| span.contains(face.t));
         faces
     }

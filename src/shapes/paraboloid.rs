@@ -31,7 +31,8 @@ impl Specification for Paraboloid {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         length("height", self.height)?;
         length("radius", self.radius)?;
-        Ok(Arc::new(self.clone()))
+        let Self { height: h, radius: r, .. } = *self;
+        Ok(Arc::new(Built { data: self.clone(), width: r * r / h }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -46,38 +47,49 @@ impl Specification for Paraboloid {
     }
 }
 
-impl Paraboloid {
-    /// In radii across and heights along the axis it is `Y = X² + Z²`: with `v` and `e` across the
-    /// axis, `e² t² + 2 (v·e − d_y/2) t + v² − w_y = 0`.
+#[derive(Debug)]
+struct Built {
+    data: Paraboloid,
+    /// Four times the distance from the lowest point to the focus, `r²/h`: the paraboloid is
+    /// `x² + z² = width · y`.
+    width: f64,
+}
+
+impl Built {
+    /// With `v` and `e` across the axis and `k = width/2` it is `e² t² + 2 (v·e − k d_y) t + v² −
+    /// 2 k o_y = 0`.
+    #[inline(always)] // as the roots it calls
     fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
-        let Self { height: h, radius: r, .. } = *self;
-        let stretched = |v: Vector| Vector::new(v.x() / r, v.y() / h, v.z() / r);
-        let (w, d) = (stretched(ray.origin.to_vector()), stretched(ray.direction));
-        let (v, e) = (w.across_y(), d.across_y());
-        let a = e.length_squared();
-        let b = v.dot(e) - 0.5 * d.y();
-        let c = v.length_squared() - w.y();
+        let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin.to_array(), ray.direction.to_array());
+        let k = 0.5 * self.width;
+        let a = dx * dx + dz * dz;
+        let along = ox * dx + oz * dz;
+        let c = (ox * ox + oz * oz) - self.width * oy;
         // b² − a c without the parts of (v·e)² − v² e² that cancel
-        let across = v.z() * e.x() - v.x() * e.z();
-        let rise = d.y() * (0.25 * d.y() - v.dot(e));
-        quadratic(a, b, c, (rise + a * w.y()) - across * across)
+        let across = oz * dx - ox * dz;
+        let rise = dy * (k * dy - 2.0 * along) + 2.0 * (a * oy);
+        quadratic(a, along - k * dy, c, k * rise - across * across)
     }
 
-    /// Down the wall from the rim, measured along the wall there: its height alone says little of a
-    /// flat one, its radius little of a steep one.
-    fn is_below_rim(&self, p: Point) -> bool {
-        let rho = p.to_vector().across_y().length();
-        (self.radius - rho) * self.radius + 2.0 * (self.height - p.y()) * self.height >= 0.0
+    /// By the height, which says little of a flat one, or by the radius, which says little of a
+    /// steep one.
+    fn is_below_rim(&self, ray: &Ray, t: f64) -> bool {
+        let (o, d) = (ray.origin, ray.direction);
+        if self.data.height >= self.data.radius {
+            return o.y() + t * d.y() <= self.data.height;
+        }
+        let (x, z) = (o.x() + t * d.x(), o.z() + t * d.z());
+        x * x + z * z <= self.data.radius * self.data.radius
     }
 }
 
-impl Shape for Paraboloid {
+impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, |t| self.is_below_rim(ray.at(t)))
+        first_of(self.distances(ray)?, span, |t| self.is_below_rim(ray, t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let Self { height: h, radius: r, inward } = *self;
+        let Paraboloid { height: h, radius: r, inward } = self.data;
         // F = (x² + z²)/r² − y/h and its gradient
         let f = |p: Point| {
             let across = p.to_vector().across_y() / r;
@@ -97,11 +109,11 @@ impl Shape for Paraboloid {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, |t| self.is_below_rim(ray.at(t)))
+        all_of(self.distances(ray), span, |t| self.is_below_rim(ray, t))
     }
 
     fn bounds(&self) -> Aabb {
-        let r = self.radius;
-        Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, self.height, r) }
+        let Paraboloid { height, radius: r, .. } = self.data;
+        Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, height, r) }
     }
 }

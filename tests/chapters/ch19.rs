@@ -1,6 +1,7 @@
 //! Chapter 19: ray-object intersections.
 
 mod algebraic;
+mod bounding;
 mod compound_parts;
 pub mod compounds;
 mod hard;

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use groundtruth::math::{Normal, Point, Ray, Span, Vector};
+use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Annulus, Cone, Disk, Kind, Paraboloid, Surface};
 
 use super::parts::{built, some_ray, ts};
@@ -118,6 +118,35 @@ fn a_cone_and_its_base_are_closed() {
         }
     }
     assert!(hits.iter().all(|&n| n > 10_000), "{hits:?}");
+}
+
+/// Law: cones and paraboloids from flat as a sheet to thin as a needle end where they should: along
+/// the wall 10⁻¹¹ of its length inside the rim is a hit, and as far outside none, for rays that cross
+/// the wall there, along the axis if it is flat and across if it is steep. Oracle: the wall's
+/// equation, by which a share `s` of the radius is at the height `h (1 − s)`, or `h s²`.
+#[test]
+fn flat_and_steep_walls_end_at_their_rim() {
+    let mut draw = Draw::new(1945);
+    for _ in 0..10_000 {
+        let (height, radius) = (draw.decades(-8.0, 0.0), draw.decades(-8.0, 0.0));
+        let cone = built(Cone { height, radius, inward: false });
+        let bowl = built(Paraboloid { height, radius, inward: false });
+        let angle = draw.between(0.0, 360.0);
+        let out = Vector::new(sin_degrees(angle), 0.0, cos_degrees(angle));
+        let (away, apart) = (draw.between(1.0, 2.0), 1e-11);
+        for (share, hits) in [(1.0 - apart, 1), (1.0 + apart, 0)] {
+            for (wall, y) in [(&cone, height * (1.0 - share)), (&bowl, height * share * share)] {
+                let (at, from) = match height < radius {
+                    true => (Point::ORIGIN + radius * share * out, away * Vector::Y),
+                    false => (Point::new(0.0, y, 0.0), away * out),
+                };
+                // down through the wall; or to the axis, so once
+                let span = Span { min: 0.0, max: if height < radius { 2.0 } else { 1.0 } };
+                let ray = Ray::new(at + from, -from);
+                assert_eq!(wall.roots(&ray, span).len(), hits, "{wall:?}: {ray:?}");
+            }
+        }
+    }
 }
 
 /// Law: every hit of a paraboloid obeys `y/h = (x² + z²)/r²`, `y ≤ h`, and light along its axis is
