@@ -15,7 +15,7 @@ pub(crate) enum Instructions {
     /// AVX2 and FMA: 4 numbers of double precision at once, 8 of single precision.
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// AVX-512 too: 8 numbers of double precision at once.
+    /// AVX-512 (F and VL) too: 8 numbers of double precision at once.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }
@@ -36,7 +36,7 @@ impl Kernel {
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
-            if is_x86_feature_detected!("avx512f") {
+            if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl") {
                 all.push(Self(Instructions::Avx512));
             }
             all.push(Self(Instructions::Avx2));

@@ -81,7 +81,8 @@ impl Ray32 {
             enters: [0, 1, 2].map(|i| (origin[i] + ahead[i]) as f32),
             leaves: [0, 1, 2].map(|i| (origin[i] - ahead[i]) as f32),
             sides: inverse.map(|i| usize::from(i.is_sign_negative())),
-            first: (ray.first(span) as f32).next_down().max(0.0),
+            // not above what it was before it was rounded, and not −0
+            first: (1.0 - f32::EPSILON) * ray.first(span) as f32 + 0.0,
         }
     }
 }

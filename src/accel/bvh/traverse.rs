@@ -12,17 +12,30 @@ use crate::accel::frame::FrameRay;
 use crate::accel::kernel::{Instructions, Kernel, prefetch};
 use crate::accel::search::Search;
 
-/// A ray in the frame of the tree, or of a part of it, and the node where that begins.
+/// Where a walk begins.
 struct Way {
-    ray: FrameRay,
+    /// The ray in the frame of a part of the tree; as the search has it if `None`.
+    within: Option<FrameRay>,
     root: u32,
+}
+
+impl Way {
+    /// The ray in the frame of the nodes. It is not copied: numbers stored one by one and loaded as
+    /// vectors stall the processor.
+    #[inline(always)]
+    fn ray<'a>(&'a self, search: &'a impl Search) -> &'a FrameRay {
+        match &self.within {
+            Some(ray) => ray,
+            None => search.ray(),
+        }
+    }
 }
 
 impl Bvh {
     /// Shows the search every primitive that it might still want, until it has enough.
     pub(in crate::accel) fn search<S: Search>(&self, search: &mut S) {
         if !self.nodes.is_empty() {
-            self.follow(search, &Way { ray: *search.ray(), root: 0 });
+            self.follow(search, &Way { within: None, root: 0 });
         }
     }
 
@@ -46,14 +59,14 @@ impl Bvh {
     }
 
     #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2,fma,avx512f")]
+    #[target_feature(enable = "avx2,fma,avx512f,avx512vl")]
     fn walk_avx512<S: Search>(&self, search: &mut S, way: &Way) -> bool {
         self.walk(search, way, Kernel::AVX512)
     }
 
     #[inline(always)]
     fn walk<S: Search>(&self, search: &mut S, way: &Way, kernel: Kernel) -> bool {
-        let ray = Ray32::new(&way.ray, search.span());
+        let ray = Ray32::new(way.ray(search), search.span());
         let mut last = last(search, way);
         let mut stack = Stack::new();
         let mut next = way.root;
@@ -92,7 +105,7 @@ impl Bvh {
     fn part<S: Search>(&self, search: &mut S, number: u32) -> bool {
         let part = &self.parts[number as usize];
         let Some(ray) = search.ray_in(&part.frame) else { return false };
-        self.follow(search, &Way { ray, root: part.root })
+        self.follow(search, &Way { within: Some(ray), root: part.root })
     }
 
     /// The nearest of the children that are crossed; the others go to the stack, the nearest on
@@ -108,12 +121,15 @@ impl Bvh {
         if mask == 0 {
             return None;
         }
+        let others = mask & (mask - 1);
+        if others == 0 {
+            // without its distance, for which the next node would have to wait
+            return Some(node.children[mask.trailing_zeros() as usize % WIDTH]);
+        }
         let bottom = stack.len;
         let mut nearest = self.first_child(node, mask, &near);
-        mask &= mask - 1;
-        if mask != 0 {
-            self.expect(search, nearest as u32);
-        }
+        self.expect(search, nearest as u32);
+        mask = others;
         while mask != 0 {
             let child = self.first_child(node, mask, &near);
             mask &= mask - 1;
@@ -160,7 +176,7 @@ impl Bvh {
 /// How far away in the frame a hit may still be, rounded up.
 #[inline(always)]
 fn last(search: &impl Search, way: &Way) -> f32 {
-    (way.ray.last(search.span()) as f32).next_up()
+    (1.0 + f32::EPSILON) * way.ray(search).last(search.span()) as f32
 }
 
 /// Children that wait: at most seven for each node above the present one.
