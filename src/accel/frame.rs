@@ -95,7 +95,7 @@ impl Frame {
     }
 
     /// The ray as the frame sees it, or `None` if it passes beside all boxes.
-    #[inline]
+    #[inline(always)] // a call would hand it over in memory, which stalls
     pub fn ray(&self, ray: &Ray) -> Option<FrameRay> {
         let origin = self.point(ray.origin).to_array();
         let longest = exponent(ray.direction.max_abs());
