@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
 use super::beveled_box::RoundedBox;
-use super::edges::{Named, check_bevel, inset, rounding, uncovered};
+use super::edges::{Named, check_bevel, extended, inset, overlap, rounding, uncovered, widened};
 use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Instance, Kind, Rectangle, Shape};
 use crate::accel::Method;
@@ -96,12 +96,25 @@ impl Archway {
         [outer - self.column_width, outer]
     }
 
+    /// The largest extent.
+    fn largest(&self) -> f64 {
+        self.height.max(self.width).max(self.depth)
+    }
+
+    /// How far stones reach into those they touch. A ray in the plane between two only touches the
+    /// roundings of both: it would be rounded off them, into the stone, whose face there is left out.
+    fn overlap(&self) -> f64 {
+        overlap(self.largest(), self.bevel)
+    }
+
     /// About the y axis, from azimuth 90 to 270.
     fn stones_of_arch(&self) -> impl Iterator<Item = Wedge> {
         let (y, r, bevel) = (self.z(), self.radii(), self.bevel);
         let step = 180.0 / f64::from(self.wedges);
         let azimuth = move |i: u32| 90.0 + step * f64::from(i);
-        (0..self.wedges).map(move |i| Wedge { y, r, phi: [azimuth(i), azimuth(i + 1)], bevel })
+        let over = self.overlap();
+        let phi = move |i: u32| widened([azimuth(i), azimuth(i + 1)], over, r[0]);
+        (0..self.wedges).map(move |i| Wedge { y, r, phi: phi(i), bevel })
     }
 
     /// The arch, turned by y → z, z → −y: from +x over the top to −x.
@@ -118,7 +131,9 @@ impl Archway {
         let mut parts = Vec::new();
         for x in [[-outer, -inner], [inner, outer]] {
             for block in 0..self.blocks {
-                let extents = [x, [height(block), height(block + 1)], self.z()];
+                let [low, high] = extended([height(block), height(block + 1)], self.overlap());
+                let low = if block == 0 { 0.0 } else { low };
+                let extents = [x, [low, high], self.z()];
                 let stone = RoundedBox::new(extents, self.bevel);
                 let touches = |name| name == "top" || name == "bottom" && block > 0;
                 parts.extend(stone.faces().into_iter().filter(|(name, _)| !touches(*name)));
@@ -170,7 +185,7 @@ impl Specification for Archway {
         let mut parts = self.columns();
         parts.extend(self.arch());
         parts.extend(self.faces_between());
-        let rounding = rounding(self.height.max(self.width).max(self.depth));
+        let rounding = rounding(self.largest());
         smooth_solid(&parts, &self.materials, self.accel, rounding, context)
     }
 

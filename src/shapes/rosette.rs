@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
 use super::beveled_wedge::heights;
-use super::edges::{Named, rounding, uncovered};
+use super::edges::{Named, overlap, rounding, uncovered, widened};
 use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Shape};
 use crate::accel::Method;
@@ -51,10 +51,14 @@ impl Rosette {
         let radius = |rings: u32| self.hole_radius + f64::from(rings) * self.ring_width;
         let count = WEDGES[ring as usize];
         let azimuth = |wedge: u32| f64::from(wedge) * (360.0 / f64::from(count));
+        // into the stones that it touches: see [`Archway`](super::archway)
+        let over = overlap(self.y0.abs().max(self.y1.abs()).max(radius(self.rings)), self.bevel);
+        let [inside, outside] =
+            [ring > 0, ring + 1 < self.rings].map(|t| if t { over } else { 0.0 });
         let wedge = |i| Wedge {
             y: [self.y0, self.y1],
-            r: [radius(ring), radius(ring + 1)],
-            phi: [azimuth(i), azimuth(i + 1)],
+            r: [radius(ring) - inside, radius(ring + 1) + outside],
+            phi: widened([azimuth(i), azimuth(i + 1)], over, radius(ring)),
             bevel: self.bevel,
         };
         (0..count).map(wedge).collect()
@@ -64,15 +68,14 @@ impl Rosette {
     fn walls_between(&self, ring: u32) -> Vec<Named> {
         let (inside, outside) = (self.wedges(ring), self.wedges(ring + 1));
         let Some(y) = inside[0].heights() else { return Vec::new() };
-        let radius = inside[0].r[1];
         let convex: Vec<[f64; 2]> = inside.iter().filter_map(Wedge::outer_wall).collect();
         let concave: Vec<[f64; 2]> = outside.iter().filter_map(Wedge::inner_wall).collect();
         let (name, next) = (NAMES[ring as usize], NAMES[ring as usize + 1]);
         let convex_left = uncovered(&convex, &concave).into_iter();
         let concave_left = uncovered(&concave, &convex).into_iter();
         convex_left
-            .map(|phi| (name, inside[0].wall(y, radius, phi, false)))
-            .chain(concave_left.map(|phi| (next, inside[0].wall(y, radius, phi, true))))
+            .map(|phi| (name, inside[0].wall(y, inside[0].r[1], phi, false)))
+            .chain(concave_left.map(|phi| (next, outside[0].wall(y, outside[0].r[0], phi, true))))
             .collect()
     }
 }
@@ -88,6 +91,7 @@ impl Specification for Rosette {
         }
         length("hole_radius", self.hole_radius)?;
         length("ring_width", self.ring_width)?;
+        length("bevel", self.bevel)?;
         heights(self.y0, self.y1)?;
         let mut parts: Vec<Named> = Vec::new();
         for ring in 0..self.rings {

@@ -164,6 +164,65 @@ fn check_known(
     assert!(asked.iter().all(|&count| count > lines / 20), "{asked:?}");
 }
 
+/// Law: a ray in the plane between two stones, where the bevels of both touch it, enters and leaves
+/// within the depth of a groove, once each. Oracle: the plain solids, in whose faces the grooves are.
+#[test]
+fn a_ray_between_two_stones_does_not_pass() {
+    let mut draw = Draw::new(2142);
+    let (deep, counts, mut rays, mut between_rings) = (0.3, [10.0, 12.0, 15.0], Vec::new(), 0);
+    let arch = built(&archway(6, 10, deep, None).into());
+    let floor = built(&rosette(3, 0.1, None).into());
+    for _ in 0..2_000 {
+        let (away, lean) = (draw.between(1.0, 20.0), draw.between(-0.1, 0.1));
+        let side = draw.sign();
+        // between the wedges of the arch, in front or behind
+        for joint in 0..=10 {
+            let (out, rho) = (18.0 * f64::from(joint), draw.between(6.8, 9.2));
+            let out = Vector::new(cos_degrees(out), sin_degrees(out), 0.0);
+            let (middle, d) =
+                (Point::new(0.0, 15.0, 0.0) + rho * out, lean * out - side * Vector::Z);
+            rays.push((&arch, Ray::new(middle - (1.5 + away) * d, d), away, 3.0, deep));
+        }
+        // between the blocks of a column
+        for joint in 1..6 {
+            let middle = Point::new(side * draw.between(6.8, 9.2), 2.5 * f64::from(joint), 0.0);
+            let d = Vector::new(lean, 0.0, -side);
+            rays.push((&arch, Ray::new(middle - (1.5 + away) * d, d), away, 3.0, deep));
+        }
+        // between the wedges of a ring of the rosette, and straight down between two rings
+        for (ring, count) in counts.into_iter().enumerate() {
+            let phi = 360.0 / count * draw.below(count as usize) as f64;
+            let out = Vector::new(sin_degrees(phi), 0.0, cos_degrees(phi));
+            let rho = 0.75 + ring as f64 + draw.between(0.2, 0.8);
+            let (middle, d) = (Point::ORIGIN + rho * out, lean * out - side * Vector::Y);
+            rays.push((&floor, Ray::new(middle - (0.25 + away) * d, d), away, 0.5, 0.1));
+            // where no upright edge of either ring is near, which leaves a channel
+            let phi = draw.between(0.0, 360.0);
+            let off = |count: f64| (phi * count / 360.0 - (phi * count / 360.0).round()) / count;
+            let edge = |ring: usize| off(counts[ring]).abs() * std::f64::consts::TAU * 1.75;
+            if ring > 0 && edge(ring - 1).min(edge(ring)) > 0.15 {
+                let out = Vector::new(sin_degrees(phi), 0.0, cos_degrees(phi));
+                let middle = Point::ORIGIN + (0.75 + ring as f64) * out;
+                let ray = Ray::new(middle - side * (0.25 + away) * Vector::Y, side * Vector::Y);
+                rays.push((&floor, ray, away, 0.5, 0.1));
+                between_rings += 1;
+            }
+        }
+    }
+    assert!(between_rings > 200, "{between_rings}");
+    for (shape, ray, away, thick, deep) in rays {
+        let roots: Vec<f64> = shape.roots(&ray, Span::LINE).iter().map(|at| at.t).collect();
+        let hit = shape.hit(&ray, Span::AHEAD).map(|at| at.t);
+        let within = |t: f64, from: f64| (from - 1e-9..from + 1.1 * deep).contains(&t);
+        assert!(hit.is_some_and(|t| within(t, away)), "{ray:?}: {hit:?} of {roots:?}");
+        let [first, last] = roots[..] else { panic!("{ray:?} crosses at {roots:?}") };
+        assert!(
+            within(first, away) && within(2.0 * away + thick - last, away),
+            "{ray:?}: {roots:?}"
+        );
+    }
+}
+
 /// Law: list and tree find the same part at the same distance, bit for bit. Oracle: the list.
 #[test]
 fn stones_are_found_alike_by_list_and_tree() {
