@@ -105,11 +105,10 @@ impl Built {
             return None; // in their middle, at −b/a, the ray is above the apex
         }
         let (first, second) = (shift + q / a, shift + c / q);
-        Some(match first == second {
-            true => [first, f64::NAN], // a tangent touches once
-            false if first < second => [first, second],
-            false => [second, first],
-        })
+        if first == second {
+            return Some([first, f64::NAN]); // a tangent touches once
+        }
+        Some(if first < second { [first, second] } else { [second, first] })
     }
 
     /// By the height, which says little of a flat cone, or by the radius, which says little of a

@@ -6,7 +6,7 @@
 use std::mem::MaybeUninit;
 
 use super::build::DEEPEST;
-use super::node::{Crossed, LEAF, Node, PART, Ray32, WIDTH};
+use super::node::{Crossed, LEAF, Node, PART, Ray32, WIDTH, rounded_up};
 use super::{Bvh, NOTHING};
 use crate::accel::frame::FrameRay;
 use crate::accel::kernel::{Instructions, Kernel, prefetch};
@@ -173,10 +173,10 @@ impl Bvh {
     }
 }
 
-/// How far away in the frame a hit may still be, rounded up.
+/// How far away in the frame a hit may still be, rounded up; before all of it where it is negative.
 #[inline(always)]
 fn last(search: &impl Search, way: &Way) -> f32 {
-    (1.0 + f32::EPSILON) * way.ray(search).last(search.span()) as f32
+    rounded_up(way.ray(search).last(search.span()))
 }
 
 /// Children that wait: at most seven for each node above the present one.
