@@ -1,9 +1,10 @@
 //! The frame in which boxes and rays are compared, by every method alike; and the counting rule.
 //!
 //! The frame's origin is the middle of all (bounded) boxes, and its unit a power of two such that
-//! their coordinates lie in [−1, 1]. A ray enters it where its line meets the frame's own box, with
-//! a direction whose largest component lies in [1, 2). So a distance along the ray and a distance
-//! in space are the same but for a factor of 1 to 2√3, wherever the ray comes from.
+//! their coordinates lie in [−1, 1]. A ray from farther away than [`NEAR`] enters it where its line
+//! meets the frame's own box; any ray has a direction whose largest component lies in [1, 2). So a
+//! distance along the ray and a distance in space are the same but for a factor of 1 to 2√3, wherever
+//! the ray comes from, and no number is large.
 //!
 //! **The counting rule**: a hit of a bounded primitive counts only if it lies where the ray crosses
 //! the primitive's box, grown on all sides by a *slack*: 2⁻²³ of the box's longest side, for what
@@ -30,10 +31,14 @@ use crate::math::{Aabb, Point, Ray, Span, power_of_two};
 const SIDE_SLACK: f64 = 1.0 / (1 << 23) as f64;
 /// Grows it further by so much of what the ray and the coordinates reach: 2¹⁷ roundings.
 const FAR_SLACK: f64 = 1.0 / (1_u64 << 36) as f64;
+/// Origins with coordinates so small stay where they are: two scenes away.
+pub const NEAR: f64 = 4.0;
 /// From where the slack would be larger than any frame, a ray is taken to cross all boxes.
 const MOST_SLACK: f64 = 1024.0;
 /// Lengths of directions, in the frame's units, for which no number overflows or underflows here.
-const NUMBERS: std::ops::Range<f64> = 1e-290..1e290;
+const NUMBERS: std::ops::Range<f64> = 1e-100..1e100;
+/// Directions whose largest component is of such a power of two are used as they are.
+const ORDINARY: std::ops::RangeInclusive<i32> = -30..=30;
 /// A frame is not smaller than this part of the coordinates in it: what is has few digits of its own.
 const LEAST_SIZE: f64 = 1.0 / (1 << 30) as f64;
 
@@ -44,12 +49,14 @@ pub struct Frame {
     /// Units of the frame in one unit of the world.
     scale: f64,
     /// The size of the frame of all boxes, or the largest coordinate in the world if that is more,
-    /// in units of this frame: at least 1.
+    /// in units of this frame: at least [`NEAR`].
     reach: f64,
+    /// Origins with coordinates up to this stay where they are: [`NEAR`], or none at all where
+    /// numbers are extreme.
+    near: f64,
 }
 
-/// A ray in a frame, where it enters the frame's box. What it meets at `t` is at
-/// `origin + (unit·t − start) · direction`.
+/// A ray in a frame. What it meets at `t` is at `origin + (unit·t − start) · direction`.
 #[derive(Clone, Copy, Debug)]
 pub struct FrameRay {
     pub(super) origin: [f64; 3],
@@ -67,21 +74,25 @@ impl Frame {
         let bounded = bounds.iter().filter(|b| b.is_bounded());
         let whole = bounded.fold(Aabb::EMPTY, |all, &b| all.union(b));
         if !whole.is_bounded() {
-            return Self { middle: Point::ORIGIN, scale: 1.0, reach: 1.0 };
+            return Self::new(Point::ORIGIN, 1.0, NEAR);
         }
         let (min, max) = (0.5 * whole.min.to_vector(), 0.5 * whole.max.to_vector()); // no overflow
         let largest = 2.0 * min.max_abs().max(max.max_abs());
         let size = (max - min).max_abs().max(LEAST_SIZE * largest);
         // the power of two above the size, but for sizes that have no such reciprocal
         let scale = 0.25 * power_of_two(1 - exponent(size).max(-1000));
-        let reach = (scale * largest).max(1.0);
-        Self { middle: Point::ORIGIN + (min + max), scale, reach }
+        Self::new(Point::ORIGIN + (min + max), scale, (scale * largest).max(NEAR))
     }
 
     /// The frame of some of the boxes, which are much smaller than the frame of all, this one.
     pub fn of_part(&self, bounds: &[Aabb]) -> Self {
         let part = Self::around(bounds);
-        Self { reach: self.reach * (part.scale / self.scale), ..part }
+        Self::new(part.middle, part.scale, self.reach * (part.scale / self.scale))
+    }
+
+    fn new(middle: Point, scale: f64, reach: f64) -> Self {
+        let is_extreme = !NUMBERS.contains(&(scale)) || FAR_SLACK * reach > MOST_SLACK;
+        Self { middle, scale, reach, near: if is_extreme { -1.0 } else { NEAR } }
     }
 
     /// A box of the world in the coordinates of the frame.
@@ -95,8 +106,26 @@ impl Frame {
     }
 
     /// The ray as the frame sees it, or `None` if it passes beside all boxes.
-    #[inline(always)] // a call would hand it over in memory, which stalls
     pub fn ray(&self, ray: &Ray) -> Option<FrameRay> {
+        self.ray_from_near(ray).or_else(|| self.ray_from_afar(ray))
+    }
+
+    /// The same for an ordinary ray: one from nearby, which need not be moved; `None` for others.
+    #[inline(always)] // a call would hand it over in memory, which stalls
+    pub fn ray_from_near(&self, ray: &Ray) -> Option<FrameRay> {
+        let origin = self.point(ray.origin).to_vector();
+        let is_ordinary = ORDINARY.contains(&exponent(ray.direction.max_abs()));
+        (origin.max_abs() <= self.near && is_ordinary).then(|| FrameRay {
+            origin: origin.to_array(),
+            inverse: ray.direction.to_array().map(|d| 1.0 / d),
+            unit: self.scale,
+            start: 0.0,
+            far_slack: FAR_SLACK * self.reach,
+        })
+    }
+
+    /// The same for any other ray.
+    fn ray_from_afar(&self, ray: &Ray) -> Option<FrameRay> {
         let origin = self.point(ray.origin).to_array();
         let longest = exponent(ray.direction.max_abs());
         let direction = (power_of_two(-longest.clamp(-1022, 1022)) * ray.direction).to_array();

@@ -95,7 +95,7 @@ impl Grid {
 
     /// Tests what is in the cells along the ray.
     pub(super) fn search(&self, search: &mut impl Search) {
-        let ray = *search.ray();
+        let Some(ray) = search.enter() else { return };
         let Some(walk) = Walk::new(&self.cells, &ray, search.span().min) else {
             self.all.iter().any(|&index| search.consider(index));
             return;

@@ -15,7 +15,9 @@ impl List {
 
     /// Tests all.
     pub(super) fn search(&self, search: &mut impl Search) {
-        self.all.iter().any(|&index| search.consider(index));
+        if search.enter().is_some() {
+            self.all.iter().any(|&index| search.consider(index));
+        }
     }
 
     pub(super) fn memory_bytes(&self) -> usize {

@@ -49,12 +49,11 @@ pub trait Primitives {
     /// A box around primitive `index`, the same each time.
     fn bounds(&self, index: u32) -> Aabb;
 
-    /// Which of the primitives of a leaf ([`Accel::leaves`]) may have a hit inside the span, one bit
-    /// each, lowest first: a quick test that errs on the side of too many.
+    /// Tests all primitives of a leaf ([`Accel::leaves`]) at once, as far as that goes.
     #[inline(always)]
-    fn sift(&self, kernel: Kernel, leaf: u32, span: Span) -> u8 {
+    fn sift(&self, kernel: Kernel, leaf: u32, span: Span, sifted: &mut Sifted) {
         let _ = (kernel, leaf, span);
-        u8::MAX
+        (sifted.sure, sifted.open) = (0, u8::MAX);
     }
 
     /// Where in memory the content of a leaf begins, which will probably be asked for; anywhere if
@@ -76,6 +75,32 @@ pub trait Primitives {
     ) -> Option<impl Member> {
         let _ = (leaf, slot);
         index().map(|index| Numbered { primitives: self, index })
+    }
+}
+
+/// What a test of all primitives of a leaf at once found, by their places in it; in masks one bit
+/// each.
+#[derive(Clone, Copy, Default)]
+pub struct Sifted {
+    /// Those with a hit inside the span that counts, whatever the rule says (`frame.rs`).
+    pub sure: u8,
+    /// Those that must still be tested by themselves.
+    pub open: u8,
+    /// Which primitives those are that are sure; their candidates are made of these numbers.
+    pub part: [u32; 8],
+    pub t: [f64; 8],
+    pub parameters: [[f64; 8]; 2],
+}
+
+impl Sifted {
+    /// The hit of one that is sure.
+    #[inline(always)]
+    fn hit(&self, slot: usize) -> Candidate {
+        Candidate {
+            part: self.part[slot % 8],
+            parameters: [self.parameters[0][slot % 8], self.parameters[1][slot % 8]],
+            ..Candidate::at(self.t[slot % 8])
+        }
     }
 }
 
@@ -230,8 +255,7 @@ impl Accel {
                 span = span.through(hit.t); // equal t must still be seen: the first object wins
             }
         }
-        let Some(framed) = self.frame.ray(ray) else { return best };
-        let among = Among { primitives, frame: &self.frame, ray: framed, outside: ray };
+        let among = Among { primitives, frame: &self.frame, ray, framed: None };
         let mut search = Nearest { among, span, best, counter };
         match &self.bounded {
             Structure::List(list) => list.search(&mut search),
@@ -253,8 +277,7 @@ impl Accel {
         if let Some(hit) = self.unbounded.iter().find_map(shadow) {
             return Some(hit);
         }
-        let framed = self.frame.ray(ray)?;
-        let among = Among { primitives, frame: &self.frame, ray: framed, outside: ray };
+        let among = Among { primitives, frame: &self.frame, ray, framed: None };
         let mut search = Any { among, span, found: None };
         match &self.bounded {
             Structure::List(list) => list.search(&mut search),

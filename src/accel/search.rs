@@ -3,7 +3,7 @@
 
 use super::frame::{Frame, FrameRay};
 use super::kernel::Kernel;
-use super::{Counter, Member, Numbered, Primitives};
+use super::{Counter, Member, Numbered, Primitives, Sifted};
 use crate::math::{Ray, Span};
 use crate::shapes::Candidate;
 
@@ -12,22 +12,25 @@ use crate::shapes::Candidate;
 pub struct Among<'a, P> {
     pub primitives: &'a P,
     pub frame: &'a Frame,
-    pub ray: FrameRay,
-    /// The ray outside the frame.
-    pub outside: &'a Ray,
+    pub ray: &'a Ray,
+    /// The ray in the frame, when it has entered.
+    pub framed: Option<FrameRay>,
 }
 
 impl<P: Primitives> Among<'_, P> {
     /// Whether a hit of this primitive counts: the rule of the frame.
     fn counts(&self, member: &impl Member, t: f64) -> bool {
-        self.ray.counts(&self.frame.boxed(&member.bounds()), t)
+        self.framed.is_some_and(|ray| ray.counts(&self.frame.boxed(&member.bounds()), t))
     }
 }
 
 /// What a structure needs to know of a search, for the first hit or for any.
 pub trait Search {
-    /// The ray in the frame of the boxes.
-    fn ray(&self) -> &FrameRay;
+    /// The ray in the frame of the boxes, which is asked for first; `None` if it passes beside them.
+    fn enter(&mut self) -> Option<FrameRay>;
+
+    /// The same for an ordinary ray ([`Frame::ray_from_near`]); `None` for others.
+    fn enter_from_near(&mut self) -> Option<FrameRay>;
 
     /// The ray in the frame of some of the boxes; `None` if it passes beside them.
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay>;
@@ -53,7 +56,10 @@ pub trait Search {
     fn place(&self, leaf: u32) -> *const u8;
 
     /// See [`Primitives::sift`].
-    fn sift(&self, kernel: Kernel, leaf: u32) -> u8;
+    fn sift(&self, kernel: Kernel, leaf: u32, sifted: &mut Sifted);
+
+    /// Takes a hit that counts; says whether the search has enough.
+    fn take(&mut self, index: u32, hit: Candidate) -> bool;
 }
 
 /// The search for the first hit: the best so far, and what it leaves to look at.
@@ -65,25 +71,42 @@ pub struct Nearest<'a, P, C> {
 }
 
 impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
+    #[inline(always)]
     fn look_at(&mut self, member: &impl Member) {
         self.counter.test();
         let Some(hit) = member.hit(self.span) else { return };
         let index = member.index();
-        let loses_tie = self.best.is_some_and(|(i, best)| hit.t == best.t && index > i);
-        if !loses_tie && self.among.counts(member, hit.t) {
-            self.best = Some((index, hit));
-            self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
+        if !self.loses_tie(index, hit.t) && self.among.counts(member, hit.t) {
+            self.keep(index, hit);
         }
+    }
+
+    #[inline(always)]
+    fn loses_tie(&self, index: u32, t: f64) -> bool {
+        self.best.is_some_and(|(i, best)| t == best.t && index > i)
+    }
+
+    #[inline(always)]
+    fn keep(&mut self, index: u32, hit: Candidate) {
+        self.best = Some((index, hit));
+        self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
     }
 }
 
 impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
-    fn ray(&self) -> &FrameRay {
-        &self.among.ray
+    fn enter(&mut self) -> Option<FrameRay> {
+        self.among.framed = self.among.frame.ray(self.among.ray);
+        self.among.framed
+    }
+
+    #[inline(always)]
+    fn enter_from_near(&mut self) -> Option<FrameRay> {
+        self.among.framed = self.among.frame.ray_from_near(self.among.ray);
+        self.among.framed
     }
 
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay> {
-        frame.ray(self.among.outside)
+        frame.ray(self.among.ray)
     }
 
     fn span(&self) -> Span {
@@ -118,8 +141,17 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
     }
 
     #[inline(always)]
-    fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
-        self.among.primitives.sift(kernel, leaf, self.span)
+    fn sift(&self, kernel: Kernel, leaf: u32, sifted: &mut Sifted) {
+        self.among.primitives.sift(kernel, leaf, self.span, sifted);
+    }
+
+    #[inline(always)]
+    fn take(&mut self, index: u32, hit: Candidate) -> bool {
+        self.counter.test();
+        if self.span.contains(hit.t) && !self.loses_tie(index, hit.t) {
+            self.keep(index, hit);
+        }
+        false
     }
 }
 
@@ -140,12 +172,19 @@ impl<P: Primitives> Any<'_, P> {
 }
 
 impl<P: Primitives> Search for Any<'_, P> {
-    fn ray(&self) -> &FrameRay {
-        &self.among.ray
+    fn enter(&mut self) -> Option<FrameRay> {
+        self.among.framed = self.among.frame.ray(self.among.ray);
+        self.among.framed
+    }
+
+    #[inline(always)]
+    fn enter_from_near(&mut self) -> Option<FrameRay> {
+        self.among.framed = self.among.frame.ray_from_near(self.among.ray);
+        self.among.framed
     }
 
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay> {
-        frame.ray(self.among.outside)
+        frame.ray(self.among.ray)
     }
 
     fn span(&self) -> Span {
@@ -175,7 +214,13 @@ impl<P: Primitives> Search for Any<'_, P> {
     }
 
     #[inline(always)]
-    fn sift(&self, kernel: Kernel, leaf: u32) -> u8 {
-        self.among.primitives.sift(kernel, leaf, self.span)
+    fn sift(&self, kernel: Kernel, leaf: u32, sifted: &mut Sifted) {
+        self.among.primitives.sift(kernel, leaf, self.span, sifted);
+    }
+
+    #[inline(always)]
+    fn take(&mut self, index: u32, hit: Candidate) -> bool {
+        self.found = Some((index, hit));
+        true
     }
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::triangle_block::{Block, Blocks};
 use super::watertight::{self, ShearedRay};
 use super::{Candidate, Context, Shape, Surface};
-use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives};
+use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
@@ -216,11 +216,11 @@ impl Primitives for Seen<'_> {
     }
 
     #[inline(always)]
-    fn sift(&self, kernel: Kernel, leaf: u32, span: Span) -> u8 {
+    fn sift(&self, kernel: Kernel, leaf: u32, span: Span, sifted: &mut Sifted) {
         // no closure: it would not be compiled for the kernel's instructions
         match self.blocks.get(leaf as usize) {
-            Some(block) => block.sift(kernel, &self.ray, span),
-            None => u8::MAX,
+            Some(block) => block.sift(kernel, &self.ray, span, sifted),
+            None => (sifted.sure, sifted.open) = (0, u8::MAX),
         }
     }
 
@@ -233,8 +233,8 @@ impl Primitives for Seen<'_> {
     ) -> Option<impl accel::Member> {
         match self.blocks.get(leaf as usize) {
             Some(block) => {
-                let corners = block.triangle(slot);
-                Some(Member { index: block.indices[slot % 8], corners, ray: &self.ray })
+                let (index, corners) = (block.indices[slot % 8], block.triangle(slot));
+                Some(Member { index, corners, ray: &self.ray })
             }
             None => index().map(|index| self.one(index)),
         }
@@ -253,6 +253,7 @@ impl accel::Member for Member<'_> {
         self.index
     }
 
+    #[cold]
     fn hit(&self, span: Span) -> Option<Candidate> {
         let meeting = self.ray.meet(&self.corners)?;
         span.contains(meeting.t).then_some(Candidate {

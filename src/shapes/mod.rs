@@ -174,7 +174,7 @@ mod angles;
 mod assembly;
 mod context;
 mod edges;
-mod eight;
+mod lanes;
 mod shoulder;
 mod triangle_block;
 mod watertight;

@@ -6,9 +6,9 @@
 //! kernels decide nothing but what need not be tested. A number that is none (from an overflow)
 //! fails in `meet` whatever is decided here.
 
-use super::eight::Eight;
-use super::watertight::ShearedRay;
-use crate::accel::{Instructions, Kernel, LeafCost};
+use super::lanes::Eight;
+use super::watertight::{Edges, ShearedRay, meeting, outside};
+use crate::accel::{Instructions, Kernel, LeafCost, Sifted};
 use crate::math::{Point, Span};
 
 /// Triangles of a block at most, and corners.
@@ -88,47 +88,47 @@ impl Block {
         [corner(a), corner(b), corner(c)]
     }
 
-    /// Which triangles a ray may hit inside the span.
+    /// Tests all triangles.
     #[inline(always)]
     #[allow(unsafe_code, reason = "calls what not every processor can run")]
-    pub fn sift(&self, kernel: Kernel, ray: &ShearedRay, span: Span) -> u8 {
+    pub fn sift(&self, kernel: Kernel, ray: &ShearedRay, span: Span, sifted: &mut Sifted) {
         match kernel.instructions() {
-            Instructions::Plain => self.used,
+            Instructions::Plain => (sifted.sure, sifted.open) = (0, self.used),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.sift_by::<super::eight::Avx2>(ray, span) },
+            Instructions::Avx2 => unsafe { self.sift_by::<super::lanes::Avx2>(ray, span, sifted) },
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { self.sift_by::<super::eight::Avx512>(ray, span) },
+            Instructions::Avx512 => unsafe {
+                self.sift_by::<super::lanes::Avx512>(ray, span, sifted);
+            },
         }
     }
 
     /// # Safety
-    /// The processor has the instructions of `E`.
+    /// The processor has the instructions of `L`.
     #[inline(always)]
     #[allow(unsafe_code, reason = "instructions that not every processor has")]
-    unsafe fn sift_by<E: Eight>(&self, ray: &ShearedRay, span: Span) -> u8 {
-        let [kx, ky, kz] = ray.axes;
-        let [shear_x, shear_y, shear_z] = ray.shear;
+    unsafe fn sift_by<L: Eight>(&self, ray: &ShearedRay, span: Span, sifted: &mut Sifted) {
+        let [x, y, z] = ray.axes;
+        let corners = [&self.corners[x], &self.corners[y], &self.corners[z]];
         // SAFETY: the caller's
-        unsafe {
-            let z = E::load(&self.corners[kz]).minus(E::all(ray.origin.along(kz)));
-            let x = E::load(&self.corners[kx]).minus(E::all(ray.origin.along(kx)));
-            let y = E::load(&self.corners[ky]).minus(E::all(ray.origin.along(ky)));
-            let x = x.minus(E::all(shear_x).times(z));
-            let y = y.minus(E::all(shear_y).times(z));
-            let z = E::all(shear_z).times(z);
-            let [a, b, c] = &self.numbers;
-            let (ax, ay, az) = (x.pick(a), y.pick(a), z.pick(a));
-            let (bx, by, bz) = (x.pick(b), y.pick(b), z.pick(b));
-            let (cx, cy, cz) = (x.pick(c), y.pick(c), z.pick(c));
-            let u = cx.times(by).minus(cy.times(bx));
-            let v = ax.times(cy).minus(ay.times(cx));
-            let w = bx.times(ay).minus(by.times(ax));
-            let negative = u.min(v).min(w).less(E::all(0.0));
-            let positive = E::all(0.0).less(u.max(v).max(w));
-            let before_end = az.min(bz).min(cz).less(E::all(span.max));
-            let after_start = E::all(span.min).less(az.max(bz).max(cz));
-            !(negative & positive) & before_end & after_start & self.used
+        let corners = unsafe { [L::load(corners[0]), L::load(corners[1]), L::load(corners[2])] };
+        let [x, y, z] = ray.see(corners);
+        let [a, b, c] = &self.numbers;
+        let edges = Edges::of([x.pick(a), y.pick(a)], [x.pick(b), y.pick(b)], [x.pick(c), y.pick(c)]);
+        let inside = !outside(edges.parts) & self.used;
+        (sifted.sure, sifted.open) = (0, 0);
+        if inside == 0 {
+            return;
         }
+        let met = meeting(edges.parts, [z.pick(a), z.pick(b), z.pick(c)]);
+        let within = z.all(span.min).less(met.t) & met.t.less(z.all(span.max));
+        let large = edges.large();
+        sifted.sure = inside & large & within;
+        sifted.open = inside & !large;
+        sifted.part = self.indices;
+        met.t.store(&mut sifted.t);
+        met.beta.store(&mut sifted.parameters[0]);
+        met.gamma.store(&mut sifted.parameters[1]);
     }
 }

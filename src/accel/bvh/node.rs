@@ -34,7 +34,7 @@ pub const LEAF: u32 = 1 << 31;
 /// The bits that tell a part with a frame of its own; the others are its number.
 pub const PART: u32 = LEAF | 1 << 30;
 /// How much the boxes are larger.
-const PAD: f64 = 1.0 / (1 << 20) as f64;
+const PAD: f64 = 1.0 / (1 << 19) as f64;
 
 /// Four cache lines.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +89,7 @@ impl Ray32 {
     #[inline]
     pub fn new(ray: &FrameRay, span: Span) -> Self {
         let (origin, inverse, slack) = ray.single();
-        let ahead = inverse.map(|i| if i.is_sign_negative() { -slack } else { slack });
+        let ahead = inverse.map(|i| slack.copysign(i));
         Self {
             inverse: inverse.map(|i| i.clamp(-1e18, 1e18) as f32),
             enters: [0, 1, 2].map(|i| (origin[i] + ahead[i]) as f32),

@@ -10,71 +10,63 @@ use super::node::{Crossed, LEAF, Node, PART, Ray32, WIDTH, rounded_up};
 use super::{Bvh, NOTHING};
 use crate::accel::frame::FrameRay;
 use crate::accel::kernel::{Instructions, Kernel, prefetch};
+use crate::accel::Sifted;
 use crate::accel::search::Search;
-
-/// Where a walk begins.
-struct Way {
-    /// The ray in the frame of a part of the tree; as the search has it if `None`.
-    within: Option<FrameRay>,
-    root: u32,
-}
-
-impl Way {
-    /// The ray in the frame of the nodes. It is not copied: numbers stored one by one and loaded as
-    /// vectors stall the processor.
-    #[inline(always)]
-    fn ray<'a>(&'a self, search: &'a impl Search) -> &'a FrameRay {
-        match &self.within {
-            Some(ray) => ray,
-            None => search.ray(),
-        }
-    }
-}
 
 impl Bvh {
     /// Shows the search every primitive that it might still want, until it has enough.
     pub(in crate::accel) fn search<S: Search>(&self, search: &mut S) {
         if !self.nodes.is_empty() {
-            self.follow(search, &Way { within: None, root: 0 });
+            self.follow(search, None, 0);
         }
     }
 
-    /// Searches below a node; says whether the search has enough.
+    /// Searches below a node, with the ray in the frame of a part or else in that of the search; says
+    /// whether the search has enough.
     #[allow(unsafe_code, reason = "calls what not every processor can run")]
-    fn follow<S: Search>(&self, search: &mut S, way: &Way) -> bool {
+    fn follow<S: Search>(&self, search: &mut S, part: Option<&FrameRay>, root: u32) -> bool {
         match self.kernel.instructions() {
-            Instructions::Plain => self.walk(search, way, Kernel::PLAIN),
+            Instructions::Plain => self.walk(search, part, root, Kernel::PLAIN),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.walk_avx2(search, way) },
+            Instructions::Avx2 => unsafe { self.walk_avx2(search, part, root) },
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { self.walk_avx512(search, way) },
+            Instructions::Avx512 => unsafe { self.walk_avx512(search, part, root) },
         }
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma")]
-    fn walk_avx2<S: Search>(&self, search: &mut S, way: &Way) -> bool {
-        self.walk(search, way, Kernel::AVX2)
+    fn walk_avx2<S: Search>(&self, search: &mut S, part: Option<&FrameRay>, root: u32) -> bool {
+        self.walk(search, part, root, Kernel::AVX2)
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma,avx512f,avx512vl")]
-    fn walk_avx512<S: Search>(&self, search: &mut S, way: &Way) -> bool {
-        self.walk(search, way, Kernel::AVX512)
+    fn walk_avx512<S: Search>(&self, search: &mut S, part: Option<&FrameRay>, root: u32) -> bool {
+        self.walk(search, part, root, Kernel::AVX512)
     }
 
     #[inline(always)]
-    fn walk<S: Search>(&self, search: &mut S, way: &Way, kernel: Kernel) -> bool {
-        let ray = Ray32::new(way.ray(search), search.span());
-        let mut last = last(search, way);
-        let mut stack = Stack::new();
-        let mut next = way.root;
+    fn walk<S: Search>(&self, search: &mut S, part: Option<&FrameRay>, root: u32, kernel: Kernel) -> bool {
+        let ray = match part {
+            Some(ray) => *ray,
+            None => match search.enter_from_near() {
+                Some(ray) => ray,
+                None => return self.from_afar(search),
+            },
+        };
+        let ray32 = Ray32::new(&ray, search.span());
+        let mut last = last(&ray, search);
+        let mut room = Stack::ROOM;
+        let mut stack = Stack { room: &mut room, len: 0 };
+        let mut sifted = Sifted::default();
+        let mut next = root;
         loop {
             if next & LEAF == 0 {
                 search.step();
                 let node = &self.nodes[next as usize];
-                let crossed = node.crossed(kernel, &ray, last);
+                let crossed = node.crossed(kernel, &ray32, last);
                 if let Some(nearest) = self.push_all_but_nearest(search, node, crossed, &mut stack)
                 {
                     next = nearest;
@@ -83,12 +75,12 @@ impl Bvh {
             } else {
                 let enough = match next & PART == PART {
                     true => self.part(search, next ^ PART),
-                    false => self.leaf(search, kernel, next ^ LEAF),
+                    false => self.leaf(search, kernel, next ^ LEAF, &mut sifted),
                 };
                 if enough {
                     return true;
                 }
-                last = self::last(search, way);
+                last = self::last(&ray, search);
             }
             // equal distance is not farther: ties are settled by the order of objects
             next = loop {
@@ -100,12 +92,18 @@ impl Bvh {
         }
     }
 
+    /// Searches with a ray that is not an ordinary one.
+    #[cold]
+    fn from_afar<S: Search>(&self, search: &mut S) -> bool {
+        search.enter().is_some_and(|ray| self.follow(search, Some(&ray), 0))
+    }
+
     /// Searches a part, in its own frame.
     #[cold]
     fn part<S: Search>(&self, search: &mut S, number: u32) -> bool {
         let part = &self.parts[number as usize];
         let Some(ray) = search.ray_in(&part.frame) else { return false };
-        self.follow(search, &Way { within: Some(ray), root: part.root })
+        self.follow(search, Some(&ray), part.root)
     }
 
     /// The nearest of the children that are crossed; the others go to the stack, the nearest on
@@ -159,15 +157,28 @@ impl Bvh {
 
     /// Shows the search the primitives of a leaf; says whether it has enough.
     #[inline(always)]
-    fn leaf<S: Search>(&self, search: &mut S, kernel: Kernel, number: u32) -> bool {
-        let mut worth = search.sift(kernel, number);
-        while worth != 0 {
-            let slot = worth.trailing_zeros() as usize;
+    fn leaf<S: Search>(
+        &self,
+        search: &mut S,
+        kernel: Kernel,
+        number: u32,
+        sifted: &mut Sifted,
+    ) -> bool {
+        search.sift(kernel, number, sifted);
+        while sifted.sure != 0 {
+            let hit = sifted.hit(sifted.sure.trailing_zeros() as usize);
+            sifted.sure &= sifted.sure - 1;
+            if search.take(hit.part, hit) {
+                return true;
+            }
+        }
+        while sifted.open != 0 {
+            let slot = sifted.open.trailing_zeros() as usize;
+            sifted.open &= sifted.open - 1;
             let index = || Some(self.leaves[number as usize][slot]).filter(|&i| i != NOTHING);
             if search.consider_in_leaf(number, slot, index) {
                 return true;
             }
-            worth &= worth - 1;
         }
         false
     }
@@ -175,32 +186,32 @@ impl Bvh {
 
 /// How far away in the frame a hit may still be, rounded up; before all of it where it is negative.
 #[inline(always)]
-fn last(search: &impl Search, way: &Way) -> f32 {
-    rounded_up(way.ray(search).last(search.span()))
+fn last(ray: &FrameRay, search: &impl Search) -> f32 {
+    rounded_up(ray.last(search.span()))
 }
 
 /// Children that wait: at most seven for each node above the present one.
-struct Stack {
-    children: [MaybeUninit<u64>; (WIDTH - 1) * DEEPEST],
+struct Stack<'a> {
+    room: &'a mut Room,
     /// So many have been written.
     len: usize,
 }
 
-impl Stack {
-    #[inline(always)]
-    fn new() -> Self {
-        Self { children: [const { MaybeUninit::uninit() }; (WIDTH - 1) * DEEPEST], len: 0 }
-    }
+/// Where children wait.
+type Room = [MaybeUninit<u64>; (WIDTH - 1) * DEEPEST];
+
+impl Stack<'_> {
+    const ROOM: Room = [const { MaybeUninit::uninit() }; (WIDTH - 1) * DEEPEST];
 
     /// Puts a child below the nearer ones, but above `bottom`.
     #[inline(always)]
     fn insert(&mut self, bottom: usize, child: u64) {
         let mut place = self.len;
         while place > bottom && self.get(place - 1) < child {
-            self.children[place].write(self.get(place - 1));
+            self.room[place].write(self.get(place - 1));
             place -= 1;
         }
-        self.children[place].write(child);
+        self.room[place].write(child);
         self.len += 1;
     }
 
@@ -214,6 +225,6 @@ impl Stack {
     #[allow(unsafe_code, reason = "clearing the stack for each ray would take a tenth of its time")]
     fn get(&self, place: usize) -> u64 {
         // SAFETY: places below `len` have been written, and no other is read
-        unsafe { self.children[place].assume_init() }
+        unsafe { self.room[place].assume_init() }
     }
 }
