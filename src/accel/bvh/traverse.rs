@@ -13,49 +13,63 @@ use crate::accel::kernel::{Instructions, Kernel, prefetch};
 use crate::accel::Sifted;
 use crate::accel::search::Search;
 
+/// Makes the ray of a search.
+trait Enter<S>: FnOnce(&mut S) -> Option<FrameRay> {}
+impl<S, E: FnOnce(&mut S) -> Option<FrameRay>> Enter<S> for E {}
+
 impl Bvh {
     /// Shows the search every primitive that it might still want, until it has enough.
     pub(in crate::accel) fn search<S: Search>(&self, search: &mut S) {
-        if !self.nodes.is_empty() {
-            self.follow(search, None, 0);
+        if self.nodes.is_empty() || self.follow(search, 0, S::enter_from_near).is_some() {
+            return;
+        }
+        if let Some(ray) = search.enter() {
+            self.follow_ray(search, 0, ray);
         }
     }
 
-    /// Searches below a node, with the ray in the frame of a part or else in that of the search; says
-    /// whether the search has enough.
+    /// Searches below a node with this ray, in the frame of the node; says whether the search has
+    /// enough.
+    fn follow_ray<S: Search>(&self, search: &mut S, root: u32, ray: FrameRay) -> bool {
+        self.follow(search, root, |_| Some(ray)).unwrap_or(false)
+    }
+
+    /// The same with a ray that is made here, where it need not be handed over in memory; `None` if
+    /// there is none.
+    #[inline(always)]
     #[allow(unsafe_code, reason = "calls what not every processor can run")]
-    fn follow<S: Search>(&self, search: &mut S, part: Option<&FrameRay>, root: u32) -> bool {
+    fn follow<S: Search>(&self, search: &mut S, root: u32, enter: impl Enter<S>) -> Option<bool> {
         match self.kernel.instructions() {
-            Instructions::Plain => self.walk(search, part, root, Kernel::PLAIN),
+            Instructions::Plain => self.walk(search, root, enter, Kernel::PLAIN),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.walk_avx2(search, part, root) },
+            Instructions::Avx2 => unsafe { self.walk_avx2(search, root, enter) },
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { self.walk_avx512(search, part, root) },
+            Instructions::Avx512 => unsafe { self.walk_avx512(search, root, enter) },
         }
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma")]
-    fn walk_avx2<S: Search>(&self, search: &mut S, part: Option<&FrameRay>, root: u32) -> bool {
-        self.walk(search, part, root, Kernel::AVX2)
+    fn walk_avx2<S: Search>(&self, search: &mut S, root: u32, enter: impl Enter<S>) -> Option<bool> {
+        self.walk(search, root, enter, Kernel::AVX2)
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma,avx512f,avx512vl")]
-    fn walk_avx512<S: Search>(&self, search: &mut S, part: Option<&FrameRay>, root: u32) -> bool {
-        self.walk(search, part, root, Kernel::AVX512)
+    fn walk_avx512<S: Search>(&self, search: &mut S, root: u32, enter: impl Enter<S>) -> Option<bool> {
+        self.walk(search, root, enter, Kernel::AVX512)
     }
 
     #[inline(always)]
-    fn walk<S: Search>(&self, search: &mut S, part: Option<&FrameRay>, root: u32, kernel: Kernel) -> bool {
-        let ray = match part {
-            Some(ray) => *ray,
-            None => match search.enter_from_near() {
-                Some(ray) => ray,
-                None => return self.from_afar(search),
-            },
-        };
+    fn walk<S: Search>(
+        &self,
+        search: &mut S,
+        root: u32,
+        enter: impl Enter<S>,
+        kernel: Kernel,
+    ) -> Option<bool> {
+        let ray = enter(search)?;
         let ray32 = Ray32::new(&ray, search.span());
         let mut last = last(&ray, search);
         let mut room = Stack::ROOM;
@@ -73,18 +87,21 @@ impl Bvh {
                     continue;
                 }
             } else {
+                let end = search.span().max;
                 let enough = match next & PART == PART {
                     true => self.part(search, next ^ PART),
                     false => self.leaf(search, kernel, next ^ LEAF, &mut sifted),
                 };
                 if enough {
-                    return true;
+                    return Some(true);
                 }
-                last = self::last(&ray, search);
+                if search.span().max < end {
+                    last = self::last(&ray, search);
+                }
             }
             // equal distance is not farther: ties are settled by the order of objects
             next = loop {
-                let Some(waiting) = stack.pop() else { return false };
+                let Some(waiting) = stack.pop() else { return Some(false) };
                 if f32::from_bits((waiting >> 32) as u32) <= last {
                     break waiting as u32;
                 }
@@ -92,18 +109,11 @@ impl Bvh {
         }
     }
 
-    /// Searches with a ray that is not an ordinary one.
-    #[cold]
-    fn from_afar<S: Search>(&self, search: &mut S) -> bool {
-        search.enter().is_some_and(|ray| self.follow(search, Some(&ray), 0))
-    }
-
     /// Searches a part, in its own frame.
     #[cold]
     fn part<S: Search>(&self, search: &mut S, number: u32) -> bool {
         let part = &self.parts[number as usize];
-        let Some(ray) = search.ray_in(&part.frame) else { return false };
-        self.follow(search, Some(&ray), part.root)
+        search.ray_in(&part.frame).is_some_and(|ray| self.follow_ray(search, part.root, ray))
     }
 
     /// The nearest of the children that are crossed; the others go to the stack, the nearest on
