@@ -25,7 +25,7 @@
 //!
 //! Intervals are closed and compared by `<=`, so of equal hits all are seen, and the first counts.
 
-use crate::math::{Aabb, Point, Ray, Span, power_of_two};
+use crate::math::{Aabb, Point, Ray, Span, Vector, power_of_two};
 
 /// Grows a box by so much of its longest side: 2²⁹ roundings of a coordinate in it.
 const SIDE_SLACK: f64 = 1.0 / (1 << 23) as f64;
@@ -97,12 +97,13 @@ impl Frame {
 
     /// A box of the world in the coordinates of the frame.
     pub fn boxed(&self, bounds: &Aabb) -> Aabb {
-        Aabb { min: self.point(bounds.min), max: self.point(bounds.max) }
+        let point = |p| Point::ORIGIN + self.from_middle(p);
+        Aabb { min: point(bounds.min), max: point(bounds.max) }
     }
 
     #[inline]
-    fn point(&self, p: Point) -> Point {
-        Point::ORIGIN + self.scale * (p - self.middle)
+    fn from_middle(&self, p: Point) -> Vector {
+        self.scale * (p - self.middle)
     }
 
     /// The ray as the frame sees it, or `None` if it passes beside all boxes.
@@ -113,7 +114,7 @@ impl Frame {
     /// The same for an ordinary ray: one from nearby, which need not be moved; `None` for others.
     #[inline(always)] // a call would hand it over in memory, which stalls
     pub fn ray_from_near(&self, ray: &Ray) -> Option<FrameRay> {
-        let origin = self.point(ray.origin).to_vector();
+        let origin = self.from_middle(ray.origin);
         let is_ordinary = ORDINARY.contains(&exponent(ray.direction.max_abs()));
         (origin.max_abs() <= self.near && is_ordinary).then(|| FrameRay {
             origin: origin.to_array(),
@@ -126,7 +127,7 @@ impl Frame {
 
     /// The same for any other ray.
     fn ray_from_afar(&self, ray: &Ray) -> Option<FrameRay> {
-        let origin = self.point(ray.origin).to_array();
+        let origin = self.from_middle(ray.origin).to_array();
         let longest = exponent(ray.direction.max_abs());
         let direction = (power_of_two(-longest.clamp(-1022, 1022)) * ray.direction).to_array();
         let unit = self.scale * power_of_two(longest.clamp(-1022, 1022));
@@ -201,10 +202,10 @@ impl FrameRay {
         self.moved(span.min).max(0.0) // also where it is not a number
     }
 
-    /// Where the span ends.
+    /// Where what is at `t` lies, the end of what is wanted.
     #[inline]
-    pub fn last(&self, span: Span) -> f64 {
-        self.moved(span.max).min(f64::INFINITY) // also where it is not a number
+    pub fn last(&self, t: f64) -> f64 {
+        self.moved(t).min(f64::INFINITY) // also where it is not a number
     }
 
     /// Whether a hit of the primitive in this box (of the frame) counts: the rule.

@@ -107,7 +107,7 @@ impl Grid {
                 let last = std::mem::replace(&mut tested[index as usize % MAILBOXES], index);
                 last != index && search.consider(index)
             });
-            if done || ray.last(search.span()) < end {
+            if done || ray.last(search.end()) < end {
                 return;
             }
         }

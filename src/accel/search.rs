@@ -38,6 +38,9 @@ pub trait Search {
     /// Where hits are still wanted.
     fn span(&self) -> Span;
 
+    /// No hit beyond this is wanted: known sooner than the span, which ends with the next number.
+    fn end(&self) -> f64;
+
     /// Hears of a node or a cell.
     fn step(&mut self) {}
 
@@ -111,6 +114,14 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
 
     fn span(&self) -> Span {
         self.span
+    }
+
+    #[inline(always)]
+    fn end(&self) -> f64 {
+        match self.best {
+            Some((_, best)) => best.t,
+            None => self.span.max,
+        }
     }
 
     fn step(&mut self) {
@@ -189,6 +200,10 @@ impl<P: Primitives> Search for Any<'_, P> {
 
     fn span(&self) -> Span {
         self.span
+    }
+
+    fn end(&self) -> f64 {
+        self.span.max
     }
 
     fn consider(&mut self, index: u32) -> bool {

@@ -87,7 +87,7 @@ impl Bvh {
                     continue;
                 }
             } else {
-                let end = search.span().max;
+                let end = search.end();
                 let enough = match next & PART == PART {
                     true => self.part(search, next ^ PART),
                     false => self.leaf(search, kernel, next ^ LEAF, &mut sifted),
@@ -95,7 +95,7 @@ impl Bvh {
                 if enough {
                     return Some(true);
                 }
-                if search.span().max < end {
+                if search.end() < end {
                     last = self::last(&ray, search);
                 }
             }
@@ -197,7 +197,7 @@ impl Bvh {
 /// How far away in the frame a hit may still be, rounded up; before all of it where it is negative.
 #[inline(always)]
 fn last(ray: &FrameRay, search: &impl Search) -> f32 {
-    rounded_up(ray.last(search.span()))
+    rounded_up(ray.last(search.end()))
 }
 
 /// Children that wait: at most seven for each node above the present one.
