@@ -1,10 +1,10 @@
 //! The frame in which boxes and rays are compared, by every method alike; and the counting rule.
 //!
 //! The frame's origin is the middle of all (bounded) boxes, and its unit a power of two such that
-//! their coordinates lie in [−1, 1]. A ray from farther away than [`NEAR`] enters it where its line
-//! meets the frame's own box; any ray has a direction whose largest component lies in [1, 2). So a
-//! distance along the ray and a distance in space are the same but for a factor of 1 to 2√3, wherever
-//! the ray comes from, and no number is large.
+//! their coordinates lie in [−1, 1]. A ray from nearby ([`NEAR`]) with a direction of ordinary length
+//! is only moved and scaled. Any other enters where its line meets the frame's own box, with a
+//! direction whose largest component lies in [1, 2). So no number is large, wherever the ray comes
+//! from.
 //!
 //! **The counting rule**: a hit of a bounded primitive counts only if it lies where the ray crosses
 //! the primitive's box, grown on all sides by a *slack*: 2⁻²³ of the box's longest side, for what
@@ -15,7 +15,8 @@
 //! triangle's plane may meet it anywhere).
 //!
 //! **Why no method can skip a hit that another counts.** All ask this rule, in the same `f64`
-//! operations, before a hit counts. A method may skip a primitive only because
+//! operations, before a hit counts, or know that it would say yes (`shapes/triangle_block.rs`). A
+//! method may skip a primitive only because
 //! - the ray has no part in the frame ([`Frame::ray`] is `None`): the same for all methods;
 //! - the ray does not cross a box that contains the primitive's, or crosses it beyond the best hit
 //!   or before the span. In `f64`, by [`FrameRay::crossing`], every operation is monotone, so the
@@ -97,12 +98,12 @@ impl Frame {
 
     /// A box of the world in the coordinates of the frame.
     pub fn boxed(&self, bounds: &Aabb) -> Aabb {
-        let point = |p| Point::ORIGIN + self.from_middle(p);
+        let point = |p| Point::ORIGIN + self.off_middle(p);
         Aabb { min: point(bounds.min), max: point(bounds.max) }
     }
 
     #[inline]
-    fn from_middle(&self, p: Point) -> Vector {
+    fn off_middle(&self, p: Point) -> Vector {
         self.scale * (p - self.middle)
     }
 
@@ -114,7 +115,7 @@ impl Frame {
     /// The same for an ordinary ray: one from nearby, which need not be moved; `None` for others.
     #[inline(always)] // a call would hand it over in memory, which stalls
     pub fn ray_from_near(&self, ray: &Ray) -> Option<FrameRay> {
-        let origin = self.from_middle(ray.origin);
+        let origin = self.off_middle(ray.origin);
         let is_ordinary = ORDINARY.contains(&exponent(ray.direction.max_abs()));
         (origin.max_abs() <= self.near && is_ordinary).then(|| FrameRay {
             origin: origin.to_array(),
@@ -125,9 +126,9 @@ impl Frame {
         })
     }
 
-    /// The same for any other ray.
-    fn ray_from_afar(&self, ray: &Ray) -> Option<FrameRay> {
-        let origin = self.from_middle(ray.origin).to_array();
+    /// The same for any ray, with its origin where it enters the frame, so that no box is behind it.
+    pub fn ray_from_afar(&self, ray: &Ray) -> Option<FrameRay> {
+        let origin = self.off_middle(ray.origin).to_array();
         let longest = exponent(ray.direction.max_abs());
         let direction = (power_of_two(-longest.clamp(-1022, 1022)) * ray.direction).to_array();
         let unit = self.scale * power_of_two(longest.clamp(-1022, 1022));
@@ -196,7 +197,8 @@ impl FrameRay {
         (self.origin, self.inverse, 4.0 * self.far_slack)
     }
 
-    /// Where the span begins, or the frame: no box lies before that.
+    /// Where the span begins, or the frame: no box lies before that (of a ray from nearby, only if the
+    /// span begins at no negative `t`).
     #[inline]
     pub fn first(&self, span: Span) -> f64 {
         self.moved(span.min).max(0.0) // also where it is not a number

@@ -86,9 +86,11 @@ pub struct Sifted {
     pub sure: u8,
     /// Those that must still be tested by themselves.
     pub open: u8,
-    /// Which primitives those are that are sure; their candidates are made of these numbers.
+    /// For those that are sure the numbers of the candidate: the primitive's own …
     pub part: [u32; 8],
+    /// … where along the ray …
     pub t: [f64; 8],
+    /// … and where on the primitive.
     pub parameters: [[f64; 8]; 2],
 }
 

@@ -18,6 +18,27 @@ pub struct Among<'a, P> {
 }
 
 impl<P: Primitives> Among<'_, P> {
+    fn enter(&mut self) -> Option<FrameRay> {
+        self.framed = self.frame.ray(self.ray);
+        self.framed
+    }
+
+    #[inline(always)]
+    fn enter_from_near(&mut self, span: Span) -> Option<FrameRay> {
+        if span.min < 0.0 {
+            return None;
+        }
+        self.framed = self.frame.ray_from_near(self.ray);
+        self.framed
+    }
+
+    fn ray_in(&self, frame: &Frame, span: Span) -> Option<FrameRay> {
+        match span.min < 0.0 {
+            true => frame.ray_from_afar(self.ray),
+            false => frame.ray(self.ray),
+        }
+    }
+
     /// Whether a hit of this primitive counts: the rule of the frame.
     fn counts(&self, member: &impl Member, t: f64) -> bool {
         self.framed.is_some_and(|ray| ray.counts(&self.frame.boxed(&member.bounds()), t))
@@ -29,11 +50,16 @@ pub trait Search {
     /// The ray in the frame of the boxes, which is asked for first; `None` if it passes beside them.
     fn enter(&mut self) -> Option<FrameRay>;
 
-    /// The same for an ordinary ray ([`Frame::ray_from_near`]); `None` for others.
+    /// The same for an ordinary ray ([`Frame::ray_from_near`]) without a part behind its origin;
+    /// `None` for others.
     fn enter_from_near(&mut self) -> Option<FrameRay>;
 
-    /// The ray in the frame of some of the boxes; `None` if it passes beside them.
+    /// The ray in a frame, where what is wanted of it begins at no negative distance; `None` if it
+    /// passes beside the boxes.
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay>;
+
+    /// The same in the frame of all boxes.
+    fn ray_ahead(&self) -> Option<FrameRay>;
 
     /// Where hits are still wanted.
     fn span(&self) -> Span;
@@ -98,18 +124,20 @@ impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
 
 impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
     fn enter(&mut self) -> Option<FrameRay> {
-        self.among.framed = self.among.frame.ray(self.among.ray);
-        self.among.framed
+        self.among.enter()
     }
 
     #[inline(always)]
     fn enter_from_near(&mut self) -> Option<FrameRay> {
-        self.among.framed = self.among.frame.ray_from_near(self.among.ray);
-        self.among.framed
+        self.among.enter_from_near(self.span)
     }
 
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay> {
-        frame.ray(self.among.ray)
+        self.among.ray_in(frame, self.span)
+    }
+
+    fn ray_ahead(&self) -> Option<FrameRay> {
+        self.ray_in(self.among.frame)
     }
 
     fn span(&self) -> Span {
@@ -184,18 +212,20 @@ impl<P: Primitives> Any<'_, P> {
 
 impl<P: Primitives> Search for Any<'_, P> {
     fn enter(&mut self) -> Option<FrameRay> {
-        self.among.framed = self.among.frame.ray(self.among.ray);
-        self.among.framed
+        self.among.enter()
     }
 
     #[inline(always)]
     fn enter_from_near(&mut self) -> Option<FrameRay> {
-        self.among.framed = self.among.frame.ray_from_near(self.among.ray);
-        self.among.framed
+        self.among.enter_from_near(self.span)
     }
 
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay> {
-        frame.ray(self.among.ray)
+        self.among.ray_in(frame, self.span)
+    }
+
+    fn ray_ahead(&self) -> Option<FrameRay> {
+        self.ray_in(self.among.frame)
     }
 
     fn span(&self) -> Span {

@@ -1,10 +1,17 @@
 //! Up to eight triangles on up to eight corners, tested at once: what a leaf of a mesh's bvh holds.
 //!
-//! The kernels do the first pass of the watertight test only: the plain edge functions, by the same
-//! operations in the same order as [`ShearedRay::meet`], and whether the depths of the corners,
-//! between which `t` lies, reach into the span. What passes is then tested by `meet` itself, so the
-//! kernels decide nothing but what need not be tested. A number that is none (from an overflow)
-//! fails in `meet` whatever is decided here.
+//! The formulas are those of `watertight.rs`, the same for eight triangles as for one. What they find
+//! of a triangle that looks large is its hit, to the last bit; the others are left to
+//! [`ShearedRay::meet`], which computes their edge functions again.
+//!
+//! **Why a hit of a large triangle counts without asking the rule** (`accel/frame.rs`). Moving and
+//! shearing the corners shifts them, as the ray sees them, by some roundings of what the ray comes
+//! from. The three parts are wrong by 2u of their products each, which are at most 16 times the sum, so
+//! each weight by some 64u; so are `t`, and the ray's point there, by that of the triangle's size.
+//! That point is therefore within some hundred roundings of the triangle's size, and some ten of the
+//! distance, of a point of the triangle, which is in its box. The rule allows 2²⁹ and 2¹⁷. (Of numbers
+//! so small that products lose digits, no triangle looks large; directions of more than 10¹⁰⁰ frames,
+//! for which `t` could, cross every box by the rule.)
 
 use super::lanes::Eight;
 use super::watertight::{Edges, ShearedRay, meeting, outside};
@@ -115,7 +122,8 @@ impl Block {
         let corners = unsafe { [L::load(corners[0]), L::load(corners[1]), L::load(corners[2])] };
         let [x, y, z] = ray.see(corners);
         let [a, b, c] = &self.numbers;
-        let edges = Edges::of([x.pick(a), y.pick(a)], [x.pick(b), y.pick(b)], [x.pick(c), y.pick(c)]);
+        let edges =
+            Edges::of([x.pick(a), y.pick(a)], [x.pick(b), y.pick(b)], [x.pick(c), y.pick(c)]);
         let inside = !outside(edges.parts) & self.used;
         (sifted.sure, sifted.open) = (0, 0);
         if inside == 0 {
@@ -130,5 +138,82 @@ impl Block {
         met.t.store(&mut sifted.t);
         met.beta.store(&mut sifted.parameters[0]);
         met.gamma.store(&mut sifted.parameters[1]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::{Accel, Method};
+    use crate::math::{Aabb, Pcg32, Ray, Vector, power};
+
+    /// Five corners, in one box, that may be flat to a needle; all at a size between 10⁻⁶⁰ and 10⁶⁰.
+    fn corners(random: &mut Pcg32) -> Vec<Point> {
+        let mut x = || 2.0 * random.uniform() - 1.0;
+        let size = power(10.0, [0.0, 60.0 * x()][usize::from(x() > 0.0)]);
+        let sides = [0, 1, 2].map(|_| size * power(10.0, f64::min(0.0, 12.0 * x())));
+        let corner = || Point::from(sides.map(|side| side * x()));
+        std::iter::repeat_with(corner).take(5).collect()
+    }
+
+    /// A ray at a point of a triangle, or at its edge or corner, from near or far, that may be almost
+    /// in its plane.
+    fn ray(random: &mut Pcg32, [a, b, c]: [Point; 3]) -> Ray {
+        let mut x = || random.uniform();
+        let [u, v] = [x(), x()].map(|w| [w, 0.0, 1.0][(3.0 * x()) as usize]);
+        let target = a + u * ((b - a) + v * (c - b));
+        let size = (b - a).max_abs().max((c - a).max_abs());
+        let anywhere = Vector::new(x() - 0.5, x() - 0.5, x() - 0.5);
+        let in_plane = ((b - a) + (x() - 0.5) * (c - a)) * (1.0 / size);
+        let across = if x() < 0.3 { power(10.0, -16.0 * x()) } else { 1.0 };
+        let way = if x() < 0.3 { in_plane + across * anywhere } else { anywhere };
+        let origin = target - (size * power(10.0, 14.0 * x() - 2.0)) * way;
+        Ray::new(origin, power(10.0, 60.0 * x() - 30.0) * (target - origin))
+    }
+
+    /// Law: what a block is sure of is the hit of the triangle alone, to the last bit, and counts; and
+    /// it misses no other. Oracles: one triangle at a time, and the counting rule.
+    #[test]
+    fn a_block_finds_the_hits_of_its_triangles_and_they_count() {
+        let mut random = Pcg32::new(2324, 0);
+        let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [0, 2, 4], [4, 1, 0]];
+        let indices = [0, 1, 2, 3, 4].map(|i| i as u32);
+        let indices = std::array::from_fn(|i| indices.get(i).copied().unwrap_or(u32::MAX));
+        let [mut sure, mut open, mut misses] = [0; 3];
+        for case in 0..30_000 {
+            let vertices = corners(&mut random);
+            let block = Block::new(indices, &triangles, &vertices);
+            let aim = triangles[case % 5].map(|i| vertices[i as usize]);
+            let ray = ray(&mut random, aim);
+            let sheared = ShearedRay::new(&ray);
+            let end = [f64::INFINITY, 1.0][case % 2];
+            let span = Span { min: [0.0, -1e300][case / 2 % 2], max: end };
+            for kernel in Kernel::available().into_iter().filter(|&k| k != Kernel::PLAIN) {
+                let mut sifted = Sifted::default();
+                block.sift(kernel, &sheared, span, &mut sifted);
+                for (slot, triangle) in triangles.into_iter().enumerate() {
+                    let corners = triangle.map(|i| vertices[i as usize]);
+                    assert_eq!(block.triangle(slot), corners);
+                    let alone = sheared.meet(&corners).filter(|hit| span.contains(hit.t));
+                    if sifted.open >> slot & 1 == 1 {
+                        open += 1;
+                    } else if sifted.sure >> slot & 1 == 1 {
+                        sure += 1;
+                        let hit = alone.expect("a hit of the triangle alone");
+                        assert_eq!(sifted.t[slot].to_bits(), hit.t.to_bits(), "{ray:?}");
+                        let parameters = sifted.parameters.map(|numbers| numbers[slot]);
+                        assert_eq!(parameters, hit.barycentric, "{ray:?}, {corners:?}");
+                        let bounds = Aabb::around(corners);
+                        let rule = Accel::build(Method::List, &[bounds]).counting(&bounds, &ray);
+                        let counts = rule.is_some_and(|counts| counts(hit.t));
+                        assert!(counts, "{hit:?} of {ray:?} does not count in {corners:?}");
+                    } else {
+                        misses += 1;
+                        assert!(alone.is_none(), "{kernel:?}: {ray:?} misses {corners:?}");
+                    }
+                }
+            }
+        }
+        assert!(sure > 10_000 && open > 1_000 && misses > 10_000, "{sure} {open} {misses}");
     }
 }

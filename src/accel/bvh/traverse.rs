@@ -8,9 +8,9 @@ use std::mem::MaybeUninit;
 use super::build::DEEPEST;
 use super::node::{Crossed, LEAF, Node, PART, Ray32, WIDTH, rounded_up};
 use super::{Bvh, NOTHING};
+use crate::accel::Sifted;
 use crate::accel::frame::FrameRay;
 use crate::accel::kernel::{Instructions, Kernel, prefetch};
-use crate::accel::Sifted;
 use crate::accel::search::Search;
 
 /// Makes the ray of a search.
@@ -23,7 +23,9 @@ impl Bvh {
         if self.nodes.is_empty() || self.follow(search, 0, S::enter_from_near).is_some() {
             return;
         }
-        if let Some(ray) = search.enter() {
+        if search.enter().is_some()
+            && let Some(ray) = search.ray_ahead()
+        {
             self.follow_ray(search, 0, ray);
         }
     }
@@ -51,13 +53,23 @@ impl Bvh {
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma")]
-    fn walk_avx2<S: Search>(&self, search: &mut S, root: u32, enter: impl Enter<S>) -> Option<bool> {
+    fn walk_avx2<S: Search>(
+        &self,
+        search: &mut S,
+        root: u32,
+        enter: impl Enter<S>,
+    ) -> Option<bool> {
         self.walk(search, root, enter, Kernel::AVX2)
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma,avx512f,avx512vl")]
-    fn walk_avx512<S: Search>(&self, search: &mut S, root: u32, enter: impl Enter<S>) -> Option<bool> {
+    fn walk_avx512<S: Search>(
+        &self,
+        search: &mut S,
+        root: u32,
+        enter: impl Enter<S>,
+    ) -> Option<bool> {
         self.walk(search, root, enter, Kernel::AVX512)
     }
 
