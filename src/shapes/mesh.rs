@@ -253,7 +253,7 @@ impl accel::Member for Member<'_> {
         self.index
     }
 
-    #[cold]
+    #[cold] // blocks find nearly all hits; what is seldom run must not take registers from that
     fn hit(&self, span: Span) -> Option<Candidate> {
         let meeting = self.ray.meet(&self.corners)?;
         span.contains(meeting.t).then_some(Candidate {
