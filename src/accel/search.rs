@@ -32,6 +32,14 @@ impl<P: Primitives> Among<'_, P> {
         self.framed
     }
 
+    fn enter_from_afar(&mut self, span: Span) -> Option<FrameRay> {
+        let framed = self.enter()?;
+        match span.min < 0.0 {
+            true => self.frame.ray_from_afar(self.ray),
+            false => Some(framed), // which is that already
+        }
+    }
+
     fn ray_in(&self, frame: &Frame, span: Span) -> Option<FrameRay> {
         match span.min < 0.0 {
             true => frame.ray_from_afar(self.ray),
@@ -54,12 +62,12 @@ pub trait Search {
     /// `None` for others.
     fn enter_from_near(&mut self) -> Option<FrameRay>;
 
-    /// The ray in a frame, where what is wanted of it begins at no negative distance; `None` if it
-    /// passes beside the boxes.
-    fn ray_in(&self, frame: &Frame) -> Option<FrameRay>;
+    /// The same for those others; what is wanted of it begins at no negative distance.
+    fn enter_from_afar(&mut self) -> Option<FrameRay>;
 
-    /// The same in the frame of all boxes.
-    fn ray_ahead(&self) -> Option<FrameRay>;
+    /// The ray in the frame of a part, where the same is true of it; `None` if it passes beside the
+    /// boxes.
+    fn ray_in(&self, frame: &Frame) -> Option<FrameRay>;
 
     /// Where hits are still wanted.
     fn span(&self) -> Span;
@@ -136,8 +144,8 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
         self.among.ray_in(frame, self.span)
     }
 
-    fn ray_ahead(&self) -> Option<FrameRay> {
-        self.ray_in(self.among.frame)
+    fn enter_from_afar(&mut self) -> Option<FrameRay> {
+        self.among.enter_from_afar(self.span)
     }
 
     fn span(&self) -> Span {
@@ -224,8 +232,8 @@ impl<P: Primitives> Search for Any<'_, P> {
         self.among.ray_in(frame, self.span)
     }
 
-    fn ray_ahead(&self) -> Option<FrameRay> {
-        self.ray_in(self.among.frame)
+    fn enter_from_afar(&mut self) -> Option<FrameRay> {
+        self.among.enter_from_afar(self.span)
     }
 
     fn span(&self) -> Span {

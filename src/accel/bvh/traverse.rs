@@ -23,9 +23,7 @@ impl Bvh {
         if self.nodes.is_empty() || self.follow(search, 0, S::enter_from_near).is_some() {
             return;
         }
-        if search.enter().is_some()
-            && let Some(ray) = search.ray_ahead()
-        {
+        if let Some(ray) = search.enter_from_afar() {
             self.follow_ray(search, 0, ray);
         }
     }
