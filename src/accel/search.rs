@@ -33,11 +33,10 @@ impl<P: Primitives> Among<'_, P> {
     }
 
     fn enter_from_afar(&mut self, span: Span) -> Option<FrameRay> {
-        let framed = self.enter()?;
-        match span.min < 0.0 {
-            true => self.frame.ray_from_afar(self.ray),
-            false => Some(framed), // which is that already
-        }
+        let ray = self.frame.ray_from_afar(self.ray);
+        // what the rule is asked with must not depend on the span
+        self.framed = if span.min < 0.0 { self.frame.ray(self.ray) } else { ray };
+        ray
     }
 
     fn ray_in(&self, frame: &Frame, span: Span) -> Option<FrameRay> {
