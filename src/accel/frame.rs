@@ -1,10 +1,11 @@
 //! The frame in which boxes and rays are compared, by every method alike; and the counting rule.
 //!
 //! The frame's origin is the middle of all (bounded) boxes, and its unit a power of two such that
-//! their coordinates lie in [−1, 1]. A ray from nearby ([`NEAR`]) with a direction of ordinary length
-//! is only moved and scaled. Any other enters where its line meets the frame's own box, with a
-//! direction whose largest component lies in [1, 2). So no number is large, wherever the ray comes
-//! from.
+//! their coordinates lie in [−1, 1]. A ray from nearby ([`NEAR`]) is only moved and scaled with them.
+//! The origin of any other moves along it, to where its longest component is 2 before the middle: of
+//! those that meet the frame's own box none starts farther than 4 from the middle then (the others end
+//! here). A direction that is very long or short is multiplied by a power of two. So no number is
+//! large, wherever the ray comes from.
 //!
 //! **The counting rule**: a hit of a bounded primitive counts only if it lies where the ray crosses
 //! the primitive's box, grown on all sides by a *slack*: 2⁻²³ of the box's longest side, for what
@@ -34,12 +35,14 @@ const SIDE_SLACK: f64 = 1.0 / (1 << 23) as f64;
 const FAR_SLACK: f64 = 1.0 / (1_u64 << 36) as f64;
 /// Origins with coordinates so small stay where they are: two scenes away.
 pub const NEAR: f64 = 4.0;
+/// What moves starts so far before the middle.
+const BEFORE: f64 = 2.0;
 /// From where the slack would be larger than any frame, a ray is taken to cross all boxes.
 const MOST_SLACK: f64 = 1024.0;
-/// Lengths of directions, in the frame's units, for which no number overflows or underflows here.
-const NUMBERS: std::ops::Range<f64> = 1e-100..1e100;
-/// Directions whose largest component is of such a power of two are used as they are.
-const ORDINARY: std::ops::RangeInclusive<i32> = -30..=30;
+/// Frames with units in this range can do with the numbers of `f64`.
+const UNITS: std::ops::Range<f64> = 1e-100..1e100;
+/// Directions whose largest component is of such a size are used as they are.
+const ORDINARY: std::ops::Range<f64> = 1e-9..1e9;
 /// A frame is not smaller than this part of the coordinates in it: what is has few digits of its own.
 const LEAST_SIZE: f64 = 1.0 / (1 << 30) as f64;
 
@@ -50,19 +53,18 @@ pub struct Frame {
     /// Units of the frame in one unit of the world.
     scale: f64,
     /// The size of the frame of all boxes, or the largest coordinate in the world if that is more,
-    /// in units of this frame: at least [`NEAR`].
+    /// in units of this frame: at least [`NEAR`], and infinite where numbers are extreme.
     reach: f64,
-    /// Origins with coordinates up to this stay where they are: [`NEAR`], or none at all where
-    /// numbers are extreme.
+    /// Origins with coordinates up to this stay where they are: [`NEAR`], or none at all where numbers
+    /// are extreme.
     near: f64,
 }
 
 /// A ray in a frame. What it meets at `t` is at `origin + (unit·t − start) · direction`.
 #[derive(Clone, Copy, Debug)]
 pub struct FrameRay {
-    pub(super) origin: [f64; 3],
-    /// One over the direction; a zero component gives an infinity of its sign.
-    pub(super) inverse: [f64; 3],
+    pub(super) origin: Vector,
+    pub(super) direction: Vector,
     unit: f64,
     start: f64,
     /// The slack of a box that has no sides.
@@ -92,8 +94,9 @@ impl Frame {
     }
 
     fn new(middle: Point, scale: f64, reach: f64) -> Self {
-        let is_extreme = !NUMBERS.contains(&(scale)) || FAR_SLACK * reach > MOST_SLACK;
-        Self { middle, scale, reach, near: if is_extreme { -1.0 } else { NEAR } }
+        let has_numbers = UNITS.contains(&scale) && FAR_SLACK * reach <= MOST_SLACK;
+        let (reach, near) = if has_numbers { (reach, NEAR) } else { (f64::INFINITY, -1.0) };
+        Self { middle, scale, reach, near }
     }
 
     /// A box of the world in the coordinates of the frame.
@@ -109,47 +112,65 @@ impl Frame {
 
     /// The ray as the frame sees it, or `None` if it passes beside all boxes.
     pub fn ray(&self, ray: &Ray) -> Option<FrameRay> {
-        self.ray_from_near(ray).or_else(|| self.ray_from_afar(ray))
+        self.any(ray, self.near)
     }
 
-    /// The same for an ordinary ray: one from nearby, which need not be moved; `None` for others.
+    /// The same with an origin that has no box behind it.
+    pub fn line(&self, ray: &Ray) -> Option<FrameRay> {
+        self.any(ray, -1.0)
+    }
+
+    /// What [`Frame::ray`] is for nearly all rays; `None` for those with unusual numbers too.
     #[inline(always)] // a call would hand it over in memory, which stalls
-    pub fn ray_from_near(&self, ray: &Ray) -> Option<FrameRay> {
-        let origin = self.off_middle(ray.origin);
-        let is_ordinary = ORDINARY.contains(&exponent(ray.direction.max_abs()));
-        (origin.max_abs() <= self.near && is_ordinary).then(|| FrameRay {
-            origin: origin.to_array(),
-            inverse: ray.direction.to_array().map(|d| 1.0 / d),
-            unit: self.scale,
-            start: 0.0,
-            far_slack: FAR_SLACK * self.reach,
-        })
-    }
-
-    /// The same for any ray, with its origin where it enters the frame, so that no box is behind it.
-    pub fn ray_from_afar(&self, ray: &Ray) -> Option<FrameRay> {
-        let origin = self.off_middle(ray.origin).to_array();
-        let longest = exponent(ray.direction.max_abs());
-        let direction = (power_of_two(-longest.clamp(-1022, 1022)) * ray.direction).to_array();
-        let unit = self.scale * power_of_two(longest.clamp(-1022, 1022));
-        let farther = |d: f64, x: f64| if x.abs() > d { x.abs() } else { d };
-        let far_slack = FAR_SLACK * origin.into_iter().fold(self.reach, farther);
-        if !(far_slack <= MOST_SLACK && NUMBERS.contains(&unit) && longest.abs() < 1022) {
-            return Some(FrameRay::EVERYWHERE);
-        }
-        let inverse = direction.map(|d| 1.0 / d);
-        // far more than any slack, so the line enters here before it enters any grown box
-        let half = 1.0 + 2048.0 * (2.0 * SIDE_SLACK + far_slack);
-        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
-        for i in 0..3 {
-            let (near, far) = (half.copysign(-inverse[i]), half.copysign(inverse[i]));
-            (enter, leave) = narrowed((enter, leave), near, far, origin[i], inverse[i]);
-        }
-        if enter > leave {
+    pub fn ordinary_ray(&self, ray: &Ray) -> Option<FrameRay> {
+        if !ORDINARY.contains(&ray.direction.max_abs()) {
             return None;
         }
-        let origin: [f64; 3] = std::array::from_fn(|i| origin[i] + enter * direction[i]);
-        Some(FrameRay { origin, inverse, unit, start: enter, far_slack })
+        self.entered(self.off_middle(ray.origin), ray.direction, self.scale, self.near)
+    }
+
+    fn any(&self, ray: &Ray, near: f64) -> Option<FrameRay> {
+        let longest = ray.direction.max_abs();
+        let power = match ORDINARY.contains(&longest) {
+            true => 0,
+            false => exponent(longest).clamp(-1022, 1022),
+        };
+        let (unit, origin) = (self.scale * power_of_two(power), self.off_middle(ray.origin));
+        let has_numbers = UNITS.contains(&unit) && power.abs() < 1022;
+        if !(has_numbers && self.far_slack(origin) <= MOST_SLACK) {
+            return Some(FrameRay::EVERYWHERE);
+        }
+        self.entered(origin, power_of_two(-power) * ray.direction, unit, near)
+    }
+
+    /// From an origin and a direction in the frame, the first moved unless it is as near as this.
+    #[inline(always)]
+    fn entered(
+        &self,
+        mut origin: Vector,
+        direction: Vector,
+        unit: f64,
+        near: f64,
+    ) -> Option<FrameRay> {
+        let (mut start, mut far_slack) = (0.0, FAR_SLACK * self.reach);
+        if origin.max_abs() > near {
+            far_slack = self.far_slack(origin);
+            let axis = direction.dominant_axis();
+            let (x, d) = (origin.along(axis), direction.along(axis));
+            start = -(x + BEFORE.copysign(d)) / d;
+            origin += start * direction;
+            // as far as it comes if it meets the frame's box, grown by all slack
+            let farthest = 4.25 + 4.0 * far_slack;
+            if !(far_slack <= MOST_SLACK && origin.max_abs() <= farthest) {
+                return None;
+            }
+        }
+        Some(FrameRay { origin, direction, unit, start, far_slack })
+    }
+
+    /// How much a box that has no sides is grown for rays from there.
+    fn far_slack(&self, origin: Vector) -> f64 {
+        FAR_SLACK * self.reach.max(origin.max_abs())
     }
 }
 
@@ -170,11 +191,17 @@ fn narrowed(
 }
 
 impl FrameRay {
-    /// For rays from too far away, or too long or short to have numbers in the frame: crosses every box, and every hit of it is at 0.
-    const EVERYWHERE: Self =
-        Self { origin: [0.0; 3], inverse: [0.0; 3], unit: 0.0, start: 0.0, far_slack: 0.0 };
+    /// For rays from too far away, or too long or short to have numbers in the frame: crosses every
+    /// box, and every hit of it is at 0.
+    const EVERYWHERE: Self = Self {
+        origin: Vector::ZERO,
+        direction: Vector::new(1.0, 1.0, 1.0),
+        unit: 0.0,
+        start: 0.0,
+        far_slack: 1e30,
+    };
 
-    /// The distance from where the ray enters the frame, of what is at `t`; monotone in `t`.
+    /// The distance from the ray's origin in the frame, of what is at `t`; monotone in `t`.
     #[inline]
     pub fn moved(&self, t: f64) -> f64 {
         self.unit * t - self.start
@@ -187,18 +214,20 @@ impl FrameRay {
         SIDE_SLACK * side(0).max(side(1)).max(side(2)) + self.far_slack
     }
 
-    /// Origin, one over the direction, and the slack as nodes in single precision take them: only
-    /// the far part of the slack, four times (`accel/bvh/node.rs`).
+    /// One over the direction; a zero component gives an infinity of its sign.
     #[inline]
-    pub fn single(&self) -> ([f64; 3], [f64; 3], f64) {
-        if self.unit == 0.0 {
-            return ([0.0; 3], [1.0; 3], 1e30); // everywhere
-        }
-        (self.origin, self.inverse, 4.0 * self.far_slack)
+    pub fn inverse(&self) -> [f64; 3] {
+        self.direction.to_array().map(|d| 1.0 / d)
     }
 
-    /// Where the span begins, or the frame: no box lies before that (of a ray from nearby, only if the
-    /// span begins at no negative `t`).
+    /// The slack as nodes in single precision take it: only the far part, four times
+    /// (`accel/bvh/node.rs`).
+    #[inline(always)]
+    pub fn slack_of_nodes(&self) -> f64 {
+        4.0 * self.far_slack
+    }
+
+    /// Where the span begins, or the ray.
     #[inline]
     pub fn first(&self, span: Span) -> f64 {
         self.moved(span.min).max(0.0) // also where it is not a number
@@ -223,13 +252,13 @@ impl FrameRay {
     /// box contains that of every box inside it, to the last bit.
     #[inline]
     pub fn crossing(&self, bounds: &Aabb) -> (f64, f64) {
-        let slack = self.slack(bounds);
+        let (slack, inverse) = (self.slack(bounds), self.inverse());
         let mut interval = (f64::NEG_INFINITY, f64::INFINITY);
-        for i in 0..3 {
+        for (i, inverse) in inverse.into_iter().enumerate() {
             let planes = [bounds.min.along(i) - slack, bounds.max.along(i) + slack];
-            let backward = usize::from(self.inverse[i].is_sign_negative());
+            let backward = usize::from(inverse.is_sign_negative());
             let (near, far) = (planes[backward], planes[1 - backward]);
-            interval = narrowed(interval, near, far, self.origin[i], self.inverse[i]);
+            interval = narrowed(interval, near, far, self.origin.along(i), inverse);
         }
         interval
     }
@@ -245,6 +274,7 @@ fn exponent(x: f64) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::{Pcg32, power};
 
     /// Law: a ray in the plane of a box's grown face is inside that slab, whatever the sign of the
     /// zero in its direction. Oracle: worked by hand, in numbers that are exact.
@@ -258,7 +288,7 @@ mod tests {
             let ray = frame.ray(&ray).expect("it meets the frame");
             let whole = Aabb { min: Point::new(-0.5, -0.5, -0.5), max: Point::new(0.5, 0.5, 0.5) };
             for axis in [1, 2] {
-                let beside = |slacks: f64| ray.origin[axis] + slacks * ray.slack(&whole);
+                let beside = |slacks: f64| ray.origin.along(axis) + slacks * ray.slack(&whole);
                 for (slacks, inside) in [(1.0, true), (2.0, false)] {
                     let above = Aabb { min: whole.min.with(axis, beside(slacks)), ..whole };
                     let below = Aabb { max: whole.max.with(axis, beside(-slacks)), ..whole };
@@ -268,6 +298,94 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    /// A box of some size, somewhere.
+    fn somewhere(random: &mut Pcg32) -> Aabb {
+        let mut x = || 2.0 * random.uniform() - 1.0;
+        let size = power(10.0, 30.0 * x());
+        let middle = size * (3.0 * Vector::new(x(), x(), x()));
+        let half = size * Vector::new(0.1 + x().abs(), 0.1 + x().abs(), 0.1 + x().abs());
+        Aabb { min: Point::ORIGIN + (middle - half), max: Point::ORIGIN + (middle + half) }
+    }
+
+    /// Law: a ray to a point of the box, from near or far, starts near the frame's middle and keeps the
+    /// point where it is, at its `t`; nothing of the box is behind its line's start; one that passes
+    /// the box by a distance from afar is none, or crosses nothing. Oracle: the point itself.
+    #[test]
+    fn a_ray_enters_with_all_that_it_meets() {
+        let mut random = Pcg32::new(2210, 0);
+        let [mut stayed, mut moved] = [0; 2];
+        for case in 0..30_000 {
+            let bounds = somewhere(&mut random);
+            let frame = Frame::around(&[bounds]);
+            let extent = bounds.max - bounds.min;
+            let mut x = || 2.0 * random.uniform() - 1.0;
+            let place = Vector::new(x() * extent.x(), x() * extent.y(), x() * extent.z());
+            let target = bounds.min + 0.5 * (extent + place);
+            let away = power(10.0, 6.0 * x()) * extent.max_abs();
+            let thin = [1.0, 1e-3, 1e-12, 0.0][case % 4];
+            let way =
+                Vector::from([[x(), thin, x()], [x(), x(), thin], [thin, x(), x()]][case % 3]);
+            let t = power(10.0, 20.0 * x());
+            let ray = Ray::new(target - away * way, (away / t) * way);
+            let at = frame.boxed(&Aabb { min: target, max: target }).min.to_vector();
+            let framed = frame.ray(&ray).expect("it meets the box");
+            let line = frame.line(&ray).expect("it meets the box");
+            *[&mut stayed, &mut moved][usize::from(framed.start != 0.0)] += 1;
+            for seen in [framed, line] {
+                assert!(seen.origin.max_abs() <= 4.0 + 1e-6, "{seen:?}");
+                let there = seen.origin + seen.moved(t) * seen.direction;
+                let distance = frame.off_middle(ray.origin).max_abs().max(4.0);
+                let off = (there - at).max_abs();
+                assert!(off <= 64.0 * f64::EPSILON * distance, "{off:e}: {ray:?} {seen:?}");
+                assert!(seen.counts(&frame.boxed(&bounds), t), "{seen:?}");
+            }
+            assert!(line.crossing(&frame.boxed(&bounds)).0 >= 0.0, "{line:?}");
+            let side = (8.0 * extent.max_abs()) * Vector::new(x().signum(), x().signum(), 0.0);
+            let beside = Ray::new(ray.origin + side, ray.direction);
+            let across = (side - (side.dot(way) / way.dot(way)) * way).max_abs();
+            if across > 4.0 * extent.max_abs() {
+                let seen = [frame.ray(&beside), frame.line(&beside)];
+                let crosses = |seen: FrameRay| {
+                    let (near, far) = seen.crossing(&frame.boxed(&bounds));
+                    near <= far
+                };
+                assert_eq!(seen.map(|seen| seen.is_some_and(crosses)), [false; 2], "{beside:?}");
+            }
+        }
+        assert!(stayed > 5_000 && moved > 5_000, "{stayed} {moved}");
+    }
+
+    /// Law: the quick way is the usual one, bit for bit; unusual rays have no quick way, and one
+    /// without numbers in the frame crosses every box. Oracle: the two ways, and the law's own words.
+    #[test]
+    fn the_quick_way_is_the_usual_one() {
+        let mut random = Pcg32::new(2211, 0);
+        let mut quick = 0;
+        for _ in 0..10_000 {
+            let frame = Frame::around(&[somewhere(&mut random)]);
+            let mut x = || 2.0 * random.uniform() - 1.0;
+            let origin = power(10.0, 40.0 * x()) * Vector::new(x(), x(), x());
+            let long = power(10.0, [12.0, 300.0][usize::from(x() > 0.5)] * x());
+            let ray = Ray::new(Point::ORIGIN + origin, long * Vector::new(x(), x(), x()));
+            let usual = frame.ray(&ray);
+            if let Some(ordinary) = frame.ordinary_ray(&ray) {
+                quick += 1;
+                assert_eq!(format!("{:?}", Some(ordinary)), format!("{usual:?}"));
+            } else if let Some(unusual) = usual {
+                let is_ordinary = ORDINARY.contains(&ray.direction.max_abs());
+                assert!(!is_ordinary || unusual.far_slack > MOST_SLACK, "{unusual:?}");
+            }
+        }
+        assert!(quick > 1_000, "{quick}");
+        let frame = Frame::around(&[Aabb::around([Point::ORIGIN, Point::new(1.0, 1.0, 1.0)])]);
+        let tiny = Aabb::around([Point::new(0.25, 0.25, 0.25)]);
+        for (origin, direction) in [(1e30, 1.0), (0.5, 1e200), (0.5, 1e-310), (1e300, 1e300)] {
+            let ray = Ray::new(Point::new(origin, 0.0, 0.0), Vector::new(0.0, direction, 0.0));
+            let seen = frame.ray(&ray).expect("it crosses all");
+            assert!(seen.counts(&frame.boxed(&tiny), 17.0), "{seen:?}");
         }
     }
 }

@@ -94,6 +94,7 @@ impl Grid {
     }
 
     /// Tests what is in the cells along the ray.
+    #[inline(never)]
     pub(super) fn search(&self, search: &mut impl Search) {
         let Some(ray) = search.enter() else { return };
         let Some(walk) = Walk::new(&self.cells, &ray, search.span().min) else {
@@ -164,14 +165,9 @@ impl Cells {
         })
     }
 
-    /// Where the ray meets the border between cell `k − 1` and cell `k` of an axis; never, for a ray
-    /// along it, and for the outermost borders: boxes grown by a ray's slack may reach over them.
-    fn border(&self, ray: &FrameRay, axis: usize, k: usize) -> f64 {
-        if k == 0 || k == self.counts[axis] || ray.inverse[axis].is_infinite() {
-            return f64::INFINITY;
-        }
-        let plane = self.bounds.min.along(axis) + k as f64 * self.sides[axis];
-        (plane - ray.origin[axis]) * ray.inverse[axis]
+    /// Where the border between cell `k − 1` and cell `k` of an axis is.
+    fn border(&self, axis: usize, k: usize) -> f64 {
+        self.bounds.min.along(axis) + k as f64 * self.sides[axis]
     }
 }
 
@@ -191,7 +187,9 @@ fn thickened(extent: Vector, n: f64) -> [f64; 3] {
 /// The cells along a ray, each with the distance at which the ray leaves it.
 struct Walk<'a> {
     cells: &'a Cells,
-    ray: &'a FrameRay,
+    origin: [f64; 3],
+    /// One over the direction.
+    inverse: [f64; 3],
     place: [usize; 3],
     /// Where the ray leaves the cell on each axis.
     next: [f64; 3],
@@ -203,17 +201,17 @@ struct Walk<'a> {
 impl<'a> Walk<'a> {
     /// From `t` on; `None` for a ray whose slack is too large, or whose numbers overflow.
     fn new(cells: &'a Cells, ray: &'a FrameRay, t: f64) -> Option<Self> {
-        let sound =
-            2.0 * ray.slack(&cells.bounds) <= cells.pad && ray.inverse.iter().all(|&i| i != 0.0);
+        let sound = 2.0 * ray.slack(&cells.bounds) <= cells.pad;
         let (near, far) = ray.crossing(&cells.bounds);
         let start = near.max(ray.moved(t));
         let inside = start <= far;
         if !sound || inside && !start.is_finite() {
             return None;
         }
-        let mut walk = Self { cells, ray, place: [0; 3], next: [0.0; 3], far, inside };
+        let (origin, inverse) = (ray.origin.to_array(), ray.inverse());
+        let mut walk = Self { cells, origin, inverse, place: [0; 3], next: [0.0; 3], far, inside };
         for axis in 0..3 {
-            let x = ray.origin[axis] + start / ray.inverse[axis];
+            let x = walk.origin[axis] + start * ray.direction.along(axis);
             walk.place[axis] = cells.along(axis, x);
             walk.next[axis] = walk.end(axis);
         }
@@ -221,13 +219,17 @@ impl<'a> Walk<'a> {
     }
 
     fn backward(&self, axis: usize) -> bool {
-        self.ray.inverse[axis].is_sign_negative()
+        self.inverse[axis].is_sign_negative()
     }
 
-    /// Where the ray leaves its cell on this axis.
+    /// Where the ray leaves its cell on this axis: never, if it goes along it, or over an outermost
+    /// border, because boxes grown by a ray's slack may reach over that.
     fn end(&self, axis: usize) -> f64 {
-        let after = usize::from(!self.backward(axis));
-        self.cells.border(self.ray, axis, self.place[axis] + after)
+        let k = self.place[axis] + usize::from(!self.backward(axis));
+        if k == 0 || k == self.cells.counts[axis] || self.inverse[axis].is_infinite() {
+            return f64::INFINITY;
+        }
+        (self.cells.border(axis, k) - self.origin[axis]) * self.inverse[axis]
     }
 }
 
@@ -244,8 +246,8 @@ impl Iterator for Walk<'_> {
         let end = self.next[axis];
         self.inside = end < self.far; // so not at an outermost border
         if self.inside {
-            let place = &mut self.place[axis];
-            *place = if self.ray.inverse[axis] < 0.0 { *place - 1 } else { *place + 1 };
+            let place = self.place[axis];
+            self.place[axis] = if self.backward(axis) { place - 1 } else { place + 1 };
             self.next[axis] = self.end(axis);
         }
         Some((cell, end))

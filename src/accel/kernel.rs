@@ -1,4 +1,4 @@
-//! Which instructions the processor has for eight boxes, or eight triangles, at once.
+//! Which instructions the processor has for several boxes, or triangles, at once.
 //!
 //! The choice is made when a structure is built and changes nothing but the speed: every kernel
 //! gives the same hits, to the last bit.
@@ -15,7 +15,7 @@ pub(crate) enum Instructions {
     /// AVX2 and FMA: 4 numbers of double precision at once, 8 of single precision.
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// AVX-512 (F and VL) too: 8 numbers of double precision at once.
+    /// AVX-512 (F and VL) too: 8 numbers of double precision at once, 16 of single precision.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }
@@ -55,13 +55,13 @@ impl Kernel {
     }
 }
 
-/// Asks for 256 bytes that will be needed soon to be brought nearer; nothing happens if there are
+/// Asks for 448 bytes that will be needed soon to be brought nearer; nothing happens if there are
 /// none at that address.
 #[inline(always)]
 #[allow(unsafe_code, reason = "there is no other way to say it")]
 pub(super) fn prefetch(soon: *const u8) {
     #[cfg(target_arch = "x86_64")]
-    for line in 0..4 {
+    for line in 0..7 {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         // SAFETY: a prefetch changes nothing, and ignores an address where there is nothing
         unsafe { _mm_prefetch::<_MM_HINT_T0>(soon.wrapping_add(64 * line).cast()) };

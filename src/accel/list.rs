@@ -14,6 +14,7 @@ impl List {
     }
 
     /// Tests all.
+    #[inline(never)]
     pub(super) fn search(&self, search: &mut impl Search) {
         if search.enter().is_some() {
             self.all.iter().any(|&index| search.consider(index));

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use crate::math::{Aabb, Ray, Span};
 use crate::shapes::Candidate;
 use frame::Frame;
-use search::{Among, Any, Nearest};
+use search::{Among, Any, Nearest, Search};
 
 pub use bvh::{LeafCost, OneByOne};
 pub(crate) use kernel::Instructions;
@@ -38,6 +38,9 @@ pub enum Method {
 
 /// Numbered things that one ray may hit.
 pub trait Primitives {
+    /// Whether [`Primitives::sift`] leaves few primitives open.
+    const SIFTS: bool = false;
+
     /// The nearest hit of primitive `index` inside the span; its `t` must not depend on the span.
     fn hit(&self, index: u32, span: Span) -> Option<Candidate>;
 
@@ -183,6 +186,7 @@ pub struct Accel {
 
 /// See [`Method`].
 #[derive(Debug)]
+#[repr(u8)] // which it is shall be read for each ray, not worked out
 enum Structure {
     List(list::List),
     Grid(grid::Grid),
@@ -247,23 +251,9 @@ impl Accel {
         span: Span,
         counter: &mut impl Counter,
     ) -> Option<(u32, Candidate)> {
-        let (mut span, mut best) = (span, None);
-        for &index in &self.unbounded {
-            counter.test();
-            if let Some(hit) = primitives.hit(index, span)
-                && best.is_none_or(|(_, first): (u32, Candidate)| hit.t < first.t)
-            {
-                best = Some((index, hit));
-                span = span.through(hit.t); // equal t must still be seen: the first object wins
-            }
-        }
         let among = Among { primitives, frame: &self.frame, ray, framed: None };
-        let mut search = Nearest { among, span, best, counter };
-        match &self.bounded {
-            Structure::List(list) => list.search(&mut search),
-            Structure::Grid(grid) => grid.search(&mut search),
-            Structure::Bvh(bvh) => bvh.search(&mut search),
-        }
+        let mut search = Nearest { among, span, end: span.max, best: None, counter };
+        self.search(&mut search);
         search.best
     }
 
@@ -275,18 +265,23 @@ impl Accel {
         ray: &Ray,
         span: Span,
     ) -> Option<(u32, Candidate)> {
-        let shadow = |&index: &u32| Some((index, primitives.shadow_hit(index, span)?));
-        if let Some(hit) = self.unbounded.iter().find_map(shadow) {
-            return Some(hit);
-        }
         let among = Among { primitives, frame: &self.frame, ray, framed: None };
         let mut search = Any { among, span, found: None };
-        match &self.bounded {
-            Structure::List(list) => list.search(&mut search),
-            Structure::Grid(grid) => grid.search(&mut search),
-            Structure::Bvh(bvh) => bvh.search(&mut search),
-        }
+        self.search(&mut search);
         search.found
+    }
+
+    /// Shows the search what it might want, first what has no bounds.
+    #[inline(always)]
+    fn search(&self, search: &mut impl Search) {
+        if !self.unbounded.is_empty() && search.consider_unbounded(&self.unbounded) {
+            return;
+        }
+        match &self.bounded {
+            Structure::List(list) => list.search(search),
+            Structure::Grid(grid) => grid.search(search),
+            Structure::Bvh(bvh) => bvh.search(search),
+        }
     }
 
     /// The leaves of a bvh: their primitives, `u32::MAX` behind the last. Other methods have none.

@@ -24,48 +24,40 @@ impl<P: Primitives> Among<'_, P> {
     }
 
     #[inline(always)]
-    fn enter_from_near(&mut self, span: Span) -> Option<FrameRay> {
+    fn ordinary_ray(&self, span: Span) -> Option<FrameRay> {
         if span.min < 0.0 {
             return None;
         }
-        self.framed = self.frame.ray_from_near(self.ray);
-        self.framed
-    }
-
-    fn enter_from_afar(&mut self, span: Span) -> Option<FrameRay> {
-        let ray = self.frame.ray_from_afar(self.ray);
-        // what the rule is asked with must not depend on the span
-        self.framed = if span.min < 0.0 { self.frame.ray(self.ray) } else { ray };
-        ray
+        self.frame.ordinary_ray(self.ray)
     }
 
     fn ray_in(&self, frame: &Frame, span: Span) -> Option<FrameRay> {
-        match span.min < 0.0 {
-            true => frame.ray_from_afar(self.ray),
-            false => frame.ray(self.ray),
-        }
+        if span.min < 0.0 { frame.line(self.ray) } else { frame.ray(self.ray) }
     }
 
     /// Whether a hit of this primitive counts: the rule of the frame.
-    fn counts(&self, member: &impl Member, t: f64) -> bool {
-        self.framed.is_some_and(|ray| ray.counts(&self.frame.boxed(&member.bounds()), t))
+    fn counts(&mut self, member: &impl Member, t: f64) -> bool {
+        let ray = self.framed.or_else(|| self.enter());
+        ray.is_some_and(|ray| ray.counts(&self.frame.boxed(&member.bounds()), t))
     }
 }
 
 /// What a structure needs to know of a search, for the first hit or for any.
 pub trait Search {
+    /// See [`Primitives::SIFTS`].
+    const SIFTS: bool;
+
     /// The ray in the frame of the boxes, which is asked for first; `None` if it passes beside them.
     fn enter(&mut self) -> Option<FrameRay>;
 
-    /// The same for an ordinary ray ([`Frame::ray_from_near`]) without a part behind its origin;
-    /// `None` for others.
-    fn enter_from_near(&mut self) -> Option<FrameRay>;
+    /// The same where nothing is wanted behind the ray's origin, for an ordinary ray
+    /// ([`Frame::ordinary_ray`]).
+    fn ordinary_ray(&self) -> Option<FrameRay>;
 
-    /// The same for those others; what is wanted of it begins at no negative distance.
-    fn enter_from_afar(&mut self) -> Option<FrameRay>;
+    /// That frame.
+    fn frame(&self) -> &Frame;
 
-    /// The ray in the frame of a part, where the same is true of it; `None` if it passes beside the
-    /// boxes.
+    /// The ray in some frame, with no box behind its origin that is wanted; `None` if it passes beside.
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay>;
 
     /// Where hits are still wanted.
@@ -76,6 +68,9 @@ pub trait Search {
 
     /// Hears of a node or a cell.
     fn step(&mut self) {}
+
+    /// Looks at primitives without bounds; says whether the search has enough.
+    fn consider_unbounded(&mut self, indices: &[u32]) -> bool;
 
     /// Looks at one primitive; says whether the search has enough.
     fn consider(&mut self, index: u32) -> bool;
@@ -102,6 +97,8 @@ pub trait Search {
 pub struct Nearest<'a, P, C> {
     pub among: Among<'a, P>,
     pub span: Span,
+    /// No hit beyond it is wanted: the best, or the end of the span.
+    pub end: f64,
     pub best: Option<(u32, Candidate)>,
     pub counter: &'a mut C,
 }
@@ -125,26 +122,29 @@ impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
     #[inline(always)]
     fn keep(&mut self, index: u32, hit: Candidate) {
         self.best = Some((index, hit));
+        self.end = hit.t;
         self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
     }
 }
 
 impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
+    const SIFTS: bool = P::SIFTS;
+
     fn enter(&mut self) -> Option<FrameRay> {
         self.among.enter()
     }
 
     #[inline(always)]
-    fn enter_from_near(&mut self) -> Option<FrameRay> {
-        self.among.enter_from_near(self.span)
+    fn ordinary_ray(&self) -> Option<FrameRay> {
+        self.among.ordinary_ray(self.span)
+    }
+
+    fn frame(&self) -> &Frame {
+        self.among.frame
     }
 
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay> {
         self.among.ray_in(frame, self.span)
-    }
-
-    fn enter_from_afar(&mut self) -> Option<FrameRay> {
-        self.among.enter_from_afar(self.span)
     }
 
     fn span(&self) -> Span {
@@ -153,14 +153,23 @@ impl<P: Primitives, C: Counter> Search for Nearest<'_, P, C> {
 
     #[inline(always)]
     fn end(&self) -> f64 {
-        match self.best {
-            Some((_, best)) => best.t,
-            None => self.span.max,
-        }
+        self.end
     }
 
     fn step(&mut self) {
         self.counter.step();
+    }
+
+    #[inline(never)] // few scenes have any, and meshes none
+    fn consider_unbounded(&mut self, indices: &[u32]) -> bool {
+        for &index in indices {
+            self.counter.test();
+            let hit = self.among.primitives.hit(index, self.span);
+            if let Some(hit) = hit.filter(|hit| !self.loses_tie(index, hit.t)) {
+                self.keep(index, hit);
+            }
+        }
+        false
     }
 
     fn consider(&mut self, index: u32) -> bool {
@@ -218,21 +227,23 @@ impl<P: Primitives> Any<'_, P> {
 }
 
 impl<P: Primitives> Search for Any<'_, P> {
+    const SIFTS: bool = P::SIFTS;
+
     fn enter(&mut self) -> Option<FrameRay> {
         self.among.enter()
     }
 
     #[inline(always)]
-    fn enter_from_near(&mut self) -> Option<FrameRay> {
-        self.among.enter_from_near(self.span)
+    fn ordinary_ray(&self) -> Option<FrameRay> {
+        self.among.ordinary_ray(self.span)
+    }
+
+    fn frame(&self) -> &Frame {
+        self.among.frame
     }
 
     fn ray_in(&self, frame: &Frame) -> Option<FrameRay> {
         self.among.ray_in(frame, self.span)
-    }
-
-    fn enter_from_afar(&mut self) -> Option<FrameRay> {
-        self.among.enter_from_afar(self.span)
     }
 
     fn span(&self) -> Span {
@@ -241,6 +252,13 @@ impl<P: Primitives> Search for Any<'_, P> {
 
     fn end(&self) -> f64 {
         self.span.max
+    }
+
+    #[inline(never)]
+    fn consider_unbounded(&mut self, indices: &[u32]) -> bool {
+        let shadow = |&index| Some((index, self.among.primitives.shadow_hit(index, self.span)?));
+        self.found = indices.iter().find_map(shadow);
+        self.found.is_some()
     }
 
     fn consider(&mut self, index: u32) -> bool {

@@ -13,6 +13,7 @@ pub mod polynomial;
 mod random;
 mod ray;
 mod roots;
+mod single;
 mod transform;
 mod vectors;
 
@@ -28,6 +29,7 @@ pub use random::{Pcg32, hash, splitmix};
 pub use ray::{Ray, Span};
 pub(crate) use roots::{Tolerance, bracketed_root};
 pub use roots::{circle_roots, perpendicular_roots, quadratic};
+pub(crate) use single::Singles;
 pub use transform::{Axis, Singular, Step, Transform};
 pub use vectors::{Normal, Point, Vector};
 

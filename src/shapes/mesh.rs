@@ -202,6 +202,8 @@ struct Member<'a> {
 }
 
 impl Primitives for Seen<'_> {
+    const SIFTS: bool = true;
+
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         self.one(index).hit(span)
     }

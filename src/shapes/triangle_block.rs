@@ -116,10 +116,11 @@ impl Block {
     #[inline(always)]
     #[allow(unsafe_code, reason = "instructions that not every processor has")]
     unsafe fn sift_by<L: Eight>(&self, ray: &ShearedRay, span: Span, sifted: &mut Sifted) {
-        let [x, y, z] = ray.axes;
-        let corners = [&self.corners[x], &self.corners[y], &self.corners[z]];
-        // SAFETY: the caller's
-        let corners = unsafe { [L::load(corners[0]), L::load(corners[1]), L::load(corners[2])] };
+        // SAFETY: the caller's; and a ray has three axes, 0 to 2 in some order
+        let corners = unsafe {
+            let [x, y, z] = ray.axes.map(|axis| self.corners.get_unchecked(axis));
+            [L::load(x), L::load(y), L::load(z)]
+        };
         let [x, y, z] = ray.see(corners);
         let [a, b, c] = &self.numbers;
         let edges =

@@ -1,14 +1,14 @@
-//! From the binary tree to one of eight children a node, at the least expected cost.
+//! From the binary tree to one of sixteen children a node, at the least expected cost.
 //!
 //! Source: Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
 //! Wide BVHs" (HPG 2017), section 3: for every binary subtree, bottom up, the least cost of standing
-//! for it by at most 1, 2 … 7 children of one node. A child is a leaf or a node of its own.
+//! for it by at most 1, 2 … 15 children of one node. A child is a leaf or a node of its own.
 
 use arrayvec::ArrayVec;
 
 use super::build::{Binary, join};
 use super::node::{LEAF, Node, PART, WIDTH};
-use super::{Leaf, LeafCost, NOTHING};
+use super::{LEAF_SIZE, Leaf, LeafCost, NOTHING};
 
 /// The cost of testing a node's boxes, in leaves of one primitive.
 const NODE_COST: f32 = 1.0;
@@ -22,7 +22,7 @@ struct Choice {
     left: [u8; WIDTH + 1],
 }
 
-/// Least costs as 1 to 7 children; the place 0 is not used.
+/// Least costs as 1 to 15 children; the place 0 is not used.
 type Costs = [f32; WIDTH];
 
 /// Adds the tree of the least cost over primitives (and parts) in the order of the binary tree's
@@ -61,7 +61,7 @@ fn choose<L: LeafCost>(
         let cost = if is_part(*index) { NODE_COST } else { leaf_cost.cost(order) };
         return [area * cost; WIDTH];
     }
-    let alone = order.len() > WIDTH || order.iter().any(|&index| is_part(index));
+    let alone = order.len() > LEAF_SIZE || order.iter().any(|&index| is_part(index));
     let leaf = area * if alone { f32::INFINITY } else { leaf_cost.cost(order) };
     let middle = tree[1].count as usize;
     let (low, high) = below.split_at_mut(2 * middle - 1);
@@ -70,7 +70,8 @@ fn choose<L: LeafCost>(
     let choose_high = half(2 * middle, high, &order[middle..]);
     let (low, high) = join(order.len(), choose_low, choose_high);
     let shared = |all: usize| {
-        let costs = (1..all).map(|left| (low[left.min(7)] + high[(all - left).min(7)], left as u8));
+        let costs = (1..all)
+            .map(|left| (low[left.min(WIDTH - 1)] + high[(all - left).min(WIDTH - 1)], left as u8));
         costs.fold((f32::INFINITY, 1), |least, other| if other.0 < least.0 { other } else { least })
     };
     let (inside, left) = shared(WIDTH);
@@ -155,7 +156,7 @@ impl Wide<'_> {
             return self.order[first];
         }
         let count = self.tree[at].count as usize;
-        let mut leaf = [NOTHING; WIDTH];
+        let mut leaf = [NOTHING; LEAF_SIZE];
         leaf[..count].copy_from_slice(&self.order[first..first + count]);
         leaf[..count].sort_unstable();
         self.leaves.push(leaf);

@@ -1,24 +1,28 @@
-//! The bounding volume hierarchy: a tree of boxes, eight to a node, tested at once.
+//! The bounding volume hierarchy: a tree of boxes, sixteen to a node, tested at once.
 //!
 //! [`build`] makes a binary tree by the surface-area heuristic, [`collapse`] chooses from it the
-//! nodes and leaves of least expected cost, [`node`] tests eight boxes in single precision, and
+//! nodes and leaves of least expected cost, [`node`] tests sixteen boxes in single precision, and
 //! [`traverse`] walks from the root to the leaves, the nearest first. What is too small for single
 //! precision beside the rest of the scene ([`parts`]) is a tree of its own, in a frame of its own.
 
 mod build;
 mod collapse;
+mod lanes;
 mod node;
 mod parts;
+mod stack;
 mod traverse;
 
 use super::frame::Frame;
 use super::kernel::Kernel;
 use crate::math::Aabb;
 use build::{Box32, Item};
-use node::{LEAF, Node, PART, WIDTH};
+use node::{LEAF, Node, PART};
 
 /// The primitives of a leaf, in order; [`NOTHING`] behind the last.
-pub type Leaf = [u32; WIDTH];
+pub type Leaf = [u32; LEAF_SIZE];
+/// Primitives of a leaf at most.
+pub const LEAF_SIZE: usize = 8;
 /// No primitive.
 pub const NOTHING: u32 = u32::MAX;
 

@@ -1,22 +1,20 @@
-//! A node: the boxes of eight children, tested at once.
+//! A node: the boxes of sixteen children, tested at once.
 //!
 //! The boxes are in single precision, larger on all sides by [`PAD`] than the boxes of the frame.
 //! With that, and with the far part of the slack taken four times, an interval computed here
 //! contains the one that [`FrameRay::crossing`] computes in `f64`, and no more has to be shown (see
 //! `accel/frame.rs`). The roundings, as the distance in space by which each can move a plane, for
-//! an origin within [`NEAR`](crate::accel::frame::NEAR) = 4 and planes within 1 of the middle
-//! (u = 2⁻²⁴):
+//! an origin within 4.25 of the middle and planes within 1 (u = 2⁻²⁴):
 //! - of the origin: 4 u;
-//! - of 1/d, relatively 1 u, on a distance of at most 5: 5 u;
-//! - of the difference to the plane: 5 u; or of the product with the origin, if that is taken off
-//!   by a fused operation: 4 u;
-//! - of the result: 5 u.
+//! - of the direction and of one over it, relatively 1 u each, on a distance of at most 5.25: 11 u;
+//! - of its product with the origin, and of that less or plus the slack: 4.25 u each;
+//! - of its product with the plane, if that is not fused with the sum: 1 u;
+//! - of the sum: 5.25 u.
 //!
-//! Together 19 u, less than the 28 u of [`PAD`] that the 2⁻²³ of a side of at most 2 leave. An origin
-//! is farther out than 4 only if the ray comes from beyond 2²⁴ sizes, and then the second half of
-//! its far slack is larger than what its roundings add: 2⁻²⁴ of 2⁻²⁵ of the distance. 1/d is at most
-//! 10¹⁸, and the largest component of d at least 2⁻³⁰: that leaves any plane that is not within 2⁻²⁴
-//! of the origin beyond the frame.
+//! Together 30 u, less than the 36 u of [`PAD`] that the 2⁻²³ of a side of at most 2 leave. What the
+//! slack adds to these numbers is less than a part in 2²⁰ of the slack. 1/d is at most 10¹⁸, and the
+//! largest component of d at least 10⁻⁹: that leaves any plane that is not within 2⁻²⁴ of the origin
+//! beyond the frame.
 //!
 //! In the frame of a part of the boxes ([`Frame::of_part`](crate::accel::frame::Frame::of_part))
 //! all numbers are those of another `f64` computation. The distance that the ray comes from is
@@ -25,38 +23,41 @@
 //! four times rather than twice.
 
 use super::build::Box32;
+use super::lanes::Lanes;
 use crate::accel::frame::FrameRay;
 use crate::accel::kernel::{Instructions, Kernel};
-use crate::math::{Aabb, Span};
+use crate::math::{Aabb, Singles, Span};
 
-/// Children of a node, and primitives of a leaf at most.
-pub const WIDTH: usize = 8;
+/// Children of a node at most.
+pub const WIDTH: usize = 16;
 /// The bit that tells a leaf among children; the others are its number.
 pub const LEAF: u32 = 1 << 31;
 /// The bits that tell a part with a frame of its own; the others are its number.
 pub const PART: u32 = LEAF | 1 << 30;
-/// How much the boxes are larger.
-const PAD: f64 = 1.0 / (1 << 19) as f64;
+/// How much the boxes are larger: 40 u.
+const PAD: f64 = 2.5 / (1 << 20) as f64;
 
-/// Four cache lines.
+/// Seven cache lines.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct Node {
     /// The lower and the upper bounds along x, then along y, then along z.
-    bounds: [[f32; WIDTH]; 6],
+    bounds: [f32; 6 * WIDTH],
     /// Where each child is: a node, or with the bit [`LEAF`] a leaf, or with [`PART`] a part.
     pub children: [u32; WIDTH],
 }
 
-/// A ray as single precision sees it.
+/// A ray as single precision sees it. It enters and leaves the slab of a box between two planes at
+/// `inverse · plane + enters` and `… + leaves`.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray32 {
     inverse: [f32; 3],
-    /// The origin, moved by the slack, for the planes where the ray enters and those where it leaves.
+    /// Where it meets the plane through the middle, less and plus the slack.
     enters: [f32; 3],
     leaves: [f32; 3],
-    /// Which of a node's bounds are those where the ray enters.
-    sides: [usize; 3],
+    /// Where among a node's bounds those begin at which the ray enters, and those at which it leaves.
+    near: [usize; 3],
+    far: [usize; 3],
     /// Hits before it do not count; never below +0.
     first: f32,
 }
@@ -88,15 +89,19 @@ pub fn rounded_up(x: f64) -> f32 {
 }
 
 impl Ray32 {
-    #[inline]
+    #[inline(always)]
     pub fn new(ray: &FrameRay, span: Span) -> Self {
-        let (origin, inverse, slack) = ray.single();
-        let ahead = inverse.map(|i| slack.copysign(i));
+        let inverse = (Singles::all(1.0) / ray.direction.to_singles()).within(1e18);
+        let meets = -inverse * ray.origin.to_singles();
+        let slack = inverse.abs() * Singles::all(ray.slack_of_nodes() as f32);
+        let backward = inverse.signs();
+        let row = |axis: usize, side: usize| WIDTH * (2 * axis + side);
         Self {
-            inverse: inverse.map(|i| i.clamp(-1e18, 1e18) as f32),
-            enters: [0, 1, 2].map(|i| (origin[i] + ahead[i]) as f32),
-            leaves: [0, 1, 2].map(|i| (origin[i] - ahead[i]) as f32),
-            sides: inverse.map(|i| usize::from(i.is_sign_negative())),
+            inverse: inverse.to_array(),
+            enters: (meets - slack).to_array(),
+            leaves: (meets + slack).to_array(),
+            near: [0, 1, 2].map(|axis| row(axis, backward >> axis & 1)),
+            far: [0, 1, 2].map(|axis| row(axis, !backward >> axis & 1)),
             first: rounded_down(ray.first(span)) + 0.0, // not −0
         }
     }
@@ -106,16 +111,23 @@ impl Node {
     /// Boxes that no ray crosses: their bounds are at infinity.
     pub const EMPTY: Self = Self {
         bounds: {
-            let (low, high) = ([f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]);
-            [low, high, low, high, low, high]
+            let mut bounds = [f32::INFINITY; 6 * WIDTH];
+            let mut i = 0;
+            while i < 6 * WIDTH {
+                if i / WIDTH % 2 == 1 {
+                    bounds[i] = f32::NEG_INFINITY;
+                }
+                i += 1;
+            }
+            bounds
         },
         children: [LEAF; WIDTH],
     };
 
     pub fn set(&mut self, slot: usize, bounds: &Box32, child: u32) {
         for axis in 0..3 {
-            self.bounds[2 * axis][slot] = bounds.min[axis];
-            self.bounds[2 * axis + 1][slot] = bounds.max[axis];
+            self.bounds[2 * axis * WIDTH + slot] = bounds.min[axis];
+            self.bounds[(2 * axis + 1) * WIDTH + slot] = bounds.max[axis];
         }
         self.children[slot] = child;
     }
@@ -128,18 +140,21 @@ impl Node {
             Instructions::Plain => self.crossed_plain(ray, last),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 | Instructions::Avx512 => unsafe { self.crossed_avx2(ray, last) },
+            Instructions::Avx2 => unsafe { self.crossed_by::<super::lanes::Avx2>(ray, last) },
+            #[cfg(target_arch = "x86_64")]
+            Instructions::Avx512 => unsafe { self.crossed_by::<super::lanes::Avx512>(ray, last) },
         }
     }
 
     fn crossed_plain(&self, ray: &Ray32, last: f32) -> Crossed {
         let (mut near, mut far) = ([ray.first; WIDTH], [last; WIDTH]);
         for axis in 0..3 {
-            let side = ray.sides[axis];
-            let (enter, leave) = (&self.bounds[2 * axis + side], &self.bounds[2 * axis + 1 - side]);
+            let (inverse, enters, leaves) = (ray.inverse[axis], ray.enters[axis], ray.leaves[axis]);
+            let near_planes = &self.bounds[ray.near[axis]..][..WIDTH];
+            let far_planes = &self.bounds[ray.far[axis]..][..WIDTH];
             for i in 0..WIDTH {
-                let enter = (enter[i] - ray.enters[axis]) * ray.inverse[axis];
-                let leave = (leave[i] - ray.leaves[axis]) * ray.inverse[axis];
+                let enter = near_planes[i] * inverse + enters;
+                let leave = far_planes[i] * inverse + leaves;
                 near[i] = if enter > near[i] { enter } else { near[i] };
                 far[i] = if leave < far[i] { leave } else { far[i] };
             }
@@ -147,46 +162,46 @@ impl Node {
         let mask = (0..WIDTH).fold(0, |mask, i| mask | u32::from(near[i] <= far[i]) << i);
         (mask, near)
     }
-    /// The same, but that the difference to a plane is fused with its multiplication.
+
+    /// The same, but that the product with a plane is fused with the sum.
     ///
     /// # Safety
-    /// The processor has AVX2 and FMA. (They are no attribute of this function, because it could
-    /// not always be inlined then; closures would have the same fault.)
-    #[cfg(target_arch = "x86_64")]
+    /// The processor has the instructions of `L`. (They are no attribute of this function, because it
+    /// could not always be inlined then; closures would have the same fault.)
     #[inline(always)]
     #[allow(unsafe_code, reason = "instructions that not every processor has")]
-    unsafe fn crossed_avx2(&self, ray: &Ray32, last: f32) -> Crossed {
-        use std::arch::x86_64::*;
-        let first = ray.first;
-        // SAFETY: the caller's; and loads and stores are of eight numbers
+    unsafe fn crossed_by<L: Lanes>(&self, ray: &Ray32, last: f32) -> Crossed {
+        let (mut mask, mut entries) = (0, [0.0; WIDTH]);
+        // SAFETY: the caller's; and all rows of bounds, and the entries, have WIDTH numbers, which is a
+        // multiple of those at once
         unsafe {
-            macro_rules! distance {
-                ($axis:literal, $side:expr, $origins:expr) => {{
-                    let plane = _mm256_loadu_ps(self.bounds[2 * $axis + ($side & 1)].as_ptr());
-                    let origin = _mm256_set1_ps(ray.inverse[$axis] * $origins[$axis]);
-                    _mm256_fmsub_ps(plane, _mm256_set1_ps(ray.inverse[$axis]), origin)
-                }};
-            }
-            macro_rules! enter {
-                ($axis:literal) => {
-                    distance!($axis, ray.sides[$axis], ray.enters)
+            macro_rules! meets {
+                ($axis:literal, $rows:expr, $terms:expr, $some:expr) => {
+                    L::load(self.bounds.as_ptr().add($rows[$axis] + $some))
+                        .times_plus(L::all(ray.inverse[$axis]), L::all($terms[$axis]))
                 };
             }
-            macro_rules! leave {
-                ($axis:literal) => {
-                    distance!($axis, 1 - (ray.sides[$axis] & 1), ray.leaves)
-                };
+            let mut some = 0;
+            while some < WIDTH {
+                let [x, y, z] = [
+                    meets!(0, ray.near, ray.enters, some),
+                    meets!(1, ray.near, ray.enters, some),
+                    meets!(2, ray.near, ray.enters, some),
+                ];
+                // of two zeros the second is taken: the start, which is +0 and not −0
+                let near = x.max(y).max(z.max(L::all(ray.first)));
+                let [x, y, z] = [
+                    meets!(0, ray.far, ray.leaves, some),
+                    meets!(1, ray.far, ray.leaves, some),
+                    meets!(2, ray.far, ray.leaves, some),
+                ];
+                let far = x.min(y).min(z.min(L::all(last)));
+                near.store(entries.as_mut_ptr().add(some));
+                mask |= near.at_most(far) << some;
+                some += L::COUNT;
             }
-            // of two zeros the second is taken: the start, which is +0 and not −0
-            let near = _mm256_max_ps(enter!(2), _mm256_set1_ps(first));
-            let near = _mm256_max_ps(_mm256_max_ps(enter!(0), enter!(1)), near);
-            let far = _mm256_min_ps(leave!(2), _mm256_set1_ps(last));
-            let far = _mm256_min_ps(_mm256_min_ps(leave!(0), leave!(1)), far);
-            let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
-            let mut entries = [0.0; WIDTH];
-            _mm256_storeu_ps(entries.as_mut_ptr(), near);
-            (mask, entries)
         }
+        (mask, entries)
     }
 }
 
@@ -253,29 +268,30 @@ mod tests {
             let target = if case % 3 == 0 { whole } else { bounds };
             let ray = ray(&mut random, &target);
             let (framed, span) = match case % 2 {
-                0 => (frame.ray_from_afar(&ray), Span::LINE),
-                _ => (frame.ray_from_near(&ray), Span::AHEAD),
+                0 => (frame.line(&ray), Span::LINE),
+                _ => (frame.ray(&ray), Span::AHEAD),
             };
             let Some(ray) = framed else { continue };
             let boxed = frame.boxed(&bounds);
             let mut node = Node::EMPTY;
-            node.set(3, &Box32::padded(&boxed), 7);
+            let slot = case / 2 % WIDTH;
+            node.set(slot, &Box32::padded(&boxed), 7);
             let (near, far) = ray.crossing(&boxed);
             let near = near.max(0.0); // where what is wanted begins
             crossed[2 * (case % 2) + usize::from(near <= far)] += 1;
             let ray32 = Ray32::new(&ray, span);
             for kernel in Kernel::available() {
                 let (mask, entries) = node.crossed(kernel, &ray32, f32::INFINITY);
-                assert_eq!(mask & !(1 << 3), 0, "an empty place is crossed by {ray:?}");
+                assert_eq!(mask & !(1 << slot), 0, "an empty place is crossed by {ray:?}");
                 if near <= far {
-                    assert_eq!(mask, 1 << 3, "{kernel:?}: {ray:?} misses {boxed:?}");
-                    assert!(f64::from(entries[3]) <= near, "{kernel:?}: {ray:?}, {boxed:?}");
+                    assert_eq!(mask, 1 << slot, "{kernel:?}: {ray:?} misses {boxed:?}");
+                    assert!(f64::from(entries[slot]) <= near, "{kernel:?}: {ray:?}, {boxed:?}");
                     // seen to the end, and not beyond by much
                     let seen = |last: f64| node.crossed(kernel, &ray32, last as f32).0 != 0;
                     assert!(seen(near.next_up() * (1.0 + 1e-6)), "{kernel:?}: {ray:?}, {boxed:?}");
                     let late = Ray32 { first: (far as f32).next_down().max(0.0), ..ray32 };
                     let (mask, _) = node.crossed(kernel, &late, f32::INFINITY);
-                    assert_eq!(mask, 1 << 3, "{kernel:?}: left too early by {ray:?}, {boxed:?}");
+                    assert_eq!(mask, 1 << slot, "{kernel:?}: left too early by {ray:?}, {boxed:?}");
                 }
             }
         }

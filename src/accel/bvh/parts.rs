@@ -1,6 +1,6 @@
 //! What is too small for the single precision of its frame: a teapot in a stadium.
 //!
-//! Boxes are grown by 2⁻¹⁹ of the frame, which is nothing beside most primitives. But where a great
+//! Boxes are grown by some 2⁻¹⁹ of the frame, which is nothing beside most primitives. But where a great
 //! many are together that are not much larger than that, their grown boxes overlap each other, and a
 //! tree cannot tell them apart. Such a subtree becomes a part: one box in the tree that it stands
 //! in, and inside a tree of its own, in its own frame.
@@ -17,7 +17,7 @@ pub const DEEPEST: usize = 16;
 const WIDEST: f32 = 1.0 / 16.0;
 /// … with at least so many primitives …
 const FEWEST: u32 = 16;
-/// … that are about so wide, each: 2⁶ times what boxes are grown by.
+/// … that are about so wide, each: some fifty times what boxes are grown by.
 const SMALL: f32 = 1.0 / (1 << 13) as f32;
 
 /// A subtree that is to become a part.

@@ -3,50 +3,125 @@
 //! One traversal for all searches and all kinds of primitives. It is compiled once for each
 //! [`Kernel`]: only then do the kernels become part of it rather than calls.
 
-use std::mem::MaybeUninit;
-
-use super::build::DEEPEST;
 use super::node::{Crossed, LEAF, Node, PART, Ray32, WIDTH, rounded_up};
+use super::stack::{Room, Stack};
 use super::{Bvh, NOTHING};
 use crate::accel::Sifted;
-use crate::accel::frame::FrameRay;
+use crate::accel::frame::{Frame, FrameRay};
 use crate::accel::kernel::{Instructions, Kernel, prefetch};
 use crate::accel::search::Search;
 
-/// Makes the ray of a search.
-trait Enter<S>: FnOnce(&mut S) -> Option<FrameRay> {}
-impl<S, E: FnOnce(&mut S) -> Option<FrameRay>> Enter<S> for E {}
+/// Makes the ray of a search. (A closure would be called, and not compiled for the kernel's
+/// instructions.)
+trait Enter<S>: Copy {
+    fn enter(self, search: &mut S) -> Option<FrameRay>;
+}
+
+/// In the frame of all boxes, of an ordinary ray.
+#[derive(Clone, Copy)]
+struct Ordinary;
+
+impl<S: Search> Enter<S> for Ordinary {
+    #[inline(always)]
+    fn enter(self, search: &mut S) -> Option<FrameRay> {
+        search.ordinary_ray()
+    }
+}
+
+/// In this frame, of any ray.
+#[derive(Clone, Copy)]
+struct Within<'a>(&'a Frame);
+
+impl<S: Search> Enter<S> for Within<'_> {
+    fn enter(self, search: &mut S) -> Option<FrameRay> {
+        search.ray_in(self.0)
+    }
+}
+
+/// Why a walk stops, and how many children still wait.
+enum Stop {
+    /// The search has enough, or nothing waits any more.
+    Ended(bool),
+    /// Before those primitives of a leaf that its block leaves open.
+    Open { leaf: u32, open: u8, waiting: u32 },
+    /// Before a part.
+    Part { number: u32, waiting: u32 },
+}
 
 impl Bvh {
     /// Shows the search every primitive that it might still want, until it has enough.
     pub(in crate::accel) fn search<S: Search>(&self, search: &mut S) {
-        if self.nodes.is_empty() || self.follow(search, 0, S::enter_from_near).is_some() {
+        if self.nodes.is_empty() || self.follow(search, 0, Ordinary).is_some() {
             return;
         }
-        if let Some(ray) = search.enter_from_afar() {
-            self.follow_ray(search, 0, ray);
+        if search.enter().is_some() {
+            let frame = *search.frame();
+            self.follow(search, 0, Within(&frame));
         }
     }
 
-    /// Searches below a node with this ray, in the frame of the node; says whether the search has
-    /// enough.
-    fn follow_ray<S: Search>(&self, search: &mut S, root: u32, ray: FrameRay) -> bool {
-        self.follow(search, root, |_| Some(ray)).unwrap_or(false)
+    /// Searches below a node; says whether the search has enough, `None` if it has no such ray.
+    #[inline(always)]
+    fn follow<S: Search>(&self, search: &mut S, root: u32, enter: impl Enter<S>) -> Option<bool> {
+        let mut room = Stack::ROOM;
+        let stack = Stack { room: &mut room, len: 0 };
+        match self.walk_by_kernel(search, enter, root, stack)? {
+            Stop::Ended(enough) => Some(enough),
+            stop => self.go_on(search, enter, stop, &mut room),
+        }
     }
 
-    /// The same with a ray that is made here, where it need not be handed over in memory; `None` if
-    /// there is none.
+    /// Does what a walk stopped before, and walks on. (Calls in the walk itself would have it keep its
+    /// numbers in memory; for the same reason it makes the ray anew.)
+    #[cold]
+    fn go_on<S: Search>(
+        &self,
+        search: &mut S,
+        enter: impl Enter<S>,
+        mut stop: Stop,
+        room: &mut Room,
+    ) -> Option<bool> {
+        loop {
+            let (enough, waiting) = match stop {
+                Stop::Ended(enough) => return Some(enough),
+                Stop::Open { leaf, open, waiting } => (self.open(search, leaf, open), waiting),
+                Stop::Part { number, waiting } => (self.part(search, number), waiting),
+            };
+            let mut stack = Stack { room, len: waiting as usize };
+            let next = if enough { None } else { stack.pop() };
+            let Some(next) = next else { return Some(enough) };
+            stop = self.walk_by_kernel(search, enter, next as u32, stack)?;
+        }
+    }
+
     #[inline(always)]
     #[allow(unsafe_code, reason = "calls what not every processor can run")]
-    fn follow<S: Search>(&self, search: &mut S, root: u32, enter: impl Enter<S>) -> Option<bool> {
+    fn walk_by_kernel<S: Search>(
+        &self,
+        search: &mut S,
+        enter: impl Enter<S>,
+        root: u32,
+        stack: Stack,
+    ) -> Option<Stop> {
         match self.kernel.instructions() {
-            Instructions::Plain => self.walk(search, root, enter, Kernel::PLAIN),
+            Instructions::Plain => self.walk_plain(search, enter, root, stack),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.walk_avx2(search, root, enter) },
+            Instructions::Avx2 => unsafe { self.walk_avx2(search, enter, root, stack) },
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { self.walk_avx512(search, root, enter) },
+            Instructions::Avx512 => unsafe { self.walk_avx512(search, enter, root, stack) },
         }
+    }
+
+    #[inline(never)]
+    fn walk_plain<S: Search>(
+        &self,
+        search: &mut S,
+        enter: impl Enter<S>,
+        root: u32,
+        stack: Stack,
+    ) -> Option<Stop> {
+        self.walk(search, enter, root, stack, Kernel::PLAIN)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -54,10 +129,11 @@ impl Bvh {
     fn walk_avx2<S: Search>(
         &self,
         search: &mut S,
-        root: u32,
         enter: impl Enter<S>,
-    ) -> Option<bool> {
-        self.walk(search, root, enter, Kernel::AVX2)
+        root: u32,
+        stack: Stack,
+    ) -> Option<Stop> {
+        self.walk(search, enter, root, stack, Kernel::AVX2)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -65,45 +141,46 @@ impl Bvh {
     fn walk_avx512<S: Search>(
         &self,
         search: &mut S,
-        root: u32,
         enter: impl Enter<S>,
-    ) -> Option<bool> {
-        self.walk(search, root, enter, Kernel::AVX512)
+        root: u32,
+        stack: Stack,
+    ) -> Option<Stop> {
+        self.walk(search, enter, root, stack, Kernel::AVX512)
     }
 
+    /// Visits what is below a node and what waits, the nearest first.
     #[inline(always)]
     fn walk<S: Search>(
         &self,
         search: &mut S,
-        root: u32,
         enter: impl Enter<S>,
+        root: u32,
+        mut stack: Stack,
         kernel: Kernel,
-    ) -> Option<bool> {
-        let ray = enter(search)?;
+    ) -> Option<Stop> {
+        let ray = enter.enter(search)?;
         let ray32 = Ray32::new(&ray, search.span());
         let mut last = last(&ray, search);
-        let mut room = Stack::ROOM;
-        let mut stack = Stack { room: &mut room, len: 0 };
         let mut sifted = Sifted::default();
         let mut next = root;
         loop {
-            if next & LEAF == 0 {
-                search.step();
-                let node = &self.nodes[next as usize];
-                let crossed = node.crossed(kernel, &ray32, last);
-                if let Some(nearest) = self.push_all_but_nearest(search, node, crossed, &mut stack)
-                {
-                    next = nearest;
-                    continue;
+            if let Some(leaf) = self.descend(search, next, kernel, &ray32, last, &mut stack) {
+                if leaf & PART == PART {
+                    return Some(Stop::Part { number: leaf ^ PART, waiting: stack.len as u32 });
                 }
-            } else {
-                let end = search.end();
-                let enough = match next & PART == PART {
-                    true => self.part(search, next ^ PART),
-                    false => self.leaf(search, kernel, next ^ LEAF, &mut sifted),
-                };
-                if enough {
-                    return Some(true);
+                let (leaf, end) = (leaf ^ LEAF, search.end());
+                search.sift(kernel, leaf, &mut sifted);
+                if self.take(search, &mut sifted) {
+                    return Some(Stop::Ended(true));
+                }
+                if sifted.open != 0 {
+                    if S::SIFTS && kernel != Kernel::PLAIN {
+                        let (open, waiting) = (sifted.open, stack.len as u32);
+                        return Some(Stop::Open { leaf, open, waiting });
+                    }
+                    if self.open(search, leaf, sifted.open) {
+                        return Some(Stop::Ended(true));
+                    }
                 }
                 if search.end() < end {
                     last = self::last(&ray, search);
@@ -111,7 +188,7 @@ impl Bvh {
             }
             // equal distance is not farther: ties are settled by the order of objects
             next = loop {
-                let Some(waiting) = stack.pop() else { return Some(false) };
+                let Some(waiting) = stack.pop() else { return Some(Stop::Ended(false)) };
                 if f32::from_bits((waiting >> 32) as u32) <= last {
                     break waiting as u32;
                 }
@@ -119,11 +196,31 @@ impl Bvh {
         }
     }
 
+    /// From a node to the nearest leaf or part below it that is crossed.
+    #[inline(always)]
+    fn descend<S: Search>(
+        &self,
+        search: &mut S,
+        mut next: u32,
+        kernel: Kernel,
+        ray: &Ray32,
+        last: f32,
+        stack: &mut Stack,
+    ) -> Option<u32> {
+        while next & LEAF == 0 {
+            search.step();
+            let node = &self.nodes[next as usize];
+            let crossed = node.crossed(kernel, ray, last);
+            next = self.push_all_but_nearest(search, node, crossed, stack)?;
+        }
+        Some(next)
+    }
+
     /// Searches a part, in its own frame.
     #[cold]
     fn part<S: Search>(&self, search: &mut S, number: u32) -> bool {
         let part = &self.parts[number as usize];
-        search.ray_in(&part.frame).is_some_and(|ray| self.follow_ray(search, part.root, ray))
+        self.follow(search, part.root, Within(&part.frame)).unwrap_or(false)
     }
 
     /// The nearest of the children that are crossed; the others go to the stack, the nearest on
@@ -175,16 +272,9 @@ impl Bvh {
         prefetch(if child & LEAF == 0 { node } else { leaf });
     }
 
-    /// Shows the search the primitives of a leaf; says whether it has enough.
+    /// Gives the search the hits that count; says whether it has enough.
     #[inline(always)]
-    fn leaf<S: Search>(
-        &self,
-        search: &mut S,
-        kernel: Kernel,
-        number: u32,
-        sifted: &mut Sifted,
-    ) -> bool {
-        search.sift(kernel, number, sifted);
+    fn take<S: Search>(&self, search: &mut S, sifted: &mut Sifted) -> bool {
         while sifted.sure != 0 {
             let hit = sifted.hit(sifted.sure.trailing_zeros() as usize);
             sifted.sure &= sifted.sure - 1;
@@ -192,11 +282,18 @@ impl Bvh {
                 return true;
             }
         }
-        while sifted.open != 0 {
-            let slot = sifted.open.trailing_zeros() as usize;
-            sifted.open &= sifted.open - 1;
-            let index = || Some(self.leaves[number as usize][slot]).filter(|&i| i != NOTHING);
-            if search.consider_in_leaf(number, slot, index) {
+        false
+    }
+
+    /// Shows the search those primitives of a leaf that its block leaves open; says whether it has
+    /// enough.
+    #[inline(always)]
+    fn open<S: Search>(&self, search: &mut S, leaf: u32, mut open: u8) -> bool {
+        while open != 0 {
+            let slot = open.trailing_zeros() as usize;
+            open &= open - 1;
+            let index = || Some(self.leaves[leaf as usize][slot]).filter(|&i| i != NOTHING);
+            if search.consider_in_leaf(leaf, slot, index) {
                 return true;
             }
         }
@@ -208,43 +305,4 @@ impl Bvh {
 #[inline(always)]
 fn last(ray: &FrameRay, search: &impl Search) -> f32 {
     rounded_up(ray.last(search.end()))
-}
-
-/// Children that wait: at most seven for each node above the present one.
-struct Stack<'a> {
-    room: &'a mut Room,
-    /// So many have been written.
-    len: usize,
-}
-
-/// Where children wait.
-type Room = [MaybeUninit<u64>; (WIDTH - 1) * DEEPEST];
-
-impl Stack<'_> {
-    const ROOM: Room = [const { MaybeUninit::uninit() }; (WIDTH - 1) * DEEPEST];
-
-    /// Puts a child below the nearer ones, but above `bottom`.
-    #[inline(always)]
-    fn insert(&mut self, bottom: usize, child: u64) {
-        let mut place = self.len;
-        while place > bottom && self.get(place - 1) < child {
-            self.room[place].write(self.get(place - 1));
-            place -= 1;
-        }
-        self.room[place].write(child);
-        self.len += 1;
-    }
-
-    #[inline(always)]
-    fn pop(&mut self) -> Option<u64> {
-        self.len = self.len.checked_sub(1)?;
-        Some(self.get(self.len))
-    }
-
-    #[inline(always)]
-    #[allow(unsafe_code, reason = "clearing the stack for each ray would take a tenth of its time")]
-    fn get(&self, place: usize) -> u64 {
-        // SAFETY: places below `len` have been written, and no other is read
-        unsafe { self.room[place].assume_init() }
-    }
 }

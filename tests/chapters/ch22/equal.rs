@@ -33,6 +33,8 @@ fn acceleration_equals_the_list_on_coincident_objects() {
     }
     let center = Point::new(0.1, 0.2, -0.3);
     objects.extend((0..20).map(|_| built(Sphere { center, radius: 0.5, inward: false })));
+    let plane = Plane { point: Point::new(0.0, -0.5, 0.0), normal: Vector::Y };
+    objects.extend((0..3).map(|_| built(plane.clone())));
     let both = Both::new(objects.clone());
     for ray in some_rays(2212, 4_000, 1.0) {
         for accel in both.others() {
