@@ -12,7 +12,7 @@ pub struct Kernel(Instructions);
 pub(crate) enum Instructions {
     /// Plain Rust, for every processor.
     Plain,
-    /// AVX2 and FMA: 4 numbers of double precision at once, 8 of single precision.
+    /// AVX2, FMA and BMI1: 4 numbers of double precision at once, 8 of single precision.
     #[cfg(target_arch = "x86_64")]
     Avx2,
     /// AVX-512 (F and VL) too: 8 numbers of double precision at once, 16 of single precision.
@@ -35,7 +35,10 @@ impl Kernel {
     pub fn available() -> Vec<Self> {
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
-        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+        if is_x86_feature_detected!("avx2")
+            && is_x86_feature_detected!("fma")
+            && is_x86_feature_detected!("bmi1")
+        {
             if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl") {
                 all.push(Self(Instructions::Avx512));
             }

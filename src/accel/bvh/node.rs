@@ -55,11 +55,40 @@ pub struct Ray32 {
     /// Where it meets the plane through the middle, less and plus the slack.
     enters: [f32; 3],
     leaves: [f32; 3],
-    /// Where among a node's bounds those begin at which the ray enters, and those at which it leaves.
-    near: [usize; 3],
-    far: [usize; 3],
+    /// Where among a node's bounds those begin at which it enters, and those at which it leaves.
+    rows: &'static Rows,
     /// Hits before it do not count; never below +0.
     first: f32,
+}
+
+/// See [`Ray32`].
+#[derive(Debug)]
+struct Rows {
+    near: [usize; 3],
+    far: [usize; 3],
+}
+
+/// By the signs of a direction's components, as bits.
+static ROWS: [Rows; 8] = [
+    Rows::of(0b000),
+    Rows::of(0b001),
+    Rows::of(0b010),
+    Rows::of(0b011),
+    Rows::of(0b100),
+    Rows::of(0b101),
+    Rows::of(0b110),
+    Rows::of(0b111),
+];
+
+impl Rows {
+    /// Upper bounds are the near ones where a component is negative.
+    const fn of(signs: usize) -> Self {
+        let [x, y, z] = [signs & 1, signs >> 1 & 1, signs >> 2];
+        Self {
+            near: [WIDTH * x, WIDTH * (2 + y), WIDTH * (4 + z)],
+            far: [WIDTH * (1 - x), WIDTH * (3 - y), WIDTH * (5 - z)],
+        }
+    }
 }
 
 /// Which boxes the ray crosses, as a mask, and where it enters each.
@@ -94,14 +123,11 @@ impl Ray32 {
         let inverse = (Singles::all(1.0) / ray.direction.to_singles()).within(1e18);
         let meets = -inverse * ray.origin.to_singles();
         let slack = inverse.abs() * Singles::all(ray.slack_of_nodes() as f32);
-        let backward = inverse.signs();
-        let row = |axis: usize, side: usize| WIDTH * (2 * axis + side);
         Self {
             inverse: inverse.to_array(),
             enters: (meets - slack).to_array(),
             leaves: (meets + slack).to_array(),
-            near: [0, 1, 2].map(|axis| row(axis, backward >> axis & 1)),
-            far: [0, 1, 2].map(|axis| row(axis, !backward >> axis & 1)),
+            rows: &ROWS[inverse.signs() % ROWS.len()],
             first: rounded_down(ray.first(span)) + 0.0, // not −0
         }
     }
@@ -150,8 +176,8 @@ impl Node {
         let (mut near, mut far) = ([ray.first; WIDTH], [last; WIDTH]);
         for axis in 0..3 {
             let (inverse, enters, leaves) = (ray.inverse[axis], ray.enters[axis], ray.leaves[axis]);
-            let near_planes = &self.bounds[ray.near[axis]..][..WIDTH];
-            let far_planes = &self.bounds[ray.far[axis]..][..WIDTH];
+            let near_planes = &self.bounds[ray.rows.near[axis]..][..WIDTH];
+            let far_planes = &self.bounds[ray.rows.far[axis]..][..WIDTH];
             for i in 0..WIDTH {
                 let enter = near_planes[i] * inverse + enters;
                 let leave = far_planes[i] * inverse + leaves;
@@ -184,16 +210,16 @@ impl Node {
             let mut some = 0;
             while some < WIDTH {
                 let [x, y, z] = [
-                    meets!(0, ray.near, ray.enters, some),
-                    meets!(1, ray.near, ray.enters, some),
-                    meets!(2, ray.near, ray.enters, some),
+                    meets!(0, ray.rows.near, ray.enters, some),
+                    meets!(1, ray.rows.near, ray.enters, some),
+                    meets!(2, ray.rows.near, ray.enters, some),
                 ];
                 // of two zeros the second is taken: the start, which is +0 and not −0
                 let near = x.max(y).max(z.max(L::all(ray.first)));
                 let [x, y, z] = [
-                    meets!(0, ray.far, ray.leaves, some),
-                    meets!(1, ray.far, ray.leaves, some),
-                    meets!(2, ray.far, ray.leaves, some),
+                    meets!(0, ray.rows.far, ray.leaves, some),
+                    meets!(1, ray.rows.far, ray.leaves, some),
+                    meets!(2, ray.rows.far, ray.leaves, some),
                 ];
                 let far = x.min(y).min(z.min(L::all(last)));
                 near.store(entries.as_mut_ptr().add(some));

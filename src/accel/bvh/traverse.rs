@@ -125,7 +125,7 @@ impl Bvh {
     }
 
     #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2,fma")]
+    #[target_feature(enable = "avx2,fma,bmi1")]
     fn walk_avx2<S: Search>(
         &self,
         search: &mut S,
@@ -137,7 +137,7 @@ impl Bvh {
     }
 
     #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2,fma,avx512f,avx512vl")]
+    #[target_feature(enable = "avx2,fma,bmi1,avx512f,avx512vl")]
     fn walk_avx512<S: Search>(
         &self,
         search: &mut S,

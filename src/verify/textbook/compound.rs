@@ -5,20 +5,21 @@ use std::f64::consts::PI;
 
 use oracle::Solid;
 
+use super::wedge::Wedge;
 use super::{
     Angles, Annulus, Disk, Instance, OpenCone, OpenCylinder, PartCylinder, PartSphere, PartTorus,
     Rectangle, SMALL_K_EPSILON, Textbook, cuboid,
 };
 use crate::math::{Point, Ray, Vector, atan2, cos, sin, to_radians};
 
-type Part = Box<dyn Textbook>;
+pub(super) type Part = Box<dyn Textbook>;
 
 /// Several parts in a box.
 #[derive(Debug)]
 pub struct Compound {
-    min: Point,
-    max: Point,
-    parts: Vec<Part>,
+    pub(super) min: Point,
+    pub(super) max: Point,
+    pub(super) parts: Vec<Part>,
 }
 
 impl Textbook for Compound {
@@ -33,9 +34,9 @@ impl Textbook for Compound {
     }
 }
 
-/// The compound of a solid; `None` for the wedge, whose caps the book has no part for.
-pub fn of(solid: &Solid) -> Option<Compound> {
-    Some(match *solid {
+/// The compound of a solid.
+pub fn of(solid: &Solid) -> Compound {
+    match *solid {
         Solid::Cylinder { y0, y1, radius } => about_y(
             [y0, y1],
             radius,
@@ -73,8 +74,8 @@ pub fn of(solid: &Solid) -> Option<Compound> {
                     disk(y0, flat),
                     disk(y1, flat),
                     Box::new(OpenCylinder { y0: low, y1: high, radius }),
-                    rounded(low, flat, bevel, [270.0, 360.0]),
-                    rounded(high, flat, bevel, [0.0, 90.0]),
+                    rounded(low, flat, bevel, [270.0, 360.0], AROUND),
+                    rounded(high, flat, bevel, [0.0, 90.0], AROUND),
                 ],
             )
         }
@@ -89,15 +90,17 @@ pub fn of(solid: &Solid) -> Option<Compound> {
                     annulus(y1, near, far),
                     Box::new(OpenCylinder { y0: low, y1: high, radius: inner }),
                     Box::new(OpenCylinder { y0: low, y1: high, radius: outer }),
-                    rounded(low, far, bevel, [270.0, 360.0]),
-                    rounded(high, far, bevel, [0.0, 90.0]),
-                    rounded(low, near, bevel, [180.0, 270.0]),
-                    rounded(high, near, bevel, [90.0, 180.0]),
+                    rounded(low, far, bevel, [270.0, 360.0], AROUND),
+                    rounded(high, far, bevel, [0.0, 90.0], AROUND),
+                    rounded(low, near, bevel, [180.0, 270.0], AROUND),
+                    rounded(high, near, bevel, [90.0, 180.0], AROUND),
                 ],
             )
         }
-        Solid::BeveledWedge { .. } => return None,
-    })
+        Solid::BeveledWedge { y0, y1, inner, outer, phi, bevel } => {
+            Wedge { y: [y0, y1], r: [inner, outer], phi, bevel }.compound()
+        }
+    }
 }
 
 fn about_y([y0, y1]: [f64; 2], radius: f64, parts: Vec<Part>) -> Compound {
@@ -115,19 +118,21 @@ fn annulus(y: f64, inner: f64, outer: f64) -> Part {
 
 /// The part of a sphere about `(0, y, 0)` between two polar angles, in radians.
 fn zone(y: f64, radius: f64, [min, max]: [f64; 2]) -> Part {
-    let (center, phi) = (Point::new(0.0, y, 0.0), Angles::degrees([0.0, 360.0]));
-    Box::new(PartSphere { center, radius, phi, theta: Angles { min, max } })
+    let center = Point::new(0.0, y, 0.0);
+    Box::new(PartSphere { center, radius, phi: AROUND, theta: Angles { min, max } })
 }
 
+/// All azimuths.
+const AROUND: Angles = Angles { min: 0.0, max: 2.0 * PI };
+
 /// The part of a torus at a height, at these angles around its tube in degrees; perhaps through 0.
-fn rounded(y: f64, swept: f64, tube: f64, [from, to]: [f64; 2]) -> Part {
-    let theta = Angles::degrees([from, to]);
-    let phi = Angles::degrees([0.0, 360.0]);
+pub(super) fn rounded(y: f64, swept: f64, tube: f64, theta: [f64; 2], phi: Angles) -> Part {
+    let theta = Angles::degrees(theta);
     moved([0.0, y, 0.0], 1, PartTorus { a: swept, b: tube, phi, theta })
 }
 
 /// The part, its y axis along this axis of the world, z and x along the next ones.
-fn moved(origin: [f64; 3], axis: usize, part: impl Textbook + 'static) -> Part {
+pub(super) fn moved(origin: [f64; 3], axis: usize, part: impl Textbook + 'static) -> Part {
     let mut matrix = origin.map(|x| [0.0, 0.0, 0.0, x]);
     for (own, along) in [(1, axis), (2, (axis + 1) % 3), (0, (axis + 2) % 3)] {
         matrix[along][own] = 1.0;
@@ -159,7 +164,7 @@ fn round_rimmed_bowl(inner: f64, outer: f64, opening: f64) -> Compound {
     let (height, swept) = (middle * cos(radians), middle * sin(radians));
     // from the direction of the outer sphere over the top to that of the inner one
     let from = (90.0 - theta).rem_euclid(360.0);
-    let rim = rounded(height, swept, thin, [from, 270.0 - theta]);
+    let rim = rounded(height, swept, thin, [from, 270.0 - theta], AROUND);
     about_y(
         [-outer, height + thin],
         outer,

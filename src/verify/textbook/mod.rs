@@ -22,6 +22,7 @@ mod rectangle;
 mod sphere;
 mod torus;
 mod triangle;
+mod wedge;
 
 use std::fmt::Debug;
 
@@ -118,7 +119,7 @@ pub fn of(shape: &oracle::Shape) -> Option<Box<dyn Textbook>> {
             Box::new(Paraboloid { height: *height, radius: *radius })
         }
         Shape::CutFace { size, radius } => Box::new(CutFace { size: *size, radius: *radius }),
-        Shape::Solid(solid) => Box::new(compound::of(solid)?),
+        Shape::Solid(solid) => Box::new(compound::of(solid)),
         // the book has no formula for it
         Shape::Algebraic { .. } => return None,
     })
