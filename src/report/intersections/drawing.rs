@@ -29,7 +29,8 @@ fn explanation(data: &Data) -> String {
     format!(
         "<p>Compared are this library's routine for each of {kinds} shapes and the textbook's: the \
          formula as the book prints it, or solids put together of such, with its constant epsilon \
-         (kinds without a textbook form show ours alone). Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
+         (for algebraic surfaces, of which the book says nothing, a sign change among samples along \
+         the ray). Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
          surfaces of high degree and solids of many parts, whose truth takes long) in each of twelve \
          families: ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
          tiny, huge and thin shapes, …). The truth is computed with 512 bits.</p>\n\
@@ -46,14 +47,10 @@ fn explanation(data: &Data) -> String {
 }
 
 /// The families' routines of one kind.
-fn routines<'a>(
-    kind: &'a KindData,
-    of: impl Fn(&'a FamilyData) -> Option<&'a Routine>,
-) -> Option<Summary> {
-    let routines: Vec<&Routine> =
-        kind.families.iter().filter(|family| family.judged > 0).map(&of).collect::<Option<_>>()?;
+fn routines<'a>(kind: &'a KindData, of: impl Fn(&'a FamilyData) -> &'a Routine) -> Option<Summary> {
+    let routines: Vec<&Routine> = kind.families.iter().map(&of).collect();
     let largest = |values: Vec<Option<f64>>| values.into_iter().flatten().reduce(f64::max);
-    let ordinary = of(kind.families.first()?)?;
+    let ordinary = routines.first()?;
     Some(Summary {
         p999: largest(routines.iter().map(|r| r.p999).collect()),
         worst: largest(routines.iter().map(|r| r.worst).collect()),
@@ -75,11 +72,11 @@ struct Summary {
 }
 
 fn ours(kind: &KindData) -> Option<Summary> {
-    routines(kind, |family| Some(&family.ours))
+    routines(kind, |family| &family.ours)
 }
 
 fn textbook(kind: &KindData) -> Option<Summary> {
-    routines(kind, |family| family.textbook.as_ref())
+    routines(kind, |family| &family.textbook)
 }
 
 /// `OpenCylinder` as a reader writes it: `open cylinder`.
@@ -170,8 +167,8 @@ fn overview(data: &Data) -> Table {
 
 fn details(kind: &KindData) -> Table {
     let columns = ["median", "99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
-    let cells = |routine: Option<&Routine>| match routine {
-        Some(r) => vec![
+    let cells = |r: &Routine| {
+        vec![
             error(r.median),
             error(r.p999),
             error(r.worst),
@@ -179,14 +176,13 @@ fn details(kind: &KindData) -> Table {
             failures(r.wrong),
             short_or_dash(r.hit_ns),
             short_or_dash(r.miss_ns),
-        ],
-        None => vec!["–".to_owned(); columns.len()],
+        ]
     };
     let row = |family: &FamilyData| {
         let misses = family.judged - family.hits;
         let mut row = vec![words(&family.family), family.hits.to_string(), misses.to_string()];
-        row.extend(cells(Some(&family.ours)));
-        row.extend(cells(family.textbook.as_ref()));
+        row.extend(cells(&family.ours));
+        row.extend(cells(&family.textbook));
         row
     };
     Table {

@@ -17,7 +17,7 @@ use crate::verify::textbook::{self, Textbook};
 pub struct Case {
     pub ray: Ray,
     pub ours: Arc<dyn Shape>,
-    pub textbook: Option<Box<dyn Textbook>>,
+    pub textbook: Box<dyn Textbook>,
 }
 
 /// One kind and family, judged, and the rays to be timed.
@@ -31,12 +31,11 @@ pub struct Judged {
 const TIMED: usize = 256;
 
 impl Judged {
-    /// Judges the cases that do not turn on rounding. The textbook is judged if it knows them all.
+    /// Judges the cases that do not turn on rounding.
     pub fn new(kind: Kind, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
         let (mut refused, mut judged, mut hit_count) = (0, 0, 0);
-        let mut has_textbook = true;
         for (shape, exact_ray) in cases(kind, family, seed, count) {
             let Some(pair) = pair(&shape) else {
                 refused += 1;
@@ -52,10 +51,7 @@ impl Judged {
             let textbook = textbook::of(&pair.exact);
             let found = pair.ours.hit(&ray, Span::AHEAD).map(|candidate| candidate.t);
             ours.meet(found, &answer, condition);
-            match &textbook {
-                Some(textbook) => book.meet(textbook.hit(&ray), &answer, condition),
-                None => has_textbook = false,
-            }
+            book.meet(textbook.hit(&ray), &answer, condition);
             hit_count += usize::from(!answer.roots.is_empty());
             let timed = if answer.roots.is_empty() { &mut misses } else { &mut hits };
             if timed.len() < TIMED {
@@ -68,7 +64,7 @@ impl Judged {
             judged,
             hits: hit_count,
             ours: ours.routine(),
-            textbook: (has_textbook && judged > 0).then(|| book.routine()),
+            textbook: book.routine(),
         };
         Self { data, hits, misses }
     }

@@ -47,8 +47,8 @@ pub struct FamilyData {
     pub hits: usize,
     /// The library's routine.
     pub ours: Routine,
-    /// The textbook's, where it has one.
-    pub textbook: Option<Routine>,
+    /// The textbook's.
+    pub textbook: Routine,
 }
 
 /// How good one routine is.

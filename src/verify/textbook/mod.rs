@@ -1,9 +1,11 @@
 //! The textbook's intersections, as the thing compared against: the formulas of Suffern's chapters
-//! 3, 19 and 21 as they stand, with a constant epsilon, and no care for rounding.
+//! 3, 19 and 21 as they stand, with a constant epsilon, and no care for rounding. Where the book has no
+//! formula, what would usually be done.
 //!
 //! Nothing renders with these; `groundtruth report` puts them beside the library's own. One file for
 //! each shape, by the oracle's name for it, each with the shape's data as fields.
 
+mod algebraic;
 mod annulus;
 mod compound;
 mod cone;
@@ -26,6 +28,7 @@ mod wedge;
 
 use std::fmt::Debug;
 
+pub use algebraic::Algebraic;
 pub use annulus::{Annulus, PartAnnulus};
 pub use compound::Compound;
 pub use cone::OpenCone;
@@ -59,10 +62,10 @@ pub trait Textbook: Debug + Send + Sync {
     fn hit(&self, ray: &Ray) -> Option<f64>;
 }
 
-/// The textbook's form of one of the oracle's shapes; `None` for a kind that has none here.
-pub fn of(shape: &oracle::Shape) -> Option<Box<dyn Textbook>> {
+/// The textbook's form of one of the oracle's shapes.
+pub fn of(shape: &oracle::Shape) -> Box<dyn Textbook> {
     use oracle::Shape;
-    Some(match shape {
+    match shape {
         Shape::Plane { point, normal } => {
             Box::new(Plane { point: Point::from(*point), normal: Vector::from(*normal) })
         }
@@ -114,15 +117,18 @@ pub fn of(shape: &oracle::Shape) -> Option<Box<dyn Textbook>> {
             phi: Angles::degrees(*phi),
             theta: Angles::degrees(*theta),
         }),
-        Shape::Instance { matrix, of: inner } => Box::new(Instance::new(*matrix, of(inner)?)),
+        Shape::Instance { matrix, of: inner } => Box::new(Instance::new(*matrix, of(inner))),
         Shape::Paraboloid { height, radius } => {
             Box::new(Paraboloid { height: *height, radius: *radius })
         }
         Shape::CutFace { size, radius } => Box::new(CutFace { size: *size, radius: *radius }),
         Shape::Solid(solid) => Box::new(compound::of(solid)),
-        // the book has no formula for it
-        Shape::Algebraic { .. } => return None,
-    })
+        Shape::Algebraic { terms, min, max } => Box::new(Algebraic {
+            terms: terms.clone(),
+            min: Point::from(*min),
+            max: Point::from(*max),
+        }),
+    }
 }
 
 /// The roots of `a t² + b t + c` by the schoolbook's formula, smaller first for `a > 0`. The book
