@@ -130,7 +130,7 @@ impl Plot {
         }
         chart
             .configure_series_labels()
-            .position(emptiest_corner(&points, [x0, x1], [y0, y1]))
+            .position(emptiest_corner(&points, [x0, x1], [y0, y1], self.series.len()))
             .background_style(WHITE.mix(0.85))
             .border_style(GRID)
             .label_font((FONT, 13))
@@ -171,16 +171,20 @@ fn share(value: f64, [low, high]: [f64; 2]) -> f64 {
     ln(value / low) / ln(high / low)
 }
 
-/// The corner for the legend: the one with the fewest points.
+/// The corner for a legend of so many lines: the one with the fewest points.
 fn emptiest_corner(
     points: &[(f64, f64)],
     x_range: [f64; 2],
     y_range: [f64; 2],
+    lines: usize,
 ) -> SeriesLabelPosition {
+    let (width, height) = (0.35, 0.05 + 0.06 * lines as f64);
     let inside = |left: bool, upper: bool| {
-        let beside = |share: f64, low: bool| if low { share < 0.35 } else { share > 0.65 };
+        let beside = |share: f64, low: bool, size: f64| {
+            if low { share < size } else { share > 1.0 - size }
+        };
         let here = |&&(x, y): &&(f64, f64)| {
-            beside(share(x, x_range), left) && beside(share(y, y_range), !upper)
+            beside(share(x, x_range), left, width) && beside(share(y, y_range), !upper, height)
         };
         points.iter().filter(here).count()
     };
