@@ -46,7 +46,7 @@ fn coarsest() -> Scene {
     with_mesh(about, shape)
 }
 
-/// Figure 23.10 without the book's file: a penguin of eleven meshes, each a scaled sphere of few
+/// Figure 23.10 without the book's file: a penguin of twelve meshes, each a scaled sphere of few
 /// triangles, of materials of their own; flat on the left, smooth on the right.
 fn penguins() -> Scene {
     let camera = Viewpoint::new(
@@ -55,7 +55,7 @@ fn penguins() -> Scene {
         Pinhole { distance: 2300.0, zoom: 1.0 },
     );
     let image = Image { samples: 16, ..Image::new(600, 400) };
-    let about = "as figure 23.10: a penguin of eleven meshes, flat and smooth";
+    let about = "as figure 23.10: a penguin of twelve meshes, flat and smooth";
     let mut scene = Scene::new(about, image, camera);
     scene.background = grey(0.1).into();
     scene.lights.push(ambient(0.25));

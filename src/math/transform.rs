@@ -114,7 +114,16 @@ fn inverse_of(m: DMat3) -> DMat3 {
 }
 
 fn frobenius(m: DMat3) -> f64 {
-    m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt()
+    let all = m.to_cols_array();
+    if !m.is_finite() {
+        return f64::INFINITY;
+    }
+    let largest = all.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    if largest == 0.0 {
+        return 0.0;
+    }
+    // the squares of very large and of very small numbers are none
+    largest * all.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt()
 }
 
 /// Rodrigues' rotation about a unit axis.
@@ -143,10 +152,21 @@ impl Transform {
             let [forward, inverse] = step.matrices();
             Self { forward: forward * so_far.forward, inverse: so_far.inverse * inverse }
         });
-        let whole = whole.refined();
-        let condition = whole.condition();
-        if condition <= 1e12 && whole.forward.is_finite() && whole.inverse.is_finite() {
-            Ok(whole)
+        whole.refined().invertible()
+    }
+
+    /// This map after `first`.
+    ///
+    /// # Errors
+    /// As [`Transform::from_steps`], of the two together.
+    pub fn checked_after(&self, first: &Self) -> Result<Self, Singular> {
+        self.after(first).invertible()
+    }
+
+    fn invertible(self) -> Result<Self, Singular> {
+        let condition = self.condition();
+        if condition <= 1e12 && self.forward.is_finite() && self.inverse.is_finite() {
+            Ok(self)
         } else {
             Err(Singular { condition: if condition.is_nan() { f64::INFINITY } else { condition } })
         }

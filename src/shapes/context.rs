@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::{Kind, Shape};
 use crate::accel;
 use crate::invalid::Invalid;
+use crate::math::Transform;
 use crate::mesh_file::{self, MeshData};
 
 /// How deep instances and compounds may be nested: far more than any scene, far less than any stack.
@@ -36,6 +37,8 @@ pub struct Context {
     parts: u64,
     bytes: u64,
     depth: usize,
+    /// What the instances around the present shape do to it, all together.
+    around: Transform,
 }
 
 /// What a part of a compound needs to know of its material.
@@ -62,6 +65,7 @@ impl Default for Context {
             parts: 0,
             bytes: 0,
             depth: 0,
+            around: Transform::IDENTITY,
         }
     }
 }
@@ -212,6 +216,23 @@ impl Context {
         let built = build(self)?;
         self.shared.insert(key, Arc::clone(&built));
         Ok(built)
+    }
+
+    /// Builds what is seen through a transformation, unless that is too deep, or flattens it together
+    /// with those around it.
+    pub(super) fn transformed<T>(
+        &mut self,
+        transform: &Transform,
+        build: impl FnOnce(&mut Self) -> Result<T, Invalid>,
+    ) -> Result<T, Invalid> {
+        let around = self.around;
+        self.around = around.checked_after(transform).map_err(|singular| {
+            let problem = format!("with the instances around it, {singular}");
+            Invalid::field("transform", problem)
+        })?;
+        let built = self.nested(build).map_err(|e| e.inside("of"));
+        self.around = around;
+        built
     }
 
     /// Builds what stands inside an instance, unless that is too deep.

@@ -44,7 +44,7 @@ impl Specification for Instance {
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let transform = transform_of("transform", &self.transform)?;
-        let shape = context.nested(|context| self.of.build(context)).map_err(|e| e.inside("of"))?;
+        let shape = context.transformed(&transform, |context| self.of.build(context))?;
         if shape.bounds().is_bounded() && !transform.bounds(&shape.bounds()).is_bounded() {
             let problem = format!("found coordinates beyond any number, but {}", lengths());
             return Err(Invalid::field("transform", problem));

@@ -13,11 +13,12 @@ use std::sync::Arc;
 use arrayvec::ArrayVec;
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, normal_along};
+use super::{Candidate, Context, Shape, Surface};
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{
-    Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root, cbrt, cos,
+    Aabb, Normal, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root, cbrt,
+    cos,
 };
 
 /// The points at `tube_radius` from the circle of `swept_radius` about the origin in the plane
@@ -220,10 +221,14 @@ impl Torus {
     /// The normal is from the middle of the tube, and the point at the tube's radius along it.
     pub(super) fn surface_at(&self, ray: &Ray, at: &Candidate) -> Surface {
         let raw = ray.at(at.t).to_vector();
-        let flat = Vector::new(raw.x(), 0.0, raw.z());
-        let middle = (self.swept_radius / from_axis(raw)) * flat;
-        let outward = normal_along(raw - middle, ray);
-        let point = Point::ORIGIN + (middle + self.tube_radius * outward);
+        let rho = from_axis(raw);
+        // from so far away that the place is rounded onto the axis, some place of the tube will do
+        let off_axis = if rho > 0.0 { raw } else { -ray.direction };
+        let radial = off_axis.across_y().unit().unwrap_or(Vector::X);
+        let from_middle = (rho - self.swept_radius) * radial + raw.y() * Vector::Y;
+        let outward = Normal::new(from_middle).or_else(|| Normal::new(radial)).unwrap_or(Normal::Y);
+        let point =
+            Point::ORIGIN + (self.swept_radius * radial + self.tube_radius * Vector::from(outward));
         // the sums above, and those of the next ray: its nearest point, a point of it, and the
         // distance of that from the axis
         let error = 20.0 * UNIT_ROUNDOFF * (self.swept_radius + self.tube_radius);

@@ -5,12 +5,14 @@ use std::hint::black_box;
 use super::FamilyData;
 use super::judging::{Case, Judged};
 use crate::math::Span;
-use crate::report::clock::medians;
+use crate::report::clock::{medians, seconds};
 
-/// So often are the two routines timed in turn.
-const ROUNDS: usize = 41;
-/// Calls in one round, about: some tens of microseconds.
+/// So often are the two routines timed in turn at most, and at least.
+const ROUNDS: [usize; 2] = [3, 41];
+/// Calls in one round, about, of quick ones: some tens of microseconds.
 const CALLS: usize = 2048;
+/// What the rounds of slow ones may take together, in seconds.
+const PATIENCE: f64 = 0.01;
 
 /// With the times of its rays filled in.
 pub fn timed(Judged { mut data, hits, misses }: Judged) -> FamilyData {
@@ -30,8 +32,7 @@ fn nanoseconds(cases: &[Case]) -> [Option<f64>; 2] {
     if cases.is_empty() {
         return [None; 2];
     }
-    let repeats = CALLS.div_ceil(cases.len());
-    let mut ours = || {
+    let ours = |repeats: usize| {
         for _ in 0..repeats {
             for case in cases {
                 let hit = black_box(case).ours.hit(&case.ray, Span::AHEAD);
@@ -39,15 +40,23 @@ fn nanoseconds(cases: &[Case]) -> [Option<f64>; 2] {
             }
         }
     };
-    let mut textbook = || {
+    let textbook = |repeats: usize| {
         for _ in 0..repeats {
             for case in cases {
                 black_box(black_box(case).textbook.hit(&case.ray));
             }
         }
     };
+    let ((), once) = seconds(|| {
+        ours(1);
+        textbook(1);
+    });
+    let [fewest, most] = ROUNDS;
+    let affordable = PATIENCE / once.max(1e-9);
+    let repeats = CALLS.div_ceil(cases.len()).min((affordable / most as f64) as usize).max(1);
+    let rounds = ((affordable / repeats as f64) as usize).clamp(fewest, most);
     let calls = (repeats * cases.len()) as f64;
-    let times = medians(ROUNDS, &mut [&mut ours, &mut textbook]);
+    let times = medians(rounds, &mut [&mut || ours(repeats), &mut || textbook(repeats)]);
     let one = |seconds: f64| Some(1e9 * seconds / calls);
     [one(times[0]), one(times[1])]
 }

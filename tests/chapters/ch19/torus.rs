@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use groundtruth::math::{Normal, Point, Ray, Span, Vector};
+use groundtruth::math::{Normal, Point, Ray, Span, Vector, power};
 use groundtruth::shapes::{Context, Kind, Shape, Torus};
 
 use super::leaving::random_hit;
@@ -260,4 +260,31 @@ fn what_is_no_torus_is_refused() {
         text(torus(1.0, f64::NAN)),
         "torus.tube_radius: found NaN, but a positive, finite number is needed"
     );
+}
+
+/// Law: the point of a hit is on the torus, however far the ray comes from, also where its place along
+/// the ray is rounded onto the axis. Oracle: the distance from the circle in the middle of the tube.
+#[test]
+fn points_of_hits_from_afar_are_on_the_torus() {
+    let mut draw = Draw::new(1957);
+    let (swept_radius, tube_radius) = (0.5, 0.05);
+    let torus = built(torus(swept_radius, tube_radius));
+    let mut on_axis = 0;
+    for case in 0..4_000 {
+        let away = power(10.0, draw.between(0.0, 39.0));
+        let whole = |x: f64| if case % 2 == 0 { x.round() } else { x };
+        let from = Vector::new(whole(draw.between(-1.0, 1.0)), 0.0, whole(draw.between(-1.0, 1.0)));
+        let Some(direction) = (-from).unit() else { continue };
+        let ray = Ray::new(Point::ORIGIN - away * direction, direction);
+        for hit in torus.roots(&ray, Span::AHEAD) {
+            let raw = ray.at(hit.t);
+            on_axis += usize::from(raw.x() == 0.0 && raw.z() == 0.0);
+            let surface = torus.surface(&ray, &hit);
+            let p = surface.point;
+            let off = (p.x() * p.x() + p.z() * p.z()).sqrt() - swept_radius;
+            let off = (off * off + p.y() * p.y()).sqrt() - tube_radius;
+            assert!(off.abs() <= surface.error, "{p:?} is off by {off:e}: {ray:?}");
+        }
+    }
+    assert!(on_axis > 100, "{on_axis}");
 }

@@ -234,6 +234,39 @@ fn the_local_point_stays_in_object_space() {
     }
 }
 
+/// Law: what two instances flatten together is refused as if one did; a stretch that the outer one
+/// undoes is not. Oracle: the condition number of the product, by hand.
+#[test]
+fn instances_that_flatten_together_are_refused() {
+    let thin = |y: f64| vec![Step::Scale(Vector::new(1.0, y, 1.0))];
+    let nested =
+        |inner: f64, outer: f64| instance(instance(unit_sphere(), thin(inner)), thin(outer));
+    for [inner, outer] in [[1e-7, 1e-7], [1e-3, 1e-11], [1e7, 1e7]] {
+        let built = nested(inner, outer).build(&mut Context::default());
+        let problem = built.expect_err("flat").to_string();
+        let said = ["of.instance.transform", "with the instances around it", "singular"];
+        assert!(said.iter().all(|words| problem.contains(words)), "{problem}");
+    }
+    for [inner, outer] in [[1e-5, 1e-5], [1e-9, 1e9], [1e10, 1e-10]] {
+        nested(inner, outer).build(&mut Context::default()).expect("round enough");
+    }
+    let mut context = Context::default();
+    nested(1e-7, 1e-7).build(&mut context).expect_err("flat");
+    nested(1e-5, 1e-5).build(&mut context).expect("the next one stands alone");
+}
+
+/// Law: a uniform scale is never singular, however large; one that leaves no room for numbers is
+/// refused for that. Oracle: the law's own words.
+#[test]
+fn a_scale_beyond_all_lengths_is_not_singular() {
+    for factor in [1e-160, 1e-100, 1e100, 1e200] {
+        let scaled =
+            instance(unit_sphere(), vec![Step::Scale(factor * Vector::new(1.0, 1.0, 1.0))]);
+        let problem = scaled.build(&mut Context::default()).expect_err("out of range").to_string();
+        assert!(!problem.contains("singular") && problem.contains("1e40"), "{factor:e}: {problem}");
+    }
+}
+
 /// Law: a singular transformation is refused, and the message names the field and the condition.
 #[test]
 fn an_instance_that_is_flattened_is_refused() {

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use groundtruth::math::{Point, Ray, Span, Vector, power_of_two};
+use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
 use groundtruth::shapes::{
-    Box, Context, Disk, Kind, OpenCylinder, Plane, Rectangle, Shape, Sphere, Triangle,
+    Annulus, Box, Cone, Context, Disk, Instance, Kind, OpenCylinder, Paraboloid, PartCylinder,
+    PartSphere, PartTorus, Plane, Rectangle, RoundRimmedBowl, Shape, SolidCylinder, Sphere, Torus,
+    Triangle,
 };
 
 use super::searched::Both;
@@ -29,16 +31,42 @@ fn any_shape(draw: &mut Draw, widest: i32) -> Option<Arc<dyn Shape>> {
     let v = any_point(draw, widest).to_vector();
     let q = any_point(draw, widest);
     let size = any(draw, widest).abs();
-    let kind: Kind = match draw.below(7) {
+    let [small, large] = [size.min(v.x().abs()), size.max(v.x().abs())];
+    let (low, high) = (p.y().min(q.y()), p.y().max(q.y()));
+    let inward = false;
+    let phi = [draw.between(0.0, 360.0), draw.between(0.0, 360.0)];
+    let kind: Kind = match draw.below(17) {
         0 => Sphere { center: p, radius: size, inward: false }.into(),
         1 => Plane { point: p, normal: v }.into(),
         2 => Box { min: p.min(q), max: p.max(q) }.into(),
         3 => Triangle { vertices: [p, q, p + v], normals: None }.into(),
         4 => Rectangle { corner: p, a: v.x() * Vector::X, b: v.y() * Vector::Z }.into(),
         5 => Disk { center: p, normal: v, radius: size }.into(),
+        6 => OpenCylinder { y0: low, y1: high, radius: size, inward }.into(),
+        7 => Torus { swept_radius: large, tube_radius: small, inward }.into(),
+        8 => {
+            let theta = [draw.between(0.0, 360.0), draw.between(0.0, 360.0)];
+            PartTorus { swept_radius: large, tube_radius: small, phi, theta, inward }.into()
+        }
+        9 => Cone { height: small, radius: large, inward }.into(),
+        10 => Paraboloid { height: large, radius: small, inward }.into(),
+        11 => Annulus { center: p, normal: v, inner_radius: small, outer_radius: large }.into(),
+        12 => {
+            let theta = [draw.between(0.0, 90.0), draw.between(90.0, 180.0)];
+            PartSphere { center: p, radius: size, phi, theta, inward }.into()
+        }
+        13 => PartCylinder { y0: low, y1: high, radius: size, phi, inward }.into(),
+        14 => {
+            let (materials, opening) = (Default::default(), draw.between(60.0, 300.0));
+            RoundRimmedBowl { inner_radius: small, outer_radius: large, opening, materials }.into()
+        }
+        15 => {
+            let materials = Default::default();
+            SolidCylinder { y0: low, y1: high, radius: size, materials }.into()
+        }
         _ => {
-            let (a, b) = (p.y(), q.y());
-            OpenCylinder { y0: a.min(b), y1: a.max(b), radius: size, inward: false }.into()
+            let steps = vec![Step::Scale(v), Step::RotateX(phi[0]), Step::Translate(q.to_vector())];
+            Instance::new(Sphere { center: p, radius: size, inward }, steps).into()
         }
     };
     kind.build(&mut Context::default()).ok()
