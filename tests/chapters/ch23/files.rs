@@ -50,3 +50,16 @@ fn the_three_encodings_of_ply_give_the_same_hits() {
         assert!(hits > 1_000, "only {hits} hits");
     }
 }
+
+/// Law: a file in which no triangle has an area is refused, and the message says so. Oracle: the law's
+/// own words.
+#[test]
+fn a_file_of_flat_triangles_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("flat.obj");
+    let text = "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 1 2\n";
+    std::fs::write(&file, text).expect("writable");
+    let mesh = Mesh { file, scale: 1.0, smooth: false, reverse_normals: false, accel: None };
+    let problem = Kind::from(mesh).build(&mut Context::default()).expect_err("flat").to_string();
+    assert!(problem.contains("file") && problem.contains("area zero"), "{problem}");
+}

@@ -221,6 +221,30 @@ fn a_mesh_equals_its_loose_triangles() {
     }
 }
 
+/// Law: triangles of area zero change neither hits nor mean normals, nor are they counted. Oracle: the
+/// mesh without them.
+#[test]
+fn triangles_of_area_zero_change_nothing() {
+    let whole = knot();
+    let mut vertices = whole.vertices().to_vec();
+    let first = vertices.len() as u32;
+    vertices.extend([0.0, 0.25, 0.5].map(|x| Point::new(x, x, 2.0 * x))); // on a line, exactly
+    let mut triangles = vec![[0, 0, 0], [1, 2, 2], [first, first + 1, first + 2]];
+    for &triangle in whole.triangles() {
+        triangles.push(triangle);
+        triangles.push([triangle[0], triangle[1], triangle[0]]);
+    }
+    let mesh = TriangleMesh::new(vertices, triangles);
+    assert_eq!(mesh.triangles(), whole.triangles());
+    assert_eq!(mesh.mean_normals()[..first as usize], whole.mean_normals()[..]);
+    for method in Method::ALL {
+        let [mesh, whole] = [&mesh, &whole].map(|mesh| mesh.clone().accelerated(method));
+        for ray in rays(2336, 300) {
+            assert_eq!(mesh.hit(&ray, Span::AHEAD), whole.hit(&ray, Span::AHEAD));
+        }
+    }
+}
+
 /// Law: rays from outside cross a closed mesh an even number of times. Oracle: topology.
 #[test]
 fn rays_from_outside_cross_a_closed_mesh_evenly() {
