@@ -7,7 +7,7 @@ use super::judging::{Case, Judged};
 use crate::math::Span;
 use crate::report::clock::{medians, seconds};
 
-/// So often are the two routines timed in turn at most, and at least.
+/// So often are the two routines timed in turn: at least, and at most.
 const ROUNDS: [usize; 2] = [3, 41];
 /// Calls in one round, about, of quick ones: some tens of microseconds.
 const CALLS: usize = 2048;
