@@ -223,8 +223,9 @@ impl Torus {
         let raw = ray.at(at.t).to_vector();
         let rho = from_axis(raw);
         // from so far away that the place is rounded onto the axis, some place of the tube will do
-        let off_axis = if rho > 0.0 { raw } else { -ray.direction };
-        let radial = off_axis.across_y().unit().unwrap_or(Vector::X);
+        let radial = raw.across_y().unit().unwrap_or(Vector::X);
+        // in the plane of the axis and the place: raw - swept_radius * radial has roundings across
+        // it, and is nothing else if the place is rounded onto the middle of the tube
         let from_middle = (rho - self.swept_radius) * radial + raw.y() * Vector::Y;
         let outward = Normal::new(from_middle).or_else(|| Normal::new(radial)).unwrap_or(Normal::Y);
         let point =

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, power};
-use groundtruth::shapes::{Context, Kind, Shape, Torus};
+use groundtruth::shapes::{Context, Kind, Shape, Surface, Torus};
 
 use super::leaving::random_hit;
 use crate::draw::Draw;
@@ -263,12 +263,19 @@ fn what_is_no_torus_is_refused() {
 }
 
 /// Law: the point of a hit is on the torus, however far the ray comes from, also where its place along
-/// the ray is rounded onto the axis. Oracle: the distance from the circle in the middle of the tube.
+/// the ray is rounded onto the axis or onto the middle of the tube. Oracle: the distance from the
+/// circle in the middle of the tube.
 #[test]
 fn points_of_hits_from_afar_are_on_the_torus() {
+    let assert_on_torus = |surface: Surface, swept_radius: f64, tube_radius: f64, ray: &Ray| {
+        let p = surface.point;
+        let off = (p.x() * p.x() + p.z() * p.z()).sqrt() - swept_radius;
+        let off = (off * off + p.y() * p.y()).sqrt() - tube_radius;
+        assert!(off.abs() <= surface.error, "{p:?} is off by {off:e}: {ray:?}");
+    };
+
     let mut draw = Draw::new(1957);
-    let (swept_radius, tube_radius) = (0.5, 0.05);
-    let torus = built(torus(swept_radius, tube_radius));
+    let thin = built(torus(0.5, 0.05));
     let mut on_axis = 0;
     for case in 0..4_000 {
         let away = power(10.0, draw.between(0.0, 39.0));
@@ -276,15 +283,29 @@ fn points_of_hits_from_afar_are_on_the_torus() {
         let from = Vector::new(whole(draw.between(-1.0, 1.0)), 0.0, whole(draw.between(-1.0, 1.0)));
         let Some(direction) = (-from).unit() else { continue };
         let ray = Ray::new(Point::ORIGIN - away * direction, direction);
-        for hit in torus.roots(&ray, Span::AHEAD) {
+        for hit in thin.roots(&ray, Span::AHEAD) {
             let raw = ray.at(hit.t);
             on_axis += usize::from(raw.x() == 0.0 && raw.z() == 0.0);
-            let surface = torus.surface(&ray, &hit);
-            let p = surface.point;
-            let off = (p.x() * p.x() + p.z() * p.z()).sqrt() - swept_radius;
-            let off = (off * off + p.y() * p.y()).sqrt() - tube_radius;
-            assert!(off.abs() <= surface.error, "{p:?} is off by {off:e}: {ray:?}");
+            assert_on_torus(thin.surface(&ray, &hit), 0.5, 0.05, &ray);
         }
     }
     assert!(on_axis > 100, "{on_axis}");
+
+    // 7² + 24² = 25²: such a place can be the middle of the tube to the last bit, though 25 times the
+    // rounded 7 / 25 is not 7
+    let narrow = built(torus(25.0, 0.02));
+    let mut on_middle = 0;
+    for (x, z) in [(7.0, 24.0), (24.0, 7.0), (-7.0, 24.0), (24.0, -7.0)] {
+        for exponent in 44..48 {
+            let direction = Vector::new(x, 0.0, z);
+            let ray =
+                Ray::new(Point::ORIGIN - power(2.0, f64::from(exponent)) * direction, direction);
+            for hit in narrow.roots(&ray, Span::AHEAD) {
+                let raw = ray.at(hit.t);
+                on_middle += usize::from(raw.x() * raw.x() + raw.z() * raw.z() == 25.0 * 25.0);
+                assert_on_torus(narrow.surface(&ray, &hit), 25.0, 0.02, &ray);
+            }
+        }
+    }
+    assert!(on_middle > 20, "{on_middle}");
 }
