@@ -13,5 +13,7 @@ mod ply;
 mod ply_body_errors;
 #[path = "mesh_file/ply_header_errors.rs"]
 mod ply_header_errors;
+#[path = "mesh_file/polygons.rs"]
+mod polygons;
 #[path = "mesh_file/samples.rs"]
 mod samples;

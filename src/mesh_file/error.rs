@@ -166,6 +166,19 @@ pub enum MeshFileError {
         /// How many it has.
         count: usize,
     },
+    /// A face whose triangles would take too long to find.
+    #[error(
+        "{place}: a face of {count} corners that is not convex; at most {most} can be split into \
+         triangles: cut it into smaller faces"
+    )]
+    ManyCorners {
+        /// The face.
+        place: Place,
+        /// How many it has.
+        count: usize,
+        /// How many it may have.
+        most: usize,
+    },
     /// Some corners of an OBJ file have a normal (texture coordinate), others have none.
     #[error(
         "line {line}: some corners have a {what}, others none; \

@@ -12,6 +12,7 @@
 //! without properties, misreads a property that is declared twice and refuses `.5` and `1.`.
 
 mod error;
+mod faces;
 mod obj;
 mod ply;
 
@@ -19,10 +20,11 @@ use std::path::Path;
 use std::str::FromStr;
 
 pub use error::{MeshFileError, Place};
+use faces::Faces;
 pub use obj::parse_obj;
 pub use ply::{Encoding, parse_ply, write_ply};
 
-/// What a mesh file holds; polygons are already split into triangles.
+/// What a mesh file holds; polygons, also such as are not convex, are already split into triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshData {
     /// Positions, finite.
@@ -52,22 +54,9 @@ pub fn read(path: &Path) -> Result<MeshData, MeshFileError> {
         .map_err(|source| MeshFileError::InFile { path: path.into(), source: Box::new(source) })
 }
 
-/// Splits a polygon as a fan around its first corner: right for convex polygons, and for others
-/// the usual convention.
-fn push_fan(
-    triangles: &mut Vec<[u32; 3]>,
-    corners: &[u32],
-    place: impl Fn() -> Place,
-) -> Result<(), MeshFileError> {
-    if corners.len() < 3 {
-        return Err(MeshFileError::FewCorners { place: place(), count: corners.len() });
-    }
-    triangles.extend(corners[1..].windows(2).map(|edge| [corners[0], edge[0], edge[1]]));
-    Ok(())
-}
-
-/// The data, unless it has no triangle or more than an index can count.
-fn checked(data: MeshData) -> Result<MeshData, MeshFileError> {
+/// The data with the faces' triangles, unless there is none or more than an index can count.
+fn checked(mut data: MeshData, faces: &Faces) -> Result<MeshData, MeshFileError> {
+    data.triangles = faces.triangles(&data.vertices)?;
     if data.triangles.is_empty() {
         return Err(MeshFileError::NoFaces);
     }

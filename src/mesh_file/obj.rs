@@ -9,8 +9,9 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use super::error::quoted;
+use super::faces::Faces;
 use super::{MeshData, MeshFileError, Place};
-use super::{at_most_u32, checked, line_end, parse_word, push_fan, words};
+use super::{at_most_u32, checked, line_end, parse_word, words};
 
 /// Reads the bytes of an OBJ file.
 ///
@@ -19,7 +20,7 @@ use super::{at_most_u32, checked, line_end, parse_word, push_fan, words};
 pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
     let points = Points::read(bytes)?;
     let mut vertices = Vertices::default();
-    let mut triangles = Vec::new();
+    let mut faces = Faces::default();
     let mut face = Vec::new();
     let mut before = [0; 3]; // points before this line: negative indices count from here
     for (line, text) in statements(bytes) {
@@ -34,12 +35,12 @@ pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
                     let corner = parse_corner(line, word, before, points.counts())?;
                     face.push(vertices.index_of(line, corner)?);
                 }
-                push_fan(&mut triangles, &face, || Place::Line(line))?;
+                faces.push(&face, || Place::Line(line))?;
             }
             _ => {}
         }
     }
-    checked(vertices.into_data(&points, triangles))
+    checked(vertices.into_data(&points), &faces)
 }
 
 /// The file's lines with their numbers, without comments; a `\` at the end joins the next line on.
@@ -194,14 +195,14 @@ impl Vertices {
         Ok(index)
     }
 
-    fn into_data(self, points: &Points, triangles: Vec<[u32; 3]>) -> MeshData {
+    fn into_data(self, points: &Points) -> MeshData {
         let corners = self.corners.iter();
         MeshData {
             vertices: corners.clone().map(|c| points.positions[c.0 as usize]).collect(),
             // `None` for one corner is `None` for all
             uvs: corners.clone().map(|c| c.1.map(|at| points.uvs[at as usize])).collect(),
             normals: corners.map(|c| c.2.map(|at| points.normals[at as usize])).collect(),
-            triangles,
+            triangles: Vec::new(),
         }
     }
 }

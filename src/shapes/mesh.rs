@@ -13,7 +13,8 @@ use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
-/// The triangles of a PLY or OBJ file.
+/// The triangles of a PLY or OBJ file. The outside of a triangle is where the file's vertex normals
+/// are, and if it has none, from where its corners are seen counter-clockwise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
@@ -23,10 +24,10 @@ pub struct Mesh {
     #[serde(default = "kinds::one")]
     pub scale: f64,
     /// Shade with interpolated vertex normals: those of the file, or the book's mean of the
-    /// adjacent faces' normals.
+    /// adjacent faces' normals where it has none or a zero.
     #[serde(default)]
     pub smooth: bool,
-    /// Turn all normals around, for files wound clockwise.
+    /// Turn all normals around, for files wound clockwise or with normals that point inward.
     #[serde(default)]
     pub reverse_normals: bool,
     /// How rays find its triangles; as the scene if left out.
@@ -64,18 +65,25 @@ impl Mesh {
         let scale = positive("scale", self.scale)?;
         context.take_triangles(data.triangles.len() as u64).map_err(|e| e.inside("file"))?;
         let vertices = data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
-        let normals = data.normals.as_ref().filter(|_| self.smooth).map(|normals| {
-            let unit = |&n: &[f64; 3]| Normal::new(n.into()).unwrap_or(Normal::Y);
-            normals.iter().map(unit).collect()
-        });
         let mut mesh = TriangleMesh::new(vertices, data.triangles.clone());
         if mesh.triangles.is_empty() {
             let problem = "found only triangles of area zero, which no ray can hit";
             return Err(Invalid::field("file", problem));
         }
         mesh.uvs = data.uvs.clone();
+        let normals: Option<Vec<_>> = data
+            .normals
+            .as_ref()
+            .map(|normals| normals.iter().map(|&normal| Normal::new(normal.into())).collect());
+        if let Some(normals) = &normals {
+            mesh.wind_by(normals);
+        }
         if self.smooth {
-            mesh.normals = Some(normals.unwrap_or_else(|| mesh.mean_normals()));
+            let mut means = mesh.mean_normals();
+            for (mean, normal) in means.iter_mut().zip(normals.into_iter().flatten()) {
+                *mean = normal.unwrap_or(*mean);
+            }
+            mesh.normals = Some(means);
         }
         if self.reverse_normals {
             mesh.reverse();
@@ -125,6 +133,19 @@ impl TriangleMesh {
             }
         }
         sums.into_iter().map(|sum| Normal::new(sum).unwrap_or(Normal::Y)).collect()
+    }
+
+    /// Winds every triangle so that its normal is on the side of its vertices' normals, for files in
+    /// which the two contradict each other.
+    fn wind_by(&mut self, normals: &[Option<Normal>]) {
+        for triangle in &mut self.triangles {
+            let corners = triangle.map(|vertex| self.vertices[vertex as usize]);
+            let given = triangle.iter().filter_map(|&vertex| normals[vertex as usize]);
+            let sum = given.map(Vector::from).fold(Vector::ZERO, |sum, normal| sum + normal);
+            if watertight::normal(corners).is_some_and(|normal| normal.dot(sum) < 0.0) {
+                triangle.swap(1, 2);
+            }
+        }
     }
 
     /// Turns all normals around.
@@ -315,7 +336,9 @@ impl Shape for AcceleratedMesh {
             let [n0, n1, n2] = triangle.map(|vertex| normals[vertex as usize]);
             let [beta, gamma] = at.parameters;
             let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
-            surface.shading = Normal::new(mean).unwrap_or(normal);
+            // between normals that differ much it may be on the other side, where all light is lost
+            let seen = |shading: &Normal| shading.dot(normal) > 0.0;
+            surface.shading = Normal::new(mean).filter(seen).unwrap_or(normal);
         }
         surface
     }

@@ -10,7 +10,8 @@ mod values;
 mod write;
 
 use super::error::quoted;
-use super::{MeshData, MeshFileError, at_most_u32, checked, push_fan};
+use super::faces::Faces;
+use super::{MeshData, MeshFileError, at_most_u32, checked};
 use header::{Element, Header, Property};
 use values::{Binary, Text, Values};
 
@@ -37,19 +38,19 @@ fn parse_body(header: &Header, mut values: impl Values) -> Result<MeshData, Mesh
     let faces = only(header, "face")?;
     at_most_u32("vertices", vertices.count)?;
     let (columns, corners) = (Columns::find(vertices)?, corner_list(faces)?);
-    let mut data = MeshData::default();
+    let (mut data, mut polygons) = (MeshData::default(), Faces::default());
     for element in &header.elements {
         check_promise(element, header.encoding, &values)?;
         match element.name {
             "vertex" => read_vertices(&mut data, &mut values, element, &columns)?,
-            "face" => data.triangles = read_faces(&mut values, element, corners, vertices.count)?,
+            "face" => polygons = read_faces(&mut values, element, corners, vertices.count)?,
             _ => pass_over(&mut values, element)?,
         }
     }
     if !values.left().trim_ascii().is_empty() {
         return Err(MeshFileError::LeftOver { left: values.left().len() });
     }
-    checked(data)
+    checked(data, &polygons)
 }
 
 /// The one element of this name.
@@ -214,8 +215,8 @@ fn read_faces(
     element: &Element,
     corner_list: usize,
     vertices: u64,
-) -> Result<Vec<[u32; 3]>, MeshFileError> {
-    let mut triangles = Vec::with_capacity(element.count as usize); // not more than bytes are left
+) -> Result<Faces, MeshFileError> {
+    let mut faces = Faces::with_capacity(element.count as usize); // not more than bytes are left
     let mut corners = Vec::new();
     for index in 0..element.count {
         values.begin(element.name, index)?;
@@ -231,9 +232,9 @@ fn read_faces(
             }
         }
         values.end()?;
-        push_fan(&mut triangles, &corners, || values.place())?;
+        faces.push(&corners, || values.place())?;
     }
-    Ok(triangles)
+    Ok(faces)
 }
 
 /// The next index, if there is such a vertex.

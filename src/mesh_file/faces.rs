@@ -1,0 +1,146 @@
+//! The faces of a mesh file: polygons, and how they become triangles.
+//!
+//! A convex polygon becomes a fan around its first corner. Any other is cut ear by ear (Meisters,
+//! *Polygons have ears*, American Mathematical Monthly 82, 1975): an ear is a triangle of three corners
+//! that follow each other, inside the polygon and with no other corner in it. Every side of the
+//! polygon becomes a side of one triangle, also where corners lie on a straight line: a triangle that
+//! passed over such a corner would leave a crack beside the face that shares it. That is why
+//! `earcut` 0.4, which leaves out corners on straight lines, is not for us.
+
+use super::{MeshFileError, Place};
+
+/// The most corners of a polygon that is not convex: cutting ears can take time as their cube.
+const MOST_CORNERS: usize = 10_000;
+
+/// Polygons, as places in a list of vertices.
+#[derive(Default)]
+pub(super) struct Faces {
+    corners: Vec<u32>,
+    /// For each polygon where its corners end.
+    ends: Vec<usize>,
+}
+
+impl Faces {
+    /// None yet, with room for this many triangles.
+    pub(super) fn with_capacity(triangles: usize) -> Self {
+        Self { corners: Vec::with_capacity(3 * triangles), ends: Vec::with_capacity(triangles) }
+    }
+
+    /// Takes the next polygon.
+    pub(super) fn push(
+        &mut self,
+        corners: &[u32],
+        place: impl FnOnce() -> Place,
+    ) -> Result<(), MeshFileError> {
+        if corners.len() < 3 {
+            return Err(MeshFileError::FewCorners { place: place(), count: corners.len() });
+        }
+        self.corners.extend(corners);
+        self.ends.push(self.corners.len());
+        Ok(())
+    }
+
+    /// The triangles of all polygons, wound as these; two less than a polygon has corners. A polygon
+    /// that crosses itself is split somehow.
+    pub(super) fn triangles(&self, vertices: &[[f64; 3]]) -> Result<Vec<[u32; 3]>, MeshFileError> {
+        let mut triangles = Vec::with_capacity(self.corners.len() - 2 * self.ends.len());
+        let mut start = 0;
+        for (index, &end) in self.ends.iter().enumerate() {
+            let corners = &self.corners[start..end];
+            start = end;
+            if let &[a, b, c] = corners {
+                triangles.push([a, b, c]);
+                continue;
+            }
+            let ring = Ring::new(corners, vertices);
+            if ring.is_fan() {
+                triangles.extend(fan(corners));
+            } else if corners.len() <= MOST_CORNERS {
+                ring.cut_into(&mut triangles);
+            } else {
+                let place = Place::Element { name: "face".into(), index: index as u64 };
+                let (count, most) = (corners.len(), MOST_CORNERS);
+                return Err(MeshFileError::ManyCorners { place, count, most });
+            }
+        }
+        Ok(triangles)
+    }
+}
+
+fn fan<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 3]> {
+    corners[1..].windows(2).map(|side| [corners[0], side[0], side[1]])
+}
+
+/// A corner of a polygon, and its place in a coordinate plane that sees the polygon
+/// counter-clockwise.
+#[derive(Clone, Copy)]
+struct Corner {
+    vertex: u32,
+    at: [f64; 2],
+}
+
+/// What is left of a polygon.
+struct Ring(Vec<Corner>);
+
+impl Ring {
+    /// Seen in the coordinate plane in which the polygon is largest: its coordinates are the
+    /// vertices' own, so that straight lines stay straight to the last bit.
+    fn new(corners: &[u32], vertices: &[[f64; 3]]) -> Self {
+        let points: Vec<_> = corners.iter().map(|&corner| vertices[corner as usize]).collect();
+        let seen_along = |axis: usize, p: [f64; 3]| [p[(axis + 1) % 3], p[(axis + 2) % 3]];
+        let areas = [0, 1, 2].map(|axis| {
+            let seen = |triangle: [_; 3]| triangle.map(|p| seen_along(axis, p));
+            fan(&points).map(|triangle| doubled_area(seen(triangle))).sum::<f64>()
+        });
+        let largest = |a: &usize, b: &usize| areas[*a].abs().total_cmp(&areas[*b].abs());
+        let axis = (0..3).max_by(largest).expect("three axes");
+        let corner = |(&vertex, &point)| {
+            let [x, y] = seen_along(axis, point);
+            Corner { vertex, at: if areas[axis] < 0.0 { [y, x] } else { [x, y] } }
+        };
+        Self(corners.iter().zip(&points).map(corner).collect())
+    }
+
+    /// Whether all triangles of the fan around the first corner have an area, on the same side.
+    fn is_fan(&self) -> bool {
+        fan(&self.0).all(|triangle| doubled_area(triangle.map(|corner| corner.at)) > 0.0)
+    }
+
+    /// Cuts ears until a triangle is left, or none is found: then the polygon crosses itself or has
+    /// no area, and a fan is as good as anything.
+    fn cut_into(mut self, triangles: &mut Vec<[u32; 3]>) {
+        let (mut at, mut tried) = (0, 0);
+        while self.0.len() > 3 && tried < self.0.len() {
+            at %= self.0.len();
+            if let Some(ear) = self.ear(at) {
+                triangles.push(ear.map(|corner| corner.vertex));
+                self.0.remove(at);
+                tried = 0;
+            } else {
+                at += 1;
+                tried += 1;
+            }
+        }
+        triangles.extend(fan(&self.0).map(|triangle| triangle.map(|corner| corner.vertex)));
+    }
+
+    /// The triangle of the corner and its neighbours, if it is an ear.
+    fn ear(&self, at: usize) -> Option<[Corner; 3]> {
+        let count = self.0.len();
+        let ear = [at + count - 1, at, at + 1].map(|i| self.0[i % count]);
+        let [a, b, c] = ear.map(|corner| corner.at);
+        // a corner at the place of one of these is the other end of a cut to a hole
+        let inside = |p: [f64; 2]| {
+            ![a, b, c].contains(&p)
+                && [[a, b, p], [b, c, p], [c, a, p]].into_iter().all(|t| doubled_area(t) >= 0.0)
+        };
+        let is_ear =
+            doubled_area([a, b, c]) > 0.0 && !self.0.iter().any(|corner| inside(corner.at));
+        is_ear.then_some(ear)
+    }
+}
+
+/// Twice the area, negative if the corners follow each other clockwise.
+fn doubled_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
