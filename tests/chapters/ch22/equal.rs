@@ -1,5 +1,5 @@
 //! Grid and tree of boxes give what the list gives: the same object at the same distance, bit for
-//! bit.
+//! bit. Each law is asked of a number of rays.
 
 use std::sync::Arc;
 
@@ -14,18 +14,51 @@ use groundtruth::shapes::{
 use super::searched::{Both, Seen, agree, built, some_rays, spheres, trees};
 use crate::draw::Draw;
 
+/// For each law a test, and one that is asked of a million rays.
+macro_rules! laws {
+    ($($short:ident $thorough:ident $law:ident $rays:literal;)*) => {$(
+        #[test]
+        fn $short() {
+            $law($rays);
+        }
+
+        #[test]
+        #[ignore = "cost: cargo test ch22 -- --ignored"]
+        fn $thorough() {
+            $law(1_000_000);
+        }
+    )*};
+}
+
+laws! {
+    acceleration_equals_the_list_on_random_spheres random_spheres_thoroughly
+        random_spheres 6_000;
+    acceleration_equals_the_list_on_coincident_objects coincident_objects_thoroughly
+        coincident_objects 10_000;
+    acceleration_equals_the_list_on_meshes_with_doubled_triangles doubled_triangles_thoroughly
+        doubled_triangles 10_000;
+    acceleration_equals_the_list_on_flat_scenes_and_among_planes flat_scenes_and_planes_thoroughly
+        flat_scenes_and_planes 10_000;
+    acceleration_equals_the_list_along_faces_and_edges_of_boxes faces_and_edges_thoroughly
+        faces_and_edges_of_boxes 10_000;
+    acceleration_equals_the_list_on_instances_of_meshes instances_of_meshes_thoroughly
+        instances_of_meshes 6_000;
+    acceleration_equals_the_list_on_nested_objects nested_objects_thoroughly
+        nested_objects 4_000;
+    acceleration_equals_the_list_from_afar from_afar_thoroughly
+        from_afar 4_000;
+}
+
 /// Law: equal on the book's scene of random spheres, with overlap. Oracle: the list.
-#[test]
-fn acceleration_equals_the_list_on_random_spheres() {
+fn random_spheres(rays: usize) {
     for count in [1, 2, 7, 9, 300] {
         let objects = spheres(&mut Draw::new(2200 + count as u64), count);
-        agree("spheres", objects, some_rays(2201, 6_000, 1.0), 500);
+        agree("spheres", objects, some_rays(2201, rays, 1.0), 500);
     }
 }
 
 /// Law: of objects at the same distance the first counts. Oracle: the list, whose rule is an index.
-#[test]
-fn acceleration_equals_the_list_on_coincident_objects() {
+fn coincident_objects(rays: usize) {
     let mut draw = Draw::new(2210);
     let mut objects = spheres(&mut draw, 40);
     for i in 0..120 {
@@ -36,13 +69,13 @@ fn acceleration_equals_the_list_on_coincident_objects() {
     let plane = Plane { point: Point::new(0.0, -0.5, 0.0), normal: Vector::Y };
     objects.extend((0..3).map(|_| built(plane.clone())));
     let both = Both::new(objects.clone());
-    for ray in some_rays(2212, 4_000, 1.0) {
+    for ray in some_rays(2212, rays, 1.0) {
         for accel in both.others() {
             let found = accel.nearest(&Seen(&objects, &ray), &ray, Span::AHEAD);
             assert_eq!(found.map(|(i, hit)| (i, hit.t)), both.first(&ray), "{ray:?}");
         }
     }
-    agree("coincident", objects, some_rays(2211, 10_000, 1.0), 10);
+    agree("coincident", objects, some_rays(2211, rays, 1.0), 10);
 }
 
 /// Triangles of a bumpy sheet, every third of them twice, some of them wound the other way.
@@ -67,14 +100,13 @@ fn doubled_sheet(draw: &mut Draw) -> (Vec<Point>, Vec<[u32; 3]>) {
 
 /// Law: equal on meshes with triangles that stand there twice, for rays through vertices, along
 /// edges and elsewhere. Oracle: the list; and the same triangles as loose objects.
-#[test]
-fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
+fn doubled_triangles(rays: usize) {
     let mut draw = Draw::new(2220);
     let (vertices, triangles) = doubled_sheet(&mut draw);
     let corners = |t: &[u32; 3]| t.map(|i| vertices[i as usize]);
     let loose: Vec<_> =
         triangles.iter().map(|t| built(Triangle { vertices: corners(t), normals: None })).collect();
-    let aimed: Vec<Ray> = (0..10_000)
+    let aimed: Vec<Ray> = (0..rays)
         .map(|_| {
             let [a, b, _] = corners(&triangles[draw.below(triangles.len())]);
             let f = draw.pick(&[0.0, 1.0, 0.5, 0.3]);
@@ -94,7 +126,7 @@ fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
     let tree = |kernel| mesh.clone().accelerated_for(Method::Bvh, kernel);
     let mut others: Vec<_> = Kernel::available().into_iter().map(tree).collect();
     others.push(mesh.clone().accelerated(Method::Grid));
-    for ray in aimed.iter().copied().chain(some_rays(2222, 10_000, 1.5)) {
+    for ray in aimed.iter().copied().chain(some_rays(2222, rays, 1.5)) {
         let hits = [list.hit(&ray, Span::AHEAD)];
         assert_eq!(list.shadow_hit(&ray, Span::AHEAD).is_some(), hits[0].is_some(), "{ray:?}");
         for other in &others {
@@ -111,8 +143,7 @@ fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
 
 /// Law: equal when everything lies in one plane, of rays across it and in it; with infinite planes
 /// among the objects, one of them the same plane. Oracle: the list.
-#[test]
-fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
+fn flat_scenes_and_planes(rays: usize) {
     let mut draw = Draw::new(2230);
     let mut objects: Vec<Arc<dyn Shape>> = Vec::new();
     for i in 0..200 {
@@ -129,7 +160,7 @@ fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
     }
     let level = |_| Ray::new(Point::new(-3.0, 0.0, draw.between(-2.0, 2.0)), Vector::X);
     let level: Vec<Ray> = (0..100).map(level).collect();
-    let rays = || some_rays(2231, 10_000, 2.0).chain(level.iter().copied());
+    let rays = || some_rays(2231, rays, 2.0).chain(level.iter().copied());
     agree("flat", objects.clone(), rays(), 20);
     let mut tilted = Draw::new(2232);
     for height in [0.0, 0.0, -0.5, 1.0] {
@@ -142,8 +173,7 @@ fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
 
 /// Law: equal among touching boxes: rays along their faces and edges, from inside, through corners.
 /// Oracle: the list.
-#[test]
-fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
+fn faces_and_edges_of_boxes(rays: usize) {
     let mut objects = Vec::new();
     for i in 0..216 {
         let at = |k: i32| f64::from(k % 6 - 3);
@@ -151,22 +181,21 @@ fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
         objects.push(built(shapes::Box { min, max: min + Vector::new(1.0, 1.0, 1.0) }));
     }
     let mut draw = Draw::new(2240);
-    let mut rays = Vec::new();
-    for _ in 0..10_000 {
+    let mut along = Vec::new();
+    for _ in 0..rays {
         let whole = |draw: &mut Draw| draw.between(-8.0, 8.0).round() * draw.pick(&[0.5, 1.0]);
         let [x, y, z] = [(); 3].map(|()| whole(&mut draw));
         let d = [(); 3].map(|()| draw.pick(&[0.0, -0.0, 1.0, -1.0, 0.5]));
         if d != [0.0; 3] {
-            rays.push(Ray::new(Point::new(x, y, z), d.into()));
+            along.push(Ray::new(Point::new(x, y, z), d.into()));
         }
     }
-    agree("boxes", objects, rays.into_iter(), 4);
+    agree("boxes", objects, along.into_iter(), 4);
 }
 
 /// Law: equal on instances of meshes and of instances, whose own trees are of either kind. Oracle:
 /// the list.
-#[test]
-fn acceleration_equals_the_list_on_instances_of_meshes() {
+fn instances_of_meshes(rays: usize) {
     let mut draw = Draw::new(2250);
     let sphere =
         TessellatedSphere { horizontal: 12, vertical: 8, radius: 0.3, smooth: false, bumps: 0.0 };
@@ -187,7 +216,7 @@ fn acceleration_equals_the_list_on_instances_of_meshes() {
         }
         objects.push(built(kind));
     }
-    agree("instances", objects, some_rays(2251, 6_000, 1.5), 10);
+    agree("instances", objects, some_rays(2251, rays, 1.5), 10);
 }
 
 /// Says of every ray that it is hit at this distance.
@@ -241,8 +270,7 @@ fn a_hit_counts_where_the_ray_crosses_the_box() {
 
 /// Law: equal among boxes and spheres inside each other, of sizes down to 2⁻³⁰ of the largest.
 /// Oracle: the list.
-#[test]
-fn acceleration_equals_the_list_on_nested_objects() {
+fn nested_objects(rays: usize) {
     let mut objects = Vec::new();
     for i in 0..40 {
         let size = groundtruth::math::power(2.0, -0.75 * f64::from(i));
@@ -252,7 +280,7 @@ fn acceleration_equals_the_list_on_nested_objects() {
         objects.push(built(Sphere { center: Point::ORIGIN, radius: size, inward: false }));
     }
     let mut draw = Draw::new(2245);
-    let inner = (0..4_000).map(move |_| {
+    let inner = (0..rays).map(move |_| {
         let mut place = || {
             let reach = draw.decades(-9.0, 0.0);
             draw.point(reach)
@@ -260,13 +288,12 @@ fn acceleration_equals_the_list_on_nested_objects() {
         let (from, to) = (place(), place());
         Ray::new(from, to - from)
     });
-    agree("nested", objects, inner.chain(some_rays(2246, 4_000, 1.0)), 2);
+    agree("nested", objects, inner.chain(some_rays(2246, rays, 1.0)), 2);
 }
 
 /// Law: equal for rays that start up to 10¹⁴ sizes away, whose slack is then larger than the scene,
 /// and small objects far from the origin. Oracle: the list.
-#[test]
-fn acceleration_equals_the_list_from_afar() {
+fn from_afar(rays: usize) {
     for (seed, shift) in [(2247, 0.0), (2248, 1e3), (2249, 1e7), (2250, 1e12)] {
         let mut draw = Draw::new(seed);
         let middle = Point::new(shift, -0.5 * shift, 0.25 * shift);
@@ -276,7 +303,7 @@ fn acceleration_equals_the_list_from_afar() {
                 built(Sphere { center, radius: draw.decades(-1.0, -0.3), inward: false })
             })
             .collect();
-        let rays = (0..4_000).map(move |_| {
+        let rays = (0..rays).map(move |_| {
             let (target, away) = (middle + draw.vector(1.0), draw.direction());
             let far = draw.decades(0.0, 14.0);
             Ray::new(target + far * away, -(draw.decades(-3.0, 3.0) * away))

@@ -245,6 +245,36 @@ fn triangles_of_area_zero_change_nothing() {
     }
 }
 
+/// Law: what finds the triangles takes as much for each of them whether vertices are shared or not, and
+/// whatever else they have; it grows as the triangles do. Oracle: the same triangles with vertices of
+/// their own, with normals and uv, and a hundred times as many.
+#[test]
+fn memory_for_each_triangle_does_not_depend_on_vertices() {
+    for method in Method::ALL {
+        let bytes = |mesh: TriangleMesh| {
+            let count = mesh.triangles().len() as f64;
+            mesh.accelerated(method).memory_bytes() as f64 / count
+        };
+        let mesh = sphere(40, 26, false);
+        let corners = mesh.triangles().iter().flatten().map(|&v| mesh.vertices()[v as usize]);
+        let alone: Vec<_> = (0..3 * mesh.triangles().len() as u32).collect();
+        let alone = alone.chunks(3).map(|t| [t[0], t[1], t[2]]).collect();
+        let apart = TriangleMesh::new(corners.collect(), alone);
+        let normals = mesh.mean_normals();
+        let uvs = vec![[0.0, 0.0]; mesh.vertices().len()];
+        println!(
+            "{method:?} {} {} {}",
+            bytes(mesh.clone()),
+            bytes(apart.clone()),
+            bytes(sphere(400, 260, false))
+        );
+        assert_eq!(bytes(mesh.clone().with_normals(normals).with_uvs(uvs)), bytes(mesh.clone()));
+        assert_eq!(bytes(apart), bytes(mesh.clone()));
+        let ratio = bytes(sphere(400, 260, false)) / bytes(mesh);
+        assert!((0.8..1.25).contains(&ratio), "{method:?}: {ratio}");
+    }
+}
+
 /// Law: rays from outside cross a closed mesh an even number of times. Oracle: topology.
 #[test]
 fn rays_from_outside_cross_a_closed_mesh_evenly() {

@@ -23,14 +23,17 @@ fn pictures_do_not_feel_powers_of_two() {
     }
 }
 
-/// Law: the bvh is the list. Oracle: the list.
+/// Law: grid and bvh are the list. Oracle: the list.
 #[test]
-fn list_and_bvh_give_the_same_picture() {
+fn list_grid_and_bvh_give_the_same_picture() {
     for (name, mut scene) in gallery_in_small(2) {
-        scene.accel = Method::Bvh;
-        let bvh = render::render(&built(&scene));
         scene.accel = Method::List;
-        assert_same_bits(name, &bvh, &render::render(&built(&scene)));
+        let list = render::render(&built(&scene));
+        for method in [Method::Grid, Method::Bvh] {
+            scene.accel = method;
+            let picture = render::render(&built(&scene));
+            assert_same_bits(&format!("{name}, {method:?}"), &picture, &list);
+        }
     }
 }
 
