@@ -3,12 +3,13 @@
 use super::List;
 use super::parts::*;
 use crate::cameras::{Pinhole, Viewpoint};
-use crate::math::Point;
+use crate::math::{Point, Step};
 use crate::rgb::Rgb;
 use crate::scene::{Image, Material, Object, Scene};
 use crate::shapes::{
-    Annulus, Cone, FlatRimmedBowl, Kind, Materials, Paraboloid, PartAnnulus, PartCylinder,
-    PartSphere, PartTorus, RoundRimmedBowl, SolidCylinder, ThickRing, Torus,
+    Algebraic, Annulus, ConcaveLens, Cone, CutFace, FlatRimmedBowl, Kind, Materials, Paraboloid,
+    PartAnnulus, PartCylinder, PartSphere, PartTorus, RoundRimmedBowl, SolidCone, SolidCylinder,
+    Term, ThickRing, Torus,
 };
 
 pub const SCENES: List = &[
@@ -19,6 +20,8 @@ pub const SCENES: List = &[
     ("ch19/bowls", bowls),
     ("ch19/colored-ring", colored_ring),
     ("ch19/part-objects", part_objects),
+    ("ch19/more-objects", more_objects),
+    ("ch19/algebraic", algebraic),
 ];
 
 /// A view from above and the right, with a lamp over the right shoulder.
@@ -167,5 +170,90 @@ fn part_objects() -> Scene {
     ] {
         add(&mut scene, name, at(shape, x, z), color, true);
     }
+    scene
+}
+
+fn more_objects() -> Scene {
+    let about = "a solid cone, a concave lens, a cut face, an ellipsoid, a hemisphere and a box";
+    let mut scene = stage(about, Point::ORIGIN, 800.0);
+    scene.camera.eye = point(0.0, 6.0, 11.0);
+    scene.image = Image { samples: 16, ..Image::new(600, 400) };
+    scene.lights[1].shadows = false; // each is to be seen whole
+    let materials = Materials::new;
+    let cone = SolidCone { height: 1.8, radius: 1.0, materials: materials() };
+    let cone =
+        transformed(cone, vec![Step::RotateX(-55.0), Step::Translate(vector(-2.9, 0.0, -1.5))]);
+    let lens =
+        ConcaveLens { radius: 1.0, thickness: 1.0, min_distance: 0.2, materials: materials() };
+    let lens =
+        transformed(lens, vec![Step::RotateX(35.0), Step::Translate(vector(0.0, 0.0, -1.8))]);
+    let face = CutFace { size: 2.0, radius: 0.7 };
+    let face =
+        transformed(face, vec![Step::RotateX(30.0), Step::Translate(vector(2.8, 0.0, -1.8))]);
+    let ellipsoid = vec![
+        Step::Scale(vector(1.2, 0.4, 0.8)),
+        Step::RotateZ(30.0),
+        Step::Translate(vector(-2.7, 0.0, 1.6)),
+    ];
+    let hemisphere = PartSphere {
+        center: point(0.0, -0.4, 1.6),
+        radius: 1.0,
+        phi: [0.0, 360.0],
+        theta: [0.0, 90.0],
+        inward: false,
+    };
+    let solid = transformed(
+        boxed(point(-0.8, -0.5, -0.6), point(0.8, 0.5, 0.6)),
+        vec![Step::RotateY(25.0), Step::Translate(vector(2.7, 0.0, 1.6))],
+    );
+    for (name, shape, color) in [
+        ("cone", cone, rgb(1.0, 0.4, 0.3)),
+        ("lens", lens, rgb(0.3, 0.7, 0.9)),
+        ("face", face, rgb(1.0, 0.75, 0.2)),
+        ("ellipsoid", transformed(sphere(Point::ORIGIN, 1.0), ellipsoid), rgb(0.9, 0.5, 0.9)),
+        ("hemisphere", hemisphere.into(), rgb(0.4, 0.8, 0.3)),
+        ("box", solid, rgb(0.5, 0.5, 1.0)),
+    ] {
+        add(&mut scene, name, shape, color, true);
+    }
+    scene
+}
+
+/// The first is `x⁴ − 5x² + y⁴ − 5y² + z⁴ − 5z² + 11.8`, the second Taubin's heart
+/// `(x² + y² + 9z²/4 − 1)³ − x²y³ − 9y³z²/80`.
+fn algebraic() -> Scene {
+    let about = "algebraic surfaces of degree 4 and 6: a tangle cube and a heart";
+    let mut scene = stage(about, Point::ORIGIN, 570.0);
+    scene.camera.eye = point(2.0, 3.0, 12.0);
+    scene.image = Image { samples: 16, ..Image::new(400, 200) };
+    let term = |coefficient, powers| Term { coefficient, powers };
+    let box_around = |reach: f64| (point(-reach, -reach, -reach), point(reach, reach, reach));
+    let mut tangle = vec![term(11.8, [0; 3])];
+    for axis in 0..3 {
+        let power = |n| std::array::from_fn(|i| if i == axis { n } else { 0 });
+        tangle.extend([term(1.0, power(4)), term(-5.0, power(2))]);
+    }
+    let (min, max) = box_around(2.5);
+    let tangle = Algebraic { terms: tangle, min, max };
+    let factorial = |n: u32| f64::from((1..=n).product::<u32>());
+    let mut heart = vec![term(-1.0, [2, 3, 0]), term(-9.0 / 80.0, [0, 3, 2])];
+    for [i, j, k] in
+        (0..64).map(|n| [n % 4, n / 4 % 4, n / 16]).filter(|n| n.iter().sum::<u32>() <= 3)
+    {
+        let rest = 3 - i - j - k; // of the −1
+        let ways = 6.0 / [i, j, k, rest].map(factorial).iter().product::<f64>();
+        let sign = if rest % 2 == 0 { 1.0 } else { -1.0 };
+        heart.push(term(
+            sign * ways * (1..=k).map(|_| 2.25).product::<f64>(),
+            [2 * i, 2 * j, 2 * k],
+        ));
+    }
+    let (min, max) = box_around(1.5);
+    let heart = Algebraic { terms: heart, min, max };
+    let beside = |x: f64, size: f64| {
+        vec![Step::Scale(vector(size, size, size)), Step::Translate(vector(x, 0.0, 0.0))]
+    };
+    add(&mut scene, "tangle", transformed(tangle, beside(-2.0, 0.6)), rgb(0.4, 0.6, 1.0), false);
+    add(&mut scene, "heart", transformed(heart, beside(2.0, 1.2)), rgb(1.0, 0.25, 0.3), false);
     scene
 }
