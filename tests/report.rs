@@ -9,7 +9,9 @@ mod samplers;
 #[path = "report/textbook.rs"]
 mod textbook;
 
+use std::process::Command;
 use std::sync::LazyLock;
+use std::time::{Duration, UNIX_EPOCH};
 
 use groundtruth::report::{self, Interrupted, PAGES, Settings, Watch};
 use groundtruth::verify::against::ALLOWED;
@@ -151,6 +153,8 @@ fn a_report_is_the_same_each_time_but_for_the_times() {
     }
 }
 
+/// Law: a report names machine, version, commit and seed. Oracle: git, and whether the program is older
+/// than the commit.
 #[test]
 fn a_report_says_where_it_comes_from() {
     let provenance = &REPORT.json["provenance"];
@@ -159,6 +163,20 @@ fn a_report_says_where_it_comes_from() {
         assert!(!text.is_empty() && REPORT.html.contains(text), "{key}: {text}");
     }
     assert_eq!(provenance["version"], env!("CARGO_PKG_VERSION"));
+    let git = |words: &[&str]| {
+        let folder = env!("CARGO_MANIFEST_DIR");
+        let output = Command::new("git").args(["-C", folder]).args(words).output().ok()?;
+        output.status.success().then(|| String::from_utf8(output.stdout).expect("a text"))
+    };
+    if let Some(head) = git(&["log", "-1", "--format=%H %ct"]) {
+        let commit = provenance["commit"].as_str().expect("a text");
+        let (hash, time) = head.trim().split_once(' ').expect("two words");
+        assert!(commit.starts_with(&hash[..12]), "{commit}, not {hash}");
+        let time = UNIX_EPOCH + Duration::from_secs(time.parse().expect("seconds"));
+        let program = std::env::current_exe().expect("this one").metadata().expect("a file");
+        let older = program.modified().expect("a time") < time;
+        assert_eq!(commit.ends_with("-or-earlier"), older, "{commit}");
+    }
     assert!(provenance["threads"].as_u64() >= Some(1));
     assert_eq!(REPORT.json["seed"], SMALL.seed);
 }

@@ -1,6 +1,7 @@
 //! Where a report comes from: machine, version, commit.
 
 use std::process::Command;
+use std::time::{Duration, UNIX_EPOCH};
 
 use serde::Serialize;
 
@@ -10,7 +11,8 @@ pub struct Provenance {
     /// The version of this program.
     pub version: &'static str,
     /// The commit of the folder it was built in, as it is now; `-dirty` if files there were changed
-    /// since; `unknown` without git or without that folder.
+    /// since, `-or-earlier` if the program was built before that commit was made; `unknown` without
+    /// git or without that folder.
     pub commit: String,
     /// Whether the compiler left its own checks in: then times mean little.
     pub debug: bool,
@@ -37,12 +39,20 @@ impl Provenance {
 }
 
 fn commit() -> Option<String> {
-    let asked = ["describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"];
+    let name = git(&["describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"])?;
+    let committed = git(&["log", "-1", "--format=%ct"])?.parse().ok()?;
+    let built = std::env::current_exe().ok()?.metadata().ok()?.modified().ok()?;
+    let built = built.duration_since(UNIX_EPOCH).ok()?;
+    Some(if built < Duration::from_secs(committed) { name + "-or-earlier" } else { name })
+}
+
+/// What git says of the folder this was built in.
+fn git(words: &[&str]) -> Option<String> {
     let folder = env!("CARGO_MANIFEST_DIR");
-    let output = Command::new("git").args(["-C", folder]).args(asked).output().ok()?;
+    let output = Command::new("git").args(["-C", folder]).args(words).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;
-    let name = text.trim();
-    (output.status.success() && !name.is_empty()).then(|| name.to_owned())
+    let answer = text.trim();
+    (output.status.success() && !answer.is_empty()).then(|| answer.to_owned())
 }
 
 fn processor() -> Option<String> {
