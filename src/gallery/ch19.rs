@@ -36,6 +36,15 @@ fn stage(about: &str, look_at: Point, distance: f64) -> Scene {
     scene
 }
 
+/// Room for two rows of objects.
+fn wide_stage(about: &str, distance: f64) -> Scene {
+    let mut scene = stage(about, Point::ORIGIN, distance);
+    scene.camera.eye = point(0.0, 6.0, 11.0);
+    scene.image = Image { samples: 16, ..Image::new(600, 400) };
+    scene.lights[1].shadows = false; // each is to be seen whole
+    scene
+}
+
 fn add(scene: &mut Scene, name: &str, shape: impl Into<Kind>, color: Rgb, two_sided: bool) {
     let (object, material) = object(name, shape, phong(0.25, 0.75, color, 0.15, 50.0));
     scene.objects.push(object);
@@ -125,10 +134,7 @@ fn bowls() -> Scene {
 
 fn part_objects() -> Scene {
     let about = "parts of a sphere, a torus, a cylinder and an annulus, a paraboloid and a ring";
-    let mut scene = stage(about, Point::ORIGIN, 700.0);
-    scene.camera.eye = point(0.0, 6.0, 11.0);
-    scene.image = Image { samples: 16, ..Image::new(600, 400) };
-    scene.lights[1].shadows = false; // each is to be seen whole
+    let mut scene = wide_stage(about, 700.0);
     let at = |shape: Kind, x: f64, z: f64| moved(shape, vector(x, 0.0, z));
     let sphere = PartSphere {
         center: Point::ORIGIN,
@@ -175,10 +181,7 @@ fn part_objects() -> Scene {
 
 fn more_objects() -> Scene {
     let about = "a solid cone, a concave lens, a cut face, an ellipsoid, a hemisphere and a box";
-    let mut scene = stage(about, Point::ORIGIN, 800.0);
-    scene.camera.eye = point(0.0, 6.0, 11.0);
-    scene.image = Image { samples: 16, ..Image::new(600, 400) };
-    scene.lights[1].shadows = false; // each is to be seen whole
+    let mut scene = wide_stage(about, 800.0);
     let materials = Materials::new;
     let cone = SolidCone { height: 1.8, radius: 1.0, materials: materials() };
     let cone =
