@@ -88,6 +88,11 @@ const ERRORS: &[(&str, &str, &str)] = &[
         "scene.toml:30: objects[0] \"ball\", shape.sphere.center: invalid length 2, expected an array of length 3",
     ),
     (
+        "[0, 0, 0]",
+        "[0, 0, 0, 1]",
+        "scene.toml:30: objects[0] \"ball\", shape.sphere.center: invalid length 4, expected an array of length 3",
+    ),
+    (
         "sphere",
         "spheer",
         "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, …",

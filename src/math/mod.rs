@@ -9,6 +9,7 @@ mod bounds;
 mod exact;
 mod frame;
 mod functions;
+pub mod lists;
 pub mod polynomial;
 mod random;
 mod ray;

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::functions::{cos_degrees, sin_degrees};
 use super::vectors::{Normal, Point, Vector};
-use super::{Aabb, Ray, UNIT_ROUNDOFF};
+use super::{Aabb, Ray, UNIT_ROUNDOFF, lists};
 
 /// One step of a transformation, as a person types it: angles in degrees, counter-clockwise for an
 /// eye on the positive axis that looks at the origin.
@@ -35,7 +35,7 @@ pub enum Step {
     Reflect(Axis),
     /// The six-factor shear `x' = x + a y + b z`, `y' = c x + y + d z`, `z' = e x + f y + z`, as
     /// `[a, b, c, d, e, f]`.
-    Shear([f64; 6]),
+    Shear(#[serde(deserialize_with = "lists::exactly")] [f64; 6]),
 }
 
 /// A coordinate axis.

@@ -29,18 +29,20 @@ use std::fmt;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::lists;
 
 const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 
 /// A place. `Point − Point` is a [`Vector`]; points cannot be added or scaled.
-#[derive(Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(from = "[f64; 3]", into = "[f64; 3]")]
+#[derive(Clone, Copy, PartialEq, Default, Serialize)]
+#[serde(into = "[f64; 3]")]
 pub struct Point(pub(super) DVec3);
 
 /// A displacement or direction, of any length.
-#[derive(Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(from = "[f64; 3]", into = "[f64; 3]")]
+#[derive(Clone, Copy, PartialEq, Default, Serialize)]
+#[serde(into = "[f64; 3]")]
 pub struct Vector(pub(super) DVec3);
 
 /// A unit vector perpendicular to a surface; every way to make one normalises.
@@ -102,6 +104,12 @@ macro_rules! from_array {
         impl From<[f64; 3]> for $kind {
             fn from(it: [f64; 3]) -> Self {
                 Self(DVec3::from_array(it))
+            }
+        }
+
+        impl<'de> Deserialize<'de> for $kind {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                lists::exactly(deserializer).map(|coordinates: [f64; 3]| coordinates.into())
             }
         }
     )*};

@@ -7,10 +7,14 @@
 //! passed over such a corner would leave a crack beside the face that shares it. That is why
 //! `earcut` 0.4, which leaves out corners on straight lines, is not for us.
 
+use std::iter::repeat_n;
+
 use super::{MeshFileError, Place};
 
 /// The most corners of a polygon that is not convex: cutting ears can take time as their cube.
 const MOST_CORNERS: usize = 10_000;
+
+const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 
 /// Polygons, as places in a list of vertices.
 #[derive(Default)]
@@ -65,6 +69,16 @@ impl Faces {
         }
         Ok(triangles)
     }
+
+    /// For each triangle the number of its polygon; empty if all are triangles.
+    pub(super) fn of_triangles(&self) -> Vec<u32> {
+        if self.corners.len() == 3 * self.ends.len() {
+            return Vec::new();
+        }
+        let starts = [0].into_iter().chain(self.ends.iter().copied());
+        let corners = self.ends.iter().zip(starts).map(|(end, start)| end - start);
+        (0..).zip(corners).flat_map(|(face, corners)| repeat_n(face, corners - 2)).collect()
+    }
 }
 
 fn fan<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 3]> {
@@ -86,7 +100,15 @@ impl Ring {
     /// Seen in the coordinate plane in which the polygon is largest: its coordinates are the
     /// vertices' own, so that straight lines stay straight to the last bit.
     fn new(corners: &[u32], vertices: &[[f64; 3]]) -> Self {
-        let points: Vec<_> = corners.iter().map(|&corner| vertices[corner as usize]).collect();
+        let points = corners.iter().map(|&corner| vertices[corner as usize]);
+        let largest = points.clone().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        // a power of two, so that no bit is lost, where areas would leave the range of numbers
+        let unit = match largest {
+            ..1e-100 => TWO_TO_600,
+            1e100.. => 1.0 / TWO_TO_600,
+            _ => 1.0,
+        };
+        let points: Vec<_> = points.map(|point| point.map(|x| unit * x)).collect();
         let seen_along = |axis: usize, p: [f64; 3]| [p[(axis + 1) % 3], p[(axis + 2) % 3]];
         let areas = [0, 1, 2].map(|axis| {
             let seen = |triangle: [_; 3]| triangle.map(|p| seen_along(axis, p));

@@ -35,6 +35,9 @@ pub struct MeshData {
     pub uvs: Option<Vec<[f64; 2]>>,
     /// Indices into `vertices`, wound as in the file; at least one triangle, and less than 2³².
     pub triangles: Vec<[u32; 3]>,
+    /// For each triangle the number of the file's face that it is a part of, ascending; empty if all
+    /// faces are triangles.
+    pub faces: Vec<u32>,
 }
 
 /// Reads a `.ply` or `.obj` file; upper and lower case are the same.
@@ -57,6 +60,7 @@ pub fn read(path: &Path) -> Result<MeshData, MeshFileError> {
 /// The data with the faces' triangles, unless there is none or more than an index can count.
 fn checked(mut data: MeshData, faces: &Faces) -> Result<MeshData, MeshFileError> {
     data.triangles = faces.triangles(&data.vertices)?;
+    data.faces = faces.of_triangles();
     if data.triangles.is_empty() {
         return Err(MeshFileError::NoFaces);
     }
@@ -70,6 +74,11 @@ fn at_most_u32(what: &'static str, count: u64) -> Result<(), MeshFileError> {
         return Err(MeshFileError::TooMany { what, count });
     }
     Ok(())
+}
+
+/// The bytes without the mark of UTF-8 that some editors put in front.
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
 /// The byte that ends a line: `\r` where the first line ends in a lone one, else `\n`, with a `\r`

@@ -11,13 +11,14 @@ use std::collections::HashMap;
 use super::error::quoted;
 use super::faces::Faces;
 use super::{MeshData, MeshFileError, Place};
-use super::{at_most_u32, checked, line_end, parse_word, words};
+use super::{at_most_u32, checked, line_end, parse_word, without_mark, words};
 
 /// Reads the bytes of an OBJ file.
 ///
 /// # Errors
 /// The first thing that is wrong; the message says in which line.
 pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
+    let bytes = without_mark(bytes);
     let points = Points::read(bytes)?;
     let mut vertices = Vertices::default();
     let mut faces = Faces::default();
@@ -202,7 +203,7 @@ impl Vertices {
             // `None` for one corner is `None` for all
             uvs: corners.clone().map(|c| c.1.map(|at| points.uvs[at as usize])).collect(),
             normals: corners.map(|c| c.2.map(|at| points.normals[at as usize])).collect(),
-            triangles: Vec::new(),
+            ..MeshData::default()
         }
     }
 }

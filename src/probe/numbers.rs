@@ -73,6 +73,9 @@ impl Visitor<'_> for EndVisitor {
     }
 }
 
+/// Directions that are used as they are: beyond, their squares lose digits, or are infinite.
+const DIRECTIONS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+
 /// A ray as a line says it.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -85,7 +88,17 @@ impl RayData {
     /// The ray, its direction as it is: `t` counts in it.
     pub fn ray(&self) -> Result<Ray, Invalid> {
         direction("direction", self.direction).map_err(|e| e.inside("ray"))?;
-        Ok(Ray::new(self.origin, self.direction))
+        let largest = self.direction.max_abs();
+        if DIRECTIONS.contains(&largest) {
+            return Ok(Ray::new(self.origin, self.direction));
+        }
+        let [least, most] = [DIRECTIONS.start(), DIRECTIONS.end()];
+        let problem = format!(
+            "found {:?}, but its largest coordinate has to be from {least:e} to {most:e} in size: its \
+             square has to be a number",
+            self.direction.to_array()
+        );
+        Err(Invalid::field("direction", problem).inside("ray"))
     }
 
     /// The ray, its direction made unit.

@@ -15,7 +15,7 @@ use crate::invalid::{Invalid, finite, shown};
 use crate::kinds::Specification;
 use crate::math::polynomial::{MAX_DEGREE, roots_between};
 use crate::math::{
-    Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root, power,
+    Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root, lists, power,
 };
 
 /// `coefficient · xⁱ yʲ zᵏ` for powers `[i, j, k]`.
@@ -25,6 +25,7 @@ pub struct Term {
     /// Finite.
     pub coefficient: f64,
     /// Of x, y and z; their sum is at most 16.
+    #[serde(deserialize_with = "lists::exactly")]
     pub powers: [u32; 3],
 }
 
@@ -94,11 +95,14 @@ impl Specification for Algebraic {
         for (index, term) in self.terms.iter().enumerate() {
             term.check().map_err(|e| e.inside(index).inside("terms"))?;
         }
-        let terms: Vec<Term> =
-            self.terms.iter().filter(|term| term.coefficient != 0.0).cloned().collect();
+        let terms = gathered(&self.terms);
         let degree = terms.iter().map(Term::degree).max().unwrap_or(0) as usize;
         if degree == 0 {
-            let found = if self.terms.is_empty() { "found no terms" } else { "found a constant" };
+            let found = match terms.as_slice() {
+                [] if self.terms.is_empty() => "found no terms",
+                [] => "found nothing but zero",
+                _ => "found a constant",
+            };
             let problem =
                 format!("{found}, but a term with a power of x, y or z that is not 0 is needed");
             return Err(Invalid::field("terms", problem));
@@ -150,6 +154,19 @@ impl Specification for Algebraic {
             Self { terms: saddle, min: small, max: large },
         ]
     }
+}
+
+/// The terms with like ones as one, in the order of the first of each, without those that are zero.
+fn gathered(terms: &[Term]) -> Vec<Term> {
+    let mut gathered: Vec<Term> = Vec::new();
+    for term in terms {
+        match gathered.iter_mut().find(|like| like.powers == term.powers) {
+            Some(like) => like.coefficient += term.coefficient,
+            None => gathered.push(term.clone()),
+        }
+    }
+    gathered.retain(|term| term.coefficient != 0.0);
+    gathered
 }
 
 /// Refuses polynomials whose terms leave the range of `f64` in the box: the largest product of
@@ -308,22 +325,38 @@ impl Shape for Built {
         self.hits(ray, span).next()
     }
 
-    /// One step of Newton's method along the gradient moves the point onto the surface.
+    /// One step of Newton's method along the gradient moves the point onto the surface; not where the
+    /// gradient is nothing but rounding, as where sheets meet.
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let raw = ray.at(at.t);
-        let first = self.values(raw.to_vector());
-        let off = first.value / first.gradient.length_squared();
-        let point = if off.is_finite() { raw - off * first.gradient } else { raw };
-        let Values { gradient, magnitude, .. } = self.values(point.to_vector());
-        // every term: a rounding for each factor, each of a coordinate that is some roundings off,
-        // and one for each sum; where the gradient vanishes, no more than half of the digits
         let size = self.domain.min.to_vector().abs().max(self.domain.max.to_vector().abs());
-        let roundings = (8 * self.degree + self.terms.len() + 8) as f64;
-        let noise = roundings * UNIT_ROUNDOFF * magnitude / gradient.length();
-        let own = 12.0 * UNIT_ROUNDOFF * size.max_abs();
+        // half of the digits are all that a root has where the gradient vanishes
         let most = UNIT_ROUNDOFF.sqrt() * size.max_abs();
-        let error = (noise + own).min(most);
-        Surface::new(point, error, normal_along(gradient, ray))
+        // every term: a rounding for each factor, each of a coordinate that is some roundings off,
+        // and one for each sum
+        let roundings = (8 * self.degree + self.terms.len() + 8) as f64;
+        let noise = |values: &Values| {
+            roundings * UNIT_ROUNDOFF * values.magnitude / values.gradient.length()
+        };
+        let raw = ray.at(at.t);
+        let there = self.values(raw.to_vector());
+        let step = if noise(&there) < most {
+            (there.value / there.gradient.length_squared()) * there.gradient
+        } else {
+            Vector::ZERO
+        };
+        let point = raw - step;
+        let here = self.values(point.to_vector());
+        let own = 12.0 * UNIT_ROUNDOFF * size.max_abs();
+        let error = own
+            + if noise(&here) < most {
+                // a step leaves the more of a multiple root, at most `degree` times the next step
+                let left = self.degree as f64 * here.value.abs() / here.gradient.length();
+                noise(&here) + left
+            } else {
+                let far = ray.origin.to_vector().max_abs() + (at.t * ray.direction).max_abs();
+                most + step.length() + 8.0 * UNIT_ROUNDOFF * far
+            };
+        Surface::new(point, error, normal_along(here.gradient, ray))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -41,8 +41,8 @@ impl Angles {
         let width = if to >= from { to - from } else { (to - from).rem_euclid(360.0) };
         if !range.iter().all(fits) || width == 0.0 {
             let problem = format!(
-                "found {range:?}, but two different angles in degrees from -360 to 360 are needed; \
-                 [350, 10] passes through 360"
+                "found {range:?}, but a range between angles from -360 to 360 degrees is needed that is \
+                 not empty; [350, 10] passes through 360, [0, 360] goes all around"
             );
             return Err(Invalid::field(field, problem));
         }

@@ -10,6 +10,7 @@ use super::wedge_parts::{Sides, Wedge};
 use super::{Context, Shape};
 use crate::invalid::{Invalid, finite};
 use crate::kinds::Specification;
+use crate::math::lists;
 
 /// The part of a thick ring between two azimuths, with round edges and corners, as the parts
 /// `bottom`, `top`, `inner_wall`, `outer_wall`, `start`, `end`, `edges` and `corners`; normals point
@@ -26,6 +27,7 @@ pub struct BeveledWedge {
     /// Above `inner_radius`.
     pub outer_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x; less than a turn.
+    #[serde(deserialize_with = "lists::exactly")]
     pub phi: [f64; 2],
     /// The radius of the edges: at most half of the height and of the distance between the radii,
     /// and so that both inner edges fit between the sides.

@@ -10,7 +10,7 @@ use super::{Candidate, Context, Kind, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, finite_vector};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, Transform, Vector};
+use crate::math::{Aabb, Point, Ray, Span, Transform, Vector, lists};
 
 /// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
 /// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
@@ -20,6 +20,7 @@ pub struct Lattice {
     /// What is copied; the first copy stands where it is.
     pub of: Box<Kind>,
     /// How many along each axis, at least 1.
+    #[serde(deserialize_with = "lists::exactly")]
     pub counts: [u32; 3],
     /// From one copy to the next along each axis.
     pub spacing: Vector,

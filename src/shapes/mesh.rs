@@ -1,5 +1,7 @@
 //! Triangle meshes (Suffern, ch. 23): shared vertices, and an acceleration of their own.
 
+use std::collections::HashMap;
+use std::ops::Add;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -7,14 +9,15 @@ use serde::{Deserialize, Serialize};
 
 use super::triangle_block::{Block, Blocks};
 use super::watertight::{self, ShearedRay};
-use super::{Candidate, Context, Shape, Surface};
+use super::{Candidate, Context, Shape, Surface, size_problem};
 use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
-/// The triangles of a PLY or OBJ file. The outside of a triangle is where the file's vertex normals
-/// are, and if it has none, from where its corners are seen counter-clockwise.
+/// The triangles of a PLY or OBJ file. A triangle's outside is from where its corners are seen
+/// counter-clockwise; but if the file has vertex normals, and they are on the other side of most of
+/// its area, all triangles are turned.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
@@ -64,27 +67,30 @@ impl Mesh {
         let data = context.mesh(&self.file)?;
         let scale = positive("scale", self.scale)?;
         context.take_triangles(data.triangles.len() as u64).map_err(|e| e.inside("file"))?;
-        let vertices = data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
-        let mut mesh = TriangleMesh::new(vertices, data.triangles.clone());
-        if mesh.triangles.is_empty() {
-            let problem = "found only triangles of area zero, which no ray can hit";
-            return Err(Invalid::field("file", problem));
-        }
-        mesh.uvs = data.uvs.clone();
+        let vertices: Vec<_> =
+            data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
         let normals: Option<Vec<_>> = data
             .normals
             .as_ref()
             .map(|normals| normals.iter().map(|&normal| Normal::new(normal.into())).collect());
-        if let Some(normals) = &normals {
-            mesh.wind_by(normals);
+        let mut triangles = data.triangles.clone();
+        if normals.as_ref().is_some_and(|normals| are_opposed(&vertices, &triangles, normals)) {
+            turn(&mut triangles);
         }
-        if self.smooth {
-            let mut means = mesh.mean_normals();
+        let shading = self.smooth.then(|| {
+            let mut means = mean_normals(&vertices, &triangles, &data.faces);
             for (mean, normal) in means.iter_mut().zip(normals.into_iter().flatten()) {
                 *mean = normal.unwrap_or(*mean);
             }
-            mesh.normals = Some(means);
+            means
+        });
+        let size_problem = size_problem(Aabb::around(vertices.iter().copied()));
+        let mut mesh = TriangleMesh::new(vertices, triangles);
+        if mesh.triangles.is_empty() {
+            let flat = "found only triangles of area zero, which no ray can hit";
+            return Err(Invalid::field("file", size_problem.unwrap_or_else(|| flat.into())));
         }
+        (mesh.normals, mesh.uvs) = (shading, data.uvs.clone());
         if self.reverse_normals {
             mesh.reverse();
         }
@@ -121,38 +127,15 @@ impl TriangleMesh {
         Self { uvs: Some(uvs), ..self }
     }
 
-    /// For each vertex the normalised sum of the normals of its faces, unweighted as in the book;
+    /// For each vertex the normalised sum of the normals of its triangles, unweighted as in the book;
     /// (0, 1, 0) where the sum is zero.
     pub fn mean_normals(&self) -> Vec<Normal> {
-        let mut sums = vec![Vector::ZERO; self.vertices.len()];
-        for &triangle in &self.triangles {
-            if let Some(normal) = watertight::normal(self.corners(triangle)) {
-                for vertex in triangle {
-                    sums[vertex as usize] += normal.into();
-                }
-            }
-        }
-        sums.into_iter().map(|sum| Normal::new(sum).unwrap_or(Normal::Y)).collect()
-    }
-
-    /// Winds every triangle so that its normal is on the side of its vertices' normals, for files in
-    /// which the two contradict each other.
-    fn wind_by(&mut self, normals: &[Option<Normal>]) {
-        for triangle in &mut self.triangles {
-            let corners = triangle.map(|vertex| self.vertices[vertex as usize]);
-            let given = triangle.iter().filter_map(|&vertex| normals[vertex as usize]);
-            let sum = given.map(Vector::from).fold(Vector::ZERO, |sum, normal| sum + normal);
-            if watertight::normal(corners).is_some_and(|normal| normal.dot(sum) < 0.0) {
-                triangle.swap(1, 2);
-            }
-        }
+        mean_normals(&self.vertices, &self.triangles, &[])
     }
 
     /// Turns all normals around.
     pub fn reverse(&mut self) {
-        for [_, b, c] in &mut self.triangles {
-            std::mem::swap(b, c);
-        }
+        turn(&mut self.triangles);
         for normal in self.normals.iter_mut().flatten() {
             *normal = -*normal;
         }
@@ -187,14 +170,77 @@ impl TriangleMesh {
             let accel = Accel::build_for(method, &bounds, &OneByOne, kernel);
             return AcceleratedMesh { accel, blocks: Vec::new(), bounds: whole, mesh: self };
         }
-        let accel = Accel::build_for(method, &bounds, &Blocks(&self.triangles), kernel);
-        let block = |&leaf: &[u32; 8]| Block::new(leaf, &self.triangles, &self.vertices);
+        let together = self.triangles_on_places();
+        let accel = Accel::build_for(method, &bounds, &Blocks(&together), kernel);
+        let block = |&leaf: &[u32; 8]| Block::new(leaf, &together, &self.vertices);
         let blocks = accel.leaves().iter().map(block).collect();
         AcceleratedMesh { accel, blocks, bounds: whole, mesh: self }
     }
 
+    /// The triangles with the first vertex in each place instead of others there, which have normals or
+    /// uv of their own, or belong to one triangle only: so more triangles share corners in a block.
+    fn triangles_on_places(&self) -> Vec<[u32; 3]> {
+        let mut known = HashMap::with_capacity(self.vertices.len());
+        let first: Vec<u32> = (0..)
+            .zip(&self.vertices)
+            .map(|(index, place)| *known.entry(place.to_array().map(f64::to_bits)).or_insert(index))
+            .collect();
+        self.triangles.iter().map(|t| t.map(|vertex| first[vertex as usize])).collect()
+    }
+
     fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
         triangle.map(|vertex| self.vertices[vertex as usize])
+    }
+}
+
+/// For each vertex the normalised sum of the normals of its faces; (0, 1, 0) where the sum is zero.
+/// Triangles in a row with the same number in `faces` are one face, and without numbers each is one.
+fn mean_normals(vertices: &[Point], triangles: &[[u32; 3]], faces: &[u32]) -> Vec<Normal> {
+    let corners = |triangle: [u32; 3]| triangle.map(|vertex| vertices[vertex as usize]);
+    let mut sums = vec![Vector::ZERO; vertices.len()];
+    let mut add = |face: &[[u32; 3]]| {
+        let normal = match *face {
+            [triangle] => watertight::normal(corners(triangle)),
+            _ => Normal::new(face.iter().map(|&t| area(corners(t))).fold(Vector::ZERO, Add::add)),
+        };
+        let Some(normal) = normal else { return };
+        let mut around: Vec<u32> = face.iter().flatten().copied().collect();
+        around.sort_unstable();
+        around.dedup();
+        around.into_iter().for_each(|vertex| sums[vertex as usize] += normal.into());
+    };
+    if faces.is_empty() {
+        triangles.chunks(1).for_each(add);
+    } else {
+        let mut rest = triangles;
+        for face in faces.chunk_by(|a, b| a == b) {
+            let (first, others) = rest.split_at(face.len());
+            add(first);
+            rest = others;
+        }
+    }
+    sums.into_iter().map(|sum| Normal::new(sum).unwrap_or(Normal::Y)).collect()
+}
+
+/// Twice the area of a triangle, along its normal.
+fn area([a, b, c]: [Point; 3]) -> Vector {
+    (b - a).cross(c - a)
+}
+
+/// Whether the winding of most of the area contradicts the vertices' normals.
+fn are_opposed(vertices: &[Point], triangles: &[[u32; 3]], normals: &[Option<Normal>]) -> bool {
+    let votes = triangles.iter().map(|triangle| {
+        let given = triangle.iter().filter_map(|&vertex| normals[vertex as usize]);
+        let sum = given.map(Vector::from).fold(Vector::ZERO, Add::add);
+        area(triangle.map(|vertex| vertices[vertex as usize])).dot(sum)
+    });
+    votes.sum::<f64>() < 0.0
+}
+
+/// Winds triangles the other way.
+fn turn(triangles: &mut [[u32; 3]]) {
+    for [_, b, c] in triangles {
+        std::mem::swap(b, c);
     }
 }
 

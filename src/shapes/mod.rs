@@ -271,21 +271,30 @@ fn of_supported_size(shape: Arc<dyn Shape>) -> Result<Arc<dyn Shape>, Invalid> {
     if bounds == Aabb::EVERYTHING || bounds == Aabb::EMPTY {
         return Ok(shape);
     }
-    let farthest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
-    let extent = bounds.extent().max_abs();
-    if extent == 0.0 {
+    if bounds.extent().max_abs() == 0.0 {
         let problem = "too small to be told from a point at its coordinates: make it larger, or move it \
                        nearer to the origin";
         return Err(Invalid::new(problem));
     }
+    match size_problem(bounds) {
+        Some(problem) => Err(Invalid::new(problem)),
+        None => Ok(shape),
+    }
+}
+
+/// What is wrong with the extent, unless it is 0, or with the distance from the origin, if they are not
+/// in [`LENGTHS`].
+fn size_problem(bounds: Aabb) -> Option<String> {
+    let farthest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
+    let extent = bounds.extent().max_abs();
     let found = if farthest > *LENGTHS.end() {
         format!("found coordinates up to {}", shown(farthest))
-    } else if extent < *LENGTHS.start() {
+    } else if extent > 0.0 && extent < *LENGTHS.start() {
         format!("found an extent of {}", shown(extent))
     } else {
-        return Ok(shape);
+        return None;
     };
-    Err(Invalid::new(format!("{found}, but {}", lengths())))
+    Some(format!("{found}, but {}", lengths()))
 }
 
 impl Kind {

@@ -9,7 +9,7 @@ use super::annulus::{between, radii};
 use super::{Candidate, Context, Shape, Surface, plane_distance};
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
 
 /// The part of a level annulus within a range of azimuths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -25,7 +25,7 @@ pub struct PartAnnulus {
     /// Above `inner_radius`.
     pub outer_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x.
-    #[serde(default = "full_turn")]
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
 }
 

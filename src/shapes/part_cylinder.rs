@@ -8,7 +8,7 @@ use super::angles::{Angles, full_turn};
 use super::{Candidate, Context, OpenCylinder, Shape, Surface, all_of, first_of};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span};
+use crate::math::{Aabb, Point, Ray, Span, lists};
 
 /// The part of an open cylinder within a range of azimuths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,7 +21,7 @@ pub struct PartCylinder {
     /// Positive.
     pub radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x.
-    #[serde(default = "full_turn")]
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// Whether the normal points inward: the book's concave part cylinder.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

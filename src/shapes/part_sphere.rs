@@ -8,7 +8,7 @@ use super::angles::{Angles, full_turn};
 use super::{Candidate, Context, Shape, Sphere, Surface, all_of, first_of};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
+use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
 
 /// The part of a sphere within a range of azimuths φ and one of polar angles θ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,11 +19,11 @@ pub struct PartSphere {
     /// Positive.
     pub radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x.
-    #[serde(default = "full_turn")]
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// From the first polar angle down to the second, in degrees from +y: `[0, 90]` is the upper
     /// hemisphere.
-    #[serde(default = "pole_to_pole")]
+    #[serde(deserialize_with = "lists::exactly", default = "pole_to_pole")]
     pub theta: [f64; 2],
     /// Whether the normal points to the centre: the book's concave part sphere.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

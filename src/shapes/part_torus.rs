@@ -10,7 +10,7 @@ use super::torus::{Torus, from_axis};
 use super::{Candidate, Context, Shape, Surface};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, Vector};
+use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
 
 /// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the tube
 /// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first end is the
@@ -23,11 +23,11 @@ pub struct PartTorus {
     /// Of the tube, the book's `b`; less than the swept radius.
     pub tube_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x.
-    #[serde(default = "full_turn")]
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// From the first angle around the tube up to the second, in degrees from its outermost line
     /// upward.
-    #[serde(default = "full_turn")]
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub theta: [f64; 2],
     /// Whether the normal points into the tube instead.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

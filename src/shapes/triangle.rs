@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, watertight};
+use super::{Candidate, Context, Shape, Surface, size_problem, watertight};
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
 
 /// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
 /// interpolated.
@@ -15,10 +15,15 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 #[serde(deny_unknown_fields)]
 pub struct Triangle {
     /// The corners, not on one line.
+    #[serde(deserialize_with = "lists::exactly")]
     pub vertices: [Point; 3],
     /// A normal for each corner, of any length: shading uses the one between them (the book's
     /// smooth triangle, ch. 23).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        deserialize_with = "lists::exactly_if_any",
+        skip_serializing_if = "Option::is_none"
+    )]
     pub normals: Option<[Vector; 3]>,
 }
 
@@ -40,10 +45,10 @@ impl Specification for Triangle {
         }
         let normal = watertight::normal(self.vertices).ok_or_else(|| {
             let found = self.vertices.map(Point::to_array);
-            Invalid::field(
-                "vertices",
-                format!("found {found:?}, a triangle of area zero, but its corners must not be on one line"),
-            )
+            let problem = size_problem(Aabb::around(self.vertices)).unwrap_or_else(|| {
+                format!("found {found:?}, a triangle of area zero, but its corners must not be on one line")
+            });
+            Invalid::field("vertices", problem)
         })?;
         let normals = self.normals.map(|normals| vertex_normals(normals, normal)).transpose()?;
         Ok(Arc::new(Built { vertices: self.vertices, normal, normals }))

@@ -4,6 +4,7 @@ mod bumps;
 mod files;
 mod hard;
 mod meshes;
+mod outside;
 mod smooth;
 mod uv;
 mod watertight;

@@ -1,7 +1,7 @@
 //! OBJ: one index out of three.
 
 use crate::samples::*;
-use groundtruth::mesh_file::{MeshData, parse_obj};
+use groundtruth::mesh_file::{MeshData, parse_obj, parse_ply};
 
 /// Four points of a square in the plane z = 0.
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -107,4 +107,17 @@ fn points_that_no_face_uses_are_left_out() {
     let mesh = square("f 4 2 1\n");
     assert_eq!(mesh.vertices, [[0., 1., 0.], [1., 0., 0.], [0., 0., 0.]]);
     assert_eq!(mesh.triangles, [[0, 1, 2]]);
+}
+
+/// Law: a mark of UTF-8 in front of a file changes nothing. Oracle: the file without it.
+#[test]
+fn a_mark_of_utf_8_changes_nothing() {
+    let bytes = format!("{SQUARE}f 1 2 3 4\n").into_bytes();
+    let marked = [b"\xef\xbb\xbf", bytes.as_slice()].concat();
+    assert_eq!(parse_obj(&marked).unwrap(), parse_obj(&bytes).unwrap());
+    for encoding in ENCODINGS {
+        let bytes = ornate_pyramid_ply(encoding);
+        let marked = [b"\xef\xbb\xbf", bytes.as_slice()].concat();
+        assert_eq!(parse_ply(&marked).unwrap(), pyramid(), "{encoding:?}");
+    }
 }

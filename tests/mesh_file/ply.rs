@@ -220,6 +220,7 @@ fn any_mesh() -> impl Strategy<Value = MeshData> {
                 normals: normals.then_some(n),
                 uvs: uvs.then_some(t),
                 triangles,
+                faces: Vec::new(),
             })
     })
 }

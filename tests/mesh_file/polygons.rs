@@ -194,3 +194,16 @@ fn a_face_of_very_many_corners_is_read_if_it_is_convex() {
     let text = problem.to_string();
     assert!(text.starts_with("face 1 (counted from 0): a face of 10002 corners"), "{text}");
 }
+
+/// Law: sizes near the ends of the numbers' range change nothing. Oracle: the same polygon near 1.
+#[test]
+fn polygons_of_any_size_are_split_alike() {
+    let dart = |size: &str| {
+        let places = [[0, 0], [4, 1], [1, 1], [1, 4]];
+        let vertices: String = places.map(|[x, y]| format!("v {x}{size} {y}{size} 0\n")).concat();
+        parse_obj(format!("{vertices}f 1 2 3 4\n").as_bytes()).expect("readable").triangles
+    };
+    for size in ["e150", "e300", "e-150", "e-300"] {
+        assert_eq!(dart(size), dart("e0"), "{size}");
+    }
+}

@@ -34,6 +34,18 @@ const ERRORS: &[(&str, &str)] = &[
         "intersect.ray.direction: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
     ),
     (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 1e-101, 0]}}}"#,
+        "intersect.ray.direction: found [0.0, 1e-101, 0.0], but its largest coordinate has to be from 1e-100 to 1e100 in size: its square has to be a number",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 1e101, 0]}}}"#,
+        "intersect.ray.direction: found [0.0, 1e101, 0.0], but its largest coordinate has to be from 1e-100 to 1e100 in size: its square has to be a number",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, 1, 0]}}}"#,
+        "column 127: invalid length 4, expected an array of length 3",
+    ),
+    (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, NaN], "direction": [0, 0, 1]}}}"#,
         "column 98: expected value",
     ),

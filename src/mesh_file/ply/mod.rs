@@ -11,7 +11,7 @@ mod write;
 
 use super::error::quoted;
 use super::faces::Faces;
-use super::{MeshData, MeshFileError, at_most_u32, checked};
+use super::{MeshData, MeshFileError, at_most_u32, checked, without_mark};
 use header::{Element, Header, Property};
 use values::{Binary, Text, Values};
 
@@ -23,7 +23,7 @@ pub use write::write_ply;
 /// # Errors
 /// The first thing that is wrong; the message says where.
 pub fn parse_ply(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
-    let header = Header::parse(bytes)?;
+    let header = Header::parse(without_mark(bytes))?;
     match header.encoding {
         Encoding::Ascii => parse_body(&header, Text::new(&header)),
         _ => parse_body(&header, Binary::new(&header)),

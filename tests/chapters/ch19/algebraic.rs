@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::shapes::{Algebraic, Context, Kind, Shape, Sphere, Term};
+use groundtruth::shapes::{Algebraic, Context, Kind, Shape, Sphere, Surface, Term};
 
 use super::torus::{built, torus, ts};
 use crate::draw::Draw;
@@ -205,7 +205,10 @@ fn what_is_no_surface_is_refused() {
     assert_eq!(text(&[], 1.0), format!("algebraic.terms: found no terms, {needed}"));
     let constant = format!("algebraic.terms: found a constant, {needed}");
     assert_eq!(text(&[(3.0, [0; 3])], 1.0), constant);
-    assert_eq!(text(&[(0.0, [1, 2, 3])], 1.0), constant);
+    let nothing = format!("algebraic.terms: found nothing but zero, {needed}");
+    assert_eq!(text(&[(0.0, [1, 2, 3])], 1.0), nothing);
+    assert_eq!(text(&[(1.5, [2, 0, 0]), (-1.5, [2, 0, 0])], 1.0), nothing);
+    assert_eq!(text(&[(1.5, [2, 0, 0]), (1.0, [0; 3]), (-1.5, [2, 0, 0])], 1.0), constant);
     assert_eq!(
         text(&[(1.0, [1, 0, 0]), (f64::NAN, [1, 0, 0])], 1.0),
         "algebraic.terms[1].coefficient: found NaN, but a finite number is needed"
@@ -216,4 +219,76 @@ fn what_is_no_surface_is_refused() {
     assert_eq!(text(&[(1.0, [9, 8, 0])], 1.0), many([9, 8, 0]));
     assert_eq!(text(&[(1.0, [u32::MAX, 1, 0])], 1.0), many([u32::MAX, 1, 0]));
     assert!(text(&[(1.0, [1, 0, 0])], 0.0).starts_with("algebraic.max: found [0.0, 0.0, 0.0]"));
+}
+
+/// Law: the point of a hit is on the surface within its error bound also where sheets coincide, cross or
+/// end in a point, so that the gradient there is nothing but rounding. Oracle: the distance from the
+/// sphere, the planes and the cone that the polynomials are made of.
+#[test]
+fn points_where_sheets_meet_are_on_the_surface() {
+    type Distance = fn(Point) -> f64;
+    let double_sphere = {
+        let mut terms = vec![(1.0, [0; 3])];
+        for i in 0..3 {
+            let power = |n: u32, m: u32| {
+                std::array::from_fn(|k| {
+                    if k == i {
+                        n
+                    } else if k == (i + 1) % 3 {
+                        m
+                    } else {
+                        0
+                    }
+                })
+            };
+            terms.extend([(1.0, power(4, 0)), (2.0, power(2, 2)), (-2.0, power(2, 0))]);
+        }
+        terms
+    };
+    let double_plane = vec![(1.0, [0, 0, 2]), (-0.6, [0, 0, 1]), (0.09, [0; 3])];
+    let crossing = vec![(1.0, [1, 0, 1]), (-0.2, [1, 0, 0]), (-0.3, [0, 0, 1]), (0.06, [0; 3])];
+    let cone = vec![
+        (1.0, [2, 0, 0]),
+        (-0.2, [1, 0, 0]),
+        (0.01, [0; 3]),
+        (1.0, [0, 2, 0]),
+        (-1.0, [0, 0, 2]),
+    ];
+    let surfaces: [(_, Distance, Point); 4] = [
+        (double_sphere, |p| (p.to_vector().length() - 1.0).abs(), Point::ORIGIN),
+        (double_plane, |p| (p.z() - 0.3).abs(), Point::ORIGIN),
+        (crossing, |p| (p.x() - 0.3).abs().min((p.z() - 0.2).abs()), Point::new(0.3, 0.0, 0.2)),
+        (
+            cone,
+            |p| {
+                let (x, y) = (p.x() - 0.1, p.y());
+                ((x * x + y * y).sqrt() - p.z().abs()).abs()
+            },
+            Point::new(0.1, 0.0, 0.0),
+        ),
+    ];
+    let mut draw = Draw::new(1961);
+    for (which, (terms, distance, middle)) in surfaces.into_iter().enumerate() {
+        let shape = built(surface(&terms, 2.0));
+        let mut hits = 0;
+        for _ in 0..2_000 {
+            let reach = if which < 2 { 0.7 } else { draw.pick(&[0.0, 1e-9, 1e-6, 0.3]) };
+            let target = match which {
+                2 => middle + (draw.between(-1.0, 1.0) * Vector::Y + draw.vector(reach)),
+                _ => middle + draw.vector(reach),
+            };
+            let away = draw.decades(0.5, 3.0) * draw.direction();
+            let ray = Ray::new(target + away, -away);
+            for hit in shape.roots(&ray, Span::LINE) {
+                let Surface { point, error, .. } = shape.surface(&ray, &hit);
+                let off = distance(point);
+                assert!(
+                    off <= error,
+                    "{which}: {point:?} is off by {off:e}, not {error:e}: {ray:?}"
+                );
+                hits += 1;
+            }
+        }
+        assert!(hits > 500, "{which}: {hits}");
+    }
 }

@@ -310,8 +310,8 @@ fn empty_and_impossible_ranges_are_refused() {
     let problem = |kind: Kind| {
         kind.build(&mut Context::default()).map(drop).expect_err("refused").to_string()
     };
-    let angles = "but two different angles in degrees from -360 to 360 are needed; [350, 10] \
-                  passes through 360";
+    let angles = "but a range between angles from -360 to 360 degrees is needed that is not empty; \
+                  [350, 10] passes through 360, [0, 360] goes all around";
     for phi in [[30.0, 30.0], [0.0, 361.0], [f64::NAN, 1.0], [0.0, f64::INFINITY], [360.0, 0.0]] {
         for kind in all_parts(phi) {
             let text = problem(kind);

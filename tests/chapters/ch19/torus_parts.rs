@@ -195,8 +195,8 @@ fn ranges_that_are_none_are_refused() {
         let kind = Kind::from(part(phi, theta));
         kind.build(&mut Context::default()).expect_err("no range").to_string()
     };
-    let wanted = "but two different angles in degrees from -360 to 360 are needed; \
-                  [350, 10] passes through 360";
+    let wanted = "but a range between angles from -360 to 360 degrees is needed that is not empty; \
+                  [350, 10] passes through 360, [0, 360] goes all around";
     for (phi, theta, found) in [
         ([20.0, 20.0], ALL, "part_torus.phi: found [20.0, 20.0]"),
         (ALL, [0.0, 400.0], "part_torus.theta: found [0.0, 400.0]"),

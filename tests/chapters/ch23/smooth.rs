@@ -1,11 +1,8 @@
 //! Normals at vertices: the stand-alone smooth triangle, and meshes.
 
-use std::path::Path;
-
 use groundtruth::accel::Method;
 use groundtruth::math::{Normal, Point, Ray, Span, Vector};
-use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
-use groundtruth::shapes::{Context, Kind, Mesh, Shape, TessellatedSphere, Triangle, TriangleMesh};
+use groundtruth::shapes::{Context, Kind, Shape, Triangle, TriangleMesh};
 
 use crate::draw::Draw;
 
@@ -74,83 +71,6 @@ fn normals_behind_the_triangle_are_refused() {
         problem([0.0; 3]),
         "triangle.normals[2]: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed"
     );
-}
-
-/// A file of a tessellated sphere with some of its triangles wound the other way, and these normals.
-fn sphere_file(folder: &Path, turned: impl Fn(usize) -> bool, normals: Vec<[f64; 3]>) -> Mesh {
-    let mesh = sphere();
-    let wound = |(i, &[a, b, c]): (usize, &[u32; 3])| if turned(i) { [a, c, b] } else { [a, b, c] };
-    let data = MeshData {
-        vertices: mesh.vertices().iter().map(|p| p.to_array()).collect(),
-        normals: (!normals.is_empty()).then_some(normals),
-        uvs: None,
-        triangles: mesh.triangles().iter().enumerate().map(wound).collect(),
-    };
-    let file = folder.join("sphere.ply");
-    std::fs::write(&file, write_ply(&data, Encoding::Ascii)).expect("writable");
-    Mesh { file, scale: 1.0, smooth: true, reverse_normals: false, accel: None }
-}
-
-fn sphere() -> TriangleMesh {
-    TessellatedSphere { horizontal: 10, vertical: 7, radius: 1.0, smooth: true, bumps: 0.0 }.mesh()
-}
-
-/// The sphere's own normals at its vertices.
-fn outward() -> Vec<[f64; 3]> {
-    sphere().vertices().iter().map(|p| p.to_array()).collect()
-}
-
-/// The points that rays hit, the normals there and those that shading uses.
-fn looks(mesh: &Mesh) -> Vec<[Vector; 3]> {
-    let shape = Kind::from(mesh.clone()).build(&mut Context::default()).expect("valid");
-    let mut draw = Draw::new(2331);
-    let rays = (0..500).map(|_| {
-        let (target, away) = (draw.point(0.3), Vector::from(draw.direction()));
-        Ray::new(target + 3.0 * away, -away)
-    });
-    let look = |ray: Ray| {
-        let surface = shape.surface(&ray, &shape.hit(&ray, Span::AHEAD).expect("aimed inside"));
-        [surface.point.to_vector(), surface.normal.into(), surface.shading.into()]
-    };
-    rays.map(look).collect()
-}
-
-/// Law: where a file has vertex normals they say what is outside, flat and smooth, however its
-/// triangles are wound; `reverse_normals` turns all around. Oracle: the centre of the sphere.
-#[test]
-fn vertex_normals_of_a_file_say_what_is_outside() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let inward: Vec<_> = outward().iter().map(|n| n.map(|x| -x)).collect();
-    let windings: [fn(usize) -> bool; 3] = [|_| false, |_| true, |i| i % 3 == 0];
-    for winding in windings {
-        for (normals, side) in [(outward(), 1.0), (inward.clone(), -1.0)] {
-            let file = sphere_file(folder.path(), winding, normals);
-            for (smooth, reverse_normals) in [(false, false), (true, false), (true, true)] {
-                let side = if reverse_normals { -side } else { side };
-                for [point, normal, shading] in
-                    looks(&Mesh { smooth, reverse_normals, ..file.clone() })
-                {
-                    assert!(side * normal.dot(point) > 0.5, "{normal:?} at {point:?}");
-                    assert!(side * shading.dot(point) > 0.5, "{shading:?} at {point:?}");
-                }
-            }
-        }
-    }
-}
-
-/// Law: vertices for which a file has the zero vector as normal have the mean of their faces'.
-/// Oracle: the file without normals, bit for bit, and the sphere's own normals at other vertices.
-#[test]
-fn a_normal_of_zero_in_a_file_is_the_mean() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let means = looks(&sphere_file(folder.path(), |_| false, Vec::new()));
-    let none = vec![[0.0; 3]; outward().len()];
-    assert_eq!(looks(&sphere_file(folder.path(), |_| false, none)), means);
-    let half = outward().into_iter();
-    let half = half.map(|[x, y, z]| if y > 0.0 { [x, y, z] } else { [0.0; 3] }).collect();
-    for [point, _, shading] in looks(&sphere_file(folder.path(), |_| false, half)) {
-        assert!((shading - point).length() < 0.3, "{shading:?} at {point:?}");
-    }
 }
 
 /// Law: shading uses the triangle's own normal where the vertices' one is on its other side. Oracle: the

@@ -1,0 +1,201 @@
+//! Vertex normals of mesh files: which side is outside, and what shading uses where there are none.
+
+use std::path::Path;
+
+use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
+use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
+use groundtruth::shapes::{Context, Kind, Mesh};
+
+use crate::draw::Draw;
+
+type Triangles = Vec<[u32; 3]>;
+
+fn written(folder: &Path, vertices: &[Point], triangles: &Triangles, normals: &[Vector]) -> Mesh {
+    let data = MeshData {
+        vertices: vertices.iter().map(|p| p.to_array()).collect(),
+        normals: (!normals.is_empty()).then(|| normals.iter().map(|n| n.to_array()).collect()),
+        triangles: triangles.clone(),
+        ..MeshData::default()
+    };
+    saved(folder, "mesh.ply", &write_ply(&data, Encoding::Ascii))
+}
+
+fn saved(folder: &Path, name: &str, bytes: &[u8]) -> Mesh {
+    let file = folder.join(name);
+    std::fs::write(&file, bytes).expect("writable");
+    Mesh { file, scale: 1.0, smooth: true, reverse_normals: false, accel: None }
+}
+
+fn turned(triangles: &Triangles) -> Triangles {
+    triangles.iter().map(|&[a, b, c]| [a, c, b]).collect()
+}
+
+/// Turned about the y axis, from its highest point, which is on the axis, to a flat base: radii and
+/// heights. Wound outward.
+fn revolved(around: u32, profile: &[[f64; 2]]) -> (Vec<Point>, Triangles) {
+    let mut vertices = vec![Point::new(0.0, profile[0][1], 0.0)];
+    for &[radius, y] in &profile[1..] {
+        vertices.extend((0..around).map(|i| {
+            let degrees = 360.0 * f64::from(i) / f64::from(around);
+            Point::new(radius * sin_degrees(degrees), y, radius * cos_degrees(degrees))
+        }));
+    }
+    let rings = profile.len() as u32 - 1;
+    let at = |ring: u32, i: u32| 1 + ring * around + i % around;
+    let mut triangles = Triangles::new();
+    for i in 0..around {
+        triangles.push([0, at(0, i), at(0, i + 1)]);
+        for ring in 1..rings {
+            let [a, b] = [at(ring - 1, i), at(ring - 1, i + 1)];
+            let [c, d] = [at(ring, i), at(ring, i + 1)];
+            triangles.extend([[a, c, b], [b, c, d]]);
+        }
+    }
+    let base = |i| at(rings - 1, i);
+    triangles.extend((1..around - 1).map(|i| [base(0), base(i + 1), base(i)]));
+    (vertices, triangles)
+}
+
+/// Convex solids around the origin, most of them with an edge so sharp that a normal there is on the
+/// other side of one of the faces.
+fn solids() -> Vec<(Vec<Point>, Triangles)> {
+    let mut solids = Vec::new();
+    for height in [0.2, 0.5, 1.0, 3.0] {
+        let (top, base) = (0.6 * height, -0.4 * height);
+        for around in [3, 4, 16] {
+            solids.push(revolved(around, &[[0.0, top], [1.0, base]])); // a cone
+        }
+        let lens = [[0.0, top], [0.6, 0.4 * height], [0.9, -0.1 * height], [1.0, base]];
+        solids.push(revolved(32, &lens));
+    }
+    solids
+}
+
+/// The area of a triangle, along its normal.
+fn area(vertices: &[Point], triangle: &[u32; 3]) -> Vector {
+    let [a, b, c] = triangle.map(|vertex| vertices[vertex as usize]);
+    0.5 * (b - a).cross(c - a)
+}
+
+/// Normals of vertices as programs write them: means of the faces', all alike or by their area.
+fn means(vertices: &[Point], triangles: &Triangles, by_area: bool) -> Vec<Vector> {
+    let mut sums = vec![Vector::ZERO; vertices.len()];
+    for triangle in triangles {
+        let area = area(vertices, triangle);
+        let share = if by_area { area } else { area.unit().expect("an area") };
+        triangle.iter().for_each(|&vertex| sums[vertex as usize] += share);
+    }
+    sums
+}
+
+/// What rays towards the origin, which is inside, see of a mesh: point, normal and that of shading.
+fn looks(mesh: &Mesh) -> Vec<[Vector; 3]> {
+    let shape = Kind::from(mesh.clone()).build(&mut Context::default()).expect("valid");
+    let mut draw = Draw::new(2331);
+    let look = |_| {
+        let away = Vector::from(draw.direction());
+        let ray = Ray::new(Point::ORIGIN + 5.0 * away, -away);
+        let surface = shape.surface(&ray, &shape.hit(&ray, Span::AHEAD).expect("aimed inside"));
+        [surface.point.to_vector(), surface.normal.into(), surface.shading.into()]
+    };
+    (0..200).map(look).collect()
+}
+
+/// Law: vertex normals of a file say what is outside of a solid, however it is wound, flat and smooth;
+/// also where edges are so sharp that some normals are on the other side of a face.
+/// `reverse_normals` turns all around. Oracle: the place inside.
+#[test]
+fn vertex_normals_of_a_file_say_what_is_outside() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut sharp = 0;
+    for (vertices, triangles) in solids() {
+        for (by_area, out) in [(false, 1.0), (true, 1.0), (false, -1.0), (true, -1.0)] {
+            let normals = means(&vertices, &triangles, by_area);
+            sharp += usize::from(triangles.iter().any(|triangle| {
+                let sum = triangle.iter().fold(Vector::ZERO, |sum, &v| sum + normals[v as usize]);
+                area(&vertices, triangle).dot(sum) < 0.0
+            }));
+            let normals: Vec<_> = normals.into_iter().map(|normal| out * normal).collect();
+            for triangles in [triangles.clone(), turned(&triangles)] {
+                let mesh = written(folder.path(), &vertices, &triangles, &normals);
+                for (smooth, reverse_normals) in [(false, false), (true, false), (true, true)] {
+                    let side = if reverse_normals { -out } else { out };
+                    for [point, normal, shading] in
+                        looks(&Mesh { smooth, reverse_normals, ..mesh.clone() })
+                    {
+                        assert!(side * normal.dot(point) > 0.0, "{normal:?} at {point:?}");
+                        assert!(normal.dot(shading) > 0.0, "{shading:?} beside {normal:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(sharp > 10, "{sharp}");
+}
+
+/// Law: vertices for which a file has the zero vector as normal have the mean of their faces'. Oracle:
+/// the file without normals, bit for bit; and normals of other vertices that are not means.
+#[test]
+fn a_normal_of_zero_in_a_file_is_the_mean() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (vertices, triangles) = &solids()[3];
+    let mesh = |normals: &[Vector]| looks(&written(folder.path(), vertices, triangles, normals));
+    assert_eq!(mesh(&vec![Vector::ZERO; vertices.len()]), mesh(&[]));
+    let mut one = vec![Vector::ZERO; vertices.len()];
+    one[0] = Vector::new(0.6, 0.8, 0.0);
+    let means = mesh(&[]);
+    for ([point, _, shading], [_, normal, mean]) in mesh(&one).into_iter().zip(means) {
+        let is_near = point.y() > 0.4 * 0.2 && normal.y() > 0.0; // of the first ring or above
+        assert_eq!(shading != mean, is_near, "{shading:?} at {point:?}");
+    }
+}
+
+/// Law: a face of the file counts once in the means of its vertices, whatever triangles it is split
+/// into. Oracle: a cube's corners by hand, and a prism's rim, where a wall meets a wall and a cap.
+#[test]
+fn a_polygon_counts_once_in_means() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut cube = String::new();
+    for i in 0..8 {
+        let [x, y, z] = [1, 2, 4].map(|bit| if i & bit == 0 { -1 } else { 1 });
+        cube += &format!("v {x} {y} {z}\n");
+    }
+    cube += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    let mesh = saved(folder.path(), "cube.obj", cube.as_bytes());
+    for [point, _, shading] in looks(&mesh) {
+        // corners have (±1, ±1, ±1)/√3; between them coordinates are means of these
+        let near = point.to_array().iter().all(|x| x.abs() > 0.9);
+        let along = shading.dot(point) / point.length();
+        assert!(!near || along > 0.99, "{shading:?} at {point:?}");
+    }
+    let sides = 32;
+    let mut prism = String::new();
+    for y in [1, -1] {
+        for i in 0..sides {
+            let degrees = 360.0 * f64::from(i) / f64::from(sides);
+            prism += &format!("v {} {y} {}\n", sin_degrees(degrees), cos_degrees(degrees));
+        }
+    }
+    for i in 0..sides {
+        let next = (i + 1) % sides;
+        prism += &format!("f {} {} {} {}\n", i + 1, i + 1 + sides, next + 1 + sides, next + 1);
+    }
+    let rim = |from: i32| (0..sides).map(move |i| from + i).collect::<Vec<_>>();
+    let words = |corners: Vec<i32>| corners.iter().map(|i| format!(" {i}")).collect::<String>();
+    let bottom = rim(1 + sides).into_iter().rev().collect();
+    prism += &format!("f{}\nf{}\n", words(rim(1)), words(bottom));
+    let mesh = saved(folder.path(), "prism.obj", prism.as_bytes());
+    let shape = Kind::from(mesh).build(&mut Context::default()).expect("valid");
+    for i in 0..sides {
+        let degrees = 360.0 * f64::from(i) / f64::from(sides);
+        let outward = Vector::new(sin_degrees(degrees), 0.0, cos_degrees(degrees));
+        let target = Point::new(0.0, 0.999, 0.0) + outward;
+        let ray = Ray::new(target + outward, -outward);
+        let surface = shape.surface(&ray, &shape.hit(&ray, Span::AHEAD).expect("aimed at it"));
+        // the two walls beside a corner make cos(π/32) outward each, and the cap 1 upward
+        let (out, up) = (2.0 * cos_degrees(180.0 / f64::from(sides)), 1.0);
+        let expected = (out * outward + up * Vector::Y).unit().expect("not zero");
+        let shading = Vector::from(surface.shading);
+        assert!((shading - expected).length() < 3e-3, "{shading:?}, not {expected:?}");
+    }
+}
