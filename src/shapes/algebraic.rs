@@ -354,7 +354,7 @@ impl Shape for Built {
                 noise(&here) + left
             } else {
                 let far = ray.origin.to_vector().max_abs() + (at.t * ray.direction).max_abs();
-                most + step.length() + 8.0 * UNIT_ROUNDOFF * far
+                most + 8.0 * UNIT_ROUNDOFF * far
             };
         Surface::new(point, error, normal_along(here.gradient, ray))
     }
