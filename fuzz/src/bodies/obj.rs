@@ -22,9 +22,13 @@ pub(super) fn assert_in_order(mesh: &MeshData, file: usize) {
     assert!(mesh.uvs.as_ref().is_none_or(|uvs| uvs.len() == count));
     assert!(!mesh.triangles.is_empty());
     assert!(mesh.triangles.iter().flatten().all(|&corner| (corner as usize) < count));
+    let triangles = mesh.triangles.len();
+    assert!(mesh.faces.is_empty() || mesh.faces.len() == triangles);
+    assert!(mesh.faces.is_sorted());
     let memory = 24 * mesh.vertices.capacity()
         + 24 * mesh.normals.as_ref().map_or(0, Vec::capacity)
         + 16 * mesh.uvs.as_ref().map_or(0, Vec::capacity)
-        + 12 * mesh.triangles.capacity();
+        + 12 * mesh.triangles.capacity()
+        + 4 * mesh.faces.capacity();
     assert!(memory <= MEMORY_FACTOR * file, "{memory} bytes from a file of {file}");
 }

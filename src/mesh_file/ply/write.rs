@@ -3,7 +3,8 @@
 use super::super::MeshData;
 use super::Encoding;
 
-/// The mesh as a PLY file. Numbers are doubles and survive the way back bit for bit.
+/// The mesh as a PLY file of triangles, without its `faces`. Numbers are doubles and survive the way
+/// back bit for bit.
 ///
 /// # Panics
 /// If there are fewer normals or texture coordinates than vertices.
