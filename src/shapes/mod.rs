@@ -177,6 +177,7 @@ mod edges;
 mod lanes;
 mod shoulder;
 mod triangle_block;
+mod vertex_normals;
 mod watertight;
 mod wedge_parts;
 

@@ -1,8 +1,8 @@
 //! Meshes from files: the encoding does not matter.
 
-use groundtruth::math::{Ray, Span};
+use groundtruth::math::{Point, Ray, Span};
 use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
-use groundtruth::shapes::{Context, Kind, Mesh, Shape, TessellatedSphere};
+use groundtruth::shapes::{Context, Kind, Mesh, Shape, TessellatedSphere, Triangle};
 
 use crate::draw::Draw;
 
@@ -62,4 +62,27 @@ fn a_file_of_flat_triangles_is_refused() {
     let mesh = Mesh { file, scale: 1.0, smooth: false, reverse_normals: false, accel: None };
     let problem = Kind::from(mesh).build(&mut Context::default()).expect_err("flat").to_string();
     assert!(problem.contains("file") && problem.contains("area zero"), "{problem}");
+}
+
+/// Law: triangles that are too large or too small for the arithmetic are not said to have no area.
+/// Oracle: the texts.
+#[test]
+fn a_size_that_is_not_supported_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("one.obj");
+    std::fs::write(&file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("writable");
+    for (scale, found) in [(1e200, "coordinates up to 1e200"), (1e-200, "an extent of 1e-200")] {
+        let lengths = "but only lengths from 1e-40 to 1e40 are supported";
+        let problem =
+            |kind: Kind| kind.build(&mut Context::default()).expect_err("size").to_string();
+        let file = file.clone();
+        let mesh = Mesh { file, scale, smooth: false, reverse_normals: false, accel: None };
+        assert_eq!(problem(mesh.into()), format!("mesh.file: found {found}, {lengths}"));
+        let vertices = [[0.0, 0.0], [scale, 0.0], [0.0, scale]].map(|[x, y]| Point::new(x, y, 0.0));
+        let triangle = Triangle { vertices, normals: None };
+        assert_eq!(
+            problem(triangle.into()),
+            format!("triangle.vertices: found {found}, {lengths}")
+        );
+    }
 }
