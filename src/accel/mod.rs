@@ -251,10 +251,35 @@ impl Accel {
         span: Span,
         counter: &mut impl Counter,
     ) -> Option<(u32, Candidate)> {
+        let search = self.first(primitives, ray, span, counter);
+        search.best.map(|hit| (search.index, hit))
+    }
+
+    /// The same for primitives whose candidates say which of them they are. (To join a number to a
+    /// candidate, and take it away again, is to copy it twice when it has just been written, which
+    /// stalls.)
+    pub fn hit_counted(
+        &self,
+        primitives: &impl Primitives,
+        ray: &Ray,
+        span: Span,
+        counter: &mut impl Counter,
+    ) -> Option<Candidate> {
+        self.first(primitives, ray, span, counter).best
+    }
+
+    #[inline(always)]
+    fn first<'a, P: Primitives, C: Counter>(
+        &'a self,
+        primitives: &'a P,
+        ray: &'a Ray,
+        span: Span,
+        counter: &'a mut C,
+    ) -> Nearest<'a, P, C> {
         let among = Among { primitives, frame: &self.frame, ray, framed: None };
-        let mut search = Nearest { among, span, end: span.max, best: None, counter };
+        let mut search = Nearest { among, span, end: span.max, best: None, index: 0, counter };
         self.search(&mut search);
-        search.best
+        search
     }
 
     /// Any hit along the ray, and of which primitive. Whether there is one does not depend on the

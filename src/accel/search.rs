@@ -99,7 +99,9 @@ pub struct Nearest<'a, P, C> {
     pub span: Span,
     /// No hit beyond it is wanted: the best, or the end of the span.
     pub end: f64,
-    pub best: Option<(u32, Candidate)>,
+    pub best: Option<Candidate>,
+    /// Of which primitive that is.
+    pub index: u32,
     pub counter: &'a mut C,
 }
 
@@ -116,12 +118,12 @@ impl<P: Primitives, C: Counter> Nearest<'_, P, C> {
 
     #[inline(always)]
     fn loses_tie(&self, index: u32, t: f64) -> bool {
-        self.best.is_some_and(|(i, best)| t == best.t && index > i)
+        self.best.is_some_and(|best| t == best.t && index > self.index)
     }
 
     #[inline(always)]
     fn keep(&mut self, index: u32, hit: Candidate) {
-        self.best = Some((index, hit));
+        (self.best, self.index) = (Some(hit), index);
         self.end = hit.t;
         self.span = self.span.through(hit.t); // equal t must still be seen: the first object wins
     }

@@ -62,7 +62,7 @@ impl Aabb {
             enter = if near > enter { near } else { enter };
             leave = if far < leave { far } else { leave };
         }
-        enter <= leave * (1.0 + (8.0 * UNIT_ROUNDOFF).copysign(leave))
+        enter <= leave + 8.0 * UNIT_ROUNDOFF * leave.abs()
     }
 
     /// Diagonal.

@@ -136,6 +136,26 @@ impl Assembly {
 }
 
 impl Assembly {
+    /// The first hit as the structure finds it.
+    #[inline(never)] // nor the next: most rays pass the box by, and need not make room for this
+    fn nearest_by(&self, accel: &Accel, ray: &Ray, span: Span) -> Option<Candidate> {
+        let (index, at) = accel.nearest(&Seen { parts: &self.parts, ray }, ray, span)?;
+        Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
+    }
+
+    /// The first hit of all parts in turn.
+    #[inline(never)]
+    fn nearest_in_turn(&self, ray: &Ray, mut span: Span) -> Option<Candidate> {
+        let mut nearest = None;
+        for (part, first) in self.parts.iter().zip(&self.leaves) {
+            if let Some(at) = part.shape.hit(ray, span) {
+                nearest = Some(Candidate { leaf: first + at.leaf, ..at });
+                span.max = at.t; // not `through` it: of equal hits the first wins
+            }
+        }
+        nearest
+    }
+
     /// The part that is hit, and the hit as the part sees it.
     fn within(&self, at: &Candidate) -> (&Part, Candidate) {
         let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
@@ -183,22 +203,14 @@ impl Primitives for Seen<'_> {
 }
 
 impl Shape for Assembly {
-    fn hit(&self, ray: &Ray, mut span: Span) -> Option<Candidate> {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         if !self.bounds.may_meet(ray) {
             return None;
         }
-        if let Some(accel) = &self.accel {
-            let (index, at) = accel.nearest(&Seen { parts: &self.parts, ray }, ray, span)?;
-            return Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at });
+        match &self.accel {
+            Some(accel) => self.nearest_by(accel, ray, span),
+            None => self.nearest_in_turn(ray, span),
         }
-        let mut nearest = None;
-        for (part, first) in self.parts.iter().zip(&self.leaves) {
-            if let Some(at) = part.shape.hit(ray, span) {
-                nearest = Some(Candidate { leaf: first + at.leaf, ..at });
-                span.max = at.t; // not `through` it: of equal hits the first wins
-            }
-        }
-        nearest
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {

@@ -302,8 +302,7 @@ impl AcceleratedMesh {
         span: Span,
         counter: &mut impl Counter,
     ) -> Option<Candidate> {
-        let hit = self.accel.nearest_counted(&self.seen(ray), ray, span, counter);
-        hit.map(|(_, candidate)| candidate)
+        self.accel.hit_counted(&self.seen(ray), ray, span, counter)
     }
 
     /// What the structure takes, without vertices and triangles.
@@ -314,7 +313,7 @@ impl AcceleratedMesh {
 
 impl Shape for AcceleratedMesh {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.accel.nearest(&self.seen(ray), ray, span).map(|(_, candidate)| candidate)
+        self.hit_counted(ray, span, &mut ())
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {

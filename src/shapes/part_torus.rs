@@ -39,6 +39,8 @@ struct Built {
     torus: Torus,
     phi: Angles,
     theta: Angles,
+    /// Its bounds, grown by more than rounding can move a hit.
+    padded: Aabb,
 }
 
 impl Specification for PartTorus {
@@ -50,7 +52,8 @@ impl Specification for PartTorus {
         let torus = Torus { swept_radius, tube_radius, inward };
         torus.check()?;
         let (phi, theta) = (Angles::new("phi", self.phi)?, Angles::new("theta", self.theta)?);
-        Ok(Arc::new(Built { torus, phi, theta }))
+        let padded = bounds(&torus, &phi, &theta).padded();
+        Ok(Arc::new(Built { torus, phi, theta, padded }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -81,7 +84,7 @@ impl Built {
     /// Every hit of the whole torus is asked for its angles: when the near one is in no range, a
     /// far one may be.
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        self.torus.hits(ray, span, |p: Vector| {
+        self.torus.hits(ray, span, &self.padded, |p: Vector| {
             self.phi.has_azimuth_of(p)
                 && self.theta.contains([from_axis(p) - self.torus.swept_radius, p.y()])
         })
@@ -101,12 +104,16 @@ impl Shape for Built {
         self.hits(ray, span).collect()
     }
 
-    /// Around the ring that the part of the tube sweeps, cut to the azimuths.
     fn bounds(&self) -> Aabb {
-        let (a, b) = (self.torus.swept_radius, self.torus.tube_radius);
-        let tube = self.theta.extremes().map(|[cos, sin]| [a + b * cos, b * sin]);
-        let [[near, low], [far, high]] = tube;
-        let [min, max] = self.phi.bounds(near, far);
-        Aabb { min: Point::new(min.x(), low, min.z()), max: Point::new(max.x(), high, max.z()) }
+        bounds(&self.torus, &self.phi, &self.theta)
     }
+}
+
+/// Around the ring that the part of the tube sweeps, cut to the azimuths.
+fn bounds(torus: &Torus, phi: &Angles, theta: &Angles) -> Aabb {
+    let (a, b) = (torus.swept_radius, torus.tube_radius);
+    let tube = theta.extremes().map(|[cos, sin]| [a + b * cos, b * sin]);
+    let [[near, low], [far, high]] = tube;
+    let [min, max] = phi.bounds(near, far);
+    Aabb { min: Point::new(min.x(), low, min.z()), max: Point::new(max.x(), high, max.z()) }
 }

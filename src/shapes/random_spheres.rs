@@ -100,7 +100,7 @@ impl Primitives for Seen<'_> {
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let seen = Seen { spheres: &self.spheres, ray };
-        self.accel.nearest(&seen, ray, span).map(|(_, at)| at)
+        self.accel.hit_counted(&seen, ray, span, &mut ())
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {

@@ -80,7 +80,8 @@ impl Shoulder {
     }
 
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        let line = Line::new(ray);
+        let meets = self.bounds().padded().may_meet(ray);
+        let line = if meets { Line::new(ray) } else { None };
         let crossings = line.as_ref().map(|line| self.crossings(line)).unwrap_or_default();
         crossings.into_iter().filter_map(move |s| {
             let line = line.as_ref()?;

@@ -155,9 +155,8 @@ impl Torus {
         let Line { m, d, .. } = line;
         let mut brackets = ArrayVec::new();
         let from_center = m.length_squared();
-        let beside = m.y().abs() - end * d.y().abs() > b; // over or under all of it
         let near = from_center < end * end; // also false for NaN
-        if beside || !near {
+        if !near {
             return brackets;
         }
         let across = d.x() * d.x() + d.z() * d.z();
@@ -197,14 +196,15 @@ impl Torus {
         bracketed_root(|s| self.power(line, s), [inside, outside], inside + step, tolerance)
     }
 
-    /// The hits inside the span whose points are wanted, ascending.
+    /// The hits inside the span whose points are wanted, ascending. Those are in this box.
     pub(super) fn hits(
         &self,
         ray: &Ray,
         span: Span,
+        bounds: &Aabb,
         wanted: impl Fn(Vector) -> bool,
     ) -> impl Iterator<Item = Candidate> {
-        let line = Line::new(ray);
+        let line = if bounds.may_meet(ray) { Line::new(ray) } else { None };
         let brackets = line.as_ref().map(|line| self.brackets(line)).unwrap_or_default();
         brackets.into_iter().filter_map(move |bracket| {
             let line = line.as_ref()?;
@@ -239,7 +239,7 @@ impl Torus {
 
 impl Shape for Torus {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span, |_| true).next()
+        self.hits(ray, span, &self.bounds().padded(), |_| true).next()
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -247,7 +247,7 @@ impl Shape for Torus {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span, |_| true).collect()
+        self.hits(ray, span, &self.bounds().padded(), |_| true).collect()
     }
 
     fn bounds(&self) -> Aabb {

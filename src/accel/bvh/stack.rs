@@ -15,6 +15,9 @@ pub struct Stack<'a> {
 /// Where children wait: at most fifteen for each node above the present one.
 pub type Room = [MaybeUninit<u64>; (WIDTH - 1) * DEEPEST];
 
+// so many can be counted where a walk stops
+const _: () = assert!((WIDTH - 1) * DEEPEST <= u16::MAX as usize);
+
 impl Stack<'_> {
     /// Nothing waits.
     pub const ROOM: Room = [const { MaybeUninit::uninit() }; (WIDTH - 1) * DEEPEST];

@@ -38,14 +38,15 @@ impl<S: Search> Enter<S> for Within<'_> {
     }
 }
 
-/// Why a walk stops, and how many children still wait.
+/// Why a walk stops, and how many children still wait. (Together eight bytes, which are returned in a
+/// register: read from memory just after they were written piece by piece, they would stall.)
 enum Stop {
     /// The search has enough, or nothing waits any more.
     Ended(bool),
     /// Before those primitives of a leaf that its block leaves open.
-    Open { leaf: u32, open: u8, waiting: u32 },
+    Open { leaf: u32, open: u8, waiting: u16 },
     /// Before a part.
-    Part { number: u32, waiting: u32 },
+    Part { number: u32, waiting: u16 },
 }
 
 impl Bvh {
@@ -166,7 +167,7 @@ impl Bvh {
         loop {
             if let Some(leaf) = self.descend(search, next, kernel, &ray32, last, &mut stack) {
                 if leaf & PART == PART {
-                    return Some(Stop::Part { number: leaf ^ PART, waiting: stack.len as u32 });
+                    return Some(Stop::Part { number: leaf ^ PART, waiting: stack.len as u16 });
                 }
                 let (leaf, end) = (leaf ^ LEAF, search.end());
                 search.sift(kernel, leaf, &mut sifted);
@@ -175,7 +176,7 @@ impl Bvh {
                 }
                 if sifted.open != 0 {
                     if S::SIFTS && kernel != Kernel::PLAIN {
-                        let (open, waiting) = (sifted.open, stack.len as u32);
+                        let (open, waiting) = (sifted.open, stack.len as u16);
                         return Some(Stop::Open { leaf, open, waiting });
                     }
                     if self.open(search, leaf, sifted.open) {
