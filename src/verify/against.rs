@@ -80,7 +80,8 @@ pub fn instanced(
 }
 
 /// The library's description of a shape; and the oracle's with the matrices that the library has.
-fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
+/// `None` where there is none.
+pub fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
     let kind = match exact.clone() {
         oracle::Shape::Plane { point, normal } => {
             shapes::Plane { point: point.into(), normal: normal.into() }.into()

@@ -5,6 +5,7 @@ mod bounding;
 mod compound_parts;
 pub mod compounds;
 mod hard;
+mod hard_compounds;
 mod inward;
 pub mod leaving;
 mod parts;

@@ -6,6 +6,7 @@
 //! multiplied by the condition number of an instance's matrix.
 
 use std::fmt;
+use std::sync::Arc;
 
 use groundtruth::accel::{Accel, Method, Primitives};
 use groundtruth::math::{Aabb, Ray, Span, Vector};
@@ -34,9 +35,10 @@ struct Error {
 }
 
 impl Error {
-    fn meet(&mut self, size: f64, case: &impl Fn() -> String) {
+    fn meet(&mut self, size: f64, case: &str) {
         if size.is_nan() || size > self.size {
-            *self = Self { size: if size.is_nan() { f64::INFINITY } else { size }, case: case() };
+            let size = if size.is_nan() { f64::INFINITY } else { size };
+            *self = Self { size, case: case.to_owned() };
         }
     }
 }
@@ -77,11 +79,32 @@ pub fn sweep_as(
     assert!(refused <= count / 10, "{refused} shapes were refused");
 }
 
-/// Judges named cases; fails with the worst of them, or if too few have an answer to judge.
+/// A ray, a shape, and what is known of them.
+pub struct Case {
+    pub name: String,
+    pub ours: Arc<dyn shapes::Shape>,
+    pub ray: Ray,
+    pub exact: oracle::Answer,
+    /// Of an instance's matrix.
+    pub condition: f64,
+}
+
+/// Judges named shapes; see [`judge_cases`].
 pub fn judge_all(cases: impl Iterator<Item = (String, Pair, oracle::Ray)>) {
+    judge_cases(cases.map(|(name, Pair { ours, exact }, ray)| Case {
+        name,
+        ours,
+        condition: exact.condition(),
+        exact: oracle::intersect(&exact, &ray),
+        ray: groundtruth::verify::against::ray(&ray),
+    }));
+}
+
+/// Judges cases; fails with the worst of them, or if too few have an answer to judge.
+pub fn judge_cases(cases: impl Iterator<Item = Case>) {
     let mut worst = Worst::default();
-    for (name, pair, ray) in cases {
-        worst.judge(&pair, &ray, &|| name.clone());
+    for case in cases {
+        worst.judge(&case);
     }
     println!("{worst}");
     assert!(worst.failures.is_empty(), "{} failures: {worst}", worst.failures.len());
@@ -89,31 +112,23 @@ pub fn judge_all(cases: impl Iterator<Item = (String, Pair, oracle::Ray)>) {
 }
 
 impl Worst {
-    fn judge(
-        &mut self,
-        Pair { ours, exact }: &Pair,
-        ray: &oracle::Ray,
-        case: &impl Fn() -> String,
-    ) {
-        let answer = oracle::intersect(exact, ray);
-        let condition = exact.condition();
-        let ray = groundtruth::verify::against::ray(ray);
-        let found = ours.roots(&ray, Span::AHEAD);
+    fn judge(&mut self, Case { name, ours, ray, exact: answer, condition }: &Case) {
+        let found = ours.roots(ray, Span::AHEAD);
         self.cases += 1;
-        let mut fail = |problem: String| self.failures.push(format!("{}: {problem}", case()));
+        let mut fail = |problem: String| self.failures.push(format!("{name}: {problem}"));
 
-        let nearest = ours.hit(&ray, Span::AHEAD);
+        let nearest = ours.hit(ray, Span::AHEAD);
         if nearest != found.first().copied() {
             fail(format!("hit {nearest:?}, but roots {found:?}"));
         }
-        if ours.shadow_hit(&ray, Span::AHEAD).is_some() != nearest.is_some() {
+        if ours.shadow_hit(ray, Span::AHEAD).is_some() != nearest.is_some() {
             fail("hit and shadow differ".to_owned());
         }
         let ascending = found.windows(2).all(|pair| pair[0].t <= pair[1].t);
         if !ascending || found.iter().any(|hit| !(hit.t.is_finite() && hit.t > 0.0)) {
             fail(format!("no ascending distances: {found:?}"));
         }
-        if !is_decided(&answer, condition) {
+        if !is_decided(answer, *condition) {
             return;
         }
         self.judged += 1;
@@ -126,23 +141,23 @@ impl Worst {
             ));
             return;
         }
-        if through_accelerator(&**ours, &ray) != nearest {
+        if through_accelerator(&**ours, ray) != nearest {
             fail(format!("the rule of the own box loses {nearest:?}"));
         }
         for (hit, root) in found.iter().zip(&answer.roots) {
-            let t = t_error(root, hit.t, condition);
-            self.t.meet(t, case);
+            let t = t_error(root, hit.t, *condition);
+            self.t.meet(t, name);
             if t.is_nan() || t > ALLOWED {
                 fail(format!("t {:e}, exactly {:e}: {t:.1} u·cond", hit.t, root.t));
             }
-            let normal = ours.surface(&ray, hit).normal;
+            let normal = ours.surface(ray, hit).normal;
             let length = (Vector::from(normal).length() - 1.0).abs() / U;
             if length.is_nan() || length > FLAT_NORMAL {
                 fail(format!("normal {normal:?} is not unit"));
             }
-            let judged = normal_error(root, normal.to_array(), ray.direction, condition);
+            let judged = normal_error(root, normal.to_array(), ray.direction, *condition);
             let Some((error, allowed)) = judged else { continue };
-            self.normal.meet(error, case);
+            self.normal.meet(error, name);
             if error.is_nan() || error > allowed {
                 fail(format!("normal {normal:?}, exactly {:?}: {error:.1} u·cond", root.normal));
             }
