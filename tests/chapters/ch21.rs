@@ -3,6 +3,7 @@
 mod beveled;
 mod bevels;
 mod hard;
+mod hard_stones;
 mod instances;
 mod leaving;
 mod local;

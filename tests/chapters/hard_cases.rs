@@ -14,6 +14,7 @@ use groundtruth::shapes::{self, Candidate};
 use groundtruth::verify::against::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
 pub use groundtruth::verify::against::{Pair, instanced, pair, steps};
 use oracle::hard::{Family, Kind, cases};
+use oracle::{Answer, Root};
 
 use crate::support::U;
 
@@ -84,9 +85,77 @@ pub struct Case {
     pub name: String,
     pub ours: Arc<dyn shapes::Shape>,
     pub ray: Ray,
-    pub exact: oracle::Answer,
+    pub exact: Answer,
     /// Of an instance's matrix.
     pub condition: f64,
+}
+
+/// A root, and which of several shapes it is of.
+pub type Of = (usize, Root);
+
+/// The roots of several shapes that are one, ascending.
+pub fn merged(answers: &[Answer]) -> Vec<Of> {
+    let of_shape =
+        |(i, answer): (usize, &Answer)| answer.roots.clone().into_iter().map(move |root| (i, root));
+    let mut roots: Vec<Of> = answers.iter().enumerate().flat_map(of_shape).collect();
+    roots.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
+    roots
+}
+
+/// The answer for several shapes that are one and have these roots. It is open, with a margin of 0,
+/// where roots of two shapes are so close that rounding may change their order.
+pub fn union(answers: &[Answer], roots: Vec<Of>, condition: f64) -> Answer {
+    let doubt = |root: &Root| ALLOWED * U * condition * root.cond.max(root.t.abs());
+    let is_open = |pair: &[Of]| {
+        let [(i, a), (j, b)] = [&pair[0], &pair[1]];
+        i != j && b.t - a.t <= doubt(a) + doubt(b)
+    };
+    let margin = answers.iter().map(|answer| answer.margin).fold(f64::INFINITY, f64::min);
+    let margin = if roots.windows(2).any(is_open) { 0.0 } else { margin };
+    Answer { roots: roots.into_iter().map(|(_, root)| root).collect(), margin }
+}
+
+/// One of many shapes that are one, and half-spaces around it.
+pub struct Piece {
+    pub exact: oracle::Shape,
+    /// `n` and `d` of unit length of all with `n·p ≤ d`.
+    pub within: Vec<(Vector, f64)>,
+    /// The farthest of its points from the origin.
+    pub reach: f64,
+}
+
+impl Piece {
+    /// A shape in a box.
+    pub fn boxed(exact: oracle::Shape, [min, max]: [[f64; 3]; 2]) -> Self {
+        let axes = [Vector::X, Vector::Y, Vector::Z].into_iter().zip(min.into_iter().zip(max));
+        let within = axes.flat_map(|(axis, (low, high))| [(-axis, -low), (axis, high)]).collect();
+        let reach = [min, max].map(|corner| Vector::from(corner).length());
+        Self { exact, within, reach: reach[0].max(reach[1]) }
+    }
+
+    /// The exact answer. A ray that passes the half-spaces by, and does so wherever a relative change
+    /// by 1e-11 may move it and the piece, is not asked: it is farther from them than the rounding here.
+    pub fn answer(&self, exact: &oracle::Ray) -> Answer {
+        const MARGIN: f64 = 1e-11;
+        let ray = groundtruth::verify::against::ray(exact);
+        let more = 4.0 * MARGIN * (Vector::from(exact.origin).length() + self.reach);
+        let (mut from, mut to) = (0.0_f64, f64::INFINITY);
+        for &(normal, d) in &self.within {
+            let (room, speed) =
+                (d + more - normal.dot(ray.origin.to_vector()), normal.dot(ray.direction));
+            if speed > 0.0 {
+                to = to.min(room / speed);
+            } else if speed < 0.0 {
+                from = from.max(room / speed);
+            } else if room < 0.0 {
+                to = -1.0;
+            }
+        }
+        if from > to {
+            return Answer { roots: Vec::new(), margin: MARGIN };
+        }
+        oracle::intersect(&self.exact, exact)
+    }
 }
 
 /// Judges named shapes; see [`judge_cases`].

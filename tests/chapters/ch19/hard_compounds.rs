@@ -1,13 +1,11 @@
 //! Compounds of three shapes against exact arithmetic, on hard cases.
 
 use groundtruth::accel::Method;
-use groundtruth::math::UNIT_ROUNDOFF;
 use groundtruth::shapes::{Compound, Context, Kind as Described};
-use groundtruth::verify::against::{self, ALLOWED};
+use groundtruth::verify::against;
 use oracle::hard::{Family, Kind, cases};
-use oracle::{Answer, Root};
 
-use crate::hard_cases::{Case, judge_cases};
+use crate::hard_cases::{Case, judge_cases, merged, union};
 
 /// Of each three in a row.
 const KINDS: [Kind; 12] = [
@@ -37,21 +35,9 @@ fn compound(family: Family, seed: u64, index: usize) -> Option<Case> {
     let ray = three[0].1.clone();
     let [a, b, c] = three.map(|(shape, _)| against::ours(&shape));
     let described: Vec<(Described, oracle::Shape)> = vec![a?, b?, c?];
-    let (mut exact, mut condition) = (Answer { roots: Vec::new(), margin: f64::INFINITY }, 1.0);
-    for (_, shape) in &described {
-        let answer = oracle::intersect(shape, &ray);
-        exact.margin = exact.margin.min(answer.margin);
-        exact.roots.extend(answer.roots);
-        condition = shape.condition().max(condition);
-    }
-    exact.roots.sort_by(|a, b| a.t.total_cmp(&b.t));
-    // hits so close to each other that rounding may change their order are left open
-    let doubt = |root: &Root| UNIT_ROUNDOFF * condition * root.cond.max(root.t.abs());
-    let close =
-        |pair: &[Root]| pair[1].t - pair[0].t <= ALLOWED * (doubt(&pair[0]) + doubt(&pair[1]));
-    if exact.roots.windows(2).any(close) {
-        exact.margin = 0.0;
-    }
+    let condition = described.iter().map(|(_, shape)| shape.condition()).fold(1.0, f64::max);
+    let answers = [0, 1, 2].map(|i| oracle::intersect(&described[i].1, &ray));
+    let exact = union(&answers, merged(&answers), condition);
     let accel = METHODS[index / KINDS.len() % METHODS.len()];
     let shapes = described.into_iter().map(|(shape, _)| shape);
     let compound = Described::from(Compound { accel, ..Compound::of(shapes) });

@@ -176,6 +176,12 @@ pub fn cases(kind: Kind, family: Family, seed: u64, n: usize) -> Vec<(Shape, Ray
     (0..n).map(case).collect()
 }
 
+/// The first `n` rays of a family at a given shape under a seed.
+pub fn rays(shape: &Shape, family: Family, seed: u64, n: usize) -> Vec<Ray> {
+    let mut rng = SplitMix64::new(SplitMix64::new(seed).next_u64() ^ family as u64);
+    (0..n).map(|_| rays::ray(shape, family, &mut rng)).collect()
+}
+
 /// About how large a shape is.
 #[cfg(test)]
 pub(crate) fn size_of(shape: &Shape) -> f64 {

@@ -67,7 +67,7 @@ fn passes_by(form: &Form, beam: &Beam) -> Option<f64> {
     let size = (0..3).map(|i| max[i].abs().max(min[i].abs())).sum::<f64>();
     let along = beam.d_reach / beam.d.len();
     let moves = beam.o_reach + size + (beam.o.len() + size) * along;
-    [1e-3, 1e-6].into_iter().find(|margin| {
+    [1e-3, 1e-6, 1e-9, 1e-11].into_iter().find(|margin| {
         let more = 2.0 * margin * moves;
         let (mut start, mut end) = (0.0_f64, f64::INFINITY);
         for i in 0..3 {
