@@ -3,6 +3,7 @@
 mod bumps;
 mod files;
 mod hard;
+mod hard_spheres;
 mod meshes;
 mod outside;
 mod smooth;

@@ -158,6 +158,18 @@ impl Piece {
     }
 }
 
+/// Judges `count` cases of each family; `None` is one that the library refuses.
+pub fn judge_families(count: usize, case: impl Fn(Family, usize) -> Option<Case>) {
+    let mut refused = 0;
+    let all = Family::ALL.into_iter().flat_map(|family| (0..count).map(move |i| (family, i)));
+    judge_cases(all.filter_map(|(family, index)| {
+        let case = case(family, index);
+        refused += usize::from(case.is_none());
+        case
+    }));
+    assert!(refused <= count / 10, "{refused} shapes were refused");
+}
+
 /// Judges named shapes; see [`judge_cases`].
 pub fn judge_all(cases: impl Iterator<Item = (String, Pair, oracle::Ray)>) {
     judge_cases(cases.map(|(name, Pair { ours, exact }, ray)| Case {
