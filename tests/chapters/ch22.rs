@@ -4,6 +4,7 @@
 mod chaos;
 mod equal;
 mod everywhere;
+mod hard;
 mod lattices;
 mod searched;
 mod stadium;
