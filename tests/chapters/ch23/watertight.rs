@@ -3,7 +3,7 @@
 use groundtruth::accel::{Kernel, Method};
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::mesh_file;
-use groundtruth::shapes::{Shape, TessellatedSphere, TriangleMesh};
+use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
 
 use crate::draw::Draw;
 
@@ -145,4 +145,36 @@ fn every_kernel_gives_the_hits_of_the_list() {
         }
         assert!(hits > 200, "only {hits} hits");
     }
+}
+
+/// Law: where a triangle is level, every ray that sinks by 1 for each unit of t meets it at its
+/// height above the triangle, to the last bit: t lies between the depths of the corners, and no
+/// rounding takes it out of their boxes. Oracle: one subtraction.
+#[test]
+fn level_triangles_are_hit_at_their_depth_to_the_last_bit() {
+    let mut draw = Draw::new(2334);
+    let mut hits = 0;
+    for _ in 0..5_000 {
+        let y = draw.between(-1.0, 1.0);
+        let vertices =
+            [0; 3].map(|_| Point::new(draw.between(-1.0, 1.0), y, draw.between(-1.0, 1.0)));
+        let target =
+            vertices[0] + 0.3 * (vertices[1] - vertices[0]) + 0.4 * (vertices[2] - vertices[0]);
+        let lean = Vector::new(draw.between(-0.9, 0.9), -1.0, draw.between(-0.9, 0.9));
+        let origin = target - draw.between(0.1, 10.0) * lean;
+        let ray = Ray::new(origin, lean);
+        let loose = Kind::from(Triangle { vertices, normals: None });
+        let loose = loose.build(&mut Context::default()).expect("valid");
+        let mesh = TriangleMesh::new(vertices.into(), vec![[0, 1, 2]]);
+        let mut found = vec![loose.hit(&ray, Span::AHEAD)];
+        for kernel in Kernel::available() {
+            let mesh = mesh.clone().accelerated_for(Method::Bvh, kernel);
+            found.push(mesh.hit(&ray, Span::AHEAD));
+        }
+        for hit in found.into_iter().flatten() {
+            assert_eq!(hit.t, origin.y() - y, "{vertices:?} {ray:?}");
+            hits += 1;
+        }
+    }
+    assert!(hits >= 10_000, "{hits}");
 }
