@@ -101,10 +101,11 @@ impl Archway {
         self.height.max(self.width).max(self.depth)
     }
 
-    /// How far stones reach into those they touch. A ray in the plane between two only touches the
-    /// roundings of both: it would be rounded off them, into the stone, whose face there is left out.
+    /// How far each stone reaches into those it touches, half of what the two have in common. A ray
+    /// in the plane between them only touches the roundings of both: it would be rounded off them, into
+    /// the stone, whose face there is left out.
     fn overlap(&self) -> f64 {
-        overlap(self.largest(), self.bevel)
+        0.5 * overlap(self.largest(), self.bevel)
     }
 
     /// About the y axis, from azimuth 90 to 270.

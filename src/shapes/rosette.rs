@@ -52,7 +52,8 @@ impl Rosette {
         let count = WEDGES[ring as usize];
         let azimuth = |wedge: u32| f64::from(wedge) * (360.0 / f64::from(count));
         // into the stones that it touches: see [`Archway`](super::archway)
-        let over = overlap(self.y0.abs().max(self.y1.abs()).max(radius(self.rings)), self.bevel);
+        let largest = self.y0.abs().max(self.y1.abs()).max(radius(ring + 1));
+        let over = 0.5 * overlap(largest, self.bevel);
         let [inside, outside] =
             [ring > 0, ring + 1 < self.rings].map(|t| if t { over } else { 0.0 });
         let wedge = |i| Wedge {
