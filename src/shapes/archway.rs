@@ -34,9 +34,9 @@ pub struct Archway {
     pub depth: f64,
     /// Of each column, and from the inside to the outside of the arch; less than half of the width.
     pub column_width: f64,
-    /// How many boxes each column has.
+    /// How many boxes each column has: from 1 to 1000.
     pub blocks: u32,
-    /// How many wedges the arch has.
+    /// How many wedges the arch has: from 1 to 1000.
     pub wedges: u32,
     /// The radius of the stones' edges.
     pub bevel: f64,

@@ -18,7 +18,8 @@ use crate::math::{Point, Vector, atan2, to_degrees};
 pub struct ConcaveLens {
     /// Of the rim; positive.
     pub radius: f64,
-    /// At the rim; the lens reaches half of it above and below the plane y = 0.
+    /// At the rim; the lens reaches half of it above and below the plane y = 0. At most
+    /// `min_distance + 2 radius`: no hollow is deeper than half a sphere.
     pub thickness: f64,
     /// From hollow to hollow, on the axis: positive and less than `thickness`.
     pub min_distance: f64,

@@ -24,7 +24,8 @@ pub struct PartAnnulus {
     pub inner_radius: f64,
     /// Above `inner_radius`.
     pub outer_radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
+    /// through 360 where the first is larger.
     #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
 }

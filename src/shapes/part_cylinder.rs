@@ -20,7 +20,8 @@ pub struct PartCylinder {
     pub y1: f64,
     /// Positive.
     pub radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
+    /// through 360 where the first is larger.
     #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// Whether the normal points inward: the book's concave part cylinder.

@@ -18,7 +18,8 @@ pub struct PartSphere {
     pub center: Point,
     /// Positive.
     pub radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
+    /// through 360 where the first is larger.
     #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// From the first polar angle down to the second, in degrees from +y: `[0, 90]` is the upper

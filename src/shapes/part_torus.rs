@@ -22,7 +22,8 @@ pub struct PartTorus {
     pub swept_radius: f64,
     /// Of the tube, the book's `b`; less than the swept radius.
     pub tube_radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
+    /// through 360 where the first is larger.
     #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// From the first angle around the tube up to the second, in degrees from its outermost line
