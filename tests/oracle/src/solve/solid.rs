@@ -59,7 +59,8 @@ fn is_zero(x: &Real) -> bool {
     *x == real(0.0)
 }
 
-/// A margin of a part that the ray passes by so far that plain arithmetic can tell: if it misses a
+/// A margin of a part that the ray passes by so far that plain arithmetic can tell, which is right to
+/// some 1e-15 of the same lengths: if it misses a
 /// box that is larger by twice what a change by ε can move anything near it, it goes on missing it.
 fn passes_by(form: &Form, beam: &Beam) -> Option<f64> {
     let [min, max] = bounds(form)?;
