@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::angles::full_turn;
 use super::assembly::{Materials, solid};
-use super::{Context, Kind, OpenCylinder, PartSphere, Shape};
+use super::spherical_cap::SphericalCap;
+use super::{Context, Kind, OpenCylinder, Shape};
 use crate::invalid::{Invalid, length, shown};
-use crate::kinds::Specification;
-use crate::math::{Point, Vector, atan2, to_degrees};
+use crate::kinds::{Custom, Specification};
+use crate::math::UNIT_ROUNDOFF;
 
 /// A disk about the y axis with a spherical hollow in each side, as the parts `top`, `bottom` and
 /// `wall`; normals point out of the glass.
@@ -38,7 +38,8 @@ impl ConcaveLens {
             let problem = format!("found {found}, but it must be less than the thickness, {most}");
             return Err(Invalid::field("min_distance", problem));
         }
-        if self.depth() > self.radius {
+        // as deep as the radius is a hemisphere, also where the thickness of one was rounded
+        if self.thickness * (1.0 - 4.0 * UNIT_ROUNDOFF) > self.min_distance + 2.0 * self.radius {
             let [found, most] = [self.thickness, self.min_distance + 2.0 * self.radius].map(shown);
             let problem = format!(
                 "found {found}, but it must be at most {most}: hollows deeper than the radius would \
@@ -51,7 +52,7 @@ impl ConcaveLens {
 
     /// Of each hollow.
     fn depth(&self) -> f64 {
-        0.5 * (self.thickness - self.min_distance)
+        (0.5 * (self.thickness - self.min_distance)).min(self.radius)
     }
 }
 
@@ -59,27 +60,16 @@ impl Specification for ConcaveLens {
     type Built = Arc<dyn Shape>;
     type Context = Context;
 
-    /// The sphere of radius ρ that meets the rim of radius R at the depth d obeys
-    /// `ρ² = R² + (ρ − d)²`.
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.checked()?;
-        let (r, d) = (self.radius, self.depth());
-        let rho = (d * d + r * r) / (2.0 * d);
-        let rim_below_center = (r - d) * (r + d) / (2.0 * d); // ρ − d
-        let omega = to_degrees(atan2(r, rim_below_center));
-        let center = (rho + 0.5 * self.min_distance) * Vector::Y;
-        let hollow = |center, theta| {
-            let center = Point::ORIGIN + center;
-            let phi = full_turn();
-            Kind::from(PartSphere { center, radius: rho, phi, theta, inward: true })
-        };
         let half = 0.5 * self.thickness;
-        let wall = OpenCylinder { y0: -half, y1: half, radius: r, inward: false };
-        let parts = [
-            ("top", hollow(center, [180.0 - omega, 180.0])),
-            ("bottom", hollow(-center, [0.0, omega])),
-            ("wall", wall.into()),
-        ];
+        let heights = [0.5 * self.min_distance, half];
+        let hollow = |mirrored| {
+            let cap = SphericalCap::new(heights, self.depth(), self.radius, mirrored);
+            Kind::Custom(Custom(Arc::new(cap) as Arc<_>))
+        };
+        let wall = OpenCylinder { y0: -half, y1: half, radius: self.radius, inward: false };
+        let parts = [("top", hollow(false)), ("bottom", hollow(true)), ("wall", wall.into())];
         solid(&parts, &self.materials, context)
     }
 

@@ -176,6 +176,7 @@ mod context;
 mod edges;
 mod lanes;
 mod shoulder;
+mod spherical_cap;
 mod triangle_block;
 mod vertex_normals;
 mod watertight;

@@ -6,6 +6,7 @@ mod equal;
 mod everywhere;
 mod hard;
 mod lattices;
+mod leaving;
 mod searched;
 mod stadium;
 mod steps;

@@ -7,6 +7,7 @@ mod calibration;
 mod draw;
 mod exact;
 mod hard_cases;
+mod leaving;
 mod support;
 
 mod ch01;

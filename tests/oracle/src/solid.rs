@@ -53,6 +53,12 @@ pub(crate) struct Part {
 pub(crate) enum Form {
     Shape(Shape<Real>),
     Cap(Cap),
+    /// Of the sphere that touches y = 0 at the origin from above and goes through this circle, what is
+    /// not above it.
+    Dish {
+        radius: Real,
+        depth: Real,
+    },
 }
 
 impl Solid {
@@ -262,17 +268,12 @@ pub(crate) fn parts(solid: &Solid<Real>) -> Vec<Part> {
             ]
         }
         Solid::ConcaveLens { radius: r, thickness, min_distance } => {
-            let d = half(thickness - min_distance);
-            let rho = (&d * &d + r * r) / (real(2.0) * &d);
-            // the rim seen from the centre: sin ω = r/ρ, cos ω = (ρ − d)/ρ
-            let omega = degrees(r, &(&rho - &d));
-            let center = &rho + half(min_distance.clone());
-            let far = half(thickness.clone());
-            vec![
-                zone(center.clone(), &rho, [real(180.0) - &omega, real(180.0)]).hollow(),
-                zone(-center, &rho, [zero(), omega]).hollow(),
-                wall(-far.clone(), far, r),
-            ]
+            let (near, far) = (half(min_distance.clone()), half(thickness.clone()));
+            let dish = |y, up| {
+                let form = Form::Dish { radius: r.clone(), depth: &far - &near };
+                Part { form, ..disk(y, up, real(1.0)).hollow() }
+            };
+            vec![dish(&near, 1.0), dish(&-&near, -1.0), wall(-far.clone(), far.clone(), r)]
         }
         Solid::BeveledBox { min, max, bevel } => beveled::beveled_box([min, max], bevel),
         Solid::BeveledCylinder { y0, y1, radius, bevel } => {

@@ -82,7 +82,12 @@ pub(super) fn solid(kind: Kind, want: &Want, rng: &mut SplitMix64) -> Solid {
         }
         Kind::ConcaveLens => {
             let min_distance = number(want, size * share(want, [0.05, 1.0], rng));
-            let depth = number(want, size * share(want, [0.05, 0.95], rng));
+            let deep = if rng.below(4) == 0 {
+                rng.decades(-8, -1)
+            } else {
+                share(want, [0.05, 0.95], rng)
+            };
+            let depth = number(want, size * deep);
             Solid::ConcaveLens { radius: size, thickness: min_distance + 2.0 * depth, min_distance }
         }
         Kind::BeveledBox => {
@@ -172,6 +177,7 @@ pub(super) fn surface(solid: &Solid, rng: &mut SplitMix64) -> Feature {
     let feature = match &part.form {
         Form::Shape(shape) => features::surface(&shape.map(&nearest), rng),
         Form::Cap(cap) => on_cap(cap, false, rng),
+        Form::Dish { radius, depth } => on_dish([radius, depth].map(nearest), rng.unit(), rng),
     };
     carried(&part, feature)
 }
@@ -182,6 +188,7 @@ pub(super) fn border(solid: &Solid, rng: &mut SplitMix64) -> Feature {
     let feature = match &part.form {
         Form::Shape(shape) => features::border(&shape.map(&nearest), rng),
         Form::Cap(cap) => on_cap(cap, true, rng),
+        Form::Dish { radius, depth } => on_dish([radius, depth].map(nearest), 1.0, rng),
     };
     Feature { silhouette: true, ..carried(&part, Feature { silhouette: true, ..feature }) }
 }
@@ -196,6 +203,16 @@ fn on_cap(cap: &Cap, at_border: bool, rng: &mut SplitMix64) -> Feature {
     let point = along(scale(rng.between(from, to), out), bevel + step, beside);
     let away = if at_border { scale(-1.0, beside) } else { [0.0, 1.0, 0.0] };
     Feature { point, out: away, silhouette: true }
+}
+
+/// At such a share of the rim's radius; out of the ball.
+fn on_dish([radius, depth]: [f64; 2], share: f64, rng: &mut SplitMix64) -> Feature {
+    let (u, rho) = (around_y(rng), share * radius);
+    // y = κ (ρ² + y²)/2, the lower of two
+    let bend = 2.0 * depth / (depth * depth + radius * radius);
+    let y = bend * rho * rho / (1.0 + (1.0 - (bend * rho) * (bend * rho)).max(0.0).sqrt());
+    let point = along([0.0, y, 0.0], rho, u);
+    Feature { point, out: minus(scale(bend, point), [0.0, 1.0, 0.0]), silhouette: true }
 }
 
 /// A point of the square and not in the hole.

@@ -15,6 +15,9 @@ pub(super) enum Whole<'a> {
     Cone { r: &'a Real, h: &'a Real },
     /// `y/h = ρ²/r²`.
     Paraboloid { r: &'a Real, h: &'a Real },
+    /// `κ |p|² = 2 y`, with `κ = 2 h/(h² + r²)` such that the circle of radius r at the height h ≤ r
+    /// is on it.
+    Dish { r: &'a Real, h: &'a Real },
 }
 
 pub(super) fn origin() -> V {
@@ -23,6 +26,10 @@ pub(super) fn origin() -> V {
 
 pub(super) fn with_height(v: &V, y: &Real) -> V {
     V([v.0[0].clone(), y.clone(), v.0[2].clone()])
+}
+
+fn curvature(r: &Real, h: &Real) -> Real {
+    real(2.0) * h / (h * h + r * r)
 }
 
 fn rho(p: &V) -> Real {
@@ -70,6 +77,15 @@ impl Whole<'_> {
                     constant: zero(),
                 }
             }
+            // κ |p|²/2 − y
+            Whole::Dish { r, h } => {
+                let bend = curvature(r, h);
+                Quadric {
+                    square: v(bend.clone(), bend.clone(), bend),
+                    linear: v(zero(), -one(), zero()),
+                    constant: zero(),
+                }
+            }
         }
     }
 
@@ -83,6 +99,11 @@ impl Whole<'_> {
                 nearest(&(rho(p) * rho(p) + k2 * down * &p.0[1]))
             }
             Whole::Paraboloid { .. } => 3.0 * magnitude(&p.0[1]),
+            // κ is changed by (r² − h²)/(r² + h²) of a change of h, and by 2 r²/(r² + h²) of one of r
+            Whole::Dish { r, h } => {
+                let (r2, h2) = (*r * *r, *h * *h);
+                nearest(&((real(3.0) * &r2 - &h2) / (r2 + h2))) * magnitude(&p.0[1])
+            }
         }
     }
 
@@ -108,6 +129,17 @@ impl Whole<'_> {
                 let reach = reach + 3.0 * rho;
                 Gate::new(&value, first, second + 2.0 * bend * reach * reach)
             }
+            Whole::Dish { r, h } => {
+                let bend = curvature(r, h);
+                let square = p.dot(p);
+                let value = &bend * &square / real(2.0) - &p.0[1];
+                let [bend, far] = [bend, square.sqrt()].map(|x| nearest(&x));
+                let up = with_height(&origin(), &real(1.0));
+                let slope = (&(p * &real(bend)) - &up).len();
+                let first = slope * reach + 1.5 * bend * far * far;
+                let reach = reach + 3.0 * far;
+                Gate::new(&value, first, slope * second + 2.0 * bend * reach * reach)
+            }
         }
     }
 
@@ -118,6 +150,7 @@ impl Whole<'_> {
         let flat = || sign(&a).is_gt();
         match self {
             Whole::Sphere { .. } => Some(-(o.dot(d) / d.dot(d))),
+            Whole::Dish { r, h } => Some((&d.0[1] / curvature(r, h) - o.dot(d)) / d.dot(d)),
             Whole::Cylinder { .. } => flat().then(|| -&b / &a),
             Whole::Paraboloid { r, h } => {
                 flat().then(|| (*r * *r / *h * &d.0[1] / real(2.0) - &b) / &a)

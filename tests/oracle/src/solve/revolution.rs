@@ -92,6 +92,11 @@ pub(super) fn paraboloid(h: &Real, r: &Real, beam: &Beam) -> Found {
     whole_turn(Whole::Paraboloid { r, h }, [None, Some(rim)], 0.0).solve(beam)
 }
 
+pub(super) fn dish(h: &Real, r: &Real, beam: &Beam) -> Found {
+    let rim = Level { y: h.clone(), rho: r.clone(), reach: nearest(r) + nearest(h) };
+    whole_turn(Whole::Dish { r, h }, [None, Some(rim)], 0.0).solve(beam)
+}
+
 fn whole_turn(whole: Whole, levels: [Option<Level>; 2], own: f64) -> Part {
     let wedge = Wedge::new(&[real(0.0), real(360.0)]);
     let order = f64::INFINITY;

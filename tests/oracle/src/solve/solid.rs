@@ -1,6 +1,6 @@
 //! Solids: the roots of all parts. A part at another place is asked with the ray moved back.
 
-use super::{Beam, Found, Hit, face, solve};
+use super::{Beam, Found, Hit, face, revolution, solve};
 use crate::{
     real::{M, Real, V, magnitude, nearest, real},
     shape::Shape,
@@ -50,6 +50,7 @@ fn bounds(form: &Form) -> Option<[[f64; 3]; 2]> {
         }
         Form::Shape(Shape::PartCylinder { y0, y1, radius, .. }) => [radius, y0, y1].map(nearest),
         Form::Cap(cap) => [nearest(&cap.radii[1]), 0.0, 0.0],
+        Form::Dish { radius, depth } => [nearest(radius), 0.0, nearest(depth)],
         _ => return None,
     };
     Some([[-radius, low, -radius], [radius, high, radius]])
@@ -100,6 +101,7 @@ fn part_hits(part: &Part, moves: f64, beam: &Beam) -> Found {
     let mut found = match &part.form {
         Form::Shape(shape) => solve(shape, &local),
         Form::Cap(cap) => face::cap(cap, &local),
+        Form::Dish { radius, depth } => revolution::dish(depth, radius, &local),
     };
     let back = axes.transposed();
     let side = real(if part.hollow { -1.0 } else { 1.0 });

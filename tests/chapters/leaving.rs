@@ -1,0 +1,96 @@
+//! Leaving a surface, for all kinds of a chapter at all scales; laws that know more of some kinds are
+//! theirs.
+
+use groundtruth::math::{Aabb, Ray, Span, Step, Vector};
+use groundtruth::shapes::{Context, Instance, Kind, Shape, Surface};
+
+use crate::ch19::leaving::check_next;
+use crate::draw::Draw;
+
+/// A shape about to be left: its box, and whether it has an inside.
+struct Body<'a> {
+    shape: &'a dyn Shape,
+    bounds: Aabb,
+    closed: bool,
+}
+
+/// Ends with the first ray that leaves a specimen of a kind of the chapter, at one of `scales` scales
+/// from 1e-6 to 1e6 and up to a thousand sizes away, and meets it again at the same place; so many
+/// rays each.
+pub fn check_kinds(chapter: &str, [scales, rays]: [usize; 2], seed: u64) {
+    let kinds = Kind::ENTRIES.iter().filter(|entry| entry.chapter == chapter);
+    for entry in kinds.filter(|entry| entry.module != "plane") {
+        let specimens = (entry.specimens)();
+        let mut hits = 0;
+        for case in 0..scales * specimens.len() {
+            let mut draw = Draw::case(seed, case);
+            let mut kind = specimens[case % specimens.len()].scaled(draw.decades(-6.0, 6.0));
+            if draw.coin() {
+                let size = built(&kind).bounds().extent().max_abs();
+                let by = size * draw.decades(-1.0, 3.0) * draw.direction();
+                kind = Instance::new(kind, vec![Step::Translate(by)]).into();
+            }
+            let shape = built(&kind);
+            let bounds = shape.bounds();
+            let closed = is_closed(&mut draw, &*shape, bounds);
+            let body = Body { shape: &*shape, bounds, closed };
+            for _ in 0..rays {
+                let Some(surface) = body.hit(&mut draw) else { continue };
+                body.check(&mut draw, &surface, &format!("case {case}: {kind:?}"));
+                hits += 1;
+            }
+        }
+        let all = scales * rays * specimens.len();
+        assert!(20 * hits > all, "{}: only {hits} hits of {all}", entry.module);
+    }
+}
+
+fn built(kind: &Kind) -> std::sync::Arc<dyn Shape> {
+    kind.build(&mut Context::default()).expect("specimens are valid at all scales")
+}
+
+/// A ray through a point of the box, from up to ten thousand sizes away or from within.
+fn random_ray(draw: &mut Draw, bounds: Aabb) -> Ray {
+    let extent = bounds.extent();
+    let share = |draw: &mut Draw| draw.between(0.0, 1.0);
+    let inside = Vector::new(share(draw), share(draw), share(draw));
+    let [x, y, z] = [0, 1, 2].map(|i| inside.along(i) * extent.along(i));
+    let aim = bounds.min + Vector::new(x, y, z);
+    let away = draw.direction();
+    let distance = extent.max_abs() * draw.decades(-1.0, 4.0);
+    Ray::new(aim + distance * away, (-draw.decades(-3.0, 3.0)) * away)
+}
+
+/// Whether every line meets it an even number of times.
+fn is_closed(draw: &mut Draw, shape: &dyn Shape, bounds: Aabb) -> bool {
+    (0..1000).all(|_| shape.roots(&random_ray(draw, bounds), Span::LINE).len().is_multiple_of(2))
+}
+
+impl Body<'_> {
+    fn hit(&self, draw: &mut Draw) -> Option<Surface> {
+        let ray = random_ray(draw, self.bounds);
+        self.shape.hit(&ray, Span::AHEAD).map(|hit| self.shape.surface(&ray, &hit))
+    }
+
+    /// What the ray hits next it meets from the side it left to: it goes out of what it is in, and
+    /// into what it is not in. An open shape it may meet from the other side, but not near by.
+    fn check(&self, draw: &mut Draw, s: &Surface, case: &str) {
+        for n in [s.normal, -s.normal] {
+            let inward = n != s.normal;
+            let direction = draw.decades(-3.0, 3.0) * draw.leaving(n);
+            let ray = Ray::new(s.leave(direction), direction);
+            check_next(&ray, n.into(), s, case);
+            let next = self.shape.hit(&ray, Span::AHEAD);
+            let shadow = self.shape.shadow_hit(&ray, Span::AHEAD);
+            assert_eq!(next.is_some(), shadow.is_some(), "{case}: the shadow of {ray:?} differs");
+            let Some(at) = next else {
+                assert!(!self.closed || !inward, "{case}: {ray:?} finds no way out of {s:?}");
+                continue;
+            };
+            let out = self.shape.surface(&ray, &at).normal.dot(direction) > 0.0;
+            let size = self.bounds.extent().max_abs();
+            let far = !self.closed && (at.t * direction).length() > 1e-3 * size;
+            assert!(out == inward || far, "{case}: {ray:?} hits {at:?} again of {s:?}");
+        }
+    }
+}
