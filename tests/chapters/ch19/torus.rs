@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use groundtruth::math::{Normal, Point, Ray, Span, Vector, power};
+use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, power, sin_degrees};
 use groundtruth::shapes::{Context, Kind, Shape, Surface, Torus};
 
 use super::leaving::random_hit;
@@ -239,6 +239,37 @@ fn a_ray_that_leaves_a_torus_meets_what_an_exact_one_does() {
         }
     }
     assert!(next > 600, "{next}");
+}
+
+/// Law: where a line runs along a torus in a direction in which that is almost flat, and passes it by
+/// some roundings within or without, its hits are on it. Oracle: Euler's formula for the curvature
+/// `cos²α/b + sin²α cosθ/ρ` of such a direction, and the distance from the tube.
+#[test]
+fn lines_along_a_torus_hit_it_where_it_is() {
+    let mut draw = Draw::new(1957);
+    let mut hits = 0;
+    for i in 0..20_000 {
+        let (a, b) = (1.0, draw.between(0.05, 0.95));
+        let shape = built(torus(a, b));
+        let radial = across(draw.direction());
+        let theta = draw.between(110.0, 250.0);
+        let (s, c) = (sin_degrees(theta), cos_degrees(theta));
+        let (rho, n) = (a + b * c, c * radial + s * Vector::Y);
+        let (along_tube, around) = (-s * radial + c * Vector::Y, Vector::Y.cross(radial));
+        let flat = (rho / (-b * c)).sqrt() * (1.0 + draw.sign() * draw.decades(-6.0, -1.0));
+        let d = (along_tube + (draw.sign() * flat) * around).unit().expect("not zero");
+        let off = draw.between(-8.0, 8.0) * U * (a + b);
+        let place = Point::ORIGIN + a * radial + (b + off) * n;
+        let ray = Ray::new(place + draw.between(-1.0, 0.0) * d, d);
+        for root in shape.roots(&ray, Span::LINE) {
+            let p = ray.at(root.t);
+            let [rho, y] = [p.to_vector().across_y().length(), p.y()];
+            let beside = ((rho - a) * (rho - a) + y * y).sqrt() - b;
+            assert!(beside.abs() <= 32.0 * U * (a + b), "case {i}: {b} {ray:?}: {beside:e}");
+            hits += 1;
+        }
+    }
+    assert!(hits > 20_000, "{hits}");
 }
 
 /// Law: radii that make no torus are refused, with the field and what would fit.
