@@ -120,6 +120,10 @@ pub fn length(field: &str, value: f64) -> Result<f64, Invalid> {
     Err(Invalid::field(field, format!("found {}, but {}", shown(value), lengths())))
 }
 
+/// How many instances, lattices and compounds may be nested in one another: far more than in any scene.
+/// The readers of text can follow as many; they stop at 80 tables and lists in one another.
+pub const MAX_NESTING: usize = 16;
+
 /// What lengths there may be, as the end of a sentence.
 pub(crate) fn lengths() -> String {
     let [least, most] = [LENGTHS.start(), LENGTHS.end()].map(|&length| shown(length));
@@ -209,6 +213,9 @@ pub(crate) fn plain_words(message: &str) -> String {
         if let Some(start) = message.strip_suffix(technical) {
             return format!("{start}{plain}");
         }
+    }
+    if message.contains("recursion limit") || message.contains("max recursion depth") {
+        return format!("nested too deeply: at most {MAX_NESTING} shapes fit in one another");
     }
     if message.starts_with("wanted exactly 1 element") {
         return "exactly one kind is needed here, as `kind = { … }`".to_owned();

@@ -35,6 +35,18 @@ pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     difference + (error + (ab_error - cd_error))
 }
 
+/// `a − b·c` for two lists, as if in twice the precision (Ogita, Rump & Oishi, "Accurate Sum and Dot
+/// Product", 2005).
+pub(super) fn less_products(a: f64, b: [f64; 3], c: [f64; 3]) -> f64 {
+    let less = |(sum, error): (f64, f64), (b, c): (f64, f64)| {
+        let (product, lost) = two_product(-b, c);
+        let (sum, lost_too) = two_sum(sum, product);
+        (sum, error + (lost + lost_too))
+    };
+    let (sum, error) = b.into_iter().zip(c).fold((a, 0.0), less);
+    sum + error
+}
+
 /// `(b − a) × (c − a)` correct to a few u in every component, for triangles of any aspect.
 ///
 /// The rounded edges `e` differ from the true ones by `δ`, which two-sum gives exactly; so the
@@ -67,6 +79,14 @@ mod tests {
         assert_eq!(plain, 0.0);
         let exact = difference_of_products(1.0 + f64::EPSILON, 1.0 - f64::EPSILON, 1.0, 1.0);
         assert_eq!(exact, -f64::EPSILON * f64::EPSILON);
+    }
+
+    #[test]
+    fn less_products_survives_cancellation() {
+        // 1 − (1 + ε)(1 − ε) − ε·1 = ε² − ε, and nothing but ε² where the last is left out
+        let e = f64::EPSILON;
+        assert_eq!(less_products(1.0, [1.0 + e, 0.0, 0.0], [1.0 - e, 0.0, 0.0]), e * e);
+        assert_eq!(less_products(1.0, [1.0 + e, e, 0.0], [1.0 - e, 1.0, 0.0]), e * e - e);
     }
 
     #[test]

@@ -3,9 +3,10 @@
 use glam::{DAffine3, DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
+use super::exact::less_products;
 use super::functions::{cos_degrees, sin_degrees};
 use super::vectors::{Normal, Point, Vector};
-use super::{Aabb, Ray, UNIT_ROUNDOFF, lists};
+use super::{Aabb, Ray, lists};
 
 /// One step of a transformation, as a person types it: angles in degrees, counter-clockwise for an
 /// eye on the positive axis that looks at the origin.
@@ -173,13 +174,17 @@ impl Transform {
     }
 
     /// The product of the steps' inverses `X` is as good as the worst of them (a stretch undone by
-    /// a later one); where `M X` is not the identity within rounding, a step of Newton's iteration,
-    /// `X + X (I − M X)`, makes it as good as the whole.
+    /// a later one), and not quite the inverse of the rounded product `M` of the steps. A step of
+    /// Newton's iteration, `X + X (I − M X)`, makes it that.
     fn refined(self) -> Self {
         let (m, x) = (self.forward.matrix3, self.inverse.matrix3);
-        let residual = DMat3::IDENTITY - m * x;
-        let rounding = 4.0 * UNIT_ROUNDOFF * self.condition();
-        if residual.to_cols_array().iter().all(|error| error.abs() <= rounding) {
+        let entry = |i: usize, j: usize| {
+            let identity = if i == j { 1.0 } else { 0.0 };
+            less_products(identity, m.row(i).to_array(), x.col(j).to_array())
+        };
+        let column = |j| DVec3::new(entry(0, j), entry(1, j), entry(2, j));
+        let residual = DMat3::from_cols(column(0), column(1), column(2));
+        if !residual.is_finite() {
             return self;
         }
         let matrix3 = x + x * residual;

@@ -39,12 +39,7 @@ fn line_at(text: &str, at: usize) -> usize {
 
 /// What the reader of a text says, with the line and the path of what it speaks of.
 pub(super) fn unreadable(text: &str, file: &Path, error: &toml::de::Error) -> SceneError {
-    let problem = match error.message() {
-        "recursion limit" | "cannot recurse further; max recursion depth met" => {
-            "nested too deeply for a scene file; combine the transforms of instances".to_owned()
-        }
-        message => plain_words(message),
-    };
+    let problem = plain_words(error.message());
     let Some(span) = error.span() else {
         return SceneError::Invalid { place: Place::file(file), invalid: Invalid::new(problem) };
     };

@@ -6,12 +6,10 @@ use std::sync::Arc;
 
 use super::{Kind, Shape};
 use crate::accel;
-use crate::invalid::Invalid;
+use crate::invalid::{Invalid, MAX_NESTING};
 use crate::math::Transform;
 use crate::mesh_file::{self, MeshData};
 
-/// How deep instances and compounds may be nested: far more than any scene, far less than any stack.
-const MAX_NESTING: usize = 64;
 /// More triangles in one scene would take gigabytes, up to 300 bytes each while trees are built.
 const MOST_TRIANGLES: u64 = 1 << 22;
 /// More parts of compounds in one scene would, too.
@@ -242,7 +240,7 @@ impl Context {
     ) -> Result<T, Invalid> {
         if self.depth == MAX_NESTING {
             return Err(Invalid::new(format!(
-                "shapes are nested deeper than {MAX_NESTING}; leave out a level, or combine transforms"
+                "more than {MAX_NESTING} shapes are nested in one another; leave out a level, or combine transforms"
             )));
         }
         self.depth += 1;

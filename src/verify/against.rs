@@ -2,8 +2,9 @@
 //!
 //! A hit is judged against its condition: an error is counted in units of `u · cond`, as if the
 //! input had been wrong by so much. Whether there is a hit at all counts only if no relative change
-//! of the input by 1e-13 would change the answer. Both are multiplied by the condition number of
-//! an instance's matrix. Used by the chapters' sweeps and by the report.
+//! of the input by 1e-13 would change the answer. In instances, that and the error of a normal are
+//! multiplied by the condition number of the matrix, that of `t` by what of it counts for the wall that
+//! is hit ([`oracle::Root::squeeze`]). Used by the chapters' sweeps and by the report.
 
 use std::sync::Arc;
 
@@ -31,9 +32,10 @@ pub fn is_decided(answer: &oracle::Answer, condition: f64) -> bool {
     answer.margin > LEAST_MARGIN * condition
 }
 
-/// The error of a distance, in units of `u · cond`.
-pub fn t_error(root: &oracle::Root, t: f64, condition: f64) -> f64 {
-    root.t_error(t) / (UNIT_ROUNDOFF * condition * root.cond.max(root.t.abs()))
+/// The error of a distance, in units of `u · cond`; in an instance, of `u · cond` times its squeeze,
+/// which is what rounding the coordinates inside may do.
+pub fn t_error(root: &oracle::Root, t: f64) -> f64 {
+    root.t_error(t) / (UNIT_ROUNDOFF * root.squeeze * root.cond.max(root.t.abs()))
 }
 
 /// The error of a unit normal in units of `u · cond`, and how much of it is allowed; `None` where an

@@ -1,5 +1,6 @@
 //! Chapter 20: affine transformations.
 
+use dashu_ratio::RBig;
 use groundtruth::math::{Axis, Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use proptest::prelude::*;
 
@@ -188,6 +189,28 @@ proptest! {
                 let number = format!("{:.1e}", singular.condition);
                 prop_assert!(singular.to_string().contains(&number));
             }
+        }
+    }
+
+    /// Law: the inverse is that of the matrix there is, to a last bit of its largest entry. Oracle: the
+    /// adjugate over the determinant, in rational numbers.
+    #[test]
+    fn the_inverse_is_that_of_the_rounded_matrix(steps in steps(), stretch in 0.0..5.0_f64, degrees in 0.0..90.0_f64) {
+        let wild = Vector::new(1.0, groundtruth::math::power(10.0, -stretch), 1.0);
+        let wild = [Step::Scale(wild), Step::RotateX(degrees), Step::RotateZ(degrees)];
+        let t = transform(&[&steps[..], &wild].concat());
+        let exact = |x: f64| RBig::try_from(x).expect("finite");
+        let [m, x] = [linear(&t), linear(&t.inverse())];
+        let most = x.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let minor = |i: usize, j: usize| {
+            let at = |k: usize, l: usize| exact(m[(i + k) % 3][(j + l) % 3]);
+            at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)
+        };
+        let terms = (0..3).map(|j| exact(m[0][j]) * minor(0, j));
+        let determinant = terms.fold(RBig::ZERO, |sum, term| sum + term);
+        for (i, j) in (0..9).map(|place| (place / 3, place % 3)) {
+            let off = exact(x[i][j]) - minor(j, i) / &determinant;
+            prop_assert!(off.to_f64().value().abs() <= 2.0 * U * most, "{i} {j}: {t:?}");
         }
     }
 

@@ -2,8 +2,8 @@
 //!
 //! A hit is judged against its condition: an error is counted in units of `u · cond`, and 100 of
 //! them are allowed, as if the input had been wrong by so much. Whether there is a hit at all must
-//! be right unless a relative change of the input by 1e-13 would change the answer. Both are
-//! multiplied by the condition number of an instance's matrix.
+//! be right unless a relative change of the input by 1e-13 would change the answer. For instances, see
+//! [`groundtruth::verify::against`].
 
 use std::fmt;
 use std::sync::Arc;
@@ -104,8 +104,8 @@ pub fn merged(answers: &[Answer]) -> Vec<Of> {
 
 /// The answer for several shapes that are one and have these roots. It is open, with a margin of 0,
 /// where roots of two shapes are so close that rounding may change their order.
-pub fn union(answers: &[Answer], roots: Vec<Of>, condition: f64) -> Answer {
-    let doubt = |root: &Root| ALLOWED * U * condition * root.cond.max(root.t.abs());
+pub fn union(answers: &[Answer], roots: Vec<Of>) -> Answer {
+    let doubt = |root: &Root| ALLOWED * U * root.squeeze * root.cond.max(root.t.abs());
     let is_open = |pair: &[Of]| {
         let [(i, a), (j, b)] = [&pair[0], &pair[1]];
         i != j && b.t - a.t <= doubt(a) + doubt(b)
@@ -226,7 +226,7 @@ impl Worst {
             fail(format!("the rule of the own box loses {nearest:?}"));
         }
         for (hit, root) in found.iter().zip(&answer.roots) {
-            let t = t_error(root, hit.t, *condition);
+            let t = t_error(root, hit.t);
             self.t.meet(t, name);
             if t.is_nan() || t > ALLOWED {
                 fail(format!("t {:e}, exactly {:e}: {t:.1} u·cond", hit.t, root.t));

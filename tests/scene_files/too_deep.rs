@@ -1,10 +1,13 @@
 //! Nesting and depth without end.
 
+use std::path::Path;
+
 use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::math::Point;
+use groundtruth::invalid::MAX_NESTING;
+use groundtruth::math::{Point, Step, Vector};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Instance, Kind, Sphere};
+use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted, from_toml, to_toml};
+use groundtruth::shapes::{Compound, Instance, Kind, Lattice, Part, Sphere};
 use groundtruth::world::World;
 
 use super::{error_of, with};
@@ -13,8 +16,21 @@ fn sphere() -> Kind {
     Kind::from(Sphere { center: Point::ORIGIN, radius: 1.0, inward: false })
 }
 
-fn nested(levels: usize) -> Kind {
-    (0..levels).fold(sphere(), |of, _| Kind::from(Instance::new(of, Vec::new())))
+fn nested(levels: usize, around: fn(Kind) -> Kind) -> Kind {
+    (0..levels).fold(sphere(), |of, _| around(of))
+}
+
+fn instance(of: Kind) -> Kind {
+    Instance::new(of, vec![Step::Translate(Vector::X)]).into()
+}
+
+fn compound(of: Kind) -> Kind {
+    let part = Part { name: "part".to_owned(), ..Part::new(of) };
+    Compound { accel: None, parts: vec![part] }.into()
+}
+
+fn lattice(of: Kind) -> Kind {
+    Lattice { of: Box::new(of), counts: [1, 1, 2], spacing: Vector::Z, accel: None }.into()
 }
 
 fn scene(shape: Kind) -> Scene {
@@ -27,15 +43,30 @@ fn scene(shape: Kind) -> Scene {
     scene
 }
 
+/// Law: what is nested as deeply as may be is written to a text that reads back.
+#[test]
+fn whatever_builds_can_be_written_and_read() {
+    for around in [instance, compound, lattice] {
+        let scene = scene(nested(MAX_NESTING, around));
+        World::build(&scene).expect("as many fit");
+        let text = to_toml(&scene).expect("plain");
+        from_toml(&text, Path::new("scene.toml")).expect("the same scene");
+        let deeper = World::build(&self::scene(nested(MAX_NESTING + 1, around)));
+        let error = deeper.expect_err("too deep").to_string();
+        assert!(error.contains("more than 16 shapes are nested in one another"), "{error}");
+    }
+}
+
 #[test]
 fn ten_thousand_instances_in_one_another_are_refused() {
-    World::build(&scene(nested(64))).expect("64 fit");
-    for levels in [65, 10_000] {
-        let error = World::build(&scene(nested(levels))).expect_err("too deep").to_string();
+    for levels in [MAX_NESTING + 1, 10_000] {
+        let scene = scene(nested(levels, instance));
+        let error = World::build(&scene).expect_err("too deep").to_string();
         assert_eq!(
             error,
             "objects[0] \"ball\", shape.instance.of.instance.of.instance.of.instance.of.instance.of\
-             .instance….instance.of: shapes are nested deeper than 64; leave out a level, or combine transforms",
+             .instance….instance.of: more than 16 shapes are nested in one another; leave out a level, or combine \
+             transforms",
             "{levels} levels"
         );
     }
@@ -53,7 +84,7 @@ fn a_depth_of_a_million_is_refused() {
 #[test]
 fn text_nested_ten_thousand_times_is_refused() {
     const DEEP: usize = 10_000;
-    let problem = "nested too deeply for a scene file; combine the transforms of instances";
+    let problem = "nested too deeply: at most 16 shapes fit in one another";
     let shape = "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n";
     let ball = "{ sphere = { center = [0, 0, 0], radius = 1 } }";
 

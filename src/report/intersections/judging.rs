@@ -50,8 +50,8 @@ impl Judged {
             let ray = ray(&exact_ray);
             let textbook = textbook::of(&pair.exact);
             let found = pair.ours.hit(&ray, Span::AHEAD).map(|candidate| candidate.t);
-            ours.meet(found, &answer, condition);
-            book.meet(textbook.hit(&ray), &answer, condition);
+            ours.meet(found, &answer);
+            book.meet(textbook.hit(&ray), &answer);
             hit_count += usize::from(!answer.roots.is_empty());
             let timed = if answer.roots.is_empty() { &mut misses } else { &mut hits };
             if timed.len() < TIMED {
@@ -79,13 +79,13 @@ struct Tally {
 }
 
 impl Tally {
-    fn meet(&mut self, found: Option<f64>, answer: &oracle::Answer, condition: f64) {
+    fn meet(&mut self, found: Option<f64>, answer: &oracle::Answer) {
         match (found, answer.roots.first()) {
             (None, None) => {}
             (Some(_), None) => self.wrong += 1,
             (None, Some(_)) => self.lost += 1,
             (Some(t), Some(first)) => {
-                let error = t_error(first, t, condition);
+                let error = t_error(first, t);
                 let off = first.t_error(t);
                 let is_later = answer.roots[1..].iter().any(|root| root.t_error(t) < off);
                 if !t.is_finite() || (is_later && error > ALLOWED) {

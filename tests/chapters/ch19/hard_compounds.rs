@@ -37,7 +37,7 @@ fn compound(family: Family, seed: u64, index: usize) -> Option<Case> {
     let described: Vec<(Described, oracle::Shape)> = vec![a?, b?, c?];
     let condition = described.iter().map(|(_, shape)| shape.condition()).fold(1.0, f64::max);
     let answers = [0, 1, 2].map(|i| oracle::intersect(&described[i].1, &ray));
-    let exact = union(&answers, merged(&answers), condition);
+    let exact = union(&answers, merged(&answers));
     let accel = METHODS[index / KINDS.len() % METHODS.len()];
     let shapes = described.into_iter().map(|(shape, _)| shape);
     let compound = Described::from(Compound { accel, ..Compound::of(shapes) });

@@ -161,7 +161,7 @@ fn sweep(make: fn(Sizes, &mut Draw, Option<Method>) -> Stones, seed: u64, count:
         let ours = ours.build(&mut Context::default()).ok()?;
         let answers: Vec<_> = pieces.iter().map(|piece| piece.answer(&ray)).collect();
         let roots = without_touching(merged(&answers), bevel);
-        let exact = union(&answers, roots, 1.0);
+        let exact = union(&answers, roots);
         Some(Case { name, ours, ray: against::ray(&ray), exact, condition: 1.0 })
     });
 }

@@ -23,7 +23,7 @@ fn case(
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
     let answers: Vec<_> = pieces.iter().map(|piece| piece.answer(&ray)).collect();
-    let exact = union(&answers, merged(&answers), condition);
+    let exact = union(&answers, merged(&answers));
     let name = format!("{name} {family:?} seed {seed} index {index}");
     let ours = ours.build(&mut Context::default()).ok()?;
     Some(Case { name, ours, ray: against::ray(&ray), exact, condition })

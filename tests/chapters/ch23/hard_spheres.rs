@@ -47,7 +47,7 @@ fn sphere(family: Family, seed: u64, index: usize) -> Option<Case> {
     let mut context = Context::new(Path::new(""), METHODS[index % METHODS.len()]);
     let ours = Described::from(sphere).build(&mut context).ok()?;
     let answers: Vec<_> = pieces.iter().map(|piece| piece.answer(&ray)).collect();
-    let exact = union(&answers, merged(&answers), 1.0);
+    let exact = union(&answers, merged(&answers));
     Some(Case { name, ours, ray: against::ray(&ray), exact, condition: 1.0 })
 }
 

@@ -20,6 +20,10 @@ pub struct Root {
     /// The smallest relative change for which another face of a cuboid is hit (so that `normal`
     /// jumps while `t` does not); infinite for shapes without edges between faces.
     pub face_margin: f64,
+    /// By how much more a rounding of coordinates inside an instance counts than one of the world's:
+    /// `‖A⁻¹‖·|g|/|A⁻ᵀ g|` for the surface's gradient g inside, at most the condition of A; 1 for what
+    /// is no instance.
+    pub squeeze: f64,
     pub(crate) exact_t: Real,
     pub(crate) exact_normal: V,
 }
@@ -86,6 +90,7 @@ fn root(hit: solve::Hit, beam: &Beam) -> Root {
         normal: normal.0.each_ref().map(nearest),
         size: hit.hessian.as_ref().map_or(f64::INFINITY, |h| radius(&hit.gradient, &normal, h)),
         face_margin: hit.face_margin,
+        squeeze: hit.squeeze,
         exact_t: hit.t,
         exact_normal: normal,
     }

@@ -58,11 +58,17 @@ pub(crate) struct Hit {
     /// Second derivatives of `F`; `None` where the surface is flat.
     pub(crate) hessian: Option<M>,
     pub(crate) face_margin: f64,
+    /// See [`crate::Root::squeeze`].
+    pub(crate) squeeze: f64,
 }
 
 impl Hit {
+    fn new(t: Real, gradient: V, inputs: f64, hessian: Option<M>) -> Hit {
+        Hit { t, gradient, inputs, hessian, face_margin: f64::INFINITY, squeeze: 1.0 }
+    }
+
     fn flat(t: Real, gradient: V, inputs: f64) -> Hit {
-        Hit { t, gradient, inputs, hessian: None, face_margin: f64::INFINITY }
+        Hit::new(t, gradient, inputs, None)
     }
 }
 

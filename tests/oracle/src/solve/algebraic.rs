@@ -51,7 +51,7 @@ fn along(terms: &[Term], beam: &Beam) -> Polynomial {
 fn hit(terms: &[Term], t: &Real, beam: &Beam) -> Hit {
     let Local { gradient, hessian, terms, .. } = local(terms, &beam.at(t));
     let t = t.clone();
-    Hit { t, gradient, inputs: terms, hessian: Some(hessian), face_margin: f64::INFINITY }
+    Hit::new(t, gradient, terms, Some(hessian))
 }
 
 /// `d/dx` of the term along an axis.

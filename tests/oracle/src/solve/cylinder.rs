@@ -16,13 +16,8 @@ pub(super) fn cylinder(y: [&Real; 2], r: &Real, beam: &Beam) -> Found {
     let hits = quadratic(&a, &b, &power, &discriminant).into_iter().filter_map(|t| {
         let x = beam.at(&t);
         let within = *y[0] <= x.0[1] && x.0[1] <= *y[1];
-        within.then(|| Hit {
-            t,
-            gradient: flat(&x),
-            inputs: nearest(&(r * r)),
-            hessian: Some(M::diagonal([1.0, 0.0, 1.0])),
-            face_margin: f64::INFINITY,
-        })
+        let hessian = M::diagonal([1.0, 0.0, 1.0]);
+        within.then(|| Hit::new(t, flat(&x), nearest(&(r * r)), Some(hessian)))
     });
     let closest = sign(&a).is_gt().then(|| -&b / &a);
     Found { hits: hits.collect(), margin: margin(y, r, closest, beam) }

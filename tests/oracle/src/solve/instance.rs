@@ -39,7 +39,9 @@ pub(super) fn instance(matrix: &[[Real; 4]; 3], of: &Shape<Real>, beam: &Beam) -
     let mut found = solve(of, &inner);
     let normal_map = back.transposed();
     for hit in &mut found.hits {
+        let inside = hit.gradient.len();
         hit.gradient = normal_map.times(&hit.gradient);
+        hit.squeeze *= back.len() * inside / hit.gradient.len();
         hit.hessian = hit.hessian.as_ref().map(|h| normal_map.product(h).product(&back));
         hit.inputs += hit.gradient.len() * (size * inner.at(&hit.t).len() + shift);
     }

@@ -138,13 +138,7 @@ impl Part<'_> {
             let gradient = if at_apex { V([real(0.0), real(1.0), real(0.0)]) } else { gradient };
             let inputs = gradient.len() * self.center.len() + self.whole.inputs(&p);
             let hessian = Some(hessian.clone());
-            self.holds(&p, 0.0).holds.then(|| Hit {
-                t,
-                gradient,
-                inputs,
-                hessian,
-                face_margin: f64::INFINITY,
-            })
+            self.holds(&p, 0.0).holds.then(|| Hit::new(t, gradient, inputs, hessian))
         });
         // at an apex, too, which steep rays cannot help but hit
         let margin = if double { 0.0 } else { self.margin(&local) };

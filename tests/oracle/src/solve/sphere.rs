@@ -15,7 +15,7 @@ pub(super) fn sphere(c: &V, r: &Real, beam: &Beam) -> Found {
     let hits = quadratic(&a, &b, &power, &discriminant).into_iter().map(|t| {
         let gradient = &beam.at(&t) - c;
         let inputs = gradient.len() * c.len() + nearest(&(r * r));
-        Hit { t, gradient, inputs, hessian: Some(M::identity()), face_margin: f64::INFINITY }
+        Hit::new(t, gradient, inputs, Some(M::identity()))
     });
     Found { hits: hits.collect(), margin: margin(c, r, &w, -b / a, beam) }
 }

@@ -112,7 +112,7 @@ impl Torus<'_> {
             }))
         }));
         let inputs = magnitude(&(&k * self.a)) + magnitude(&(self.b * self.b));
-        Hit { t, gradient, inputs, hessian: Some(hessian), face_margin: f64::INFINITY }
+        Hit::new(t, gradient, inputs, Some(hessian))
     }
 
     /// The number of roots changes only where the ray starts on the surface or touches it. It
