@@ -1,4 +1,5 @@
-//! The algebraic surface: where a polynomial of the user's own in x, y, z is zero, inside a box.
+//! The algebraic surface (implicit surfaces: Suffern, ch. 19): where a polynomial of the user's own in
+//! x, y, z is zero, inside a box.
 //!
 //! Along the ray the polynomial is one in `s`, where `s` runs from −1 to 1 over the chord of the
 //! box: near the middle of the chord, not at the ray's origin, its coefficients keep their digits.

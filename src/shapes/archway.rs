@@ -38,7 +38,7 @@ pub struct Archway {
     pub blocks: u32,
     /// How many wedges the arch has: from 1 to 1000.
     pub wedges: u32,
-    /// The radius of the stones' edges.
+    /// The radius of the stones' edges: positive, at most half of what is shortest of each stone.
     pub bevel: f64,
     /// How rays find its parts, `"grid"` in the book; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -77,7 +77,7 @@ impl Archway {
             ("width of the columns", [0.0, self.column_width]),
             ("height of a block", block),
         ];
-        check_bevel(self.bevel, &extents)?;
+        check_bevel(self.bevel, self.largest(), &extents)?;
         self.stones_of_arch().try_for_each(|wedge| wedge.check())
     }
 

@@ -48,11 +48,12 @@ impl Specification for BeveledBox {
         }
         let sides = ["side along x", "side along y", "side along z"];
         let extents = [0, 1, 2].map(|i| (sides[i], [min.along(i), max.along(i)]));
-        check_bevel(bevel, &extents)?;
-        let rounded = RoundedBox::new(extents.map(|(_, extent)| extent), bevel);
+        let outer = extents.map(|(_, extent)| extent);
+        check_bevel(bevel, largest(outer), &extents)?;
+        let rounded = RoundedBox::new(outer, bevel);
         let parts: Vec<Named> =
             rounded.faces().into_iter().chain(rounded.edges()).chain(rounded.corners()).collect();
-        smooth_solid(&parts, &self.materials, None, rounding(largest(rounded.outer)), context)
+        smooth_solid(&parts, &self.materials, None, rounding(largest(outer)), context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

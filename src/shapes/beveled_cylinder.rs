@@ -38,7 +38,8 @@ impl Specification for BeveledCylinder {
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, radius, bevel, .. } = *self;
         let wall = OpenCylinder { y0, y1, radius, inward: false }.checked()?;
-        check_bevel(bevel, &[("height", [y0, y1])])?;
+        let largest = y0.abs().max(y1.abs()).max(radius);
+        check_bevel(bevel, largest, &[("height", [y0, y1])])?;
         if bevel > radius {
             let [found, most] = [bevel, radius].map(shown);
             let problem = format!("found {found}, but at most {most} fits, the radius");
@@ -46,7 +47,6 @@ impl Specification for BeveledCylinder {
         }
         let flat = radius - bevel;
         let [low, high] = inset([y0, y1], bevel);
-        let largest = y0.abs().max(y1.abs()).max(radius);
         let over = overlap(largest, bevel);
         let mut parts: Vec<Named> = Vec::new();
         if flat > 0.0 {

@@ -44,9 +44,9 @@ impl Specification for BeveledRing {
         let outer_wall = OpenCylinder { y0, y1, radius: outer_radius, inward: false }.checked()?;
         let extents =
             [("height", [y0, y1]), ("distance between the radii", [inner_radius, outer_radius])];
-        check_bevel(bevel, &extents)?;
-        let [low, high] = inset([y0, y1], bevel);
         let largest = y0.abs().max(y1.abs()).max(outer_radius);
+        check_bevel(bevel, largest, &extents)?;
+        let [low, high] = inset([y0, y1], bevel);
         let over = overlap(largest, bevel);
         let [near, far] = inset([inner_radius, outer_radius], bevel);
         let mut parts: Vec<Named> = Vec::new();

@@ -26,7 +26,8 @@ pub struct BeveledWedge {
     pub inner_radius: f64,
     /// Above `inner_radius`.
     pub outer_radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x; less than a turn.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
+    /// 360; through 360 where the first is larger. Less than a turn.
     #[serde(deserialize_with = "lists::exactly")]
     pub phi: [f64; 2],
     /// The radius of the edges: at most half of the height and of the distance between the radii,

@@ -74,10 +74,24 @@ pub(super) fn widened(phi: [f64; 2], by: f64, radius: f64) -> [f64; 2] {
     extended(phi, to_degrees(by / radius))
 }
 
-/// Checks that `bevel` is positive and fits twice into each extent, up to the rounding of their
-/// ends: a bevel of just the half leaves no flat between.
-pub(super) fn check_bevel(bevel: f64, extents: &[(&str, [f64; 2])]) -> Result<(), Invalid> {
+/// Checks that `bevel` is an edge that can be told from a sharp one where coordinates are so large, and
+/// that it fits twice into each extent, up to the rounding of their ends: a bevel of just the half leaves
+/// no flat between.
+pub(super) fn check_bevel(
+    bevel: f64,
+    largest: f64,
+    extents: &[(&str, [f64; 2])],
+) -> Result<(), Invalid> {
     length("bevel", bevel)?;
+    let least = rounding(largest);
+    if bevel < least {
+        let [found, least, largest] = [bevel, least, largest].map(shown);
+        let problem = format!(
+            "found {found}, but beside lengths of {largest} only {least} and more can be told from a \
+             sharp edge"
+        );
+        return Err(Invalid::field("bevel", problem));
+    }
     for &(what, [low, high]) in extents {
         let rounding = 4.0 * UNIT_ROUNDOFF * low.abs().max(high.abs());
         if 2.0 * bevel > (high - low) + rounding {

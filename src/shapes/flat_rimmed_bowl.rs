@@ -21,8 +21,8 @@ pub struct FlatRimmedBowl {
     pub inner_radius: f64,
     /// Of the outside, above `inner_radius`.
     pub outer_radius: f64,
-    /// The angle, in degrees, at which the rim of the inside is seen across from the origin: 180
-    /// for the book's hemispherical bowl, less for one that narrows towards its rim.
+    /// The angle at which the rim of the inside is seen across from the origin, in degrees above 0 and
+    /// below 360: 180 for the book's hemispherical bowl, less for one that narrows towards its rim.
     #[serde(default = "hemisphere")]
     pub opening: f64,
     /// The materials of parts that have one of their own.

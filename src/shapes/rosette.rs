@@ -31,7 +31,8 @@ pub struct Rosette {
     pub hole_radius: f64,
     /// From the inner to the outer wall of each ring; positive.
     pub ring_width: f64,
-    /// The radius of the wedges' edges.
+    /// The radius of the wedges' edges: positive, at most half of the height, of the ring's width and of
+    /// what the inner wall of a wedge is wide.
     pub bevel: f64,
     /// The height of the bottom.
     pub y0: f64,

@@ -24,8 +24,8 @@ pub struct RoundRimmedBowl {
     pub inner_radius: f64,
     /// Of the outside, above `inner_radius`.
     pub outer_radius: f64,
-    /// The angle, in degrees, at which the middle of the rim is seen across from the origin: 180
-    /// for a hemispherical bowl, 120 for figure 21.16, which narrows towards its rim.
+    /// The angle at which the middle of the rim is seen across from the origin, in degrees above 0 and
+    /// below 360: 180 for a hemispherical bowl, 120 for figure 21.16, which narrows towards its rim.
     #[serde(default = "hemisphere")]
     pub opening: f64,
     /// The materials of parts that have one of their own.

@@ -47,7 +47,8 @@ impl Wedge {
         let [r0, r1] = self.r;
         length("inner_radius", r0)?;
         radii(r0, r1)?;
-        check_bevel(self.bevel, &[("height", self.y), ("distance between the radii", self.r)])?;
+        let extents = [("height", self.y), ("distance between the radii", self.r)];
+        check_bevel(self.bevel, self.largest(), &extents)?;
         let width = self.phi[1] - self.phi[0];
         /// In degrees; more than the rounding of azimuths.
         const SLACK: f64 = 1e-10;

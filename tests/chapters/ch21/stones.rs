@@ -245,6 +245,52 @@ fn stones_are_found_alike_by_list_and_tree() {
     }
 }
 
+/// The same solid with another bevel; `None` of a kind that has none.
+fn with_bevel(kind: &Kind, bevel: f64) -> Option<Kind> {
+    let mut kind = kind.clone();
+    *match &mut kind {
+        Kind::BeveledBox(it) => &mut it.bevel,
+        Kind::BeveledCylinder(it) => &mut it.bevel,
+        Kind::BeveledRing(it) => &mut it.bevel,
+        Kind::BeveledWedge(it) => &mut it.bevel,
+        Kind::Rosette(it) => &mut it.bevel,
+        Kind::Archway(it) => &mut it.bevel,
+        _ => return None,
+    } = bevel;
+    Some(kind)
+}
+
+/// Law: a bevel of any length down to some roundings of the largest builds, a smaller one is refused
+/// by its own name and not by that of a part, at all scales. Oracle: 64 u of the largest coordinate,
+/// of an archway its largest extent.
+#[test]
+fn bevels_may_be_as_small_as_can_be_told() {
+    let mut seen = 0;
+    for specimen in Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)()) {
+        for scale in [1e-20, 1e-6, 1.0, 3.7e9] {
+            let kind = specimen.scaled(scale);
+            let bounds = kind.build(&mut Context::default()).expect("a specimen").bounds();
+            let largest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
+            for (share, builds) in [(1e-15, false), (2e-14, true), (1e-10, true)] {
+                let Some(kind) = with_bevel(&kind, share * largest) else { continue };
+                match kind.build(&mut Context::default()) {
+                    Ok(_) => assert!(builds, "{kind:?}"),
+                    Err(error) => {
+                        assert!(!builds, "{kind:?}: {error}");
+                        let text = error.to_string();
+                        let named = text.split_once(".bevel: found").is_some_and(|(kind, rest)| {
+                            !kind.contains('.') && rest.contains("can be told from a sharp edge")
+                        });
+                        assert!(named, "{text}");
+                    }
+                }
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}
+
 /// Law: what no rosette or archway has is refused by the name of the field a person typed.
 #[test]
 fn stones_name_the_field_that_does_not_fit() {
