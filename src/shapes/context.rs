@@ -256,7 +256,7 @@ mod tests {
     use crate::shapes::TessellatedSphere;
 
     fn sphere(horizontal: u32, vertical: u32) -> Kind {
-        TessellatedSphere { horizontal, vertical, radius: 1.0, smooth: false, bumps: 0.0 }.into()
+        TessellatedSphere::new(horizontal, vertical, false).into()
     }
 
     /// Law: equal meshes are one thing in memory, and are counted once.

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::mesh::TriangleMesh;
 use super::{Context, Shape};
+use crate::accel::Method;
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::math::{Normal, Point, cos, sin};
@@ -30,6 +31,9 @@ pub struct TessellatedSphere {
     /// `bumps (2/3 sin 9φ sin 7θ + 1/3 sin 31θ)`.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub bumps: f64,
+    /// How rays find its triangles; as the scene if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<Method>,
 }
 
 fn is_zero(height: &f64) -> bool {
@@ -56,7 +60,7 @@ impl Specification for TessellatedSphere {
         }
         context.shared(self, |context| {
             context.take_triangles(self.triangles())?;
-            Ok(Arc::new(self.mesh().accelerated(context.accel())))
+            Ok(Arc::new(self.mesh().accelerated(self.accel.unwrap_or(context.accel()))))
         })
     }
 
@@ -76,7 +80,7 @@ impl Specification for TessellatedSphere {
 impl TessellatedSphere {
     /// A unit sphere of so many steps.
     pub fn new(horizontal: u32, vertical: u32, smooth: bool) -> Self {
-        Self { horizontal, vertical, radius: 1.0, smooth, bumps: 0.0 }
+        Self { horizontal, vertical, radius: 1.0, smooth, bumps: 0.0, accel: None }
     }
 
     /// The vertex at azimuth `phi` and polar angle `theta`.

@@ -226,7 +226,7 @@ proptest! {
             0 => Plane { point: at(place), normal: n.into() }.into(),
             1 => big.into(),
             2 => block.into(),
-            _ => TessellatedSphere { horizontal: 7, vertical: 5, radius: s, smooth: false, bumps: 0.0 }.into(),
+            _ => TessellatedSphere { radius: s, ..TessellatedSphere::new(7, 5, false) }.into(),
         };
         let mut scene = stage(Rgb::BLACK);
         put(&mut scene, shape, white());
@@ -265,7 +265,7 @@ proptest! {
     #[test]
     fn no_light_leaks_through_smooth_normals(wi in unit(), to_eye in unit(), target in point(0.5)) {
         let mut scene = stage(Rgb::BLACK);
-        put(&mut scene, TessellatedSphere { horizontal: 5, vertical: 4, radius: 1.0, smooth: true, bumps: 0.0 }, white());
+        put(&mut scene, TessellatedSphere::new(5, 4, true), white());
         shine(&mut scene, sun(wi.into()));
         let eye = Point::ORIGIN + 3.0 * to_eye;
         let tree = recorded(&built(&scene), eye, target - eye);

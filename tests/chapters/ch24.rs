@@ -233,7 +233,7 @@ proptest! {
     #[test]
     fn a_smooth_mirror_sends_no_ray_inside(to_eye in unit(), phi in 0.0..TAU, far in 0.4..0.95_f64) {
         let mut scene = deep_stage(BACKGROUND, 1);
-        let mesh = TessellatedSphere { horizontal: 5, vertical: 4, radius: 1.0, smooth: true, bumps: 0.0 };
+        let mesh = TessellatedSphere::new(5, 4, true);
         put(&mut scene, mesh, mirror(1.0, Rgb::WHITE));
         // beside the middle, where the view grazes
         let target = Point::ORIGIN + far * at_angle(to_eye, 0.0, phi);

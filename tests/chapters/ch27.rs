@@ -139,7 +139,7 @@ proptest! {
         let shape: shapes::Kind = match kind {
             0 => ball().into(),
             1 => Cuboid { min: Point::new(-1.0, -0.5, -0.7), max: Point::new(1.0, 0.8, 0.9) }.into(),
-            _ => TessellatedSphere { horizontal: 7, vertical: 5, radius: 1.0, smooth: true, bumps: 0.0 }.into(),
+            _ => TessellatedSphere::new(7, 5, true).into(),
         };
         let clear = put(&mut scene, shape, glass(0.0, 1.0, 1.0));
         let checker = Checker3d { size: 1.0, color1: Rgb::WHITE, color2: Rgb::new(0.2, 0.4, 0.1) };

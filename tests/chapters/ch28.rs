@@ -110,7 +110,7 @@ proptest! {
     fn equal_media_have_no_boundary(to_eye in unit(), target in point(0.9), eta in 0.5..3.0_f64) {
         let mut scene = deep_stage(BACKGROUND, 4);
         put(&mut scene, ball(), glass(Medium::clear(eta), Medium::clear(eta)));
-        let mesh = TessellatedSphere { horizontal: 5, vertical: 4, radius: 0.8, smooth: true, bumps: 0.0 };
+        let mesh = TessellatedSphere { radius: 0.8, ..TessellatedSphere::new(5, 4, true) };
         put(&mut scene, mesh, glass(Medium::clear(eta), Medium::clear(eta)));
         let eye = Point::ORIGIN + 3.0 * to_eye;
         prop_assert_eq!(look(&built(&scene), eye, target - eye), BACKGROUND);

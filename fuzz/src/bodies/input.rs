@@ -153,6 +153,7 @@ impl<'a> Input<'a> {
                 radius: self.number(),
                 smooth: self.byte() % 2 == 1,
                 bumps: 0.0,
+                accel: None,
             }
             .into(),
             _ => shapes::Kind::from(shapes::Sphere {

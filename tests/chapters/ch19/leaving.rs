@@ -70,13 +70,7 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
         }
         8.. => round_part(draw, size, center),
         _ => {
-            let sphere = TessellatedSphere {
-                horizontal: 9,
-                vertical: 6,
-                radius: size,
-                smooth: false,
-                bumps: 0.0,
-            };
+            let sphere = TessellatedSphere { radius: size, ..TessellatedSphere::new(9, 6, false) };
             (sphere.into(), Form::Convex, Point::ORIGIN)
         }
     }

@@ -197,8 +197,7 @@ fn faces_and_edges_of_boxes(rays: usize) {
 /// the list.
 fn instances_of_meshes(rays: usize) {
     let mut draw = Draw::new(2250);
-    let sphere =
-        TessellatedSphere { horizontal: 12, vertical: 8, radius: 0.3, smooth: false, bumps: 0.0 };
+    let sphere = TessellatedSphere { radius: 0.3, ..TessellatedSphere::new(12, 8, false) };
     let mesh: Arc<dyn Shape> = Arc::new(sphere.mesh().accelerated(Method::Bvh));
     let mut objects = Vec::new();
     for i in 0..60 {

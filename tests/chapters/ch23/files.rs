@@ -11,9 +11,7 @@ use crate::draw::Draw;
 /// written.
 #[test]
 fn the_three_encodings_of_ply_give_the_same_hits() {
-    let mesh =
-        TessellatedSphere { horizontal: 12, vertical: 8, radius: 1.3, smooth: true, bumps: 0.0 }
-            .mesh();
+    let mesh = TessellatedSphere { radius: 1.3, ..TessellatedSphere::new(12, 8, true) }.mesh();
     let mut data = MeshData {
         vertices: mesh.vertices().iter().map(|p| p.to_array()).collect(),
         triangles: mesh.triangles().to_vec(),

@@ -1,7 +1,5 @@
 //! Tessellated spheres against exact arithmetic, on rays that are hard for one of their triangles.
 
-use std::path::Path;
-
 use groundtruth::accel::Method;
 use groundtruth::math::Point;
 use groundtruth::shapes::{Context, Kind as Described, TessellatedSphere};
@@ -36,7 +34,8 @@ fn sphere(family: Family, seed: u64, index: usize) -> Option<Case> {
         _ => [3 + draw.below(40) as u32, few],
     };
     let bumps = if draw.coin() { draw.between(0.0, 0.9) } else { 0.0 };
-    let sphere = TessellatedSphere { horizontal, vertical, radius, smooth: false, bumps };
+    let accel = Some(METHODS[index % METHODS.len()]);
+    let sphere = TessellatedSphere { horizontal, vertical, radius, smooth: false, bumps, accel };
     let mesh = sphere.mesh();
     let corners = |triangle: &[u32; 3]| triangle.map(|i| mesh.vertices()[i as usize]);
     let pieces: Vec<Piece> = mesh.triangles().iter().map(|t| piece(corners(t))).collect();
@@ -44,8 +43,7 @@ fn sphere(family: Family, seed: u64, index: usize) -> Option<Case> {
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
     let name = format!("{family:?} seed {seed} index {index}");
-    let mut context = Context::new(Path::new(""), METHODS[index % METHODS.len()]);
-    let ours = Described::from(sphere).build(&mut context).ok()?;
+    let ours = Described::from(sphere).build(&mut Context::default()).ok()?;
     let answers: Vec<_> = pieces.iter().map(|piece| piece.answer(&ray)).collect();
     let exact = union(&answers, merged(&answers));
     Some(Case { name, ours, ray: against::ray(&ray), exact, condition: 1.0 })

@@ -14,7 +14,7 @@ use crate::draw::Draw;
 use crate::support::U;
 
 fn sphere(horizontal: u32, vertical: u32, smooth: bool) -> TriangleMesh {
-    TessellatedSphere { horizontal, vertical, radius: 1.0, smooth, bumps: 0.0 }.mesh()
+    TessellatedSphere::new(horizontal, vertical, smooth).mesh()
 }
 
 fn corners(mesh: &TriangleMesh, triangle: [u32; 3]) -> [Point; 3] {

@@ -9,8 +9,7 @@ use crate::draw::Draw;
 
 /// A tessellated sphere stretched along the axes and moved.
 fn sphere([h, v]: [u32; 2], stretch: Vector, shift: Vector) -> TriangleMesh {
-    let sphere =
-        TessellatedSphere { horizontal: h, vertical: v, radius: 1.0, smooth: false, bumps: 0.0 };
+    let sphere = TessellatedSphere::new(h, v, false);
     let mesh = sphere.mesh();
     let moved = |p: &Point| {
         let [x, y, z] = [0, 1, 2].map(|i| p.along(i) * stretch.along(i));
