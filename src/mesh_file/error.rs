@@ -179,17 +179,6 @@ pub enum MeshFileError {
         /// How many it may have.
         most: usize,
     },
-    /// Some corners of an OBJ file have a normal (texture coordinate), others have none.
-    #[error(
-        "line {line}: some corners have a {what}, others none; \
-         export the mesh again with one for all or for none"
-    )]
-    MixedCorners {
-        /// The first line that differs from the faces before it.
-        line: usize,
-        /// Normal or texture coordinate.
-        what: &'static str,
-    },
     /// More data than the header of a PLY file says.
     #[error(
         "{left} bytes are left over after the last element; \

@@ -29,9 +29,10 @@ pub use ply::{Encoding, parse_ply, write_ply};
 pub struct MeshData {
     /// Positions, finite.
     pub vertices: Vec<[f64; 3]>,
-    /// One for each vertex, as the file has them: finite, perhaps not unit.
+    /// One for each vertex, as the file has them: finite, perhaps not unit; zero where only others have
+    /// any.
     pub normals: Option<Vec<[f64; 3]>>,
-    /// Texture coordinates, one for each vertex, finite.
+    /// Texture coordinates, one for each vertex, finite; zero where only others have any.
     pub uvs: Option<Vec<[f64; 2]>>,
     /// Indices into `vertices`, wound as in the file; at least one triangle, and less than 2³².
     pub triangles: Vec<[u32; 3]>,

@@ -34,7 +34,7 @@ pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
                 face.clear();
                 for word in words {
                     let corner = parse_corner(line, word, before, points.counts())?;
-                    face.push(vertices.index_of(line, corner)?);
+                    face.push(vertices.index_of(corner)?);
                 }
                 faces.push(&face, || Place::Line(line))?;
             }
@@ -83,7 +83,7 @@ impl Points {
             match words.next() {
                 // what may follow, a weight or a colour, is not for us; nor is a third uvw
                 Some(b"v") => points.positions.push(numbers(line, ["x", "y", "z"], words)?),
-                Some(b"vt") => points.uvs.push(numbers(line, ["u", "v"], words)?),
+                Some(b"vt") => points.uvs.push(uv(line, words)?),
                 Some(b"vn") => points.normals.push(numbers(line, ["nx", "ny", "nz"], words)?),
                 _ => {}
             }
@@ -115,6 +115,17 @@ fn numbers<'a, const N: usize>(
         *value = number;
     }
     Ok(values)
+}
+
+/// A second coordinate that is left out is 0.
+fn uv<'a>(
+    line: usize,
+    mut words: impl Iterator<Item = &'a [u8]>,
+) -> Result<[f64; 2], MeshFileError> {
+    let [u] = numbers(line, ["u"], &mut words)?;
+    let mut rest = words.peekable();
+    let [v] = if rest.peek().is_some() { numbers(line, ["v"], rest)? } else { [0.0] };
+    Ok([u, v])
 }
 
 /// Places in the lists of positions, texture coordinates and normals, counted from 0.
@@ -178,16 +189,9 @@ struct Vertices {
 }
 
 impl Vertices {
-    fn index_of(&mut self, line: usize, corner: Corner) -> Result<u32, MeshFileError> {
+    fn index_of(&mut self, corner: Corner) -> Result<u32, MeshFileError> {
         if let Some(&index) = self.known.get(&corner) {
             return Ok(index);
-        }
-        // the first corner of the file decides for all
-        let first = self.corners.first().unwrap_or(&corner);
-        for (what, one, other) in [(KINDS[1], first.1, corner.1), (KINDS[2], first.2, corner.2)] {
-            if one.is_some() != other.is_some() {
-                return Err(MeshFileError::MixedCorners { line, what });
-            }
         }
         at_most_u32("vertices", self.corners.len() as u64 + 1)?;
         let index = self.corners.len() as u32;
@@ -200,10 +204,16 @@ impl Vertices {
         let corners = self.corners.iter();
         MeshData {
             vertices: corners.clone().map(|c| points.positions[c.0 as usize]).collect(),
-            // `None` for one corner is `None` for all
-            uvs: corners.clone().map(|c| c.1.map(|at| points.uvs[at as usize])).collect(),
-            normals: corners.map(|c| c.2.map(|at| points.normals[at as usize])).collect(),
+            uvs: of_any(corners.clone().map(|c| c.1.map(|at| points.uvs[at as usize]))),
+            normals: of_any(corners.map(|c| c.2.map(|at| points.normals[at as usize]))),
             ..MeshData::default()
         }
     }
+}
+
+/// If one corner has any, zeros for those that have none.
+fn of_any<const N: usize>(
+    all: impl Iterator<Item = Option<[f64; N]>> + Clone,
+) -> Option<Vec<[f64; N]>> {
+    all.clone().any(|one| one.is_some()).then(|| all.map(|one| one.unwrap_or([0.0; N])).collect())
 }

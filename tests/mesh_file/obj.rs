@@ -11,7 +11,7 @@ fn square(rest: &str) -> MeshData {
 }
 
 /// The corners of all triangles as points: what the file means, however vertices are numbered.
-fn soup(mesh: &MeshData) -> Vec<[[f64; 3]; 3]> {
+pub fn soup(mesh: &MeshData) -> Vec<[[f64; 3]; 3]> {
     mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i as usize])).collect()
 }
 
@@ -120,4 +120,16 @@ fn a_mark_of_utf_8_changes_nothing() {
         let marked = [b"\xef\xbb\xbf", bytes.as_slice()].concat();
         assert_eq!(parse_ply(&marked).unwrap(), pyramid(), "{encoding:?}");
     }
+}
+
+/// Law: a coordinate v that is left out is 0; and where only some corners have a normal or texture
+/// coordinates, the others have zeros. Oracle: by hand.
+#[test]
+fn what_corners_lack_is_zero() {
+    let mesh = square("vt 0.5\nvt 0.25 0.75\nvn 0 0 2\nf 1/1 2/2/1 3\n");
+    assert_eq!(mesh.vertices.len(), 3);
+    assert_eq!(mesh.uvs, Some(vec![[0.5, 0.0], [0.25, 0.75], [0.0, 0.0]]));
+    assert_eq!(mesh.normals, Some(vec![[0.0; 3], [0.0, 0.0, 2.0], [0.0; 3]]));
+    let plain = square("vt 0.5\nvn 0 0 2\nf 1 2 3\n");
+    assert_eq!((plain.uvs, plain.normals), (None, None));
 }

@@ -70,20 +70,6 @@ fn an_obj_index_of_nothing_says_what_there_is() {
 }
 
 #[test]
-fn obj_corners_with_and_without_a_normal_are_not_mixed() {
-    let v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
-    let again = "export the mesh again with one for all or for none";
-    assert_obj_error(
-        &format!("{v}f 1/1 2 3/1\n"),
-        &format!("line 6: some corners have a texture coordinate, others none; {again}"),
-    );
-    assert_obj_error(
-        &format!("{v}f 1 2 3\nf 1//1 2//1 3//1\n"),
-        &format!("line 7: some corners have a normal, others none; {again}"),
-    );
-}
-
-#[test]
 fn a_file_is_named_in_its_errors_and_chosen_by_its_extension() {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, bytes: &[u8]| {
