@@ -1,10 +1,18 @@
 //! Normals at vertices: the stand-alone smooth triangle, and meshes.
 
-use groundtruth::accel::Method;
-use groundtruth::math::{Normal, Point, Ray, Span, Vector};
-use groundtruth::shapes::{Context, Kind, Shape, Triangle, TriangleMesh};
+use std::f64::consts::FRAC_1_PI;
 
+use groundtruth::accel::Method;
+use groundtruth::lights::Directional;
+use groundtruth::materials::Matte;
+use groundtruth::math::{Normal, Point, Ray, Span, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
+use groundtruth::trace::RecordedOutcome;
+
+use crate::ch14::stage::{built, put, recorded, shine, stage};
 use crate::draw::Draw;
+use crate::support::U;
 
 const VERTICES: [Point; 3] =
     [Point::new(-1.0, -0.5, 0.25), Point::new(1.0, -0.75, 0.0), Point::new(0.25, 1.0, -0.25)];
@@ -96,4 +104,37 @@ fn a_normal_on_the_other_side_is_not_used() {
         }
     }
     assert!(beside > 50, "{beside}");
+}
+
+/// Law: near the outline of a smooth mesh, where the interpolated normal faces away from the viewer but
+/// the triangle does not, a matte surface is as bright as its interpolated normal says, as in the book,
+/// whose BRDF does not ask where the viewer is. Oracle: Lambert's cosine over π.
+#[test]
+fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
+    let mut draw = Draw::new(2333);
+    let mut away = 0;
+    for case in 0..20_000 {
+        let mut scene = stage(Rgb::BLACK);
+        let white = Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
+        put(&mut scene, TessellatedSphere::new(5, 4, true), white);
+        let sun: Vector = draw.direction().into();
+        shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: sun });
+        let to_eye = draw.direction();
+        // beside the middle, where the view grazes
+        let beside = to_eye.cross(draw.direction()).unit().expect("not parallel");
+        let target = Point::ORIGIN + draw.between(0.6, 1.0) * beside;
+        let tree = recorded(&built(&scene), target + 3.0 * to_eye, -Vector::from(to_eye));
+        let RecordedOutcome::Hit(hit) = tree.root().outcome else { continue };
+        let lit = hit.normal.dot(sun) > 0.0 && hit.shading.dot(sun) > 0.0;
+        if !lit || hit.shading.dot(to_eye) >= 0.0 {
+            continue;
+        }
+        let (seen, expected) = (tree.root().radiance.r, FRAC_1_PI * hit.shading.dot(sun));
+        assert!(
+            (seen - expected).abs() <= 16.0 * U,
+            "case {case}: {seen}, not {expected}: {hit:?}"
+        );
+        away += 1;
+    }
+    assert!(away > 300, "{away}");
 }
