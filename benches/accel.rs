@@ -1,4 +1,4 @@
-//! From how many objects on does the tree win against the list?
+//! From how many objects on do the grid and the tree win against the list?
 
 use std::hint::black_box;
 
@@ -52,11 +52,12 @@ fn rays() -> Vec<Ray> {
         .collect()
 }
 
-fn list_against_bvh(c: &mut Criterion) {
+fn list_grid_and_bvh(c: &mut Criterion) {
     let rays = rays();
     let mut group = c.benchmark_group("accel");
     for count in [1, 2, 4, 8, 16, 100, 1000, 10_000] {
-        for (name, method) in [("list", Method::List), ("bvh", Method::Bvh)] {
+        for (name, method) in [("list", Method::List), ("grid", Method::Grid), ("bvh", Method::Bvh)]
+        {
             if method == Method::List && count > LONGEST_LIST {
                 continue;
             }
@@ -68,5 +69,5 @@ fn list_against_bvh(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, list_against_bvh);
+criterion_group!(benches, list_grid_and_bvh);
 criterion_main!(benches);

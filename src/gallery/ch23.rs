@@ -10,19 +10,25 @@ use crate::scene::{Image, Material, Object, Scene};
 use crate::shapes::{Compound, Kind, Lattice, Part, TessellatedSphere};
 
 pub const SCENES: List = &[
-    ("ch23/flat-sphere", || tessellated(false)),
-    ("ch23/smooth-sphere", || tessellated(true)),
+    ("ch23/flat-sphere", || tessellated(10, 5, false)),
+    ("ch23/flat-sphere-4x2", || tessellated(4, 2, false)),
+    ("ch23/flat-sphere-100x50", || tessellated(100, 50, false)),
+    ("ch23/smooth-sphere", || tessellated(10, 5, true)),
     ("ch23/coarsest-sphere", coarsest),
     ("ch23/penguins", penguins),
     ("ch23/nested-grids", nested),
 ];
 
-fn tessellated(smooth: bool) -> Scene {
-    let about = match smooth {
-        false => "figure 23.1: a sphere of 10 × 5 steps, flat: every triangle shows",
-        true => "as figure 23.1, smooth: shaded as a sphere, but the outline is still a polygon",
+fn tessellated(horizontal: u32, vertical: u32, smooth: bool) -> Scene {
+    let about = match (horizontal, smooth) {
+        (4, _) => "figure 23.1: a sphere of 4 × 2 steps, flat: an octahedron",
+        (100, _) => "figure 23.1: a sphere of 100 × 50 steps, flat: its 9800 triangles hardly show",
+        (_, false) => "figure 23.1: a sphere of 10 × 5 steps, flat: every triangle shows",
+        (_, true) => {
+            "as figure 23.1, smooth: shaded as a sphere, but the outline is still a polygon"
+        }
     };
-    with_mesh(about, TessellatedSphere::new(10, 5, smooth))
+    with_mesh(about, TessellatedSphere::new(horizontal, vertical, smooth))
 }
 
 fn with_mesh(about: &str, shape: TessellatedSphere) -> Scene {
