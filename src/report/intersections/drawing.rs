@@ -33,10 +33,13 @@ fn explanation(data: &Data) -> String {
          the ray). Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
          surfaces of high degree and solids of many parts, whose truth takes long) in each of twelve \
          families: ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
-         tiny, huge and thin shapes, …). The truth is computed with 512 bits.</p>\n\
+         tiny, huge and thin shapes, …). The truth is computed with 512 bits. Compounds, rosettes, \
+         archways, lattices, random spheres and meshes have no formula of their own: they are hit \
+         where the first of their parts is.</p>\n\
          <p>An error is counted in units of u·cond: how far the distance moves if the input is \
          wrong in its last bit. An error of 1 is as good as any routine can promise, up to {ALLOWED} \
-         is good, and 10⁶ means that six digits are lost. A hit is <em>lost</em> if the nearest was \
+         is good, and 10⁶ means that six digits are lost. (Inside an instance, roundings count as much \
+         more as its matrix squeezes the wall that is hit.) A hit is <em>lost</em> if the nearest was \
          not found, and <em>wrong</em> if there was none to find; rays whose answer turns on the \
          rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. A \
          constant epsilon loses every hit that is nearer than it. Times are medians for one call on \
