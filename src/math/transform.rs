@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::exact::less_products;
 use super::functions::{cos_degrees, sin_degrees};
 use super::vectors::{Normal, Point, Vector};
-use super::{Aabb, Ray, lists};
+use super::{Aabb, Ray, UNIT_ROUNDOFF, lists};
 
 /// One step of a transformation, as a person types it: angles in degrees, counter-clockwise for an
 /// eye on the positive axis that looks at the origin.
@@ -56,6 +56,9 @@ pub struct Singular {
     /// Frobenius norm of the matrix times that of its inverse; infinite if there is none.
     pub condition: f64,
 }
+
+/// Inverses of matrices of larger condition would have too few correct digits.
+const MOST_CONDITION: f64 = 1e12;
 
 /// An affine map and its inverse. Points, vectors and normals each transform in their own way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,6 +110,32 @@ impl Step {
     }
 }
 
+/// The inverse of `m` to the last bits, by Newton's iteration from `x`; `None` if that is too far off.
+fn improved(m: DMat3, mut x: DMat3) -> Option<DMat3> {
+    /// Each doubles the digits that are right, of which there are 53.
+    const MOST_STEPS: usize = 8;
+    for _ in 0..MOST_STEPS {
+        let entry = |i: usize, j: usize| {
+            let identity = if i == j { 1.0 } else { 0.0 };
+            less_products(identity, m.row(i).to_array(), x.col(j).to_array())
+        };
+        let column = |j| DVec3::new(entry(0, j), entry(1, j), entry(2, j));
+        let residual = DMat3::from_cols(column(0), column(1), column(2));
+        if !residual.is_finite() {
+            return x.is_finite().then_some(x); // beyond the range of products without error
+        }
+        if frobenius(residual) >= 0.5 {
+            return None;
+        }
+        let step = x * residual;
+        x += step;
+        if frobenius(step) <= 4.0 * UNIT_ROUNDOFF * frobenius(x) {
+            return Some(x);
+        }
+    }
+    None
+}
+
 /// The inverse by cofactors, not finite if there is none. (glam's asserts instead.)
 fn inverse_of(m: DMat3) -> DMat3 {
     let rows = [m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis)];
@@ -153,7 +182,7 @@ impl Transform {
             let [forward, inverse] = step.matrices();
             Self { forward: forward * so_far.forward, inverse: so_far.inverse * inverse }
         });
-        whole.refined().invertible()
+        whole.refined()?.invertible()
     }
 
     /// This map after `first`.
@@ -166,30 +195,26 @@ impl Transform {
 
     fn invertible(self) -> Result<Self, Singular> {
         let condition = self.condition();
-        if condition <= 1e12 && self.forward.is_finite() && self.inverse.is_finite() {
+        if condition <= MOST_CONDITION && self.forward.is_finite() && self.inverse.is_finite() {
             Ok(self)
         } else {
             Err(Singular { condition: if condition.is_nan() { f64::INFINITY } else { condition } })
         }
     }
 
-    /// The product of the steps' inverses `X` is as good as the worst of them (a stretch undone by
-    /// a later one), and not quite the inverse of the rounded product `M` of the steps. A step of
-    /// Newton's iteration, `X + X (I − M X)`, makes it that.
-    fn refined(self) -> Self {
+    /// The product of the steps' inverses `X` is as good as the worst of them (a stretch undone by a
+    /// later one), and not quite the inverse of the rounded product `M` of the steps. Newton's
+    /// iteration, `X + X (I − M X)`, makes it that; from the inverse by cofactors if it is no beginning.
+    fn refined(self) -> Result<Self, Singular> {
         let (m, x) = (self.forward.matrix3, self.inverse.matrix3);
-        let entry = |i: usize, j: usize| {
-            let identity = if i == j { 1.0 } else { 0.0 };
-            less_products(identity, m.row(i).to_array(), x.col(j).to_array())
+        let cofactors = inverse_of(m);
+        let Some(matrix3) = improved(m, x).or_else(|| improved(m, cofactors)) else {
+            let condition = frobenius(m) * frobenius(x).max(frobenius(cofactors));
+            let known = condition > MOST_CONDITION;
+            return Err(Singular { condition: if known { condition } else { f64::INFINITY } });
         };
-        let column = |j| DVec3::new(entry(0, j), entry(1, j), entry(2, j));
-        let residual = DMat3::from_cols(column(0), column(1), column(2));
-        if !residual.is_finite() {
-            return self;
-        }
-        let matrix3 = x + x * residual;
-        let translation = -(matrix3 * self.forward.translation);
-        Self { inverse: DAffine3 { matrix3, translation }, ..self }
+        let translation = DVec3::ZERO - matrix3 * self.forward.translation;
+        Ok(Self { inverse: DAffine3 { matrix3, translation }, ..self })
     }
 
     /// Frobenius norm of the linear part times that of its inverse.

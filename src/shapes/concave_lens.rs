@@ -39,7 +39,8 @@ impl ConcaveLens {
             return Err(Invalid::field("min_distance", problem));
         }
         // as deep as the radius is a hemisphere, also where the thickness of one was rounded
-        if self.thickness * (1.0 - 4.0 * UNIT_ROUNDOFF) > self.min_distance + 2.0 * self.radius {
+        let rounding = (4.0 * UNIT_ROUNDOFF * self.thickness).min(1e-6 * self.radius);
+        if 0.5 * (self.thickness - self.min_distance) > self.radius + rounding {
             let [found, most] = [self.thickness, self.min_distance + 2.0 * self.radius].map(shown);
             let problem = format!(
                 "found {found}, but it must be at most {most}: hollows deeper than the radius would \

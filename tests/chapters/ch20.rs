@@ -192,12 +192,31 @@ proptest! {
         }
     }
 
-    /// Law: the inverse is that of the matrix there is, to a last bit of its largest entry. Oracle: the
-    /// adjugate over the determinant, in rational numbers.
+    /// Law: the inverse is that of the matrix there is, to a last bit of its largest entry, also of
+    /// stretches that later ones take back. Oracle: the adjugate over the determinant, in rational
+    /// numbers.
     #[test]
-    fn the_inverse_is_that_of_the_rounded_matrix(steps in steps(), stretch in 0.0..5.0_f64, degrees in 0.0..90.0_f64) {
-        let wild = Vector::new(1.0, groundtruth::math::power(10.0, -stretch), 1.0);
-        let wild = [Step::Scale(wild), Step::RotateX(degrees), Step::RotateZ(degrees)];
+    fn the_inverse_is_that_of_the_rounded_matrix(
+        steps in steps(),
+        (first, second, degrees) in (-5.0..5.0_f64, -5.0..5.0_f64, 0.0..90.0_f64),
+        undone in any::<bool>(),
+    ) {
+        let stretch = |exponent| Vector::new(1.0, groundtruth::math::power(10.0, exponent), 1.0);
+        let mut wild = vec![
+            Step::RotateZ(degrees),
+            Step::Scale(stretch(first)),
+            Step::RotateZ(0.7 * degrees),
+            Step::RotateX(degrees),
+        ];
+        if undone {
+            wild.insert(3, Step::Scale(stretch(second)));
+            wild.extend([
+                Step::RotateX(-degrees),
+                Step::Scale(stretch(-second)),
+                Step::RotateZ(-0.7 * degrees),
+                Step::Scale(stretch(-first)),
+            ]);
+        }
         let t = transform(&[&steps[..], &wild].concat());
         let exact = |x: f64| RBig::try_from(x).expect("finite");
         let [m, x] = [linear(&t), linear(&t.inverse())];

@@ -205,6 +205,34 @@ fn a_concave_lens_is_a_disk_without_two_balls() {
     }
 }
 
+/// Law: a lens ends at its rim to some 1e-14 of its radius, also where its hollows are so flat that no
+/// height tells that, and a ray just within meets both of them; hemispheres whose thickness was rounded
+/// are lenses, too. Oracle: the distance from the axis.
+#[test]
+fn the_hollows_of_flat_lenses_end_at_the_rim() {
+    let mut draw = Draw::new(1936);
+    for case in 0..4_000 {
+        let radius = draw.decades(-6.0, 6.0);
+        let min_distance = radius * draw.decades(-3.0, 3.0);
+        let deep = radius * if draw.coin() { draw.decades(-12.0, 0.0) } else { 1.0 };
+        let thickness = min_distance + 2.0 * deep;
+        if thickness == min_distance {
+            continue;
+        }
+        let lens = ConcaveLens { radius, thickness, min_distance, materials: Materials::new() };
+        let shape = built(&lens.clone().into());
+        let out: Vector = draw.direction().into();
+        let out = Vector::new(out.x(), 0.0, out.z()).unit().expect("not zero");
+        let by = draw.decades(-13.0, -3.0);
+        for side in [-1.0, 1.0] {
+            let at = radius * (1.0 + side * by);
+            let ray = Ray::new(Point::ORIGIN + at * out + 9.0 * thickness * Vector::Y, -Vector::Y);
+            let roots = shape.roots(&ray, Span::LINE).len();
+            assert_eq!(roots, if side < 0.0 { 2 } else { 0 }, "case {case}: {lens:?} {ray:?}");
+        }
+    }
+}
+
 /// Law: a cut face is hit where its inequalities hold, and its normal is up. Oracle: the point
 /// aimed at.
 #[test]
