@@ -31,8 +31,12 @@ impl GlossySpecular {
     }
 
     pub(super) fn f(&self, wo: Vector, wi: Vector) -> Rgb {
+        if wo.z() > 0.0 { self.f_outside(wo, wi) } else { Rgb::BLACK }
+    }
+
+    pub(super) fn f_outside(&self, wo: Vector, wi: Vector) -> Rgb {
         let cosine = mirrored(wi).dot(wo);
-        if wo.z() <= 0.0 || wi.z() <= 0.0 || cosine <= 0.0 {
+        if wi.z() <= 0.0 || cosine <= 0.0 {
             return Rgb::BLACK;
         }
         power(cosine, self.exponent) * self.reflectance

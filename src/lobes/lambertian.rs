@@ -27,7 +27,11 @@ impl Lambertian {
     }
 
     pub(super) fn f(&self, wo: Vector, wi: Vector) -> Rgb {
-        if wo.z() > 0.0 && wi.z() > 0.0 { FRAC_1_PI * self.reflectance } else { Rgb::BLACK }
+        if wo.z() > 0.0 { self.f_outside(wi) } else { Rgb::BLACK }
+    }
+
+    pub(super) fn f_outside(&self, wi: Vector) -> Rgb {
+        if wi.z() > 0.0 { FRAC_1_PI * self.reflectance } else { Rgb::BLACK }
     }
 
     pub(super) fn pdf(&self, wo: Vector, wi: Vector) -> f64 {

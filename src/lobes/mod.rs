@@ -123,6 +123,18 @@ macro_rules! lobes {
     };
 }
 
+impl Lobe {
+    /// [`Lobe::f`] for a viewer who is outside the true surface, also where an interpolated normal faces
+    /// away from him, near the outline of a smooth mesh: the book's formulas do not ask for his side.
+    pub fn f_outside(&self, wo: Vector, wi: Vector) -> Rgb {
+        match self {
+            Self::Lambertian(lobe) => lobe.f_outside(wi),
+            Self::GlossySpecular(lobe) => lobe.f_outside(wo, wi),
+            _ => self.f(wo, wi),
+        }
+    }
+}
+
 lobes! {
     ch13 lambertian::Lambertian "Lambertian",
     ch15 glossy_specular::GlossySpecular "glossy specular",

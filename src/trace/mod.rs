@@ -140,7 +140,12 @@ impl<R: Recorder> Tracing<'_, R> {
                 continue; // the light is behind the surface
             }
             let frame = Frame::around(n);
-            let f = lobe.f(side.viewer(&frame), frame.to_local(sample.direction));
+            let [wo, wi] = [side.wo, sample.direction].map(|w| frame.to_local(w));
+            let f = match side.cos_o > 0.0 {
+                true => lobe.f_outside(wo, wi),
+                false if wo.z() <= 0.0 => lobe.f(wo, wi),
+                false => Rgb::BLACK, // it only looks as if he were outside
+            };
             let weight = (cos_i / sample.pdf) * f;
             if !weight.is_black() {
                 weights.push((weight, lobe.name()));
@@ -248,16 +253,5 @@ impl<'a> Side<'a> {
 
     fn frame(&self, about: About) -> Frame {
         Frame::around(self.normal(about))
-    }
-
-    /// The direction to the viewer in a frame. He is on the side of the true surface that he sees: near
-    /// an outline, where an interpolated normal faces away from him, he looks along its plane.
-    fn viewer(&self, frame: &Frame) -> Vector {
-        let wo = frame.to_local(self.wo);
-        if wo.z() * self.cos_o > 0.0 {
-            return wo;
-        }
-        let along = Vector::new(wo.x(), wo.y(), 0.0).unit().unwrap_or(Vector::X);
-        along + f64::MIN_POSITIVE.copysign(self.cos_o) * Vector::Z
     }
 }

@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_1_PI;
 
 use groundtruth::accel::Method;
 use groundtruth::lights::Directional;
-use groundtruth::materials::Matte;
-use groundtruth::math::{Normal, Point, Ray, Span, Vector};
+use groundtruth::materials::Phong;
+use groundtruth::math::{Normal, Point, Ray, Span, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
 use groundtruth::trace::RecordedOutcome;
@@ -107,16 +107,19 @@ fn a_normal_on_the_other_side_is_not_used() {
 }
 
 /// Law: near the outline of a smooth mesh, where the interpolated normal faces away from the viewer but
-/// the triangle does not, a matte surface is as bright as its interpolated normal says, as in the book,
-/// whose BRDF does not ask where the viewer is. Oracle: Lambert's cosine over π.
+/// the triangle does not, a matte or glossy surface is as bright as its interpolated normal says, as in
+/// the book, whose BRDFs do not ask on which side of it the viewer is. Oracle: Lambert's cosine over π;
+/// Phong's `(r·ω_o)^e` times the cosine.
 #[test]
 fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
     let mut draw = Draw::new(2333);
-    let mut away = 0;
+    let (mut away, mut glossy) = (0, 0);
     for case in 0..20_000 {
         let mut scene = stage(Rgb::BLACK);
-        let white = Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
-        put(&mut scene, TessellatedSphere::new(5, 4, true), white);
+        let (kd, ks, exponent) = (draw.between(0.0, 1.0), draw.between(0.0, 1.0), 4.0);
+        let (cd, cs) = (Rgb::WHITE.into(), Rgb::WHITE.into());
+        let phong = Phong { ka: 0.0, kd, cd, ks, cs, exponent };
+        put(&mut scene, TessellatedSphere::new(5, 4, true), phong);
         let sun: Vector = draw.direction().into();
         shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: sun });
         let to_eye = draw.direction();
@@ -129,12 +132,17 @@ fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
         if !lit || hit.shading.dot(to_eye) >= 0.0 {
             continue;
         }
-        let (seen, expected) = (tree.root().radiance.r, FRAC_1_PI * hit.shading.dot(sun));
+        let cosine = hit.shading.dot(sun);
+        let r = (2.0 * cosine) * Vector::from(hit.shading) - sun;
+        let highlight = ks * power(r.dot(to_eye).max(0.0), exponent);
+        glossy += u32::from(highlight > 1e-3);
+        let expected = (FRAC_1_PI * kd + highlight) * cosine;
+        let seen = tree.root().radiance.r;
         assert!(
             (seen - expected).abs() <= 16.0 * U,
             "case {case}: {seen}, not {expected}: {hit:?}"
         );
         away += 1;
     }
-    assert!(away > 300, "{away}");
+    assert!(away > 300 && glossy > 20, "{away}, {glossy}");
 }
