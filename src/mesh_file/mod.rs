@@ -39,6 +39,9 @@ pub struct MeshData {
     /// For each triangle the number of the file's face that it is a part of, ascending; empty if all
     /// faces are triangles.
     pub faces: Vec<u32>,
+    /// For each vertex the first one of the same position of the file, where that tells positions
+    /// from corners; empty if no two vertices share one.
+    pub first_at: Vec<u32>,
 }
 
 /// Reads a `.ply` or `.obj` file; upper and lower case are the same.

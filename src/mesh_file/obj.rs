@@ -206,8 +206,16 @@ impl Vertices {
             vertices: corners.clone().map(|c| points.positions[c.0 as usize]).collect(),
             uvs: of_any(corners.clone().map(|c| c.1.map(|at| points.uvs[at as usize]))),
             normals: of_any(corners.map(|c| c.2.map(|at| points.normals[at as usize]))),
+            first_at: self.first_at(),
             ..MeshData::default()
         }
+    }
+
+    fn first_at(&self) -> Vec<u32> {
+        let mut first = HashMap::new();
+        let positions = self.corners.iter().zip(0..);
+        let all = positions.map(|(c, index)| *first.entry(c.0).or_insert(index)).collect();
+        if first.len() == self.corners.len() { Vec::new() } else { all }
     }
 }
 

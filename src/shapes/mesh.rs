@@ -14,6 +14,7 @@ use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitiv
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span};
+use crate::mesh_file::MeshData;
 
 /// The triangles of a PLY or OBJ file. A triangle's outside is from where its corners are seen
 /// counter-clockwise; but if the file has vertex normals, and they are on the other side of most of
@@ -78,7 +79,7 @@ impl Mesh {
             turn(&mut triangles);
         }
         let shading = self.smooth.then(|| {
-            let mut means = mean_normals(&vertices, &triangles, &data.faces);
+            let mut means = means_at_positions(&vertices, &triangles, &data);
             for (mean, normal) in means.iter_mut().zip(normals.into_iter().flatten()) {
                 *mean = normal.unwrap_or(*mean);
             }
@@ -96,6 +97,17 @@ impl Mesh {
         }
         Ok(Arc::new(mesh.accelerated(self.accel.unwrap_or(context.accel()))))
     }
+}
+
+/// The means of all faces at a position, also where they have different texture coordinates there, or
+/// where only some have a normal.
+fn means_at_positions(vertices: &[Point], triangles: &[[u32; 3]], data: &MeshData) -> Vec<Normal> {
+    let Some(first) = Some(&data.first_at).filter(|first| !first.is_empty()) else {
+        return mean_normals(vertices, triangles, &data.faces);
+    };
+    let at_first: Vec<_> = triangles.iter().map(|t| t.map(|i| first[i as usize])).collect();
+    let means = mean_normals(vertices, &at_first, &data.faces);
+    first.iter().map(|&i| means[i as usize]).collect()
 }
 
 /// Triangles on shared vertices. Triangles of area zero are left out: no ray meets them.

@@ -150,6 +150,40 @@ fn a_normal_of_zero_in_a_file_is_the_mean() {
     }
 }
 
+/// Law: an OBJ file's faces meet smoothly at a position, whatever texture coordinates they have there,
+/// and also where only others have a normal. Oracle: the file without any, bit for bit.
+#[test]
+fn texture_coordinates_and_some_normals_make_no_crease() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut points = String::new();
+    for i in 0..8 {
+        let [x, y, z] = [1, 2, 4].map(|bit| if i & bit == 0 { -1 } else { 1 });
+        points += &format!("v {x} {y} {z}\n");
+    }
+    points += "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 1 0\n";
+    let faces =
+        [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]];
+    let cube = |corner: &dyn Fn(usize, usize, u32) -> String| {
+        let face = |(i, face): (usize, &[u32; 4])| {
+            let corners = (0..4).map(|j| format!(" {}", corner(i, j, face[j])));
+            format!("f{}\n", corners.collect::<String>())
+        };
+        let text = points.clone() + &faces.iter().enumerate().map(face).collect::<String>();
+        looks(&saved(folder.path(), "cube.obj", text.as_bytes()))
+    };
+    let plain = cube(&|_, _, v| format!("{v}"));
+    assert_eq!(cube(&|_, j, v| format!("{v}/{}", j + 1)), plain);
+    // the fourth face is the top
+    let flat_top = cube(&|i, _, v| if i == 3 { format!("{v}//1") } else { format!("{v}") });
+    let mut tops = 0;
+    for (with, without) in flat_top.into_iter().zip(plain) {
+        let is_top = with[1] == Vector::Y;
+        assert_eq!(with[2], if is_top { Vector::Y } else { without[2] });
+        tops += u32::from(is_top);
+    }
+    assert!((10..190).contains(&tops), "{tops}");
+}
+
 /// Law: a face of the file counts once in the means of its vertices, whatever triangles it is split
 /// into. Oracle: a cube's corners by hand, and a prism's rim, where a wall meets a wall and a cap.
 #[test]
