@@ -215,7 +215,7 @@ pub(crate) fn plain_words(message: &str) -> String {
         }
     }
     if message.contains("recursion limit") || message.contains("max recursion depth") {
-        return format!("nested too deeply: at most {MAX_NESTING} shapes fit in one another");
+        return format!("nested too deeply (of shapes, at most {MAX_NESTING} fit in one another)");
     }
     if message.starts_with("wanted exactly 1 element") {
         return "exactly one kind is needed here, as `kind = { … }`".to_owned();

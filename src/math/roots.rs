@@ -52,7 +52,8 @@ pub fn circle_roots([fx, fy]: [f64; 2], [dx, dy]: [f64; 2], r: f64) -> Option<[f
 /// When [`bracketed_root`] is content; zero for the last bit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tolerance {
-    /// A value that may be nothing but rounding, of a function whose second derivative is at most 2.
+    /// A value that may be nothing but rounding, of a function that curves like a square of distance:
+    /// by a second derivative of some 2.
     pub(crate) value: f64,
     /// A step that is too small to matter.
     pub(crate) step: f64,
@@ -84,7 +85,7 @@ pub(crate) fn bracketed_root(
         let shorter = (newton - x).abs() <= 0.5 * last_step;
         let good = inside(newton, below, above) && shorter;
         if value.abs() <= tolerance.value {
-            // a step of δ leaves a value of at most δ², so a long one from where it is flat leaves more
+            // a step of δ leaves a value of some δ², so a long one, from where it is flat, leaves more
             let better = good && value.abs() <= slope * slope;
             return if better { newton } else { x };
         }

@@ -88,7 +88,7 @@ pub(super) fn check_bevel(
         let [found, least, largest] = [bevel, least, largest].map(shown);
         let problem = format!(
             "found {found}, but beside lengths of {largest} only {least} and more can be told from a \
-             sharp edge"
+             sharp edge: take a larger one, or a solid without"
         );
         return Err(Invalid::field("bevel", problem));
     }
