@@ -42,18 +42,18 @@ impl SphericalCap {
         if self.mirrored { Vector::new(v.x(), -v.y(), v.z()) } else { v }
     }
 
-    /// The sphere is `κ p² = 2 p_y`. From `m`, where the line is nearest to the middle, so that
-    /// `m·d = 0`, it is met at `κ d² τ² − 2 d_y τ + κ m² − 2 m_y = 0`.
+    /// The sphere is `κ p² = 2 p_y`, so it is met at `κ d² t² + 2 (κ o·d − d_y) t + κ o² − 2 o_y = 0`.
+    /// The discriminant is taken without the parts of `κ² (o·d)² − κ² d² o²` and of `d²` that cancel.
     #[inline(always)] // as the roots it calls
     fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let (o, d) = (self.upright(ray.origin), self.unmirrored(ray.direction));
-        let square = d.length_squared();
-        let nearest = -o.dot(d) / square;
-        let m = o + nearest * d;
-        let a = self.curvature * square;
-        let c = self.curvature * m.length_squared() - 2.0 * m.y();
-        let roots = quadratic(a, -d.y(), c, d.y() * d.y() - a * c)?;
-        Some(roots.map(|from_there| nearest + from_there))
+        let k = self.curvature;
+        let (level_o, level_d) = (o.across_y(), d.across_y());
+        let rise = o.y() * level_d.length_squared() - d.y() * level_o.dot(level_d);
+        let across = k * o.cross(d);
+        let discriminant = d.y() * d.y() + (2.0 * k * rise - across.length_squared());
+        let c = k * o.length_squared() - 2.0 * o.y();
+        quadratic(k * d.length_squared(), k * o.dot(d) - d.y(), c, discriminant)
     }
 
     /// The sine of the angle beyond the rim, from differences to the rim itself: neither the height,
@@ -85,7 +85,7 @@ impl Shape for SphericalCap {
         }
         let normal = normal_along(self.unmirrored(gradient(p)), ray);
         let point = Point::ORIGIN + self.unmirrored(p + self.heights[0] * Vector::Y);
-        // a next ray's hits are measured from where it is nearest to the middle: no farther off
+        // a next ray's hits are measured from the middle
         let magnitude = point.to_vector().abs().dot(Vector::from(normal).abs());
         let error = UNIT_ROUNDOFF * (16.0 * p.length() + 4.0 * magnitude);
         Surface::new(point, error, normal)
