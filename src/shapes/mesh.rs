@@ -102,9 +102,10 @@ impl Mesh {
 /// The means of all faces at a position, also where they have different texture coordinates there, or
 /// where only some have a normal.
 fn means_at_positions(vertices: &[Point], triangles: &[[u32; 3]], data: &MeshData) -> Vec<Normal> {
-    let Some(first) = Some(&data.first_at).filter(|first| !first.is_empty()) else {
+    let first = &data.first_at;
+    if first.is_empty() {
         return mean_normals(vertices, triangles, &data.faces);
-    };
+    }
     let at_first: Vec<_> = triangles.iter().map(|t| t.map(|i| first[i as usize])).collect();
     let means = mean_normals(vertices, &at_first, &data.faces);
     first.iter().map(|&i| means[i as usize]).collect()

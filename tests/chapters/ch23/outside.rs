@@ -150,16 +150,21 @@ fn a_normal_of_zero_in_a_file_is_the_mean() {
     }
 }
 
+/// As lines of an OBJ file.
+fn corners_of_a_cube() -> String {
+    let corner = |i: usize| {
+        let [x, y, z] = [1, 2, 4].map(|bit| if i & bit == 0 { -1 } else { 1 });
+        format!("v {x} {y} {z}\n")
+    };
+    (0..8).map(corner).collect()
+}
+
 /// Law: an OBJ file's faces meet smoothly at a position, whatever texture coordinates they have there,
 /// and also where only others have a normal. Oracle: the file without any, bit for bit.
 #[test]
 fn texture_coordinates_and_some_normals_make_no_crease() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut points = String::new();
-    for i in 0..8 {
-        let [x, y, z] = [1, 2, 4].map(|bit| if i & bit == 0 { -1 } else { 1 });
-        points += &format!("v {x} {y} {z}\n");
-    }
+    let mut points = corners_of_a_cube();
     points += "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 1 0\n";
     let faces =
         [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]];
@@ -189,11 +194,7 @@ fn texture_coordinates_and_some_normals_make_no_crease() {
 #[test]
 fn a_polygon_counts_once_in_means() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut cube = String::new();
-    for i in 0..8 {
-        let [x, y, z] = [1, 2, 4].map(|bit| if i & bit == 0 { -1 } else { 1 });
-        cube += &format!("v {x} {y} {z}\n");
-    }
+    let mut cube = corners_of_a_cube();
     cube += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
     let mesh = saved(folder.path(), "cube.obj", cube.as_bytes());
     for [point, _, shading] in looks(&mesh) {
