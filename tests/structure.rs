@@ -109,9 +109,11 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     (
         "verify",
         &[
+            "accel",
             "cameras",
             "film",
             "gallery",
+            "kinds",
             "lights",
             "materials",
             "math",

@@ -46,14 +46,14 @@ impl Aabb {
         (0..3).all(|i| self.min.along(i) <= p.along(i) && p.along(i) <= self.max.along(i))
     }
 
-    /// Whether the ray's line may meet the box: always where it does, and also where it passes by
-    /// within some roundings.
+    /// Whether the ray may meet the box beyond `start`: always where it does, and also where it passes
+    /// by, or ends before, within some roundings.
     ///
     /// Each end of a slab is wrong by up to γ₃ of itself, so the exit is moved on by more than twice
     /// that (Ize, "Robust BVH Ray Traversal", JCGT 2013). A ray in the plane of a face (NaN, from
     /// `0·∞`) is inside that slab.
-    pub fn may_meet(&self, ray: &Ray) -> bool {
-        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+    pub fn may_meet(&self, ray: &Ray, start: f64) -> bool {
+        let (mut enter, mut leave) = (start, f64::INFINITY);
         for axis in 0..3 {
             let (o, inverse) = (ray.origin.along(axis), 1.0 / ray.direction.along(axis));
             let low = (self.min.along(axis) - o) * inverse;

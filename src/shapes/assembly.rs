@@ -62,10 +62,7 @@ pub fn smooth_solid(
         let material = materials.get(*name).map(String::as_str);
         PartData { name, material, shape }
     });
-    let mut assembly = Assembly::build("parts", parts, accel, context)?;
-    if accel.is_none() && assembly.parts.len() <= FEW {
-        assembly.accel = None; // walls and disks are hit inside their own boxes only: no rule is needed
-    }
+    let assembly = Assembly::build("parts", parts, accel, context)?;
     Ok(Arc::new(Assembly { least_error, ..assembly }))
 }
 
@@ -75,7 +72,8 @@ pub struct Assembly {
     parts: Vec<Part>,
     /// The number of each part's first leaf, and of all leaves.
     leaves: Vec<u64>,
-    /// All parts are tried in turn if `None`.
+    /// All parts are tried in turn if `None`. (A list says the same, but for rays from so far off that
+    /// a part is hit beside its own box, where all methods must agree; few parts need none of that.)
     accel: Option<Accel>,
     bounds: Aabb,
     /// A hit's error is at least this.
@@ -124,10 +122,11 @@ impl Assembly {
             leaves.push(next);
         }
         let bounds: Vec<Aabb> = parts.iter().map(|part| part.bounds).collect();
-        let few = if parts.len() <= FEW { Method::List } else { context.accel() };
+        let few = accel.is_none() && parts.len() <= FEW;
+        let method = accel.unwrap_or(context.accel());
         Ok(Self {
             bounds: bounds.iter().fold(Aabb::EMPTY, |all, &part| all.union(part)),
-            accel: Some(Accel::build(accel.unwrap_or(few), &bounds)),
+            accel: (!few).then(|| Accel::build(method, &bounds)),
             parts,
             leaves,
             least_error: 0.0,
@@ -204,7 +203,7 @@ impl Primitives for Seen<'_> {
 
 impl Shape for Assembly {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        if !self.bounds.may_meet(ray) {
+        if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
         match &self.accel {
@@ -214,7 +213,7 @@ impl Shape for Assembly {
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        if !self.bounds.may_meet(ray) {
+        if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
         let seen = Seen { parts: &self.parts, ray };
@@ -239,7 +238,7 @@ impl Shape for Assembly {
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
         // what `hit` does not count is no root
-        if !self.bounds.may_meet(ray) {
+        if !self.bounds.may_meet(ray, span.min) {
             return roots;
         }
         for (part, first) in self.parts.iter().zip(&self.leaves) {

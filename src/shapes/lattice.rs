@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::instance::{bounds_seen_through, surface_seen_through};
+use super::instance::surface_seen_through;
 use super::{Candidate, Context, Kind, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, finite_vector};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, Transform, Vector, lists};
+use crate::math::{Aabb, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, lists};
 
 /// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
 /// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
@@ -69,8 +69,7 @@ impl Specification for Lattice {
         let places = Places { counts: self.counts, spacing };
         let inner = shape.bounds();
         let copies = 0..copies as u32;
-        let bounds: Vec<Aabb> =
-            copies.map(|copy| bounds_seen_through(&places.of(copy), &inner)).collect();
+        let bounds: Vec<Aabb> = copies.map(|copy| places.bounds(copy, &inner)).collect();
         Ok(Arc::new(Built {
             accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
             bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
@@ -105,13 +104,30 @@ impl Specification for Lattice {
 }
 
 impl Places {
-    /// Where the copy of this number stands; the first index runs fastest.
-    fn of(&self, copy: u32) -> Transform {
+    /// By how much the copy of this number is moved; the first index runs fastest.
+    fn shift(&self, copy: u32) -> Vector {
         let [columns, rows, _] = self.counts;
         let [i, j, k] =
             [copy % columns, copy / columns % rows, copy / columns / rows].map(f64::from);
         let [x, y, z] = self.spacing.to_array();
-        Transform::translation(Vector::new(i * x, j * y, k * z))
+        Vector::new(i * x, j * y, k * z)
+    }
+
+    /// The ray as the copy sees it where it was copied from.
+    fn ray_back(&self, copy: u32, ray: &Ray) -> Ray {
+        Ray::new(ray.origin - self.shift(copy), ray.direction)
+    }
+
+    /// What [`super::instance::bounds_seen_through`] says of a translation, in a tenth of its time: the sizes of both
+    /// corners' coordinates, here and there, bound the roundings.
+    fn bounds(&self, copy: u32, inner: &Aabb) -> Aabb {
+        let shift = self.shift(copy);
+        let sizes = |corner: Point| {
+            let there = (corner + shift).to_vector();
+            corner.to_vector().abs() + shift.abs() + (there.abs() + shift.abs())
+        };
+        let pad = 16.0 * UNIT_ROUNDOFF * sizes(inner.min).max(sizes(inner.max));
+        Aabb { min: inner.min + shift - pad, max: inner.max + shift + pad }
     }
 
     fn number(&self) -> u32 {
@@ -127,16 +143,16 @@ struct Seen<'a> {
 
 impl Primitives for Seen<'_> {
     fn hit(&self, copy: u32, span: Span) -> Option<Candidate> {
-        self.lattice.shape.hit(&self.lattice.places.of(copy).ray_back(self.ray), span)
+        self.lattice.shape.hit(&self.lattice.places.ray_back(copy, self.ray), span)
     }
 
     fn shadow_hit(&self, copy: u32, span: Span) -> Option<Candidate> {
-        let ray = self.lattice.places.of(copy).ray_back(self.ray);
+        let ray = self.lattice.places.ray_back(copy, self.ray);
         self.lattice.shape.shadow_hit(&ray, span).map(Candidate::at)
     }
 
     fn bounds(&self, copy: u32) -> Aabb {
-        bounds_seen_through(&self.lattice.places.of(copy), &self.lattice.inner)
+        self.lattice.places.bounds(copy, &self.lattice.inner)
     }
 }
 
@@ -152,7 +168,8 @@ impl Shape for Built {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let (copy, leaf) = ((at.leaf / self.leaves) as u32, at.leaf % self.leaves);
-        surface_seen_through(&self.places.of(copy), &*self.shape, ray, &Candidate { leaf, ..*at })
+        let place = Transform::translation(self.places.shift(copy));
+        surface_seen_through(&place, &*self.shape, ray, &Candidate { leaf, ..*at })
     }
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
@@ -165,7 +182,7 @@ impl Shape for Built {
         for copy in 0..self.places.number() {
             // what `hit` does not count is no root
             let Some(counts) = self.accel.counting(&seen.bounds(copy), ray) else { continue };
-            let within = self.shape.roots(&self.places.of(copy).ray_back(ray), span).into_iter();
+            let within = self.shape.roots(&self.places.ray_back(copy, ray), span).into_iter();
             let first = u64::from(copy) * self.leaves;
             let within = within.filter(|at| counts(at.t));
             roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));

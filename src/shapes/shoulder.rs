@@ -80,7 +80,7 @@ impl Shoulder {
     }
 
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        let meets = self.bounds().padded().may_meet(ray);
+        let meets = self.bounds().padded().may_meet(ray, span.min);
         let line = if meets { Line::new(ray) } else { None };
         let crossings = line.as_ref().map(|line| self.crossings(line)).unwrap_or_default();
         crossings.into_iter().filter_map(move |s| {

@@ -204,7 +204,7 @@ impl Torus {
         bounds: &Aabb,
         wanted: impl Fn(Vector) -> bool,
     ) -> impl Iterator<Item = Candidate> {
-        let line = if bounds.may_meet(ray) { Line::new(ray) } else { None };
+        let line = if bounds.may_meet(ray, span.min) { Line::new(ray) } else { None };
         let brackets = line.as_ref().map(|line| self.brackets(line)).unwrap_or_default();
         brackets.into_iter().filter_map(move |bracket| {
             let line = line.as_ref()?;

@@ -8,7 +8,11 @@
 
 use std::sync::Arc;
 
-use crate::math::{Point, Ray, Step, Transform, UNIT_ROUNDOFF, Vector, atan2, to_degrees};
+use oracle::hard::Family;
+
+use crate::math::{
+    Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector, atan2, power_of_two, to_degrees,
+};
 use crate::shapes::{self, Context, Instance};
 
 /// Answers that a smaller relative change of the input would turn may be wrong.
@@ -58,6 +62,18 @@ pub fn normal_error(
 /// The library's ray of the same numbers.
 pub fn ray(exact: &oracle::Ray) -> Ray {
     Ray::new(Point::from(exact.origin), Vector::from(exact.direction))
+}
+
+/// Where hits of a family's ray are asked for: ahead. Of rays that start on the surface only from a
+/// millionth of the shape's size on, as it hangs on rounding whether the start itself is hit; that rays
+/// leave it is a law of its own.
+pub fn span(family: Family, shape: &dyn shapes::Shape, ray: &Ray) -> Span {
+    if family != Family::OnSurface {
+        return Span::AHEAD;
+    }
+    let size = shape.bounds().extent().length();
+    let size = if size.is_finite() { size } else { 1.0 };
+    Span { min: size * power_of_two(-20) / ray.direction.length(), ..Span::AHEAD }
 }
 
 /// The library's shape of the same data; `None` where it refuses them.
@@ -211,10 +227,12 @@ pub fn steps(matrix: &[[f64; 4]; 3]) -> Option<Vec<Step>> {
     // trace
     let axis = Vector::new(y.z() - z.y(), z.x() - x.z(), x.y() - y.x());
     let angle = atan2(axis.length(), x.x() + y.y() + z.z() - 1.0);
-    Some(vec![
-        Step::Shear(shear),
-        Step::Scale(Vector::new(sx, sy, sz)),
-        Step::RotateAbout { point: Point::ORIGIN, direction: axis, degrees: to_degrees(angle) },
-        Step::Translate(shift),
-    ])
+    let turn =
+        Step::RotateAbout { point: Point::ORIGIN, direction: axis, degrees: to_degrees(angle) };
+    let mut steps = vec![Step::Shear(shear), Step::Scale(Vector::new(sx, sy, sz))];
+    if angle > 0.0 {
+        steps.push(turn);
+    }
+    steps.push(Step::Translate(shift));
+    Some(steps)
 }

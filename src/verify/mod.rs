@@ -24,6 +24,7 @@ pub mod compare;
 pub mod correlation;
 pub mod golden;
 pub mod ks;
+pub mod many;
 pub mod means;
 mod quantile;
 pub mod review;
@@ -31,6 +32,7 @@ pub mod significance;
 pub mod slope;
 pub mod textbook;
 
+mod draw;
 // what goldens are made of
 mod error;
 mod view;
@@ -42,6 +44,7 @@ mod many_seeds;
 #[cfg(test)]
 mod planted;
 
+pub use draw::Draw;
 pub use error::GoldenError;
 pub use quantile::quantile;
 pub use view::View;

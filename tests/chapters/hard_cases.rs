@@ -12,9 +12,10 @@ use groundtruth::accel::{Accel, Method, Primitives};
 use groundtruth::math::{Aabb, Ray, Span, Vector};
 use groundtruth::shapes::{self, Candidate};
 use groundtruth::verify::against::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
-pub use groundtruth::verify::against::{Pair, instanced, pair, steps};
+pub use groundtruth::verify::against::{Pair, instanced, pair};
+use groundtruth::verify::{against, many};
+use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
-use oracle::{Answer, Root};
 
 use crate::support::U;
 
@@ -71,95 +72,77 @@ pub fn sweep_as(
         numbered.map(move |(index, case)| (family, index, case))
     });
     let mut refused = 0;
-    judge_all(families.filter_map(|(family, index, (shape, ray))| {
+    judge_cases(families.filter_map(|(family, index, (shape, ray))| {
         let name = format!("{kind:?} {family:?} seed {seed} index {index}");
         let changed = change(&shape, &ray, index);
         refused += usize::from(changed.is_none());
-        changed.map(|(pair, ray)| (name, pair, ray))
+        changed.map(|(pair, ray)| Case::of(name, family, pair, &ray))
     }));
     assert!(refused <= count / 10, "{refused} shapes were refused");
 }
 
 /// A ray, a shape, and what is known of them.
-pub struct Case {
-    pub name: String,
-    pub ours: Arc<dyn shapes::Shape>,
-    pub ray: Ray,
-    pub exact: Answer,
+struct Case {
+    name: String,
+    ours: Arc<dyn shapes::Shape>,
+    ray: Ray,
+    /// Where hits are asked for.
+    span: Span,
+    exact: Answer,
     /// Of an instance's matrix.
-    pub condition: f64,
+    condition: f64,
 }
 
-/// A root, and which of several shapes it is of.
-pub type Of = (usize, Root);
-
-/// The roots of several shapes that are one, ascending.
-pub fn merged(answers: &[Answer]) -> Vec<Of> {
-    let of_shape =
-        |(i, answer): (usize, &Answer)| answer.roots.clone().into_iter().map(move |root| (i, root));
-    let mut roots: Vec<Of> = answers.iter().enumerate().flat_map(of_shape).collect();
-    roots.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
-    roots
-}
-
-/// The answer for several shapes that are one and have these roots. It is open, with a margin of 0,
-/// where roots of two shapes are so close that rounding may change their order.
-pub fn union(answers: &[Answer], roots: Vec<Of>) -> Answer {
-    let doubt = |root: &Root| ALLOWED * U * root.squeeze * root.cond.max(root.t.abs());
-    let is_open = |pair: &[Of]| {
-        let [(i, a), (j, b)] = [&pair[0], &pair[1]];
-        i != j && b.t - a.t <= doubt(a) + doubt(b)
-    };
-    let margin = answers.iter().map(|answer| answer.margin).fold(f64::INFINITY, f64::min);
-    let margin = if roots.windows(2).any(is_open) { 0.0 } else { margin };
-    Answer { roots: roots.into_iter().map(|(_, root)| root).collect(), margin }
-}
-
-/// One of many shapes that are one, and half-spaces around it.
-pub struct Piece {
-    pub exact: oracle::Shape,
-    /// `n` and `d` of unit length of all with `n·p ≤ d`.
-    pub within: Vec<(Vector, f64)>,
-    /// The farthest of its points from the origin.
-    pub reach: f64,
-}
-
-impl Piece {
-    /// A shape in a box.
-    pub fn boxed(exact: oracle::Shape, [min, max]: [[f64; 3]; 2]) -> Self {
-        let axes = [Vector::X, Vector::Y, Vector::Z].into_iter().zip(min.into_iter().zip(max));
-        let within = axes.flat_map(|(axis, (low, high))| [(-axis, -low), (axis, high)]).collect();
-        let reach = [min, max].map(|corner| Vector::from(corner).length());
-        Self { exact, within, reach: reach[0].max(reach[1]) }
+impl Case {
+    fn of(
+        name: String,
+        family: Family,
+        Pair { ours, exact }: Pair,
+        exact_ray: &oracle::Ray,
+    ) -> Self {
+        let ray = against::ray(exact_ray);
+        let span = against::span(family, &*ours, &ray);
+        let condition = exact.condition();
+        let exact = oracle::intersect_beyond(&exact, exact_ray, span.min);
+        Self { name, ours, ray, span, exact, condition }
     }
+}
 
-    /// The exact answer. A ray that passes the half-spaces by, and does so wherever a relative change
-    /// by 1e-11 may move it and the piece, is not asked: it is farther from them than the rounding here.
-    pub fn answer(&self, exact: &oracle::Ray) -> Answer {
-        const MARGIN: f64 = 1e-11;
-        let ray = groundtruth::verify::against::ray(exact);
-        let more = 4.0 * MARGIN * (Vector::from(exact.origin).length() + self.reach);
-        let (mut from, mut to) = (0.0_f64, f64::INFINITY);
-        for &(normal, d) in &self.within {
-            let (room, speed) =
-                (d + more - normal.dot(ray.origin.to_vector()), normal.dot(ray.direction));
-            if speed > 0.0 {
-                to = to.min(room / speed);
-            } else if speed < 0.0 {
-                from = from.max(room / speed);
-            } else if room < 0.0 {
-                to = -1.0;
-            }
-        }
-        if from > to {
-            return Answer { roots: Vec::new(), margin: MARGIN };
-        }
-        oracle::intersect(&self.exact, exact)
-    }
+/// How a shape of many may search them; `None` as it would by itself.
+const METHODS: [Option<Method>; 4] =
+    [None, Some(Method::List), Some(Method::Grid), Some(Method::Bvh)];
+
+/// Judges `count` cases of each family of a shape made of many, so many in a row by each method.
+pub fn sweep_many(kind: many::Kind, seed: u64, count: usize, in_a_row: usize) {
+    sweep_many_as(kind, seed, count, in_a_row, |case, _| Some(case));
+}
+
+/// As [`sweep_many`], each case turned into another by `change`, which also gets its number.
+pub fn sweep_many_as(
+    kind: many::Kind,
+    seed: u64,
+    count: usize,
+    in_a_row: usize,
+    change: impl Fn(many::Case, usize) -> Option<many::Case>,
+) {
+    judge_families(count, |family, index| {
+        let accel = METHODS[index / in_a_row % METHODS.len()];
+        let case = change(kind.case(family, seed, index, accel)?, index)?;
+        let (ours, ray) = (case.build()?, against::ray(&case.ray));
+        let span = against::span(family, &*ours, &ray);
+        Some(Case {
+            name: format!("{kind:?} {family:?} seed {seed} index {index}"),
+            exact: case.answer(span.min),
+            condition: case.condition(),
+            ours,
+            ray,
+            span,
+        })
+    });
 }
 
 /// Judges `count` cases of each family; `None` is one that the library refuses.
-pub fn judge_families(count: usize, case: impl Fn(Family, usize) -> Option<Case>) {
+fn judge_families(count: usize, case: impl Fn(Family, usize) -> Option<Case>) {
     let mut refused = 0;
     let all = Family::ALL.into_iter().flat_map(|family| (0..count).map(move |i| (family, i)));
     judge_cases(all.filter_map(|(family, index)| {
@@ -172,17 +155,11 @@ pub fn judge_families(count: usize, case: impl Fn(Family, usize) -> Option<Case>
 
 /// Judges named shapes; see [`judge_cases`].
 pub fn judge_all(cases: impl Iterator<Item = (String, Pair, oracle::Ray)>) {
-    judge_cases(cases.map(|(name, Pair { ours, exact }, ray)| Case {
-        name,
-        ours,
-        condition: exact.condition(),
-        exact: oracle::intersect(&exact, &ray),
-        ray: groundtruth::verify::against::ray(&ray),
-    }));
+    judge_cases(cases.map(|(name, pair, ray)| Case::of(name, Family::Ordinary, pair, &ray)));
 }
 
 /// Judges cases; fails with the worst of them, or if too few have an answer to judge.
-pub fn judge_cases(cases: impl Iterator<Item = Case>) {
+fn judge_cases(cases: impl Iterator<Item = Case>) {
     let mut worst = Worst::default();
     for case in cases {
         worst.judge(&case);
@@ -193,26 +170,19 @@ pub fn judge_cases(cases: impl Iterator<Item = Case>) {
 }
 
 impl Worst {
-    fn judge(&mut self, Case { name, ours, ray, exact: answer, condition }: &Case) {
-        let found = ours.roots(ray, Span::AHEAD);
+    fn judge(&mut self, Case { name, ours, ray, span, exact: answer, condition }: &Case) {
         self.cases += 1;
         let mut fail = |problem: String| self.failures.push(format!("{name}: {problem}"));
-
-        let nearest = ours.hit(ray, Span::AHEAD);
-        if nearest != found.first().copied() {
-            fail(format!("hit {nearest:?}, but roots {found:?}"));
-        }
-        if ours.shadow_hit(ray, Span::AHEAD).is_some() != nearest.is_some() {
-            fail("hit and shadow differ".to_owned());
-        }
-        let ascending = found.windows(2).all(|pair| pair[0].t <= pair[1].t);
-        if !ascending || found.iter().any(|hit| !(hit.t.is_finite() && hit.t > 0.0)) {
-            fail(format!("no ascending distances: {found:?}"));
+        for span in [Span::AHEAD, *span] {
+            if let Err(problem) = is_consistent(&**ours, ray, span) {
+                fail(problem);
+            }
         }
         if !is_decided(answer, *condition) {
             return;
         }
         self.judged += 1;
+        let found = ours.roots(ray, *span);
         if found.len() != answer.roots.len() {
             let exact: Vec<f64> = answer.roots.iter().map(|root| root.t).collect();
             let found: Vec<f64> = found.iter().map(|hit| hit.t).collect();
@@ -222,8 +192,8 @@ impl Worst {
             ));
             return;
         }
-        if through_accelerator(&**ours, ray) != nearest {
-            fail(format!("the rule of the own box loses {nearest:?}"));
+        if through_accelerator(&**ours, ray, *span) != found.first().copied() {
+            fail(format!("the rule of the own box loses the first of {found:?}"));
         }
         for (hit, root) in found.iter().zip(&answer.roots) {
             let t = t_error(root, hit.t);
@@ -246,8 +216,24 @@ impl Worst {
     }
 }
 
+/// Whether hit, shadow and roots say the same, and the roots are some that may be.
+fn is_consistent(shape: &dyn shapes::Shape, ray: &Ray, span: Span) -> Result<(), String> {
+    let (roots, nearest) = (shape.roots(ray, span), shape.hit(ray, span));
+    if nearest != roots.first().copied() {
+        return Err(format!("hit {nearest:?}, but roots {roots:?}"));
+    }
+    if shape.shadow_hit(ray, span).is_some() != nearest.is_some() {
+        return Err("hit and shadow differ".to_owned());
+    }
+    let ascending = roots.windows(2).all(|pair| pair[0].t <= pair[1].t);
+    if !ascending || !roots.iter().all(|hit| span.contains(hit.t)) {
+        return Err(format!("no ascending distances in {span:?}: {roots:?}"));
+    }
+    Ok(())
+}
+
 /// The first hit of a scene with this shape alone.
-fn through_accelerator(shape: &dyn shapes::Shape, ray: &Ray) -> Option<Candidate> {
+fn through_accelerator(shape: &dyn shapes::Shape, ray: &Ray, span: Span) -> Option<Candidate> {
     struct Alone<'a>(&'a dyn shapes::Shape, &'a Ray);
     impl Primitives for Alone<'_> {
         fn hit(&self, _: u32, span: Span) -> Option<Candidate> {
@@ -258,5 +244,5 @@ fn through_accelerator(shape: &dyn shapes::Shape, ray: &Ray) -> Option<Candidate
         }
     }
     let accel = Accel::build(Method::List, &[shape.bounds()]);
-    accel.nearest(&Alone(shape, ray), ray, Span::AHEAD).map(|(_, candidate)| candidate)
+    accel.nearest(&Alone(shape, ray), ray, span).map(|(_, candidate)| candidate)
 }

@@ -4,7 +4,6 @@
 //! `tests/contracts`, under the same names.
 
 mod calibration;
-mod draw;
 mod exact;
 mod hard_cases;
 mod leaving;

@@ -30,18 +30,19 @@ fn explanation(data: &Data) -> String {
         "<p>Compared are this library's routine for each of {kinds} shapes and the textbook's: the \
          formula as the book prints it, or solids put together of such, with its constant epsilon \
          (for algebraic surfaces, of which the book says nothing, a sign change among samples along \
-         the ray). Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
-         surfaces of high degree and solids of many parts, whose truth takes long) in each of twelve \
+         the ray). Compounds, rosettes and archways are the book's compounds of their parts; random \
+         spheres, lattices and meshes its regular grid; ours search as they do if the scene does not \
+         say how. Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
+         surfaces of high degree and shapes of many parts, whose truth takes long) in each of twelve \
          families: ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
-         tiny, huge and thin shapes, …). The truth is computed with 512 bits. Compounds, rosettes, \
-         archways, lattices, random spheres and meshes have no formula of their own: they are hit \
-         where the first of their parts is.</p>\n\
+         tiny, huge and thin shapes, …). The truth is computed with 512 bits.</p>\n\
          <p>An error is counted in units of u·cond: how far the distance moves if the input is \
          wrong in its last bit. An error of 1 is as good as any routine can promise, up to {ALLOWED} \
          is good, and 10⁶ means that six digits are lost. (Inside an instance, roundings count as much \
          more as its matrix squeezes the wall that is hit.) A hit is <em>lost</em> if the nearest was \
          not found, and <em>wrong</em> if there was none to find; rays whose answer turns on the \
-         rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. A \
+         rounding of their input (a relative change by 10⁻¹³ would change it) are not judged, and of rays from the surface what \
+         they meet after their start. A \
          constant epsilon loses every hit that is nearer than it. Times are medians for one call on \
          one thread, of both for the question that a ray asks of every shape: is there a hit, and at \
          which t? (The nearest; what follows for the one that wins, its point and normal, is not in \

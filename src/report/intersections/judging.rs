@@ -3,19 +3,37 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use oracle::hard::{Family, Kind, cases};
+use oracle::Answer;
+use oracle::hard::{self, Family};
 
 use super::{FamilyData, Routine};
 use crate::math::{Ray, Span};
 use crate::shapes::Shape;
-use crate::verify::against::{ALLOWED, is_decided, pair, ray, t_error};
-use crate::verify::quantile;
+use crate::verify::against::{ALLOWED, Pair, is_decided, pair, ray, span, t_error};
 use crate::verify::textbook::{self, Textbook};
+use crate::verify::{many, quantile};
+
+/// What is judged: a shape that has a formula, or one of many such.
+#[derive(Clone, Copy, Debug)]
+pub enum Subject {
+    One(hard::Kind),
+    Many(many::Kind),
+}
+
+/// What is asked of both routines, and the answer.
+struct Question {
+    case: Case,
+    exact: Answer,
+    /// Of an instance's matrix.
+    condition: f64,
+}
 
 /// A ray and the shape that it is tested against, in both forms.
 #[derive(Debug)]
 pub struct Case {
     pub ray: Ray,
+    /// Where hits are asked for.
+    pub span: Span,
     pub ours: Arc<dyn Shape>,
     pub textbook: Box<dyn Textbook>,
 }
@@ -27,35 +45,96 @@ pub struct Judged {
     pub misses: Vec<Case>,
 }
 
-/// Rays that are timed together: their shapes fit into the processor's caches.
-const TIMED: usize = 256;
+impl Subject {
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let one = hard::Kind::ALL.into_iter().map(Subject::One);
+        one.chain(many::Kind::ALL.into_iter().map(Subject::Many))
+    }
+
+    /// As the enumerations have it.
+    pub fn name(self) -> String {
+        match self {
+            Subject::One(kind) => format!("{kind:?}"),
+            Subject::Many(kind) => format!("{kind:?}"),
+        }
+    }
+
+    /// Rays that are timed together: their shapes fit into the processor's caches.
+    fn timed(self) -> usize {
+        match self {
+            Subject::One(_) => 256,
+            Subject::Many(many::Kind::Compound | many::Kind::Lattice | many::Kind::Mesh) => 64,
+            Subject::Many(_) => 16,
+        }
+    }
+
+    /// The questions of a family; `None` for shapes that the library refuses.
+    fn questions(
+        self,
+        family: Family,
+        seed: u64,
+        count: usize,
+    ) -> Box<dyn Iterator<Item = Option<Question>>> {
+        match self {
+            Subject::One(kind) => {
+                let cases = hard::cases(kind, family, seed, count).into_iter();
+                Box::new(cases.map(move |(shape, ray)| Question::of_one(family, &shape, &ray)))
+            }
+            Subject::Many(kind) => {
+                Box::new((0..count).map(move |index| Question::of_many(kind, family, seed, index)))
+            }
+        }
+    }
+}
+
+impl Question {
+    fn of_one(family: Family, shape: &oracle::Shape, exact_ray: &oracle::Ray) -> Option<Self> {
+        let Pair { ours, exact } = pair(shape)?;
+        let ray = ray(exact_ray);
+        let span = span(family, &*ours, &ray);
+        Some(Self {
+            condition: exact.condition(),
+            exact: oracle::intersect_beyond(&exact, exact_ray, span.min),
+            case: Case { ray, span, ours, textbook: textbook::of(&exact) },
+        })
+    }
+
+    fn of_many(kind: many::Kind, family: Family, seed: u64, index: usize) -> Option<Self> {
+        let many = kind.case(family, seed, index, None)?;
+        let (ours, ray) = (many.build()?, ray(&many.ray));
+        let span = span(family, &*ours, &ray);
+        let textbook = textbook::of_many(kind, &many.pieces)?;
+        Some(Self {
+            condition: many.condition(),
+            exact: many.answer(span.min),
+            case: Case { ray, span, ours, textbook },
+        })
+    }
+}
 
 impl Judged {
     /// Judges the cases that do not turn on rounding.
-    pub fn new(kind: Kind, family: Family, seed: u64, count: usize) -> Self {
+    pub fn new(subject: Subject, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
         let (mut refused, mut judged, mut hit_count) = (0, 0, 0);
-        for (shape, exact_ray) in cases(kind, family, seed, count) {
-            let Some(pair) = pair(&shape) else {
+        for question in subject.questions(family, seed, count) {
+            let Some(Question { case, exact, condition }) = question else {
                 refused += 1;
                 continue;
             };
-            let answer = oracle::intersect(&pair.exact, &exact_ray);
-            let condition = pair.exact.condition();
-            if !is_decided(&answer, condition) {
+            if !is_decided(&exact, condition) {
                 continue;
             }
             judged += 1;
-            let ray = ray(&exact_ray);
-            let textbook = textbook::of(&pair.exact);
-            let found = pair.ours.hit(&ray, Span::AHEAD).map(|candidate| candidate.t);
-            ours.meet(found, &answer);
-            book.meet(textbook.hit(&ray), &answer);
-            hit_count += usize::from(!answer.roots.is_empty());
-            let timed = if answer.roots.is_empty() { &mut misses } else { &mut hits };
-            if timed.len() < TIMED {
-                timed.push(Case { ray, ours: pair.ours, textbook });
+            let found = case.ours.hit(&case.ray, case.span).map(|found| found.t);
+            ours.meet(found, case.span, &exact);
+            book.meet(case.textbook.hit(&case.ray), case.span, &exact);
+            hit_count += usize::from(!exact.roots.is_empty());
+            let timed = if exact.roots.is_empty() { &mut misses } else { &mut hits };
+            if timed.len() < subject.timed() {
+                timed.push(case);
             }
         }
         let data = FamilyData {
@@ -79,9 +158,11 @@ struct Tally {
 }
 
 impl Tally {
-    fn meet(&mut self, found: Option<f64>, answer: &oracle::Answer) {
+    fn meet(&mut self, found: Option<f64>, span: Span, answer: &Answer) {
         match (found, answer.roots.first()) {
             (None, None) => {}
+            // the start
+            (Some(t), _) if t <= span.min => self.wrong += 1,
             (Some(_), None) => self.wrong += 1,
             (None, Some(_)) => self.lost += 1,
             (Some(t), Some(first)) => {

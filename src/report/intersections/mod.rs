@@ -4,11 +4,11 @@ mod drawing;
 mod judging;
 mod timing;
 
-use oracle::hard::{Family, Kind};
+use oracle::hard::Family;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use self::judging::Judged;
+use self::judging::{Judged, Subject};
 use super::{Findings, Interrupted, Page, Settings, Watch};
 
 /// Which intersection routine to use: by error, lost and wrong hits, and nanoseconds.
@@ -19,7 +19,7 @@ pub struct Intersections;
 pub struct Data {
     /// Rays for each shape and family, but for those whose exact answer takes long.
     pub cases: usize,
-    /// One for each kind of shape that the oracle knows.
+    /// One for each kind of shape that the oracle knows, then for each that is made of many.
     pub kinds: Vec<KindData>,
 }
 
@@ -72,7 +72,7 @@ pub struct Routine {
 
 /// Of degree 4 and above, or of some parts: their exact answers take ten times as long as the
 /// others'.
-const SLOW: [&str; 8] = [
+const SLOW: [&str; 12] = [
     "Torus",
     "PartTorus",
     "Algebraic",
@@ -81,10 +81,21 @@ const SLOW: [&str; 8] = [
     "ThickRing",
     "FlatRimmedBowl",
     "ConcaveLens",
+    "Compound",
+    "RandomSpheres",
+    "Lattice",
+    "TessellatedSphere",
 ];
 /// Of parts of degree 4, or of some dozens of parts.
-const SLOWEST: [&str; 5] =
-    ["RoundRimmedBowl", "BeveledBox", "BeveledCylinder", "BeveledRing", "BeveledWedge"];
+const SLOWEST: [&str; 7] = [
+    "RoundRimmedBowl",
+    "BeveledBox",
+    "BeveledCylinder",
+    "BeveledRing",
+    "BeveledWedge",
+    "Rosette",
+    "Archway",
+];
 
 /// How many rays a kind of this name gets for each family.
 fn rays(kind: &str, settings: &Settings) -> usize {
@@ -111,17 +122,17 @@ impl Page for Intersections {
 
     /// Each kind and family is judged, and each kind is timed.
     fn steps(&self, _: &Settings) -> u64 {
-        ((Family::ALL.len() + 1) * Kind::ALL.len()) as u64
+        ((Family::ALL.len() + 1) * Subject::all().count()) as u64
     }
 
     fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted> {
         let mut kinds = Vec::new();
-        for kind in Kind::ALL {
-            let name = format!("{kind:?}");
+        for subject in Subject::all() {
+            let name = subject.name();
             let cases = rays(&name, settings);
             let judge = |&family: &Family| {
                 watch.step()?;
-                Ok(Judged::new(kind, family, settings.seed, cases))
+                Ok(Judged::new(subject, family, settings.seed, cases))
             };
             let judged: Vec<Judged> =
                 Family::ALL.par_iter().map(judge).collect::<Result<_, _>>()?;

@@ -4,7 +4,6 @@ use std::hint::black_box;
 
 use super::FamilyData;
 use super::judging::{Case, Judged};
-use crate::math::Span;
 use crate::report::clock::{medians, seconds};
 
 /// So often are the two routines timed in turn: at least, and at most.
@@ -35,7 +34,7 @@ fn nanoseconds(cases: &[Case]) -> [Option<f64>; 2] {
     let ours = |repeats: usize| {
         for _ in 0..repeats {
             for case in cases {
-                let hit = black_box(case).ours.hit(&case.ray, Span::AHEAD);
+                let hit = black_box(case).ours.hit(&case.ray, case.span);
                 black_box(hit.map(|candidate| candidate.t));
             }
         }

@@ -10,7 +10,7 @@ use super::{
     Angles, Annulus, Disk, Instance, OpenCone, OpenCylinder, PartCylinder, PartSphere, PartTorus,
     Rectangle, SMALL_K_EPSILON, Textbook, cuboid,
 };
-use crate::math::{Point, Ray, Vector, atan2, cos, sin, to_radians};
+use crate::math::{Aabb, Point, Ray, Vector, atan2, cos, sin, to_radians};
 
 pub(super) type Part = Box<dyn Textbook>;
 
@@ -20,6 +20,22 @@ pub struct Compound {
     pub(super) min: Point,
     pub(super) max: Point,
     pub(super) parts: Vec<Part>,
+}
+
+impl Compound {
+    /// Any parts, in their boxes.
+    pub fn new(parts: Vec<(Aabb, Box<dyn Textbook>)>) -> Self {
+        let (boxes, parts): (Vec<Aabb>, _) = parts.into_iter().unzip();
+        let [min, max] = around(&boxes);
+        Self { min, max, parts }
+    }
+}
+
+/// The corners of the box around these, larger by epsilon on each side.
+pub(super) fn around(boxes: &[Aabb]) -> [Point; 2] {
+    let all = boxes.iter().fold(Aabb::EMPTY, |all, &one| all.union(one));
+    let more = SMALL_K_EPSILON * Vector::new(1.0, 1.0, 1.0);
+    [all.min - more, all.max + more]
 }
 
 impl Textbook for Compound {

@@ -12,14 +12,20 @@ pub struct Cuboid {
     pub max: Point,
 }
 
-/// The largest entry and the smallest exit of the three slabs. `1/d` is infinite for a ray along a
-/// slab, and `0·∞` is left to chance.
+/// Where one axis' slab is entered and left. `1/d` is infinite for a ray along a slab, and `0·∞` is
+/// left to chance.
+#[inline]
+pub(super) fn slab(ray: &Ray, min: Point, max: Point, axis: usize) -> (f64, f64) {
+    let (o, a) = (ray.origin.along(axis), 1.0 / ray.direction.along(axis));
+    let (low, high) = ((min.along(axis) - o) * a, (max.along(axis) - o) * a);
+    if a >= 0.0 { (low, high) } else { (high, low) }
+}
+
+/// The largest entry and the smallest exit of the three slabs.
 pub(super) fn slabs(ray: &Ray, min: Point, max: Point) -> (f64, f64) {
     let (mut t0, mut t1) = (f64::NEG_INFINITY, f64::INFINITY);
-    for i in 0..3 {
-        let (o, a) = (ray.origin.along(i), 1.0 / ray.direction.along(i));
-        let (low, high) = ((min.along(i) - o) * a, (max.along(i) - o) * a);
-        let (t_min, t_max) = if a >= 0.0 { (low, high) } else { (high, low) };
+    for axis in 0..3 {
+        let (t_min, t_max) = slab(ray, min, max, axis);
         if t_min > t0 {
             t0 = t_min;
         }

@@ -1,5 +1,5 @@
 //! The textbook's intersections, as the thing compared against: the formulas of Suffern's chapters
-//! 3, 19 and 21 as they stand, with a constant epsilon, and no care for rounding. Where the book has no
+//! 3, 19, 21 and 22 as they stand, with a constant epsilon, and no care for rounding. Where the book has no
 //! formula, what would usually be done.
 //!
 //! Nothing renders with these; `groundtruth report` puts them beside the library's own. One file for
@@ -12,6 +12,7 @@ mod cone;
 mod cuboid;
 mod cut_face;
 mod disk;
+mod grid;
 mod instance;
 mod open_cylinder;
 mod paraboloid;
@@ -35,6 +36,7 @@ pub use cone::OpenCone;
 pub use cuboid::Cuboid;
 pub use cut_face::CutFace;
 pub use disk::Disk;
+pub use grid::Grid;
 pub use instance::Instance;
 pub use open_cylinder::OpenCylinder;
 pub use paraboloid::Paraboloid;
@@ -48,6 +50,7 @@ pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
+use super::{against, many};
 use crate::math::{Point, Ray, Vector, atan2, to_radians};
 
 /// Hits at or before it do not count: the `kEpsilon` of plane, sphere, disk, rectangle, box,
@@ -129,6 +132,23 @@ pub fn of(shape: &oracle::Shape) -> Box<dyn Textbook> {
             max: Point::from(*max),
         }),
     }
+}
+
+/// The textbook's form of a shape made of many: a compound of the pieces' forms, or a grid of them
+/// where the book has grids. `None` where the library refuses a piece and there is no box for it.
+pub fn of_many(kind: many::Kind, pieces: &[many::Piece]) -> Option<Box<dyn Textbook>> {
+    use many::Kind;
+    let boxed = |piece: &many::Piece| {
+        let box_around = against::pair(&piece.exact)?.ours.bounds();
+        Some((box_around, of(&piece.exact)))
+    };
+    let parts = pieces.iter().map(boxed).collect::<Option<_>>()?;
+    Some(match kind {
+        Kind::Compound | Kind::Rosette | Kind::Archway => Box::new(Compound::new(parts)),
+        Kind::RandomSpheres | Kind::Lattice | Kind::Mesh | Kind::TessellatedSphere => {
+            Box::new(Grid::new(parts))
+        }
+    })
 }
 
 /// The roots of `a t² + b t + c` by the schoolbook's formula, smaller first for `a > 0`. The book

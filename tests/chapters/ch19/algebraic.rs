@@ -6,8 +6,8 @@ use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{Algebraic, Context, Kind, Shape, Sphere, Surface, Term};
 
 use super::torus::{built, torus, ts};
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 fn surface(terms: &[(f64, [u32; 3])], half: f64) -> Algebraic {
     let terms = terms.iter().map(|&(coefficient, powers)| Term { coefficient, powers }).collect();

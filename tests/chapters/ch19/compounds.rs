@@ -8,7 +8,7 @@ use groundtruth::shapes::{
     SolidCone, SolidCylinder, ThickRing,
 };
 
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 pub fn built(kind: &Kind) -> Arc<dyn Shape> {
     kind.build(&mut Context::default()).expect("valid")

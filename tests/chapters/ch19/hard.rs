@@ -2,8 +2,8 @@
 
 use oracle::hard::Kind;
 
-use crate::draw::Draw;
 use crate::hard_cases::{Pair, judge_all, pair, sweep};
+use groundtruth::verify::Draw;
 
 /// A law and its thorough form for each kind.
 macro_rules! sweeps {

@@ -8,7 +8,7 @@ use groundtruth::shapes::{
 };
 
 use super::parts::{CENTER, built, part_cylinder, part_sphere, some_ray};
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 /// Law: convex and concave twins are hit at the same points, with opposite normals. Oracle: each
 /// other, bit for bit.

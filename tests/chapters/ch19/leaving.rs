@@ -9,10 +9,10 @@ use groundtruth::shapes::{
     PartSphere, Plane, Rectangle, Shape, Sphere, Surface, TessellatedSphere, Triangle,
 };
 
-use crate::draw::Draw;
 use crate::exact::{exact, walls_along_normal};
 use crate::leaving::check_kinds;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 /// How often a ray that leaves meets the shape again.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use groundtruth::shapes::{
     Annulus, Context, Kind, OpenCylinder, PartAnnulus, PartCylinder, PartSphere, Shape, Sphere,
 };
 
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -3,8 +3,8 @@
 use groundtruth::math::polynomial::{real_roots, roots_between};
 use groundtruth::math::power_of_two;
 
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 /// How far from a root of a polynomial with slightly other coefficients: `numerics.md`.
 const RESIDUAL: f64 = 8.0 * U;

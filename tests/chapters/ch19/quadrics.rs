@@ -6,7 +6,7 @@ use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, sin_degre
 use groundtruth::shapes::{Annulus, Cone, Disk, Kind, Paraboloid, Surface};
 
 use super::parts::{built, some_ray, ts};
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 /// Coordinates near 1, a dozen roundings.
 const CLOSE: f64 = 1e-13;

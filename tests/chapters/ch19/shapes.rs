@@ -8,8 +8,8 @@ use groundtruth::shapes::{
 };
 
 use super::leaving::body;
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -6,8 +6,8 @@ use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, power, si
 use groundtruth::shapes::{Context, Kind, Shape, Surface, Torus};
 
 use super::leaving::random_hit;
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -4,7 +4,7 @@ use groundtruth::math::{Point, Ray, Span, Vector, atan2, cos_degrees, sin_degree
 use groundtruth::shapes::{Context, Kind, PartTorus};
 
 use super::torus::{built, torus, ts};
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 /// The part of the torus of radii 2 and 0.5 in these ranges.
 fn part(phi: [f64; 2], theta: [f64; 2]) -> PartTorus {

@@ -5,8 +5,8 @@ use groundtruth::shapes::{Context, Instance, Kind, Rectangle};
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
-use crate::draw::Draw;
 use crate::hard_cases::{Pair, instanced, judge_all, pair, sweep, sweep_as};
+use groundtruth::verify::Draw;
 
 /// Law: an instance is hit as exactly as the condition of its matrix allows. Oracle: 512-bit
 /// arithmetic on the matrix as the library has it.

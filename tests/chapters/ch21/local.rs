@@ -8,8 +8,8 @@ use groundtruth::shapes::{
     Compound, Context, Instance, Kind, Lattice, Sphere, Surface, TessellatedSphere,
 };
 
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 fn sphere() -> Kind {
     Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }.into()

@@ -8,7 +8,7 @@ use groundtruth::shapes::{
     Compound, Context, Kind, Lattice, Part, PartMaterial, Shape, Sphere, Surface,
 };
 
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 /// Whether each of the materials, by its place, casts shadows.
 const CASTS_SHADOWS: [bool; 3] = [true, false, true];

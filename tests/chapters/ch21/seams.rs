@@ -8,7 +8,7 @@ use groundtruth::shapes::{
 };
 
 use crate::ch19::compounds::built;
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 /// A solid, a point inside it, and points on its seams that are seen from there.
 struct Case {

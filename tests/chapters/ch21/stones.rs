@@ -5,7 +5,7 @@ use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Archway, Context, Kind, Materials, Rosette, Shape};
 
 use crate::ch19::compounds::{built, from_axis, line};
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 fn rosette(rings: u32, bevel: f64, accel: Option<Method>) -> Rosette {
     let (hole_radius, ring_width) = (0.75, 1.0);

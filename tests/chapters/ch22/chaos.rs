@@ -10,7 +10,7 @@ use groundtruth::shapes::{
 };
 
 use super::searched::Both;
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 /// A finite number of any exponent, zeros of either sign among them; or near another one's size.
 fn any(draw: &mut Draw, widest: i32) -> f64 {

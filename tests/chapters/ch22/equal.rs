@@ -12,7 +12,7 @@ use groundtruth::shapes::{
 };
 
 use super::searched::{Both, Seen, agree, built, some_rays, spheres, trees};
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 /// For each law a test, and one that is asked of a million rays.
 macro_rules! laws {

@@ -11,8 +11,8 @@ use groundtruth::shapes::{
 };
 
 use super::searched::ray;
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 /// The same shape with every level searched by this method.
 fn searched(kind: &Kind, by: Method) -> Kind {

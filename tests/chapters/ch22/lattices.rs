@@ -10,8 +10,8 @@ use groundtruth::shapes::{
 use groundtruth::textures::{self, RandomColors};
 
 use super::searched::ray;
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -6,7 +6,7 @@ use groundtruth::accel::{Accel, Kernel, Method, OneByOne, Primitives};
 use groundtruth::math::{Aabb, Ray, Span};
 use groundtruth::shapes::{Candidate, Context, Kind, Shape, Sphere};
 
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 /// Objects in order, and the ray that looks at them.
 pub struct Seen<'a>(pub &'a [Arc<dyn Shape>], pub &'a Ray);

@@ -5,7 +5,7 @@ use groundtruth::math::{Aabb, Point, Ray, Span, Vector, cbrt};
 use groundtruth::shapes::{Candidate, RandomSpheres, Shape, Sphere};
 
 use super::searched::{self, Both, some_rays};
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 struct Seen<'a>(&'a [Sphere], &'a Ray);
 

@@ -7,7 +7,7 @@ use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Vector, cos, sin};
 use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, TriangleMesh};
 
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 fn bumpy(horizontal: u32, vertical: u32, bumps: f64) -> TessellatedSphere {
     TessellatedSphere { bumps, ..TessellatedSphere::new(horizontal, vertical, true) }

@@ -10,8 +10,8 @@ use groundtruth::shapes::{
 };
 
 use super::watertight::knot;
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 fn sphere(horizontal: u32, vertical: u32, smooth: bool) -> TriangleMesh {
     TessellatedSphere::new(horizontal, vertical, smooth).mesh()

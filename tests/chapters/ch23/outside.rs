@@ -6,7 +6,7 @@ use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh};
 
-use crate::draw::Draw;
+use groundtruth::verify::Draw;
 
 type Triangles = Vec<[u32; 3]>;
 

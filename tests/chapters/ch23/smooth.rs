@@ -11,8 +11,8 @@ use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, Tri
 use groundtruth::trace::RecordedOutcome;
 
 use crate::ch14::stage::{built, put, recorded, shine, stage};
-use crate::draw::Draw;
 use crate::support::U;
+use groundtruth::verify::Draw;
 
 const VERTICES: [Point; 3] =
     [Point::new(-1.0, -0.5, 0.25), Point::new(1.0, -0.75, 0.0), Point::new(0.25, 1.0, -0.25)];

@@ -51,7 +51,7 @@ impl Root {
 /// Everything about one ray and one shape.
 #[derive(Clone, Debug)]
 pub struct Answer {
-    /// Every meeting with `t > 0`, ascending; a double root may stand there twice or once.
+    /// Every meeting with `t > 0`, or beyond the start that was asked for, ascending; a double root may stand there twice or once.
     pub roots: Vec<Root>,
     /// No relative change of the inputs smaller than this changes the number of roots; for an
     /// instance, none smaller than this over [`Shape::condition`]. A lower bound, mostly within a
@@ -67,13 +67,29 @@ pub fn intersect(shape: &Shape, ray: &Ray) -> Answer {
     answer(&shape.exact(), &ray.exact())
 }
 
+/// Where the ray meets the shape beyond `start`: [`Answer::margin`] is of that alone, however close
+/// to the shape the ray starts.
+///
+/// # Panics
+/// As [`intersect`].
+pub fn intersect_beyond(shape: &Shape, ray: &Ray, start: f64) -> Answer {
+    answer_beyond(&shape.exact(), &ray.exact(), &real(start))
+}
+
 /// [`intersect`] for inputs of full precision.
 pub(crate) fn answer(shape: &Shape<Real>, ray: &Ray<Real>) -> Answer {
+    answer_beyond(shape, ray, &real(0.0))
+}
+
+/// What is met in front of the ray whose origin is the point at `start`.
+fn answer_beyond(shape: &Shape<Real>, ray: &Ray<Real>, start: &Real) -> Answer {
     let beam = Beam::new(ray);
-    let mut found = solve::solve(shape, &beam);
+    let moved = Ray { origin: beam.at(start).0, direction: ray.direction.clone() };
+    let mut found = solve::solve(shape, &Beam::new(&moved));
     found.hits.retain(|hit| sign(&hit.t).is_gt());
     found.hits.sort_by(|a, b| a.t.cmp(&b.t));
-    let roots = found.hits.into_iter().map(|hit| root(hit, &beam)).collect();
+    let beyond = |hit: solve::Hit| solve::Hit { t: &hit.t + start, ..hit };
+    let roots = found.hits.into_iter().map(|hit| root(beyond(hit), &beam)).collect();
     Answer { roots, margin: found.margin }
 }
 

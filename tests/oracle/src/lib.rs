@@ -22,7 +22,7 @@ mod solve;
 #[cfg(test)]
 mod verified;
 
-pub use answer::{Answer, Root, intersect};
+pub use answer::{Answer, Root, intersect, intersect_beyond};
 pub use polynomials::{polynomial_roots, residual};
 pub use shape::{Ray, Shape};
 pub use solid::Solid;

@@ -1,6 +1,7 @@
 //! The oracle judged by second methods: exact rational arithmetic, difference quotients, perturbed
 //! inputs, and cases that a person can work out.
 
+mod beyond;
 mod by_hand;
 mod derivatives;
 mod families;

@@ -1,11 +1,13 @@
-//! Seeded draws for laws that count their own cases.
+//! Seeded draws for laws that count their own cases, and for the shapes of [`many`](super::many).
 
-use groundtruth::math::{Frame, Normal, Pcg32, Point, Vector, power};
+use crate::math::{Frame, Normal, Pcg32, Point, Vector, power};
 
 /// A source of random numbers, points and directions.
+#[derive(Debug)]
 pub struct Draw(Pcg32);
 
 impl Draw {
+    /// The draws of a seed.
     pub fn new(seed: u64) -> Self {
         Self(Pcg32::new(seed, 0))
     }
@@ -15,18 +17,22 @@ impl Draw {
         Self(Pcg32::new(seed, 1 + index as u64))
     }
 
+    /// Uniform in `[low, high)`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.0.uniform()
     }
 
+    /// One of `0..n`, each as often.
     pub fn below(&mut self, n: usize) -> usize {
         self.0.below(n as u32) as usize
     }
 
+    /// As often true as false.
     pub fn coin(&mut self) -> bool {
         self.below(2) == 0
     }
 
+    /// 1 or −1.
     pub fn sign(&mut self) -> f64 {
         if self.coin() { 1.0 } else { -1.0 }
     }
@@ -36,11 +42,13 @@ impl Draw {
         power(10.0, self.between(low, high))
     }
 
+    /// Uniform in the cube of half-side `reach`.
     pub fn vector(&mut self, reach: f64) -> Vector {
         let mut c = || self.between(-reach, reach);
         Vector::new(c(), c(), c())
     }
 
+    /// Uniform in the cube of half-side `reach` about the origin.
     pub fn point(&mut self, reach: f64) -> Point {
         Point::ORIGIN + self.vector(reach)
     }
