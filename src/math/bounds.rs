@@ -46,8 +46,8 @@ impl Aabb {
         (0..3).all(|i| self.min.along(i) <= p.along(i) && p.along(i) <= self.max.along(i))
     }
 
-    /// Whether the ray may meet the box beyond `start`: always where it does, and also where it passes
-    /// by, or ends before, within some roundings.
+    /// Whether the ray may meet the box at `start`, which may be −∞, or beyond: always where it does, and
+    /// also where it misses by no more than some roundings.
     ///
     /// Each end of a slab is wrong by up to γ₃ of itself, so the exit is moved on by more than twice
     /// that (Ize, "Robust BVH Ray Traversal", JCGT 2013). A ray in the plane of a face (NaN, from

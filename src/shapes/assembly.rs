@@ -62,7 +62,8 @@ pub fn smooth_solid(
         let material = materials.get(*name).map(String::as_str);
         PartData { name, material, shape }
     });
-    let assembly = Assembly::build("parts", parts, accel, context)?;
+    // walls and disks are hit inside their own boxes only
+    let assembly = Assembly::build("parts", parts, accel, context)?.in_turn_if_few(accel);
     Ok(Arc::new(Assembly { least_error, ..assembly }))
 }
 
@@ -72,8 +73,7 @@ pub struct Assembly {
     parts: Vec<Part>,
     /// The number of each part's first leaf, and of all leaves.
     leaves: Vec<u64>,
-    /// All parts are tried in turn if `None`. (A list says the same, but for rays from so far off that
-    /// a part is hit beside its own box, where all methods must agree; few parts need none of that.)
+    /// All parts are tried in turn if `None`.
     accel: Option<Accel>,
     bounds: Aabb,
     /// A hit's error is at least this.
@@ -122,11 +122,10 @@ impl Assembly {
             leaves.push(next);
         }
         let bounds: Vec<Aabb> = parts.iter().map(|part| part.bounds).collect();
-        let few = accel.is_none() && parts.len() <= FEW;
-        let method = accel.unwrap_or(context.accel());
+        let few = if parts.len() <= FEW { Method::List } else { context.accel() };
         Ok(Self {
             bounds: bounds.iter().fold(Aabb::EMPTY, |all, &part| all.union(part)),
-            accel: (!few).then(|| Accel::build(method, &bounds)),
+            accel: Some(Accel::build(accel.unwrap_or(few), &bounds)),
             parts,
             leaves,
             least_error: 0.0,
@@ -135,6 +134,13 @@ impl Assembly {
 }
 
 impl Assembly {
+    /// Without a structure if the parts are few and the scene does not say how they are searched. A list
+    /// finds the same, but asks of every hit whether it counts by its part's box; so this is for parts
+    /// that are hit inside their own boxes only.
+    pub fn in_turn_if_few(self, accel: Option<Method>) -> Self {
+        if accel.is_none() && self.parts.len() <= FEW { Self { accel: None, ..self } } else { self }
+    }
+
     /// The first hit as the structure finds it.
     #[inline(never)] // nor the next: most rays pass the box by, and need not make room for this
     fn nearest_by(&self, accel: &Accel, ray: &Ray, span: Span) -> Option<Candidate> {

@@ -56,6 +56,22 @@ impl Compound {
     }
 }
 
+impl Compound {
+    /// Whether every part is hit inside its own box only, however far a ray comes from. What is
+    /// pressed flat in an instance need not be; of shapes of a user's own nothing is known.
+    fn is_hit_in_boxes(&self) -> bool {
+        fn is(shape: &Kind) -> bool {
+            match shape {
+                Kind::Instance(_) | Kind::Custom(_) => false,
+                Kind::Lattice(lattice) => is(&lattice.of),
+                Kind::Compound(compound) => compound.is_hit_in_boxes(),
+                _ => true,
+            }
+        }
+        self.parts.iter().all(|part| is(&part.shape))
+    }
+}
+
 impl Specification for Compound {
     type Built = Arc<dyn Shape>;
     type Context = Context;
@@ -69,7 +85,12 @@ impl Specification for Compound {
             material: part.material.as_deref(),
             shape: &part.shape,
         });
-        Ok(Arc::new(Assembly::build("parts", parts, self.accel, context)?))
+        let assembly = Assembly::build("parts", parts, self.accel, context)?;
+        Ok(Arc::new(if self.is_hit_in_boxes() {
+            assembly.in_turn_if_few(self.accel)
+        } else {
+            assembly
+        }))
     }
 
     fn scaled(&self, factor: f64) -> Self {

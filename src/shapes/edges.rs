@@ -85,10 +85,17 @@ pub(super) fn check_bevel(
     length("bevel", bevel)?;
     let least = rounding(largest);
     if bevel < least {
+        let most =
+            extents.iter().map(|(_, [low, high])| 0.5 * (high - low)).fold(f64::INFINITY, f64::min);
+        let remedy = if least <= most {
+            "take a larger one, or a solid without"
+        } else {
+            "which do not fit; build it near the origin and move an instance of it"
+        };
         let [found, least, largest] = [bevel, least, largest].map(shown);
         let problem = format!(
             "found {found}, but beside lengths of {largest} only {least} and more can be told from a \
-             sharp edge: take a larger one, or a solid without"
+             sharp edge: {remedy}"
         );
         return Err(Invalid::field("bevel", problem));
     }

@@ -214,7 +214,7 @@ fn solid(exact: oracle::Solid) -> shapes::Kind {
 }
 
 /// Steps whose product is this matrix but for rounding: shear, scale, rotation, translation, by
-/// Gram and Schmidt's process on the columns; `None` if it is singular.
+/// Gram and Schmidt's process on the columns; `None` if it is singular. (A half turn's axis is not found.)
 pub fn steps(matrix: &[[f64; 4]; 3]) -> Option<Vec<Step>> {
     let [c0, c1, c2, shift] =
         [0, 1, 2, 3].map(|j| Vector::new(matrix[0][j], matrix[1][j], matrix[2][j]));

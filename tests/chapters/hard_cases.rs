@@ -133,7 +133,7 @@ pub fn sweep_many_as(
         Some(Case {
             name: format!("{kind:?} {family:?} seed {seed} index {index}"),
             exact: case.answer(span.min),
-            condition: case.condition(),
+            condition: case.condition,
             ours,
             ray,
             span,

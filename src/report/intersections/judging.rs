@@ -106,7 +106,7 @@ impl Question {
         let span = span(family, &*ours, &ray);
         let textbook = textbook::of_many(kind, &many.pieces)?;
         Some(Self {
-            condition: many.condition(),
+            condition: many.condition,
             exact: many.answer(span.min),
             case: Case { ray, span, ours, textbook },
         })

@@ -34,10 +34,12 @@ pub fn compound(family: Family, seed: u64, index: usize, accel: Option<Method>) 
     let both: Vec<_> =
         three.iter().map(|(shape, _)| against::ours(shape)).collect::<Option<_>>()?;
     let (ours, exact): (Vec<_>, Vec<_>) = both.into_iter().unzip();
+    let condition = exact.iter().map(oracle::Shape::condition).fold(1.0, f64::max);
     Some(Case {
         ours: Compound { accel, ..Compound::of(ours) }.into(),
         pieces: exact.into_iter().map(Piece::anywhere).collect(),
         ray,
+        condition,
         bevel: None,
     })
 }

@@ -21,7 +21,7 @@ pub fn spheres(family: Family, seed: u64, index: usize, accel: Option<Method>) -
     let mut draw = Draw::case(seed + family as u64, index);
     let radius = hard_radius(family, seed, index);
     let (count, half_side) = (1 + draw.below(200) as u32, radius * draw.between(0.1, 20.0));
-    let spheres = RandomSpheres { count, radius, half_side, seed: index as u64, accel };
+    let spheres = RandomSpheres { count, radius, half_side, seed: seed + index as u64, accel };
     let piece = |sphere: &Sphere| {
         let center = sphere.center.to_array();
         let corners = [-radius, radius].map(|r| center.map(|c| c + r));
@@ -30,7 +30,7 @@ pub fn spheres(family: Family, seed: u64, index: usize, accel: Option<Method>) -
     let pieces: Vec<Piece> = spheres.spheres().iter().map(piece).collect();
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
-    Case { ours: spheres.into(), pieces, ray, bevel: None }
+    Case { ours: spheres.into(), pieces, ray, condition: 1.0, bevel: None }
 }
 
 /// Of up to twelve copies of one of these, apart or through one another.
@@ -55,5 +55,6 @@ pub fn lattice(family: Family, seed: u64, index: usize, accel: Option<Method>) -
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
     let ours = Lattice { of: Box::new(of), counts, spacing, accel };
-    Some(Case { ours: ours.into(), pieces, ray, bevel: None })
+    let condition = aim.condition();
+    Some(Case { ours: ours.into(), pieces, ray, condition, bevel: None })
 }

@@ -80,6 +80,8 @@ pub struct Case {
     pub pieces: Vec<Piece>,
     /// Hard for one of the pieces.
     pub ray: oracle::Ray,
+    /// Of the matrices of its instances; 1 without, and where they only turn.
+    pub condition: f64,
     /// Of stones that touch.
     bevel: Option<f64>,
 }
@@ -99,6 +101,7 @@ impl Case {
                 origin: map.point(self.ray.origin.into()).into(),
                 direction: map.vector(self.ray.direction.into()).into(),
             },
+            condition: oracle::condition(&map.rows()) * self.condition,
             bevel: self.bevel,
         })
     }
@@ -106,11 +109,6 @@ impl Case {
     /// Built for rays; `None` where the library refuses it.
     pub fn build(&self) -> Option<Arc<dyn shapes::Shape>> {
         self.ours.build(&mut Context::default()).ok()
-    }
-
-    /// Of the matrix of its worst piece; 1 without instances.
-    pub fn condition(&self) -> f64 {
-        self.pieces.iter().map(|piece| piece.exact.condition()).fold(1.0, f64::max)
     }
 
     /// The exact answer beyond `start`.

@@ -57,7 +57,7 @@ fn case(
 ) -> Case {
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
-    Case { ours, pieces, ray, bevel: Some(bevel) }
+    Case { ours, pieces, ray, condition: 1.0, bevel: Some(bevel) }
 }
 
 /// Of a hard wedge's sizes.

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{Algebraic, Context, Kind, Shape, Sphere, Surface, Term};
+use groundtruth::verify::Draw;
 
 use super::torus::{built, torus, ts};
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 fn surface(terms: &[(f64, [u32; 3])], half: f64) -> Algebraic {
     let terms = terms.iter().map(|&(coefficient, powers)| Term { coefficient, powers }).collect();

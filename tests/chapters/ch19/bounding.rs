@@ -1,7 +1,6 @@
 //! The box that ends the work for a ray that passes a compound by.
 
 use groundtruth::math::{Aabb, Point, Ray, Vector};
-
 use groundtruth::verify::Draw;
 
 /// A box, a line that touches it in one corner alone (or along an edge), and a direction from there

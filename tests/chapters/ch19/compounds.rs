@@ -7,7 +7,6 @@ use groundtruth::shapes::{
     ConcaveLens, Context, CutFace, FlatRimmedBowl, Kind, Materials, RoundRimmedBowl, Shape,
     SolidCone, SolidCylinder, ThickRing,
 };
-
 use groundtruth::verify::Draw;
 
 pub fn built(kind: &Kind) -> Arc<dyn Shape> {

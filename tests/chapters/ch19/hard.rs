@@ -1,9 +1,9 @@
 //! Every shape against exact arithmetic, on hard cases.
 
+use groundtruth::verify::Draw;
 use oracle::hard::Kind;
 
 use crate::hard_cases::{Pair, judge_all, pair, sweep};
-use groundtruth::verify::Draw;
 
 /// A law and its thorough form for each kind.
 macro_rules! sweeps {

@@ -6,9 +6,9 @@ use groundtruth::math::{Normal, Point, Span};
 use groundtruth::shapes::{
     Cone, OpenCylinder, Paraboloid, PartCylinder, PartSphere, Shape, Sphere,
 };
+use groundtruth::verify::Draw;
 
 use super::parts::{CENTER, built, part_cylinder, part_sphere, some_ray};
-use groundtruth::verify::Draw;
 
 /// Law: convex and concave twins are hit at the same points, with opposite normals. Oracle: each
 /// other, bit for bit.

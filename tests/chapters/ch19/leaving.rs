@@ -8,11 +8,11 @@ use groundtruth::shapes::{
     Annulus, Box, Cone, Context, Disk, Kind, OpenCylinder, Paraboloid, PartAnnulus, PartCylinder,
     PartSphere, Plane, Rectangle, Shape, Sphere, Surface, TessellatedSphere, Triangle,
 };
+use groundtruth::verify::Draw;
 
 use crate::exact::{exact, walls_along_normal};
 use crate::leaving::check_kinds;
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 /// How often a ray that leaves meets the shape again.
 #[derive(Clone, Copy, Debug, PartialEq)]

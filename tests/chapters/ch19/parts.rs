@@ -8,7 +8,6 @@ use groundtruth::math::{
 use groundtruth::shapes::{
     Annulus, Context, Kind, OpenCylinder, PartAnnulus, PartCylinder, PartSphere, Shape, Sphere,
 };
-
 use groundtruth::verify::Draw;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {

@@ -2,9 +2,9 @@
 
 use groundtruth::math::polynomial::{real_roots, roots_between};
 use groundtruth::math::power_of_two;
+use groundtruth::verify::Draw;
 
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 /// How far from a root of a polynomial with slightly other coefficients: `numerics.md`.
 const RESIDUAL: f64 = 8.0 * U;

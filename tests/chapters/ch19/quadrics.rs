@@ -4,9 +4,9 @@ use std::fs;
 
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Annulus, Cone, Disk, Kind, Paraboloid, Surface};
+use groundtruth::verify::Draw;
 
 use super::parts::{built, some_ray, ts};
-use groundtruth::verify::Draw;
 
 /// Coordinates near 1, a dozen roundings.
 const CLOSE: f64 = 1e-13;

@@ -6,10 +6,10 @@ use groundtruth::math::{Normal, Point, Ray, Span, Vector, exact_cross};
 use groundtruth::shapes::{
     Box, Candidate, Context, Disk, Kind, OpenCylinder, Rectangle, Shape, Sphere, Surface, Triangle,
 };
+use groundtruth::verify::Draw;
 
 use super::leaving::body;
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

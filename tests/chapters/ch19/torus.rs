@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, power, sin_degrees};
 use groundtruth::shapes::{Context, Kind, Shape, Surface, Torus};
+use groundtruth::verify::Draw;
 
 use super::leaving::random_hit;
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -2,9 +2,9 @@
 
 use groundtruth::math::{Point, Ray, Span, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use groundtruth::shapes::{Context, Kind, PartTorus};
+use groundtruth::verify::Draw;
 
 use super::torus::{built, torus, ts};
-use groundtruth::verify::Draw;
 
 /// The part of the torus of radii 2 and 0.5 in these ranges.
 fn part(phi: [f64; 2], theta: [f64; 2]) -> PartTorus {

@@ -7,9 +7,9 @@ use groundtruth::math::{Point, Vector, atan2, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
     BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Kind, Materials,
 };
+use groundtruth::verify::Draw;
 
 use crate::ch19::compounds::from_axis;
-use groundtruth::verify::Draw;
 
 /// A solid and how far a point is from what is left of it without its bevel (0 inside of that).
 pub struct Case {

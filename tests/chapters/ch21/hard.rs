@@ -2,11 +2,11 @@
 
 use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Context, Instance, Kind, Rectangle};
+use groundtruth::verify::{Draw, against};
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
 use crate::hard_cases::{Pair, instanced, judge_all, pair, sweep, sweep_as};
-use groundtruth::verify::Draw;
 
 /// Law: an instance is hit as exactly as the condition of its matrix allows. Oracle: 512-bit
 /// arithmetic on the matrix as the library has it.
@@ -30,6 +30,22 @@ fn matrices(count: usize) -> Vec<[[f64; 4]; 3]> {
         _ => None,
     };
     all.into_iter().flatten().filter_map(matrix).collect()
+}
+
+/// Law: the steps that stand for a matrix make it. Oracle: the matrix.
+#[test]
+fn steps_make_their_matrix() {
+    let moved = [[1.0, 0.0, 0.0, 3.0], [0.0, 1.0, 0.0, -2.0], [0.0, 0.0, 1.0, 0.5]];
+    let quarter = [[0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 7.0]];
+    for matrix in matrices(50).into_iter().chain([moved, quarter]) {
+        let steps = against::steps(&matrix).expect("not singular");
+        let made = Transform::from_steps(&steps).expect("not singular").rows();
+        let largest = matrix.as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let pairs = matrix.as_flattened().iter().zip(made.as_flattened());
+        let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let lost = 1e-14 * oracle::condition(&matrix) * largest; // columns that are nearly one
+        assert!(off <= lost, "{matrix:?}: {made:?}");
+    }
 }
 
 fn sweep_instances_of(kind: Hard, seed: u64, count: usize) {

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use groundtruth::math::{Axis, Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::shapes::{self, Context, Instance, Kind, Shape, Sphere};
+use groundtruth::verify::Draw;
 
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -4,12 +4,12 @@ use std::ops::Range;
 
 use groundtruth::math::{Axis, Point, Step, Transform, Vector};
 use groundtruth::shapes::{Cone, Context, Instance, Kind};
+use groundtruth::verify::Draw;
 
 use crate::ch19::leaving::{Form, body, check_leaving, is_thin, random_hit};
 use crate::exact::{exact, walls_along_normal};
 use crate::leaving::check_kinds;
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 /// Turned, sheared, mirrored and scaled by up to 100 either way in each direction.
 fn steps(draw: &mut Draw, wildest: f64) -> Vec<Step> {

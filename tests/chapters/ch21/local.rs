@@ -7,9 +7,9 @@ use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::shapes::{
     Compound, Context, Instance, Kind, Lattice, Sphere, Surface, TessellatedSphere,
 };
+use groundtruth::verify::Draw;
 
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 fn sphere() -> Kind {
     Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }.into()

@@ -7,7 +7,6 @@ use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{
     Compound, Context, Kind, Lattice, Part, PartMaterial, Shape, Sphere, Surface,
 };
-
 use groundtruth::verify::Draw;
 
 /// Whether each of the materials, by its place, casts shadows.

@@ -6,9 +6,9 @@ use groundtruth::shapes::{
     BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Candidate, Kind, Materials,
     RoundRimmedBowl,
 };
+use groundtruth::verify::Draw;
 
 use crate::ch19::compounds::built;
-use groundtruth::verify::Draw;
 
 /// A solid, a point inside it, and points on its seams that are seen from there.
 struct Case {

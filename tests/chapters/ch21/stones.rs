@@ -1,11 +1,13 @@
 //! Rosette and archway: how many stones, where, of one piece, found alike by every method.
 
 use groundtruth::accel::Method;
-use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
-use groundtruth::shapes::{Archway, Context, Kind, Materials, Rosette, Shape};
+use groundtruth::math::{Point, Ray, Span, Step, Vector, cos_degrees, sin_degrees};
+use groundtruth::shapes::{
+    Archway, BeveledBox, Context, Instance, Kind, Materials, Rosette, Shape,
+};
+use groundtruth::verify::Draw;
 
 use crate::ch19::compounds::{built, from_axis, line};
-use groundtruth::verify::Draw;
 
 fn rosette(rings: u32, bevel: f64, accel: Option<Method>) -> Rosette {
     let (hole_radius, ring_width) = (0.75, 1.0);
@@ -289,6 +291,31 @@ fn bevels_may_be_as_small_as_can_be_told() {
         }
     }
     assert!(seen > 100, "{seen}");
+}
+
+/// Law: where coordinates are so large that no bevel both can be told and fits, the advice is another
+/// one, and is good. Oracle: it is followed.
+#[test]
+fn where_no_bevel_fits_the_advice_does() {
+    let at = |x: f64, bevel: f64| BeveledBox {
+        min: Point::new(x, 0.0, 0.0),
+        max: Point::new(x + 4.0, 4.0, 4.0),
+        bevel,
+        materials: Materials::new(),
+    };
+    for bevel in [0.25, 1.0, 2.0] {
+        let refused = Kind::from(at(1e16, bevel)).build(&mut Context::default());
+        let advice = refused.expect_err("it cannot be told").to_string();
+        assert!(advice.contains("build it near the origin and move an instance of it"), "{advice}");
+        let moved = vec![Step::Translate(Vector::new(1e16, 0.0, 0.0))];
+        let followed = Kind::from(Instance::new(at(0.0, bevel), moved));
+        assert!(followed.build(&mut Context::default()).is_ok());
+    }
+    // 64 u of 10¹⁴ are 0.7, which fits
+    let refused = Kind::from(at(1e14, 0.5)).build(&mut Context::default());
+    let advice = refused.expect_err("it cannot be told").to_string();
+    assert!(advice.contains("take a larger one"), "{advice}");
+    assert!(Kind::from(at(1e14, 1.0)).build(&mut Context::default()).is_ok());
 }
 
 /// Law: what no rosette or archway has is refused by the name of the field a person typed.

@@ -8,9 +8,9 @@ use groundtruth::shapes::{
     PartSphere, PartTorus, Plane, Rectangle, RoundRimmedBowl, Shape, SolidCylinder, Sphere, Torus,
     Triangle,
 };
+use groundtruth::verify::Draw;
 
 use super::searched::Both;
-use groundtruth::verify::Draw;
 
 /// A finite number of any exponent, zeros of either sign among them; or near another one's size.
 fn any(draw: &mut Draw, widest: i32) -> f64 {

@@ -10,9 +10,9 @@ use groundtruth::shapes::{
     self, Candidate, Disk, Instance, Kind, Plane, Rectangle, Shape, Sphere, TessellatedSphere,
     Triangle, TriangleMesh,
 };
+use groundtruth::verify::Draw;
 
 use super::searched::{Both, Seen, agree, built, some_rays, spheres, trees};
-use groundtruth::verify::Draw;
 
 /// For each law a test, and one that is asked of a million rays.
 macro_rules! laws {

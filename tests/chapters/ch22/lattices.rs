@@ -8,10 +8,10 @@ use groundtruth::shapes::{
     Box, Compound, Context, Instance, Kind, Lattice, Plane, RandomSpheres, Shape, Sphere, Surface,
 };
 use groundtruth::textures::{self, RandomColors};
+use groundtruth::verify::Draw;
 
 use super::searched::ray;
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use groundtruth::accel::{Accel, Kernel, Method, OneByOne, Primitives};
 use groundtruth::math::{Aabb, Ray, Span};
 use groundtruth::shapes::{Candidate, Context, Kind, Shape, Sphere};
-
 use groundtruth::verify::Draw;
 
 /// Objects in order, and the ray that looks at them.

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use groundtruth::accel::{Accel, Counts, Kernel, Method, Primitives};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, power};
 use groundtruth::shapes::{self, Candidate, Context, Kind, Shape, Sphere, Triangle, TriangleMesh};
+use groundtruth::verify::Draw;
 
 use super::searched::{self, Both, Seen, built};
-use groundtruth::verify::Draw;
 
 /// Small spheres, triangles and boxes, all within `size` of a point.
 fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dyn Shape>> {

@@ -3,9 +3,9 @@
 use groundtruth::accel::{Accel, Counts, Method, Primitives};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, cbrt};
 use groundtruth::shapes::{Candidate, RandomSpheres, Shape, Sphere};
+use groundtruth::verify::Draw;
 
 use super::searched::{self, Both, some_rays};
-use groundtruth::verify::Draw;
 
 struct Seen<'a>(&'a [Sphere], &'a Ray);
 

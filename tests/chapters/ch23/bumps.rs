@@ -6,7 +6,6 @@ use std::f64::consts::PI;
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Vector, cos, sin};
 use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, TriangleMesh};
-
 use groundtruth::verify::Draw;
 
 fn bumpy(horizontal: u32, vertical: u32, bumps: f64) -> TessellatedSphere {

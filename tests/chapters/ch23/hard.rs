@@ -18,6 +18,7 @@ fn sweep_instances(seed: u64, count: usize) {
             _ => None,
         })
         .collect();
+    // three in a row, so that each of the 64 matrices meets each of the four methods
     let instanced = |index: usize| &matrices[index % matrices.len()];
     sweep_many_as(Kind::Mesh, seed, count, 3, |case, index| case.instanced(instanced(index)));
 }

@@ -8,10 +8,10 @@ use groundtruth::math::{Normal, Point, Ray, Span, Vector};
 use groundtruth::shapes::{
     Context, Kind, Shape, Surface, TessellatedSphere, Triangle, TriangleMesh,
 };
+use groundtruth::verify::Draw;
 
 use super::watertight::knot;
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 fn sphere(horizontal: u32, vertical: u32, smooth: bool) -> TriangleMesh {
     TessellatedSphere::new(horizontal, vertical, smooth).mesh()

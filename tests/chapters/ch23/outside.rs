@@ -5,7 +5,6 @@ use std::path::Path;
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh};
-
 use groundtruth::verify::Draw;
 
 type Triangles = Vec<[u32; 3]>;

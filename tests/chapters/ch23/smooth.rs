@@ -9,10 +9,10 @@ use groundtruth::math::{Normal, Point, Ray, Span, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
 use groundtruth::trace::RecordedOutcome;
+use groundtruth::verify::Draw;
 
 use crate::ch14::stage::{built, put, recorded, shine, stage};
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 const VERTICES: [Point; 3] =
     [Point::new(-1.0, -0.5, 0.25), Point::new(1.0, -0.75, 0.0), Point::new(0.25, 1.0, -0.25)];

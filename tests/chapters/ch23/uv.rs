@@ -3,9 +3,9 @@
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Candidate, Compound, Context, Instance, Kind, Lattice, Mesh};
+use groundtruth::verify::Draw;
 
 use crate::support::U;
-use groundtruth::verify::Draw;
 
 /// A bumpy sheet over `[0, 4]²` in x and z, whose u and v are affine in them.
 fn sheet(with_uvs: bool, draw: &mut Draw) -> MeshData {

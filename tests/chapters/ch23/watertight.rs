@@ -4,7 +4,6 @@ use groundtruth::accel::{Kernel, Method};
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::mesh_file;
 use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
-
 use groundtruth::verify::Draw;
 
 /// A tessellated sphere stretched along the axes and moved.

@@ -85,7 +85,9 @@ pub(crate) fn answer(shape: &Shape<Real>, ray: &Ray<Real>) -> Answer {
 fn answer_beyond(shape: &Shape<Real>, ray: &Ray<Real>, start: &Real) -> Answer {
     let beam = Beam::new(ray);
     let moved = Ray { origin: beam.at(start).0, direction: ray.direction.clone() };
-    let mut found = solve::solve(shape, &Beam::new(&moved));
+    // moved by the inputs' changes as far as this, which is more than its own length may say
+    let o_reach = beam.o_reach + nearest(start).abs() * beam.d_reach;
+    let mut found = solve::solve(shape, &Beam { o_reach, ..Beam::new(&moved) });
     found.hits.retain(|hit| sign(&hit.t).is_gt());
     found.hits.sort_by(|a, b| a.t.cmp(&b.t));
     let beyond = |hit: solve::Hit| solve::Hit { t: &hit.t + start, ..hit };

@@ -55,6 +55,18 @@ fn the_start_itself_does_not_count() {
     assert!(none.roots.is_empty() && (0.01..0.25).contains(&none.margin), "{none:?}");
 }
 
+/// Law: the margin counts from where the ray starts, not from where it is asked. Oracle: by hand; a ray
+/// that passes a unit sphere by one radius from 10⁸ away may turn by 10⁻⁸ until it touches.
+#[test]
+fn margins_are_those_of_the_whole_way() {
+    let sphere = Shape::Sphere { center: [0.0; 3], radius: 1.0 };
+    let ray = Ray { origin: [1e8, 2.0, 0.0], direction: [-1.0, 0.0, 0.0] };
+    for start in [0.0, 1e8 - 4.0] {
+        let Answer { roots, margin } = intersect_beyond(&sphere, &ray, start);
+        assert!(roots.is_empty() && (1e-9..1e-8).contains(&margin), "{start}: {margin:e}");
+    }
+}
+
 /// Law: most rays from a surface can be judged beyond their start, and none at it.
 #[test]
 fn rays_from_a_surface_are_judged_beyond_it() {
