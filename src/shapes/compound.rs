@@ -54,21 +54,19 @@ impl Compound {
     pub fn of<S: Into<Kind>>(shapes: impl IntoIterator<Item = S>) -> Self {
         Self { accel: None, parts: shapes.into_iter().map(Part::new).collect() }
     }
-}
 
-impl Compound {
     /// Whether every part is hit inside its own box only, however far a ray comes from. What is
     /// pressed flat in an instance need not be; of shapes of a user's own nothing is known.
     fn is_hit_in_boxes(&self) -> bool {
-        fn is(shape: &Kind) -> bool {
+        fn in_box(shape: &Kind) -> bool {
             match shape {
                 Kind::Instance(_) | Kind::Custom(_) => false,
-                Kind::Lattice(lattice) => is(&lattice.of),
+                Kind::Lattice(lattice) => in_box(&lattice.of),
                 Kind::Compound(compound) => compound.is_hit_in_boxes(),
                 _ => true,
             }
         }
-        self.parts.iter().all(|part| is(&part.shape))
+        self.parts.iter().all(|part| in_box(&part.shape))
     }
 }
 

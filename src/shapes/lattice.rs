@@ -118,8 +118,8 @@ impl Places {
         Ray::new(ray.origin - self.shift(copy), ray.direction)
     }
 
-    /// What [`super::instance::bounds_seen_through`] says of a translation, in a tenth of its time: the sizes of both
-    /// corners' coordinates, here and there, bound the roundings.
+    /// What [`super::instance::bounds_seen_through`] says of a translation, in a tenth of its time: the
+    /// sizes of both corners' coordinates, here and there, bound the roundings.
     fn bounds(&self, copy: u32, inner: &Aabb) -> Aabb {
         let shift = self.shift(copy);
         let sizes = |corner: Point| {

@@ -31,23 +31,23 @@ fn explanation(data: &Data) -> String {
          formula as the book prints it, or solids put together of such, with its constant epsilon \
          (for algebraic surfaces, of which the book says nothing, a sign change among samples along \
          the ray). Compounds, rosettes and archways are the book's compounds of their parts; random \
-         spheres, lattices and meshes its regular grid, of 64 cells for each part at most; ours search as they do if the scene does not \
-         say how. Both get the same rays, {cases} for each shape (a quarter or a sixteenth for \
-         surfaces of high degree and shapes of many parts, whose truth takes long) in each of twelve \
-         families: ordinary ones, and those on which formulas fail (far origins, grazing and tangent rays, \
-         tiny, huge and thin shapes, …). The truth is computed with 512 bits.</p>\n\
+         spheres, lattices and meshes its regular grid, of 64 cells for each part at most; ours search \
+         as they do if the scene does not say how. Both get the same rays, {cases} for each shape (a \
+         quarter or a sixteenth for surfaces of high degree and shapes of many parts, whose truth \
+         takes long) in each of twelve families: ordinary ones, and those on which formulas fail (far \
+         origins, grazing and tangent rays, tiny, huge and thin shapes, …). The truth is computed with \
+         512 bits.</p>\n\
          <p>An error is counted in units of u·cond: how far the distance moves if the input is \
          wrong in its last bit. An error of 1 is as good as any routine can promise, up to {ALLOWED} \
          is good, and 10⁶ means that six digits are lost. (Inside an instance, roundings count as much \
          more as its matrix squeezes the wall that is hit.) A hit is <em>lost</em> if the nearest was \
          not found, and <em>wrong</em> if there was none to find; rays whose answer turns on the \
-         rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. Of rays from the surface, what they \
-         meet beyond a millionth of the shape's size is judged; ours is asked for that alone, while \
-         the textbook's has its epsilon. A \
-         constant epsilon loses every hit that is nearer than it. Times are medians for one call on \
-         one thread, of both for the question that a ray asks of every shape: is there a hit, and at \
-         which t? (The nearest; what follows for the one that wins, its point and normal, is not in \
-         them, of either.)</p>\n"
+         rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. Of rays \
+         from the surface, what they meet beyond a millionth of the shape's size is judged; ours is \
+         asked for that alone, while the textbook's has its epsilon. A constant epsilon loses every \
+         hit that is nearer than it. Times are medians for one call on one thread, of both for the \
+         question that a ray asks of every shape: is there a hit, and at which t? (The nearest; what \
+         follows for the one that wins, its point and normal, is not in them, of either.)</p>\n"
     )
 }
 

@@ -161,7 +161,7 @@ impl Tally {
     fn meet(&mut self, found: Option<f64>, span: Span, answer: &Answer) {
         match (found, answer.roots.first()) {
             (None, None) => {}
-            // the start
+            // what the ray starts on
             (Some(t), _) if t <= span.min => self.wrong += 1,
             (Some(_), None) => self.wrong += 1,
             (None, Some(_)) => self.lost += 1,

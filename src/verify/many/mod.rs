@@ -173,8 +173,9 @@ impl Piece {
         Self { exact, within, reach: reach[0].max(reach[1]) }
     }
 
-    /// The exact answer beyond `start`. A ray that passes the half-spaces by, and does so wherever a relative change
-    /// by 1e-11 may move it and the piece, is not asked: it is farther from them than the rounding here.
+    /// The exact answer beyond `start`. A ray that passes the half-spaces by, and does so wherever a
+    /// relative change by 1e-11 may move it and the piece, is not asked: it is farther from them than
+    /// the rounding here.
     fn answer(&self, exact: &oracle::Ray, start: f64) -> Answer {
         const MARGIN: f64 = 1e-11;
         let ray = against::ray(exact);

@@ -24,7 +24,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Parts in their boxes.
+    /// Parts in their boxes, which are bounded.
     pub fn new(parts: Vec<(Aabb, Part)>) -> Self {
         let (boxes, parts): (Vec<Aabb>, Vec<Part>) = parts.into_iter().unzip();
         let [min, max] = around(&boxes);

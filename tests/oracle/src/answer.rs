@@ -51,7 +51,8 @@ impl Root {
 /// Everything about one ray and one shape.
 #[derive(Clone, Debug)]
 pub struct Answer {
-    /// Every meeting with `t > 0`, or beyond the start that was asked for, ascending; a double root may stand there twice or once.
+    /// Every meeting with `t > 0`, or beyond the start that was asked for, ascending; a double root may
+    /// stand there twice or once.
     pub roots: Vec<Root>,
     /// No relative change of the inputs smaller than this changes the number of roots; for an
     /// instance, none smaller than this over [`Shape::condition`]. A lower bound, mostly within a

@@ -8,8 +8,8 @@ use crate::{
 
 use super::everything;
 
-/// Law: beyond a start there is what lies beyond it, with the same conditions. Second method: the whole answer, cut
-/// off. Starts that a root is near are left out, but that they are few is checked.
+/// Law: beyond a start there is what lies beyond it, with the same conditions. Second method: the
+/// whole answer, cut off. Starts that a root is near are left out, but that they are few is checked.
 #[test]
 fn beyond_a_start_is_what_lies_beyond_it() {
     let near_by = |(a, b): (f64, f64)| a == b || (a - b).abs() <= 1e-12 * a.abs().max(1.0);
@@ -41,7 +41,8 @@ fn beyond_a_start_is_what_lies_beyond_it() {
     assert!(3 * near < all && met[0] > 100 && met[1] > 100, "{near} of {all}, {met:?}");
 }
 
-/// Law: on the sphere's own surface the margin of the hit across it is that of this hit. Oracle: by hand.
+/// Law: on the sphere's own surface the margin of the hit across it is that of this hit. Oracle: by
+/// hand.
 #[test]
 fn the_start_itself_does_not_count() {
     let sphere = Shape::Sphere { center: [0.0; 3], radius: 1.0 };
