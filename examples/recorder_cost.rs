@@ -9,11 +9,12 @@
 //! ```
 
 use groundtruth::gallery;
+use groundtruth::lobes::Lobes;
 use groundtruth::math::Ray;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::{Outcome, RayCounts, RayKind, Recorder, Term};
-use groundtruth::world::World;
+use groundtruth::trace::{Outcome, RayCounts, RayKind, Recorder, ShadingPoint, Term};
+use groundtruth::world::{Hit, World};
 
 const SIDE: u32 = 48;
 
@@ -27,8 +28,12 @@ impl Recorder for Deaf {
         std::hint::black_box(ray);
     }
     #[inline(never)]
-    fn outcome(&mut self, outcome: Outcome<'_>) {
+    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>) {
         std::hint::black_box(&outcome);
+    }
+    #[inline(never)]
+    fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
+        std::hint::black_box(point);
     }
     #[inline(never)]
     fn term(&mut self, term: Term) {

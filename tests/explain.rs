@@ -2,8 +2,14 @@
 //!
 //! The numbers are judged elsewhere (`tests/chapters`); this text shows a change of what people read.
 
-use groundtruth::explain;
+use groundtruth::cameras::{Orthographic, Viewpoint};
+use groundtruth::explain::{self, Outline, RayExplanation, Row};
 use groundtruth::gallery;
+use groundtruth::materials::{Dielectric, Matte, Medium};
+use groundtruth::math::Point;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted};
+use groundtruth::shapes::Sphere;
 use groundtruth::world::World;
 
 #[test]
@@ -14,5 +20,169 @@ fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
     scene.image.samples = 1;
     let world = World::build(&scene).expect("gallery scenes are valid");
     let explanation = explain::pixel(&scene, &world, [20, 15], None);
-    insta::assert_snapshot!(explanation.to_string());
+    insta::assert_snapshot!(explanation.text(0.01, false));
+}
+
+/// Two nested glass spheres over a matte one, seen off their axis: a tree of many rays of which few
+/// carry light.
+fn nested_glass() -> RayExplanation {
+    let lens = Orthographic { zoom: 1.0 };
+    let camera = Viewpoint::new(Point::new(0.3, 0.2, 10.0), Point::new(0.3, 0.2, 0.0), lens);
+    let mut scene = Scene::new("", Image::new(1, 1), camera);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 7 });
+    scene.background = Rgb::new(0.2, 0.4, 0.8).into();
+    let glass = |inside, outside| Dielectric { inside, outside, ..Dielectric::default() };
+    let (water, crown) = (Medium::clear(1.33), Medium::clear(1.52));
+    scene.materials = vec![
+        Material::new("outer", glass(crown, Medium::default())),
+        Material::new("inner", glass(water, crown)),
+        Material::new("chalk", Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }),
+    ];
+    let ball = |radius, z| Sphere { center: Point::new(0.0, 0.0, z), radius, inward: false };
+    scene.objects = vec![
+        Object::new("outer", "outer", ball(1.0, 0.0)),
+        Object::new("inner", "inner", ball(0.7, 0.0)),
+        Object::new("chalk", "chalk", ball(1.0, -3.0)),
+    ];
+    let world = World::build(&scene).expect("the scene is valid");
+    explain::sample(&scene, &world, [0, 0], 0).ray.expect("the camera sees all its film")
+}
+
+fn all(ray: &RayExplanation) -> Vec<&RayExplanation> {
+    std::iter::once(ray).chain(ray.children.iter().flat_map(all)).collect()
+}
+
+/// Law: a folded tree keeps every ray of at least the share asked for, tells how many the others are
+/// and what they add, and loses none. Oracle: all rays of the tree, counted one by one.
+#[test]
+fn what_is_folded_is_counted() {
+    let root = nested_glass();
+    let rays = all(&root);
+    assert!(rays.len() > 100, "only {} rays", rays.len());
+    assert_eq!(
+        rays.iter().map(|ray| ray.number).collect::<Vec<_>>(),
+        (0..rays.len()).collect::<Vec<_>>()
+    );
+    for min_share in [0.0, 0.001, 0.01, 0.1] {
+        let (mut shown, mut hidden) = (Vec::new(), 0);
+        for row in Outline::folding_below(min_share).rows(&root) {
+            match row {
+                Row::Ray { ray, .. } => shown.push(ray.number),
+                Row::Folded { parent, rays: count, share, .. } => {
+                    hidden += count;
+                    let small: Vec<_> =
+                        rays[parent].children.iter().filter(|c| c.share < min_share).collect();
+                    assert_eq!(count, small.iter().map(|child| all(child).len()).sum::<usize>());
+                    let sum: f64 = small.iter().map(|child| child.share).sum();
+                    assert!((share - sum).abs() < 1e-15);
+                }
+            }
+        }
+        assert_eq!(shown.len() + hidden, rays.len(), "{min_share}");
+        assert_eq!(hidden == 0, min_share == 0.0);
+        let large = rays.iter().filter(|ray| ray.share >= min_share);
+        assert!(large.map(|ray| ray.number).all(|number| shown.contains(&number)));
+        // few rays matter: what carries the light is near the top
+        assert!(min_share < 0.01 || shown.len() < 20, "{} rows", shown.len());
+    }
+}
+
+/// Law: the shares of a ray's children and of its own light add up to its own share. Oracle: the sum.
+#[test]
+fn shares_add_up() {
+    let root = nested_glass();
+    assert_eq!(root.share, 1.0);
+    for ray in all(&root) {
+        let children: f64 = ray.children.iter().map(|child| child.share).sum();
+        let own = ray.own_contribution.average() / root.contribution.average();
+        assert!((children + own - ray.share).abs() < 1e-12, "ray {}: {children} {own}", ray.number);
+    }
+}
+
+/// Law: the path of the light takes the child that adds most, and ends where a ray's own light adds
+/// more. Oracle: every child compared.
+#[test]
+fn the_path_of_the_light_follows_the_largest() {
+    let root = nested_glass();
+    let mut ray = &root;
+    let mut length = 0;
+    while let Some(next) = ray.largest_child() {
+        assert!(ray.children.iter().all(|child| child.share <= next.share));
+        ray = next;
+        length += 1;
+    }
+    assert!(length >= 4, "through four boundaries at least, not {length}");
+    assert!(ray.children.iter().all(|child| child.share <= ray.own_contribution.average()));
+    assert!(ray.share > 0.2, "{}", ray.share);
+    // and what a path leads to is found by its number
+    let path: Vec<usize> = root.path_to(ray.number).iter().map(|ray| ray.number).collect();
+    assert_eq!((path[0], path.len(), path.last()), (0, length + 1, Some(&ray.number)));
+    assert!(root.path_to(usize::MAX).is_empty());
+}
+
+/// Law: a chain of single rays is not indented, however long. Oracle: a ray's line is indented beyond
+/// its parent's only if other lines stand beside it.
+#[test]
+fn a_chain_of_single_rays_is_flat() {
+    let root = nested_glass();
+    let rows = Outline::folding_below(0.3).rows(&root);
+    let indents = rows.iter().map(|row| match row {
+        Row::Ray { indent, .. } | Row::Folded { indent, .. } => *indent,
+    });
+    let unfolded = rows.iter().filter(|row| matches!(row, Row::Ray { .. })).count();
+    assert!(unfolded >= 5 && indents.max() < Some(unfolded), "{rows:?}");
+    // one mirror facing nothing: a chain
+    let chain = RayExplanation { children: vec![only_child(&root)], ..root.clone() };
+    let rows = Outline::default().rows(&chain);
+    assert!(rows.iter().all(|row| matches!(row, Row::Ray { indent: 0, .. })), "{rows:?}");
+}
+
+/// The ray's first child with a single child of its own, and so on for three rays.
+fn only_child(ray: &RayExplanation) -> RayExplanation {
+    let leaf = RayExplanation { children: Vec::new(), number: 3, ..ray.clone() };
+    let middle = RayExplanation { children: vec![leaf], number: 2, ..ray.clone() };
+    RayExplanation { children: vec![middle], number: 1, ..ray.clone() }
+}
+
+/// Law: what hides a ray is opened for it, and nothing else. Oracle: the rows before and after.
+#[test]
+fn a_hidden_ray_is_revealed() {
+    let root = nested_glass();
+    let mut outline = Outline::folding_below(0.05);
+    let seen = |outline: &Outline, number: usize| {
+        outline
+            .rows(&root)
+            .iter()
+            .any(|row| matches!(row, Row::Ray { ray, .. } if ray.number == number))
+    };
+    let numbers = all(&root).into_iter().map(|ray| ray.number);
+    let hidden = numbers.rev().find(|&number| !seen(&outline, number)).expect("some are small");
+    outline.reveal(&root.path_to(hidden));
+    assert!(seen(&outline, hidden));
+    outline.closed.insert(0);
+    assert_eq!(outline.rows(&root).len(), 1);
+    outline.reveal(&root.path_to(hidden));
+    assert!(seen(&outline, hidden));
+}
+
+/// Law: mean, standard error, least and greatest are those of the samples. Oracle: the sums written
+/// out, on a pixel at the rim of the sphere.
+#[test]
+fn the_samples_statistics_are_theirs() {
+    let mut scene = (gallery::find("ch28/glass-sphere").expect("listed").build)();
+    scene.image.resize(48, 48);
+    scene.image.samples = 16;
+    let world = World::build(&scene).expect("gallery scenes are valid");
+    let explained = explain::pixel(&scene, &world, [7, 20], Some(3));
+    let reds: Vec<f64> = explained.radiances.iter().map(|radiance| radiance.r).collect();
+    let mean = reds.iter().sum::<f64>() / 16.0;
+    let squares: f64 = reds.iter().map(|red| (red - mean) * (red - mean)).sum();
+    let statistics = explained.statistics;
+    let error = statistics.standard_error.expect("more than one sample").r;
+    assert!((statistics.mean.r - mean).abs() < 1e-14);
+    assert!(error > 1e-3 && (error - (squares / 15.0 / 16.0).sqrt()).abs() < 1e-14, "{error}");
+    let value = |index: u32| explained.radiances[index as usize].average();
+    assert!((0..16).all(|i| value(statistics.least) <= value(i)));
+    assert!((0..16).all(|i| value(i) <= value(statistics.greatest)));
+    assert_eq!(explained.samples[0].radiance, explained.radiances[3]);
 }

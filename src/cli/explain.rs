@@ -20,9 +20,23 @@ pub struct Explain {
     /// Explain every sample of the pixel
     #[arg(long, conflicts_with = "sample")]
     all: bool,
-    /// Print JSON
+    /// Fold rays that add less than this percentage of their sample into one line; 0 shows all
+    #[arg(long, value_name = "PERCENT", default_value_t = 1.0, value_parser = percentage)]
+    min_share: f64,
+    /// Show only the path of rays along which most of the light comes
     #[arg(long)]
+    largest: bool,
+    /// Print JSON, with every ray
+    #[arg(long, conflicts_with = "largest")]
     json: bool,
+}
+
+/// A number from 0 to 100.
+fn percentage(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(percent),
+        _ => Err("a number from 0 to 100 is needed".to_owned()),
+    }
 }
 
 impl Explain {
@@ -44,6 +58,6 @@ impl Explain {
         if self.json {
             return print(&(serde_json::to_string_pretty(&explanation)? + "\n"));
         }
-        print(&explanation.to_string())
+        print(&explanation.text(self.min_share / 100.0, self.largest))
     }
 }

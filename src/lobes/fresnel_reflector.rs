@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::perfect_transmitter::relative;
-use super::{Claims, LobeSample, fresnel, mirrored};
+use super::{Claims, LobeSample, fresnel, mirrored, relative};
 use crate::invalid::{Invalid, positive};
 use crate::math::Vector;
 use crate::rgb::Rgb;

@@ -133,6 +133,19 @@ impl Lobe {
             _ => self.f(wo, wi),
         }
     }
+
+    /// For lobes that refract: the index of refraction behind the surface over the one in front of
+    /// it, as seen from `wo`.
+    pub fn relative_eta(&self, wo: Vector) -> Option<f64> {
+        match self {
+            Self::PerfectTransmitter(lobe) => Some(relative(lobe.eta, wo)),
+            Self::FresnelTransmitter(lobe) => Some(relative(lobe.eta, wo)),
+            Self::Lambertian(_)
+            | Self::GlossySpecular(_)
+            | Self::PerfectSpecular(_)
+            | Self::FresnelReflector(_) => None,
+        }
+    }
 }
 
 lobes! {
@@ -155,6 +168,11 @@ pub enum About {
 
 /// The lobes of one hit.
 pub type Lobes = ArrayVec<(Lobe, About), 4>;
+
+/// The index behind the surface over the one in front of it, for a viewer in direction `wo`.
+fn relative(eta: f64, wo: Vector) -> f64 {
+    if wo.z() < 0.0 { 1.0 / eta } else { eta }
+}
 
 /// The normal of the local frame on the side of `w`.
 fn normal_towards(w: Vector) -> Normal {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::refract::cos_refracted;
-use super::{Claims, LobeSample, normal_towards, refract};
+use super::{Claims, LobeSample, normal_towards, refract, relative};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -62,9 +62,4 @@ impl PerfectTransmitter {
             Self { transmittance: 1.0, eta: 1.0 },
         ]
     }
-}
-
-/// The index behind the surface over the one in front of it, for a viewer in direction `wo`.
-pub(super) fn relative(eta: f64, wo: Vector) -> f64 {
-    if wo.z() < 0.0 { 1.0 / eta } else { eta }
 }

@@ -42,7 +42,7 @@ impl Specification for Dielectric {
         Ok(Arc::new(Built {
             phong: self.phong.check().map_err(|e| e.inside("phong"))?,
             eta: inside.eta / outside.eta,
-            boundary: Boundary { inside: inside.absorption, outside: outside.absorption },
+            boundary: Boundary { inside, outside },
         }))
     }
 

@@ -52,13 +52,13 @@ pub struct Response {
     pub lobes: Lobes,
 }
 
-/// The absorption `σ` on each side of a surface.
+/// The medium on each side of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
-    /// On the side the normal comes from.
-    pub inside: Rgb,
+    /// On the inner side, which the normal points away from.
+    pub inside: Medium,
     /// On the side the normal points to.
-    pub outside: Rgb,
+    pub outside: Medium,
 }
 
 /// A transparent medium.

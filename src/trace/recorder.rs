@@ -1,15 +1,21 @@
-//! Who listens to the recursion.
+//! What there is to say of each ray, and who listens to the recursion.
+//!
+//! Each event has one type, from the recursion to what people read: an explanation only puts names
+//! in the place of indices.
 
 use serde::Serialize;
 
+use super::ShadingPoint;
+use crate::lobes::{Lobe, Lobes};
 use crate::math::Ray;
 use crate::rgb::Rgb;
-use crate::world::{Hit, PlacedObject};
+use crate::world::Hit;
 
-/// What a ray is for.
+/// What a ray is for. `Name` says how a light is named: by its index in the scene, or in an
+/// explanation as people call it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RayKind {
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum RayKind<Name = u32> {
     /// From the eye.
     Camera,
     /// Mirrored.
@@ -18,69 +24,137 @@ pub enum RayKind {
     Transmitted,
     /// Towards a light.
     Shadow {
-        /// The light's place in the scene.
-        light: u32,
+        /// The light.
+        light: Name,
     },
 }
 
-/// What became of a ray.
-#[derive(Clone, Copy, Debug)]
-pub enum Outcome<'a> {
+/// What became of a ray. `Met` says how a hit is described, `Name` how an object is named.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "outcome", rename_all = "snake_case")]
+pub enum Outcome<Met, Name = u32> {
     /// It met a surface.
-    Hit(&'a Hit<'a>),
+    Hit {
+        /// The surface.
+        hit: Met,
+    },
     /// It met nothing.
     Background,
     /// It was beyond the largest depth and not cast.
     TooDeep,
     /// A shadow ray that reached its light.
     Unblocked,
-    /// A shadow ray that met this object (there may be others).
-    Blocked(&'a PlacedObject),
+    /// A shadow ray that met an object.
+    Blocked {
+        /// The object; there may be others.
+        blocked_by: Name,
+    },
 }
 
-/// A term of what leaves a surface: `value = weight · light`.
+/// A term of what leaves a surface: `value = weight · arriving`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
     /// Where it comes from.
-    pub what: What,
-    /// What the light is multiplied by.
+    pub source: TermSource,
+    /// What the arriving light is multiplied by.
     pub weight: Rgb,
+    /// The light that arrives.
+    pub arriving: Rgb,
     /// What it adds.
     pub value: Rgb,
 }
 
-/// Where a term comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum What {
+/// Where a term comes from. `Name` says how a light is named.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "source", rename_all = "snake_case")]
+pub enum TermSource<Name = u32> {
     /// The background.
     Background,
     /// The surface itself shines.
     Emission,
     /// An ambient light.
     Ambient {
-        /// Its place in the scene.
-        light: u32,
+        /// The light.
+        light: Name,
     },
-    /// Light straight from a source, by one lobe.
+    /// Light straight from a source, scattered by one lobe: the weight is `f cosθ_i / pdf`.
     Direct {
-        /// The light's place in the scene.
-        light: u32,
-        /// The lobe.
-        lobe: &'static str,
+        /// The light.
+        light: Name,
+        /// The lobe, with its reflectance.
+        lobe: Lobe,
+        /// The value of the lobe for this light and viewer, per steradian.
+        f: Rgb,
+        /// The cosine of the light's angle to the normal.
+        cos_i: f64,
+        /// Of the direction, per steradian; 1 for a light that is a single direction.
+        pdf: f64,
         /// Whether the shadow ray before it says what arrives.
         traced: bool,
     },
     /// Light along the ray before it.
     Traced {
         /// The lobe that sent the ray.
-        lobe: &'static str,
+        lobe: Lobe,
     },
     /// What a light sends along a shadow ray.
     Light {
-        /// Its place in the scene.
-        light: u32,
+        /// The light.
+        light: Name,
     },
+}
+
+impl<Name> RayKind<Name> {
+    /// The same kind, its light named otherwise.
+    pub fn named<Other>(self, name: impl Fn(Name) -> Other) -> RayKind<Other> {
+        match self {
+            Self::Camera => RayKind::Camera,
+            Self::Reflected => RayKind::Reflected,
+            Self::Transmitted => RayKind::Transmitted,
+            Self::Shadow { light } => RayKind::Shadow { light: name(light) },
+        }
+    }
+}
+
+impl<Met, Name> Outcome<Met, Name> {
+    /// The same outcome, its hit described and its object named otherwise.
+    pub fn described<M, N>(
+        self,
+        describe: impl FnOnce(Met) -> M,
+        name: impl FnOnce(Name) -> N,
+    ) -> Outcome<M, N> {
+        match self {
+            Self::Hit { hit } => Outcome::Hit { hit: describe(hit) },
+            Self::Background => Outcome::Background,
+            Self::TooDeep => Outcome::TooDeep,
+            Self::Unblocked => Outcome::Unblocked,
+            Self::Blocked { blocked_by } => Outcome::Blocked { blocked_by: name(blocked_by) },
+        }
+    }
+
+    /// The surface that was met.
+    pub fn hit(&self) -> Option<&Met> {
+        match self {
+            Self::Hit { hit } => Some(hit),
+            Self::Background | Self::TooDeep | Self::Unblocked | Self::Blocked { .. } => None,
+        }
+    }
+}
+
+impl<Name> TermSource<Name> {
+    /// The same source, its light named otherwise.
+    pub fn named<Other>(self, name: impl Fn(Name) -> Other) -> TermSource<Other> {
+        match self {
+            Self::Background => TermSource::Background,
+            Self::Emission => TermSource::Emission,
+            Self::Ambient { light } => TermSource::Ambient { light: name(light) },
+            Self::Direct { light, lobe, f, cos_i, pdf, traced } => {
+                TermSource::Direct { light: name(light), lobe, f, cos_i, pdf, traced }
+            }
+            Self::Traced { lobe } => TermSource::Traced { lobe },
+            Self::Light { light } => TermSource::Light { light: name(light) },
+        }
+    }
 }
 
 /// Hears every ray. It cannot change the picture, and `()` costs nothing.
@@ -88,7 +162,10 @@ pub trait Recorder {
     /// A ray begins; it counts `weight` for the ray before it.
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb);
     /// What became of it.
-    fn outcome(&mut self, outcome: Outcome<'_>);
+    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>);
+    /// The surface that it met scatters light by these lobes.
+    #[inline(always)]
+    fn surface(&mut self, _point: &ShadingPoint<'_>, _lobes: &Lobes) {}
     /// A term of its sum; terms come in the order in which they are added.
     fn term(&mut self, term: Term);
     /// It ends: what its medium lets through, and what arrives at its origin.
@@ -100,7 +177,7 @@ impl Recorder for () {
     #[inline(always)]
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {}
     #[inline(always)]
-    fn outcome(&mut self, _: Outcome<'_>) {}
+    fn outcome(&mut self, _: Outcome<&Hit<'_>>) {}
     #[inline(always)]
     fn term(&mut self, _: Term) {}
     #[inline(always)]
@@ -132,7 +209,7 @@ impl Recorder for RayCounts {
         }
     }
 
-    fn outcome(&mut self, outcome: Outcome<'_>) {
+    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>) {
         if matches!(outcome, Outcome::TooDeep) {
             self.too_deep += 1;
         }

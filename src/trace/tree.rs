@@ -1,8 +1,11 @@
 //! The recorder that keeps everything.
 
-use super::recorder::{Outcome, RayKind, Recorder, Term, What};
-use crate::math::{Normal, Point, Ray};
+use super::recorder::{Outcome, RayKind, Recorder, Term, TermSource};
+use super::{Optics, ShadingPoint};
+use crate::lobes::Lobes;
+use crate::math::{Normal, Point, Ray, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
+use crate::world::Hit;
 
 /// All rays of a sample, each after the one that sent it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,7 +34,7 @@ pub struct Node {
     /// What it counts for the ray before it.
     pub weight: Rgb,
     /// What became of it.
-    pub outcome: RecordedOutcome,
+    pub outcome: Outcome<RecordedHit>,
     /// The terms of its sum, in order.
     pub terms: Vec<RecordedTerm>,
     /// What its medium lets through.
@@ -40,24 +43,6 @@ pub struct Node {
     pub radiance: Rgb,
     /// The rays it sent, in order.
     pub children: Vec<usize>,
-}
-
-/// What became of a ray.
-#[derive(Clone, Debug, PartialEq)]
-pub enum RecordedOutcome {
-    /// It met a surface.
-    Hit(RecordedHit),
-    /// It met nothing.
-    Background,
-    /// It was beyond the largest depth and not cast.
-    TooDeep,
-    /// A shadow ray that reached its light.
-    Unblocked,
-    /// A shadow ray that met this object.
-    Blocked {
-        /// The object's place in the scene.
-        object: u32,
-    },
 }
 
 /// A surface that was met.
@@ -79,6 +64,30 @@ pub struct RecordedHit {
     pub shading: Normal,
     /// Whether the ray met the side the normal points to.
     pub front: bool,
+    /// The angle of incidence: between the ray and the true normal, in degrees from 0 to 90.
+    pub angle_of_incidence: f64,
+    /// How light divides there, if the surface refracts.
+    pub optics: Option<Optics>,
+}
+
+impl RecordedHit {
+    fn of(hit: &Hit<'_>, ray: &Ray) -> Self {
+        let Hit { t, surface, .. } = hit;
+        let along = surface.normal.dot(ray.direction).abs();
+        let across = Vector::from(surface.normal).cross(ray.direction).length();
+        Self {
+            t: *t,
+            object: hit.object.place,
+            material: hit.material.place,
+            point: surface.point,
+            error: surface.error,
+            normal: surface.normal,
+            shading: surface.shading,
+            front: hit.front,
+            angle_of_incidence: to_degrees(atan2(across, along)),
+            optics: None,
+        }
+    }
 }
 
 /// A term, and the ray it comes from.
@@ -141,7 +150,7 @@ impl Recorder for RayTree {
             ray: *ray,
             depth,
             weight,
-            outcome: RecordedOutcome::Background,
+            outcome: Outcome::Background,
             terms: Vec::new(),
             transmittance: Rgb::WHITE,
             radiance: Rgb::BLACK,
@@ -149,36 +158,37 @@ impl Recorder for RayTree {
         });
     }
 
-    fn outcome(&mut self, outcome: Outcome<'_>) {
+    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>) {
         if self.beyond > 0 {
             return;
         }
-        self.current().outcome = match outcome {
-            Outcome::Hit(hit) => RecordedOutcome::Hit(RecordedHit {
-                t: hit.t,
-                object: hit.object.place,
-                material: hit.material.place,
-                point: hit.surface.point,
-                error: hit.surface.error,
-                normal: hit.surface.normal,
-                shading: hit.surface.shading,
-                front: hit.front,
-            }),
-            Outcome::Background => RecordedOutcome::Background,
-            Outcome::TooDeep => RecordedOutcome::TooDeep,
-            Outcome::Unblocked => RecordedOutcome::Unblocked,
-            Outcome::Blocked(object) => RecordedOutcome::Blocked { object: object.place },
-        };
+        let node = self.current();
+        node.outcome = outcome.described(|hit| RecordedHit::of(hit, &node.ray), |object| object);
+    }
+
+    fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
+        if self.beyond > 0 {
+            return;
+        }
+        if let Outcome::Hit { hit } = &mut self.current().outcome {
+            hit.optics = Optics::of(point, lobes);
+        }
     }
 
     fn term(&mut self, term: Term) {
         if self.beyond > 0 {
             return;
         }
+        let from_ray = match term.source {
+            TermSource::Traced { .. } => true,
+            TermSource::Direct { traced, .. } => traced,
+            TermSource::Background
+            | TermSource::Emission
+            | TermSource::Ambient { .. }
+            | TermSource::Light { .. } => false,
+        };
         let node = self.current();
-        let from_child =
-            matches!(term.what, What::Traced { .. } | What::Direct { traced: true, .. });
-        let child = if from_child { node.children.last().copied() } else { None };
+        let child = if from_ray { node.children.last().copied() } else { None };
         node.terms.push(RecordedTerm { term, child });
     }
 

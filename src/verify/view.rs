@@ -8,7 +8,7 @@ use crate::render;
 use crate::rgb::Rgb;
 use crate::scene::Scene;
 use crate::trace::{Outcome, RayKind, Recorder, Term};
-use crate::world::World;
+use crate::world::{Hit, World};
 
 /// A way to look at a scene. Beauty hides where a bug is; the others show it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -111,11 +111,11 @@ impl Recorder for FirstHit {
         self.rays += 1;
     }
 
-    fn outcome(&mut self, outcome: Outcome<'_>) {
+    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>) {
         if matches!(outcome, Outcome::TooDeep) {
             self.rays -= 1; // it was not cast
         }
-        if let (Outcome::Hit(hit), false) = (outcome, self.seen) {
+        if let (Outcome::Hit { hit }, false) = (outcome, self.seen) {
             self.t = hit.t;
             self.object = hit.object.place + 1;
             self.normal = hit.surface.normal.to_array().into();

@@ -1,6 +1,7 @@
 //! Chapter 28: realistic transparency.
 
 mod fresnel;
+mod recorded_optics;
 
 use std::f64::consts::TAU;
 
@@ -9,7 +10,7 @@ use groundtruth::math::{Normal, Pcg32, Point, Vector, cos, exp, power, sin};
 use groundtruth::render::{pixel, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
-use groundtruth::trace::{Node, RayKind, RayTree, RecordedOutcome};
+use groundtruth::trace::{Node, Outcome, RayKind, RayTree};
 use proptest::prelude::*;
 
 use crate::ch14::stage::*;
@@ -187,7 +188,7 @@ proptest! {
         scene.camera.medium = media[within(from)];
         let tree = recorded(&built(&scene), from, target - from);
         for node in tree.nodes() {
-            let RecordedOutcome::Hit(hit) = node.outcome else {
+            let Outcome::Hit { hit } = node.outcome else {
                 prop_assert_eq!(node.transmittance, Rgb::WHITE);
                 continue;
             };
@@ -271,7 +272,7 @@ fn no_light_leaves_a_glass_block_by_the_next_face() {
             let tree = recorded(&world, spot + away, -away);
             let inside =
                 child(&tree, tree.root(), RayKind::Transmitted).expect("glass lets light in");
-            let RecordedOutcome::Hit(hit) = inside.outcome else { panic!("a closed box") };
+            let Outcome::Hit { hit } = inside.outcome else { panic!("a closed box") };
             let out = child(&tree, &inside, RayKind::Transmitted).is_some();
             count += u32::from(out && hit.normal.z() == 0.0);
         }

@@ -13,7 +13,7 @@ use groundtruth::samplers::{self, Sampler};
 use groundtruth::scene::{Light, Material, Object, Scene, to_toml};
 use groundtruth::shapes::{self, Candidate, Instance, Plane, Shape, Surface};
 use groundtruth::textures::{self, Paint, Texture};
-use groundtruth::trace::{RayTree, RecordedOutcome};
+use groundtruth::trace::{Outcome, RayTree};
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
 
@@ -89,7 +89,7 @@ fn a_shape_defined_here_sits_in_an_instance() {
         add_flat(&mut scene, "tile", instance, RED);
         let mut tree = RayTree::default();
         render::sample(&built(&scene), [0, 0], 0, &mut tree);
-        let RecordedOutcome::Hit(hit) = &tree.root().outcome else { panic!("the tile is ahead") };
+        let Outcome::Hit { hit } = &tree.root().outcome else { panic!("the tile is ahead") };
         assert!((Vector::from(hit.normal) - normal).length() < 1e-15, "{:?}", hit.normal);
     }
 }

@@ -15,7 +15,7 @@ use groundtruth::samplers::{Jittered, Random, Regular};
 use groundtruth::scene::{Image, Scene};
 use groundtruth::shapes::{self, Candidate, Plane, Shape, Surface};
 use groundtruth::textures::Paint;
-use groundtruth::trace::{RayTree, RecordedOutcome};
+use groundtruth::trace::{Outcome, RayTree};
 use groundtruth::world::World;
 use serde::Deserialize;
 
@@ -53,7 +53,7 @@ fn one_pixel_of_a_box_has_the_normal_of_its_front() {
         add_flat(&mut scene, "box", shapes::Box { min, max }, RED);
         let mut tree = RayTree::default();
         render::sample(&built(&scene), [0, 0], 0, &mut tree);
-        let RecordedOutcome::Hit(hit) = &tree.root().outcome else { panic!("the box is ahead") };
+        let Outcome::Hit { hit } = &tree.root().outcome else { panic!("the box is ahead") };
         assert_eq!(hit.normal.to_array(), [0.0, 0.0, 1.0]);
         assert_eq!(hit.point, Point::new(0.0, 0.0, 1.0));
         assert!(hit.front);

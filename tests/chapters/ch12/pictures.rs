@@ -235,7 +235,7 @@ fn pixels_of_pairs_are_explained() {
         assert_eq!(bits(explained.radiance), bits(film.get(at)));
         let in_gap = (WIDTH..WIDTH + 3).contains(&at[0]);
         assert!(explained.samples.iter().all(|sample| sample.ray.is_none() == in_gap));
-        assert_eq!(explained.to_string().contains("between the two images"), in_gap);
+        assert_eq!(explained.text(0.01, false).contains("between the two images"), in_gap);
     }
 }
 

@@ -89,11 +89,11 @@ fn the_explanation_is_the_picture() {
 
 /// What a ray's own terms and all rays after it add to the sample.
 fn added(ray: &explain::RayExplanation) -> [f64; 3] {
-    if ray.kind == "shadow" {
+    if matches!(ray.kind, RayKind::Shadow { .. }) {
         return ray.contribution.to_array();
     }
     let [own, sum, contribution] = [
-        ray.terms.iter().filter(|term| term.child.is_none()).map(|term| term.value).sum(),
+        ray.terms.iter().filter(|term| term.ray.is_none()).map(|term| term.value).sum(),
         ray.terms.iter().map(|term| term.value).sum::<groundtruth::rgb::Rgb>(),
         ray.contribution,
     ]

@@ -1,0 +1,298 @@
+//! Why a pixel has its colour: the ray tree in words and numbers, for people and for scripts.
+//!
+//! A [`RayExplanation`] is a recorded ray with names in place of indices, and what it adds to its
+//! pixel. The command line prints it, the inspector shows it; neither computes anything.
+
+mod outline;
+mod text;
+
+use serde::Serialize;
+use statrs::statistics::Statistics as _;
+
+use crate::render::{self, CameraSample};
+use crate::rgb::Rgb;
+use crate::scene::Scene;
+use crate::trace::{Optics, Outcome, RayKind, RayTree, RecordedHit, TermSource};
+use crate::world::World;
+
+pub use outline::{Outline, Row};
+pub use text::{brief, count, percent, short};
+
+/// A pixel explained: its samples and the sum that it is.
+#[derive(Clone, Debug, Serialize)]
+pub struct PixelExplanation {
+    /// x right and y down from the top left, from 0.
+    pub pixel: [u32; 2],
+    /// How many samples the pixel has.
+    pub samples_per_pixel: u32,
+    /// Multiplies the mean of the samples.
+    pub exposure_time: f64,
+    /// The explained samples: all of them, or those asked for.
+    pub samples: Vec<SampleExplanation>,
+    /// What each sample adds to the mean, also of those not explained.
+    #[serde(skip)]
+    pub radiances: Vec<Rgb>,
+    /// How the samples are spread.
+    pub statistics: Statistics,
+    /// The pixel: the exposure time times the mean of all its samples.
+    pub radiance: Rgb,
+}
+
+/// How the samples of a pixel are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Statistics {
+    /// The mean.
+    pub mean: Rgb,
+    /// The standard error of the mean, as if the samples were independent; well-spread ones are
+    /// nearer. None for a single sample.
+    pub standard_error: Option<Rgb>,
+    /// The index of the sample with the least radiance, averaged over the channels.
+    pub least: u32,
+    /// The index of the sample with the greatest radiance.
+    pub greatest: u32,
+}
+
+/// One sample explained.
+#[derive(Clone, Debug, Serialize)]
+pub struct SampleExplanation {
+    /// Its index.
+    pub index: u32,
+    /// Where it is on the view plane, in world units from its centre; `None` in the gap of a stereo
+    /// pair.
+    pub film: Option<[f64; 2]>,
+    /// Where it is on the lens, in the unit disk, if the camera has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lens: Option<[f64; 2]>,
+    /// What the filter lets it count.
+    pub weight: f64,
+    /// What it adds to the mean.
+    pub radiance: Rgb,
+    /// Whether all its rays are shown; a tree of more than a million is cut off.
+    pub complete: bool,
+    /// The camera's ray and all that came of it; `None` where the camera sees nothing.
+    pub ray: Option<RayExplanation>,
+}
+
+/// One ray explained.
+#[derive(Clone, Debug, Serialize)]
+pub struct RayExplanation {
+    /// Its number in the tree: 0 is the camera's ray, the others follow in the order in which they
+    /// were cast.
+    pub number: usize,
+    /// What it is for.
+    #[serde(flatten)]
+    pub kind: RayKind<String>,
+    /// Edges before it; 0 for the camera's ray.
+    pub depth: u32,
+    /// Where it starts.
+    pub origin: [f64; 3],
+    /// Where it goes.
+    pub direction: [f64; 3],
+    /// What it counts for the ray before it.
+    pub weight: Rgb,
+    /// What became of it.
+    #[serde(flatten)]
+    pub outcome: Outcome<HitExplanation, String>,
+    /// What leaves the surface towards the ray's origin, term by term.
+    pub terms: Vec<TermExplanation>,
+    /// The share that the medium lets through.
+    pub transmittance: Rgb,
+    /// What arrives at its origin: the transmittance times the sum of the terms.
+    pub radiance: Rgb,
+    /// What it adds to its sample, with all rays after it.
+    pub contribution: Rgb,
+    /// What of that comes from its own terms, without another ray.
+    pub own_contribution: Rgb,
+    /// The part of its sample that it adds, from 0 to 1, averaged over the channels; 0 in a black
+    /// sample.
+    pub share: f64,
+    /// The rays it sent, in order.
+    pub children: Vec<RayExplanation>,
+}
+
+/// What a ray hit.
+#[derive(Clone, Debug, Serialize)]
+pub struct HitExplanation {
+    /// The object.
+    pub object: String,
+    /// Its material.
+    pub material: String,
+    /// Along the ray.
+    pub t: f64,
+    /// Where.
+    pub point: [f64; 3],
+    /// How far the point may be from the true surface.
+    pub error: f64,
+    /// The true normal.
+    pub normal: [f64; 3],
+    /// The normal used for shading.
+    pub shading_normal: [f64; 3],
+    /// Whether the ray met the side the normal points to.
+    pub front: bool,
+    /// Between the ray and the true normal, in degrees from 0 to 90.
+    pub angle_of_incidence: f64,
+    /// How light divides there, if the surface refracts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub optics: Option<Optics>,
+}
+
+/// One term of what leaves a surface: `weight · arriving`.
+#[derive(Clone, Debug, Serialize)]
+pub struct TermExplanation {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub source: TermSource<String>,
+    /// What the arriving light is multiplied by.
+    pub weight: Rgb,
+    /// The light that arrives.
+    pub arriving: Rgb,
+    /// What it adds.
+    pub value: Rgb,
+    /// The number of the ray that the light comes along, if it took one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ray: Option<usize>,
+}
+
+/// Explains a pixel (x right, y down): one of its samples, or all.
+pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -> PixelExplanation {
+    let count = world.samples_per_pixel();
+    let (samples, radiances): (Vec<SampleExplanation>, Vec<Rgb>) = match only {
+        Some(index) => {
+            let radiances = (0..count).map(|i| render::sample(world, pixel, i, &mut ()));
+            (vec![sample(scene, world, pixel, index)], radiances.collect())
+        }
+        None => {
+            let samples: Vec<_> =
+                (0..count).map(|index| sample(scene, world, pixel, index)).collect();
+            let radiances = samples.iter().map(|sample| sample.radiance).collect();
+            (samples, radiances)
+        }
+    };
+    PixelExplanation {
+        pixel,
+        samples_per_pixel: count,
+        exposure_time: world.view.exposure_time,
+        samples,
+        statistics: Statistics::of(&radiances),
+        radiance: render::expose(world, radiances.iter().copied()),
+        radiances,
+    }
+}
+
+/// Explains one sample of a pixel.
+pub fn sample(scene: &Scene, world: &World, pixel: [u32; 2], index: u32) -> SampleExplanation {
+    let mut tree = RayTree::default();
+    let radiance = render::sample(world, pixel, index, &mut tree);
+    let complete = tree.is_complete();
+    let Some(CameraSample { film, lens, weight, ray, .. }) =
+        render::camera_sample(world, pixel, index)
+    else {
+        let (film, lens, weight, ray) = (None, None, 0.0, None);
+        return SampleExplanation { index, film, lens, weight, radiance, complete, ray };
+    };
+    let ray = ray.map(|_| Explaining { scene, tree: &tree, weight: Rgb::grey(weight) }.root());
+    SampleExplanation { index, film: Some(film), lens, weight, radiance, complete, ray }
+}
+
+/// Explains a recorded tree.
+pub fn ray(scene: &Scene, tree: &RayTree) -> RayExplanation {
+    Explaining { scene, tree, weight: Rgb::WHITE }.root()
+}
+
+impl Statistics {
+    /// Of at least one sample.
+    fn of(radiances: &[Rgb]) -> Self {
+        let root = (radiances.len() as f64).sqrt();
+        let error = |channel: usize| {
+            let values = radiances.iter().map(|radiance| radiance.to_array()[channel]);
+            values.std_dev() / root
+        };
+        let standard_error = (radiances.len() > 1).then(|| [0, 1, 2].map(error).into());
+        let ranked = || (0_u32..).zip(radiances.iter().map(|radiance| radiance.average()));
+        let by_value = |a: &(u32, f64), b: &(u32, f64)| a.1.total_cmp(&b.1);
+        let [least, greatest] = [ranked().min_by(by_value), ranked().max_by(by_value)]
+            .map(|found| found.map_or(0, |(index, _)| index));
+        let mean = render::mean(radiances.iter().copied());
+        Self { mean, standard_error, least, greatest }
+    }
+}
+
+struct Explaining<'a> {
+    scene: &'a Scene,
+    tree: &'a RayTree,
+    /// What the filter lets the sample count.
+    weight: Rgb,
+}
+
+impl Explaining<'_> {
+    fn root(&self) -> RayExplanation {
+        self.ray(0, self.weight)
+    }
+
+    /// The part of the sample that a contribution is.
+    fn share(&self, contribution: Rgb) -> f64 {
+        let sample = self.weight * self.tree.root().radiance;
+        if sample.is_black() { 0.0 } else { contribution.average() / sample.average() }
+    }
+
+    /// Explains a ray and those after it. `reaches` is the share of what arrives at its origin that
+    /// reaches the eye.
+    fn ray(&self, number: usize, reaches: Rgb) -> RayExplanation {
+        let node = &self.tree.nodes()[number];
+        // a shadow ray serves every lobe that takes its light: their weights add up
+        let weight_of = |child: usize| -> Rgb {
+            let terms = node.terms.iter().filter(|recorded| recorded.child == Some(child));
+            terms.map(|recorded| recorded.term.weight).sum()
+        };
+        let children =
+            node.children.iter().map(|&c| self.ray(c, reaches * node.transmittance * weight_of(c)));
+        let terms = node.terms.iter().map(|recorded| TermExplanation {
+            source: recorded.term.source.named(|light| self.light(light)),
+            weight: recorded.term.weight,
+            arriving: recorded.term.arriving,
+            value: recorded.term.value,
+            ray: recorded.child,
+        });
+        let own_terms = node.terms.iter().filter(|recorded| recorded.child.is_none());
+        let own: Rgb = own_terms.map(|recorded| recorded.term.value).sum();
+        let contribution = reaches * node.radiance;
+        RayExplanation {
+            number,
+            kind: node.kind.named(|light| self.light(light)),
+            depth: node.depth,
+            origin: node.ray.origin.into(),
+            direction: node.ray.direction.into(),
+            weight: node.weight,
+            outcome: node.outcome.described(
+                |hit| self.hit(&hit),
+                |object| self.scene.objects[object as usize].name.clone(),
+            ),
+            terms: terms.collect(),
+            transmittance: node.transmittance,
+            radiance: node.radiance,
+            contribution,
+            own_contribution: reaches * node.transmittance * own,
+            share: self.share(contribution),
+            children: children.collect(),
+        }
+    }
+
+    fn hit(&self, hit: &RecordedHit) -> HitExplanation {
+        HitExplanation {
+            object: self.scene.objects[hit.object as usize].name.clone(),
+            material: self.scene.materials[hit.material as usize].name.clone(),
+            t: hit.t,
+            point: hit.point.into(),
+            error: hit.error,
+            normal: hit.normal.into(),
+            shading_normal: hit.shading.into(),
+            front: hit.front,
+            angle_of_incidence: hit.angle_of_incidence,
+            optics: hit.optics,
+        }
+    }
+
+    fn light(&self, index: u32) -> String {
+        self.scene.lights[index as usize].name.clone()
+    }
+}

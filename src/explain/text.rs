@@ -1,0 +1,273 @@
+//! An explanation as text.
+
+use std::fmt::{self, Write as _};
+
+use super::{
+    HitExplanation, Outline, PixelExplanation, RayExplanation, Row, SampleExplanation,
+    TermExplanation,
+};
+use crate::lobes::Lobe;
+use crate::rgb::Rgb;
+use crate::trace::{Optics, Outcome, RayKind, TermSource};
+
+/// A colour as `(0.12, 0.03, 0.03)`, a grey as `0.5`, shortened for people.
+pub fn short(color: Rgb) -> String {
+    let [r, g, b] = color.to_array().map(brief);
+    if color == Rgb::grey(color.r) { r } else { format!("({r}, {g}, {b})") }
+}
+
+/// Three significant digits, or so.
+pub fn brief(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".to_owned(),
+        a if (1e-3..1e4).contains(&a) => format!("{}", (x * 1e3).round() / 1e3),
+        _ => format!("{x:.2e}"),
+    }
+}
+
+/// `83 %`, `0.4 %`.
+pub fn percent(share: f64) -> String {
+    match 100.0 * share {
+        0.0 => "0 %".to_owned(),
+        p if p.abs() < 0.05 => "< 0.1 %".to_owned(),
+        p if p.abs() < 9.95 => format!("{p:.1} %"),
+        p => format!("{p:.0} %"),
+    }
+}
+
+/// `1 ray`, `2 rays`.
+pub fn count(number: usize, thing: &str) -> String {
+    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
+}
+
+impl RayExplanation {
+    /// One line that a person can read: `3  reflected  t 12.3  hits "red sphere"`.
+    pub fn line(&self) -> String {
+        let kind = match &self.kind {
+            RayKind::Camera => "camera".to_owned(),
+            RayKind::Reflected => "reflected".to_owned(),
+            RayKind::Transmitted => "transmitted".to_owned(),
+            RayKind::Shadow { light } => format!("shadow ray to \"{light}\""),
+        };
+        let outcome = match &self.outcome {
+            Outcome::Hit { hit } => format!("t {}  hits \"{}\"", brief(hit.t), hit.object),
+            Outcome::Background => "hits nothing".to_owned(),
+            Outcome::TooDeep => "beyond the largest depth: black".to_owned(),
+            Outcome::Unblocked => "unblocked".to_owned(),
+            Outcome::Blocked { blocked_by } => format!("blocked by \"{blocked_by}\""),
+        };
+        format!("{}  {kind}  {outcome}", self.number)
+    }
+
+    /// Its numbers and terms, a line each.
+    fn details(&self) -> Vec<String> {
+        let mut lines = vec![format!("from {:?} towards {:?}", self.origin, self.direction)];
+        if let Some(hit) = self.outcome.hit() {
+            lines.extend(hit.lines());
+        }
+        if matches!(self.kind, RayKind::Shadow { .. }) {
+            return lines;
+        }
+        let (weight, radiance) = (short(self.weight), short(self.radiance));
+        lines.push(format!("weight {weight}  radiance {radiance}"));
+        lines.extend(
+            self.terms.iter().map(|term| {
+                format!("  + {}  {}: {}", short(term.value), term.name(), term.factors())
+            }),
+        );
+        if self.transmittance != Rgb::WHITE {
+            lines.push(format!("  × {}  through the medium", short(self.transmittance)));
+        }
+        lines
+    }
+}
+
+impl HitExplanation {
+    fn lines(&self) -> Vec<String> {
+        let side = if self.front { "front" } else { "back" };
+        let mut lines = vec![
+            format!("at {:?}, {side}, material \"{}\"", self.point, self.material),
+            format!(
+                "normal {:?}, angle of incidence {}°",
+                self.normal,
+                brief(self.angle_of_incidence)
+            ),
+        ];
+        if self.shading_normal != self.normal {
+            lines.push(format!("shading normal {:?}", self.shading_normal));
+        }
+        lines.extend(self.optics.as_ref().map(Optics::to_string));
+        lines
+    }
+}
+
+/// `from η 1 into η 1.5: relative η 1.5, refracted at 27.4°, R 0.05, T 0.95`.
+impl fmt::Display for Optics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(media) = self.media {
+            let [front, behind] = media.map(|medium| {
+                let (eta, sigma) = (brief(medium.eta), medium.absorption);
+                let clear = sigma.is_black();
+                if clear { format!("η {eta}") } else { format!("η {eta}, σ {}", short(sigma)) }
+            });
+            write!(f, "from {front} into {behind}: ")?;
+        }
+        write!(f, "relative η {}, ", brief(self.eta))?;
+        if let Some(angle) = self.critical_angle {
+            write!(f, "critical angle {}°, ", brief(angle))?;
+        }
+        match self.angle_of_refraction {
+            Some(angle) => write!(f, "refracted at {}°, ", brief(angle))?,
+            None => f.write_str("total internal reflection, ")?,
+        }
+        write!(f, "R {}, T {}", short(self.reflected), short(self.transmitted))
+    }
+}
+
+impl TermExplanation {
+    /// Where it comes from: `Lambertian, light "lamp"`.
+    pub fn name(&self) -> String {
+        match &self.source {
+            TermSource::Background => "background".to_owned(),
+            TermSource::Emission => "emission".to_owned(),
+            TermSource::Ambient { light } => format!("ambient, light \"{light}\""),
+            TermSource::Direct { light, lobe, .. } => format!("{}, light \"{light}\"", lobe.name()),
+            TermSource::Traced { lobe } => lobe.name().to_owned(),
+            TermSource::Light { light } => format!("light \"{light}\""),
+        }
+    }
+
+    /// What is multiplied to get it: `(0.8, 0.4, 0.1) / π × cos θ 0.5 × 2 along ray 3`.
+    pub fn factors(&self) -> String {
+        let mut text = match &self.source {
+            TermSource::Direct { lobe, f, cos_i, pdf, .. } => {
+                let mut text = value_of(lobe, *f);
+                let _ = write!(text, " × cos θ {}", brief(*cos_i));
+                if *pdf != 1.0 {
+                    let _ = write!(text, " / pdf {}", brief(*pdf));
+                }
+                text
+            }
+            TermSource::Ambient { .. } => format!("reflectance {}", short(self.weight)),
+            TermSource::Traced { .. }
+            | TermSource::Background
+            | TermSource::Emission
+            | TermSource::Light { .. } => format!("weight {}", short(self.weight)),
+        };
+        let arriving = short(self.arriving);
+        let _ = match self.ray {
+            Some(ray) => write!(text, " × {arriving} along ray {ray}"),
+            None => write!(text, " × light {arriving}"),
+        };
+        text
+    }
+}
+
+/// The value of a lobe, `f`, in the terms of its formula.
+fn value_of(lobe: &Lobe, f: Rgb) -> String {
+    match lobe {
+        Lobe::Lambertian(lobe) => format!("reflectance {} / π", short(lobe.reflectance)),
+        Lobe::GlossySpecular(lobe) => {
+            let (reflectance, exponent) = (short(lobe.reflectance), brief(lobe.exponent));
+            format!("f {} (reflectance {reflectance}, exponent {exponent})", short(f))
+        }
+        Lobe::PerfectSpecular(_)
+        | Lobe::PerfectTransmitter(_)
+        | Lobe::FresnelReflector(_)
+        | Lobe::FresnelTransmitter(_) => format!("f {}", short(f)),
+    }
+}
+
+impl PixelExplanation {
+    /// The explanation as text; what adds less than `min_share` of its sample is folded. With
+    /// `largest` only the path that carries most light is followed.
+    pub fn text(&self, min_share: f64, largest: bool) -> String {
+        let mut text = String::new();
+        self.write(&mut text, min_share, largest).expect("a string takes everything");
+        text
+    }
+
+    fn write(&self, f: &mut String, min_share: f64, largest: bool) -> fmt::Result {
+        let [x, y] = self.pixel;
+        let samples = self.samples.len();
+        writeln!(f, "pixel ({x}, {y}), {samples} of {} samples", self.samples_per_pixel)?;
+        for sample in &self.samples {
+            writeln!(f)?;
+            sample.write(f, min_share, largest)?;
+        }
+        writeln!(f)?;
+        for sample in &self.samples {
+            writeln!(f, "sample {:>4}: {:?}", sample.index, sample.radiance.to_array())?;
+        }
+        let exposure = match self.exposure_time {
+            1.0 => String::new(),
+            time => format!(", exposure time {time}"),
+        };
+        let count = self.samples_per_pixel;
+        if let Some(error) = self.statistics.standard_error {
+            let [least, greatest] = [self.statistics.least, self.statistics.greatest]
+                .map(|index| format!("{} (sample {index})", short(self.radiances[index as usize])));
+            let error = short(error);
+            writeln!(f, "samples: least {least}, greatest {greatest}, standard error {error}")?;
+        }
+        let radiance = self.radiance.to_array();
+        writeln!(f, "the pixel is the mean of {count}{exposure}: {radiance:?}")
+    }
+}
+
+impl SampleExplanation {
+    fn write(&self, f: &mut String, min_share: f64, largest: bool) -> fmt::Result {
+        let index = self.index;
+        let Some([px, py]) = self.film else {
+            return writeln!(f, "sample {index}: between the two images, no ray");
+        };
+        write!(f, "sample {index} at ({}, {}) on the view plane", brief(px), brief(py))?;
+        if let Some([lx, ly]) = self.lens {
+            write!(f, ", ({}, {}) on the lens", brief(lx), brief(ly))?;
+        }
+        if self.weight != 1.0 {
+            write!(f, ", counts {} by the filter", brief(self.weight))?;
+        }
+        writeln!(f)?;
+        match &self.ray {
+            None => writeln!(f, "no ray: the camera sees nothing there")?,
+            Some(root) if largest => write_rows(f, &path_of_the_light(root))?,
+            Some(root) => write_rows(f, &Outline::folding_below(min_share).rows(root))?,
+        }
+        if !self.complete {
+            writeln!(
+                f,
+                "(cut off: the tree has more rays; a smaller max_depth makes a smaller one)"
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// The rays along which most of the light comes, as a chain.
+fn path_of_the_light(root: &RayExplanation) -> Vec<Row<'_>> {
+    let path = std::iter::successors(Some(root), |ray| ray.largest_child());
+    path.map(|ray| Row::Ray { ray, indent: 0 }).collect()
+}
+
+/// The share of each ray at the left, its line, and its details below.
+fn write_rows(f: &mut String, rows: &[Row<'_>]) -> fmt::Result {
+    for row in rows {
+        match row {
+            Row::Ray { ray, indent } => {
+                let pad = "    ".repeat(*indent);
+                let (share, contribution) = (percent(ray.share), short(ray.contribution));
+                writeln!(f, "{share:>7}  {pad}{}  contributes {contribution}", ray.line())?;
+                for line in ray.details() {
+                    writeln!(f, "         {pad}      {line}")?;
+                }
+            }
+            Row::Folded { indent, rays, share, .. } => {
+                let pad = "    ".repeat(*indent);
+                let rays = count(*rays, "more ray");
+                writeln!(f, "{:>7}  {pad}{rays} (--min-share 0 shows all)", percent(*share))?;
+            }
+        }
+    }
+    Ok(())
+}

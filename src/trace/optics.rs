@@ -1,0 +1,58 @@
+//! How a boundary between two media divides light, in the terms of chapters 27 and 28.
+
+use serde::Serialize;
+
+use super::ShadingPoint;
+use crate::lobes::{About, Lobes, refract};
+use crate::materials::Medium;
+use crate::math::{Normal, atan2, to_degrees};
+use crate::rgb::Rgb;
+
+/// What refraction does at a hit, as seen along the ray that met it. Angles in degrees from the true
+/// normal.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Optics {
+    /// The index of refraction behind the surface over the one in front of it.
+    pub eta: f64,
+    /// From this angle of incidence on, reflection is total; only where `eta < 1`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub critical_angle: Option<f64>,
+    /// The angle on the other side; none on total internal reflection.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_of_refraction: Option<f64>,
+    /// The share of light that is reflected, `R` (`k_r` in the book).
+    pub reflected: Rgb,
+    /// The share that passes, `T` (`k_t` in the book), without the `1/η²` of radiance.
+    pub transmitted: Rgb,
+    /// The medium in front of the surface and the one behind it, if the material says them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub media: Option<[Medium; 2]>,
+}
+
+impl Optics {
+    /// The optics of a hit whose lobes refract; `None` for opaque surfaces.
+    pub(super) fn of(point: &ShadingPoint<'_>, lobes: &Lobes) -> Option<Self> {
+        let wo = point.frame(About::Geometry).to_local(point.wo);
+        let eta = lobes.iter().find_map(|(lobe, _)| lobe.relative_eta(wo))?;
+        let front = if wo.z() < 0.0 { -Normal::Z } else { Normal::Z };
+        let share = |transmits: bool| -> Rgb {
+            let specular = lobes.iter().filter(|(lobe, _)| lobe.is_specular());
+            let its = specular.filter(|(lobe, _)| lobe.relative_eta(wo).is_some() == transmits);
+            its.map(|(lobe, _)| lobe.albedo(wo)).sum()
+        };
+        let angle = |sin: f64, cos: f64| to_degrees(atan2(sin, cos));
+        let media = point.hit.material.recipe.boundary().map(|boundary| {
+            let [inside, outside] = [boundary.inside, boundary.outside];
+            if point.cos_o < 0.0 { [inside, outside] } else { [outside, inside] }
+        });
+        Some(Self {
+            eta,
+            critical_angle: (eta < 1.0).then(|| angle(eta, ((1.0 - eta) * (1.0 + eta)).sqrt())),
+            angle_of_refraction: refract(wo, front, eta)
+                .map(|t| angle((t.x() * t.x() + t.y() * t.y()).sqrt(), t.z().abs())),
+            reflected: share(false),
+            transmitted: (eta * eta) * share(true),
+            media,
+        })
+    }
+}

@@ -1,0 +1,131 @@
+//! What the recorder says of refraction: the numbers that `explain` and the inspector show.
+
+use std::f64::consts::{FRAC_1_PI, TAU};
+
+use groundtruth::lobes::Lobe;
+use groundtruth::materials::{Matte, Medium, Transparent};
+use groundtruth::math::{Normal, Point, Vector, cos, sin, to_radians};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::Plane;
+use groundtruth::trace::{Node, Outcome, RayKind, RayTree, RecordedHit, TermSource};
+use groundtruth::{lights, materials};
+use proptest::prelude::*;
+
+use super::{child, fresnel, glass, tinted};
+use crate::ch14::stage::*;
+use crate::support::laws;
+
+/// Angles pass through degrees and back, and through sines: some dozens of roundings, far less than
+/// anything a mistake would make.
+const CLOSE: f64 = 1e-12;
+
+/// A ray onto the plane y = 0 at this angle of incidence in degrees, from above or below.
+fn onto_plane(recipe: materials::Kind, degrees: f64, phi: f64, above: bool) -> RayTree {
+    let mut scene = deep_stage(Rgb::WHITE, 1);
+    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, recipe);
+    let up = if above { Normal::Y } else { -Normal::Y };
+    let towards = at_angle(up, cos(to_radians(degrees)), phi);
+    recorded(&built(&scene), Point::ORIGIN + towards, -towards)
+}
+
+fn hit_of(node: &Node) -> RecordedHit {
+    let Outcome::Hit { hit } = node.outcome else { panic!("the plane is ahead") };
+    hit
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: the recorded angles obey Snell, reflection is total exactly beyond the critical angle,
+    /// R is Fresnel's and `R + T = 1`, and the media stand in the order in which the ray meets them.
+    /// Oracle: `n₁ sin θ₁ = n₂ sin θ₂`, and Fresnel's equations by sums of angles (ch. 27, 28).
+    #[test]
+    fn a_dielectric_tells_angles_shares_and_media(
+        (inside, outside) in (1.0..2.5_f64, 1.0..2.5_f64),
+        degrees in 0.0..89.9_f64,
+        phi in 0.0..TAU,
+        above: bool,
+    ) {
+        let media = [Medium::clear(outside), tinted(inside, Rgb::new(0.5, 0.0, 0.25))];
+        let tree = onto_plane(glass(media[1], media[0]).into(), degrees, phi, above);
+        let hit = hit_of(tree.root());
+        prop_assert!((hit.angle_of_incidence - degrees).abs() < 1e-9);
+        let optics = hit.optics.expect("glass refracts");
+        let [front, behind] = if above { media } else { [media[1], media[0]] };
+        prop_assert_eq!(optics.media, Some([front, behind]));
+
+        let sine = front.eta / behind.eta * sin(to_radians(degrees));
+        prop_assume!((sine - 1.0).abs() > 1e-9);
+        prop_assert_eq!(optics.angle_of_refraction.is_none(), sine > 1.0);
+        prop_assert_eq!(optics.critical_angle.is_some(), front.eta > behind.eta);
+        if let Some(critical) = optics.critical_angle {
+            let found = front.eta * sin(to_radians(critical));
+            prop_assert!((found - behind.eta).abs() < CLOSE * behind.eta, "{critical}");
+        }
+        let reflected = match optics.angle_of_refraction {
+            None => 1.0,
+            Some(angle) => {
+                prop_assert!((sin(to_radians(angle)) - sine).abs() < CLOSE, "{angle}");
+                // light takes the same share on the way back, at the angle of the other side
+                match front.eta < behind.eta {
+                    true => fresnel::by_angles(sin(to_radians(degrees)), behind.eta / front.eta),
+                    false => fresnel::by_angles(sine, front.eta / behind.eta),
+                }
+            }
+        };
+        prop_assert!((optics.reflected.r - reflected).abs() < 1e-9, "{optics:?}, not {reflected}");
+        prop_assert!((optics.transmitted.r + optics.reflected.r - 1.0).abs() < CLOSE, "{optics:?}");
+    }
+}
+
+/// Law: the simple transparent material reflects and transmits its constant shares at every angle, and
+/// everything beyond the critical angle of 41.8103°. Oracle: `k_r`, `k_t`, and arcsin 2/3 (ch. 27).
+#[test]
+fn a_transparent_surface_tells_its_constant_shares() {
+    let recipe = Transparent { kr: 0.1, kt: 0.9, ..transparent(1.5) };
+    for (degrees, above, total) in
+        [(30.0, true, false), (80.0, true, false), (41.81, false, false), (41.811, false, true)]
+    {
+        let tree = onto_plane(recipe.clone().into(), degrees, 1.0, above);
+        let optics = hit_of(tree.root()).optics.expect("it refracts");
+        assert_eq!(optics.media, None, "the material says nothing of media");
+        assert_eq!(optics.angle_of_refraction.is_none(), total, "{degrees}");
+        let [r, t] = if total { [1.0, 0.0] } else { [0.1, 0.9] };
+        assert!((optics.reflected.g - r).abs() < CLOSE && (optics.transmitted.g - t).abs() < CLOSE);
+        assert_eq!(optics.critical_angle.is_some(), !above);
+        let refracted = child(&tree, tree.root(), RayKind::Transmitted);
+        assert_eq!(refracted.is_none(), total, "{degrees}");
+    }
+}
+
+fn transparent(eta: f64) -> Transparent {
+    let phong = materials::Phong::default();
+    Transparent { phong, kr: 0.0, cr: Rgb::WHITE.into(), kt: 0.0, eta }
+}
+
+/// Law: a matte term is told as reflectance, cosine and light: `ρ/π · cos θ · L`. Oracle: `k_d c_d`,
+/// an angle of 60° and a lamp of 3 (ch. 14).
+#[test]
+fn a_matte_term_is_reflectance_and_cosine_and_light() {
+    let mut scene = deep_stage(Rgb::BLACK, 1);
+    let cd = Rgb::new(1.0, 0.5, 0.25).into();
+    put(
+        &mut scene,
+        Plane { point: Point::ORIGIN, normal: Vector::Y },
+        Matte { ka: 0.0, kd: 0.8, cd },
+    );
+    let direction = at_angle(Normal::Y, 0.5, 2.0);
+    shine(&mut scene, lights::Directional { ls: 3.0, color: Rgb::WHITE, direction });
+    let tree = recorded(&built(&scene), Point::new(0.0, 1.0, 0.0), -Vector::Y);
+    let [recorded] = &tree.root().terms[..] else { panic!("one light, one lobe") };
+    let TermSource::Direct { light, lobe, f, cos_i, pdf, traced } = recorded.term.source else {
+        panic!("direct light")
+    };
+    assert_eq!((light, pdf, traced, recorded.child), (0, 1.0, true, Some(1)));
+    let Lobe::Lambertian(lobe) = lobe else { panic!("{lobe:?}") };
+    assert!(close(lobe.reflectance, Rgb::new(0.8, 0.4, 0.2), CLOSE));
+    assert!(close(f, FRAC_1_PI * lobe.reflectance, CLOSE));
+    assert!((cos_i - 0.5).abs() < CLOSE);
+    assert!(close(recorded.term.arriving, Rgb::grey(3.0), CLOSE));
+    assert!(close(recorded.term.value, 1.5 * FRAC_1_PI * Rgb::new(0.8, 0.4, 0.2), CLOSE));
+}
