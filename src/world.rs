@@ -14,7 +14,7 @@ use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
 use crate::samplers::{Kind as SamplerKind, MultiJittered, Regular, SampleSets};
 use crate::scene::{self, Image, Scene, SceneError, Tracer};
-use crate::shapes::{Candidate, Context, PartMaterial, Shape, Surface};
+use crate::shapes::{Candidate, Context, PartMaterial, PartPath, Shape, Surface};
 
 /// The seed of a picture that names none.
 pub const DEFAULT_SEED: u64 = 1;
@@ -108,6 +108,14 @@ pub struct Hit<'a> {
     pub surface: Surface,
     /// Whether the ray meets the side the normal points to.
     pub front: bool,
+    candidate: Candidate,
+}
+
+impl Hit<'_> {
+    /// Which of the shapes nested in the object's, and which part of the innermost, is hit.
+    pub fn path(&self) -> PartPath {
+        self.object.shape.path(&self.candidate)
+    }
 }
 
 impl World {
@@ -183,7 +191,7 @@ impl World {
         surface.leaf = candidate.leaf;
         let front = surface.is_front(ray.direction);
         let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
-        Some(Hit { t: candidate.t, object, material, surface, front })
+        Some(Hit { t: candidate.t, object, material, surface, front, candidate })
     }
 
     /// An object that stands in the way of light along the ray, if there is one.

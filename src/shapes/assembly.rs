@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::{Candidate, Context, Kind, Shape, Surface};
+use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
 use crate::math::{Aabb, Ray, Span};
@@ -82,6 +82,7 @@ pub struct Assembly {
 
 #[derive(Debug)]
 struct Part {
+    name: Box<str>,
     shape: Arc<dyn Shape>,
     bounds: Aabb,
     material: Option<u32>,
@@ -107,7 +108,8 @@ impl Assembly {
             let (shape, casts_shadows) =
                 context.part(part.shape, material).map_err(|e| here(e.inside("shape")))?;
             let (bounds, material) = (shape.bounds(), material.map(|m| m.place));
-            built.push(Part { shape, bounds, material, casts_shadows });
+            let name = part.name.into();
+            built.push(Part { name, shape, bounds, material, casts_shadows });
         }
         Self::of(built, accel, context).map_err(|e| e.inside(field))
     }
@@ -161,10 +163,10 @@ impl Assembly {
         nearest
     }
 
-    /// The part that is hit, and the hit as the part sees it.
-    fn within(&self, at: &Candidate) -> (&Part, Candidate) {
+    /// The index of the part that is hit, and the hit as the part sees it.
+    fn within(&self, at: &Candidate) -> (usize, Candidate) {
         let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
-        (&self.parts[index], Candidate { leaf: at.leaf - self.leaves[index], ..*at })
+        (index, Candidate { leaf: at.leaf - self.leaves[index], ..*at })
     }
 
     /// Whether two hits in a row are one: where parts of a smooth solid reach over a seam a ray meets
@@ -230,15 +232,22 @@ impl Shape for Assembly {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let (part, within) = self.within(at);
+        let (index, within) = self.within(at);
+        let part = &self.parts[index];
         let surface = part.shape.surface(ray, &within);
         let error = surface.error.max(self.least_error);
         Surface { error, material: surface.material.or(part.material), ..surface }
     }
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
-        let (part, within) = self.within(at);
-        part.shape.uv(&within)
+        let (index, within) = self.within(at);
+        self.parts[index].shape.uv(&within)
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        let (index, within) = self.within(at);
+        let Part { name, shape, .. } = &self.parts[index];
+        shape.path(&within).inside(Level::Part { index: index as u32, name: name.to_string() })
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface};
+use super::{Candidate, Context, Face, Level, PartPath, Shape, Surface};
 use crate::invalid::{Invalid, finite_point};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF};
@@ -107,6 +107,11 @@ impl Shape for Box {
         };
         let point = ray.at(at.t).with(axis, face);
         Surface::new(point, 4.0 * UNIT_ROUNDOFF * face.abs(), normal)
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        let faces = [Face::MinX, Face::MaxX, Face::MinY, Face::MaxY, Face::MinZ, Face::MaxZ];
+        PartPath::to(Level::Face(faces[at.part as usize]))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

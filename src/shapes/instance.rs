@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Kind, Shape, Surface, normal_along};
+use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface, normal_along};
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
@@ -131,6 +131,10 @@ impl Shape for Placed {
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
         self.shape.uv(at)
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        self.shape.path(at).inside(Level::Instance {})
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

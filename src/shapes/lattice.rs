@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::instance::surface_seen_through;
-use super::{Candidate, Context, Kind, Shape, Surface};
+use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, finite_vector};
 use crate::kinds::Specification;
@@ -104,11 +104,15 @@ impl Specification for Lattice {
 }
 
 impl Places {
-    /// By how much the copy of this number is moved; the first index runs fastest.
-    fn shift(&self, copy: u32) -> Vector {
+    /// Where in the lattice the copy of this number is; the first index runs fastest.
+    fn indices(&self, copy: u32) -> [u32; 3] {
         let [columns, rows, _] = self.counts;
-        let [i, j, k] =
-            [copy % columns, copy / columns % rows, copy / columns / rows].map(f64::from);
+        [copy % columns, copy / columns % rows, copy / columns / rows]
+    }
+
+    /// By how much the copy of this number is moved.
+    fn shift(&self, copy: u32) -> Vector {
+        let [i, j, k] = self.indices(copy).map(f64::from);
         let [x, y, z] = self.spacing.to_array();
         Vector::new(i * x, j * y, k * z)
     }
@@ -156,6 +160,14 @@ impl Primitives for Seen<'_> {
     }
 }
 
+impl Built {
+    /// The number of the copy that is hit, and the hit as the copied shape sees it.
+    fn within(&self, at: &Candidate) -> (u32, Candidate) {
+        let (copy, leaf) = (at.leaf / self.leaves, at.leaf % self.leaves);
+        (copy as u32, Candidate { leaf, ..*at })
+    }
+}
+
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let (copy, at) = self.accel.nearest(&Seen { lattice: self, ray }, ray, span)?;
@@ -167,13 +179,18 @@ impl Shape for Built {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let (copy, leaf) = ((at.leaf / self.leaves) as u32, at.leaf % self.leaves);
+        let (copy, within) = self.within(at);
         let place = Transform::translation(self.places.shift(copy));
-        surface_seen_through(&place, &*self.shape, ray, &Candidate { leaf, ..*at })
+        surface_seen_through(&place, &*self.shape, ray, &within)
     }
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
-        self.shape.uv(&Candidate { leaf: at.leaf % self.leaves, ..*at })
+        self.shape.uv(&self.within(at).1)
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        let (copy, within) = self.within(at);
+        self.shape.path(&within).inside(Level::Copy(self.places.indices(copy)))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

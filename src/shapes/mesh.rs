@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::triangle_block::{Block, Blocks};
 use super::vertex_normals::{are_opposed, mean_normals, turn};
 use super::watertight::{self, ShearedRay};
-use super::{Candidate, Context, Shape, Surface, size_problem};
+use super::{Candidate, Context, Level, PartPath, Shape, Surface, size_problem};
 use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
@@ -118,15 +118,20 @@ pub struct TriangleMesh {
     normals: Option<Vec<Normal>>,
     uvs: Option<Vec<[f64; 2]>>,
     triangles: Vec<[u32; 3]>,
+    /// The index of each in the list it comes from, where some of that were left out; else empty.
+    numbers: Vec<u32>,
 }
 
 impl TriangleMesh {
     /// A flat mesh. Indices must be below the number of vertices.
     pub fn new(vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Self {
-        let mut mesh = Self { vertices, normals: None, uvs: None, triangles };
-        let triangles = std::mem::take(&mut mesh.triangles);
-        let has_area = |&t: &[u32; 3]| watertight::normal(mesh.corners(t)).is_some();
-        mesh.triangles = triangles.into_iter().filter(has_area).collect();
+        let mut mesh = Self { vertices, normals: None, uvs: None, triangles, numbers: Vec::new() };
+        let has_area = |t: [u32; 3]| watertight::normal(mesh.corners(t)).is_some();
+        if mesh.triangles.iter().all(|&t| has_area(t)) {
+            return mesh;
+        }
+        let numbered = (0..).zip(&mesh.triangles).filter(|(_, t)| has_area(**t));
+        (mesh.numbers, mesh.triangles) = numbered.map(|(number, &t)| (number, t)).unzip();
         mesh
     }
 
@@ -199,6 +204,11 @@ impl TriangleMesh {
             .map(|(index, place)| *known.entry(place.to_array().map(f64::to_bits)).or_insert(index))
             .collect();
         self.triangles.iter().map(|t| t.map(|vertex| first[vertex as usize])).collect()
+    }
+
+    /// The index of a triangle in the list from which the mesh was made.
+    fn number(&self, triangle: u32) -> u32 {
+        self.numbers.get(triangle as usize).copied().unwrap_or(triangle)
     }
 
     fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
@@ -355,6 +365,10 @@ impl Shape for AcceleratedMesh {
         let [a, b, c] = self.mesh.triangles[at.part as usize].map(|vertex| uvs[vertex as usize]);
         let [beta, gamma] = at.parameters;
         Some([0, 1].map(|i| a[i] + beta * (b[i] - a[i]) + gamma * (c[i] - a[i])))
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        PartPath::to(Level::Triangle(self.mesh.number(at.part)))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

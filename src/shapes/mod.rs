@@ -128,6 +128,12 @@ pub trait Shape: Debug + Send + Sync {
         None
     }
 
+    /// Through which nested shapes the hit went, and which part of the innermost it is on. Asked for
+    /// only where something looks at it.
+    fn path(&self, _: &Candidate) -> PartPath {
+        PartPath::default()
+    }
+
     /// A box that contains every point of the surface.
     fn bounds(&self) -> Aabb;
 
@@ -175,6 +181,7 @@ mod assembly;
 mod context;
 mod edges;
 mod lanes;
+mod part_path;
 mod shoulder;
 mod spherical_cap;
 mod triangle_block;
@@ -222,6 +229,7 @@ pub use algebraic::Term;
 pub use assembly::Materials;
 pub use compound::Part;
 pub use context::{Context, PartMaterial};
+pub use part_path::{Face, Level, PartPath};
 
 pub(crate) use instance::transform_of;
 pub use mesh::{AcceleratedMesh, TriangleMesh};

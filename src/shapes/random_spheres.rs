@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Sphere, Surface};
+use super::{Candidate, Context, Level, PartPath, Shape, Sphere, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
@@ -110,6 +110,10 @@ impl Shape for Built {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         self.spheres[at.leaf as usize].surface(ray, at)
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        PartPath::to(Level::Sphere(at.leaf as u32))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
