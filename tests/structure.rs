@@ -62,9 +62,9 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "shapes",
         ],
     ),
-    ("trace", &["lights", "lobes", "materials", "math", "rgb", "scene", "world"]),
+    ("trace", &["lights", "lobes", "materials", "math", "rgb", "scene", "shapes", "world"]),
     ("render", &["film", "math", "rgb", "samplers", "scene", "trace", "world"]),
-    ("explain", &["render", "rgb", "scene", "trace", "world"]),
+    ("explain", &["lobes", "render", "rgb", "scene", "shapes", "trace", "world"]),
     (
         "gallery",
         &[

@@ -14,6 +14,7 @@ use crate::panels::{self, Fields, Wish};
 use crate::picture::{self, Mouse, Picture};
 use crate::switches;
 use crate::trail;
+use crate::tree::Tree;
 use crate::view::parse_pixel;
 use crate::worker::{Background, Loaded, Progress, Rendering, Source};
 
@@ -69,7 +70,7 @@ impl Inspector {
             return;
         }
         if self.selection.pixel != Some(pixel) {
-            self.selection.ray.clear();
+            self.selection.tree = Tree::default();
         }
         self.selection.pixel = Some(pixel);
         self.fields.pixel = format!("{x}, {y}");

@@ -1,8 +1,9 @@
 //! Everything that is known of one ray.
 
 use eframe::egui::{Grid, RichText, Ui};
-use groundtruth::explain::{RayExplanation, short};
+use groundtruth::explain::{HitExplanation, RayExplanation, brief, percent, short};
 use groundtruth::rgb::Rgb;
+use groundtruth::trace::{Optics, Outcome, RayKind};
 
 use crate::tree::kind_color;
 
@@ -12,81 +13,134 @@ pub fn exact(numbers: [f64; 3]) -> String {
     format!("({x:?}, {y:?}, {z:?})")
 }
 
-/// Shows all fields of a ray and of what it hit.
-pub fn show(ui: &mut Ui, ray: &RayExplanation) {
+/// Shows all fields of a ray and of what it hit. The number of another ray, if that was clicked.
+pub fn show(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
     ui.label(RichText::new(ray.line()).color(kind_color(ray)).strong());
+    let mut clicked = None;
     if !ray.terms.is_empty() {
         ui.add_space(4.0);
-        terms(ui, ray);
+        clicked = terms(ui, ray);
     }
     ui.add_space(6.0);
     ui.strong("all its numbers");
-    let grid = Grid::new("ray").num_columns(2).striped(true).min_row_height(16.0);
-    grid.spacing([10.0, 1.0]).show(ui, |ui| fields(ui, ray));
+    table(ui, "ray", fields(ray));
+    ui.add_space(8.0);
+    clicked
 }
 
-fn fields(ui: &mut Ui, ray: &RayExplanation) {
+/// The names and numbers of a ray, as text to be copied.
+pub fn text(ray: &RayExplanation) -> String {
+    let line = |(name, value): (&str, String)| format!("{name}\t{value}\n");
+    ray.line() + "\n" + &fields(ray).into_iter().map(line).collect::<String>()
+}
+
+/// All that is known of a ray but its terms: names and values.
+fn fields(ray: &RayExplanation) -> Vec<(&'static str, String)> {
     let color = |color: Rgb| exact(color.to_array());
-    row(
-        ui,
-        "kind",
-        match &ray.light {
-            Some(light) => format!("{}, to light \"{light}\"", ray.kind),
-            None => format!("{}, depth {}", ray.kind, ray.depth),
-        },
-    );
-    row(
-        ui,
-        "outcome",
-        match &ray.blocked_by {
-            Some(object) => format!("{} by \"{object}\"", ray.outcome),
-            None => ray.outcome.to_owned(),
-        },
-    );
-    row(ui, "origin", exact(ray.origin));
-    row(ui, "direction", exact(ray.direction));
-    if let Some(hit) = &ray.hit {
-        row(ui, "hits", format!("\"{}\", material \"{}\"", hit.object, hit.material));
-        row(ui, "side", if hit.front { "front" } else { "back" }.to_owned());
-        row(ui, "t", format!("{:?}", hit.t));
-        row(ui, "point", exact(hit.point));
-        row(ui, "error at most", format!("{:?}", hit.error));
-        row(ui, "normal", exact(hit.normal));
-        let same = hit.shading_normal == hit.normal;
-        let shading = if same { "the normal".to_owned() } else { exact(hit.shading_normal) };
-        row(ui, "shading normal", shading);
+    let kind = match &ray.kind {
+        RayKind::Camera => format!("camera, depth {}", ray.depth),
+        RayKind::Reflected => format!("reflected, depth {}", ray.depth),
+        RayKind::Transmitted => format!("transmitted, depth {}", ray.depth),
+        RayKind::Shadow { light } => format!("shadow, to light \"{light}\""),
+    };
+    let outcome = match &ray.outcome {
+        Outcome::Hit { .. } => "hit".to_owned(),
+        Outcome::Background => "background".to_owned(),
+        Outcome::TooDeep => "too deep".to_owned(),
+        Outcome::Unblocked => "unblocked".to_owned(),
+        Outcome::Blocked { blocked_by } => format!("blocked by \"{blocked_by}\""),
+    };
+    let mut fields = vec![("kind", kind), ("outcome", outcome)];
+    fields.push(("origin", exact(ray.origin)));
+    fields.push(("direction", exact(ray.direction)));
+    if let Some(hit) = ray.outcome.hit() {
+        fields.extend(hit_fields(hit));
     }
-    row(ui, "weight", color(ray.weight));
-    row(ui, "transmittance", color(ray.transmittance));
-    row(ui, "radiance", color(ray.radiance));
-    row(ui, "contributes", color(ray.contribution));
+    fields.push(("weight", color(ray.weight)));
+    fields.push(("transmittance", color(ray.transmittance)));
+    fields.push(("radiance", color(ray.radiance)));
+    fields.push(("contributes", color(ray.contribution)));
+    fields.push(("share of the sample", percent(ray.share)));
+    fields
 }
 
-fn row(ui: &mut Ui, name: &str, value: String) {
-    ui.label(name);
-    ui.label(RichText::new(value).monospace().size(11.5));
-    ui.end_row();
+fn hit_fields(hit: &HitExplanation) -> Vec<(&'static str, String)> {
+    let same = hit.shading_normal == hit.normal;
+    let shading = if same { "the normal".to_owned() } else { exact(hit.shading_normal) };
+    let mut fields = vec![("hits", format!("\"{}\", material \"{}\"", hit.object, hit.material))];
+    if !hit.path.is_empty() {
+        fields.push(("part", hit.path.to_string()));
+    }
+    fields.extend([
+        ("side", if hit.front { "front" } else { "back" }.to_owned()),
+        ("t", format!("{:?}", hit.t)),
+        ("point", exact(hit.point)),
+        ("error at most", format!("{:?}", hit.error)),
+        ("normal", exact(hit.normal)),
+        ("shading normal", shading),
+        ("angle of incidence", format!("{:?}°", hit.angle_of_incidence)),
+    ]);
+    fields.extend(hit.optics.as_ref().map_or(Vec::new(), optics_fields));
+    fields
 }
 
-/// The sum that is the ray's radiance.
-fn terms(ui: &mut Ui, ray: &RayExplanation) {
+fn optics_fields(optics: &Optics) -> Vec<(&'static str, String)> {
+    let mut fields = Vec::new();
+    if let Some([front, behind]) = optics.media {
+        for (name, medium) in [("medium in front", front), ("medium behind", behind)] {
+            let (eta, sigma) = (brief(medium.eta), short(medium.absorption));
+            fields.push((name, format!("η {eta}, absorption {sigma}")));
+        }
+    }
+    fields.push(("relative η", format!("{:?}", optics.eta)));
+    if let Some(angle) = optics.critical_angle {
+        fields.push(("critical angle", format!("{angle:?}°")));
+    }
+    let refraction = match optics.angle_of_refraction {
+        Some(angle) => format!("{angle:?}°"),
+        None => "none: total internal reflection".to_owned(),
+    };
+    fields.push(("angle of refraction", refraction));
+    fields.push(("R, reflected", exact(optics.reflected.to_array())));
+    fields.push(("T, transmitted", exact(optics.transmitted.to_array())));
+    fields
+}
+
+fn table(ui: &mut Ui, id: &str, rows: Vec<(&'static str, String)>) {
+    let grid = Grid::new(id).num_columns(2).striped(true).min_row_height(16.0);
+    grid.spacing([10.0, 1.0]).show(ui, |ui| {
+        for (name, value) in rows {
+            ui.label(name);
+            ui.label(RichText::new(value).monospace().size(11.5));
+            ui.end_row();
+        }
+    });
+}
+
+/// The sum that is the ray's radiance. The number of the ray of a term, if that was clicked.
+fn terms(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
     ui.strong("radiance = transmittance × the sum of these terms");
+    let mut clicked = None;
     let grid = Grid::new("terms").num_columns(4).striped(true).min_row_height(16.0);
     grid.spacing([14.0, 1.0]).show(ui, |ui| {
-        for title in ["", "of", "adds", "weight"] {
+        for title in ["adds", "by", "along", "as"] {
             ui.weak(title);
         }
         ui.end_row();
         for term in &ray.terms {
-            ui.label(&term.what);
-            ui.label(match term.child {
-                Some(child) => format!("ray {}", child + 1),
-                None => "the light here".to_owned(),
-            });
-            for color in [term.value, term.weight] {
-                ui.label(RichText::new(short(color)).monospace().size(11.5));
+            ui.label(RichText::new(short(term.value)).monospace().size(11.5));
+            ui.label(term.name());
+            match term.ray {
+                Some(number) => {
+                    if ui.link(format!("ray {number}")).clicked() {
+                        clicked = Some(number);
+                    }
+                }
+                None => drop(ui.weak("no ray")),
             }
+            ui.label(RichText::new(term.factors()).monospace().size(11.5));
             ui.end_row();
         }
     });
+    clicked
 }

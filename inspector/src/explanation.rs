@@ -2,10 +2,8 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{
-    self, CentralPanel, Color32, DragValue, Frame, Margin, Panel, RichText, ScrollArea, Ui,
-};
-use groundtruth::explain::{self, PixelExplanation, SampleExplanation, short};
+use eframe::egui::{self, CentralPanel, Frame, Key, Margin, Panel, ScrollArea, Ui};
+use groundtruth::explain::{self, PixelExplanation, RayExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
@@ -13,8 +11,10 @@ use groundtruth::scene::Scene;
 use groundtruth::trace::RayCounts;
 use groundtruth::world::World;
 
+use crate::pixel::{self, Order};
 use crate::samples::Samples;
 use crate::trail::{self, Station};
+use crate::tree::Tree;
 use crate::worker::{Background, Progress, Rendering};
 use crate::{details, picture, tree};
 
@@ -40,8 +40,10 @@ pub struct Selection {
     pub pixel: Option<[u32; 2]>,
     /// The sample whose tree is shown.
     pub sample: u32,
-    /// The ray whose details are shown: the way to it from the camera's ray.
-    pub ray: Vec<usize>,
+    /// Its tree, and the ray whose details are shown.
+    pub tree: Tree,
+    /// How the list of samples is sorted.
+    pub order: Order,
     /// What is below the tree.
     pub below: Below,
     /// The samples, when they are below the tree.
@@ -132,7 +134,7 @@ impl Selection {
         match explained {
             // an explanation of the picture before is no guide to this one
             Some((pixel, root)) if self.pixel == Some(pixel) => {
-                trail::stations(&rendering.world, pixel, root, &self.ray)
+                trail::stations(&rendering.world, pixel, root, self.tree.ray)
             }
             _ => Vec::new(),
         }
@@ -179,44 +181,62 @@ impl Selection {
             let shown = area.show(ui, |ui| match self.below {
                 Below::Ray => {
                     if let Some(root) = camera_ray {
-                        details::show(ui, tree::find(root, &self.ray).unwrap_or(root));
+                        self.ray_details(ui, root);
                     }
                     false
                 }
                 Below::Samples => {
-                    let (of, pixel) = ((rendering, generation), answer.pixel);
-                    self.samples.show(ui, of, pixel, &mut self.sample, wanted)
+                    let color = |i: u32| picture::color(tone, answer.radiances[i as usize]);
+                    let of = (rendering, generation, answer.pixel);
+                    self.samples.show(ui, of, &color, &mut self.sample, wanted)
                 }
             });
             shown.inner
         });
-        CentralPanel::default().frame(inner).show(ui, |ui| {
-            let Some(sample) = sample else {
-                ui.spinner();
-                return;
-            };
-            let (Some(root), Some([x, y])) = (camera_ray, sample.film) else {
-                ui.strong(format!("Sample {index}"));
-                ui.label("No ray: the camera sees nothing there.");
-                return;
-            };
-            let rays = tree::count(root);
-            ui.horizontal(|ui| {
-                ui.strong(format!("Sample {index}"));
-                ui.weak(format!("{rays} rays, at ({x:.4}, {y:.4}) on the view plane"));
-            });
-            tree::legend(ui);
-            ScrollArea::both().id_salt("tree").auto_shrink(false).show(ui, |ui| {
-                ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-                tree::show(ui, root, tone, &mut self.ray);
-            });
+        CentralPanel::default().frame(inner).show(ui, |ui| match sample {
+            Some(sample) => self.sample_tree(ui, sample, tone),
+            None => drop(ui.spinner()),
         });
         changed.inner
     }
 
+    fn ray_details(&mut self, ui: &mut Ui, root: &RayExplanation) {
+        let path = root.path_to(self.tree.ray);
+        let ray = path.last().copied().unwrap_or(root);
+        let copy = ui.small_button("Copy numbers").on_hover_text("All numbers of this ray");
+        if copy.clicked() {
+            ui.ctx().copy_text(details::text(ray));
+        }
+        if let Some(number) = details::show(ui, ray) {
+            self.tree.go_to(root, number);
+        }
+    }
+
+    fn sample_tree(&mut self, ui: &mut Ui, sample: &SampleExplanation, tone: &Tone) {
+        let index = sample.index;
+        let (Some(root), Some([x, y])) = (&sample.ray, sample.film) else {
+            ui.strong(format!("Sample {index}"));
+            ui.label("No ray: the camera sees nothing there.");
+            return;
+        };
+        ui.horizontal_wrapped(|ui| {
+            ui.strong(format!("Sample {index}"));
+            let rays = explain::count(root.count(), "ray");
+            ui.weak(format!("{rays}, at ({x:.4}, {y:.4}) on the view plane"));
+            let follow = ui.small_button("Follow the largest (L)");
+            let hint = "Steps down the path along which most of the light comes";
+            let key = !ui.ctx().text_edit_focused() && ui.input(|input| input.key_pressed(Key::L));
+            if follow.on_hover_text(hint).clicked() || key {
+                self.tree.follow_largest(root);
+            }
+        });
+        tree::legend(ui);
+        self.tree.show(ui, root, tone);
+    }
+
     fn head(&mut self, ui: &mut Ui, answer: &PixelExplanation, rendering: &Rendering, tone: &Tone) {
         let [x, y] = answer.pixel;
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             tree::swatch(ui, picture::color(tone, answer.radiance));
             ui.heading(format!("Pixel ({x}, {y})"));
             if self.is_waiting() {
@@ -225,47 +245,15 @@ impl Selection {
             let last = answer.samples_per_pixel - 1;
             if last > 0 {
                 ui.separator();
-                self.chooser(ui, last);
+                pixel::chooser(ui, &mut self.sample, last);
             }
+            ui.separator();
+            pixel::copies(ui, rendering, answer.pixel, self.sample.min(last));
         });
-        let rendered = rendered(rendering, answer.pixel);
-        sum(ui, answer, rendered);
-        let title = format!("All {} samples of the sum", answer.samples.len());
-        if answer.samples.len() > 1 {
-            egui::CollapsingHeader::new(title).id_salt("samples").show(ui, |ui| {
-                ScrollArea::vertical().max_height(130.0).auto_shrink([false, true]).show(
-                    ui,
-                    |ui| {
-                        answer.samples.iter().for_each(|sample| self.sample_line(ui, sample, tone));
-                    },
-                );
-            });
+        pixel::sum(ui, answer, rendered(rendering, answer.pixel));
+        if answer.samples_per_pixel > 1 {
+            pixel::samples(ui, answer, tone, &mut self.order, &mut self.sample);
         }
-    }
-
-    fn chooser(&mut self, ui: &mut Ui, last: u32) {
-        let label = ui.label("sample");
-        let mut sample = self.sample.min(last);
-        if ui.add_enabled(sample > 0, egui::Button::new("<")).clicked() {
-            sample -= 1;
-        }
-        ui.add(DragValue::new(&mut sample).range(0..=last)).labelled_by(label.id);
-        if ui.add_enabled(sample < last, egui::Button::new(">")).clicked() {
-            sample += 1;
-        }
-        ui.weak(format!("of 0 to {last}"));
-        self.sample = sample;
-    }
-
-    fn sample_line(&mut self, ui: &mut Ui, sample: &SampleExplanation, tone: &Tone) {
-        ui.horizontal(|ui| {
-            tree::swatch(ui, picture::color(tone, sample.radiance));
-            let text = format!("sample {:>3}  {}", sample.index, short(sample.radiance));
-            let text = RichText::new(text).monospace();
-            if ui.selectable_label(self.sample == sample.index, text).clicked() {
-                self.sample = sample.index;
-            }
-        });
     }
 }
 
@@ -275,32 +263,4 @@ fn rendered(rendering: &Rendering, pixel: [u32; 2]) -> Option<Rgb> {
     let finished = matches!(rendering.progress(), Progress::Done(_));
     // a pixel that is still to come is black
     (finished || !radiance.is_black()).then_some(radiance)
-}
-
-/// The sum that is the pixel, and whether the picture says the same.
-fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
-    let exposure = match answer.exposure_time {
-        1.0 => String::new(),
-        time => format!(", times the exposure time {time:?}"),
-    };
-    let what = match answer.samples_per_pixel {
-        1 => "the radiance of its one sample".to_owned(),
-        count => format!("the mean of its {count} samples"),
-    };
-    ui.label(format!("The pixel is {what}{exposure}:"));
-    let total = format!("= {}", details::exact(answer.radiance.to_array()));
-    ui.label(RichText::new(total).monospace().size(12.0).strong());
-    let bits = |color: Rgb| color.to_array().map(f64::to_bits);
-    match rendered {
-        None => ui.weak("the picture has not come to this pixel yet"),
-        Some(radiance) if bits(radiance) == bits(answer.radiance) => {
-            let good = Color32::from_rgb(120, 220, 120);
-            ui.colored_label(good, "= the pixel of the picture, bit for bit")
-        }
-        Some(radiance) => {
-            let text = details::exact(radiance.to_array());
-            let text = format!("differs from the pixel of the picture: {text}");
-            ui.colored_label(ui.visuals().error_fg_color, text)
-        }
-    };
 }

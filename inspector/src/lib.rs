@@ -5,10 +5,12 @@
 //! runs beside it in [`worker`].
 
 pub mod app;
+pub mod copying;
 pub mod details;
 pub mod explanation;
 pub mod panels;
 pub mod picture;
+pub mod pixel;
 pub mod samples;
 pub mod switches;
 pub mod trail;

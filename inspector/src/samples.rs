@@ -152,12 +152,13 @@ impl Samples {
         plot.points.get(sample).map(|&point| plot.place(point))
     }
 
-    /// Shows it; a click on a point chooses its sample. Whether the scene was changed.
+    /// Shows the samples of a pixel of a rendering, each point in the `color` of its sample; a click
+    /// on a point chooses its sample. Whether the scene was changed.
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        (rendering, generation): (&Rendering, u64),
-        pixel: [u32; 2],
+        (rendering, generation, pixel): (&Rendering, u64, [u32; 2]),
+        color: &dyn Fn(u32) -> Color32,
         sample: &mut u32,
         wanted: &mut Scene,
     ) -> bool {
@@ -165,7 +166,7 @@ impl Samples {
         let changed = choose(ui, rendering, wanted);
         ui.horizontal_wrapped(|ui| {
             for plot in &mut self.plots {
-                plot.show(ui, sample);
+                plot.show(ui, color, sample);
             }
         });
         if rendering.world.samples_per_pixel() > MOST_POINTS {
@@ -185,7 +186,7 @@ impl Plot {
         self.area.center() + half * vec2(x as f32, -y as f32)
     }
 
-    fn show(&mut self, ui: &mut Ui, sample: &mut u32) {
+    fn show(&mut self, ui: &mut Ui, color: &dyn Fn(u32) -> Color32, sample: &mut u32) {
         ui.vertical(|ui| {
             ui.label(self.title).on_hover_text(self.about);
             let (area, response) = ui.allocate_exact_size(Vec2::splat(SIDE), Sense::click());
@@ -210,8 +211,10 @@ impl Plot {
                 painter.text(area.center(), Align2::CENTER_CENTER, "not used", font, grey);
             }
             let radius = if self.points.len() > 400 { 1.2 } else { 2.4 };
-            for &point in &self.points {
-                painter.circle_filled(self.place(point), radius, Color32::from_rgb(120, 180, 255));
+            // dark points need an edge to be seen
+            let edge = Stroke::new(0.7, Color32::from_gray(120));
+            for (index, &point) in (0..).zip(&self.points) {
+                painter.circle(self.place(point), radius, color(index), edge);
             }
             if let Some(&chosen) = self.points.get(*sample as usize) {
                 let at = self.place(chosen);

@@ -13,34 +13,27 @@ use crate::view::Placed;
 /// if it is in view, and the colour of the ray that met it.
 pub type Station = (Option<[f64; 2]>, Color32);
 
-/// The hits of the rays from the camera's to the one at the end of `path`, in the image of the eye
-/// to which the pixel belongs.
+/// The hits of the rays from the camera's to the one of this number, in the image of the eye to which
+/// the pixel belongs.
 pub fn stations(
     world: &World,
     pixel: [u32; 2],
     root: &RayExplanation,
-    path: &[usize],
+    number: usize,
 ) -> Vec<Station> {
     let Some((eye, column)) = world.view.seen_by(pixel[0], world.image.width) else {
         return Vec::new();
     };
     let first_column = f64::from(pixel[0] - column);
-    let mut rays = vec![root];
-    for &child in path {
-        match rays.last().and_then(|ray| ray.children.get(child)) {
-            Some(ray) => rays.push(ray),
-            None => break,
-        }
-    }
     let station = |ray: &&RayExplanation| {
-        let point = Point::from(ray.hit.as_ref()?.point);
+        let point = Point::from(ray.outcome.hit()?.point);
         let place = eye.project(point).map(|film| {
             let [x, y] = render::image_place(&world.image, film);
             [first_column + x, y]
         });
         Some((place, kind_color(ray)))
     };
-    rays.iter().filter_map(station).collect()
+    root.path_to(number).iter().filter_map(station).collect()
 }
 
 /// Joins the hits by lines; those out of view are left out.

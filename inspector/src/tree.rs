@@ -1,23 +1,42 @@
-//! The tree of rays: one line for each, coloured by what it is for.
+//! The tree of rays: one line for each that matters, with its share of the light.
 
-use eframe::egui::collapsing_header::CollapsingState;
-use eframe::egui::{Button, Color32, RichText, Sense, Stroke, StrokeKind, Ui, vec2};
-use groundtruth::explain::RayExplanation;
+use eframe::egui::collapsing_header::paint_default_icon;
+use eframe::egui::{
+    Align2, Button, Color32, FontId, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
+};
+use groundtruth::explain::{Outline, RayExplanation, Row, count, percent};
 use groundtruth::film::Tone;
+use groundtruth::trace::{Outcome, RayKind};
 
 use crate::picture;
 
-/// Larger trees begin with their deeper branches closed.
-const OPEN_RAYS: usize = 200;
+/// Rays that add less than this part of their sample are folded together.
+pub const MIN_SHARE: f64 = 0.01;
+/// The height of a line, in points of the screen.
+const LINE: f32 = 18.0;
+/// Each step of a branch is indented by so much.
+const INDENT: f32 = 14.0;
+/// The width of a bar that stands for the whole light of the sample.
+const BAR: f32 = 52.0;
+
+const REFLECTED: Color32 = Color32::from_rgb(255, 160, 90);
+const TRANSMITTED: Color32 = Color32::from_rgb(90, 205, 255);
+const CAMERA: Color32 = Color32::from_rgb(235, 235, 235);
+const UNBLOCKED: Color32 = Color32::from_rgb(250, 225, 100);
+const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
 
 /// The colour of a ray's line.
 pub fn kind_color(ray: &RayExplanation) -> Color32 {
-    match (ray.kind, ray.outcome) {
-        ("camera", _) => Color32::from_rgb(235, 235, 235),
-        ("reflected", _) => Color32::from_rgb(255, 160, 90),
-        ("transmitted", _) => Color32::from_rgb(90, 205, 255),
-        (_, "blocked") => Color32::from_rgb(165, 150, 185),
-        _ => Color32::from_rgb(250, 225, 100),
+    match ray.kind {
+        RayKind::Camera => CAMERA,
+        RayKind::Reflected => REFLECTED,
+        RayKind::Transmitted => TRANSMITTED,
+        RayKind::Shadow { .. } => match ray.outcome {
+            Outcome::Blocked { .. } => BLOCKED,
+            Outcome::Hit { .. } | Outcome::Background | Outcome::TooDeep | Outcome::Unblocked => {
+                UNBLOCKED
+            }
+        },
     }
 }
 
@@ -26,71 +45,110 @@ pub fn legend(ui: &mut Ui) {
     ui.horizontal_wrapped(|ui| {
         ui.weak("Rays:");
         for (name, color) in [
-            ("camera", Color32::from_rgb(235, 235, 235)),
-            ("reflected", Color32::from_rgb(255, 160, 90)),
-            ("transmitted", Color32::from_rgb(90, 205, 255)),
-            ("shadow, unblocked", Color32::from_rgb(250, 225, 100)),
-            ("shadow, blocked", Color32::from_rgb(165, 150, 185)),
+            ("camera", CAMERA),
+            ("reflected", REFLECTED),
+            ("transmitted", TRANSMITTED),
+            ("shadow, unblocked", UNBLOCKED),
+            ("shadow, blocked", BLOCKED),
         ] {
             ui.label(RichText::new(name).color(color));
         }
     });
 }
 
-/// The ray at the end of a path of children.
-pub fn find<'a>(root: &'a RayExplanation, path: &[usize]) -> Option<&'a RayExplanation> {
-    path.iter().try_fold(root, |ray, &child| ray.children.get(child))
+/// The tree of a sample as it is looked at.
+#[derive(Clone, Debug)]
+pub struct Tree {
+    /// The number of the selected ray.
+    pub ray: usize,
+    outline: Outline,
+    /// Whether the selected ray is to be scrolled into view.
+    scroll: bool,
 }
 
-/// Rays in a tree.
-pub fn count(ray: &RayExplanation) -> usize {
-    1 + ray.children.iter().map(count).sum::<usize>()
-}
-
-/// Shows the tree; a click on a line puts its path into `selected`.
-pub fn show(ui: &mut Ui, root: &RayExplanation, tone: &Tone, selected: &mut Vec<usize>) {
-    ui.spacing_mut().item_spacing.y = 1.0;
-    ui.spacing_mut().interact_size.y = 17.0;
-    ui.spacing_mut().button_padding.x = 3.0;
-    let all_open = count(root) <= OPEN_RAYS;
-    branch(ui, root, &mut Vec::new(), &mut Look { tone, selected, all_open });
-}
-
-struct Look<'a> {
-    tone: &'a Tone,
-    selected: &'a mut Vec<usize>,
-    all_open: bool,
-}
-
-fn branch(ui: &mut Ui, ray: &RayExplanation, path: &mut Vec<usize>, look: &mut Look<'_>) {
-    if ray.children.is_empty() {
-        ui.horizontal(|ui| {
-            // as wide as the button that opens and closes
-            ui.add_space(ui.spacing().indent + ui.spacing().item_spacing.x - 8.0);
-            line(ui, ray, path, look);
-        });
-        return;
+impl Default for Tree {
+    fn default() -> Self {
+        Self { ray: 0, outline: Outline::folding_below(MIN_SHARE), scroll: false }
     }
-    let id = ui.make_persistent_id(("ray", path.as_slice()));
-    let open = look.all_open || path.len() < 3;
-    CollapsingState::load_with_default_open(ui.ctx(), id, open)
-        .show_header(ui, |ui| line(ui, ray, path, look))
-        .body(|ui| {
-            for (index, child) in ray.children.iter().enumerate() {
-                path.push(index);
-                branch(ui, child, path, look);
-                path.pop();
+}
+
+impl Tree {
+    /// Selects a ray and brings it into view, whatever hides it.
+    pub fn go_to(&mut self, root: &RayExplanation, number: usize) {
+        self.ray = number;
+        self.outline.reveal(&root.path_to(number));
+        self.scroll = true;
+    }
+
+    /// One step down the path along which most of the light comes; from a ray at its end, or one that
+    /// this tree does not have, from the camera's ray.
+    pub fn follow_largest(&mut self, root: &RayExplanation) {
+        let next = root.path_to(self.ray).last().and_then(|ray| ray.largest_child());
+        self.go_to(root, next.map_or(root.number, |ray| ray.number));
+    }
+
+    /// Shows the lines in view; a click selects a ray.
+    pub fn show(&mut self, ui: &mut Ui, root: &RayExplanation, tone: &Tone) {
+        let rows = self.outline.rows(root);
+        let mut area = ScrollArea::both().id_salt("tree").auto_shrink(false);
+        if std::mem::take(&mut self.scroll) {
+            let is_selected =
+                |row: &Row<'_>| matches!(row, Row::Ray { ray, .. } if ray.number == self.ray);
+            let line = rows.iter().position(is_selected).unwrap_or(0);
+            let above = 0.4 * ui.available_height();
+            area = area.vertical_scroll_offset((line as f32 * LINE - above).max(0.0));
+        }
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.spacing_mut().interact_size.y = LINE;
+        ui.spacing_mut().button_padding = vec2(3.0, 0.0);
+        area.show_rows(ui, LINE, rows.len(), |ui, seen| {
+            ui.style_mut().wrap_mode = Some(eframe::egui::TextWrapMode::Extend);
+            for row in &rows[seen] {
+                ui.horizontal(|ui| match *row {
+                    Row::Ray { ray, indent } => self.ray_line(ui, ray, indent, tone),
+                    Row::Folded { parent, indent, rays, share } => {
+                        bar(ui, share);
+                        ui.add_space(INDENT * (indent as f32 + 1.0));
+                        let text = format!("{}, {}", count(rays, "more ray"), percent(share));
+                        let line = Button::selectable(false, RichText::new(text).weak());
+                        if ui.add(line).on_hover_text("Show them").clicked() {
+                            self.outline.unfolded.insert(parent);
+                        }
+                    }
+                });
             }
         });
+    }
+
+    fn ray_line(&mut self, ui: &mut Ui, ray: &RayExplanation, indent: usize, tone: &Tone) {
+        bar(ui, ray.share);
+        ui.add_space(INDENT * indent as f32);
+        let (_, icon) = ui.allocate_exact_size(vec2(INDENT, LINE), Sense::click());
+        if !ray.children.is_empty() {
+            let closed = self.outline.closed.contains(&ray.number);
+            paint_default_icon(ui, if closed { 0.0 } else { 1.0 }, &icon);
+            if icon.clicked() && !self.outline.closed.remove(&ray.number) {
+                self.outline.closed.insert(ray.number);
+            }
+        }
+        swatch(ui, picture::color(tone, ray.contribution));
+        let text = RichText::new(ray.line()).color(kind_color(ray));
+        if ui.add(Button::selectable(self.ray == ray.number, text)).clicked() {
+            self.ray = ray.number;
+        }
+    }
 }
 
-fn line(ui: &mut Ui, ray: &RayExplanation, path: &[usize], look: &mut Look<'_>) {
-    swatch(ui, picture::color(look.tone, ray.contribution));
-    let chosen = look.selected.as_slice() == path;
-    let text = RichText::new(ray.line()).color(kind_color(ray));
-    if ui.add(Button::selectable(chosen, text)).clicked() {
-        *look.selected = path.to_vec();
-    }
+/// The share of a ray as a bar and a percentage.
+fn bar(ui: &mut Ui, share: f64) {
+    let (area, _) = ui.allocate_exact_size(vec2(BAR, LINE), Sense::hover());
+    let mut part = area.shrink2(vec2(0.0, 2.0));
+    let painter = ui.painter();
+    painter.rect_filled(part, 2.0, Color32::from_gray(38));
+    part.set_width(BAR * share.clamp(0.0, 1.0) as f32);
+    painter.rect_filled(part, 2.0, Color32::from_rgb(60, 95, 140));
+    let (at, font) = (area.right_center() - vec2(4.0, 0.0), FontId::proportional(11.5));
+    painter.text(at, Align2::RIGHT_CENTER, percent(share), font, Color32::from_gray(225));
 }
 
 /// A small square of a colour.

@@ -12,6 +12,7 @@ use statrs::statistics::Statistics as _;
 use crate::render::{self, CameraSample};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
+use crate::shapes::PartPath;
 use crate::trace::{Optics, Outcome, RayKind, RayTree, RecordedHit, TermSource};
 use crate::world::World;
 
@@ -117,6 +118,9 @@ pub struct HitExplanation {
     pub object: String,
     /// Its material.
     pub material: String,
+    /// Which of the shapes nested in the object's, and which part of the innermost.
+    #[serde(skip_serializing_if = "PartPath::is_empty")]
+    pub path: PartPath,
     /// Along the ray.
     pub t: f64,
     /// Where.
@@ -263,8 +267,8 @@ impl Explaining<'_> {
             origin: node.ray.origin.into(),
             direction: node.ray.direction.into(),
             weight: node.weight,
-            outcome: node.outcome.described(
-                |hit| self.hit(&hit),
+            outcome: node.outcome.clone().described(
+                |hit| self.hit(hit),
                 |object| self.scene.objects[object as usize].name.clone(),
             ),
             terms: terms.collect(),
@@ -277,10 +281,11 @@ impl Explaining<'_> {
         }
     }
 
-    fn hit(&self, hit: &RecordedHit) -> HitExplanation {
+    fn hit(&self, hit: RecordedHit) -> HitExplanation {
         HitExplanation {
             object: self.scene.objects[hit.object as usize].name.clone(),
             material: self.scene.materials[hit.material as usize].name.clone(),
+            path: hit.path,
             t: hit.t,
             point: hit.point.into(),
             error: hit.error,

@@ -85,14 +85,18 @@ impl RayExplanation {
 impl HitExplanation {
     fn lines(&self) -> Vec<String> {
         let side = if self.front { "front" } else { "back" };
-        let mut lines = vec![
+        let mut lines = Vec::new();
+        if !self.path.is_empty() {
+            lines.push(self.path.to_string());
+        }
+        lines.extend([
             format!("at {:?}, {side}, material \"{}\"", self.point, self.material),
             format!(
                 "normal {:?}, angle of incidence {}°",
                 self.normal,
                 brief(self.angle_of_incidence)
             ),
-        ];
+        ]);
         if self.shading_normal != self.normal {
             lines.push(format!("shading normal {:?}", self.shading_normal));
         }

@@ -58,6 +58,11 @@ impl PartPath {
         &self.levels
     }
 
+    /// Whether there is nothing to tell: the shape holds no others and has no numbered parts.
+    pub fn is_empty(&self) -> bool {
+        self.levels.is_empty()
+    }
+
     /// The path of one level.
     pub fn to(level: Level) -> Self {
         Self { levels: vec![level] }

@@ -5,6 +5,7 @@ use super::{Optics, ShadingPoint};
 use crate::lobes::Lobes;
 use crate::math::{Normal, Point, Ray, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
+use crate::shapes::PartPath;
 use crate::world::Hit;
 
 /// All rays of a sample, each after the one that sent it.
@@ -46,7 +47,7 @@ pub struct Node {
 }
 
 /// A surface that was met.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RecordedHit {
     /// Along the ray.
     pub t: f64,
@@ -54,6 +55,8 @@ pub struct RecordedHit {
     pub object: u32,
     /// The place of the material of the part that is hit.
     pub material: u32,
+    /// Which of the shapes nested in the object's, and which part of the innermost.
+    pub path: PartPath,
     /// Where.
     pub point: Point,
     /// Bound of the distance between the point and the true surface.
@@ -79,6 +82,7 @@ impl RecordedHit {
             t: *t,
             object: hit.object.place,
             material: hit.material.place,
+            path: hit.path(),
             point: surface.point,
             error: surface.error,
             normal: surface.normal,

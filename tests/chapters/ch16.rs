@@ -270,7 +270,7 @@ proptest! {
         shine(&mut scene, sun(wi.into()));
         let eye = Point::ORIGIN + 3.0 * to_eye;
         let tree = recorded(&built(&scene), eye, target - eye);
-        let Outcome::Hit { hit } = tree.root().outcome else { return Ok(()) };
+        let Outcome::Hit { hit } = &tree.root().outcome else { return Ok(()) };
         let (seen, smooth) = (tree.root().radiance.r, hit.shading.dot(wi));
         let lit = hit.normal.dot(wi) > 0.0 && smooth > 0.0;
         let expected = if lit { smooth } else { 0.0 }; // a convex body does not shade itself

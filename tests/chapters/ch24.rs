@@ -177,7 +177,7 @@ proptest! {
         shine(&mut scene, Lamp { ls: 2.0, color: BACKGROUND, location: Point::new(0.0, 6.0, 3.0), attenuation: 1.0 });
         let world = built(&scene);
         let tree = recorded(&world, eye, spot - eye);
-        let Outcome::Hit { hit } = tree.root().outcome else { return Ok(()) };
+        let Outcome::Hit { hit } = &tree.root().outcome else { return Ok(()) };
         prop_assume!(hit.object as usize == floor);
         scene.objects[floor].enabled = false;
         let mirrored = eye.with(1, -eye.y());
@@ -239,7 +239,7 @@ proptest! {
         let target = Point::ORIGIN + far * at_angle(to_eye, 0.0, phi);
         let eye = Point::ORIGIN + 3.0 * to_eye;
         let tree = recorded(&built(&scene), eye, target - eye);
-        let Outcome::Hit { hit } = tree.root().outcome else { return Ok(()) };
+        let Outcome::Hit { hit } = &tree.root().outcome else { return Ok(()) };
         let before = tree.root().ray.direction;
         match path(&tree)[..] {
             [_, after, ..] => {

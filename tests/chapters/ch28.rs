@@ -188,7 +188,7 @@ proptest! {
         scene.camera.medium = media[within(from)];
         let tree = recorded(&built(&scene), from, target - from);
         for node in tree.nodes() {
-            let Outcome::Hit { hit } = node.outcome else {
+            let Outcome::Hit { hit } = &node.outcome else {
                 prop_assert_eq!(node.transmittance, Rgb::WHITE);
                 continue;
             };
@@ -272,7 +272,7 @@ fn no_light_leaves_a_glass_block_by_the_next_face() {
             let tree = recorded(&world, spot + away, -away);
             let inside =
                 child(&tree, tree.root(), RayKind::Transmitted).expect("glass lets light in");
-            let Outcome::Hit { hit } = inside.outcome else { panic!("a closed box") };
+            let Outcome::Hit { hit } = &inside.outcome else { panic!("a closed box") };
             let out = child(&tree, &inside, RayKind::Transmitted).is_some();
             count += u32::from(out && hit.normal.z() == 0.0);
         }

@@ -3,8 +3,10 @@
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Stereo, Viewing};
+use groundtruth::explain::RayExplanation;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
+use groundtruth::trace::RayKind;
 
 use crate::support::*;
 
@@ -20,12 +22,12 @@ fn a_click_on_the_glass_sphere_shows_its_tree() {
     click(&mut window, ON_GLASS);
     let scene = small_glass_sphere();
     let ray = ray_of(&scene, ON_GLASS, 0);
-    assert!(ray.line().starts_with("camera"));
+    assert!(ray.line().starts_with("0  camera"));
     assert!(ray.line().contains("hits \"glass sphere\""));
     // in the tree and above the details
     assert_eq!(window.get_all_by_label(&ray.line()).count(), 2);
     assert!(window.query_by_label("Pixel (17, 19)").is_some());
-    let ray_count = inspector::tree::count(&ray);
+    let ray_count = ray.count();
     assert!(
         ray_count > 5 && text_with(&window, " rays, at ").starts_with(&format!("{ray_count} "))
     );
@@ -188,10 +190,12 @@ fn a_click_on_a_ray_shows_its_details() {
     click(&mut window, ON_GLASS);
     let scene = small_glass_sphere();
     let root = ray_of(&scene, ON_GLASS, 0);
-    let ray = root.children.iter().find(|ray| ray.kind == "transmitted").expect("it is glass");
+    let transmitted = |ray: &&RayExplanation| matches!(ray.kind, RayKind::Transmitted);
+    let ray = root.children.iter().find(transmitted).expect("it is glass");
     window.get_by_label(&ray.line()).click();
     settle(&mut window);
-    let hit = ray.hit.as_ref().expect("it leaves the sphere");
+    let hit = ray.outcome.hit().expect("it leaves the sphere");
+    let critical = hit.optics.and_then(|optics| optics.critical_angle).expect("from within");
     let exact = |[x, y, z]: [f64; 3]| format!("({x:?}, {y:?}, {z:?})");
     let expected = [
         ("kind", "transmitted, depth 1".to_owned()),
@@ -205,6 +209,10 @@ fn a_click_on_a_ray_shows_its_details() {
         ("error at most", format!("{:?}", hit.error)),
         ("normal", exact(hit.normal)),
         ("shading normal", "the normal".to_owned()),
+        ("angle of incidence", format!("{:?}°", hit.angle_of_incidence)),
+        ("medium in front", "η 1.5, absorption 0".to_owned()),
+        ("medium behind", "η 1, absorption 0".to_owned()),
+        ("critical angle", format!("{critical:?}°")),
         ("weight", exact(ray.weight.to_array())),
         ("transmittance", exact(ray.transmittance.to_array())),
         ("radiance", exact(ray.radiance.to_array())),
@@ -219,7 +227,9 @@ fn a_click_on_a_ray_shows_its_details() {
         assert!(names.any(|label| beside(height(label.rect()))), "{name}: {text}");
     }
     for term in &ray.terms {
-        assert!(window.query_all_by_label(&term.what).next().is_some(), "{}", term.what);
+        let [name, factors] = [term.name(), term.factors()];
+        assert!(window.query_all_by_label(&name).next().is_some(), "{name}");
+        assert!(window.query_all_by_label(&factors).next().is_some(), "{factors}");
     }
 }
 
@@ -232,8 +242,9 @@ fn the_way_to_a_ray_is_marked_in_the_picture() {
     let scene = small_glass_sphere();
     let world = built(&scene);
     let root = ray_of(&scene, ON_GLASS, 0);
-    let with_hit = root.children.iter().position(|child| child.hit.is_some());
-    window.state_mut().selection.ray = vec![with_hit.expect("glass sends on rays that hit")];
+    let with_hit = root.children.iter().find(|child| child.outcome.hit().is_some());
+    let number = with_hit.expect("glass sends on rays that hit").number;
+    window.state_mut().selection.tree.go_to(&root, number);
     settle(&mut window);
     let trail = window.state().selection.trail(&window.state().rendering);
     assert_eq!(trail.len(), 2);

@@ -7,3 +7,4 @@ mod renderer;
 mod sampling;
 mod scenes;
 mod support;
+mod tree;

@@ -127,7 +127,7 @@ fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
         let beside = to_eye.cross(draw.direction()).unit().expect("not parallel");
         let target = Point::ORIGIN + draw.between(0.6, 1.0) * beside;
         let tree = recorded(&built(&scene), target + 3.0 * to_eye, -Vector::from(to_eye));
-        let Outcome::Hit { hit } = tree.root().outcome else { continue };
+        let Outcome::Hit { hit } = &tree.root().outcome else { continue };
         let lit = hit.normal.dot(sun) > 0.0 && hit.shading.dot(sun) > 0.0;
         if !lit || hit.shading.dot(to_eye) >= 0.0 {
             continue;

@@ -29,8 +29,8 @@ fn onto_plane(recipe: materials::Kind, degrees: f64, phi: f64, above: bool) -> R
 }
 
 fn hit_of(node: &Node) -> RecordedHit {
-    let Outcome::Hit { hit } = node.outcome else { panic!("the plane is ahead") };
-    hit
+    let Outcome::Hit { hit } = &node.outcome else { panic!("the plane is ahead") };
+    hit.clone()
 }
 
 proptest! {

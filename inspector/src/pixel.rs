@@ -1,0 +1,153 @@
+//! The head of an explanation: the sum that is the pixel, its samples, and what can be copied.
+
+use eframe::egui::{CollapsingHeader, Color32, DragValue, RichText, ScrollArea, Ui};
+use groundtruth::explain::{PixelExplanation, percent, short};
+use groundtruth::film::Tone;
+use groundtruth::rgb::Rgb;
+
+use crate::worker::Rendering;
+use crate::{copying, details, picture, tree};
+
+/// How the list of samples is sorted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Order {
+    /// By index.
+    #[default]
+    Index,
+    /// The greatest radiance first, averaged over the channels.
+    Value,
+}
+
+/// The height of the list of samples and of a line of it.
+const LIST: f32 = 130.0;
+const LINE: f32 = 18.0;
+
+/// Which sample's tree is shown.
+pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
+    let label = ui.label("sample");
+    let mut sample = (*chosen).min(last);
+    if ui.add_enabled(sample > 0, eframe::egui::Button::new("<")).clicked() {
+        sample -= 1;
+    }
+    ui.add(DragValue::new(&mut sample).range(0..=last)).labelled_by(label.id);
+    if ui.add_enabled(sample < last, eframe::egui::Button::new(">")).clicked() {
+        sample += 1;
+    }
+    ui.weak(format!("of 0 to {last}"));
+    *chosen = sample;
+}
+
+/// A menu that copies what reproduces this pixel outside the window.
+pub fn copies(ui: &mut Ui, rendering: &Rendering, pixel: [u32; 2], sample: u32) {
+    ui.menu_button("Copy", |ui| {
+        let command = ui.button("The command for a terminal");
+        if command.on_hover_text("`explain` shows this sample there").clicked() {
+            ui.ctx().copy_text(copying::explain_command(rendering, pixel, sample));
+            ui.close();
+        }
+        let probe = ui.button("The probe's line");
+        if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
+            ui.ctx().copy_text(copying::probe_line(rendering, pixel));
+            ui.close();
+        }
+    });
+}
+
+/// The sum that is the pixel, and whether the picture says the same.
+pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
+    let exposure = match answer.exposure_time {
+        1.0 => String::new(),
+        time => format!(", times the exposure time {time:?}"),
+    };
+    let what = match answer.samples_per_pixel {
+        1 => "the radiance of its one sample".to_owned(),
+        count => format!("the mean of its {count} samples"),
+    };
+    ui.label(format!("The pixel is {what}{exposure}:"));
+    let total = format!("= {}", details::exact(answer.radiance.to_array()));
+    ui.label(RichText::new(total).monospace().size(12.0).strong());
+    let bits = |color: Rgb| color.to_array().map(f64::to_bits);
+    match rendered {
+        None => ui.weak("the picture has not come to this pixel yet"),
+        Some(radiance) if bits(radiance) == bits(answer.radiance) => {
+            let good = Color32::from_rgb(120, 220, 120);
+            ui.colored_label(good, "= the pixel of the picture, bit for bit")
+        }
+        Some(radiance) => {
+            let text = details::exact(radiance.to_array());
+            let text = format!("differs from the pixel of the picture: {text}");
+            ui.colored_label(ui.visuals().error_fg_color, text)
+        }
+    };
+}
+
+/// How the samples are spread, and all of them as a list; a click chooses one.
+pub fn samples(
+    ui: &mut Ui,
+    answer: &PixelExplanation,
+    tone: &Tone,
+    order: &mut Order,
+    chosen: &mut u32,
+) {
+    let title = format!("All {} samples of the sum", answer.samples_per_pixel);
+    CollapsingHeader::new(title).id_salt("samples").show(ui, |ui| {
+        spread(ui, answer, chosen);
+        ui.horizontal(|ui| {
+            ui.weak("sorted by");
+            ui.selectable_value(order, Order::Index, "index");
+            ui.selectable_value(order, Order::Value, "value");
+        });
+        let indices = sorted(answer, *order);
+        let area = ScrollArea::vertical().max_height(LIST).auto_shrink([false, true]);
+        ui.spacing_mut().item_spacing.y = 0.0;
+        area.show_rows(ui, LINE, indices.len(), |ui, seen| {
+            for &index in &indices[seen] {
+                sample_line(ui, answer, index, tone, chosen);
+            }
+        });
+    });
+}
+
+/// Standard error, least and greatest; a click on the last two chooses that sample.
+fn spread(ui: &mut Ui, answer: &PixelExplanation, chosen: &mut u32) {
+    let statistics = &answer.statistics;
+    ui.horizontal_wrapped(|ui| {
+        if let Some(error) = statistics.standard_error {
+            let hint =
+                "Of the mean, as if the samples were independent; well-spread ones are nearer";
+            ui.weak(format!("standard error {}", short(error))).on_hover_text(hint);
+        }
+        for (name, index) in [("least", statistics.least), ("greatest", statistics.greatest)] {
+            let radiance = short(answer.radiances[index as usize]);
+            if ui.link(format!("{name} {radiance}, sample {index}")).clicked() {
+                *chosen = index;
+            }
+        }
+    });
+}
+
+/// The indices of all samples in this order.
+pub fn sorted(answer: &PixelExplanation, order: Order) -> Vec<u32> {
+    let mut indices: Vec<u32> = (0..answer.samples_per_pixel).collect();
+    let value = |index: &u32| answer.radiances[*index as usize].average();
+    match order {
+        Order::Index => {}
+        Order::Value => indices.sort_by(|a, b| value(b).total_cmp(&value(a))),
+    }
+    indices
+}
+
+fn sample_line(ui: &mut Ui, answer: &PixelExplanation, index: u32, tone: &Tone, chosen: &mut u32) {
+    let radiance = answer.radiances[index as usize];
+    let whole: f64 = answer.radiances.iter().map(|radiance| radiance.average()).sum();
+    let share = if whole == 0.0 { 0.0 } else { radiance.average() / whole };
+    ui.horizontal(|ui| {
+        tree::swatch(ui, picture::color(tone, radiance));
+        let share = percent(share);
+        let text = format!("sample {index:>3}  {share:>7} of the pixel  {}", short(radiance));
+        let text = RichText::new(text).monospace();
+        if ui.selectable_label(*chosen == index, text).clicked() {
+            *chosen = index;
+        }
+    });
+}

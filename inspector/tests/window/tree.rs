@@ -1,0 +1,171 @@
+//! The tree of rays: what matters is near the top, and each ray can be reached.
+
+use eframe::egui::{Key, OutputCommand};
+use egui_kittest::kittest::Queryable;
+use groundtruth::explain::{Outline, RayExplanation, Row};
+use groundtruth::scene::{Scene, Tracer, Whitted};
+use inspector::tree::MIN_SHARE;
+
+use crate::support::*;
+
+const ON_GLASS: [u32; 2] = [17, 19];
+
+/// The glass sphere with a tree of hundreds of rays.
+fn deep_glass_sphere() -> Scene {
+    let mut scene = small_glass_sphere();
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 40 });
+    scene
+}
+
+fn deep_window() -> (Window, RayExplanation) {
+    let mut window = open(deep_glass_sphere());
+    settle(&mut window);
+    click(&mut window, ON_GLASS);
+    let root = ray_of(&deep_glass_sphere(), ON_GLASS, 0);
+    assert!(root.count() > 100, "only {} rays", root.count());
+    (window, root)
+}
+
+/// Whether the ray's line is in the tree or above the details.
+fn lines(window: &Window, ray: &RayExplanation) -> usize {
+    window.query_all_by_label(&ray.line()).count()
+}
+
+/// Law: rays of less than a hundredth of the light are one line, which a click opens. Oracle: the
+/// library's outline.
+#[test]
+fn small_rays_are_folded_until_they_are_asked_for() {
+    let (mut window, root) = deep_window();
+    let folded =
+        Outline::folding_below(MIN_SHARE).rows(&root).into_iter().find_map(|row| match row {
+            Row::Folded { parent, .. } => Some(parent),
+            Row::Ray { .. } => None,
+        });
+    let parent = folded.expect("a deep tree has small rays");
+    let small = root.path_to(parent).last().expect("a ray of the tree").children.clone();
+    let small = small.iter().find(|ray| ray.share < MIN_SHARE).expect("it folds something");
+    assert_eq!(lines(&window, small), 0);
+    let first = window.get_all_by_label_contains("more rays, ").next().expect("a folded line");
+    first.click();
+    settle(&mut window);
+    assert_eq!(lines(&window, small), 1, "{}", small.line());
+}
+
+/// Law: only lines in view are drawn, however many the tree has. Oracle: the height of the window.
+#[test]
+fn lines_out_of_view_cost_nothing() {
+    let (mut window, root) = deep_window();
+    for number in 0..root.count() {
+        window.state_mut().selection.tree.go_to(&root, number);
+    }
+    settle(&mut window);
+    let drawn = window.query_all_by_label_contains("  hits ").count()
+        + window.query_all_by_label_contains("  beyond ").count();
+    assert!(drawn > 5 && drawn < 50, "{drawn} of {} lines", root.count());
+}
+
+/// Law: L steps down the path that carries the light, and from its end back to the camera's ray.
+/// Oracle: the child with the largest share, found by hand.
+#[test]
+fn one_key_follows_the_light() {
+    let (mut window, root) = deep_window();
+    let mut ray = &root;
+    for _ in 0..3 {
+        window.key_press(Key::L);
+        settle(&mut window);
+        let by_share = |a: &&RayExplanation, b: &&RayExplanation| a.share.total_cmp(&b.share);
+        ray = ray.children.iter().max_by(by_share).expect("the path goes on");
+        assert_eq!(window.state().selection.tree.ray, ray.number);
+        assert_eq!(lines(&window, ray), 2, "in the tree and above the details");
+    }
+    for _ in 0..20 {
+        window.key_press(Key::L);
+        settle(&mut window);
+        if window.state().selection.tree.ray == 0 {
+            return;
+        }
+    }
+    panic!("the path has no end");
+}
+
+/// Law: the ray of a term is the ray of that number in the tree, and a click on it goes there. Oracle:
+/// the library's explanation.
+#[test]
+fn the_ray_of_a_term_is_a_click_away() {
+    let (mut window, root) = deep_window();
+    let number = root.terms.iter().find_map(|term| term.ray).expect("glass sends rays on");
+    window.get_by_label(&format!("ray {number}")).click();
+    settle(&mut window);
+    assert_eq!(window.state().selection.tree.ray, number);
+    let ray = *root.path_to(number).last().expect("it is in the tree");
+    assert_eq!(lines(&window, ray), 2, "in the tree and above the details");
+}
+
+/// Law: the list of samples by value begins with the greatest, which is also told above it. Oracle:
+/// the library's samples, sorted by hand.
+#[test]
+fn samples_are_sorted_by_value() {
+    let mut window = glass_window();
+    // the rim of the sphere, where samples differ
+    click(&mut window, [7, 20]);
+    window.get_by_label("All 4 samples of the sum").click();
+    settle(&mut window);
+    window.get_by_label("value").click();
+    settle(&mut window);
+    let explanation = window.state().selection.explanation().expect("explained").clone();
+    let mut values: Vec<(u32, f64)> =
+        (0..).zip(explanation.samples.iter().map(|sample| sample.radiance.average())).collect();
+    values.sort_by(|a, b| b.1.total_cmp(&a.1));
+    assert!(values[0].1 > values[3].1, "the samples differ");
+    let height = |index: u32| {
+        let line = format!("sample {index:>3}  ");
+        window.get_by_label_contains(&line).rect().center().y
+    };
+    assert!(values.windows(2).all(|pair| height(pair[0].0) < height(pair[1].0)));
+    let told = text_with(&window, "greatest ");
+    assert!(told.ends_with(&format!("sample {}", values[0].0)), "{told}");
+}
+
+/// Law: what is copied reproduces the pixel: the command names scene, pixel, size, samples and seed,
+/// and the probe's line is answered with the pixel. Oracle: the probe.
+#[test]
+fn what_is_copied_reproduces_the_pixel() {
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    let command = copied(&mut window, "The command for a terminal");
+    assert_eq!(
+        command,
+        "groundtruth explain \"ch28/glass-sphere\" 17 19 --size 48x48 --samples 4 --seed 1 --sample 0"
+    );
+    let line = copied(&mut window, "The probe's line");
+    let answer = groundtruth::probe::answer(&line);
+    let answer: serde_json::Value = serde_json::from_str(&answer).expect("one line of JSON");
+    let mean = answer["answer"]["mean"].as_array().expect("a colour");
+    let expected = window.state().selection.explanation().expect("explained").radiance.to_array();
+    let mean: Vec<f64> = mean.iter().filter_map(serde_json::Value::as_f64).collect();
+    assert_eq!(mean, expected);
+    let numbers = copied(&mut window, "Copy numbers");
+    assert!(numbers.contains("\nt\t") && numbers.contains("\nrelative η\t1.5\n"), "{numbers}");
+}
+
+/// What a click on a button puts on the clipboard.
+fn copied(window: &mut Window, button: &str) -> String {
+    window.run_steps(3);
+    if window.query_by_label(button).is_none() {
+        window.get_by_label("Copy").click();
+        window.run_steps(3);
+    }
+    window.get_by_label(button).click();
+    for _ in 0..5 {
+        window.step();
+        let commands = &window.output().platform_output.commands;
+        let text = commands.iter().find_map(|command| match command {
+            OutputCommand::CopyText(text) => Some(text.clone()),
+            _ => None,
+        });
+        if let Some(text) = text {
+            return text;
+        }
+    }
+    panic!("{button} copies nothing");
+}
