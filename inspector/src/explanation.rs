@@ -15,7 +15,7 @@ use groundtruth::world::World;
 
 use crate::samples::Samples;
 use crate::trail::{self, Station};
-use crate::worker::{Background, Progress, Rendering};
+use crate::worker::{Background, Rendering};
 use crate::{details, picture, tree};
 
 /// A pixel of more rays is explained one sample at a time.
@@ -169,7 +169,9 @@ impl Selection {
         let index = self.sample.min(answer.samples_per_pixel - 1);
         let sample = answer.samples.iter().find(|sample| sample.index == index);
         let camera_ray = sample.and_then(|sample| sample.ray.as_ref());
-        let panel = Panel::bottom("details").frame(inner).resizable(true).default_size(330.0);
+        let height = ui.available_height();
+        let panel = Panel::bottom("details").frame(inner).resizable(true);
+        let panel = panel.default_size(0.45 * height).max_size((height - 150.0).max(0.45 * height));
         let changed = panel.show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.selectable_value(&mut self.below, Below::Ray, "The ray");
@@ -216,7 +218,7 @@ impl Selection {
 
     fn head(&mut self, ui: &mut Ui, answer: &PixelExplanation, rendering: &Rendering, tone: &Tone) {
         let [x, y] = answer.pixel;
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             tree::swatch(ui, picture::color(tone, answer.radiance));
             ui.heading(format!("Pixel ({x}, {y})"));
             if self.is_waiting() {
@@ -271,10 +273,7 @@ impl Selection {
 
 /// What the picture has at a pixel, if it has come that far.
 fn rendered(rendering: &Rendering, pixel: [u32; 2]) -> Option<Rgb> {
-    let radiance = rendering.canvas.look(|film| film.get(pixel));
-    let finished = matches!(rendering.progress(), Progress::Done(_));
-    // a pixel that is still to come is black
-    (finished || !radiance.is_black()).then_some(radiance)
+    rendering.canvas.look_partly(|picture| picture.get(pixel))
 }
 
 /// The sum that is the pixel, and whether the picture says the same.
