@@ -23,9 +23,6 @@ use crate::view::parse_pixel;
 use crate::watch::Watch;
 use crate::worker::{Background, Loaded, Progress, Rendering};
 
-/// The height that the parts of an explanation need, in points of the screen.
-const EXPLANATION_FROM: f32 = 430.0;
-
 /// All that the window knows.
 pub struct Inspector {
     /// The picture's scene, and the picture.
@@ -177,7 +174,8 @@ impl Inspector {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
         });
         let resampled = part(ui, ("explanation", parts.explanation), |ui| {
-            ScrollArea::vertical().show(ui, |ui| self.explanation(ui)).inner
+            let of = (&self.rendering, self.generation);
+            self.selection.show(ui, of, &self.picture.tone, &mut self.wanted)
         });
         part(ui, ("picture", parts.picture), |ui| {
             let size = self.rendering.size();
@@ -186,16 +184,6 @@ impl Inspector {
             trail::paint(ui.painter(), &self.picture.placed(size), &trail);
         });
         changed || resampled
-    }
-
-    /// The selected pixel; scrolled as a whole where the window is too low for its parts.
-    fn explanation(&mut self, ui: &mut Ui) -> bool {
-        let size = ui.available_size().max(vec2(0.0, EXPLANATION_FROM));
-        ui.allocate_ui(size, |ui| {
-            let of = (&self.rendering, self.generation);
-            self.selection.show(ui, of, &self.picture.tone, &mut self.wanted)
-        })
-        .inner
     }
 
     /// What the scene is, its settings and its switches; whether it was changed.

@@ -23,6 +23,9 @@ const MOST_RAYS_OF_A_PIXEL: u64 = 30_000;
 /// A sample of more rays would be a tree that nobody reads, in gigabytes of memory.
 const MOST_RAYS_OF_A_SAMPLE: u64 = 500_000;
 
+/// The least height of tree and details in a low window, in points of the screen.
+const LEAST_HEIGHT: f32 = 24.0;
+
 /// What is to be explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Question {
@@ -178,6 +181,7 @@ impl Selection {
                 ui.selectable_value(&mut self.below, Below::Samples, "The samples");
             });
             let area = ScrollArea::both().id_salt("details").auto_shrink(false);
+            let area = area.min_scrolled_height(LEAST_HEIGHT);
             let shown = area.show(ui, |ui| match self.below {
                 Below::Ray => {
                     if let Some(root) = camera_ray {
@@ -208,7 +212,8 @@ impl Selection {
                 ui.weak(format!("{rays} rays, at ({x:.4}, {y:.4}) on the view plane"));
             });
             tree::legend(ui);
-            ScrollArea::both().id_salt("tree").auto_shrink(false).show(ui, |ui| {
+            let area = ScrollArea::both().id_salt("tree").auto_shrink(false);
+            area.min_scrolled_height(LEAST_HEIGHT).show(ui, |ui| {
                 ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
                 tree::show(ui, root, tone, &mut self.ray);
             });
