@@ -1,5 +1,6 @@
 #!/bin/sh
-# Takes docs/inspector.png, or the file that is named: opens the inspector on a virtual screen and clicks on the glass sphere.
+# Takes docs/inspector.png, or the file that is named: opens the inspector on a virtual screen and
+# clicks on the glass sphere.
 # Needs the packages of scripts/headless.sh.
 set -eu
 cd "$(dirname "$0")/.."
@@ -31,7 +32,8 @@ screen=$!
 read -r number <"$folder/display"
 export DISPLAY=":$number"
 
-"$program" ch28/glass-sphere 2>"$folder/inspector.log" &
+# usual settings, whatever this person's are
+XDG_DATA_HOME="$folder" "$program" ch28/glass-sphere 2>"$folder/inspector.log" &
 window=$!
 # the title says when the picture is finished
 title='^ch28/glass-sphere - Groundtruth inspector$'

@@ -118,16 +118,66 @@ pub struct Crop {
 }
 
 /// A picture that is being rendered: anyone may look at it, and stop it.
+///
+/// The pixels of a coarse picture come first, one of each block; the others follow, tile by tile.
 #[derive(Debug)]
 pub struct Canvas {
-    film: Mutex<Film>,
+    picture: Mutex<Partial>,
     crop: Crop,
     done: AtomicU64,
     cancelled: AtomicBool,
 }
 
+/// A picture of which some pixels are rendered. The others are black in the film.
+#[derive(Debug)]
+pub struct Partial {
+    film: Film,
+    rendered: Vec<bool>,
+}
+
 /// Pixels are rendered in squares of this side.
 const TILE: u32 = 16;
+
+/// The coarse picture has one pixel of each square of this side. It divides [`TILE`].
+const BLOCK: u32 = 8;
+
+/// Whether a pixel belongs to the coarse picture: the top left one of its block does.
+fn is_coarse([x, y]: [u32; 2]) -> bool {
+    x.is_multiple_of(BLOCK) && y.is_multiple_of(BLOCK)
+}
+
+impl Partial {
+    fn new(crop: Crop) -> Self {
+        let film = Film::new(crop.width, crop.height);
+        let rendered = vec![false; film.pixels().len()];
+        Self { film, rendered }
+    }
+
+    /// The radiance of a pixel; `None` if it is not rendered yet.
+    pub fn get(&self, pixel: [u32; 2]) -> Option<Rgb> {
+        self.rendered[self.index(pixel)].then(|| self.film.get(pixel))
+    }
+
+    /// The coarse picture's radiance around a pixel: that of the top left pixel of its block.
+    pub fn coarse(&self, pixel: [u32; 2]) -> Option<Rgb> {
+        self.get(pixel.map(|along| along - along % BLOCK))
+    }
+
+    /// All pixels, those that are not rendered yet in black.
+    pub fn film(&self) -> &Film {
+        &self.film
+    }
+
+    fn set(&mut self, pixel: [u32; 2], color: Rgb) {
+        let index = self.index(pixel);
+        self.rendered[index] = true;
+        self.film.set(pixel, color);
+    }
+
+    fn index(&self, [x, y]: [u32; 2]) -> usize {
+        y as usize * self.film.width() as usize + x as usize
+    }
+}
 
 impl Canvas {
     /// An empty picture of the whole view of a world.
@@ -139,20 +189,25 @@ impl Canvas {
     /// An empty picture of a part of the view. The part must lie inside it.
     pub fn cropped(crop: Crop) -> Self {
         Self {
-            film: Mutex::new(Film::new(crop.width, crop.height)),
+            picture: Mutex::new(Partial::new(crop)),
             crop,
             done: AtomicU64::new(0),
             cancelled: AtomicBool::new(false),
         }
     }
 
-    /// The picture so far.
+    /// The picture so far; pixels that are not rendered yet are black.
     pub fn film(&self) -> Film {
-        self.lock().clone()
+        self.lock().film.clone()
     }
 
     /// Looks at the picture so far without copying it.
     pub fn look<T>(&self, look: impl FnOnce(&Film) -> T) -> T {
+        look(&self.lock().film)
+    }
+
+    /// As [`Canvas::look`], at a picture that knows which pixels are rendered.
+    pub fn look_partly<T>(&self, look: impl FnOnce(&Partial) -> T) -> T {
         look(&self.lock())
     }
 
@@ -172,28 +227,38 @@ impl Canvas {
         self.cancelled.load(Ordering::Relaxed)
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Film> {
-        self.film.lock().expect("nothing panics while it holds the film")
+    fn lock(&self) -> std::sync::MutexGuard<'_, Partial> {
+        self.picture.lock().expect("nothing panics while it holds the picture")
     }
 
-    /// Renders every pixel, in parallel on the current rayon pool; returns early if cancelled.
+    /// Renders every pixel once, in parallel on the current rayon pool; returns early if cancelled.
     pub fn render(&self, world: &World) {
+        self.render_coarse(world);
+        self.render_those(world, |pixel| !is_coarse(pixel));
+    }
+
+    /// Renders the pixels of the coarse picture only.
+    pub fn render_coarse(&self, world: &World) {
+        self.render_those(world, is_coarse);
+    }
+
+    /// Renders the pixels that are asked for, tile by tile.
+    fn render_those(&self, world: &World, wanted: impl Fn([u32; 2]) -> bool + Sync) {
         let Crop { x, y, width, height } = self.crop;
         let (across, down) = (width.div_ceil(TILE), height.div_ceil(TILE));
         (0..across * down).into_par_iter().for_each(|tile| {
             let (left, top) = (tile % across * TILE, tile / across * TILE);
             let (right, bottom) = ((left + TILE).min(width), (top + TILE).min(height));
+            let pixels = (top..bottom).flat_map(|row| (left..right).map(move |c| [c, row]));
             let mut finished = Vec::with_capacity((TILE * TILE) as usize);
-            for row in top..bottom {
-                for column in left..right {
-                    if self.is_cancelled() {
-                        return;
-                    }
-                    finished.push(([column, row], pixel(world, [x + column, y + row])));
+            for at @ [column, row] in pixels.filter(|&at| wanted(at)) {
+                if self.is_cancelled() {
+                    return;
                 }
+                finished.push((at, pixel(world, [x + column, y + row])));
             }
-            let mut film = self.lock();
-            finished.iter().for_each(|&(at, color)| film.set(at, color));
+            let mut picture = self.lock();
+            finished.iter().for_each(|&(at, color)| picture.set(at, color));
             // under the lock: who sees that all are done sees all of them
             self.done.fetch_add(finished.len() as u64, Ordering::Relaxed);
         });

@@ -19,12 +19,12 @@ use crate::shapes::{Candidate, Context, PartMaterial, PartPath, Shape, Surface};
 /// The seed of a picture that names none.
 pub const DEFAULT_SEED: u64 = 1;
 
-/// More pixels would take gigabytes.
-const MOST_PIXELS: u64 = 1 << 25;
-/// More samples for a pixel would take gigabytes for their sets.
-const MOST_SAMPLES: u32 = 1 << 16;
-/// Deeper rays would need a larger stack than a thread has.
-const DEEPEST: u32 = 128;
+/// The most pixels of a picture: more would take gigabytes.
+pub const MOST_PIXELS: u64 = 1 << 25;
+/// The most samples for a pixel: more would take gigabytes for their sets.
+pub const MOST_SAMPLES: u32 = 1 << 16;
+/// The largest `max_depth`: deeper rays would need a larger stack than a thread has.
+pub const DEEPEST: u32 = 128;
 
 /// A scene ready to be traced.
 #[derive(Debug)]

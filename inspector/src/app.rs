@@ -1,22 +1,28 @@
 //! The window: its state, and where its parts stand.
 
-use std::path::PathBuf;
+use std::time::Duration;
 
 use eframe::egui::{
-    self, CentralPanel, Color32, Context, Frame, Margin, Panel, RichText, Theme, Ui,
-    ViewportCommand,
+    self, CentralPanel, Context, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui, UiBuilder,
+    Vec2, ViewportCommand, vec2,
 };
-use groundtruth::film;
 use groundtruth::scene::Scene;
 
 use crate::explanation::Selection;
+use crate::image_settings::ImageSettings;
+use crate::kept::Kept;
+use crate::keys::{self, Shortcut};
 use crate::panels::{self, Fields, Wish};
 use crate::picture::{self, Mouse, Picture};
+use crate::saving::Saving;
+use crate::scene_picker::ScenePicker;
+use crate::splits::Splits;
 use crate::switches;
 use crate::trail;
 use crate::tree::Tree;
 use crate::view::parse_pixel;
-use crate::worker::{Background, Loaded, Progress, Rendering, Source};
+use crate::watch::Watch;
+use crate::worker::{Background, Loaded, Progress, Rendering};
 
 /// All that the window knows.
 pub struct Inspector {
@@ -30,20 +36,29 @@ pub struct Inspector {
     pub fields: Fields,
     /// What there is to say, and whether it is an error.
     pub message: Option<(String, bool)>,
-    /// The scene with the switches as they stand.
-    wanted: Scene,
+    /// The list of scenes.
+    pub picker: ScenePicker,
+    /// The scene as settings and switches stand.
+    pub(crate) wanted: Scene,
+    /// The seed as it stands.
+    pub(crate) seed: u64,
     /// Counts the scenes that were rendered, so that old answers are known as old.
-    generation: u64,
-    loading: Background<Result<Loaded, String>>,
-    saving: Background<Result<PathBuf, String>>,
+    pub(crate) generation: u64,
+    pub(crate) loading: Background<Result<Loaded, String>>,
+    pub(crate) watch: Watch,
+    saving: Saving,
+    settings: ImageSettings,
+    splits: Splits,
+    is_showing_keys: bool,
     mouse: Mouse,
     title: String,
 }
 
 impl Inspector {
     /// Starts to render a scene.
-    pub fn new(ctx: &Context, loaded: Loaded) -> Self {
-        let wanted = loaded.scene.clone();
+    pub fn new(ctx: &Context, mut loaded: Loaded) -> Self {
+        let (wanted, seed) = (loaded.scene.clone(), loaded.world.seed);
+        let watch = loaded.watch.take().unwrap_or_default();
         let rendering = Rendering::start(ctx, loaded);
         let picture = Picture::new(picture::tone_of(&rendering));
         Self {
@@ -51,12 +66,18 @@ impl Inspector {
             rendering,
             picture,
             selection: Selection::default(),
-            fields: Fields { save: "picture.png".to_owned(), ..Fields::default() },
+            fields: Fields { save: Kept::default().save, ..Fields::default() },
             message: None,
+            picker: ScenePicker::default(),
             wanted,
+            seed,
             generation: 0,
             loading: Background::default(),
-            saving: Background::default(),
+            watch,
+            saving: Saving::default(),
+            settings: ImageSettings::default(),
+            splits: Splits::default(),
+            is_showing_keys: false,
             mouse: Mouse::default(),
         }
     }
@@ -69,6 +90,7 @@ impl Inspector {
             self.message = Some((text, true));
             return;
         }
+        self.message = None;
         if self.selection.pixel != Some(pixel) {
             self.selection.tree = Tree::default();
         }
@@ -76,10 +98,14 @@ impl Inspector {
         self.fields.pixel = format!("{x}, {y}");
     }
 
-    /// Opens another scene; the present one stays if there is something wrong with it.
-    pub fn open(&mut self, ctx: &Context, source: Source) {
-        self.message = None;
-        self.loading.start(ctx, move || source.load());
+    /// Settings of an earlier run.
+    pub fn restore(&mut self, kept: Kept) {
+        (self.splits, self.fields.save) = (kept.splits, kept.save);
+    }
+
+    /// Settings for a later run.
+    pub fn kept(&self) -> Kept {
+        Kept { splits: self.splits, save: self.fields.save.clone() }
     }
 
     /// Whether anything is still being worked out.
@@ -94,54 +120,82 @@ impl Inspector {
     /// Draws the window and does what the person asks for.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        self.take_results(&ctx);
+        self.take_loaded(&ctx);
+        self.message = self.saving.poll().or(self.message.take());
         self.drop_files(&ctx);
+        self.follow_files(&ctx);
         self.set_title(&ctx);
 
-        let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 6));
-        let wish = Panel::top("files").frame(bar).show(ui, |ui| {
-            let wish = panels::files(ui, &mut self.fields, &self.rendering.source);
-            self.message_line(ui);
-            wish
-        });
-        Panel::bottom("status").frame(bar).show(ui, |ui| {
-            panels::status(ui, &self.rendering, self.mouse.over, self.loading.is_busy());
-        });
-        let changed = Panel::left("scene")
-            .frame(bar)
-            .default_size(190.0)
-            .show(ui, |ui| switches::show(ui, &mut self.wanted));
-        let right = Panel::right("explanation").frame(bar).default_size(580.0).min_size(300.0);
-        let resampled = right.show(ui, |ui| {
-            ui.take_available_width();
-            let of = (&self.rendering, self.generation);
-            self.selection.show(ui, of, &self.picture.tone, &mut self.wanted)
-        });
-        Panel::top("look")
-            .frame(bar)
-            .show(ui, |ui| panels::look(ui, &mut self.picture, &self.rendering));
-        CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
-            let size = self.rendering.size();
-            self.mouse = self.picture.show(ui, size, self.selection.pixel);
-            let trail = self.selection.trail(&self.rendering);
-            trail::paint(ui.painter(), &self.picture.placed(size), &trail);
-        });
-        if changed.inner || resampled.inner {
+        let wish = self.bars(ui);
+        let changed = CentralPanel::default().frame(Frame::NONE).show(ui, |ui| self.parts(ui));
+        if changed.inner {
             self.rebuild(&ctx);
         }
         if let Some(pixel) = self.mouse.clicked {
             self.select(pixel);
         }
         self.step(ui);
-        if let Some(wish) = wish.inner {
+        // before a wish begins a question: the Enter that wished it is no answer
+        self.saving.ask(&ctx, (&self.rendering, &self.picture));
+        if let Some(wish) = wish.or(self.shortcut(&ctx)) {
             self.grant(&ctx, wish);
         }
+        keys::list(&ctx, &mut self.is_showing_keys);
 
         self.picture.refresh(&ctx, &self.rendering, self.generation);
         self.selection.refresh(&ctx, &self.rendering, self.generation);
         if self.is_busy() {
-            ctx.request_repaint_after(std::time::Duration::from_millis(50));
+            ctx.request_repaint_after(Duration::from_millis(50));
         }
+    }
+
+    /// The bars above and below all else.
+    fn bars(&mut self, ui: &mut Ui) -> Option<Wish> {
+        let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 4));
+        let wish = Panel::top("files").frame(bar).show(ui, |ui| {
+            let source = &self.rendering.source;
+            let wish = panels::files(ui, &mut self.fields, &mut self.picker, source);
+            self.message_line(ui);
+            wish
+        });
+        let status = Panel::bottom("status").frame(bar).show(ui, |ui| {
+            panels::status(ui, &self.rendering, self.mouse.over, self.loading.is_busy())
+        });
+        self.is_showing_keys ^= status.inner;
+        Panel::top("look")
+            .frame(bar)
+            .show(ui, |ui| panels::look(ui, &mut self.picture, &self.rendering));
+        wish.inner
+    }
+
+    /// The scene, the picture and the explanation, side by side; whether the scene was changed.
+    fn parts(&mut self, ui: &mut Ui) -> bool {
+        let parts = self.splits.show(ui, ui.max_rect());
+        let changed = part(ui, ("scene", parts.scene), |ui| {
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
+        });
+        let resampled = part(ui, ("explanation", parts.explanation), |ui| {
+            let of = (&self.rendering, self.generation);
+            self.selection.show(ui, of, &self.picture.tone, &mut self.wanted)
+        });
+        part(ui, ("picture", parts.picture), |ui| {
+            let size = self.rendering.size();
+            self.mouse = self.picture.show(ui, size, self.selection.pixel);
+            let trail = self.selection.trail(&self.rendering);
+            trail::paint(ui.painter(), &self.picture.placed(size), &trail);
+        });
+        changed || resampled
+    }
+
+    /// What the scene is, its settings and its switches; whether it was changed.
+    fn scene(&mut self, ui: &mut Ui) -> bool {
+        if !self.wanted.about.is_empty() {
+            ui.label(RichText::new(&self.wanted.about).italics());
+            ui.add_space(6.0);
+        }
+        let changed = self.settings.show(ui, &mut self.wanted, &mut self.seed);
+        ui.add_space(8.0);
+        changed | switches::show(ui, &mut self.wanted)
     }
 
     /// The title tells from afar which scene it is and whether it is finished.
@@ -171,7 +225,7 @@ impl Inspector {
     /// The arrow keys step to the next pixel, unless they are needed elsewhere.
     fn step(&mut self, ui: &Ui) {
         let Some([x, y]) = self.selection.pixel else { return };
-        if !self.picture.has_keys(ui.ctx()) {
+        if !self.picture.has_keys(ui.ctx()) || self.saving.is_asking() {
             return;
         }
         let [dx, dy] = picture::arrow_step(ui);
@@ -185,97 +239,59 @@ impl Inspector {
         self.picture.reveal(size, pixel);
     }
 
+    /// Does what the pressed shortcut says, or returns what it asks for.
+    fn shortcut(&mut self, ctx: &Context) -> Option<Wish> {
+        if self.saving.is_asking() {
+            return None;
+        }
+        let save = self.fields.save.trim();
+        match keys::pressed(ctx, !self.picture.has_keys(ctx))? {
+            Shortcut::File => ctx.memory_mut(|memory| memory.request_focus(panels::file_field())),
+            Shortcut::Save if !save.is_empty() => return Some(Wish::Save(save.into())),
+            Shortcut::Save => self.message = Some(("the picture has no name".to_owned(), true)),
+            Shortcut::Keys => self.is_showing_keys ^= true,
+        }
+        None
+    }
+
     fn grant(&mut self, ctx: &Context, wish: Wish) {
         match wish {
             Wish::Open(source) => self.open(ctx, source),
             Wish::Save(path) => {
-                let (canvas, tone) = (self.rendering.canvas.clone(), self.picture.tone);
-                self.saving.start(ctx, move || {
-                    let written = film::write(&canvas.film(), &tone, &path);
-                    written.map(|()| path).map_err(|error| error.to_string())
-                });
+                self.message = None;
+                self.saving.start(ctx, (&self.rendering, &self.picture), &path);
             }
             Wish::Select(text) => match parse_pixel(&text) {
                 Ok(pixel) => {
-                    self.message = None;
                     self.select(pixel);
-                    let size = self.rendering.size();
                     if self.selection.pixel == Some(pixel) {
-                        self.picture.reveal(size, pixel);
+                        self.picture.reveal(self.rendering.size(), pixel);
                     }
                 }
                 Err(error) => self.message = Some((error, true)),
             },
         }
     }
-
-    /// Builds the scene again as its switches stand.
-    fn rebuild(&mut self, ctx: &Context) {
-        let (source, scene) = (self.rendering.source.clone(), self.wanted.clone());
-        self.loading.start(ctx, move || source.build(scene));
-    }
-
-    fn drop_files(&mut self, ctx: &Context) {
-        let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
-        if let Some(file) = dropped {
-            let path = file.path().to_owned();
-            self.fields.open = path.display().to_string();
-            self.open(ctx, Source::File(path));
-        }
-    }
-
-    fn take_results(&mut self, ctx: &Context) {
-        match self.loading.poll() {
-            Some(Ok(Ok(loaded))) => self.take_scene(ctx, loaded),
-            Some(Ok(Err(error))) => self.keep_scene(error),
-            Some(Err(lost)) => self.keep_scene(lost.to_string()),
-            None => {}
-        }
-        self.message = match self.saving.poll() {
-            Some(Ok(Ok(path))) => Some((format!("saved {}", path.display()), false)),
-            Some(Ok(Err(error))) => Some((error, true)),
-            Some(Err(lost)) => Some((lost.to_string(), true)),
-            None => self.message.take(),
-        };
-    }
-
-    fn keep_scene(&mut self, error: String) {
-        self.wanted = (*self.rendering.scene).clone();
-        self.message = Some((error, true));
-    }
-
-    fn take_scene(&mut self, ctx: &Context, loaded: Loaded) {
-        let same_scene = loaded.source.name() == self.rendering.source.name();
-        let old_size = self.rendering.size();
-        self.wanted = loaded.scene.clone();
-        self.generation += 1;
-        // the old rendering is dropped here, which stops it
-        self.rendering = Rendering::start(ctx, loaded);
-        if same_scene && self.rendering.size() == old_size {
-            self.picture.begin_again();
-        } else {
-            self.picture = Picture::new(picture::tone_of(&self.rendering));
-            self.selection = Selection::default();
-            self.fields.pixel.clear();
-        }
-    }
 }
 
-/// Dark surroundings, against which colours are judged, and text that stands out from them.
-pub fn set_style(ctx: &Context) {
-    ctx.set_theme(Theme::Dark);
-    ctx.style_mut_of(Theme::Dark, |style| {
-        let widgets = &mut style.visuals.widgets;
-        widgets.noninteractive.fg_stroke.color = Color32::from_gray(215);
-        widgets.inactive.fg_stroke.color = Color32::from_gray(225);
-        style.visuals.weak_text_color = Some(Color32::from_gray(165));
-        style.visuals.error_fg_color = Color32::from_rgb(255, 120, 110);
-        style.spacing.slider_width = 70.0;
-    });
+/// Shows a part of the window in its place.
+fn part<T>(ui: &mut Ui, (name, area): (&str, Rect), show: impl FnOnce(&mut Ui) -> T) -> T {
+    let margin = if name == "picture" { Vec2::ZERO } else { vec2(8.0, 6.0) };
+    ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
+    let place = UiBuilder::new().id_salt(name).max_rect(area.shrink2(margin));
+    ui.scope_builder(place, |ui| {
+        ui.set_clip_rect(ui.clip_rect().intersect(area));
+        show(ui)
+    })
+    .inner
 }
 
 impl eframe::App for Inspector {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         self.show(ui);
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        self.kept().write(storage);
     }
 }

@@ -15,13 +15,16 @@ use crate::pixel::{self, Order};
 use crate::samples::Samples;
 use crate::trail::{self, Station};
 use crate::tree::Tree;
-use crate::worker::{Background, Progress, Rendering};
+use crate::worker::{Background, Rendering};
 use crate::{details, picture, tree};
 
 /// A pixel of more rays is explained one sample at a time.
 const MOST_RAYS_OF_A_PIXEL: u64 = 30_000;
 /// A sample of more rays would be a tree that nobody reads, in gigabytes of memory.
 const MOST_RAYS_OF_A_SAMPLE: u64 = 500_000;
+
+/// The least height of tree and details in a low window, in points of the screen.
+const LEAST_HEIGHT: f32 = 24.0;
 
 /// What is to be explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -171,13 +174,16 @@ impl Selection {
         let index = self.sample.min(answer.samples_per_pixel - 1);
         let sample = answer.samples.iter().find(|sample| sample.index == index);
         let camera_ray = sample.and_then(|sample| sample.ray.as_ref());
-        let panel = Panel::bottom("details").frame(inner).resizable(true).default_size(330.0);
+        let height = ui.available_height();
+        let panel = Panel::bottom("details").frame(inner).resizable(true);
+        let panel = panel.default_size(0.45 * height).max_size((height - 150.0).max(0.45 * height));
         let changed = panel.show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.selectable_value(&mut self.below, Below::Ray, "The ray");
                 ui.selectable_value(&mut self.below, Below::Samples, "The samples");
             });
             let area = ScrollArea::both().id_salt("details").auto_shrink(false);
+            let area = area.min_scrolled_height(LEAST_HEIGHT);
             let shown = area.show(ui, |ui| match self.below {
                 Below::Ray => {
                     if let Some(root) = camera_ray {
@@ -259,8 +265,5 @@ impl Selection {
 
 /// What the picture has at a pixel, if it has come that far.
 fn rendered(rendering: &Rendering, pixel: [u32; 2]) -> Option<Rgb> {
-    let radiance = rendering.canvas.look(|film| film.get(pixel));
-    let finished = matches!(rendering.progress(), Progress::Done(_));
-    // a pixel that is still to come is black
-    (finished || !radiance.is_black()).then_some(radiance)
+    rendering.canvas.look_partly(|picture| picture.get(pixel))
 }

@@ -5,27 +5,17 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use eframe::egui;
-use inspector::app::{Inspector, set_style};
-use inspector::view::parse_pixel;
-use inspector::worker::{Loaded, Source};
-
-/// Click a pixel and read why it has its colour.
-#[derive(Parser)]
-#[command(name = "inspector", version)]
-struct Arguments {
-    /// A gallery name such as ch28/glass-sphere, or a scene file
-    #[arg(default_value = "ch28/glass-sphere")]
-    scene: String,
-    /// Explain this pixel at once: column and row from the top left, as 200,150
-    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
-    pixel: Option<[u32; 2]>,
-}
+use inspector::app::Inspector;
+use inspector::arguments::Arguments;
+use inspector::kept::Kept;
+use inspector::style::set_style;
+use inspector::worker::Loaded;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     // a bad scene is told where the command was typed, before there is a window
-    let outcome = Source::named(&arguments.scene).and_then(|source| source.load());
-    match outcome.map_err(Into::into).and_then(|loaded| open(loaded, arguments.pixel)) {
+    let loaded = arguments.load().map_err(Into::into);
+    match loaded.and_then(|loaded| open(loaded, &arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -34,18 +24,21 @@ fn main() -> ExitCode {
     }
 }
 
-fn open(loaded: Loaded, pixel: Option<[u32; 2]>) -> Result<(), Box<dyn Error>> {
+fn open(loaded: Loaded, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let viewport = egui::ViewportBuilder::default()
         .with_title("Groundtruth inspector")
         .with_inner_size([1400.0, 830.0])
         .with_min_inner_size([800.0, 500.0])
         .with_position([0.0, 0.0]);
     let options = eframe::NativeOptions { viewport, ..Default::default() };
+    let (pixel, sample) = (arguments.pixel, arguments.sample);
     let start = move |context: &eframe::CreationContext<'_>| {
         set_style(&context.egui_ctx);
         let mut inspector = Inspector::new(&context.egui_ctx, loaded);
+        inspector.restore(Kept::read(context.storage));
         if let Some(pixel) = pixel {
             inspector.select(pixel);
+            inspector.selection.sample = sample.unwrap_or(0);
         }
         Ok(Box::new(inspector) as Box<dyn eframe::App>)
     };

@@ -2,11 +2,14 @@
 
 use std::path::PathBuf;
 
-use eframe::egui::{Button, ComboBox, Label, Response, Slider, TextEdit, Ui};
+use eframe::egui::{
+    Align, Button, Id, Key, Label, Layout, ProgressBar, RichText, Slider, TextEdit, Ui,
+};
 use groundtruth::explain::short;
-use groundtruth::gallery;
 
 use crate::picture::{Picture, tone_of};
+use crate::scene_picker::ScenePicker;
+use crate::words::counted;
 use crate::worker::{Progress, Rendering, Source};
 
 /// What a person typed into the bars.
@@ -30,65 +33,74 @@ pub enum Wish {
     Select(String),
 }
 
-/// The scene, the file to open, the file to save and the pixel to explain.
-pub fn files(ui: &mut Ui, fields: &mut Fields, source: &Source) -> Option<Wish> {
-    let mut wish = None;
-    ui.horizontal(|ui| {
-        let label = ui.label("Scene");
-        if let Some(entry) = picker(ui, source, &label) {
-            wish = Some(Wish::Open(Source::Gallery(entry)));
-        }
-        ui.separator();
-        let hint = "scene.toml, or drop a file";
-        if entry(ui, "File", &mut fields.open, hint, 230.0, "Open") {
-            wish = Some(Wish::Open(Source::File(fields.open.trim().into())));
-        }
-        ui.separator();
-        let hint = "picture.png or .exr";
-        if entry(ui, "Picture", &mut fields.save, hint, 190.0, "Save") {
-            wish = Some(Wish::Save(fields.save.trim().into()));
-        }
-        ui.separator();
-        if entry(ui, "Pixel", &mut fields.pixel, "x, y", 70.0, "Explain") {
-            wish = Some(Wish::Select(fields.pixel.clone()));
-        }
-    });
-    wish
+/// Narrower windows have two rows of fields.
+const ONE_ROW_FROM: f32 = 1250.0;
+
+/// The field of the scene file, to type into it from anywhere.
+pub fn file_field() -> Id {
+    Id::unique("the field of the scene file")
 }
 
-/// The gallery by chapter.
-fn picker(ui: &mut Ui, source: &Source, label: &Response) -> Option<gallery::Entry> {
-    let mut picked = None;
-    let current = source.name();
-    let combo = ComboBox::from_id_salt("scene").selected_text(current.as_str()).width(220.0);
-    let combo = combo.height(640.0).truncate().show_ui(ui, |ui| {
-        let mut chapter = "";
-        for entry in gallery::scenes() {
-            let (its_chapter, name) = entry.name.split_once('/').unwrap_or(("", entry.name));
-            if its_chapter != chapter {
-                chapter = its_chapter;
-                let number = chapter.trim_start_matches("ch").trim_start_matches('0');
-                ui.weak(format!("Chapter {number}"));
-            }
-            let line = ui.selectable_label(current == entry.name, name);
-            if line.on_hover_ui(|ui| drop(ui.label((entry.build)().about))).clicked() {
-                picked = Some(entry);
-            }
-        }
-    });
-    combo.response.labelled_by(label.id);
-    picked
+/// The scene, the file to open, the file to save and the pixel to explain.
+pub fn files(
+    ui: &mut Ui,
+    fields: &mut Fields,
+    picker: &mut ScenePicker,
+    source: &Source,
+) -> Option<Wish> {
+    let width = ui.available_width();
+    if width >= ONE_ROW_FROM {
+        let opened = |ui: &mut Ui| {
+            let opened = open(ui, fields, picker, source, 230.0);
+            ui.separator();
+            opened.or(save_and_select(ui, fields, 190.0))
+        };
+        return ui.horizontal(opened).inner;
+    }
+    // what the labels, the buttons and the other fields leave
+    let opened = ui.horizontal(|ui| open(ui, fields, picker, source, width - 400.0)).inner;
+    opened.or(ui.horizontal(|ui| save_and_select(ui, fields, width - 330.0)).inner)
+}
+
+fn open(
+    ui: &mut Ui,
+    fields: &mut Fields,
+    picker: &mut ScenePicker,
+    source: &Source,
+    width: f32,
+) -> Option<Wish> {
+    let picked = picker.show(ui, &source.name(), 220.0);
+    ui.separator();
+    let field = TextEdit::singleline(&mut fields.open).id(file_field());
+    let field = field.hint_text("scene.toml, or drop a file");
+    let named = entry(ui, "File", field, width, "Open");
+    let file = fields.open.trim();
+    match picked {
+        Some(entry) => Some(Wish::Open(Source::Gallery(entry))),
+        None => (named && !file.is_empty()).then(|| Wish::Open(Source::File(file.into()))),
+    }
+}
+
+fn save_and_select(ui: &mut Ui, fields: &mut Fields, width: f32) -> Option<Wish> {
+    let field = TextEdit::singleline(&mut fields.save).hint_text("picture.png or .exr");
+    let saved = entry(ui, "Picture", field, width, "Save");
+    ui.separator();
+    let field = TextEdit::singleline(&mut fields.pixel).hint_text("x, y");
+    let selected = entry(ui, "Pixel", field, 70.0, "Explain");
+    let (name, pixel) = (fields.save.trim(), fields.pixel.trim());
+    if saved && !name.is_empty() {
+        return Some(Wish::Save(name.into()));
+    }
+    (selected && !pixel.is_empty()).then(|| Wish::Select(pixel.to_owned()))
 }
 
 /// A field with its button; true if the button or Enter was pressed.
-fn entry(ui: &mut Ui, name: &str, text: &mut String, hint: &str, width: f32, verb: &str) -> bool {
+fn entry(ui: &mut Ui, name: &str, field: TextEdit<'_>, width: f32, verb: &str) -> bool {
     let label = ui.label(name);
-    let field = TextEdit::singleline(text).hint_text(hint).desired_width(width);
-    let field = ui.add(field).labelled_by(label.id);
-    let entered =
-        field.lost_focus() && ui.input(|input| input.key_pressed(eframe::egui::Key::Enter));
-    let pressed = ui.add_enabled(!text.trim().is_empty(), Button::new(verb)).clicked();
-    (entered || pressed) && !text.trim().is_empty()
+    let field = ui.add(field.desired_width(width)).labelled_by(label.id);
+    let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    let pressed = ui.button(verb).clicked();
+    entered || pressed
 }
 
 /// How to look at the picture.
@@ -105,8 +117,9 @@ pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
         if reset.on_hover_text("Exposure 1 and the gamma of the scene").clicked() {
             picture.tone = own;
         }
+        ui.separator();
         let size = rendering.size();
-        if ui.button("Whole").on_hover_text("The whole picture").clicked() {
+        if ui.button("Whole").on_hover_text("The whole picture, as large as fits").clicked() {
             picture.view = crate::view::View::WHOLE;
         }
         for zoom in [1.0_f32, 4.0, 12.0] {
@@ -117,40 +130,58 @@ pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
     });
 }
 
-/// What is under the mouse, how far the picture is, and which keys there are.
-pub fn status(ui: &mut Ui, rendering: &Rendering, over: Option<[u32; 2]>, loading: bool) {
+/// How far the picture is, and what is under the mouse; whether the keys are to be shown.
+pub fn status(
+    ui: &mut Ui,
+    rendering: &Rendering,
+    over: Option<[u32; 2]>,
+    is_loading: bool,
+) -> bool {
     ui.horizontal(|ui| {
         let [width, height] = rendering.size();
-        let samples = rendering.world.samples_per_pixel();
-        ui.label(format!("{width} × {height}, {samples} samples"));
+        let samples = counted(rendering.world.samples_per_pixel(), "sample");
+        ui.label(format!("{width} × {height}, {samples}"));
         ui.separator();
-        if loading {
+        if is_loading {
             ui.spinner();
             ui.label("loading");
         }
-        match rendering.progress() {
-            Progress::Running(part, elapsed) => {
-                let bar = eframe::egui::ProgressBar::new(part).desired_width(120.0);
-                ui.add(bar.show_percentage());
-                ui.label(format!("{:.1} s", elapsed.as_secs_f64()));
-            }
-            Progress::Done(took) => {
-                drop(ui.label(format!("rendered in {:.2} s", took.as_secs_f64())))
-            }
-            Progress::Stopped => drop(ui.colored_label(
-                ui.visuals().error_fg_color,
-                "rendering stopped unexpectedly; the terminal says why",
-            )),
-        }
+        progress(ui, rendering);
         ui.separator();
         match over {
-            Some([x, y]) => {
-                let radiance = rendering.canvas.look(|film| film.get([x, y]));
-                ui.monospace(format!("({x}, {y})  {}", short(radiance)));
-            }
+            Some(pixel) => drop(ui.monospace(under_mouse(rendering, pixel))),
             None => drop(ui.weak("point at a pixel to read it")),
         }
-    });
-    let help = "Click: explain a pixel · arrows: next pixel (Shift: 10) · wheel: zoom · drag: pan";
-    ui.add(Label::new(eframe::egui::RichText::new(help).weak()).truncate());
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let keys = ui.small_button("?").on_hover_text("The keys");
+            let help = "click: explain a pixel · arrows: the next · wheel: zoom · drag: move";
+            let help = Label::new(RichText::new(help).weak()).truncate();
+            ui.add_enabled(true, help);
+            keys.clicked()
+        })
+        .inner
+    })
+    .inner
+}
+
+fn progress(ui: &mut Ui, rendering: &Rendering) {
+    match rendering.progress() {
+        Progress::Running(part, elapsed) => {
+            ui.add(ProgressBar::new(part).desired_width(120.0).show_percentage());
+            ui.label(format!("{:.1} s", elapsed.as_secs_f64()));
+        }
+        Progress::Done(took) => drop(ui.label(format!("rendered in {:.2} s", took.as_secs_f64()))),
+        Progress::Stopped => {
+            let text = RichText::new("rendering stopped").color(ui.visuals().error_fg_color);
+            ui.label(text).on_hover_text("Unexpectedly; the terminal says why");
+        }
+    }
+}
+
+/// A pixel and its radiance.
+fn under_mouse(rendering: &Rendering, pixel @ [x, y]: [u32; 2]) -> String {
+    match rendering.canvas.look_partly(|picture| picture.get(pixel)) {
+        Some(radiance) => format!("({x}, {y})  {}", short(radiance)),
+        None => format!("({x}, {y})  not rendered yet"),
+    }
 }

@@ -9,7 +9,7 @@ use eframe::egui::{
     accesskit::Role, pos2,
 };
 use groundtruth::film::Tone;
-use groundtruth::render::Canvas;
+use groundtruth::render::{Canvas, Partial};
 use groundtruth::rgb::Rgb;
 
 use crate::view::{Placed, View};
@@ -82,12 +82,19 @@ pub fn color(tone: &Tone, radiance: Rgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// The picture so far as tiles. The film is locked for one tile at a time. Pixels that are still to
-/// come are black in the film; black is transparent here, over black or the picture before.
+/// How much of a pixel of the coarse picture is seen: the hatching shows through the rest.
+const COARSE_ALPHA: u8 = 215;
+
+/// The picture so far as tiles. The picture is locked for one tile at a time. Where a pixel is still
+/// to come, the coarse picture is shown, or nothing.
 fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
-    let show = |radiance: Rgb| match radiance.is_black() {
-        true => Color32::TRANSPARENT,
-        false => color(tone, radiance),
+    let show = |pixel: Shown| match pixel {
+        Shown::Rendered(radiance) => color(tone, radiance),
+        Shown::Coarse(radiance) => {
+            let [r, g, b] = tone.to_bytes(radiance);
+            Color32::from_rgba_unmultiplied(r, g, b, COARSE_ALPHA)
+        }
+        Shown::Nothing => Color32::TRANSPARENT,
     };
     let (width, height) = canvas.look(|film| (film.width(), film.height()));
     let corners = (0..height)
@@ -95,14 +102,35 @@ fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
         .flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| [x, y]));
     let tile = |[x, y]: [u32; 2]| {
         let (right, bottom) = ((x + TILE).min(width), (y + TILE).min(height));
-        let pixels: Vec<Rgb> = canvas.look(|film| {
-            (y..bottom).flat_map(|row| (x..right).map(move |c| film.get([c, row]))).collect()
-        });
+        let places = (y..bottom).flat_map(|row| (x..right).map(move |column| [column, row]));
+        let pixels: Vec<Shown> =
+            canvas.look_partly(|picture| places.map(|at| Shown::of(picture, at)).collect());
         let size = [(right - x) as usize, (bottom - y) as usize];
         let colors = pixels.into_iter().map(show).collect();
         ([x, y], ColorImage::new(size, colors))
     };
     corners.map(tile).collect()
+}
+
+/// What there is to show of a pixel.
+#[derive(Clone, Copy)]
+enum Shown {
+    /// Its radiance.
+    Rendered(Rgb),
+    /// Only that of a pixel near it.
+    Coarse(Rgb),
+    /// Nothing yet.
+    Nothing,
+}
+
+impl Shown {
+    fn of(picture: &Partial, pixel: [u32; 2]) -> Self {
+        match (picture.get(pixel), picture.coarse(pixel)) {
+            (Some(radiance), _) => Self::Rendered(radiance),
+            (None, Some(radiance)) => Self::Coarse(radiance),
+            (None, None) => Self::Nothing,
+        }
+    }
 }
 
 impl Picture {
@@ -238,16 +266,11 @@ impl Picture {
         let whole = placed.whole();
         painter.rect_filled(painter.clip_rect(), 0.0, Color32::from_gray(24));
         painter.rect_filled(whole, 0.0, Color32::BLACK);
-        let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        let old = self.beneath.iter().map(|tile| (tile, Color32::from_gray(90)));
-        let new = self.tiles.iter().map(|tile| (tile, Color32::WHITE));
-        for ((at, texture), tint) in old.chain(new) {
-            let [width, height] = texture.size().map(|side| side as u32);
-            let rect = placed.part(*at, [width, height]);
-            if rect.intersects(painter.clip_rect()) {
-                painter.image(texture.id(), rect, uv, tint);
-            }
+        paint_tiles(painter, placed, &self.beneath, Color32::from_gray(90));
+        if !self.shown.is_some_and(|shown| shown.finished) {
+            hatch(&painter.with_clip_rect(painter.clip_rect().intersect(whole)));
         }
+        paint_tiles(painter, placed, &self.tiles, Color32::WHITE);
         if placed.scale >= GRID_FROM {
             grid(painter, placed);
         }
@@ -256,6 +279,34 @@ impl Picture {
         if let Some(pixel) = selected {
             mark(painter, placed.rect(pixel));
         }
+    }
+}
+
+fn paint_tiles(
+    painter: &Painter,
+    placed: &Placed,
+    tiles: &[([u32; 2], TextureHandle)],
+    tint: Color32,
+) {
+    let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    for (at, texture) in tiles {
+        let [width, height] = texture.size().map(|side| side as u32);
+        let rect = placed.part(*at, [width, height]);
+        if rect.intersects(painter.clip_rect()) {
+            painter.image(texture.id(), rect, uv, tint);
+        }
+    }
+}
+
+/// Slanted lines all over what is seen: they mark what is not rendered yet.
+fn hatch(painter: &Painter) {
+    const STEP: f32 = 7.0;
+    let seen = painter.clip_rect();
+    let stroke = Stroke::new(1.0, Color32::from_gray(85));
+    let lines = ((seen.width() + seen.height()) / STEP).max(0.0) as u32;
+    for line in 1..=lines {
+        let from = seen.left_top() + egui::vec2(line as f32 * STEP, 0.0);
+        painter.line_segment([from, from + seen.height() * egui::vec2(-1.0, 1.0)], stroke);
     }
 }
 

@@ -2,15 +2,15 @@
 //! their sampler is fair.
 
 use eframe::egui::{
-    Align2, Color32, ComboBox, DragValue, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2,
-    pos2, vec2,
+    Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
 };
 use groundtruth::render;
-use groundtruth::samplers::{self, Key, Purpose, SETS, maps};
+use groundtruth::samplers::{self, Key, Purpose, SETS};
 use groundtruth::scene::Scene;
 use groundtruth::verify::chi_square;
 use groundtruth::world::World;
 
+use crate::words::counted;
 use crate::worker::Rendering;
 
 /// More would be a blot.
@@ -125,10 +125,6 @@ impl Samples {
         let pixel_points = (0..count).map(|i| centered(draw(Purpose::Pixel, i))).collect();
         let lens = |i| render::camera_sample(world, pixel, i)?.lens;
         let lens_points = (0..count).filter_map(lens).collect();
-        let bounce = |i| {
-            let up = maps::hemisphere(draw(Purpose::Bounce { node: 0 }, i), 1.0);
-            [up.x(), up.y()]
-        };
         self.plots = vec![
             plot(
                 "pixel",
@@ -139,9 +135,9 @@ impl Samples {
             plot("lens", "where on the lens", Outline::Disk, lens_points),
             plot(
                 "hemisphere, from above",
-                "cosine-weighted directions from the first hit, as diffuse light would need them",
+                "where rays leave the first hit; no tracer draws such samples yet",
                 Outline::Disk,
-                (0..count).map(bounce).collect(),
+                Vec::new(),
             ),
         ];
     }
@@ -238,7 +234,7 @@ impl Plot {
     }
 }
 
-/// Sampler and count; whether they were changed.
+/// The sampler, and the count it makes of the one in the scene's panel; whether it was changed.
 fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
@@ -265,10 +261,8 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
             }
         });
         combo.response.labelled_by(label.id);
-        let label = ui.label("Samples");
-        let count = DragValue::new(&mut image.samples).range(1..=1024).update_while_editing(false);
-        changed |= ui.add(count).labelled_by(label.id).changed();
         let used = rendering.world.samples_per_pixel();
+        ui.label(counted(used, "sample"));
         if used != rendering.scene.image.samples {
             ui.weak(format!("rounded up to {used}"));
         }

@@ -1,24 +1,16 @@
 //! Lights and objects, to be switched off and on: what is left explains itself.
 
-use eframe::egui::{Align, Layout, RichText, ScrollArea, TextWrapMode, Ui, vec2};
+use eframe::egui::{Align, Layout, TextWrapMode, Ui, vec2};
 use groundtruth::scene::Scene;
 
 /// Shows the switches; says whether the scene was changed.
 pub fn show(ui: &mut Ui, scene: &mut Scene) -> bool {
-    let mut changed = false;
-    if !scene.about.is_empty() {
-        ui.label(RichText::new(&scene.about).italics());
-        ui.add_space(6.0);
-    }
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        let lights = scene.lights.iter_mut().map(|light| (light.name.as_str(), &mut light.enabled));
-        changed |= list(ui, "Lights", "light", lights.collect());
-        ui.add_space(8.0);
-        let objects =
-            scene.objects.iter_mut().map(|object| (object.name.as_str(), &mut object.enabled));
-        changed |= list(ui, "Objects", "object", objects.collect());
-    });
-    changed
+    let lights = scene.lights.iter_mut().map(|light| (light.name.as_str(), &mut light.enabled));
+    let changed = list(ui, "Lights", "light", lights.collect());
+    ui.add_space(8.0);
+    let objects =
+        scene.objects.iter_mut().map(|object| (object.name.as_str(), &mut object.enabled));
+    changed | list(ui, "Objects", "object", objects.collect())
 }
 
 fn list(ui: &mut Ui, title: &str, thing: &str, mut things: Vec<(&str, &mut bool)>) -> bool {

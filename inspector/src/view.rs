@@ -86,10 +86,11 @@ impl View {
     }
 }
 
-/// Whole points for each pixel if there is room: all pixels look equally large.
+/// As large as fits. From two points for a pixel on, whole points: all pixels look equally large.
 fn whole_in(area: Rect, whole: Vec2) -> f32 {
     let scale = (area.width() / whole.x).min(area.height() / whole.y);
-    if scale >= 1.0 { scale.floor().min(32.0) } else { scale.max(*ZOOM.start() / 4.0) }
+    let scale = if scale >= 2.0 { scale.floor() } else { scale };
+    scale.clamp(*ZOOM.start() / 4.0, *ZOOM.end())
 }
 
 fn extent([width, height]: [u32; 2]) -> Vec2 {

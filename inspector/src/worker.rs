@@ -12,7 +12,9 @@ use eframe::egui;
 use groundtruth::gallery;
 use groundtruth::render::Canvas;
 use groundtruth::scene::{self, Scene};
-use groundtruth::world::World;
+use groundtruth::world::{DEFAULT_SEED, World};
+
+use crate::watch::Watch;
 
 /// Rays of depth 128 are traced on the stack; unoptimised builds need more than the usual 2 MB.
 const STACK: usize = 16 << 20;
@@ -90,7 +92,7 @@ impl Source {
         }
         let path = Path::new(name);
         if path.extension().is_none() && !path.exists() {
-            return Err(format!("no scene `{name}`: neither a gallery name nor a file"));
+            return Err(gallery::unknown(name));
         }
         Ok(Self::File(path.to_owned()))
     }
@@ -116,25 +118,56 @@ impl Source {
     /// # Errors
     /// The scene error, with file and line.
     pub fn load(self) -> Result<Loaded, String> {
-        match &self {
-            Self::Gallery(entry) => {
-                let scene = (entry.build)();
-                self.build(scene)
-            }
-            Self::File(path) => {
-                let (scene, world) = scene::read(path).map_err(|error| error.to_string())?;
-                Ok(Loaded { source: self, scene, world })
-            }
-        }
+        self.load_changed(DEFAULT_SEED, |scene| scene)
     }
 
-    /// Builds a changed scene of this source.
+    /// Reads it, and builds it with these changes and this seed.
+    ///
+    /// # Errors
+    /// The scene error, with file and line.
+    pub fn load_changed(
+        self,
+        seed: u64,
+        change: impl FnOnce(Scene) -> Scene,
+    ) -> Result<Loaded, String> {
+        let mut watch = Watch::default();
+        let (read, scene, world) = match &self {
+            Self::Gallery(entry) => {
+                let read = (entry.build)();
+                let scene = change(read.clone());
+                let world = World::build_seeded(&scene, self.folder(), seed);
+                (read, scene, world)
+            }
+            Self::File(path) => {
+                // before it is read: a change in between is then not missed
+                watch.add(path.clone());
+                let (read, text) = scene::open(path).map_err(|error| error.to_string())?;
+                watch.add_meshes(&read, self.folder());
+                let scene = change(read.clone());
+                let world = text.build(&scene, seed);
+                (read, scene, world)
+            }
+        };
+        let world = world.map_err(|error| error.to_string())?;
+        Ok(Loaded { source: self, read, scene, world, watch: Some(watch) })
+    }
+
+    /// Builds a scene as one of this source.
     ///
     /// # Errors
     /// The scene error.
     pub fn build(self, scene: Scene) -> Result<Loaded, String> {
-        let world = World::build_in(&scene, self.folder()).map_err(|error| error.to_string())?;
-        Ok(Loaded { source: self, scene, world })
+        self.rebuild(scene.clone(), scene, DEFAULT_SEED)
+    }
+
+    /// Builds a changed scene of this source, which says `read`.
+    ///
+    /// # Errors
+    /// The scene error.
+    pub fn rebuild(self, read: Scene, scene: Scene, seed: u64) -> Result<Loaded, String> {
+        let world = World::build_seeded(&scene, self.folder(), seed);
+        let world = world.map_err(|error| error.to_string())?;
+        Ok(Loaded { source: self, read, scene, world, watch: None })
     }
 }
 
@@ -143,10 +176,14 @@ impl Source {
 pub struct Loaded {
     /// Where it comes from.
     pub source: Source,
-    /// The scene.
+    /// The scene as its source says it.
+    pub read: Scene,
+    /// The scene, perhaps changed.
     pub scene: Scene,
     /// The scene, built.
     pub world: World,
+    /// The files it was read from; `None` if it was not read again.
+    pub watch: Option<Watch>,
 }
 
 /// A picture on its way. Dropping it stops the work.
@@ -154,7 +191,9 @@ pub struct Loaded {
 pub struct Rendering {
     /// Where the scene comes from.
     pub source: Source,
-    /// The scene.
+    /// The scene as its source says it.
+    pub read: Scene,
+    /// The scene as it is rendered.
     pub scene: Arc<Scene>,
     /// The scene, built.
     pub world: Arc<World>,
@@ -179,7 +218,7 @@ pub enum Progress {
 impl Rendering {
     /// Starts to render.
     pub fn start(ctx: &egui::Context, loaded: Loaded) -> Self {
-        let Loaded { source, scene, world } = loaded;
+        let Loaded { source, read, scene, world, .. } = loaded;
         let (scene, world) = (Arc::new(scene), Arc::new(world));
         let canvas = Arc::new(Canvas::new(&world));
         let (start, took) = (Instant::now(), Arc::new(OnceLock::new()));
@@ -193,7 +232,7 @@ impl Rendering {
             }
         };
         let thread = Builder::new().stack_size(STACK).spawn(work).ok();
-        Self { source, scene, world, canvas, start, took, thread }
+        Self { source, read, scene, world, canvas, start, took, thread }
     }
 
     /// How far it is.

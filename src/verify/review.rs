@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::io::Cursor;
 
 use super::compare::{self, DRIFT, Difference};
-use super::golden::{Finding, Status};
+use super::golden::{Finding, Golden, Status};
 use crate::film::{Film, OutOfGamut, Tone};
 use crate::rgb::Rgb;
 
@@ -113,19 +113,42 @@ fn pictures(html: &mut String, finding: &Finding) {
         "<p>{} of {pixels} pixels differ. Drift is a relative difference of at most {DRIFT:e}.</p>",
         differences.len()
     );
-    if !differences.is_empty() {
+    if let Some(worst) = differences.first() {
+        if let Some(golden) = &finding.golden {
+            let inspect = escaped(&inspect_command(golden, worst.pixel));
+            let explain = escaped(&explain_command(golden, worst.pixel));
+            let _ = writeln!(
+                html,
+                "<p>The worst pixel in a window: <code>{inspect}</code><br>\
+                 in a terminal: <code>{explain}</code></p>"
+            );
+        }
         table(html, finding, &differences);
     }
+}
+
+/// The command that opens a golden's scene in the inspector, a pixel selected.
+fn inspect_command(golden: &Golden, [x, y]: [u32; 2]) -> String {
+    format!("inspector {} --pixel {x},{y}", scene_arguments(golden))
+}
+
+/// The command that explains a pixel of a golden's scene.
+fn explain_command(golden: &Golden, [x, y]: [u32; 2]) -> String {
+    format!("groundtruth explain {} {x} {y} --all", scene_arguments(golden))
+}
+
+/// A golden's scene as both programs are told of it.
+fn scene_arguments(golden: &Golden) -> String {
+    let ([w, h], scene, samples) = (golden.size, &golden.scene, golden.samples);
+    format!("{scene} --size {w}x{h} --samples {samples}")
 }
 
 fn table(html: &mut String, finding: &Finding, differences: &[Difference]) {
     html.push_str("<table>\n<tr><th>pixel<th>expected<th>got<th>difference<th>why\n");
     for difference in differences.iter().take(WORST) {
-        let Difference { pixel: [x, y], expected, got, size } = difference;
-        let command = finding.golden.as_ref().map_or(String::new(), |golden| {
-            let ([w, h], scene, samples) = (golden.size, &golden.scene, golden.samples);
-            format!("groundtruth explain {scene} --size {w}x{h} --samples {samples} {x} {y} --all")
-        });
+        let Difference { pixel: pixel @ [x, y], expected, got, size } = difference;
+        let golden = finding.golden.as_ref();
+        let command = golden.map_or(String::new(), |golden| explain_command(golden, *pixel));
         let _ = writeln!(
             html,
             "<tr><td>({x}, {y})<td>{expected:?}<td>{got:?}<td>{size:.3e}<td><code>{}</code>",
@@ -236,6 +259,8 @@ mod tests {
                 format!("groundtruth explain ch03/three-objects --size 12x12 --samples 1 {x} 9");
             assert!(row.contains(&command), "{row}");
         }
+        let worst = "inspector ch03/three-objects --size 12x12 --samples 1 --pixel 5,9</code>";
+        assert_eq!(html.matches(worst).count(), 1);
         assert!(html.contains("groundtruth goldens accept ch03/three-objects --because"));
         assert!(html.contains("&lt;two&gt; &amp; &quot;three&quot;") && !html.contains("<two>"));
     }

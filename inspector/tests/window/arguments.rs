@@ -1,6 +1,12 @@
 //! The command line, as far as it needs no window.
 
+use std::path::Path;
 use std::process::{Command, Output};
+
+use clap::Parser;
+use groundtruth::world::World;
+use groundtruth::{gallery, render};
+use inspector::arguments::Arguments;
 
 fn inspector(arguments: &[&str]) -> Output {
     let program = env!("CARGO_BIN_EXE_inspector");
@@ -15,7 +21,7 @@ fn a_bad_scene_is_told_before_there_is_a_window() {
     let error = groundtruth::scene::read(missing.as_ref()).expect_err("it is not there");
     for (name, expected) in [
         (missing, error.to_string()),
-        ("ch99/nothing", "no scene `ch99/nothing`: neither a gallery name nor a file".to_owned()),
+        ("ch99/nothing", groundtruth::gallery::unknown("ch99/nothing")),
     ] {
         let output = inspector(&[name]);
         assert_eq!(output.status.code(), Some(2));
@@ -32,4 +38,51 @@ fn help_is_given_and_arguments_are_checked() {
     let output = inspector(&["--pixel", "left"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("written as 200,150"));
+}
+
+/// Law: arguments that do not fit the scene are refused before there is a window, in the words of
+/// `groundtruth explain`.
+#[test]
+fn arguments_that_do_not_fit_are_refused() {
+    let small = ["ch03/three-objects", "--size", "12x10", "--samples", "4"];
+    for (arguments, words) in [
+        (&["--size", "12"][..], "a size is written as 300x200"),
+        (&["--size", "0x3"], "a size is written as 300x200"),
+        (&["--samples", "99999"], "found 99999, but 1 to 65536 fit"),
+        (&["--seed", "x"], "invalid digit found in string"),
+        (&["--sample", "0"], "--pixel <X,Y>"),
+    ] {
+        let output = inspector(arguments);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{error}");
+        assert!(error.contains(words), "{error}");
+    }
+    for (arguments, error) in [
+        (&["--pixel", "12,9"][..], "pixel (12, 9) is outside the picture of 12x10"),
+        (&["--pixel", "11,9", "--sample", "4"], "no sample 4: the pixel has 4, numbered from 0"),
+    ] {
+        let output = inspector(&[&small[..], arguments].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(String::from_utf8_lossy(&output.stderr), format!("error: {error}\n"));
+    }
+}
+
+/// Law: size, samples, seed, pixel and sample are those of the arguments. Oracle: the library's
+/// explanation of the same.
+#[test]
+fn the_arguments_are_followed() {
+    let line =
+        "inspector ch28/glass-sphere --size 40x30 --samples 9 --seed 7 --pixel 17,12 --sample 5";
+    let arguments = Arguments::parse_from(line.split(' '));
+    let loaded = arguments.load().expect("they fit");
+    let mut scene = (gallery::find("ch28/glass-sphere").expect("in the gallery").build)();
+    scene.image.resize(40, 30);
+    scene.image.samples = 9;
+    let world = World::build_seeded(&scene, Path::new(""), 7).expect("the scene is valid");
+    assert_eq!(loaded.world.picture_size(), [40, 30]);
+    let expected = render::render(&world);
+    assert_eq!(render::render(&loaded.world).pixels(), expected.pixels());
+    let usual = World::build(&scene).expect("the scene is valid");
+    assert_ne!(expected.pixels(), render::render(&usual).pixels(), "the seed must count");
+    assert_eq!((arguments.pixel, arguments.sample), (Some([17, 12]), Some(5)));
 }

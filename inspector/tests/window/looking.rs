@@ -217,5 +217,5 @@ fn tree_looks_as_before() {
     let mut window = glass_window();
     click(&mut window, [17, 19]);
     window.run_steps(3);
-    snapshot(&mut window, "tree", Rect::from_min_max(pos2(700.0, 36.0), pos2(1240.0, 330.0)));
+    snapshot(&mut window, "tree", Rect::from_min_max(pos2(776.0, 60.0), pos2(1276.0, 370.0)));
 }

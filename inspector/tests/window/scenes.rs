@@ -115,7 +115,7 @@ fn every_gallery_scene_can_be_named() {
         assert!(source.load().is_ok(), "{}", entry.name);
     }
     let error = Source::named("ch28/no-such").expect_err("it does not exist");
-    assert_eq!(error, "no scene `ch28/no-such`: neither a gallery name nor a file");
+    assert_eq!(error, groundtruth::gallery::unknown("ch28/no-such"));
 }
 
 /// Law: the saved EXR holds the picture in single precision, whatever the exposure on the screen;

@@ -9,8 +9,9 @@ use groundtruth::explain::{self, RayExplanation};
 use groundtruth::gallery;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use inspector::app::{Inspector, set_style};
-use inspector::worker::Source;
+use inspector::app::Inspector;
+use inspector::style::set_style;
+use inspector::worker::{Loaded, Source};
 
 use crate::renderer::Software;
 
@@ -33,11 +34,21 @@ pub fn built(scene: &Scene) -> World {
 
 /// A window on a changed scene of the gallery.
 pub fn open(scene: Scene) -> Window {
+    open_sized(scene, [1280.0, 800.0])
+}
+
+/// A window of this size on a changed scene of the gallery.
+pub fn open_sized(scene: Scene, size: [f32; 2]) -> Window {
     let entry = gallery::find("ch28/glass-sphere").expect("in the gallery");
     let loaded = Source::Gallery(entry).build(scene).expect("the scene is valid");
+    window(loaded, size)
+}
+
+/// A window of this size on what is loaded.
+pub fn window(loaded: Loaded, size: [f32; 2]) -> Window {
     let inspector = Inspector::new(&Context::default(), loaded);
     Harness::builder()
-        .with_size([1280.0, 800.0])
+        .with_size(size)
         .with_theme(Theme::Dark)
         .with_context_setup(set_style)
         .renderer(Software::default())

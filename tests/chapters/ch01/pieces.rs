@@ -87,10 +87,11 @@ fn parts_and_single_pixels_are_those_of_the_whole() {
     }
 }
 
-/// The plane z = 0, which at its 300th ray looks at the canvas and stops it.
+/// The plane z = 0, which at its last ray looks at the canvas and stops it.
 #[derive(Debug)]
 struct Interrupter {
     rays: AtomicU32,
+    last: u32,
     canvas: OnceLock<Arc<Canvas>>,
     seen: OnceLock<Film>,
     plane: Arc<dyn Shape>,
@@ -98,7 +99,7 @@ struct Interrupter {
 
 impl Shape for Interrupter {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        if self.rays.fetch_add(1, Relaxed) == 299 {
+        if self.rays.fetch_add(1, Relaxed) + 1 == self.last {
             let canvas = self.canvas.get().expect("set before rendering");
             let _ = self.seen.set(canvas.film());
             canvas.cancel();
@@ -115,15 +116,13 @@ impl Shape for Interrupter {
     }
 }
 
-/// Law: while it renders, anyone can see the finished pixels, and stop it; the others are black and
-/// not counted as done. Oracle: one thread and one sample for each pixel, so that at the 300th ray
-/// one tile of 16 × 16 is finished and the second begun.
-#[test]
-fn the_picture_so_far_can_be_seen_and_stopped() {
+/// A red picture of 48 × 16 pixels, one ray each, that stops at this ray.
+fn interrupted_at(last: u32) -> (Arc<Interrupter>, World, Arc<Canvas>) {
     let mut scene = from_front(48, 16, 1.0);
     let plane = shapes::Kind::from(Plane { point: Point::ORIGIN, normal: Vector::Z });
     let interrupter = Arc::new(Interrupter {
         rays: AtomicU32::new(0),
+        last,
         canvas: OnceLock::new(),
         seen: OnceLock::new(),
         plane: plane.build(&mut shapes::Context::default()).expect("a valid plane"),
@@ -133,6 +132,15 @@ fn the_picture_so_far_can_be_seen_and_stopped() {
     let world = built(&scene);
     let canvas = Arc::new(Canvas::new(&world));
     interrupter.canvas.set(Arc::clone(&canvas)).expect("set once");
+    (interrupter, world, canvas)
+}
+
+/// Law: while it renders, anyone can see the finished pixels, and stop it; the others are black and
+/// not counted as done. Oracle: one thread and one sample for each pixel, so that at the 300th ray
+/// the 12 pixels of the coarse picture are finished, and the other 244 of the first tile of 16 × 16.
+#[test]
+fn the_picture_so_far_can_be_seen_and_stopped() {
+    let (interrupter, world, canvas) = interrupted_at(300);
     assert_eq!((canvas.progress(), canvas.is_cancelled()), ((0, 768), false));
 
     on_threads(1, || canvas.render(&world));
@@ -190,4 +198,39 @@ fn a_colour_can_be_one_number() {
     }
     assert!(toml::from_str::<Colors>("plain = [1, 2]\npaint = 1\nlight = {}").is_err());
     assert!(toml::from_str::<Colors>("plain = [1, 2, 3, 4]\npaint = 1\nlight = {}").is_err());
+}
+
+/// Law: the coarse picture, one pixel of each 8 × 8, comes first; the canvas knows which pixels are
+/// rendered, also where they are black. Oracle: one thread and one ray for each pixel, stopped at the
+/// first ray after the 6 × 2 blocks.
+#[test]
+fn the_coarse_picture_comes_first() {
+    let (interrupter, world, canvas) = interrupted_at(13);
+    on_threads(1, || canvas.render(&world));
+    assert!(interrupter.rays.load(Relaxed) <= 14);
+    canvas.look_partly(|picture| {
+        for at @ [x, y] in pixels(48, 16) {
+            let expected = (x % 8 == 0 && y % 8 == 0).then_some(RED);
+            assert_eq!(picture.get(at), expected, "{at:?}");
+            assert_eq!(picture.coarse(at), Some(RED), "{at:?}");
+        }
+    });
+    let black = small("ch24/hall-of-mirrors", 9, 9, 1);
+    let black = built(&Scene { lights: Vec::new(), ..black });
+    let canvas = Canvas::new(&black);
+    canvas.look_partly(|picture| assert_eq!(picture.get([8, 8]), None));
+    canvas.render(&black);
+    canvas.look_partly(|picture| assert_eq!(picture.get([8, 8]), Some(Rgb::BLACK)));
+}
+
+/// Law: no pixel is rendered twice, whatever comes first. Oracle: one ray for each pixel.
+#[test]
+fn each_pixel_is_rendered_once() {
+    let (interrupter, world, canvas) = interrupted_at(u32::MAX);
+    canvas.render(&world);
+    assert_eq!(interrupter.rays.load(Relaxed), 768);
+    assert_eq!(canvas.progress(), (768, 768));
+    canvas.look_partly(|picture| {
+        assert!(pixels(48, 16).all(|at| picture.get(at) == Some(RED)));
+    });
 }

@@ -1,0 +1,84 @@
+//! `inspector [SCENE] …`: the arguments, as those of `groundtruth explain`.
+
+use std::str::FromStr;
+
+use clap::Parser;
+use groundtruth::scene::Scene;
+use groundtruth::world::DEFAULT_SEED;
+
+use crate::view::parse_pixel;
+use crate::worker::{Loaded, Source};
+
+/// Click a pixel and read why it has its colour.
+#[derive(Clone, Debug, Parser)]
+#[command(name = "inspector", version)]
+pub struct Arguments {
+    /// A gallery name such as ch28/glass-sphere (see `groundtruth list`), or a scene file
+    #[arg(default_value = "ch28/glass-sphere")]
+    pub scene: String,
+    /// Width and height of the picture in pixels, as 300x200; the view stays the same. Of a stereo
+    /// pair: of each eye's image
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Samples for each pixel
+    #[arg(long, value_name = "N")]
+    pub samples: Option<u32>,
+    /// The seed of all random choices
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
+    pub seed: u64,
+    /// Explain this pixel at once: column and row from the top left, as 200,150
+    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
+    pub pixel: Option<[u32; 2]>,
+    /// Show this sample of the pixel, counted from 0
+    #[arg(long, value_name = "I", requires = "pixel")]
+    pub sample: Option<u32>,
+}
+
+/// `300x200`.
+#[derive(Clone, Copy, Debug)]
+pub struct Size {
+    width: u32,
+    height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
+        match sides {
+            Some((Ok(width), Ok(height))) if width > 0 && height > 0 => Ok(Self { width, height }),
+            _ => Err("a size is written as 300x200".to_owned()),
+        }
+    }
+}
+
+impl Arguments {
+    /// The scene that they name.
+    ///
+    /// # Errors
+    /// Says what is wrong with the scene, the pixel or the sample, as the command line does.
+    pub fn load(&self) -> Result<Loaded, String> {
+        let source = Source::named(&self.scene)?;
+        let loaded = source.load_changed(self.seed, |scene| self.change(scene))?;
+        let [width, height] = loaded.world.picture_size();
+        if let Some([x, y]) = self.pixel.filter(|&[x, y]| x >= width || y >= height) {
+            return Err(format!("pixel ({x}, {y}) is outside the picture of {width}x{height}"));
+        }
+        let count = loaded.world.samples_per_pixel();
+        match self.sample.filter(|&index| index >= count) {
+            Some(index) => {
+                Err(format!("no sample {index}: the pixel has {count}, numbered from 0"))
+            }
+            None => Ok(loaded),
+        }
+    }
+
+    fn change(&self, mut scene: Scene) -> Scene {
+        if let Some(Size { width, height }) = self.size {
+            scene.image.resize(width, height);
+        }
+        scene.image.samples = self.samples.unwrap_or(scene.image.samples);
+        scene
+    }
+}

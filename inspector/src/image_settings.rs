@@ -1,0 +1,96 @@
+//! How the picture is made: size, samples, depth and seed, each a number to be typed or dragged.
+
+use eframe::egui::{DragValue, Grid, Response, TextEdit, Ui, emath::Numeric};
+use groundtruth::scene::{Scene, Tracer};
+use groundtruth::world::{DEEPEST, MOST_PIXELS, MOST_SAMPLES};
+
+/// What is typed as seed. It is a text: a number field would round large seeds.
+#[derive(Debug, Default)]
+pub struct ImageSettings {
+    seed: String,
+}
+
+impl ImageSettings {
+    /// Shows the numbers; whether one was changed.
+    pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene, seed: &mut u64) -> bool {
+        ui.strong("Picture");
+        let grid = Grid::new("image").num_columns(2).spacing([6.0, 3.0]);
+        grid.show(ui, |ui| {
+            let resized = size(ui, scene);
+            let sampled = number(ui, "Samples", &mut scene.image.samples, 1..=MOST_SAMPLES)
+                .on_hover_text("For each pixel; some samplers round up")
+                .changed();
+            ui.end_row();
+            resized | sampled | depth(ui, scene) | self.seed(ui, seed)
+        })
+        .inner
+    }
+
+    fn seed(&mut self, ui: &mut Ui, seed: &mut u64) -> bool {
+        let label = ui.label("Seed");
+        let typed = self.seed.trim().parse::<u64>();
+        let mut field = TextEdit::singleline(&mut self.seed).desired_width(f32::INFINITY);
+        if typed.is_err() {
+            field = field.text_color(ui.visuals().error_fg_color);
+        }
+        let field = ui.add(field).labelled_by(label.id);
+        let about = format!("Of all random choices: a whole number from 0 to {}", u64::MAX);
+        let field = field.on_hover_text(about);
+        ui.end_row();
+        let mut changed = false;
+        if let (true, Ok(typed)) = (field.lost_focus(), typed) {
+            changed = typed != *seed;
+            *seed = typed;
+        }
+        if !field.has_focus() {
+            self.seed = seed.to_string();
+        }
+        changed
+    }
+}
+
+/// Width and height; the view stays the same.
+fn size(ui: &mut Ui, scene: &mut Scene) -> bool {
+    let [mut width, mut height] = [scene.image.width, scene.image.height];
+    let most = u32::try_from(MOST_PIXELS).unwrap_or(u32::MAX);
+    let mut changed = false;
+    for (name, side) in [("Width", &mut width), ("Height", &mut height)] {
+        changed |= number(ui, name, side, 1..=most).changed();
+        ui.end_row();
+    }
+    if changed {
+        scene.image.resize(width, height);
+    }
+    changed
+}
+
+fn depth(ui: &mut Ui, scene: &mut Scene) -> bool {
+    let changed = match &mut scene.tracer {
+        Tracer::Whitted(whitted) => {
+            let about = "The largest number of reflections and transmissions in a row";
+            number(ui, "Max depth", &mut whitted.max_depth, 0..=DEEPEST)
+                .on_hover_text(about)
+                .changed()
+        }
+        Tracer::RayCast => {
+            ui.label("Max depth");
+            let about = "This scene's tracer casts no reflected or transmitted rays";
+            ui.weak("none").on_hover_text(about);
+            false
+        }
+    };
+    ui.end_row();
+    changed
+}
+
+/// A number that takes effect when it is typed whole.
+fn number<N: Numeric>(
+    ui: &mut Ui,
+    name: &str,
+    value: &mut N,
+    range: std::ops::RangeInclusive<N>,
+) -> Response {
+    let label = ui.label(name);
+    let field = DragValue::new(value).range(range).update_while_editing(false);
+    ui.add(field).labelled_by(label.id)
+}

@@ -1,0 +1,38 @@
+//! What is kept between runs, beside the window's own size and place.
+
+use eframe::Storage;
+use serde::{Deserialize, Serialize};
+
+use crate::splits::Splits;
+
+const NAME: &str = "inspector";
+
+/// Settings of the window. What a file of settings does not say is as usual.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Kept {
+    /// How the window is divided.
+    pub splits: Splits,
+    /// The name under which the picture was last saved.
+    pub save: String,
+}
+
+impl Default for Kept {
+    fn default() -> Self {
+        Self { splits: Splits::default(), save: "picture.png".to_owned() }
+    }
+}
+
+impl Kept {
+    /// The settings of the last run; the usual ones where there are none that can be read.
+    pub fn read(storage: Option<&dyn Storage>) -> Self {
+        let kept: Self =
+            storage.and_then(|storage| eframe::get_value(storage, NAME)).unwrap_or_default();
+        Self { splits: kept.splits.fitting(), ..kept }
+    }
+
+    /// Keeps the settings for the next run.
+    pub fn write(&self, storage: &mut dyn Storage) {
+        eframe::set_value(storage, NAME, self);
+    }
+}

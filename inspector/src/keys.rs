@@ -1,0 +1,61 @@
+//! The keys that are the same everywhere in the window, and the list of all keys.
+
+use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, RichText, Window};
+
+/// What a key asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shortcut {
+    /// To type the name of a scene file.
+    File,
+    /// To save the picture under the name that is typed.
+    Save,
+    /// To see or hide the list of keys.
+    Keys,
+}
+
+/// The keys and what they do.
+const KEYS: [(&str, &str); 10] = [
+    ("click", "explain this pixel"),
+    ("arrows", "explain the next pixel (Shift: ten pixels on)"),
+    ("L", "follow the light: the next ray on the path of the largest share"),
+    ("wheel, pinch", "zoom in and out under the mouse"),
+    ("drag", "move the picture; a bar between two parts: resize them"),
+    ("double click", "on a bar: its usual place"),
+    ("Ctrl-O", "type the name of a scene file"),
+    ("Ctrl-S", "save the picture"),
+    ("?, F1", "show or hide these keys"),
+    ("Esc", "close what is in front"),
+];
+
+/// The shortcut that was pressed. `?` counts where nobody types (`is_text` says so).
+pub fn pressed(ctx: &Context, is_text: bool) -> Option<Shortcut> {
+    let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
+    ctx.input_mut(|input| {
+        if input.consume_shortcut(&command(Key::O)) {
+            Some(Shortcut::File)
+        } else if input.consume_shortcut(&command(Key::S)) {
+            Some(Shortcut::Save)
+        } else if input.key_pressed(Key::F1) || (!is_text && input.key_pressed(Key::Questionmark)) {
+            Some(Shortcut::Keys)
+        } else {
+            None
+        }
+    })
+}
+
+/// The list of keys in a window of its own, as long as it is open.
+pub fn list(ctx: &Context, open: &mut bool) {
+    if *open && ctx.input(|input| input.key_pressed(Key::Escape)) {
+        *open = false;
+    }
+    let window = Window::new("Keys").open(open).collapsible(false).resizable(false);
+    window.anchor(Align2::CENTER_CENTER, [0.0, 0.0]).show(ctx, |ui| {
+        Grid::new("keys").num_columns(2).spacing([16.0, 4.0]).show(ui, |ui| {
+            for (key, what) in KEYS {
+                ui.label(RichText::new(key).strong());
+                ui.label(what);
+                ui.end_row();
+            }
+        });
+    });
+}

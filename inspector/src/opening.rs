@@ -1,0 +1,102 @@
+//! Opening scenes, building them again as they are changed, and reading them again from the disk.
+
+use eframe::egui::Context;
+
+use crate::app::Inspector;
+use crate::picture::{self, Picture};
+use crate::reread::carried;
+use crate::tree::Tree;
+use crate::watch;
+use crate::worker::{Loaded, Rendering, Source};
+
+impl Inspector {
+    /// Opens another scene; the present one stays if there is something wrong with it.
+    pub fn open(&mut self, ctx: &Context, source: Source) {
+        self.message = None;
+        self.loading.start(ctx, move || source.load());
+    }
+
+    /// Builds the scene again as its settings and switches stand.
+    pub(crate) fn rebuild(&mut self, ctx: &Context) {
+        let Rendering { source, read, .. } = &self.rendering;
+        let (source, read, scene, seed) =
+            (source.clone(), read.clone(), self.wanted.clone(), self.seed);
+        self.loading.start(ctx, move || source.rebuild(read, scene, seed));
+    }
+
+    /// Reads the scene again if its file was changed; what was changed in the window stays so.
+    pub(crate) fn follow_files(&mut self, ctx: &Context) {
+        if self.watch.is_empty() {
+            return;
+        }
+        ctx.request_repaint_after(watch::INTERVAL);
+        if self.loading.is_busy() || !self.watch.changed() {
+            return;
+        }
+        let Rendering { source, read, .. } = &self.rendering;
+        let (source, before, wanted, seed) =
+            (source.clone(), read.clone(), self.wanted.clone(), self.seed);
+        let change = move |now| carried(&before, &wanted, now);
+        self.loading.start(ctx, move || source.load_changed(seed, change));
+    }
+
+    /// Opens a file that is dropped on the window.
+    pub(crate) fn drop_files(&mut self, ctx: &Context) {
+        let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
+        if let Some(file) = dropped {
+            let path = file.path().to_owned();
+            self.fields.open = path.display().to_string();
+            self.open(ctx, Source::File(path));
+        }
+    }
+
+    /// Takes the scene that was loaded meanwhile, if there is one.
+    pub(crate) fn take_loaded(&mut self, ctx: &Context) {
+        match self.loading.poll() {
+            Some(Ok(Ok(loaded))) => self.take_scene(ctx, loaded),
+            Some(Ok(Err(error))) => self.keep_scene(error),
+            Some(Err(lost)) => self.keep_scene(lost.to_string()),
+            None => {}
+        }
+    }
+
+    fn keep_scene(&mut self, error: String) {
+        self.wanted = (*self.rendering.scene).clone();
+        self.seed = self.rendering.world.seed;
+        self.message = Some((error, true));
+    }
+
+    fn take_scene(&mut self, ctx: &Context, mut loaded: Loaded) {
+        let is_same_scene = loaded.source.name() == self.rendering.source.name();
+        let old_size = self.rendering.size();
+        self.message = None;
+        self.wanted = loaded.scene.clone();
+        self.seed = loaded.world.seed;
+        if let Some(watch) = loaded.watch.take() {
+            self.watch = watch;
+        }
+        self.generation += 1;
+        // the old rendering is dropped here, which stops it
+        self.rendering = Rendering::start(ctx, loaded);
+        if is_same_scene && self.rendering.size() == old_size {
+            self.picture.begin_again();
+        } else {
+            self.picture = Picture::new(picture::tone_of(&self.rendering));
+        }
+        if !is_same_scene {
+            self.selection.tree = Tree::default();
+        }
+        self.keep_selection();
+    }
+
+    /// The pixel stays selected if the picture has it.
+    fn keep_selection(&mut self) {
+        let [width, height] = self.rendering.size();
+        if self.selection.pixel.is_some_and(|[x, y]| x >= width || y >= height) {
+            self.selection = Default::default();
+            self.fields.pixel.clear();
+        }
+        let last = self.rendering.world.samples_per_pixel() - 1;
+        self.selection.sample = self.selection.sample.min(last);
+    }
+}

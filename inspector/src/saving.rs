@@ -1,0 +1,90 @@
+//! Saving the picture: on a thread of its own, and not over another file unless told to.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui::{Context, Event, Id, Key, Modal};
+use groundtruth::film;
+
+use crate::picture::Picture;
+use crate::worker::{Background, Rendering};
+
+/// A picture on its way to a file.
+#[derive(Debug, Default)]
+pub struct Saving {
+    working: Background<Result<PathBuf, String>>,
+    /// The file that exists already, until it is said what becomes of it.
+    asking: Option<PathBuf>,
+}
+
+impl Saving {
+    /// Saves the picture, or asks first if the file exists.
+    pub fn start(
+        &mut self,
+        ctx: &Context,
+        (rendering, picture): (&Rendering, &Picture),
+        to: &Path,
+    ) {
+        if to.exists() {
+            self.asking = Some(to.to_owned());
+        } else {
+            self.write(ctx, (rendering, picture), to.to_owned());
+        }
+    }
+
+    fn write(&mut self, ctx: &Context, (rendering, picture): (&Rendering, &Picture), to: PathBuf) {
+        let (canvas, tone) = (rendering.canvas.clone(), picture.tone);
+        self.working.start(ctx, move || {
+            let written = film::write(&canvas.film(), &tone, &to);
+            written.map(|()| to).map_err(|error| error.to_string())
+        });
+    }
+
+    /// Asks whether the file is to be replaced, while that is not said.
+    pub fn ask(&mut self, ctx: &Context, of: (&Rendering, &Picture)) {
+        let Some(path) = self.asking.clone() else { return };
+        let enter = ctx.input(|input| input.events.iter().any(is_enter));
+        let modal = Modal::new(Id::unique("replace")).show(ctx, |ui| {
+            ui.set_max_width(420.0);
+            ui.label(format!("{} exists. Replace it?", path.display()));
+            ui.add_space(8.0);
+            ui.horizontal(|ui| {
+                let replace = ui.button("Replace (Enter)").clicked();
+                if ui.button("Cancel (Esc)").clicked() {
+                    ui.close();
+                }
+                replace
+            })
+            .inner
+        });
+        if modal.inner || enter {
+            self.asking = None;
+            self.write(ctx, of, path);
+        } else if modal.should_close() {
+            self.asking = None;
+        }
+    }
+
+    /// Whether a question is open, which has the keys.
+    pub fn is_asking(&self) -> bool {
+        self.asking.is_some()
+    }
+
+    /// Whether a picture is being written.
+    pub fn is_busy(&self) -> bool {
+        self.working.is_busy()
+    }
+
+    /// What there is to say of a picture that was written, once, and whether it is an error.
+    pub fn poll(&mut self) -> Option<(String, bool)> {
+        Some(match self.working.poll()? {
+            Ok(Ok(path)) => (format!("saved {}", path.display()), false),
+            Ok(Err(error)) => (error, true),
+            Err(lost) => (lost.to_string(), true),
+        })
+    }
+}
+
+/// Whether Enter was pressed anew: one that is held down since the question came is no answer.
+fn is_enter(event: &Event) -> bool {
+    matches!(event, Event::Key { key: Key::Enter, pressed: true, repeat: false, .. })
+}

@@ -1,0 +1,104 @@
+//! The three parts of the window side by side: shares of its width, and the bars between them.
+
+use eframe::egui::{
+    CursorIcon, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role, vec2,
+};
+use serde::{Deserialize, Serialize};
+
+/// The width of a bar between two parts, in points of the screen.
+const BAR: f32 = 8.0;
+/// The smallest shares of scene, picture and explanation.
+const LEAST: [f32; 3] = [0.1, 0.3, 0.25];
+/// The scene's panel has at least so many points, which its numbers need.
+const SCENE_FROM: f32 = 144.0;
+
+/// Shares of the window's width; the picture, between the two, has the rest.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Splits {
+    /// Of the scene's panel, at the left.
+    scene: f32,
+    /// Of the explanation, at the right.
+    explanation: f32,
+}
+
+impl Default for Splits {
+    fn default() -> Self {
+        Self { scene: 0.15, explanation: 0.38 }
+    }
+}
+
+/// Where the parts are on the screen.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts {
+    /// The scene: its settings, lights and objects.
+    pub scene: Rect,
+    /// The picture.
+    pub picture: Rect,
+    /// The explanation of the selected pixel.
+    pub explanation: Rect,
+}
+
+impl Splits {
+    /// Draws the bars of this area, moves them with the mouse, and says where the parts are.
+    pub fn show(&mut self, ui: &mut Ui, area: Rect) -> Parts {
+        let Self { scene: left, explanation: right } = *self;
+        let at = |share: f32| (area.left() + share * area.width()).round();
+        let left = left.max(SCENE_FROM / area.width());
+        let moved = bar(ui, "left bar", strip(area, at(left)), left);
+        self.scene = match moved {
+            Some(0.0) => self.scene,
+            Some(by) => left + by / area.width(),
+            None => Self::default().scene,
+        };
+        let moved = bar(ui, "right bar", strip(area, at(1.0 - right)), 1.0 - right);
+        self.explanation =
+            moved.map_or(Self::default().explanation, |by| right - by / area.width());
+        *self = self.fitting();
+        let (first, last) = (strip(area, at(left)), strip(area, at(1.0 - right)));
+        Parts {
+            scene: area.with_max_x(first.left()),
+            picture: area.with_min_x(first.right()).with_max_x(last.left()),
+            explanation: area.with_min_x(last.right()),
+        }
+    }
+
+    /// The same with room for each part; the usual shares if these are no numbers.
+    #[must_use]
+    pub fn fitting(self) -> Self {
+        if !(self.scene.is_finite() && self.explanation.is_finite()) {
+            return Self::default();
+        }
+        let [scene, picture, explanation] = LEAST;
+        let scene = self.scene.clamp(scene, 1.0 - picture - explanation);
+        Self { scene, explanation: self.explanation.clamp(explanation, 1.0 - picture - scene) }
+    }
+}
+
+/// The bar around this place.
+fn strip(area: Rect, x: f32) -> Rect {
+    Rect::from_x_y_ranges(x - 0.5 * BAR..=x + 0.5 * BAR, area.y_range())
+}
+
+/// By how much a bar is dragged; `None` on a double click, which puts it back to its usual place.
+fn bar(ui: &mut Ui, name: &str, rect: Rect, share: f32) -> Option<f32> {
+    let response = ui.interact(rect, Id::unique(name), Sense::click_and_drag());
+    response.widget_info(|| {
+        let mut info = WidgetInfo::labeled(Role::Splitter, true, name);
+        info.value = Some(share.into());
+        info
+    });
+    let response = response
+        .on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal)
+        .on_hover_text("Drag to resize; double click: the usual width");
+    let visuals = ui.style().interact(&response);
+    let painter = ui.painter();
+    painter.rect_filled(rect, 0.0, visuals.bg_fill);
+    let line = Stroke::new(1.0, visuals.fg_stroke.color);
+    // three dots, where a hand would grab it
+    for place in [-8.0, 0.0, 8.0] {
+        let dot: Pos2 = rect.center() + vec2(0.0, place);
+        painter.rect_filled(Rect::from_center_size(dot, Vec2::splat(3.0)), 1.5, line.color);
+    }
+    (!response.double_clicked()).then(|| response.drag_delta().x)
+}

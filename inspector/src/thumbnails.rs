@@ -1,0 +1,91 @@
+//! Small pictures of the gallery's scenes, for the list of scenes.
+//!
+//! They are rendered, not stored: so they show what the code makes today, a program needs no files
+//! beside it, and only those that are seen cost anything. One at a time, on a thread of its own
+//! beside the picture's, few pixels of one ray each, for a limited time.
+
+use std::collections::HashMap;
+use std::time::{Duration, Instant};
+
+use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+use groundtruth::film::Tone;
+use groundtruth::gallery::Entry;
+use groundtruth::render;
+use groundtruth::scene::{Scene, Tracer};
+use groundtruth::world::World;
+
+use crate::picture::color;
+use crate::worker::Background;
+
+/// Width and height of a thumbnail, in pixels: the picture lies in its middle.
+pub const LARGEST: [u32; 2] = [54, 36];
+/// Rays of a thumbnail are reflected and transmitted at most so often.
+const MOST_DEPTH: u32 = 4;
+/// After this time the rest of a thumbnail stays empty.
+const MOST_TIME: Duration = Duration::from_millis(250);
+
+/// The thumbnails that were asked for so far.
+#[derive(Default)]
+pub struct Thumbnails {
+    done: HashMap<&'static str, Option<TextureHandle>>,
+    working: Background<(&'static str, Option<ColorImage>)>,
+}
+
+impl Thumbnails {
+    /// The thumbnail of a scene, if it is there. Else it is begun, unless another is under way.
+    pub fn get(&mut self, ctx: &Context, entry: Entry) -> Option<&TextureHandle> {
+        if let Some(Ok((name, image))) = self.working.poll() {
+            let load = |image| ctx.load_texture(name, image, TextureOptions::LINEAR);
+            self.done.insert(name, image.map(load));
+        }
+        if !self.working.is_busy() && !self.done.contains_key(entry.name) {
+            // asked once only: what is lost stays empty
+            self.done.insert(entry.name, None);
+            self.working.start(ctx, move || (entry.name, render_small((entry.build)())));
+        }
+        self.done.get(entry.name)?.as_ref()
+    }
+
+    /// Thumbnails that were rendered.
+    pub fn count(&self) -> usize {
+        self.done.values().flatten().count()
+    }
+}
+
+/// A scene in few pixels; `None` if it cannot be built.
+fn render_small(mut scene: Scene) -> Option<ColorImage> {
+    let [width, height] = fitting([scene.image.width, scene.image.height]);
+    scene.image.resize(width, height);
+    scene.image.samples = 1;
+    scene.image.sampler = None;
+    scene.camera.stereo = None;
+    if let Tracer::Whitted(whitted) = &mut scene.tracer {
+        whitted.max_depth = whitted.max_depth.min(MOST_DEPTH);
+    }
+    let world = World::build(&scene).ok()?;
+    let tone =
+        Tone { exposure: 1.0, gamma: scene.image.gamma, out_of_gamut: scene.image.out_of_gamut };
+    let sides = LARGEST.map(|side| side as usize);
+    let mut image = ColorImage::filled(sides, Color32::TRANSPARENT);
+    // in the middle of its place
+    let [left, top] = [(LARGEST[0] - width) / 2, (LARGEST[1] - height) / 2];
+    let start = Instant::now();
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+    // not on the rayon pool, where it would wait for the picture
+    for pixel @ [x, y] in pixels {
+        if start.elapsed() > MOST_TIME {
+            break;
+        }
+        let at = [left + x, top + y].map(|along| along as usize);
+        image[(at[0], at[1])] = color(&tone, render::pixel(&world, pixel));
+    }
+    Some(image)
+}
+
+/// The largest size of these proportions that is not larger than a thumbnail.
+pub fn fitting([width, height]: [u32; 2]) -> [u32; 2] {
+    let [most_width, most_height] = LARGEST.map(f64::from);
+    let (width, height) = (f64::from(width), f64::from(height));
+    let scale = (most_width / width).min(most_height / height);
+    [width, height].map(|side| ((scale * side).round() as u32).max(1))
+}

@@ -1,0 +1,80 @@
+//! Files on the disk: a scene file that is changed in an editor is read again.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant, SystemTime};
+
+use groundtruth::scene::{self, Scene};
+
+/// The files are looked at this often.
+pub const INTERVAL: Duration = Duration::from_millis(500);
+
+/// When a file was changed, and how long it is; `None` if it is not there.
+type Stamp = Option<(SystemTime, u64)>;
+
+/// Files, and how they were when they were read.
+#[derive(Debug, Default)]
+pub struct Watch {
+    files: Vec<(PathBuf, Stamp)>,
+    looked: Option<Instant>,
+}
+
+impl Watch {
+    /// Also watches this file from now on.
+    pub fn add(&mut self, file: PathBuf) {
+        let stamp = stamp(&file);
+        self.files.push((file, stamp));
+    }
+
+    /// Also watches the mesh files that a scene names, relative to this folder.
+    pub fn add_meshes(&mut self, scene: &Scene, folder: &Path) {
+        named_files(scene).into_iter().for_each(|file| self.add(folder.join(file)));
+    }
+
+    /// Whether there is anything to watch.
+    pub fn is_empty(&self) -> bool {
+        self.files.is_empty()
+    }
+
+    /// Whether a file was changed since it was last asked, twice a second at most.
+    pub fn changed(&mut self) -> bool {
+        if self.looked.is_some_and(|at| at.elapsed() < INTERVAL) {
+            return false;
+        }
+        self.looked = Some(Instant::now());
+        let mut changed = false;
+        for (file, old) in &mut self.files {
+            let now = stamp(file);
+            changed |= now != *old;
+            *old = now;
+        }
+        changed
+    }
+}
+
+fn stamp(file: &Path) -> Stamp {
+    let data = file.metadata().ok()?;
+    Some((data.modified().ok()?, data.len()))
+}
+
+/// Every `file = "…"` of a scene, however deep: shapes may hold shapes.
+fn named_files(scene: &Scene) -> Vec<PathBuf> {
+    let text = scene::to_toml(scene).unwrap_or_default();
+    let mut open: Vec<toml::Value> =
+        text.parse::<toml::Table>().map(|t| vec![t.into()]).unwrap_or_default();
+    let mut files = Vec::new();
+    while let Some(value) = open.pop() {
+        match value {
+            toml::Value::Table(table) => {
+                for (key, value) in table {
+                    match value {
+                        toml::Value::String(file) if key == "file" => files.push(file.into()),
+                        other => open.push(other),
+                    }
+                }
+            }
+            toml::Value::Array(values) => open.extend(values),
+            _ => {}
+        }
+    }
+    files
+}

@@ -1,0 +1,136 @@
+//! The list of scenes, and the numbers of the picture.
+
+use std::time::{Duration, Instant};
+
+use eframe::egui::{Key, accesskit::Role};
+use egui_kittest::kittest::Queryable;
+use groundtruth::gallery;
+use groundtruth::world::{MOST_SAMPLES, World};
+use inspector::scene_picker::found;
+use inspector::thumbnails;
+use inspector::view::View;
+use inspector::words::counted;
+
+use crate::support::*;
+
+/// Clicks the button of the list of scenes and waits for it to be in place.
+fn open_list(window: &mut Window) {
+    window.get_by_label("Scene").click();
+    window.run_steps(12);
+}
+
+/// Law: the list opens at the present scene, which can be seen; small pictures appear beside the
+/// names, and frames do not wait for them.
+#[test]
+fn the_list_opens_at_the_present_scene_with_small_pictures() {
+    let mut window = glass_window();
+    open_list(&mut window);
+    let row = window.get_by_role_and_label(Role::Button, "glass-sphere").rect();
+    assert!(row.top() > 40.0 && row.bottom() < 790.0, "{row}");
+    let start = Instant::now();
+    let mut slowest = Duration::ZERO;
+    while window.state().picker.thumbnails() < 3 {
+        assert!(start.elapsed() < Duration::from_secs(60), "no small pictures");
+        std::thread::sleep(Duration::from_millis(20));
+        let frame = Instant::now();
+        window.step();
+        slowest = slowest.max(frame.elapsed());
+    }
+    // a frame takes a few milliseconds; a busy machine is given time
+    assert!(slowest < Duration::from_secs(2), "{slowest:?}");
+}
+
+/// Law: typing leaves the scenes whose names have it; Enter opens the first.
+#[test]
+fn typing_searches_the_list() {
+    let names: Vec<&str> = found("Mirror").iter().map(|entry| entry.name).collect();
+    let all: Vec<&str> = gallery::scenes().map(|entry| entry.name).collect();
+    let expected: Vec<&str> = all.iter().copied().filter(|name| name.contains("mirror")).collect();
+    assert!(!expected.is_empty() && expected.len() < all.len());
+    assert_eq!(names, expected);
+    assert_eq!(found("").len(), all.len());
+    let mut window = glass_window();
+    open_list(&mut window);
+    let focused = window.get_all_by(|node| node.is_focused()).next().expect("it has the keys");
+    focused.type_text("three-objects");
+    window.step();
+    window.key_press(Key::Enter);
+    settle(&mut window);
+    assert_eq!(window.state().rendering.source.name(), "ch03/three-objects");
+}
+
+/// Law: a thumbnail has the proportions of its picture and is no larger than its place.
+#[test]
+fn thumbnails_fit_their_place() {
+    let [most_width, most_height] = thumbnails::LARGEST;
+    for size in [[400, 400], [600, 100], [1, 5000], [3, 2]] {
+        let [width, height] = thumbnails::fitting(size);
+        assert!(width <= most_width && height <= most_height && width > 0 && height > 0);
+        assert!(width == most_width || height == most_height, "{size:?}");
+    }
+}
+
+/// Law: as many samples as the library takes can be typed. Oracle: the library takes one of as many
+/// and refuses one more.
+#[test]
+fn as_many_samples_can_be_typed_as_the_library_takes() {
+    let mut scene = small_glass_sphere();
+    scene.image.resize(1, 1);
+    scene.image.samples = MOST_SAMPLES + 1;
+    assert!(World::build(&scene).is_err());
+    scene.image.samples = 1;
+    let mut window = open(scene);
+    settle(&mut window);
+    type_number(&mut window, "Samples", "16384");
+    assert_eq!(window.state().rendering.scene.image.samples, 16384);
+    let status = text_with(&window, "16384 samples");
+    assert_eq!(status, "1 × 1, 16384 samples");
+}
+
+/// Law: size, depth and seed are followed by the picture; a seed is not rounded, and what is no seed
+/// changes nothing. Oracle: the library's rendering of the same.
+#[test]
+fn size_depth_and_seed_are_followed() {
+    let mut window = glass_window();
+    type_number(&mut window, "Width", "30");
+    type_number(&mut window, "Height", "20");
+    type_number(&mut window, "Max depth", "2");
+    // one more than a float can tell from its neighbour
+    let seed = (1_u64 << 53) + 1;
+    type_into(&mut window, "Seed", &seed.to_string());
+    let mut scene = small_glass_sphere();
+    scene.image.resize(30, 48);
+    scene.image.resize(30, 20);
+    if let groundtruth::scene::Tracer::Whitted(whitted) = &mut scene.tracer {
+        whitted.max_depth = 2;
+    }
+    let world = World::build_seeded(&scene, "".as_ref(), seed).expect("the scene is valid");
+    let film = window.state().rendering.canvas.film();
+    assert_eq!(window.state().rendering.size(), [30, 20]);
+    assert_eq!(film.pixels(), groundtruth::render::render(&world).pixels());
+    type_into(&mut window, "Seed", "seven");
+    assert_eq!(window.state().rendering.world.seed, seed);
+}
+
+/// Law: the whole picture fills its place along one side, in whole points from two for a pixel on.
+#[test]
+fn the_whole_picture_fills_its_place() {
+    let area = eframe::egui::Rect::from_min_max([200.0, 90.0].into(), [880.0, 790.0].into());
+    for (size, scale) in [([400, 400], 1.7), ([300, 300], 2.0), ([12, 12], 56.0), ([1360, 9], 0.5)]
+    {
+        let placed = View::WHOLE.place(area, size);
+        assert!((placed.scale - scale).abs() < 1e-6, "{} of {size:?}", placed.scale);
+    }
+}
+
+/// Law: one thing is told as one.
+#[test]
+fn one_sample_is_no_samples() {
+    let words = [1_u32, 0, 2].map(|n| counted(n, "ray"));
+    assert_eq!(words, ["1 ray", "0 rays", "2 rays"]);
+    let mut scene = small_glass_sphere();
+    scene.image.samples = 1;
+    let mut window = open(scene);
+    settle(&mut window);
+    assert!(window.query_by_label("48 × 48, 1 sample").is_some());
+}

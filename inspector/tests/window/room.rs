@@ -1,0 +1,141 @@
+//! Windows of every size: each part has room, and nothing is out of reach.
+
+use eframe::egui::{Rect, accesskit::Role, pos2, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use crate::support::*;
+
+const ON_GLASS: [u32; 2] = [17, 19];
+
+/// The sizes of a laptop's window, of half a screen, and the smallest that the program allows.
+const SIZES: [[f32; 2]; 3] = [[1400.0, 900.0], [900.0, 600.0], [800.0, 500.0]];
+
+fn window_of([width, height]: [f32; 2]) -> (Window, Rect) {
+    let mut window = open_sized(small_glass_sphere(), [width, height]);
+    settle(&mut window);
+    click(&mut window, ON_GLASS);
+    (window, Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)))
+}
+
+fn picture(window: &Window) -> Rect {
+    window.get_by_role_and_label(Role::Image, "picture").rect()
+}
+
+/// Law: the picture has about a third of the window, whatever its size.
+#[test]
+fn the_picture_has_a_third_of_the_window() {
+    for size in SIZES {
+        let (window, whole) = window_of(size);
+        let share = picture(&window).area() / whole.area();
+        assert!(share > 0.3, "{share} of {size:?}");
+    }
+}
+
+/// Law: every field and button of the bars lies wholly inside the window, and no two of them lie
+/// over one another.
+#[test]
+fn every_button_of_the_bars_is_whole() {
+    let buttons = ["Open", "Save", "Explain", "Reset", "Whole", "1×", "4×", "12×", "?"];
+    let fields = ["File", "Picture", "Pixel"];
+    for size in SIZES {
+        let (window, whole) = window_of(size);
+        let mut rects: Vec<(&str, Rect)> = Vec::new();
+        for name in buttons {
+            rects.push((name, window.get_by_role_and_label(Role::Button, name).rect()));
+        }
+        for name in fields {
+            rects.push((name, window.get_by_role_and_label(Role::TextInput, name).rect()));
+        }
+        for (i, (name, rect)) in rects.iter().enumerate() {
+            assert!(whole.contains_rect(*rect), "{name} at {rect} of {size:?}");
+            assert!(rect.width() >= 15.0, "{name} at {rect} of {size:?}");
+            for (other, at) in &rects[..i] {
+                assert!(!rect.shrink(1.0).intersects(*at), "{name} and {other} of {size:?}");
+            }
+        }
+    }
+}
+
+/// Law: the three parts stand side by side inside the window; the chooser of samples can be
+/// reached.
+#[test]
+fn the_parts_stand_side_by_side() {
+    for size in SIZES {
+        let (window, whole) = window_of(size);
+        let middle = picture(&window);
+        let lamp = window.get_by_label("high lamp").rect();
+        let heading = window.get_by_label("Pixel (17, 19)").rect();
+        assert!(lamp.right() <= middle.left() && heading.left() >= middle.right(), "{size:?}");
+        for name in ["<", ">", "The ray", "The samples"] {
+            assert!(whole.contains_rect(window.get_by_label(name).rect()), "{name} of {size:?}");
+        }
+    }
+}
+
+/// Law: the bars beside the picture are wide enough to be hit, and dragging one moves the border
+/// with the mouse; a double click moves it back; no drag can make a part vanish.
+#[test]
+fn the_bars_between_the_parts_can_be_grabbed() {
+    let (mut window, whole) = window_of([1000.0, 700.0]);
+    let before = picture(&window);
+    let bar = |window: &Window| window.get_by_role_and_label(Role::Splitter, "right bar").rect();
+    assert!(bar(&window).width() >= 6.0);
+    let drag = |window: &mut Window, by: f32| {
+        let at = bar(window).center();
+        window.hover_at(at);
+        window.drag_at(at);
+        window.step();
+        window.hover_at(at + vec2(by, 0.0));
+        window.step();
+        window.drop_at(at + vec2(by, 0.0));
+        window.run_steps(3);
+    };
+    drag(&mut window, -80.0);
+    assert!((before.right() - picture(&window).right() - 80.0).abs() < 3.0);
+    for by in [-2000.0, 2000.0] {
+        drag(&mut window, by);
+        assert!(picture(&window).width() > 0.25 * whole.width());
+        let heading = window.get_by_label("Pixel (17, 19)").rect();
+        assert!(heading.left() < 0.8 * whole.width());
+    }
+}
+
+/// Law: the last of all numbers of a ray can be seen whole when it is scrolled to.
+#[test]
+fn the_last_number_of_a_ray_is_whole() {
+    for size in SIZES {
+        let (mut window, _) = window_of(size);
+        window.get_by_label("contributes").scroll_to_me();
+        window.run_steps(20);
+        let row = window.get_by_label("contributes").rect();
+        // where the last row of the part is cut, the bar at the window's foot begins
+        let foot = window.get_by_role_and_label(Role::Button, "?").rect();
+        assert!(row.bottom() <= foot.top(), "{row} over {foot} of {size:?}");
+        let image = window.render().expect("drawn");
+        let ink = (row.left() as u32..row.right() as u32).any(|x| {
+            (row.top() as u32..row.bottom() as u32).any(|y| image.get_pixel(x, y).0[0] > 150)
+        });
+        assert!(ink, "the row is hidden in {size:?}");
+    }
+}
+
+/// Law: a name too long for its place is cut, with an ellipsis, and told whole under the mouse.
+#[test]
+fn a_long_name_is_cut_and_told_under_the_mouse() {
+    let name = "an object whose name is far too long for the panel of any small window";
+    let mut scene = small_glass_sphere();
+    scene.objects[0].name = name.to_owned();
+    let mut window = open_sized(scene, [800.0, 500.0]);
+    settle(&mut window);
+    let edge = picture(&window).left();
+    window.get_by_label(name).scroll_to_me();
+    window.run_steps(10);
+    let rect = window.get_by_label(name).rect();
+    assert!(rect.right() < edge, "{rect} over {edge}");
+    window.hover_at(rect.center());
+    window.run_steps(60);
+    // the switch, and what is told
+    let all: Vec<Role> =
+        window.get_all_by_label(name).map(|node| node.accesskit_node().role()).collect();
+    assert!(all.contains(&Role::Label), "{all:?}");
+}

@@ -1,0 +1,231 @@
+//! What stays as it is: the selection while files change, other people's files, settings.
+
+use std::collections::HashMap;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use eframe::egui::{Key, Modifiers, accesskit::Role};
+use egui_kittest::kittest::{NodeT, Queryable};
+use groundtruth::scene::Scene;
+use inspector::kept::Kept;
+use inspector::worker::Source;
+
+use crate::support::*;
+
+const ON_GLASS: [u32; 2] = [17, 19];
+
+fn write(path: &Path, scene: &Scene) {
+    let text = groundtruth::scene::to_toml(scene).expect("plain data");
+    std::fs::write(path, text).expect("writable");
+}
+
+/// A window on a scene file.
+fn window_on(path: &Path) -> Window {
+    let loaded = Source::File(path.to_owned()).load().expect("the scene is valid");
+    let mut window = window(loaded, [1280.0, 800.0]);
+    settle(&mut window);
+    window
+}
+
+/// Draws frames until this is so; fails after more time than a poll of the disk can take.
+fn wait_until(window: &mut Window, is_so: impl Fn(&Window) -> bool) {
+    let start = Instant::now();
+    while !is_so(window) {
+        assert!(start.elapsed() < Duration::from_secs(30), "it did not happen");
+        std::thread::sleep(Duration::from_millis(20));
+        window.step();
+    }
+    settle(window);
+}
+
+/// Law: a scene file that is changed on the disk is read again by itself; pixel, sample and what was
+/// changed in the window stay. Oracle: the library's rendering of the new file with those changes.
+#[test]
+fn a_changed_file_is_read_again_and_the_selection_stays() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("scene.toml");
+    let mut scene = small_glass_sphere();
+    write(&path, &scene);
+    let mut window = window_on(&path);
+    click(&mut window, ON_GLASS);
+    window.get_by_label("high lamp").click();
+    type_number(&mut window, "Samples", "9");
+
+    scene.about = "told anew".to_owned();
+    scene.background = groundtruth::rgb::Rgb::new(0.1, 0.2, 0.3).into();
+    write(&path, &scene);
+    wait_until(&mut window, |window| window.state().rendering.scene.about == "told anew");
+    assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
+    scene.image.samples = 9;
+    scene.lights.iter_mut().filter(|l| l.name == "high lamp").for_each(|l| l.enabled = false);
+    let film = window.state().rendering.canvas.film();
+    assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
+    assert_eq!(window.state().message, None);
+}
+
+/// Law: a broken file keeps the picture and tells the library's error; mended, it is read again and
+/// the error goes.
+#[test]
+fn a_broken_file_keeps_the_picture_until_it_is_mended() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("scene.toml");
+    let mut scene = small_glass_sphere();
+    write(&path, &scene);
+    let mut window = window_on(&path);
+    let before = window.state().rendering.canvas.film();
+    std::fs::write(&path, "about = \n").expect("writable");
+    let error = groundtruth::scene::read(&path).expect_err("it is broken").to_string();
+    wait_until(&mut window, |window| window.state().message.is_some());
+    assert_eq!(window.state().message, Some((error, true)));
+    assert_eq!(window.state().rendering.canvas.film(), before);
+    scene.about = "mended".to_owned();
+    write(&path, &scene);
+    wait_until(&mut window, |window| window.state().rendering.scene.about == "mended");
+    assert_eq!(window.state().message, None);
+}
+
+/// Law: a mesh file that a scene names is followed as well.
+#[test]
+fn a_changed_mesh_file_is_read_again() {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let [scene, mesh] = ["knot.toml", "knot.ply"].map(|file| {
+        std::fs::copy(scenes.join(file), folder.path().join(file)).expect("copied");
+        folder.path().join(file)
+    });
+    let loaded = Source::File(scene).load().expect("the scene is valid");
+    let mut watch = loaded.watch.expect("it was read from files");
+    assert!(!watch.changed());
+    let mut text = std::fs::read(&mesh).expect("readable");
+    text.push(b'\n');
+    std::fs::write(&mesh, text).expect("writable");
+    std::thread::sleep(inspector::watch::INTERVAL + Duration::from_millis(50));
+    assert!(watch.changed());
+}
+
+/// Law: another file keeps the selected pixel if its picture has it, else nothing is selected.
+#[test]
+fn another_file_keeps_the_pixel_that_it_has() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    for (name, size, expected) in [("large", [60, 50], Some(ON_GLASS)), ("small", [9, 9], None)] {
+        let path = folder.path().join(name).with_extension("toml");
+        let mut scene = small_glass_sphere();
+        scene.image.resize(size[0], size[1]);
+        write(&path, &scene);
+        type_into(&mut window, "File", &path.display().to_string());
+        assert_eq!(window.state().selection.pixel, expected, "{name}");
+    }
+}
+
+/// Law: a picture does not replace a file unless that is confirmed: Esc leaves it, Enter replaces it.
+#[test]
+fn a_file_is_replaced_only_if_that_is_confirmed() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("mine.png");
+    std::fs::write(&path, "not a picture").expect("writable");
+    let bytes = || std::fs::read(&path).expect("readable");
+    let mut window = glass_window();
+    type_into(&mut window, "Picture", &path.display().to_string());
+    let question = format!("{} exists. Replace it?", path.display());
+    assert!(window.query_by_label(&question).is_some());
+    assert_eq!(bytes(), b"not a picture");
+    window.key_press(Key::Escape);
+    settle(&mut window);
+    assert!(window.query_by_label(&question).is_none());
+    assert_eq!(bytes(), b"not a picture");
+
+    window.get_by_label("Save").click();
+    settle(&mut window);
+    window.key_press(Key::Enter);
+    settle(&mut window);
+    assert!(window.query_by_label(&question).is_none());
+    assert!(bytes().starts_with(b"\x89PNG"));
+}
+
+/// Law: an error goes with the next action that is valid.
+#[test]
+fn an_error_goes_with_the_next_valid_click() {
+    let mut window = glass_window();
+    type_into(&mut window, "Pixel", "left");
+    assert!(window.state().message.is_some());
+    click(&mut window, ON_GLASS);
+    assert_eq!(window.state().message, None);
+    type_into(&mut window, "Pixel", "999, 3");
+    assert!(window.state().message.is_some());
+    window.get_by_label("high lamp").click();
+    settle(&mut window);
+    assert_eq!(window.state().message, None);
+}
+
+/// Law: Ctrl-O puts the keys into the field of the file, Ctrl-S saves under the name that is typed,
+/// `?` and F1 show the keys and hide them; in a field, `?` is a letter.
+#[test]
+fn the_keys_do_what_their_list_says() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("saved.png");
+    let mut window = glass_window();
+    window.state_mut().fields.save = path.display().to_string();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    settle(&mut window);
+    assert!(path.exists());
+    let shown = |window: &Window| window.query_by_label("save the picture").is_some();
+    for key in [Key::Questionmark, Key::F1] {
+        assert!(!shown(&window));
+        window.key_press(key);
+        window.run_steps(3);
+        assert!(shown(&window), "{key:?}");
+        window.key_press(key);
+        window.run_steps(3);
+    }
+    window.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run_steps(2);
+    let field = window.get_by_role_and_label(Role::TextInput, "File");
+    assert!(field.accesskit_node().is_focused());
+    window.key_press(Key::Questionmark);
+    window.run_steps(3);
+    assert!(!shown(&window));
+}
+
+/// Settings in memory, as the program keeps them in a file.
+#[derive(Default)]
+struct Memory(HashMap<String, String>);
+
+impl eframe::Storage for Memory {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
+}
+
+/// Law: what was kept is read again; settings that cannot be read, or that leave no room, are as if
+/// there were none.
+#[test]
+fn settings_are_kept_and_broken_ones_do_no_harm() {
+    let usual = Kept::default();
+    let mut memory = Memory::default();
+    assert_eq!(Kept::read(Some(&memory)), usual);
+    let kept = Kept { save: "over there.exr".to_owned(), ..usual.clone() };
+    kept.write(&mut memory);
+    assert_eq!(Kept::read(Some(&memory)), kept);
+    let (name, text) = memory.0.iter().next().map(|(n, t)| (n.clone(), t.clone())).expect("kept");
+    for broken in ["", "(((", "(splits:(scene:NaN,explanation:7.0))", "(splits:(scene:9e9))"] {
+        memory.0.insert(name.clone(), broken.to_owned());
+        assert_eq!(Kept::read(Some(&memory)).save, usual.save, "{broken}");
+        let fitting = Kept::read(Some(&memory)).splits;
+        assert_eq!(fitting, fitting.fitting(), "{broken}");
+    }
+    // what a later version adds or takes away is no error
+    memory.0.insert(name, text.replacen('(', "(later: 3, ", 1));
+    assert_eq!(Kept::read(Some(&memory)), kept);
+}

@@ -1,0 +1,123 @@
+//! A picture that is not finished: what is rendered, what is only coarse, and what is still to come.
+
+use std::sync::Arc;
+
+use egui_kittest::kittest::Queryable;
+use groundtruth::render::{self, Canvas};
+use groundtruth::rgb::Rgb;
+
+use crate::support::*;
+
+/// A pixel of the ground, which is black without lights, and one beside it.
+const GROUND: [u32; 2] = [30, 44];
+
+/// A window whose picture was never begun, on a scene without lights.
+fn dark_window_not_begun() -> Window {
+    let mut scene = small_glass_sphere();
+    scene.lights.clear();
+    let mut window = open(scene);
+    settle(&mut window);
+    let canvas = Canvas::new(&window.state().rendering.world);
+    window.state_mut().rendering.canvas = Arc::new(canvas);
+    window
+}
+
+fn words_at(window: &mut Window, pixel: [u32; 2]) -> String {
+    window.hover_at(on_screen(window, pixel));
+    window.run_steps(3);
+    text_with(window, &format!("({}, {})  ", pixel[0], pixel[1]))
+}
+
+/// Law: a pixel that is still to come is told as such, and is not what a finished black one is
+/// told as; so does the comparison with the explanation.
+#[test]
+fn a_pixel_to_come_is_not_a_black_one() {
+    let mut window = dark_window_not_begun();
+    assert_eq!(words_at(&mut window, GROUND), "(30, 44)  not rendered yet");
+    click(&mut window, GROUND);
+    assert!(window.query_by_label("the picture has not come to this pixel yet").is_some());
+
+    let rendering = &window.state().rendering;
+    rendering.canvas.render(&rendering.world);
+    assert!(rendering.canvas.look(|film| film.get(GROUND)) == Rgb::BLACK);
+    settle(&mut window);
+    let black = groundtruth::explain::short(Rgb::BLACK);
+    assert_eq!(words_at(&mut window, GROUND), format!("(30, 44)  {black}"));
+    assert!(window.query_by_label("= the pixel of the picture, bit for bit").is_some());
+}
+
+/// Colours of the screen over some pixels of the picture.
+fn colors(window: &mut Window) -> std::collections::BTreeSet<[u8; 3]> {
+    let (from, to) = (on_screen(window, [20, 40]), on_screen(window, [30, 46]));
+    let image = window.render().expect("drawn");
+    let pixels = (from.y as u32..to.y as u32)
+        .flat_map(|y| (from.x as u32..to.x as u32).map(move |x| (x, y)));
+    pixels
+        .map(|(x, y)| {
+            let [r, g, b, _] = image.get_pixel(x, y).0;
+            [r, g, b]
+        })
+        .collect()
+}
+
+/// Law: what is not rendered is hatched, also where the picture will be black; what is rendered is
+/// not. Oracle: a black picture has one colour.
+#[test]
+fn what_is_not_rendered_is_hatched() {
+    let mut scene = small_glass_sphere();
+    scene.lights.clear();
+    scene.image.resize(600, 600);
+    // hours of work
+    scene.image.samples = 10_000;
+    let mut window = open(scene);
+    window.run_steps(5);
+    let size = window.state().rendering.size();
+    let area = window.state().picture.placed(size).whole();
+    let image = window.render().expect("drawn");
+    let row = area.center().y as u32;
+    let (left, right) = (area.left() as u32 + 9, area.right() as u32 - 9);
+    let bright = (left..right).filter(|&x| image.get_pixel(x, row).0[0] > 60).count();
+    assert!(bright > 20, "no hatching: {bright}");
+
+    drop(window);
+    let mut window = dark_window_not_begun();
+    let rendering = &window.state().rendering;
+    rendering.canvas.render(&rendering.world);
+    // too small for the grid between the pixels
+    window.state_mut().picture.set_zoom([48, 48], 6.0);
+    settle(&mut window);
+    assert_eq!(colors(&mut window), [[0, 0, 0]].into());
+}
+
+/// Law: while the fine picture is still to come, a block shows its coarse pixel, enlarged, in most of
+/// its place; a status of "not rendered yet" says that it is not the pixel's own. Oracle: the
+/// library's pixel in the corner of the block.
+#[test]
+fn the_coarse_picture_is_shown_over_its_blocks() {
+    let mut window = glass_window();
+    let world = built(&small_glass_sphere());
+    let canvas = Canvas::new(&world);
+    canvas.render_coarse(&world);
+    window.state_mut().rendering.canvas = Arc::new(canvas);
+    settle(&mut window);
+    let tone = window.state().picture.tone;
+    for block in [[16, 16], [24, 40], [40, 8]] {
+        let [r, g, b] = tone.to_bytes(render::pixel(&world, block)).map(f32::from);
+        let is_it = |[r2, g2, b2]: [u8; 3]| {
+            let off = |seen: u8, full: f32| f32::from(seen) - full;
+            // a sixth of it is what lies beneath: black, or a line of the hatching
+            [off(r2, r), off(g2, g), off(b2, b)].into_iter().all(|off| (-45.0..20.0).contains(&off))
+        };
+        let inside = [block[0] + 6, block[1] + 6];
+        let middle = on_screen(&window, inside);
+        let image = window.render().expect("drawn");
+        let at = |x: i32, y: i32| {
+            let [r, g, b, _] =
+                image.get_pixel((middle.x as i32 + x) as u32, (middle.y as i32 + y) as u32).0;
+            [r, g, b]
+        };
+        let seen = (-3..4).flat_map(|x| (-3..4).map(move |y| (x, y)));
+        assert!(seen.clone().all(|(x, y)| is_it(at(x, y))), "{block:?}");
+        assert!(words_at(&mut window, inside).ends_with("not rendered yet"));
+    }
+}
