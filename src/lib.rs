@@ -26,6 +26,7 @@ pub mod materials;
 pub mod math;
 pub mod mesh_file;
 pub mod probe;
+pub mod reference;
 pub mod render;
 pub mod report;
 pub mod rgb;

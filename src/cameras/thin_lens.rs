@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, ViewPlane};
@@ -10,7 +11,7 @@ use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
 
 /// A pinhole camera whose hole is a disk: what lies at the focal distance is sharp, all else blurred.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThinLens {
     /// From the lens to the view plane, `d` in the book; positive.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::kinds;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, Kind, Side, Stereo, ViewPlane};
@@ -11,8 +12,9 @@ use crate::materials::Medium;
 use crate::math::{Frame, Point, Ray, Vector, cos_degrees, sin_degrees};
 
 /// A camera in the world, as a scene says it.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "Camera")]
 pub struct Viewpoint {
     /// Where it stands.
     pub eye: Point,

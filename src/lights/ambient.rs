@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Illumination, Light, Place};
@@ -10,14 +11,14 @@ use crate::kinds::{self, Specification};
 use crate::rgb::Rgb;
 
 /// The same radiance `l_s c_l` everywhere and from everywhere.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ambient {
     /// Radiance scaling factor.
     #[serde(default = "kinds::one")]
     pub ls: f64,
     /// Colour.
-    #[serde(default = "kinds::white")]
+    #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
 }
 

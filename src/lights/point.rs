@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Illumination, Light, LightSample, Place, Reach};
@@ -11,14 +12,15 @@ use crate::math::{Vector, power};
 use crate::rgb::Rgb;
 
 /// Light `l_s c_l / d^k` from one place, `d` the distance.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "PointLight")]
 pub struct Point {
     /// Radiance scaling factor.
     #[serde(default = "kinds::one")]
     pub ls: f64,
     /// Colour.
-    #[serde(default = "kinds::white")]
+    #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
     /// Where it is.
     pub location: Place,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
@@ -13,7 +14,7 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
 /// A boundary between two media: Fresnel reflection and refraction, and absorption on either side.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Dielectric {
     /// Highlights of the direct light.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Material, Response};
@@ -13,7 +14,7 @@ use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
 /// A perfectly diffuse surface; ambient and diffuse reflection share a colour.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Matte {
     /// Ambient reflection coefficient.

@@ -13,6 +13,7 @@ mod transparent;
 use std::fmt::Debug;
 
 use crate::kinds;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, positive};
@@ -62,8 +63,9 @@ pub struct Boundary {
 }
 
 /// A transparent medium.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) })]
 pub struct Medium {
     /// The index of refraction; positive.
     #[serde(default = "kinds::one")]

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Material, Response, matte};
@@ -13,7 +14,7 @@ use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
 /// Ambient, diffuse and glossy specular reflection.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Phong {
     /// Ambient reflection coefficient.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
@@ -14,7 +15,7 @@ use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
 /// A mirror of reflectance `k_r c_r` over a Phong base.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reflective {
     /// What is under the mirror; nothing if left out.
@@ -23,7 +24,7 @@ pub struct Reflective {
     /// Mirror reflection coefficient.
     pub kr: f64,
     /// Mirror colour.
-    #[serde(default = "kinds::white")]
+    #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
 }
 

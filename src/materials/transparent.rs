@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
@@ -16,7 +17,7 @@ use crate::textures::{Paint, Texture};
 /// A clear body that reflects `k_r` and lets through `k_t`, whatever the angle; on total internal
 /// reflection it reflects everything. It says nothing of what media absorb: rays stay in the one
 /// they came through.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Transparent {
     /// Highlights.
@@ -26,7 +27,7 @@ pub struct Transparent {
     #[serde(default)]
     pub kr: f64,
     /// Reflection colour.
-    #[serde(default = "kinds::white")]
+    #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
     /// Transmission coefficient; `k_r + k_t` should be 1.
     pub kt: f64,

@@ -4,7 +4,10 @@
 mod error;
 mod file;
 mod places;
+mod schema;
+pub mod vocabulary;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::background::Background;
@@ -14,9 +17,10 @@ use crate::{accel, filters, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
 pub use file::{Source, from_toml, open, read, to_toml};
+pub use schema::schema;
 
 /// Everything a picture needs.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// What it shows, in one line.
@@ -47,8 +51,9 @@ pub struct Scene {
 }
 
 /// How light is followed: the book's tracers as settings of one recursion.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "tracers")]
 pub enum Tracer {
     /// Direct light only (ch. 14): mirrors and glass are not followed.
     #[default]
@@ -58,8 +63,9 @@ pub enum Tracer {
 }
 
 /// The setting of the Whitted tracer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = Whitted { max_depth: 5 })]
 pub struct Whitted {
     /// The largest number of edges from the camera's ray to a ray that is still cast; what lies
     /// beyond is black. At most 128.
@@ -67,7 +73,7 @@ pub struct Whitted {
 }
 
 /// The picture: the book's view plane.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Image {
     /// Pixels across.
@@ -100,7 +106,7 @@ fn one_sample() -> u32 {
 }
 
 /// A light and its switches.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Light {
     /// What people call it; no two lights share a name.
@@ -116,7 +122,7 @@ pub struct Light {
 }
 
 /// A material and its switches.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// What objects call it; no two materials share a name.
@@ -133,7 +139,7 @@ pub struct Material {
 }
 
 /// An object and its switches.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
     /// What people call it.

@@ -9,6 +9,7 @@
 use std::sync::Arc;
 
 use arrayvec::ArrayVec;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Box, Candidate, Context, Shape, Surface, normal_along};
@@ -20,7 +21,7 @@ use crate::math::{
 };
 
 /// `coefficient · xⁱ yʲ zᵏ` for powers `[i, j, k]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Term {
     /// Finite.
@@ -32,7 +33,7 @@ pub struct Term {
 
 /// The points inside a box where the sum of the terms is zero; the normal points to where it is
 /// positive. The degree is that of the textbooks' surfaces and more: up to 16.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Algebraic {
     /// At least one that is not a constant.

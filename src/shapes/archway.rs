@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
@@ -23,7 +24,7 @@ const MOST_STONES: u32 = 1000;
 ///
 /// Stones touch. Where they do, the book's have two faces in one place, and a ray that leaves one
 /// would be in the other; here such faces are left out, so that the archway is one solid.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Archway {
     /// From the left side of the left column to the right side of the right one.

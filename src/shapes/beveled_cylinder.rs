@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
@@ -15,7 +16,7 @@ use crate::math::{Axis, Point, Step, Vector};
 /// A solid cylinder with round edges, as the parts `bottom`, `top`, `wall`, `bottom_edge` and
 /// `top_edge`; normals point outward. With a bevel as large as the radius it has hemispheres for
 /// ends, and figure 21.13's is a sphere.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeveledCylinder {
     /// The height of the bottom.

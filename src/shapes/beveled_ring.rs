@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::full_turn;
@@ -15,7 +16,7 @@ use crate::math::{Point, Vector};
 
 /// A thick ring with round edges, as the parts `bottom`, `top`, `inner_wall`, `outer_wall` and four
 /// `edges`; normals point out of the ring.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeveledRing {
     /// The height of the bottom.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Assembly, PartData};
@@ -12,7 +13,7 @@ use crate::kinds::Specification;
 use crate::math::{Point, Vector};
 
 /// Shapes that are hit, transformed and searched as one; they may be compounds themselves.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Compound {
     /// How rays find its parts. If left out: as the scene, but up to eight parts one by one.
@@ -23,7 +24,7 @@ pub struct Compound {
 }
 
 /// A part of a compound.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Part {
     /// What people call it.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::full_turn;
@@ -14,7 +15,7 @@ use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The points between two spheres about the origin, up to a level cut, as the parts `outside`,
 /// `inside` and `rim`; normals point out of the bowl, those of its inside to the origin.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FlatRimmedBowl {
     /// Of the inside; positive.

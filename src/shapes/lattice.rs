@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::instance::surface_seen_through;
@@ -14,7 +15,7 @@ use crate::math::{Aabb, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, list
 
 /// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
 /// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Lattice {
     /// What is copied; the first copy stands where it is.

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::triangle_block::{Block, Blocks};
@@ -19,7 +20,7 @@ use crate::mesh_file::MeshData;
 /// The triangles of a PLY or OBJ file. A triangle's outside is from where its corners are seen
 /// counter-clockwise; but if the file has vertex normals, and they are on the other side of most of
 /// its area, all triangles are turned.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
     /// The file, relative to the scene file.

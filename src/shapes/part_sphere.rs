@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
@@ -11,7 +12,7 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
 
 /// The part of a sphere within a range of azimuths φ and one of polar angles θ.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartSphere {
     /// The centre.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Sphere, Surface};
@@ -11,7 +12,7 @@ use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Pcg32, Point, Ray, Span};
 
 /// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RandomSpheres {
     /// How many, at least 1.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
@@ -22,7 +23,7 @@ const NAMES: [&str; 6] = ["ring_1", "ring_2", "ring_3", "ring_4", "ring_5", "rin
 ///
 /// Wedges touch. Where they do, the book's have two faces in one place, and a ray that leaves one
 /// would be in the other; here such faces are left out, so that the rosette is one solid.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rosette {
     /// How many rings there are: from 1 to 6.

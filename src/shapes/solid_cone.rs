@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, solid};
@@ -12,7 +13,7 @@ use crate::math::{Point, Vector};
 
 /// The points with `√(x² + z²) ≤ radius (1 − y/height)` and `y ≥ 0`, as the parts `base` and
 /// `wall`; normals point outward.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolidCone {
     /// Of the apex above the base, which is in the plane y = 0; positive.

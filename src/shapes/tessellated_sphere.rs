@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::mesh::TriangleMesh;
@@ -13,7 +14,7 @@ use crate::kinds::{self, Specification};
 use crate::math::{Normal, Point, cos, sin};
 
 /// A sphere about the origin made of `2 h (v − 1)` triangles, perhaps with bumps.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TessellatedSphere {
     /// Steps around the y axis, 3 to 4096.

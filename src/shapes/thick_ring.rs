@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::annulus::radii;
@@ -14,7 +15,7 @@ use crate::math::{Point, Vector};
 /// The points from `inner_radius` to `outer_radius` away from the y axis with `y0 ≤ y ≤ y1`, as the
 /// parts `bottom`, `top`, `inner_wall` and `outer_wall`; normals point out of the ring, those of
 /// the inner wall to the axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThickRing {
     /// The height of the bottom.

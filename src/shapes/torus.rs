@@ -11,6 +11,7 @@
 use std::sync::Arc;
 
 use arrayvec::ArrayVec;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface};
@@ -23,7 +24,7 @@ use crate::math::{
 
 /// The points at `tube_radius` from the circle of `swept_radius` about the origin in the plane
 /// y = 0; the normal points out of the tube.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Torus {
     /// Of the circle in the middle of the tube, the book's `a`.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Texture;
@@ -12,7 +13,7 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
 /// Squares of alternating colours in the local xz plane, with lines along their borders.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlaneChecker {
     /// The side of a square; positive.
