@@ -25,7 +25,7 @@ pub enum Background {
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "patterns")]
 pub enum Pattern {
-    /// See [`Sinusoid`].
+    /// The waves of chapter 4 in the plane z = 0, which show what a sampler misses.
     Sinusoid(Sinusoid),
 }
 
@@ -35,7 +35,7 @@ pub enum Pattern {
 #[serde(deny_unknown_fields)]
 #[schemars(example = Sinusoid { unit: 1.0 })]
 pub struct Sinusoid {
-    /// The length in which x and y are measured.
+    /// The length in which x and y are measured; positive.
     #[serde(default = "kinds::one")]
     pub unit: f64,
 }

@@ -90,7 +90,8 @@ pub fn schema_of_kind<Data: Specification + JsonSchema + Serialize>(
 ) -> Schema {
     let mut schema = generator.subschema_for::<Data>();
     schema.insert("x-chapter".to_owned(), chapter.into());
-    let example = Data::specimens().into_iter().next().and_then(|it| serde_json::to_string(&it).ok());
+    let example =
+        Data::specimens().into_iter().next().and_then(|it| serde_json::to_string(&it).ok());
     // specimens name files of this repository by their whole path; examples are relative to scenes/
     let example = example.map(|it| it.replace(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/"), ""));
     if let Some(example) = example.and_then(|text| serde_json::from_str(&text).ok()) {

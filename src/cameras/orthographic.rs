@@ -14,7 +14,7 @@ use crate::math::{Point, Vector};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Orthographic {
-    /// The picture is this many times as large.
+    /// Things are this many times as large in the picture; positive.
     #[serde(default = "kinds::one")]
     pub zoom: f64,
 }

@@ -6,14 +6,14 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, shown};
 use crate::math::{cos_degrees, sin_degrees};
 
-/// What makes a viewpoint a stereo pair.
+/// Two eyes side by side, and how their two images are laid out in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(example = Stereo { viewing: Viewing::Parallel, gap: 5, separation: 4.0 })]
 pub struct Stereo {
     /// How the pair is looked at.
     pub viewing: Viewing,
-    /// The black columns between the two images; they belong to neither.
+    /// How many black columns of pixels there are between the two images.
     #[serde(default = "five")]
     pub gap: u32,
     /// The angle β in degrees under which the point looked at sees both eyes; at least 0, below 180.

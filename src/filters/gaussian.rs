@@ -18,7 +18,7 @@ pub struct Gaussian {
     /// The standard deviation σ, in pixels; at least a hundredth of the radius.
     #[serde(default = "half")]
     pub sigma: f64,
-    /// In pixels; at most 16.
+    /// The radius in pixels: positive, at most 16.
     #[serde(default = "three_halves")]
     pub radius: f64,
 }

@@ -13,7 +13,7 @@ use crate::kinds::{self, Specification};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Tent {
-    /// In pixels; at most 16. At 1 the tents of all pixels add up to 1 everywhere.
+    /// The radius in pixels: positive, at most 16. At 1 the tents of all pixels add up to 1 everywhere.
     #[serde(default = "kinds::one")]
     pub radius: f64,
 }

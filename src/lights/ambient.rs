@@ -14,10 +14,10 @@ use crate::rgb::Rgb;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ambient {
-    /// Radiance scaling factor.
+    /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// Colour.
+    /// The colour of the light.
     #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
 }

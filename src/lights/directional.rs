@@ -15,13 +15,13 @@ use crate::rgb::Rgb;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Directional {
-    /// Radiance scaling factor.
+    /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// Colour.
+    /// The colour of the light.
     #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
-    /// Towards the light; not zero, need not be unit.
+    /// From the scene towards the light; not zero, need not be unit.
     pub direction: Vector,
 }
 

@@ -16,15 +16,16 @@ use crate::rgb::Rgb;
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "PointLight")]
 pub struct Point {
-    /// Radiance scaling factor.
+    /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// Colour.
+    /// The colour of the light.
     #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
     /// Where it is.
     pub location: Place,
-    /// `k`: 0, the book's default, for none; 2 for the physical one.
+    /// The exponent `k` of the distance, not negative: 0, the book's default, for the same light at
+    /// every distance; 2 for real lamps, whose `ls` must then be as large as the distance squared.
     #[serde(default)]
     pub attenuation: f64,
 }

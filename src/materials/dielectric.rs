@@ -17,12 +17,12 @@ use crate::shapes::Surface;
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Dielectric {
-    /// Highlights of the direct light.
+    /// The fields of `phong`, for highlights of the direct light; none if left out.
     #[serde(default)]
     pub phong: Phong,
-    /// The medium the normal comes from.
+    /// The medium on the inner side, as `{ eta = 1.5 }` for clear glass.
     pub inside: Medium,
-    /// The medium the normal points to; air if left out.
+    /// The medium on the outer side, to which the normal points; air if left out.
     #[serde(default)]
     pub outside: Medium,
 }

@@ -16,10 +16,10 @@ use crate::textures::{Paint, Texture};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Emissive {
-    /// Radiance scaling factor.
+    /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// Colour.
+    /// The colour of the light it sends out.
     #[serde(default = "kinds::white::<Paint>")]
     pub ce: Paint,
 }

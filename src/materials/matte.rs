@@ -17,13 +17,14 @@ use crate::textures::{Paint, Texture};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Matte {
-    /// Ambient reflection coefficient.
+    /// The share of ambient light that is reflected, mostly 0 to 1; not negative.
     #[serde(default)]
     pub ka: f64,
-    /// Diffuse reflection coefficient.
+    /// The share of the lights' light that is scattered, mostly 0 to 1; not negative. With 0 for
+    /// both, nothing is seen of `cd`.
     #[serde(default)]
     pub kd: f64,
-    /// Diffuse colour.
+    /// The colour of ambient and diffuse reflection, with channels from 0 to 1.
     pub cd: Paint,
 }
 

@@ -67,7 +67,7 @@ pub struct Boundary {
 #[serde(deny_unknown_fields)]
 #[schemars(example = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) })]
 pub struct Medium {
-    /// The index of refraction; positive.
+    /// The index of refraction; positive. Air is 1, water 1.33, glass about 1.5.
     #[serde(default = "kinds::one")]
     pub eta: f64,
     /// `σ` per unit length: the book's colour filter is `exp(−σ)`, so clear is 0. It may be

@@ -18,12 +18,12 @@ use crate::textures::{Paint, Texture};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reflective {
-    /// What is under the mirror; nothing if left out.
+    /// The fields of `phong`, for what is under the mirror; nothing if left out.
     #[serde(default)]
     pub phong: Phong,
-    /// Mirror reflection coefficient.
+    /// The share of light that is mirrored, from 0 to 1 mostly; not negative.
     pub kr: f64,
-    /// Mirror colour.
+    /// The colour of the mirror.
     #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
 }

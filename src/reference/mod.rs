@@ -17,7 +17,7 @@ pub fn overview() -> String {
     for topic in topics() {
         let (name, chapter) = (topic.name(), topic.chapter().unwrap_or_default());
         if matches!(topic, Topic::List(_)) {
-            text += &format!("\n{name}: {}\n", topic.summary());
+            text += &format!("\n{name}, {}:\n", topic.home());
             continue;
         }
         if matches!(topic, Topic::Table(_)) && std::mem::take(&mut is_first_table) {
@@ -50,7 +50,8 @@ fn unknown(name: &str) -> String {
     if !having.is_empty() {
         return format!("{problem}; it is a field of {}", having.join(", "));
     }
-    let closest = topics().map(|topic| (strsim::levenshtein(name, &topic.name()), topic.name())).min();
+    let closest =
+        topics().map(|topic| (strsim::osa_distance(name, &topic.name()), topic.name())).min();
     match closest {
         Some((edits, known)) if edits <= name.len() / 3 => {
             format!("{problem}; did you mean `{known}`?")

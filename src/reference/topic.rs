@@ -2,7 +2,7 @@
 
 use crate::scene::vocabulary::{Choice, Definition, Field};
 
-use super::example::{example_of_kind, example_of_table, toml};
+use super::example::{example_of_kind, example_of_table, home_of, toml};
 
 /// Something that can be looked up.
 #[derive(Clone, Copy, Debug)]
@@ -21,17 +21,17 @@ pub enum Topic {
 pub fn topics() -> impl Iterator<Item = Topic> {
     let all: Vec<_> = Definition::all().collect();
     let lists: Vec<_> = all.iter().copied().filter(Definition::is_list).collect();
-    let kinds: Vec<_> =
-        lists.iter().flat_map(|list| list.choices().into_iter().map(|kind| (kind, *list))).collect();
+    let kinds: Vec<_> = lists
+        .iter()
+        .flat_map(|list| list.choices().into_iter().map(|kind| (kind, *list)))
+        .collect();
     // the table of a kind is shown with the kind
     let is_kind = |table: &Definition| {
         kinds.iter().any(|(kind, _)| kind.table().is_some_and(|it| it.is(table)))
     };
     let mut topics = Vec::new();
     topics.extend(all.iter().filter(|it| it.is_value()).copied().map(Topic::Value));
-    topics.extend(
-        all.iter().filter(|it| it.is_table() && !is_kind(it)).copied().map(Topic::Table),
-    );
+    topics.extend(all.iter().filter(|it| it.is_table() && !is_kind(it)).copied().map(Topic::Table));
     for list in lists {
         topics.push(Topic::List(list));
         topics.extend(list.choices().into_iter().map(|kind| Topic::Kind(kind, list)));
@@ -43,7 +43,9 @@ impl Topic {
     /// As typed after `groundtruth kinds`.
     pub fn name(&self) -> String {
         match self {
-            Self::Value(it) | Self::Table(it) | Self::List(it) => it.title().replace([' ', '-'], "_"),
+            Self::Value(it) | Self::Table(it) | Self::List(it) => {
+                it.title().replace([' ', '-'], "_")
+            }
             Self::Kind(kind, _) => kind.tag.to_owned(),
         }
     }
@@ -61,6 +63,14 @@ impl Topic {
         let description = self.description();
         let end = description.find(". ").map_or(description.len(), |dot| dot + 1);
         description[..end].lines().next().unwrap_or_default()
+    }
+
+    /// Where scene files have it, as `in [image], sampler`; nothing for a kind, whose list says it.
+    pub fn home(&self) -> String {
+        match self {
+            Self::Value(it) | Self::Table(it) | Self::List(it) => home_of(it).unwrap_or_default(),
+            Self::Kind(..) => String::new(),
+        }
     }
 
     /// Whether it is a table or kind with a field of this name.
@@ -97,6 +107,10 @@ impl Topic {
         if let Self::Kind(_, list) = self {
             let chapter = self.chapter().map(chapter_in_words).unwrap_or_default();
             parts.push(format!("One of the {}{chapter}.\n", list.title()));
+        }
+        if let Self::List(list) = self {
+            let home = home_of(list).unwrap_or_default();
+            parts.push(format!("One of these is written {home}.\n"));
         }
         parts.push(format!("{}\n", self.description()));
         match self {

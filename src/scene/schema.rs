@@ -52,7 +52,8 @@ fn flowing(text: &str) -> String {
 /// generated schema either.
 fn show_false(table: &mut Map<String, Value>) {
     let required = table.get("required").cloned().unwrap_or_default();
-    let is_required = |name: &str| required.as_array().is_some_and(|all| all.contains(&json!(name)));
+    let is_required =
+        |name: &str| required.as_array().is_some_and(|all| all.contains(&json!(name)));
     let Some(Value::Object(fields)) = table.get_mut("properties") else { return };
     for (name, field) in fields {
         if field["type"] == "boolean" && field.get("default").is_none() && !is_required(name) {

@@ -63,7 +63,8 @@ impl Definition {
     /// The fields of a table, in the order of its declaration.
     pub fn fields(&self) -> impl Iterator<Item = Field> {
         let required = self.schema["required"].as_array();
-        let is_required = move |name: &str| required.is_some_and(|all| all.iter().any(|it| it == name));
+        let is_required =
+            move |name: &str| required.is_some_and(|all| all.iter().any(|it| it == name));
         let fields = entries(self.schema, "properties").filter(|_| !self.is_list());
         fields.map(move |(name, schema)| Field { name, required: is_required(name), schema })
     }
@@ -256,6 +257,10 @@ fn values(schema: &'static Value) -> String {
 
 fn values_of(definition: &Definition) -> String {
     let title = definition.title();
+    if let Some(words) = definition.schema["enum"].as_array() {
+        let words = words.iter().map(|word| format!("`{word}`"));
+        return words.collect::<Vec<_>>().join(" or ");
+    }
     let texts: Option<Vec<_>> = definition
         .choices()
         .iter()
@@ -264,7 +269,7 @@ fn values_of(definition: &Definition) -> String {
     match texts {
         Some(texts) if definition.is_list() => texts.join(" or "),
         _ if definition.is_list() => format!("one of the {title}"),
-        _ if definition.is_table() => format!("table: {title}"),
+        _ if definition.is_table() => format!("table `{title}`"),
         _ => title,
     }
 }

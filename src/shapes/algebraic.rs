@@ -24,9 +24,9 @@ use crate::math::{
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Term {
-    /// Finite.
+    /// The number before the powers; finite.
     pub coefficient: f64,
-    /// Of x, y and z; their sum is at most 16.
+    /// The powers of x, y and z: whole numbers whose sum is at most 16.
     #[serde(deserialize_with = "lists::exactly")]
     pub powers: [u32; 3],
 }
@@ -36,7 +36,7 @@ pub struct Term {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Algebraic {
-    /// At least one that is not a constant.
+    /// The terms of the sum; at least one is not a constant.
     pub terms: Vec<Term>,
     /// The corner of the box with the smallest coordinates.
     pub min: Point,

@@ -20,7 +20,7 @@ pub struct Annulus {
     pub normal: Vector,
     /// The radius of the hole; not negative.
     pub inner_radius: f64,
-    /// Above `inner_radius`.
+    /// The outer radius, above `inner_radius`.
     pub outer_radius: f64,
 }
 

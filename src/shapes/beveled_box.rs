@@ -27,7 +27,7 @@ pub struct BeveledBox {
     pub max: Point,
     /// The radius of the edges: at most half of the shortest side.
     pub bevel: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

@@ -23,11 +23,11 @@ pub struct BeveledCylinder {
     pub y0: f64,
     /// The height of the top, above `y0`.
     pub y1: f64,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// The radius of the edges: at most the radius and half of the height.
     pub bevel: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

@@ -27,13 +27,13 @@ pub struct Compound {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Part {
-    /// What people call it.
+    /// What people call it; it need not be unique.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
     /// The name of its material; the compound's if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub material: Option<String>,
-    /// Its form.
+    /// What it is.
     pub shape: Kind,
 }
 

@@ -15,9 +15,9 @@ use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cone {
-    /// Positive.
+    /// The height; positive.
     pub height: f64,
-    /// Of the open base; positive.
+    /// The radius of the open base; positive.
     pub radius: f64,
     /// Whether the normal points to the axis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

@@ -15,9 +15,9 @@ use crate::math::{Aabb, Normal, Point, Ray, Span};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CutFace {
-    /// Of the square's sides; positive.
+    /// The side of the square; positive.
     pub size: f64,
-    /// Of the hole; positive, and less than from the middle to a corner. Where it is more than half
+    /// The radius of the hole: positive, and less than from the middle to a corner. Where it is more than half
     /// of `size`, four corners are left.
     pub radius: f64,
 }

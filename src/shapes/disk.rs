@@ -18,7 +18,7 @@ pub struct Disk {
     pub center: Point,
     /// Perpendicular to the disk; not zero, need not be unit.
     pub normal: Vector,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
 }
 

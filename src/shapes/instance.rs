@@ -16,11 +16,12 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF
 pub struct Instance {
     /// What is transformed; it may be an instance itself.
     pub of: Box<Kind>,
-    /// The steps, in the order in which they are applied.
+    /// The steps, in the order in which they are applied, about the origin of coordinates.
     pub transform: Vec<Step>,
     /// Whether the texture moves with the shape. If not, it is looked up where the ray hits this
     /// instance, as if the shape had been made that way (the book's `transform_the_texture`).
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
+    #[schemars(extend("default" = true))]
     pub transform_texture: bool,
 }
 

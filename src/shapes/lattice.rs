@@ -20,10 +20,10 @@ use crate::math::{Aabb, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, list
 pub struct Lattice {
     /// What is copied; the first copy stands where it is.
     pub of: Box<Kind>,
-    /// How many along each axis, at least 1.
+    /// How many copies there are along x, y and z, each at least 1.
     #[serde(deserialize_with = "lists::exactly")]
     pub counts: [u32; 3],
-    /// From one copy to the next along each axis.
+    /// How far it is from one copy to the next along x, y and z.
     pub spacing: Vector,
     /// How rays find the copies; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -23,16 +23,19 @@ use crate::mesh_file::MeshData;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// The file, relative to the scene file.
+    /// The PLY or OBJ file; its path is relative to the scene file.
     pub file: PathBuf,
-    /// The file's coordinates are multiplied by this.
+    /// Multiplies the file's coordinates; positive. To move or turn the mesh, wrap it in an
+    /// `instance`.
     #[serde(default = "kinds::one")]
     pub scale: f64,
-    /// Shade with interpolated vertex normals: those of the file, or the book's mean of the
+    /// Whether shading uses normals interpolated between the vertices, so that edges do not show:
+    /// those of the file, or the book's mean of the
     /// adjacent faces' normals where it has none or a zero.
     #[serde(default)]
     pub smooth: bool,
-    /// Turn all normals around, for files wound clockwise or with normals that point inward.
+    /// Whether all normals are turned around, for files wound clockwise or with normals that point
+    /// inward.
     #[serde(default)]
     pub reverse_normals: bool,
     /// How rays find its triangles; as the scene if left out.

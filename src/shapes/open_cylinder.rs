@@ -18,7 +18,7 @@ pub struct OpenCylinder {
     pub y0: f64,
     /// The upper end, above `y0`.
     pub y1: f64,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// Whether the normal points to the axis: the book's concave open cylinder.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

@@ -16,9 +16,9 @@ use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Paraboloid {
-    /// Positive.
+    /// The height; positive.
     pub height: f64,
-    /// Of the rim; positive.
+    /// The radius of the rim; positive.
     pub radius: f64,
     /// Whether the normal points to the axis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

@@ -23,7 +23,7 @@ pub struct PartAnnulus {
     pub normal: Vector,
     /// The radius of the hole; not negative.
     pub inner_radius: f64,
-    /// Above `inner_radius`.
+    /// The outer radius, above `inner_radius`.
     pub outer_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.

@@ -19,7 +19,7 @@ pub struct PartCylinder {
     pub y0: f64,
     /// The upper end, above `y0`.
     pub y1: f64,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.

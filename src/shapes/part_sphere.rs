@@ -17,7 +17,7 @@ use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, lists, sin_degree
 pub struct PartSphere {
     /// The centre.
     pub center: Point,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.

@@ -19,9 +19,9 @@ use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartTorus {
-    /// Of the circle in the middle of the tube, the book's `a`.
+    /// The radius of the circle in the middle of the tube, the book's `a`; positive.
     pub swept_radius: f64,
-    /// Of the tube, the book's `b`; less than the swept radius.
+    /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
     pub tube_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.

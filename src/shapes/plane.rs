@@ -16,7 +16,7 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 pub struct Plane {
     /// A point of the plane.
     pub point: Point,
-    /// Perpendicular to it; not zero.
+    /// Perpendicular to the plane; not zero, need not be unit.
     pub normal: Vector,
 }
 

@@ -16,9 +16,9 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross};
 pub struct Rectangle {
     /// A corner, `p0` in the book.
     pub corner: Point,
-    /// One side.
+    /// One side, as a vector from `corner`; not zero.
     pub a: Vector,
-    /// The other side, perpendicular to `a`.
+    /// The other side, as a vector from `corner`; perpendicular to `a`, not zero.
     pub b: Vector,
 }
 

@@ -16,11 +16,11 @@ use crate::math::{Point, Vector};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolidCone {
-    /// Of the apex above the base, which is in the plane y = 0; positive.
+    /// The height of the apex above the base, which is in the plane y = 0; positive.
     pub height: f64,
-    /// Of the base; positive.
+    /// The radius of the base; positive.
     pub radius: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

@@ -20,9 +20,9 @@ pub struct SolidCylinder {
     pub y0: f64,
     /// The height of the top, above `y0`.
     pub y1: f64,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

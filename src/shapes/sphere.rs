@@ -16,7 +16,7 @@ use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_r
 pub struct Sphere {
     /// The centre.
     pub center: Point,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// Whether the normal points to the centre: the book's concave sphere.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

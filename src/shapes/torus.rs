@@ -27,9 +27,9 @@ use crate::math::{
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Torus {
-    /// Of the circle in the middle of the tube, the book's `a`.
+    /// The radius of the circle in the middle of the tube, the book's `a`; positive.
     pub swept_radius: f64,
-    /// Of the tube, the book's `b`; less than the swept radius.
+    /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
     pub tube_radius: f64,
     /// Whether the normal points into the tube instead.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

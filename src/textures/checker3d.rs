@@ -16,7 +16,7 @@ use crate::shapes::Surface;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Checker3d {
-    /// The side of a cube; positive.
+    /// The side of a cube, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
     /// The colour of the cube at the origin.

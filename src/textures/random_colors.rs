@@ -17,7 +17,7 @@ use crate::shapes::Surface;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RandomColors {
-    /// Another seed, other colours.
+    /// Chooses the colours: another seed, other colours.
     #[serde(default)]
     pub seed: u64,
 }
