@@ -69,11 +69,16 @@ pub fn tag(name: &str) -> String {
 /// The schema of a list of kinds: a table of one key, which is the tag of a kind. The title of the
 /// list is its trait's name in the plural.
 #[doc(hidden)]
-pub fn schema_of_list(of_trait: &str, kinds: impl IntoIterator<Item = (String, Schema)>) -> Schema {
+pub fn schema_of_list(
+    of_trait: &str,
+    description: &str,
+    kinds: impl IntoIterator<Item = (String, Schema)>,
+) -> Schema {
     let kinds: serde_json::Map<_, _> =
         kinds.into_iter().map(|(tag, schema)| (tag, schema.to_value())).collect();
     json_schema!({
         "title": format!("{}s", of_trait.to_lowercase()),
+        "description": description.trim(),
         "type": "object",
         "properties": kinds,
         "additionalProperties": false,
@@ -105,13 +110,13 @@ pub fn schema_of_kind<Data: Specification + JsonSchema + Serialize>(
 #[doc(hidden)]
 macro_rules! kinds {
     (
-        $(#[$doc:meta])*
+        $(#[doc = $doc:literal])*
         $Kind:ident builds dyn $Trait:ident with $Context:ty $(, checked by $check:path)?;
         $($chapter:ident $module:ident::$Data:ident),* $(,)?
     ) => {
         $(pub use $module::$Data;)*
 
-        $(#[$doc])*
+        $(#[doc = $doc])*
         #[derive(Clone, Debug, ::serde::Serialize, ::serde::Deserialize)]
         #[serde(rename_all = "snake_case")]
         pub enum $Kind {
@@ -142,7 +147,7 @@ macro_rules! kinds {
                     $crate::kinds::tag(stringify!($Data)),
                     $crate::kinds::schema_of_kind::<$Data>(stringify!($chapter), generator),
                 )),*];
-                $crate::kinds::schema_of_list(stringify!($Trait), kinds)
+                $crate::kinds::schema_of_list(stringify!($Trait), concat!($($doc, "\n"),*), kinds)
             }
         }
 

@@ -10,7 +10,7 @@ use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Specification};
 use crate::rgb::Rgb;
 
-/// The same radiance `l_s c_l` everywhere and from everywhere.
+/// The same radiance `ls · color` everywhere and from everywhere.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ambient {

@@ -11,7 +11,7 @@ use crate::kinds::{self, Specification};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
-/// Light `l_s c_l` from one direction.
+/// Light `ls · color` from one direction.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Directional {

@@ -11,7 +11,7 @@ use crate::kinds::{self, Specification};
 use crate::math::{Vector, power};
 use crate::rgb::Rgb;
 
-/// Light `l_s c_l / d^k` from one place, `d` the distance.
+/// Light `ls · color / d^k` from one place, `d` the distance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "PointLight")]

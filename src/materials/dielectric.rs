@@ -13,7 +13,8 @@ use crate::lobes::{About, FresnelReflector, FresnelTransmitter};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
-/// A boundary between two media: Fresnel reflection and refraction, and absorption on either side.
+/// Glass, water: a boundary between two media, with Fresnel reflection and refraction, and absorption
+/// on either side. It needs the tracer `whitted`.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Dielectric {

@@ -12,7 +12,7 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
-/// Radiance `l_s c_e` in every direction on the outer side; black on the inner.
+/// Radiance `ls · ce` in every direction on the outer side; black on the inner.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Emissive {

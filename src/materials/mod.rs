@@ -102,7 +102,7 @@ impl Medium {
 }
 
 crate::kinds! {
-    /// A material as a scene file says it.
+    /// What a surface makes of light.
     Kind builds dyn Material with ();
     ch14 matte::Matte,
     ch15 phong::Phong,

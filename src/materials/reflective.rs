@@ -14,7 +14,7 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
-/// A mirror of reflectance `k_r c_r` over a Phong base.
+/// A mirror of reflectance `kr · cr` over a Phong base. It needs the tracer `whitted`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reflective {

@@ -16,33 +16,53 @@ key, its name, and its fields inside: `shape.sphere = { center = [0, 0, 0], radi
 `shape = { sphere = { center = [0, 0, 0], radius = 1 } }` are the same.
 
 Shapes that have an inside, such as spheres, boxes and meshes, are boundaries of it: their normals point
-outward. To move, turn or stretch a shape, wrap it in an [`instance`](#instance).
+outward. To move, turn or stretch a shape, wrap it in an [`instance`](#instance). Mirrors and glass need
+the tracer [`whitted`](#whitted).
 
 Render a file with `groundtruth render my.toml -o my.png`. An error names the line, the field and the
 entry of this page.
 
-## A whole scene
-
-This is scenes/first.toml.
-
 ";
+
+/// Topics under one heading.
+struct Section {
+    title: String,
+    names: Vec<String>,
+    text: String,
+}
 
 /// docs/scene.md.
 pub fn page() -> String {
-    let mut page = format!("{BEGINNING}```toml\n{FIRST_SCENE}```\n");
-    let mut section = None;
-    for topic in topics() {
-        let begins = match topic {
-            Topic::Value(_) => Some("Values"),
-            Topic::Table(_) => Some("Tables"),
-            Topic::List(_) | Topic::Kind(..) => None,
-        };
-        if begins.is_some() && begins != section {
-            page += &format!("\n## {}\n", begins.unwrap_or_default());
-        }
-        section = begins.or(section);
-        let marks = if matches!(topic, Topic::List(_)) { "##" } else { "###" };
-        page += &format!("\n{marks} {}\n\n{}", topic.name(), topic.text());
+    let sections = sections();
+    let mut page = BEGINNING.to_owned();
+    for Section { title, names, .. } in &sections {
+        let anchor = title.to_lowercase().replace(' ', "-");
+        page += &format!("- [{title}](#{anchor}): {}\n", names.join(", "));
+    }
+    page += "\n## A whole scene\n\nThis is scenes/first.toml.\n\n";
+    page += &format!("```toml\n{FIRST_SCENE}```\n");
+    for Section { title, text, .. } in &sections {
+        page += &format!("\n## {title}\n{text}");
     }
     page
+}
+
+fn sections() -> Vec<Section> {
+    let mut sections: Vec<Section> = Vec::new();
+    for topic in topics() {
+        let title = topic.section();
+        if sections.last().is_none_or(|last| last.title != title) {
+            sections.push(Section { title, names: Vec::new(), text: String::new() });
+        }
+        let Some(section) = sections.last_mut() else { continue };
+        if matches!(topic, Topic::List(_)) {
+            section.text += &format!("\n{}", topic.text());
+            continue;
+        }
+        section.names.push(format!("`{}`", topic.name()));
+        if topic.has_more_than_a_line() {
+            section.text += &format!("\n### {}\n\n{}", topic.name(), topic.text());
+        }
+    }
+    sections
 }

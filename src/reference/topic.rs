@@ -58,11 +58,24 @@ impl Topic {
         }
     }
 
+    /// The heading it stands under on the page of all topics.
+    pub fn section(&self) -> String {
+        let title = match self {
+            Self::Value(_) => "values".to_owned(),
+            Self::Table(_) => "tables".to_owned(),
+            Self::List(list) | Self::Kind(_, list) => list.title(),
+        };
+        title[..1].to_uppercase() + &title[1..]
+    }
+
+    /// Whether the list of its kinds does not say it all.
+    pub fn has_more_than_a_line(&self) -> bool {
+        !matches!(self, Self::Kind(kind, _) if kind.table().is_none())
+    }
+
     /// The first sentence of its description.
     pub fn summary(&self) -> &'static str {
-        let description = self.description();
-        let end = description.find(". ").map_or(description.len(), |dot| dot + 1);
-        description[..end].lines().next().unwrap_or_default()
+        first_sentence(self.description())
     }
 
     /// Where scene files have it, as `in [image], sampler`; nothing for a kind, whose list says it.
@@ -134,9 +147,20 @@ fn chapter_in_words(chapter: &str) -> String {
     format!(", chapter {}", chapter.trim_start_matches("ch").trim_start_matches('0'))
 }
 
-/// A kind in the list of all.
+fn first_sentence(description: &str) -> &str {
+    let end = description.find(". ").map_or(description.len(), |dot| dot + 1);
+    description[..end].lines().next().unwrap_or_default()
+}
+
+/// A kind in the list of all; in full if it is a mere text or value.
 fn line_of_kind(kind: &Choice) -> String {
-    format!("- `{}`: {}\n", kind.tag, kind.description().replace("\n\n", " "))
+    match (kind.table(), kind.values()) {
+        (Some(_), _) => format!("- `{}`: {}\n", kind.tag, first_sentence(kind.description())),
+        (None, Some(values)) => {
+            format!("- `{} = …` ({values}): {}\n", kind.tag, kind.description())
+        }
+        (None, None) => format!("- `\"{}\"`: {}\n", kind.tag, kind.description()),
+    }
 }
 
 /// How a kind without fields is written.

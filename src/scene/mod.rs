@@ -117,7 +117,7 @@ pub struct Light {
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub enabled: bool,
-    /// Whether objects stand in its way. (Off by default in the book's sample code; on here.)
+    /// Whether objects stand in its way; by default on here, off in the sample code of the book.
     #[serde(default = "kinds::yes")]
     pub shadows: bool,
     /// What kind of light it is.

@@ -24,7 +24,7 @@ pub trait Texture: Debug + Send + Sync {
 }
 
 crate::kinds! {
-    /// A texture as a scene file says it.
+    /// A colour that varies over a surface. It may be written wherever a material has a colour.
     Kind builds dyn Texture with ();
     ch30 constant::Constant,
     ch30 checker3d::Checker3d,
