@@ -42,7 +42,7 @@ pub fn example_of_table(table: &Definition) -> Option<String> {
     }
 }
 
-/// Where scene files have a table or list of kinds, as `as sampler in [image]`.
+/// Where scene files have a table or list of kinds, as "as `sampler` in `[image]`".
 pub fn home_of(definition: &Definition) -> Option<String> {
     let path = path_to(definition)?;
     let (top, rest) = path.split_first()?;

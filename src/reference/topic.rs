@@ -78,7 +78,7 @@ impl Topic {
         first_sentence(self.description())
     }
 
-    /// Where scene files have it, as `in [image], sampler`; nothing for a kind, whose list says it.
+    /// Where scene files have it, as "as `sampler` in `[image]`"; nothing for a kind, whose list says it.
     pub fn home(&self) -> String {
         match self {
             Self::Value(it) | Self::Table(it) | Self::List(it) => home_of(it).unwrap_or_default(),

@@ -1,4 +1,4 @@
-//! The words of scene files: the tables, lists of kinds, fields and types of the [`schema`].
+//! The words of scene files: the tables, lists of kinds, fields and types of the [`schema()`].
 
 use serde_json::{Map, Value};
 
