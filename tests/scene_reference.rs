@@ -92,23 +92,19 @@ fn every_specimen_conforms_to_the_schema() {
     assert!(count > 90, "only {count} specimens");
 }
 
-/// Law: the schema refuses a specimen with any one of its fields misspelt.
+/// Law: the schema refuses a specimen with one field more, whose name is a misspelt one. (Renaming a
+/// field would miss it: a required one is then missing, too.)
 #[test]
 fn no_specimen_with_a_misspelt_field_conforms_to_the_schema() {
     let mut count = 0;
     for_each_specimen(|list, specimen, _| {
         let validator = validator(Some(list));
         let (tag, fields) = specimen.as_object().and_then(|it| it.iter().next()).expect("a kind");
-        for name in fields.as_object().expect("a table").keys() {
-            let mut misspelt = fields.clone();
-            let value =
-                misspelt.as_object_mut().and_then(|it| it.remove(name)).expect("it is there");
-            misspelt[format!("{name}x")] = value;
+        for (name, value) in fields.as_object().expect("a table") {
+            let mut more = fields.clone();
+            more[format!("{name}x")] = value.clone();
             count += 1;
-            assert!(
-                !validator.is_valid(&json!({ tag: misspelt })),
-                "{list}: {tag}.{name}x is taken"
-            );
+            assert!(!validator.is_valid(&json!({ tag: more })), "{list}: {tag}.{name}x is taken");
         }
     });
     assert!(count > 200, "only {count} fields");
