@@ -1,5 +1,8 @@
 //! What a ray sees that hits nothing.
 
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::invalid::{Invalid, positive};
@@ -18,19 +21,21 @@ pub enum Background {
 }
 
 /// A background that is not the same everywhere.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "patterns")]
 pub enum Pattern {
-    /// See [`Sinusoid`].
+    /// The waves of chapter 4 in the plane z = 0, which show what a sampler misses.
     Sinusoid(Sinusoid),
 }
 
 /// The test function of chapter 4: the grey `(1 + sin(x² y²))/2` where the ray meets the plane
 /// `z = 0`, whose waves become shorter without end along both axes. Black for rays that do not.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = Sinusoid { unit: 1.0 })]
 pub struct Sinusoid {
-    /// The length in which x and y are measured.
+    /// The length in which x and y are measured; positive.
     #[serde(default = "kinds::one")]
     pub unit: f64,
 }
@@ -98,6 +103,16 @@ impl Serialize for Background {
 
 impl Colorful for Pattern {
     const NAME: &'static str = "a pattern";
+}
+
+impl JsonSchema for Background {
+    fn schema_name() -> Cow<'static, str> {
+        ColorOr::<Pattern>::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        ColorOr::<Pattern>::json_schema(generator)
+    }
 }
 
 impl<'de> Deserialize<'de> for Background {

@@ -8,6 +8,9 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Serialize;
+
 use crate::invalid::Invalid;
 
 /// Plain data that describes one thing of a kind.
@@ -63,18 +66,57 @@ pub fn tag(name: &str) -> String {
     tag
 }
 
+/// The schema of a list of kinds: a table of one key, which is the tag of a kind. The title of the
+/// list is its trait's name in the plural.
+#[doc(hidden)]
+pub fn schema_of_list(
+    of_trait: &str,
+    description: &str,
+    kinds: impl IntoIterator<Item = (String, Schema)>,
+) -> Schema {
+    let kinds: serde_json::Map<_, _> =
+        kinds.into_iter().map(|(tag, schema)| (tag, schema.to_value())).collect();
+    json_schema!({
+        "title": format!("{}s", of_trait.to_lowercase()),
+        "description": description.trim(),
+        "type": "object",
+        "properties": kinds,
+        "additionalProperties": false,
+        "minProperties": 1,
+        "maxProperties": 1,
+    })
+}
+
+/// The schema of one kind of a list, with the chapter that brings it and its first specimen.
+#[doc(hidden)]
+pub fn schema_of_kind<Data: Specification + JsonSchema + Serialize>(
+    chapter: &str,
+    generator: &mut SchemaGenerator,
+) -> Schema {
+    let mut schema = generator.subschema_for::<Data>();
+    schema.insert("x-chapter".to_owned(), chapter.into());
+    let example =
+        Data::specimens().into_iter().next().and_then(|it| serde_json::to_string(&it).ok());
+    // specimens name files of this repository by their whole path; examples are relative to scenes/
+    let example = example.map(|it| it.replace(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/"), ""));
+    if let Some(example) = example.and_then(|text| serde_json::from_str(&text).ok()) {
+        schema.insert("examples".to_owned(), serde_json::Value::Array(vec![example]));
+    }
+    schema
+}
+
 /// Writes the enum of a folder's kinds from its list of entries.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! kinds {
     (
-        $(#[$doc:meta])*
+        $(#[doc = $doc:literal])*
         $Kind:ident builds dyn $Trait:ident with $Context:ty $(, checked by $check:path)?;
         $($chapter:ident $module:ident::$Data:ident),* $(,)?
     ) => {
         $(pub use $module::$Data;)*
 
-        $(#[$doc])*
+        $(#[doc = $doc])*
         #[derive(Clone, Debug, ::serde::Serialize, ::serde::Deserialize)]
         #[serde(rename_all = "snake_case")]
         pub enum $Kind {
@@ -94,6 +136,20 @@ macro_rules! kinds {
                 }
             }
         )*
+
+        impl ::schemars::JsonSchema for $Kind {
+            fn schema_name() -> ::std::borrow::Cow<'static, str> {
+                concat!(stringify!($Trait), "Kind").into()
+            }
+
+            fn json_schema(generator: &mut ::schemars::SchemaGenerator) -> ::schemars::Schema {
+                let kinds = [$((
+                    $crate::kinds::tag(stringify!($Data)),
+                    $crate::kinds::schema_of_kind::<$Data>(stringify!($chapter), generator),
+                )),*];
+                $crate::kinds::schema_of_list(stringify!($Trait), concat!($($doc, "\n"),*), kinds)
+            }
+        }
 
         impl $Kind {
             /// Every kind, in the order of the list.

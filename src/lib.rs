@@ -6,7 +6,8 @@
 //! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
 //! listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has
 //! its colour. [`verify`] holds what checks pictures, statistics and intersections, [`report`]
-//! measures what to choose, [`probe`] answers questions in JSON.
+//! measures what to choose, [`probe`] answers questions in JSON, [`mod@reference`] says what a scene file
+//! can say.
 //!
 //! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
 //! lights, cameras, samplers, filters → lobes, textures → accel ⇄ shapes → math`.
@@ -26,6 +27,7 @@ pub mod materials;
 pub mod math;
 pub mod mesh_file;
 pub mod probe;
+pub mod reference;
 pub mod render;
 pub mod report;
 pub mod rgb;

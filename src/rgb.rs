@@ -1,10 +1,12 @@
 //! Colours: linear radiance and reflectance, unbounded.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::iter::Sum;
 use std::marker::PhantomData;
 use std::ops::{Add, AddAssign, Div, Mul};
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -143,6 +145,25 @@ impl Div<f64> for Rgb {
     }
 }
 
+impl JsonSchema for Rgb {
+    fn schema_name() -> Cow<'static, str> {
+        "Colour".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let channel = json_schema!({ "type": "number", "minimum": 0 });
+        json_schema!({
+            "description": "Red, green and blue as `[r, g, b]`, or one number for a grey. Each is at \
+                least 0 and linear: twice the number is twice the light. Reflectances are from 0 to \
+                1; light may be above.",
+            "anyOf": [
+                channel,
+                { "type": "array", "items": channel, "minItems": 3, "maxItems": 3 },
+            ],
+        })
+    }
+}
+
 impl<'de> Deserialize<'de> for Rgb {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(ColorVisitor)
@@ -193,6 +214,20 @@ pub(crate) trait Colorful {
 pub(crate) enum ColorOr<K> {
     Color(Rgb),
     Kind(K),
+}
+
+impl<K: Colorful + JsonSchema> JsonSchema for ColorOr<K> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("ColourOr{}", K::schema_name().trim_end_matches("Kind")).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": format!("A colour as `[r, g, b]`, one number for a grey, or {} as \
+                `{{ kind = {{ … }} }}`.", K::NAME),
+            "anyOf": [generator.subschema_for::<Rgb>(), generator.subschema_for::<K>()],
+        })
+    }
 }
 
 impl<'de, K: Colorful + Deserialize<'de>> Deserialize<'de> for ColorOr<K> {

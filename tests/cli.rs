@@ -170,6 +170,7 @@ fn good_commands_have_status_0() {
     for arguments in [
         &["list"][..],
         &["list", "--json"],
+        &["kinds"],
         &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1]],
         &["render", "ch03/single-sphere", "-o", "b.exr", small[0], small[1], "--crop", "8,6,8x6"],
         &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1], "--threads", "1"],
@@ -196,11 +197,12 @@ fn help_speaks_of_every_option() {
         ("render", &["--output", "--crop", "--stereo", "--threads"]),
         ("explain", &["<X>", "<Y>", "--sample", "--all", "--json"]),
         ("export", &[]),
+        ("kinds", &["--page", "--schema", "docs/scene.md"]),
         ("probe", &["docs/probe.md"]),
     ] {
         let run = run_in(Path::new("."), &[command, "--help"]);
         assert_eq!(run.status, Some(0));
-        let scene = if matches!(command, "list" | "probe") { &[][..] } else { &scene };
+        let scene = if matches!(command, "list" | "kinds" | "probe") { &[][..] } else { &scene };
         for option in scene.iter().chain(options) {
             assert!(run.stdout.contains(option), "{command}: {option} in\n{}", run.stdout);
         }

@@ -46,10 +46,10 @@ center = [0, 0, 0]
 radius = 1
 "#;
 
-/// The error of a scene text in `scene.toml`.
+/// The error of a scene text in `scene.toml`, without where to read about it.
 fn error_of(text: &str) -> String {
     match scene::from_toml(text, Path::new("scene.toml")) {
-        Err(error) => error.to_string(),
+        Err(error) => error.to_string().split("; see `").next().unwrap_or_default().to_owned(),
         Ok(_) => panic!("this scene is read without an error:\n{text}"),
     }
 }

@@ -105,6 +105,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "world",
         ],
     ),
+    ("reference", &["scene"]),
     ("report", &["accel", "film", "kinds", "math", "samplers", "shapes", "verify"]),
     (
         "verify",

@@ -12,6 +12,7 @@ mod kernel;
 mod list;
 mod search;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::math::{Aabb, Ray, Span};
@@ -24,8 +25,9 @@ pub(crate) use kernel::Instructions;
 pub use kernel::Kernel;
 
 /// How the primitives are searched.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "acceleration methods")]
 pub enum Method {
     /// One after the other: the reference.
     List,

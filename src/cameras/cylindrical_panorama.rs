@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, ViewPlane};
@@ -12,7 +13,7 @@ use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 /// Film to the right is longitude, evenly; film up is height on the unit cylinder about the v axis:
 /// the tangent of the latitude. Things keep their shape near the horizon if width is to height as
 /// `λ_max` in radians to `tan ψ_max`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CylindricalPanorama {
     /// From the left edge to the right one, in degrees; above 0, at most 360.

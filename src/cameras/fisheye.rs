@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, ViewPlane};
@@ -11,7 +12,7 @@ use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The angle to the line of sight grows evenly from the centre of the picture to the circle (or
 /// ellipse) that touches its edges, where it is half the field of view.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fisheye {
     /// The full field of view in degrees, from edge to edge; above 0, at most 360.

@@ -73,7 +73,7 @@ pub trait Camera: Debug + Send + Sync {
 }
 
 crate::kinds! {
-    /// A camera as a scene file says it.
+    /// How the picture becomes rays.
     Kind builds dyn Camera with ViewPlane;
     ch03 orthographic::Orthographic,
     ch08 pinhole::Pinhole,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, ViewPlane};
@@ -10,10 +11,10 @@ use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
 
 /// Rays along −w from a plane through the eye.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Orthographic {
-    /// The picture is this many times as large.
+    /// Things are this many times as large in the picture; positive.
     #[serde(default = "kinds::one")]
     pub zoom: f64,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, ViewPlane};
@@ -10,12 +11,13 @@ use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
 
 /// Rays from the eye through a view plane at a distance.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pinhole {
-    /// From the eye to the view plane, `d` in the book; positive.
+    /// From the eye to the view plane, `d` in the book, in the unit of `pixel_size`; positive. The
+    /// larger, the narrower the view: a picture of 480 pixels of side 1 shows 38 degrees at 700.
     pub distance: f64,
-    /// The picture is this many times as large.
+    /// Things are this many times as large in the picture; positive.
     #[serde(default = "kinds::one")]
     pub zoom: f64,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, ViewPlane};
@@ -11,7 +12,7 @@ use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// Film to the right is longitude, film up is latitude, about the v axis, both evenly. Things keep
 /// their shape near the horizon if the picture's sides are as the two fields of view.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphericalPanorama {
     /// From the left edge to the right one, in degrees; above 0, at most 360.

@@ -1,17 +1,19 @@
 //! Stereo pairs (Suffern, ch. 12): two eyes side by side, and how their images share the picture.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, shown};
 use crate::math::{cos_degrees, sin_degrees};
 
-/// What makes a viewpoint a stereo pair.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// Two eyes side by side, and how their two images are laid out in the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = Stereo { viewing: Viewing::Parallel, gap: 5, separation: 4.0 })]
 pub struct Stereo {
     /// How the pair is looked at.
     pub viewing: Viewing,
-    /// The black columns between the two images; they belong to neither.
+    /// How many black columns of pixels there are between the two images.
     #[serde(default = "five")]
     pub gap: u32,
     /// The angle β in degrees under which the point looked at sees both eyes; at least 0, below 180.
@@ -19,8 +21,9 @@ pub struct Stereo {
 }
 
 /// How a stereo pair is looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "viewings")]
 pub enum Viewing {
     /// Left image on the left: the left eye looks at it, with parallel lines of sight.
     Parallel,
@@ -29,7 +32,7 @@ pub enum Viewing {
 }
 
 /// One of the two eyes of a stereo pair.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Side {
     /// At −x along u.

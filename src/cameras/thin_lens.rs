@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, ViewPlane};
@@ -10,17 +11,18 @@ use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
 
 /// A pinhole camera whose hole is a disk: what lies at the focal distance is sharp, all else blurred.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThinLens {
-    /// From the lens to the view plane, `d` in the book; positive.
+    /// From the lens to the view plane, `d` in the book; positive. As `distance` of `pinhole`.
     pub distance: f64,
     /// From the lens to the plane that is sharp, `f` in the book; positive. It counts along −w, not
     /// along the ray.
     pub focal_distance: f64,
-    /// The radius `R` of the lens; with 0 this is the pinhole camera.
+    /// The radius `R` of the lens, not negative: the larger, the more is blurred; with 0 this is the
+    /// pinhole camera.
     pub lens_radius: f64,
-    /// The picture is this many times as large.
+    /// Things are this many times as large in the picture; positive.
     #[serde(default = "kinds::one")]
     pub zoom: f64,
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::kinds;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Camera, Kind, Side, Stereo, ViewPlane};
@@ -10,23 +11,24 @@ use crate::invalid::{Invalid, finite, finite_point, finite_vector, positive};
 use crate::materials::Medium;
 use crate::math::{Frame, Point, Ray, Vector, cos_degrees, sin_degrees};
 
-/// A camera in the world, as a scene says it.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+/// Where the camera stands, where it looks, and its kind.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "Camera")]
 pub struct Viewpoint {
-    /// Where it stands.
+    /// Where the camera stands.
     pub eye: Point,
     /// The point in the middle of the picture; not the eye.
     #[serde(default)]
     pub look_at: Point,
-    /// The direction that is up in the picture.
+    /// The direction that is up in the picture; not zero.
     #[serde(default = "up")]
     pub up: Vector,
     /// Turns the camera counter-clockwise about the view direction, in degrees: the picture turns
     /// clockwise.
     #[serde(default)]
     pub roll: f64,
-    /// Multiplies every pixel.
+    /// Multiplies every pixel; positive.
     #[serde(default = "kinds::one")]
     pub exposure_time: f64,
     /// What the eye is in: only its absorption counts, as it is the surfaces that bend light.
@@ -35,7 +37,7 @@ pub struct Viewpoint {
     /// Two eyes and two images in place of one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stereo: Option<Stereo>,
-    /// How film becomes rays.
+    /// The kind of camera.
     pub lens: Kind,
 }
 

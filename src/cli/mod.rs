@@ -6,6 +6,7 @@
 mod explain;
 mod export;
 mod goldens;
+mod kinds;
 mod list;
 mod probe;
 mod render;
@@ -29,6 +30,8 @@ struct Arguments {
 enum Command {
     /// List the gallery's scenes, by chapter
     List(list::List),
+    /// Say what a scene file can say: every kind and table, its fields, defaults and an example
+    Kinds(kinds::Kinds),
     /// Render a scene to a picture file (.png, or .exr for linear radiance)
     Render(render::Render),
     /// Say why a pixel has its colour: the tree of its rays
@@ -69,6 +72,7 @@ type Outcome = Result<Answer, Box<dyn Error>>;
 pub fn run() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::List(command) => command.run(),
+        Command::Kinds(command) => command.run(),
         Command::Render(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Export(command) => command.run(),

@@ -1,12 +1,14 @@
 //! From radiance to the colours of a screen (Suffern, ch. 3 and 14).
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::rgb::Rgb;
 
 /// What becomes of a colour with a channel above 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "out of gamut rules")]
 pub enum OutOfGamut {
     /// Divided by its largest channel, which keeps its hue.
     #[default]

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Filter;
@@ -9,8 +10,9 @@ use crate::invalid::Invalid;
 use crate::kinds::Specification;
 
 /// 1 within the pixel, 0 outside.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "BoxFilter")]
 pub struct Box {}
 
 impl Specification for Box {

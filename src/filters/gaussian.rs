@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Filter, inverse};
@@ -11,13 +12,13 @@ use crate::kinds::Specification;
 use crate::math::{erf, exp};
 
 /// `c exp(−x²/2σ²)` within the radius.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Gaussian {
     /// The standard deviation σ, in pixels; at least a hundredth of the radius.
     #[serde(default = "half")]
     pub sigma: f64,
-    /// In pixels; at most 16.
+    /// The radius in pixels: positive, at most 16.
     #[serde(default = "three_halves")]
     pub radius: f64,
 }

@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Filter, inverse};
@@ -13,7 +14,7 @@ use crate::kinds::Specification;
 ///
 /// Samples that count negatively add noise, even where nothing changes: of a level grey, 64 jittered
 /// samples are off by 7 %, multi-jittered or Sobol ones by 2 %.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mitchell {
     /// The share of blur: 1 and c = 0 is the cubic B-spline. In `[0, 1]`.

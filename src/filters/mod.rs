@@ -30,7 +30,7 @@ pub trait Filter: Debug + Send + Sync {
 }
 
 crate::kinds! {
-    /// A filter as a scene file says it.
+    /// How much samples count that lie around the centre of a pixel.
     Kind builds dyn Filter with ();
     ch04 cuboid::Box,
     ch04 tent::Tent,

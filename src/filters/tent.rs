@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Filter;
@@ -9,10 +10,10 @@ use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 
 /// `(1 − |x|/r)/r` within the radius `r`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Tent {
-    /// In pixels; at most 16. At 1 the tents of all pixels add up to 1 everywhere.
+    /// The radius in pixels: positive, at most 16. At 1 the tents of all pixels add up to 1 everywhere.
     #[serde(default = "kinds::one")]
     pub radius: f64,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Illumination, Light, Place};
@@ -9,15 +10,15 @@ use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Specification};
 use crate::rgb::Rgb;
 
-/// The same radiance `l_s c_l` everywhere and from everywhere.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// The same radiance `ls · color` everywhere and from everywhere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ambient {
-    /// Radiance scaling factor.
+    /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// Colour.
-    #[serde(default = "kinds::white")]
+    /// The colour of the light.
+    #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Illumination, Light, LightSample, Place, Reach};
@@ -10,17 +11,17 @@ use crate::kinds::{self, Specification};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
-/// Light `l_s c_l` from one direction.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Light `ls · color` from one direction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Directional {
-    /// Radiance scaling factor.
+    /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// Colour.
-    #[serde(default = "kinds::white")]
+    /// The colour of the light.
+    #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
-    /// Towards the light; not zero, need not be unit.
+    /// From the scene towards the light; not zero, need not be unit.
     pub direction: Vector,
 }
 

@@ -52,7 +52,7 @@ pub enum Reach {
 }
 
 crate::kinds! {
-    /// A light as a scene file says it.
+    /// Where light comes from, and how much.
     Kind builds dyn Light with ();
     ch14 ambient::Ambient,
     ch14 directional::Directional,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Illumination, Light, LightSample, Place, Reach};
@@ -10,19 +11,21 @@ use crate::kinds::{self, Specification};
 use crate::math::{Vector, power};
 use crate::rgb::Rgb;
 
-/// Light `l_s c_l / d^k` from one place, `d` the distance.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Light `ls · color / d^k` from one place, `d` the distance.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "PointLight")]
 pub struct Point {
-    /// Radiance scaling factor.
+    /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// Colour.
-    #[serde(default = "kinds::white")]
+    /// The colour of the light.
+    #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
     /// Where it is.
     pub location: Place,
-    /// `k`: 0, the book's default, for none; 2 for the physical one.
+    /// The exponent `k` of the distance, not negative: 0, the book's default, for the same light at
+    /// every distance; 2 for real lamps, whose `ls` must then be as large as the distance squared.
     #[serde(default)]
     pub attenuation: f64,
 }

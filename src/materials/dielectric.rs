@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
@@ -12,16 +13,17 @@ use crate::lobes::{About, FresnelReflector, FresnelTransmitter};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
-/// A boundary between two media: Fresnel reflection and refraction, and absorption on either side.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+/// Glass, water: a boundary between two media, with Fresnel reflection and refraction, and absorption
+/// on either side. It needs the tracer `whitted`.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Dielectric {
-    /// Highlights of the direct light.
+    /// The fields of `phong`, for highlights of the direct light; none if left out.
     #[serde(default)]
     pub phong: Phong,
-    /// The medium the normal comes from.
+    /// The medium on the inner side, as `{ eta = 1.5 }` for clear glass.
     pub inside: Medium,
-    /// The medium the normal points to; air if left out.
+    /// The medium on the outer side, to which the normal points; air if left out.
     #[serde(default)]
     pub outside: Medium,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Material, Response};
@@ -11,15 +12,15 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
-/// Radiance `l_s c_e` in every direction on the outer side; black on the inner.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+/// Radiance `ls · ce` in every direction on the outer side; black on the inner.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Emissive {
-    /// Radiance scaling factor.
+    /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// Colour.
-    #[serde(default = "kinds::white")]
+    /// The colour of the light it sends out.
+    #[serde(default = "kinds::white::<Paint>")]
     pub ce: Paint,
 }
 

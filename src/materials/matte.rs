@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Material, Response};
@@ -13,16 +14,17 @@ use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
 /// A perfectly diffuse surface; ambient and diffuse reflection share a colour.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Matte {
-    /// Ambient reflection coefficient.
+    /// The share of ambient light that is reflected, mostly 0 to 1; not negative.
     #[serde(default)]
     pub ka: f64,
-    /// Diffuse reflection coefficient.
+    /// The share of the lights' light that is scattered, mostly 0 to 1; not negative. With 0 for
+    /// both, nothing is seen of `cd`.
     #[serde(default)]
     pub kd: f64,
-    /// Diffuse colour.
+    /// The colour of ambient and diffuse reflection, with channels from 0 to 1.
     pub cd: Paint,
 }
 

@@ -13,6 +13,7 @@ mod transparent;
 use std::fmt::Debug;
 
 use crate::kinds;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, positive};
@@ -62,10 +63,11 @@ pub struct Boundary {
 }
 
 /// A transparent medium.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) })]
 pub struct Medium {
-    /// The index of refraction; positive.
+    /// The index of refraction; positive. Air is 1, water 1.33, glass about 1.5.
     #[serde(default = "kinds::one")]
     pub eta: f64,
     /// `σ` per unit length: the book's colour filter is `exp(−σ)`, so clear is 0. It may be
@@ -100,7 +102,7 @@ impl Medium {
 }
 
 crate::kinds! {
-    /// A material as a scene file says it.
+    /// What a surface makes of light.
     Kind builds dyn Material with ();
     ch14 matte::Matte,
     ch15 phong::Phong,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Material, Response, matte};
@@ -13,20 +14,21 @@ use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
 /// Ambient, diffuse and glossy specular reflection.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Phong {
-    /// Ambient reflection coefficient.
+    /// The share of ambient light that is reflected, mostly 0 to 1; not negative.
     pub ka: f64,
-    /// Diffuse reflection coefficient.
+    /// The share of the lights' light that is scattered, mostly 0 to 1; not negative. With 0 for
+    /// both, nothing is seen of `cd`.
     pub kd: f64,
-    /// Diffuse colour.
+    /// The colour of ambient and diffuse reflection, with channels from 0 to 1.
     pub cd: Paint,
-    /// Specular reflection coefficient.
+    /// The strength of the highlight, mostly 0 to 1; not negative.
     pub ks: f64,
-    /// Highlight colour; white takes the colour of the light.
+    /// The colour of the highlight; white takes the colour of the light.
     pub cs: Paint,
-    /// Exponent `e`: larger is smaller and sharper.
+    /// The exponent `e` of the highlight, not negative: 20 is wide, 2000 is small and sharp.
     pub exponent: f64,
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
@@ -13,17 +14,17 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
-/// A mirror of reflectance `k_r c_r` over a Phong base.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+/// A mirror of reflectance `kr · cr` over a Phong base. It needs the tracer `whitted`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reflective {
-    /// What is under the mirror; nothing if left out.
+    /// The fields of `phong`, for what is under the mirror; nothing if left out.
     #[serde(default)]
     pub phong: Phong,
-    /// Mirror reflection coefficient.
+    /// The share of light that is mirrored, from 0 to 1 mostly; not negative.
     pub kr: f64,
-    /// Mirror colour.
-    #[serde(default = "kinds::white")]
+    /// The colour of the mirror.
+    #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
@@ -13,24 +14,25 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
-/// A clear body that reflects `k_r` and lets through `k_t`, whatever the angle; on total internal
-/// reflection it reflects everything. It says nothing of what media absorb: rays stay in the one
+/// A clear body that reflects `kr` and lets through `kt`, whatever the angle; on total internal
+/// reflection it reflects everything. It needs the tracer `whitted`. It says nothing of what media absorb: rays stay in the one
 /// they came through.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Transparent {
-    /// Highlights.
+    /// The fields of `phong`, for highlights; none if left out.
     #[serde(default)]
     pub phong: Phong,
-    /// Reflection coefficient.
+    /// The share of light that is reflected, from 0 to 1 mostly; not negative.
     #[serde(default)]
     pub kr: f64,
-    /// Reflection colour.
-    #[serde(default = "kinds::white")]
+    /// The colour of the reflection.
+    #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
-    /// Transmission coefficient; `k_r + k_t` should be 1.
+    /// The share of light that is let through; not negative, and `kr + kt` should be 1.
     pub kt: f64,
-    /// The index of refraction inside over the one outside, `ior` in the book; positive.
+    /// The index of refraction inside over the one outside, `ior` in the book; positive. Glass is
+    /// about 1.5, water 1.33.
     pub eta: f64,
 }
 

@@ -1,6 +1,7 @@
 //! Affine transformations (Suffern, ch. 20): a list of steps, applied in order, and its inverse.
 
 use glam::{DAffine3, DMat3, DVec3};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::exact::less_products;
@@ -10,8 +11,9 @@ use super::{Aabb, Ray, UNIT_ROUNDOFF, lists};
 
 /// One step of a transformation, as a person types it: angles in degrees, counter-clockwise for an
 /// eye on the positive axis that looks at the origin.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[schemars(title = "transform steps")]
 pub enum Step {
     /// Moves by this vector.
     Translate(Vector),
@@ -40,9 +42,10 @@ pub enum Step {
 }
 
 /// A coordinate axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
+#[schemars(title = "axes")]
 pub enum Axis {
     X,
     Y,

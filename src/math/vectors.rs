@@ -25,10 +25,12 @@
 //! assert_eq!(sum, Vector::new(1.0, 1.0, 0.0));
 //! ```
 
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use glam::DVec3;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::lists;
@@ -100,10 +102,22 @@ macro_rules! coordinates {
 coordinates!(Point, Vector, Normal);
 
 macro_rules! from_array {
-    ($($kind:ident),*) => {$(
+    ($($kind:ident written as $written:literal),*) => {$(
         impl From<[f64; 3]> for $kind {
             fn from(it: [f64; 3]) -> Self {
                 Self(DVec3::from_array(it))
+            }
+        }
+
+        impl JsonSchema for $kind {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($kind).into()
+            }
+
+            fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+                let mut schema = <[f64; 3]>::json_schema(generator);
+                schema.insert("description".to_owned(), $written.into());
+                schema
             }
         }
 
@@ -114,7 +128,10 @@ macro_rules! from_array {
         }
     )*};
 }
-from_array!(Point, Vector);
+from_array!(
+    Point written as "A point as `[x, y, z]`.",
+    Vector written as "A vector as `[x, y, z]`."
+);
 
 impl Point {
     /// The origin of coordinates.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Sampler;
@@ -15,7 +16,7 @@ use crate::math::{Pcg32, power_of_two};
 /// This is one fixed set. As in the book, all pixels use it, and show the same artefacts; only the
 /// order differs. `shifted` moves it by another random vector for each draw, across the edges of the
 /// square, which makes averages right on average.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Hammersley {
     /// Whether each draw shifts the set; not if left out.

@@ -1,5 +1,6 @@
 //! Jittered samples (Suffern, ch. 4 and 5): one anywhere in each cell of a grid.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Sampler, next_square, place, side};
@@ -7,7 +8,7 @@ use crate::math::Pcg32;
 
 /// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that is
 /// no square is rounded up to the next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Jittered {}
 

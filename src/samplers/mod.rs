@@ -61,7 +61,7 @@ pub trait Sampler: Debug + Send + Sync {
 }
 
 crate::kinds! {
-    /// A sampler as a scene file says it.
+    /// How samples are spread over a pixel, and over a lens.
     Kind builds dyn Sampler with ();
     ch04 regular::Regular,
     ch04 random::Random,

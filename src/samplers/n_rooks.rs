@@ -1,6 +1,7 @@
 //! N-rooks samples (Suffern, ch. 5; Shirley, "Discrepancy as a Quality Measure for Sample
 //! Distributions", 1991).
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Sampler, place};
@@ -12,7 +13,7 @@ use crate::math::Pcg32;
 ///
 /// The book shuffles the columns too. One shuffle gives the same sets, each as likely; their order is
 /// decided by the draw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NRooks {}
 

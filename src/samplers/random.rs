@@ -1,12 +1,13 @@
 //! Pure random samples (Suffern, ch. 4 and 5).
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Sampler;
 use crate::math::Pcg32;
 
 /// Independent uniform points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Random {}
 

@@ -1,5 +1,6 @@
 //! Regular samples (Suffern, ch. 4 and 5): the centres of a grid.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Sampler, next_square, side};
@@ -7,7 +8,7 @@ use crate::math::Pcg32;
 
 /// The point `((k + ½)/n, (j + ½)/n)` in row `j` and column `k` of an `n × n` grid. A count that is no
 /// square is rounded up to the next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Regular {}
 

@@ -1,6 +1,7 @@
 //! Scrambled Sobol samples (Burley, "Practical Hash-based Owen Scrambling", Journal of Computer
 //! Graphics Techniques 9(4), 2020); not in the book.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Sampler, place};
@@ -9,7 +10,7 @@ use crate::math::{Pcg32, splitmix};
 /// The first n points of Sobol's sequence (1967) in two dimensions, each set scrambled for itself as
 /// by Owen ("Randomly Permuted (t,m,s)-Nets", 1995). Any count; best are powers of two: then each of
 /// the n boxes `2^−a × 2^(a−m)` has one point, whatever the scramble.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sobol {}
 

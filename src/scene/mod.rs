@@ -4,7 +4,10 @@
 mod error;
 mod file;
 mod places;
+mod schema;
+pub mod vocabulary;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::background::Background;
@@ -14,70 +17,74 @@ use crate::{accel, filters, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
 pub use file::{Source, from_toml, open, read, to_toml};
+pub use schema::schema;
 
 /// Everything a picture needs.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// What it shows, in one line.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub about: String,
-    /// How light is followed.
+    /// How light is followed: `"ray_cast"` for direct light only, or `whitted` for mirrors and glass.
     #[serde(default)]
     pub tracer: Tracer,
-    /// How objects are searched.
+    /// How rays find objects. The picture is the same; only the time differs.
     #[serde(default)]
     pub accel: accel::Method,
     /// What a ray sees that hits nothing.
     #[serde(default)]
     pub background: Background,
-    /// The picture.
+    /// The size and quality of the picture.
     pub image: Image,
     /// Where it is seen from.
     pub camera: Viewpoint,
-    /// The lights.
+    /// The lights, each a `[[lights]]`.
     #[serde(default)]
     pub lights: Vec<Light>,
-    /// The materials that objects name.
+    /// The materials that objects name, each a `[[materials]]`.
     #[serde(default)]
     pub materials: Vec<Material>,
-    /// The objects. Of two hit at the same distance, the first is seen.
+    /// The objects, each an `[[objects]]`. Of two hit at the same distance, the first is seen.
     #[serde(default)]
     pub objects: Vec<Object>,
 }
 
 /// How light is followed: the book's tracers as settings of one recursion.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "tracers")]
 pub enum Tracer {
-    /// Direct light only (ch. 14): mirrors and glass are not followed.
+    /// Direct light only (chapter 14): mirrors and glass are not followed.
     #[default]
     RayCast,
-    /// Mirrors and glass are followed (ch. 24).
+    /// Mirrors and glass are followed (chapter 24).
     Whitted(Whitted),
 }
 
 /// The setting of the Whitted tracer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = Whitted { max_depth: 5 })]
 pub struct Whitted {
     /// The largest number of edges from the camera's ray to a ray that is still cast; what lies
-    /// beyond is black. At most 128.
+    /// beyond is black. From 0 to 128; 5 to 10 is enough for most scenes.
     pub max_depth: u32,
 }
 
 /// The picture: the book's view plane.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Image {
-    /// Pixels across.
+    /// How many pixels there are across; at least 1.
     pub width: u32,
-    /// Pixels down.
+    /// How many pixels there are down; at least 1.
     pub height: u32,
-    /// The side of a pixel on the view plane, in world units.
+    /// The side of a pixel on the view plane, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub pixel_size: f64,
-    /// Samples for each pixel; rounded up where the sampler's pattern needs it.
+    /// How many samples each pixel has: from 1 to 65536, rounded up where the sampler's pattern needs
+    /// it. 16 gives smooth edges.
     #[serde(default = "one_sample")]
     pub samples: u32,
     /// How they are spread. If left out: regular for one sample, else multi-jittered, as in the
@@ -87,7 +94,8 @@ pub struct Image {
     /// How what lies around a pixel's centre counts; the box if left out.
     #[serde(default, skip_serializing_if = "filters::Kind::is_default")]
     pub filter: filters::Kind,
-    /// The picture is shown to the power of 1/gamma.
+    /// Colours are shown to the power of 1/gamma; positive. 1 shows them as they are, 2.2 is that of
+    /// most screens.
     #[serde(default = "kinds::one")]
     pub gamma: f64,
     /// What becomes of colours above 1.
@@ -100,23 +108,24 @@ fn one_sample() -> u32 {
 }
 
 /// A light and its switches.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Light {
     /// What people call it; no two lights share a name.
     pub name: String,
     /// Whether it is on.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
+    #[schemars(extend("default" = true))]
     pub enabled: bool,
-    /// Whether objects stand in its way. (Off by default in the book's sample code; on here.)
+    /// Whether objects stand in its way; by default on here, off in the sample code of the book.
     #[serde(default = "kinds::yes")]
     pub shadows: bool,
-    /// What kind it is.
+    /// What kind of light it is.
     pub source: lights::Kind,
 }
 
 /// A material and its switches.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// What objects call it; no two materials share a name.
@@ -127,26 +136,29 @@ pub struct Material {
     pub two_sided: bool,
     /// Whether objects of it stand in the way of light.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
+    #[schemars(extend("default" = true))]
     pub casts_shadows: bool,
-    /// What it is made of.
+    /// What kind of material it is.
     pub recipe: materials::Kind,
 }
 
 /// An object and its switches.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
-    /// What people call it.
+    /// What people call it; error messages name it.
     pub name: String,
-    /// The name of a material.
+    /// The `name` of a material.
     pub material: String,
     /// Whether it is there at all.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
+    #[schemars(extend("default" = true))]
     pub enabled: bool,
     /// Whether it stands in the way of light.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
+    #[schemars(extend("default" = true))]
     pub casts_shadows: bool,
-    /// Its form.
+    /// What shape it has.
     pub shape: shapes::Kind,
 }
 

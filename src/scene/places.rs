@@ -7,6 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::SceneError;
 use super::error::Place;
+use super::vocabulary::Definition;
 use crate::invalid::{Invalid, Key, plain_words};
 
 /// The line (from 1) of the value at this path, or of the innermost part of the path that the text
@@ -46,9 +47,31 @@ pub(super) fn unreadable(text: &str, file: &Path, error: &toml::de::Error) -> Sc
     // of a table with a header, the header's last key says which table it is
     let header = text[span.start..].starts_with('[') && problem.starts_with("missing field");
     let end = if header { text[span.start..].find(']').unwrap_or(0) } else { 0 };
-    let path = parse(text).map(|it| path_at(&it, span.start + end)).unwrap_or_default();
     let place = Place::line(file, line_at(text, span.start));
+    let Some(document) = parse(text) else {
+        return SceneError::Invalid { place, invalid: Invalid::new(problem) };
+    };
+    let path = path_at(&document, span.start + end);
+    let problem = with_pointer(&path, problem);
     SceneError::Invalid { place, invalid: Invalid { path, problem } }
+}
+
+/// A problem of a text that is TOML, so that a field or kind is wrong, with where to read about it; and
+/// in place of the name of a Rust type, what a table looks like.
+fn with_pointer(path: &[Key], problem: String) -> String {
+    let definition = Definition::at(path);
+    let topic = definition.title().replace(' ', "_");
+    let key = path.iter().rev().find_map(|key| match key {
+        Key::Field(name) => Some(name.as_str()),
+        Key::Item(..) => None,
+    });
+    let problem = match (problem.split_once("expected struct "), definition.fields().next(), key) {
+        (Some((start, _)), Some(field), Some(key)) => {
+            format!("{start}expected a table, as `{key} = {{ {} = … }}`", field.name)
+        }
+        _ => problem,
+    };
+    format!("{problem}; see `groundtruth kinds {topic}` (docs/scene.md)")
 }
 
 /// The path of the last key or element that begins at or before this byte.

@@ -9,6 +9,7 @@
 use std::sync::Arc;
 
 use arrayvec::ArrayVec;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Box, Candidate, Context, Shape, Surface, normal_along};
@@ -20,22 +21,22 @@ use crate::math::{
 };
 
 /// `coefficient · xⁱ yʲ zᵏ` for powers `[i, j, k]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Term {
-    /// Finite.
+    /// The number before the powers; finite.
     pub coefficient: f64,
-    /// Of x, y and z; their sum is at most 16.
+    /// The powers of x, y and z: whole numbers whose sum is at most 16.
     #[serde(deserialize_with = "lists::exactly")]
     pub powers: [u32; 3],
 }
 
 /// The points inside a box where the sum of the terms is zero; the normal points to where it is
 /// positive. The degree is that of the textbooks' surfaces and more: up to 16.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Algebraic {
-    /// At least one that is not a constant.
+    /// The terms of the sum; at least one is not a constant.
     pub terms: Vec<Term>,
     /// The corner of the box with the smallest coordinates.
     pub min: Point,

@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
@@ -23,16 +24,17 @@ const MOST_STONES: u32 = 1000;
 ///
 /// Stones touch. Where they do, the book's have two faces in one place, and a ray that leaves one
 /// would be in the other; here such faces are left out, so that the archway is one solid.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Archway {
-    /// From the left side of the left column to the right side of the right one.
+    /// From the left side of the left column to the right side of the right one; positive.
     pub width: f64,
-    /// Of the top of the arch; more than half of the width.
+    /// The height of the top of the arch: more than half of `width`.
     pub height: f64,
-    /// From back to front.
+    /// From back to front; positive.
     pub depth: f64,
-    /// Of each column, and from the inside to the outside of the arch; less than half of the width.
+    /// The width of each column, and of the arch from its inside to its outside: positive, and less
+    /// than half of `width`.
     pub column_width: f64,
     /// How many boxes each column has: from 1 to 1000.
     pub blocks: u32,
@@ -43,7 +45,7 @@ pub struct Archway {
     /// How rays find its parts, `"grid"` in the book; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
@@ -17,7 +18,7 @@ use crate::math::{Point, Step, Vector};
 ///
 /// The book's edges and corners are whole cylinders and spheres, of which three quarters and seven
 /// eighths are hidden inside; here they are the parts that can be seen.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeveledBox {
     /// The corner with the least coordinates.
@@ -26,7 +27,7 @@ pub struct BeveledBox {
     pub max: Point,
     /// The radius of the edges: at most half of the shortest side.
     pub bevel: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

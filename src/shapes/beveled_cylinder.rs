@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
@@ -15,18 +16,18 @@ use crate::math::{Axis, Point, Step, Vector};
 /// A solid cylinder with round edges, as the parts `bottom`, `top`, `wall`, `bottom_edge` and
 /// `top_edge`; normals point outward. With a bevel as large as the radius it has hemispheres for
 /// ends, and figure 21.13's is a sphere.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeveledCylinder {
     /// The height of the bottom.
     pub y0: f64,
     /// The height of the top, above `y0`.
     pub y1: f64,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// The radius of the edges: at most the radius and half of the height.
     pub bevel: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::full_turn;
@@ -15,20 +16,20 @@ use crate::math::{Point, Vector};
 
 /// A thick ring with round edges, as the parts `bottom`, `top`, `inner_wall`, `outer_wall` and four
 /// `edges`; normals point out of the ring.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeveledRing {
     /// The height of the bottom.
     pub y0: f64,
     /// The height of the top, above `y0`.
     pub y1: f64,
-    /// Of the hole; positive.
+    /// The radius of the hole; positive.
     pub inner_radius: f64,
-    /// Above `inner_radius`.
+    /// The outer radius, above `inner_radius`.
     pub outer_radius: f64,
     /// The radius of the edges: at most half of the height and of the distance between the radii.
     pub bevel: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
@@ -15,16 +16,16 @@ use crate::math::lists;
 /// The part of a thick ring between two azimuths, with round edges and corners, as the parts
 /// `bottom`, `top`, `inner_wall`, `outer_wall`, `start`, `end`, `edges` and `corners`; normals point
 /// out of the wedge.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeveledWedge {
     /// The height of the bottom.
     pub y0: f64,
     /// The height of the top, above `y0`.
     pub y1: f64,
-    /// Of the inner wall; positive.
+    /// The radius of the inner wall; positive.
     pub inner_radius: f64,
-    /// Above `inner_radius`.
+    /// The outer radius, above `inner_radius`.
     pub outer_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
     /// 360; through 360 where the first is larger. Less than a turn.
@@ -33,7 +34,7 @@ pub struct BeveledWedge {
     /// The radius of the edges: at most half of the height and of the distance between the radii,
     /// and so that both inner edges fit between the sides.
     pub bevel: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

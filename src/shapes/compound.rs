@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Assembly, PartData};
@@ -12,7 +13,7 @@ use crate::kinds::Specification;
 use crate::math::{Point, Vector};
 
 /// Shapes that are hit, transformed and searched as one; they may be compounds themselves.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Compound {
     /// How rays find its parts. If left out: as the scene, but up to eight parts one by one.
@@ -23,16 +24,16 @@ pub struct Compound {
 }
 
 /// A part of a compound.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Part {
-    /// What people call it.
+    /// What people call it; it need not be unique.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
     /// The name of its material; the compound's if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub material: Option<String>,
-    /// Its form.
+    /// What it is.
     pub shape: Kind,
 }
 

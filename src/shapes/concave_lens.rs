@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, solid};
@@ -13,17 +14,17 @@ use crate::math::UNIT_ROUNDOFF;
 
 /// A disk about the y axis with a spherical hollow in each side, as the parts `top`, `bottom` and
 /// `wall`; normals point out of the glass.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ConcaveLens {
-    /// Of the rim; positive.
+    /// The radius of the rim; positive.
     pub radius: f64,
-    /// At the rim; the lens reaches half of it above and below the plane y = 0. At most
+    /// The thickness at the rim; the lens reaches half of it above and below the plane y = 0. At most
     /// `min_distance + 2 radius`: no hollow is deeper than half a sphere.
     pub thickness: f64,
     /// From hollow to hollow, on the axis: positive and less than `thickness`.
     pub min_distance: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
@@ -11,12 +12,12 @@ use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 
 /// The points with `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`: the apex is at `(0, h, 0)`, the
 /// circle of radius `r` in the plane `y = 0`. The normal points outward, or to the axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cone {
-    /// Positive.
+    /// The height; positive.
     pub height: f64,
-    /// Of the open base; positive.
+    /// The radius of the open base; positive.
     pub radius: f64,
     /// Whether the normal points to the axis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

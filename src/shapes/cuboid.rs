@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Face, Level, PartPath, Shape, Surface};
@@ -10,7 +11,7 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF};
 
 /// The surface of the box between two corners; normals point outward.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Box {
     /// The corner with the smallest coordinates.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, plane_distance};
@@ -11,12 +12,12 @@ use crate::math::{Aabb, Normal, Point, Ray, Span};
 
 /// The points of the plane y = 0 with `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`; the normal is
 /// (0, 1, 0).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CutFace {
-    /// Of the square's sides; positive.
+    /// The side of the square; positive.
     pub size: f64,
-    /// Of the hole; positive, and less than from the middle to a corner. Where it is more than half
+    /// The radius of the hole: positive, and less than from the middle to a corner. Where it is more than half
     /// of `size`, four corners are left.
     pub radius: f64,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, plane_distance};
@@ -10,14 +11,14 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
 /// The points of a plane within `radius` of `center`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Disk {
     /// The centre.
     pub center: Point,
     /// Perpendicular to the disk; not zero, need not be unit.
     pub normal: Vector,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::full_turn;
@@ -14,18 +15,18 @@ use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The points between two spheres about the origin, up to a level cut, as the parts `outside`,
 /// `inside` and `rim`; normals point out of the bowl, those of its inside to the origin.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FlatRimmedBowl {
-    /// Of the inside; positive.
+    /// The radius of the inside; positive.
     pub inner_radius: f64,
-    /// Of the outside, above `inner_radius`.
+    /// The radius of the outside, above `inner_radius`.
     pub outer_radius: f64,
     /// The angle at which the rim of the inside is seen across from the origin, in degrees above 0 and
     /// below 360: 180 for the book's hemispherical bowl, less for one that narrows towards its rim.
     #[serde(default = "hemisphere")]
     pub opening: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface, normal_along};
@@ -10,16 +11,17 @@ use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
 
 /// A shape transformed by a list of steps, first to last.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Instance {
     /// What is transformed; it may be an instance itself.
     pub of: Box<Kind>,
-    /// The steps, in the order in which they are applied.
+    /// The steps, in the order in which they are applied, about the origin of coordinates.
     pub transform: Vec<Step>,
     /// Whether the texture moves with the shape. If not, it is looked up where the ray hits this
     /// instance, as if the shape had been made that way (the book's `transform_the_texture`).
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
+    #[schemars(extend("default" = true))]
     pub transform_texture: bool,
 }
 

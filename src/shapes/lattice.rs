@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::instance::surface_seen_through;
@@ -14,15 +15,15 @@ use crate::math::{Aabb, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, list
 
 /// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
 /// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Lattice {
     /// What is copied; the first copy stands where it is.
     pub of: Box<Kind>,
-    /// How many along each axis, at least 1.
+    /// How many copies there are along x, y and z, each at least 1.
     #[serde(deserialize_with = "lists::exactly")]
     pub counts: [u32; 3],
-    /// From one copy to the next along each axis.
+    /// How far it is from one copy to the next along x, y and z.
     pub spacing: Vector,
     /// How rays find the copies; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]

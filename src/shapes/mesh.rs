@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::triangle_block::{Block, Blocks};
@@ -19,19 +20,22 @@ use crate::mesh_file::MeshData;
 /// The triangles of a PLY or OBJ file. A triangle's outside is from where its corners are seen
 /// counter-clockwise; but if the file has vertex normals, and they are on the other side of most of
 /// its area, all triangles are turned.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// The file, relative to the scene file.
+    /// The PLY or OBJ file; its path is relative to the scene file.
     pub file: PathBuf,
-    /// The file's coordinates are multiplied by this.
+    /// Multiplies the file's coordinates; positive. To move or turn the mesh, wrap it in an
+    /// `instance`.
     #[serde(default = "kinds::one")]
     pub scale: f64,
-    /// Shade with interpolated vertex normals: those of the file, or the book's mean of the
+    /// Whether shading uses normals interpolated between the vertices, so that edges do not show:
+    /// those of the file, or the book's mean of the
     /// adjacent faces' normals where it has none or a zero.
     #[serde(default)]
     pub smooth: bool,
-    /// Turn all normals around, for files wound clockwise or with normals that point inward.
+    /// Whether all normals are turned around, for files wound clockwise or with normals that point
+    /// inward.
     #[serde(default)]
     pub reverse_normals: bool,
     /// How rays find its triangles; as the scene if left out.

@@ -235,7 +235,7 @@ pub(crate) use instance::transform_of;
 pub use mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
-    /// A shape as a scene file says it.
+    /// The surface of an object. Lengths are in the unit of the scene.
     Kind builds dyn Shape with Context, checked by of_supported_size;
     ch03 plane::Plane,
     ch03 sphere::Sphere,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
@@ -12,7 +13,7 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
 
 /// The part of a level annulus within a range of azimuths.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartAnnulus {
     /// The centre.
@@ -22,7 +23,7 @@ pub struct PartAnnulus {
     pub normal: Vector,
     /// The radius of the hole; not negative.
     pub inner_radius: f64,
-    /// Above `inner_radius`.
+    /// The outer radius, above `inner_radius`.
     pub outer_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
@@ -11,14 +12,14 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, lists};
 
 /// The part of an open cylinder within a range of azimuths.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartCylinder {
     /// The lower end.
     pub y0: f64,
     /// The upper end, above `y0`.
     pub y1: f64,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.

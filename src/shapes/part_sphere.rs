@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
@@ -11,12 +12,12 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
 
 /// The part of a sphere within a range of azimuths φ and one of polar angles θ.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartSphere {
     /// The centre.
     pub center: Point,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.

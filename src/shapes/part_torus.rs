@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
@@ -15,12 +16,12 @@ use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
 /// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the tube
 /// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first end is the
 /// larger goes on through 360°.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartTorus {
-    /// Of the circle in the middle of the tube, the book's `a`.
+    /// The radius of the circle in the middle of the tube, the book's `a`; positive.
     pub swept_radius: f64,
-    /// Of the tube, the book's `b`; less than the swept radius.
+    /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
     pub tube_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, plane_distance};
@@ -10,12 +11,12 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 
 /// All points `p` with `(p − point)·normal = 0`; the normal need not be unit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plane {
     /// A point of the plane.
     pub point: Point,
-    /// Perpendicular to it; not zero.
+    /// Perpendicular to the plane; not zero, need not be unit.
     pub normal: Vector,
 }
 

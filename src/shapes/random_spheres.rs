@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Level, PartPath, Shape, Sphere, Surface};
@@ -11,17 +12,17 @@ use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Pcg32, Point, Ray, Span};
 
 /// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RandomSpheres {
-    /// How many, at least 1.
+    /// How many spheres there are; at least 1.
     pub count: u32,
-    /// Positive. The book's: `(0.75 · volume / (π · count))^(1/3)` with a volume of 0.1.
+    /// The radius of each sphere; positive. The book's is `(0.75 · volume / (π · count))^(1/3)` with a volume of 0.1.
     pub radius: f64,
     /// Half the side of the cube of centres; positive.
     #[serde(default = "kinds::one")]
     pub half_side: f64,
-    /// Another seed, other places.
+    /// Chooses the places: another seed, other places.
     #[serde(default)]
     pub seed: u64,
     /// How rays find the spheres; as the scene if left out.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, plane_distance};
@@ -10,14 +11,14 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross};
 
 /// The rectangle from `corner` along `a` and `b`; its normal is `a × b` normalised.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rectangle {
     /// A corner, `p0` in the book.
     pub corner: Point,
-    /// One side.
+    /// One side, as a vector from `corner`; not zero.
     pub a: Vector,
-    /// The other side, perpendicular to `a`.
+    /// The other side, as a vector from `corner`; perpendicular to `a`, not zero.
     pub b: Vector,
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, smooth_solid};
@@ -22,12 +23,12 @@ const NAMES: [&str; 6] = ["ring_1", "ring_2", "ring_3", "ring_4", "ring_5", "rin
 ///
 /// Wedges touch. Where they do, the book's have two faces in one place, and a ray that leaves one
 /// would be in the other; here such faces are left out, so that the rosette is one solid.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rosette {
     /// How many rings there are: from 1 to 6.
     pub rings: u32,
-    /// Of the hole in the middle; positive.
+    /// The radius of the hole in the middle; positive.
     pub hole_radius: f64,
     /// From the inner to the outer wall of each ring; positive.
     pub ring_width: f64,
@@ -41,7 +42,7 @@ pub struct Rosette {
     /// How rays find its parts, `"grid"` in the book; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
-    /// The materials of rings that have one of their own.
+    /// The names of materials of rings that have one of their own, as `{ ring_1 = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

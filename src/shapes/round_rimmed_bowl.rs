@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::angles::full_turn;
@@ -17,18 +18,18 @@ use crate::math::{Vector, cos_degrees, sin_degrees, to_degrees};
 /// The points between two spheres about the origin, ended by half a torus that touches both, as the
 /// parts `outside`, `inside` and `rim`; normals point out of the bowl, those of its inside to the
 /// origin.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RoundRimmedBowl {
-    /// Of the inside; positive.
+    /// The radius of the inside; positive.
     pub inner_radius: f64,
-    /// Of the outside, above `inner_radius`.
+    /// The radius of the outside, above `inner_radius`.
     pub outer_radius: f64,
     /// The angle at which the middle of the rim is seen across from the origin, in degrees above 0 and
     /// below 360: 180 for a hemispherical bowl, 120 for figure 21.16, which narrows towards its rim.
     #[serde(default = "hemisphere")]
     pub opening: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

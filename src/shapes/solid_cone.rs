@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::assembly::{Materials, solid};
@@ -12,14 +13,14 @@ use crate::math::{Point, Vector};
 
 /// The points with `√(x² + z²) ≤ radius (1 − y/height)` and `y ≥ 0`, as the parts `base` and
 /// `wall`; normals point outward.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolidCone {
-    /// Of the apex above the base, which is in the plane y = 0; positive.
+    /// The height of the apex above the base, which is in the plane y = 0; positive.
     pub height: f64,
-    /// Of the base; positive.
+    /// The radius of the base; positive.
     pub radius: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

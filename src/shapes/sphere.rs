@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
@@ -10,12 +11,12 @@ use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, perpendicular_roots};
 
 /// All points `p` with `|p − center| = radius`; the normal points outward, or to the centre.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
     /// The centre.
     pub center: Point,
-    /// Positive.
+    /// The radius; positive.
     pub radius: f64,
     /// Whether the normal points to the centre: the book's concave sphere.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::mesh::TriangleMesh;
@@ -13,23 +14,24 @@ use crate::kinds::{self, Specification};
 use crate::math::{Normal, Point, cos, sin};
 
 /// A sphere about the origin made of `2 h (v − 1)` triangles, perhaps with bumps.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TessellatedSphere {
-    /// Steps around the y axis, 3 to 4096.
+    /// How many steps there are around the y axis: from 3 to 4096.
     pub horizontal: u32,
-    /// Steps from pole to pole, 2 to 4096.
+    /// How many steps there are from pole to pole: from 2 to 4096.
     pub vertical: u32,
-    /// Positive.
+    /// The radius; positive.
     #[serde(default = "kinds::one")]
     pub radius: f64,
-    /// Shade with interpolated normals.
+    /// Whether shading uses normals interpolated between the corners, so that edges do not show.
     #[serde(default)]
     pub smooth: bool,
     /// The height of bumps, as a share of the radius below 1: a surface as uneven as a scanned one.
     /// A vertex at azimuth φ and polar angle θ is moved out by
     /// `bumps (2/3 sin 9φ sin 7θ + 1/3 sin 31θ)`.
     #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(extend("default" = 0.0))]
     pub bumps: f64,
     /// How rays find its triangles; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::annulus::radii;
@@ -14,18 +15,18 @@ use crate::math::{Point, Vector};
 /// The points from `inner_radius` to `outer_radius` away from the y axis with `y0 ≤ y ≤ y1`, as the
 /// parts `bottom`, `top`, `inner_wall` and `outer_wall`; normals point out of the ring, those of
 /// the inner wall to the axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThickRing {
     /// The height of the bottom.
     pub y0: f64,
     /// The height of the top, above `y0`.
     pub y1: f64,
-    /// Of the hole; positive.
+    /// The radius of the hole; positive.
     pub inner_radius: f64,
-    /// Above `inner_radius`.
+    /// The outer radius, above `inner_radius`.
     pub outer_radius: f64,
-    /// The materials of parts that have one of their own.
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
     pub materials: Materials,
 }

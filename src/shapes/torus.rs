@@ -11,6 +11,7 @@
 use std::sync::Arc;
 
 use arrayvec::ArrayVec;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface};
@@ -23,12 +24,12 @@ use crate::math::{
 
 /// The points at `tube_radius` from the circle of `swept_radius` about the origin in the plane
 /// y = 0; the normal points out of the tube.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Torus {
-    /// Of the circle in the middle of the tube, the book's `a`.
+    /// The radius of the circle in the middle of the tube, the book's `a`; positive.
     pub swept_radius: f64,
-    /// Of the tube, the book's `b`; less than the swept radius.
+    /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
     pub tube_radius: f64,
     /// Whether the normal points into the tube instead.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Shape, Surface, size_problem, watertight};
@@ -11,7 +12,7 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
 
 /// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
 /// interpolated.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Triangle {
     /// The corners, not on one line.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Texture;
@@ -12,14 +13,14 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
 /// Cubes of alternating colours, in the local coordinates of the object.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Checker3d {
-    /// The side of a cube; positive.
+    /// The side of a cube, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
     /// The colour of the cube at the origin.
-    #[serde(default = "kinds::white")]
+    #[serde(default = "kinds::white::<Rgb>")]
     pub color1: Rgb,
     /// The colour of its neighbours.
     #[serde(default = "half_grey")]

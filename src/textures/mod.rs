@@ -6,9 +6,11 @@ mod constant;
 mod plane_checker;
 mod random_colors;
 
+use std::borrow::Cow;
 use std::fmt::Debug;
 use std::sync::Arc;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::invalid::Invalid;
@@ -22,7 +24,7 @@ pub trait Texture: Debug + Send + Sync {
 }
 
 crate::kinds! {
-    /// A texture as a scene file says it.
+    /// A colour that varies over a surface. It may be written wherever a material has a colour.
     Kind builds dyn Texture with ();
     ch30 constant::Constant,
     ch30 checker3d::Checker3d,
@@ -75,6 +77,16 @@ impl Serialize for Paint {
 
 impl Colorful for Kind {
     const NAME: &'static str = "a texture";
+}
+
+impl JsonSchema for Paint {
+    fn schema_name() -> Cow<'static, str> {
+        ColorOr::<Kind>::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        ColorOr::<Kind>::json_schema(generator)
+    }
 }
 
 impl<'de> Deserialize<'de> for Paint {

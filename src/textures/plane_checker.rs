@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Texture;
@@ -11,17 +12,18 @@ use crate::math::floor;
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
-/// Squares of alternating colours in the local xz plane, with lines along their borders.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Squares of alternating colours in the local xz plane, with lines along their borders. For level
+/// surfaces: along y the colour does not change.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlaneChecker {
-    /// The side of a square; positive.
+    /// The side of a square, in the unit of the scene; positive.
     pub size: f64,
     /// The colour of the square in the first quadrant at the origin.
     pub color1: Rgb,
     /// The colour of its neighbours.
     pub color2: Rgb,
-    /// The full width of the lines, centred on the borders; 0 for none.
+    /// The full width of the lines, centred on the borders, in the unit of the scene; 0 for none.
     #[serde(default)]
     pub outline_width: f64,
     /// The colour of the lines.

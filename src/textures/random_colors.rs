@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Texture;
@@ -13,10 +14,10 @@ use crate::shapes::Surface;
 
 /// A colour for each shape nested in a compound, lattice or set of random spheres, uniform in the
 /// cube of colours and the same wherever the shape is seen.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RandomColors {
-    /// Another seed, other colours.
+    /// Chooses the colours: another seed, other colours.
     #[serde(default)]
     pub seed: u64,
 }
