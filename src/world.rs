@@ -19,10 +19,10 @@ use crate::shapes::{Candidate, Context, PartMaterial, Shape, Surface};
 /// The seed of a picture that names none.
 pub const DEFAULT_SEED: u64 = 1;
 
-/// More pixels would take gigabytes.
-const MOST_PIXELS: u64 = 1 << 25;
+/// More pixels of a picture would take gigabytes.
+pub const MOST_PIXELS: u64 = 1 << 25;
 /// More samples for a pixel would take gigabytes for their sets.
-const MOST_SAMPLES: u32 = 1 << 16;
+pub const MOST_SAMPLES: u32 = 1 << 16;
 /// Deeper rays would need a larger stack than a thread has.
 const DEEPEST: u32 = 128;
 
@@ -338,6 +338,7 @@ fn placed_objects(
         .iter()
         .map(|m| (m.name.clone(), PartMaterial { place: m.place, casts_shadows: m.casts_shadows }))
         .collect();
+    unique("objects", scene.objects.iter().map(|object| object.name.as_str()))?;
     let mut context = Context::new(folder, scene.accel).with_materials(known);
     let mut objects = Vec::new();
     for (index, object) in scene.objects.iter().enumerate() {
