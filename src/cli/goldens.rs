@@ -198,7 +198,11 @@ impl Accept {
         goldens.accept(proposals)?;
         let text: String = names.iter().map(|name| format!("accepted  {name}\n")).collect();
         print(&text)?;
-        print(&format!("{}: {} goldens\n", folder.display(), goldens.all().len()))
+        let kept = match goldens.all().len() {
+            1 => "1 golden".to_owned(),
+            count => format!("{count} goldens"),
+        };
+        print(&format!("{}: {kept}\n", folder.display()))
     }
 }
 
