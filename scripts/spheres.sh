@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command -v povray >/dev/null || { echo "povray is missing: apt-get install povray" >&2; exit 2; }
-cargo build --release --quiet
+cargo build --release --quiet --bin groundtruth
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

@@ -346,6 +346,7 @@ fn placed_objects(
         .iter()
         .map(|m| (m.name.clone(), PartMaterial { place: m.place, casts_shadows: m.casts_shadows }))
         .collect();
+    unique("objects", scene.objects.iter().map(|object| object.name.as_str()))?;
     let mut context = Context::new(folder, scene.accel).with_materials(known);
     let mut objects = Vec::new();
     for (index, object) in scene.objects.iter().enumerate() {

@@ -1,5 +1,9 @@
 //! The command line: exit statuses, error texts, and that nothing is left half done.
 
+#[path = "cli/export.rs"]
+mod export;
+#[path = "cli/goldens.rs"]
+mod goldens;
 #[path = "cli/interrupt.rs"]
 #[cfg(unix)]
 mod interrupt;
@@ -76,11 +80,12 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["render", "ch03/single-sphere", "--size", "1000000x1000000", "-o", "a.png"],
-        "error: image.width: 1000000 × 1000000 pixels are too many; at most 33554432 fit",
+        "error: invalid value '1000000x1000000' for '--size <WxH>': 1000000 × 1000000 pixels are too \
+         many; at most 33554432 fit",
     ),
     (
         &["render", "ch03/single-sphere", "--samples", "0", "-o", "a.png"],
-        "error: image.samples: found 0, but 1 to 65536 fit",
+        "error: invalid value '0' for '--samples <N>': 0 is not in 1..=65536",
     ),
     (
         &["render", "ch03/single-sphere", "--samples", "many", "-o", "a.png"],
@@ -134,6 +139,35 @@ const ERRORS: &[(&[&str], &str)] = &[
         "error: no scene `ch03/single-spheres`: neither a gallery name (`groundtruth list` shows \
          them) nor a file; did you mean `ch03/single-sphere`?",
     ),
+    (
+        &["goldens", "accept", "ch03/single-sphere", "--because", "x", "--samples", "0"],
+        "error: invalid value '0' for '--samples <N>': 0 is not in 1..=65536",
+    ),
+    (
+        &["render", "ch12/fisheye", "-o", "a.png", "--size", "5792x5792"],
+        "error: --size 5792x5792: 11589 × 5792 pixels of both images and the gap are too many; at \
+         most 33554432 fit",
+    ),
+    (
+        &["render", "glass-sphere", "-o", "a.png"],
+        "error: no scene `glass-sphere`: neither a gallery name (`groundtruth list` shows them) nor \
+         a file; did you mean `ch28/glass-sphere`?",
+    ),
+    (
+        &["render", "ch10/near", "-o", "a.png"],
+        "error: no scene `ch10/near`: neither a gallery name (`groundtruth list` shows them) nor a \
+         file; did you mean `ch10/near-focus`?",
+    ),
+    (
+        &["list", "ch99"],
+        "error: no scenes of a chapter `ch99`; the chapters are: ch03, ch04, ch06, ch08, ch09, ch10, \
+         ch11, ch12, ch14, ch16, ch19, ch20, ch21, ch22, ch23, ch24, ch27, ch28",
+    ),
+    (
+        &["export", "ch03/single-sphere", "-o", "no/a.toml"],
+        "error: no/a.toml: cannot be written: No such file or directory (os error 2)",
+    ),
+    (&["export", "ch03/single-sphere", "-o", "."], "error: .: cannot be written: it is a folder"),
     (&["rendr"], "error: unrecognized subcommand 'rendr'"),
 ];
 
@@ -171,6 +205,7 @@ fn good_commands_have_status_0() {
         &["list"][..],
         &["list", "--json"],
         &["kinds"],
+        &["list", "ch24", "ch28"],
         &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1]],
         &["render", "ch03/single-sphere", "-o", "b.exr", small[0], small[1], "--crop", "8,6,8x6"],
         &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1], "--threads", "1"],
@@ -195,8 +230,8 @@ fn help_speaks_of_every_option() {
     for (command, options) in [
         ("list", &["--json"][..]),
         ("render", &["--output", "--crop", "--stereo", "--threads"]),
-        ("explain", &["<X>", "<Y>", "--sample", "--all", "--json"]),
-        ("export", &[]),
+        ("explain", &["<X>", "<Y>", "--sample", "--all", "--min-share", "--largest", "--json"]),
+        ("export", &["--output"]),
         ("kinds", &["--page", "--schema", "docs/scene.md"]),
         ("probe", &["docs/probe.md"]),
     ] {
@@ -209,6 +244,20 @@ fn help_speaks_of_every_option() {
         let whole = run_in(Path::new("."), &["--help"]).stdout;
         assert!(whole.contains(&format!("  {command} ")), "{command} in\n{whole}");
     }
+}
+
+/// Law: a chapter's scenes are those whose names begin with it. Oracle: the whole list.
+#[test]
+fn list_of_a_chapter_is_its_part_of_the_list() {
+    let list = |chapters: &[&str]| {
+        let run = run_in(Path::new("."), &[&["list", "--json"], chapters].concat());
+        let lines: Vec<serde_json::Value> = serde_json::from_str(&run.stdout).expect("it is JSON");
+        lines.into_iter().map(|line| line["name"].to_string()).collect::<Vec<_>>()
+    };
+    let mut expected = list(&[]);
+    expected.retain(|name| name.starts_with("\"ch24/") || name.starts_with("\"ch28/"));
+    assert!(expected.len() > 2);
+    assert_eq!(list(&["ch28", "ch24"]), expected);
 }
 
 /// Law: a reader that goes away is no failure.

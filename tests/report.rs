@@ -159,7 +159,7 @@ fn acceleration_is_measured_or_left_out_for_a_reason() {
 
 /// Everything that does not depend on the clock.
 fn timeless(value: &Value) -> Value {
-    let clock = |key: &str| key.ends_with("_ns") || key.ends_with("_seconds");
+    let clock = |key: &str| key.ends_with("_ns") || key.ends_with("_seconds") || key == "disturbed";
     match value {
         Value::Object(map) => {
             let kept = map.iter().filter(|(key, _)| !clock(key));

@@ -311,6 +311,26 @@ const ERRORS: &[(&str, &str, &str)] = &[
         "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].rotate_about.sense: unexpected keys in table: sense, available keys: point, direction, degrees",
     ),
     (
+        "shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n[[objects]]\nname = \"ball\"\nmaterial = \"red\"\nshape = { plane = { point = [0, 0, 0], normal = [0, 1, 0] } }\n",
+        "scene.toml:33: objects[1] \"ball\", name: `ball` is the name of objects[0] already",
+    ),
+    (
+        "\n[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ scale = 0 }] } }\n",
+        "scene.toml:28: objects[0] \"ball\", shape.instance.transform: the transformation is singular (condition number inf; at most 1e12 fits)",
+    ),
+    (
+        "\n[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ scale = \"big\" }] } }\n",
+        "scene.toml:28: objects[0] \"ball\", shape.instance.transform[0].scale: invalid type: string \"big\", expected one factor, or three as [x, y, z]",
+    ),
+    (
+        "\n[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ scale = [1, 2] }] } }\n",
+        "scene.toml:28: objects[0] \"ball\", shape.instance.transform[0].scale: invalid length 2, expected an array of length 3",
+    ),
+    (
         "[[objects]]",
         "[[materials]]\nname = \"red\"\nrecipe = { matte = { cd = 1 } }\n\n[[objects]]",
         "scene.toml:26: materials[1] \"red\", name: `red` is the name of materials[0] already",
@@ -360,5 +380,18 @@ fn errors_name_line_object_and_field_and_say_what_would_fit() {
             Some(start) => assert!(found.starts_with(start), "{part} -> {replacement}: {found}"),
             None => assert_eq!(found, *error, "{part} -> {replacement}"),
         }
+    }
+}
+
+/// Law: one factor scales as three equal ones do. Oracle: the rows of the vector form.
+#[test]
+fn a_scale_is_one_factor_or_three() {
+    for (one, three) in [("0.75", "[0.75, 0.75, 0.75]"), ("-2", "[-2, -2, -2]")] {
+        let step = |text: &str| -> Vec<groundtruth::math::Step> {
+            let table: toml::Table =
+                toml::from_str(&format!("s = [{{ scale = {text} }}]")).unwrap();
+            table["s"].clone().try_into().unwrap()
+        };
+        assert_eq!(step(one), step(three));
     }
 }

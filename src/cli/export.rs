@@ -1,15 +1,22 @@
 //! `groundtruth export`.
 
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
 use clap::Args;
-use groundtruth::scene;
+use groundtruth::{film, scene};
 
 use super::scene::SceneArguments;
-use super::{Outcome, print};
+use super::{Answer, Outcome, print};
 
 #[derive(Args)]
 pub struct Export {
     #[command(flatten)]
     scene: SceneArguments,
+    /// The scene file to write, with mesh files named relative to its folder. If left out, the
+    /// scene goes to the standard output, with absolute names
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 impl Export {
@@ -19,10 +26,29 @@ impl Export {
         }
         let (mut scene, _) = self.scene.load()?;
         if let Some(folder) = self.scene.folder() {
-            // the new file may stand elsewhere
-            let folder = std::path::absolute(folder)?;
+            let folder = self.seen_from_output(folder)?;
             scene.objects.iter_mut().for_each(|object| object.shape.files_from(&folder));
         }
-        print(&scene::to_toml(&scene)?)
+        let text = scene::to_toml(&scene)?;
+        let Some(output) = &self.output else { return print(&text) };
+        if output.is_dir() {
+            return Err(unwritable(output, "it is a folder"));
+        }
+        film::replace(output, text.as_bytes()).map_err(|e| unwritable(output, e))?;
+        Ok(Answer::Yes)
     }
+
+    /// The folder of the scene, relative to that of the output; absolute without an output.
+    fn seen_from_output(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
+        // without symbolic links, so that `..` leads to the folder above
+        let folder = folder.canonicalize()?;
+        let Some(output) = &self.output else { return Ok(folder) };
+        let from = film::folder_of(output).canonicalize().map_err(|e| unwritable(output, e))?;
+        // on Windows nothing leads from one drive to another
+        Ok(pathdiff::diff_paths(&folder, from).unwrap_or(folder))
+    }
+}
+
+fn unwritable(path: &Path, reason: impl std::fmt::Display) -> Box<dyn Error> {
+    format!("{}: cannot be written: {reason}", path.display()).into()
 }

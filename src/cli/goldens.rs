@@ -6,12 +6,13 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, Subcommand};
-use groundtruth::film;
 use groundtruth::verify::compare;
 use groundtruth::verify::golden::{Finding, Goldens as Folder, Status, Wishes};
 use groundtruth::verify::review;
+use groundtruth::{film, gallery};
 
-use super::scene::Size;
+use super::list::is_in;
+use super::scene::{Size, samples};
 use super::{Answer, Outcome, print};
 
 #[derive(Args)]
@@ -35,14 +36,13 @@ enum Command {
 
 #[derive(Args)]
 struct Check {
-    /// Check this golden only (may be repeated)
-    #[arg(long, value_name = "NAME")]
-    only: Vec<String>,
+    /// Goldens to check, as ch24/hall-of-mirrors, or chapters, as ch24; all if none is named
+    names: Vec<String>,
 }
 
 #[derive(Args)]
 struct Review {
-    /// Goldens to show; those that are not the same if none is named
+    /// Goldens to show, or chapters, as ch24; those that are not the same if none is named
     names: Vec<String>,
     /// Show all
     #[arg(long, conflicts_with = "names")]
@@ -67,7 +67,7 @@ struct Accept {
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
     /// Samples for each pixel; as before, or at most 4
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
     /// What to look for; as before, or the scene's own line
     #[arg(long, value_name = "TEXT")]
@@ -84,19 +84,34 @@ impl Goldens {
     }
 }
 
-/// The findings for these names; for all if there are none.
+/// The goldens of a folder.
+fn open(folder: &Path) -> Result<Folder, Box<dyn Error>> {
+    let goldens = Folder::open(folder)?;
+    if goldens.was_finished() {
+        eprintln!("note: finished an earlier `goldens accept` that was stopped on its way");
+    }
+    Ok(goldens)
+}
+
+/// The findings for these names and chapters; for all if there are none.
 fn findings(goldens: &Folder, names: &[String]) -> Result<Vec<Finding>, Box<dyn Error>> {
     let known = goldens.names();
-    let names = if names.is_empty() { &known } else { names };
-    if let Some(unknown) = names.iter().find(|name| !known.contains(name)) {
-        return Err(format!("no golden `{unknown}`: neither in the manifest nor a scene of the gallery (`groundtruth list`)").into());
+    let wanted = |name: &str, known: &str| name == known || is_in(known, name);
+    for name in names {
+        if !known.iter().any(|known| wanted(name, known)) {
+            let known: Vec<&str> = known.iter().map(String::as_str).collect();
+            let hint = gallery::did_you_mean(name, &known);
+            return Err(format!("no golden `{name}`: neither in the manifest nor a scene of the gallery (`groundtruth list`){hint}").into());
+        }
     }
-    names.iter().map(|name| Ok(goldens.check(name)?)).collect()
+    // each once, in the manifest's order
+    let wanted = |known: &&String| names.is_empty() || names.iter().any(|name| wanted(name, known));
+    known.iter().filter(wanted).map(|name| Ok(goldens.check(name)?)).collect()
 }
 
 impl Check {
     fn run(&self, folder: &Path) -> Outcome {
-        let findings = findings(&Folder::open(folder)?, &self.only)?;
+        let findings = findings(&open(folder)?, &self.names)?;
         let text: String = findings.iter().map(line).collect();
         print(&text)?;
         let bad: Vec<&Finding> = findings.iter().filter(|f| f.status != Status::Same).collect();
@@ -146,7 +161,7 @@ fn line(finding: &Finding) -> String {
 
 impl Review {
     fn run(&self, folder: &Path) -> Outcome {
-        let mut findings = findings(&Folder::open(folder)?, &self.names)?;
+        let mut findings = findings(&open(folder)?, &self.names)?;
         if self.names.is_empty() && !self.all {
             findings.retain(|finding| finding.status != Status::Same);
         }
@@ -159,11 +174,9 @@ impl Review {
 
 impl Accept {
     fn run(&self, folder: &Path) -> Outcome {
-        let mut goldens = match folder.join("manifest.toml").try_exists() {
-            Ok(false) => Folder::none(folder),
-            _ => Folder::open(folder)?,
-        };
-        // an interrupt counts until the first file is moved, and not after that
+        let mut goldens =
+            if Folder::is_none(folder) { Folder::none(folder) } else { open(folder)? };
+        // an interrupt counts until all pictures are rendered, and not after that
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
         ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
@@ -185,7 +198,11 @@ impl Accept {
         goldens.accept(proposals)?;
         let text: String = names.iter().map(|name| format!("accepted  {name}\n")).collect();
         print(&text)?;
-        print(&format!("{}: {} goldens\n", folder.display(), goldens.all().len()))
+        let kept = match goldens.all().len() {
+            1 => "1 golden".to_owned(),
+            count => format!("{count} goldens"),
+        };
+        print(&format!("{}: {kept}\n", folder.display()))
     }
 }
 

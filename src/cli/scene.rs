@@ -5,10 +5,11 @@ use std::path::Path;
 use std::str::FromStr;
 
 use clap::Args;
+use groundtruth::film;
 use groundtruth::gallery;
 use groundtruth::render::Crop;
-use groundtruth::scene::{self, Scene, Source};
-use groundtruth::world::{DEFAULT_SEED, World};
+use groundtruth::scene::{self, Scene, SceneError, Source};
+use groundtruth::world::{DEFAULT_SEED, MOST_PIXELS, MOST_SAMPLES, World};
 
 #[derive(Args)]
 pub struct SceneArguments {
@@ -19,7 +20,7 @@ pub struct SceneArguments {
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
     /// Samples for each pixel
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
     /// The seed of all random choices
     #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
@@ -29,17 +30,26 @@ pub struct SceneArguments {
 impl SceneArguments {
     /// The scene as asked for, and its world.
     pub fn load(&self) -> Result<(Scene, World), Box<dyn Error>> {
-        let (mut scene, source) = self.open()?;
+        let (as_written, source) = self.open()?;
+        let mut scene = as_written.clone();
         if let Some(Size { width, height }) = self.size {
             scene.image.resize(width, height);
         }
         if let Some(samples) = self.samples {
             scene.image.samples = samples;
         }
-        let world = match source {
-            Some(source) => source.build(&scene, self.seed)?,
-            None => World::build_seeded(&scene, Path::new(""), self.seed)?,
+        let build = |scene: &Scene| match &source {
+            Some(source) => source.build(scene, self.seed),
+            None => World::build_seeded(scene, Path::new(""), self.seed),
         };
+        let world = build(&scene).map_err(|error| match (error, self.size) {
+            // with its own size the scene is right: no line of it is at fault
+            (SceneError::Invalid { invalid, .. }, Some(size)) if build(&as_written).is_ok() => {
+                let Size { width, height } = size;
+                format!("--size {width}x{height}: {}", invalid.problem).into()
+            }
+            (error, _) => Box::<dyn Error>::from(error),
+        })?;
         let (asked, used) = (scene.image.samples, world.samples_per_pixel());
         if asked != used {
             eprintln!(
@@ -51,7 +61,10 @@ impl SceneArguments {
 
     /// The folder of a scene file; `None` for a gallery scene.
     pub fn folder(&self) -> Option<&Path> {
-        if gallery::find(&self.scene).is_some() { None } else { Path::new(&self.scene).parent() }
+        match gallery::find(&self.scene) {
+            Some(_) => None,
+            None => Some(film::folder_of(Path::new(&self.scene))),
+        }
     }
 
     /// Whether another seed than the usual one is asked for.
@@ -73,6 +86,11 @@ impl SceneArguments {
     }
 }
 
+/// Reads how many samples a pixel has.
+pub fn samples() -> clap::builder::RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES))
+}
+
 /// `300x200`.
 #[derive(Clone, Copy)]
 pub struct Size {
@@ -89,6 +107,9 @@ impl FromStr for Size {
         let parts =
             text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
         match parts {
+            Some((width, height)) if u64::from(width) * u64::from(height) > MOST_PIXELS => {
+                Err(format!("{width} × {height} pixels are too many; at most {MOST_PIXELS} fit"))
+            }
             Some((width, height)) if width > 0 && height > 0 => Ok(Self { width, height }),
             _ => Err("a size is written as 300x200".to_owned()),
         }

@@ -67,10 +67,14 @@ pub fn writable(path: &Path) -> Result<(), ImageError> {
     probe.map_err(|source| ImageError::Unwritable { path: path.to_owned(), source })
 }
 
+/// The folder that a file stands in: `.` for a bare file name.
+pub fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// A file in the same folder, gone again unless it is renamed.
 fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let file = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(folder);
+    let file = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(folder_of(path));
     // the name of a file that a person never sees only confuses
     file.map_err(|error| {
         let text = error.to_string();

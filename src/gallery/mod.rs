@@ -73,13 +73,40 @@ pub fn unknown(name: &str) -> String {
     let problem = format!(
         "no scene `{name}`: neither a gallery name (`groundtruth list` shows them) nor a file"
     );
-    let closest = scenes().map(|entry| (edits(name, entry.name), entry.name)).min();
-    match closest {
-        Some((edits, known)) if edits <= name.len() / 3 => {
-            format!("{problem}; did you mean `{known}`?")
-        }
-        _ => problem,
+    let names: Vec<&str> = scenes().map(|entry| entry.name).collect();
+    problem + &did_you_mean(name, &names)
+}
+
+/// `; did you mean …?` with the names that are like this one; nothing if none is.
+pub fn did_you_mean(name: &str, known: &[&str]) -> String {
+    let quoted: Vec<String> = alike(name, known).iter().map(|known| format!("`{known}`")).collect();
+    match &quoted[..] {
+        [] => String::new(),
+        [one] => format!("; did you mean {one}?"),
+        [first @ .., last] => format!("; did you mean {} or {last}?", first.join(", ")),
     }
+}
+
+/// The names that contain `name`; or else those with the fewest edits to it, of the whole name or of
+/// the part after the chapter, if they are few.
+fn alike<'a>(name: &str, known: &[&'a str]) -> Vec<&'a str> {
+    /// Fewer letters are part of too many names.
+    const SHORTEST: usize = 3;
+    /// More suggestions are no help.
+    const MOST: usize = 8;
+    let mut alike: Vec<&str> = known.to_vec();
+    if name.len() >= SHORTEST && known.iter().any(|known| known.contains(name)) {
+        alike.retain(|known| known.contains(name));
+    } else {
+        let distance = |known: &str| {
+            let after_chapter = known.split_once('/').map_or(known, |(_, rest)| rest);
+            edits(name, known).min(edits(name, after_chapter))
+        };
+        let least = known.iter().map(|known| distance(known)).min().unwrap_or(usize::MAX);
+        alike.retain(|known| distance(known) == least && least <= name.len() / 3);
+    }
+    alike.truncate(MOST);
+    alike
 }
 
 /// How many bytes must be put in, left out or changed to make `a` into `b` (Levenshtein 1965).

@@ -1,7 +1,12 @@
 //! Lists of so many numbers, in files.
 
-use serde::de::Error;
+use std::fmt;
+
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
+
+use super::Vector;
 
 /// Reads a list of exactly `N`. (Of a longer list an array takes the first `N`, without a word.)
 ///
@@ -30,4 +35,38 @@ where
     T: Deserialize<'de>,
 {
     exactly(deserializer).map(Some)
+}
+
+/// Reads a vector, or one number for all its components.
+///
+/// # Errors
+/// Neither of them, or another number of components.
+pub fn number_or_vector<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vector, D::Error> {
+    deserializer.deserialize_any(NumberOrVector)
+}
+
+struct NumberOrVector;
+
+impl<'de> Visitor<'de> for NumberOrVector {
+    type Value = Vector;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "one factor, or three as [x, y, z]")
+    }
+
+    fn visit_f64<E: Error>(self, number: f64) -> Result<Vector, E> {
+        Ok(Vector::new(number, number, number))
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<Vector, E> {
+        self.visit_f64(number as f64)
+    }
+
+    fn visit_u64<E: Error>(self, number: u64) -> Result<Vector, E> {
+        self.visit_f64(number as f64)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, numbers: A) -> Result<Vector, A::Error> {
+        Vector::deserialize(SeqAccessDeserializer::new(numbers))
+    }
 }

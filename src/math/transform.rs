@@ -17,8 +17,9 @@ use super::{Aabb, Ray, UNIT_ROUNDOFF, lists};
 pub enum Step {
     /// Moves by this vector.
     Translate(Vector),
-    /// Scales along the axes by these factors, none of them zero.
-    Scale(Vector),
+    /// Scales along the axes by these factors, none of them zero; one number is the factor of all
+    /// three.
+    Scale(#[serde(deserialize_with = "lists::number_or_vector")] Vector),
     /// Rotates about the x axis.
     RotateX(f64),
     /// Rotates about the y axis.

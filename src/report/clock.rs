@@ -2,23 +2,65 @@
 
 use std::time::Instant;
 
+use cpu_time::ThreadTime;
+
 use crate::verify::quantile;
 
-/// The seconds that a job takes.
-pub fn seconds<T>(job: impl FnOnce() -> T) -> (T, f64) {
-    let start = Instant::now();
-    let result = job();
-    (result, start.elapsed().as_secs_f64())
+/// How long a job took, in seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Time {
+    /// What the processor spent on this thread.
+    pub cpu: f64,
+    /// What the clock on the wall says.
+    pub wall: f64,
 }
 
-/// The median seconds of each job over so many rounds. The jobs take turns, so that a moment in which
+impl Time {
+    /// Whether the two differ by more than a tenth: other programs took turns on the core, and emptied
+    /// its caches.
+    pub fn is_disturbed(self) -> bool {
+        (self.wall - self.cpu).abs() > 0.1 * self.wall.max(self.cpu)
+    }
+}
+
+/// The time of a job on this thread.
+pub fn time<T>(job: impl FnOnce() -> T) -> (T, Time) {
+    let (wall, cpu) = (Instant::now(), ThreadTime::now());
+    let result = job();
+    let (cpu, wall) = (cpu.elapsed(), wall.elapsed());
+    (result, Time { cpu: cpu.as_secs_f64(), wall: wall.as_secs_f64() })
+}
+
+/// The median times of each job over so many rounds. The jobs take turns, so that a moment in which
 /// the machine is busy hits all alike.
-pub fn medians(rounds: usize, jobs: &mut [&mut dyn FnMut()]) -> Vec<f64> {
+pub fn medians(rounds: usize, jobs: &mut [&mut dyn FnMut()]) -> Vec<Time> {
     let mut times = vec![Vec::with_capacity(rounds); jobs.len()];
     for _ in 0..rounds {
         for (job, times) in jobs.iter_mut().zip(&mut times) {
-            times.push(seconds(job).1);
+            times.push(time(job).1);
         }
     }
-    times.iter().map(|times| quantile(times, 0.5).unwrap_or(f64::NAN)).collect()
+    let median = |times: &[Time], of: fn(&Time) -> f64| {
+        let values: Vec<f64> = times.iter().map(of).collect();
+        quantile(&values, 0.5).unwrap_or(f64::NAN)
+    };
+    times.iter().map(|t| Time { cpu: median(t, |t| t.cpu), wall: median(t, |t| t.wall) }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    /// Law: a thread that waits spends no processor time, and its time is flagged; one that computes
+    /// all the while is not flagged. Oracle: the length of the sleep; the definition of a tenth.
+    #[test]
+    fn waiting_is_not_work() {
+        let (_, waited) = time(|| std::thread::sleep(Duration::from_millis(50)));
+        assert!(waited.wall >= 0.05 && waited.cpu < 0.025, "{waited:?}");
+        assert!(waited.is_disturbed());
+        assert!(!Time { cpu: 0.95, wall: 1.0 }.is_disturbed());
+        assert!(Time { cpu: 0.85, wall: 1.0 }.is_disturbed());
+    }
 }

@@ -29,6 +29,7 @@ th.group { text-align: center; font-weight: bold; border-left: 1px solid #999; }
 th.group:first-child { border-left: none; }
 .start { border-left: 1px solid #999; }
 .bad { font-weight: bold; }
+summary { cursor: pointer; font: 12px/1.8 system-ui, sans-serif; }
 figure { margin: 1.2em 0; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; }
 .pictures { display: flex; flex-wrap: wrap; gap: 0 1em; }
@@ -36,6 +37,7 @@ figure svg { max-width: 100%; height: auto; }
 figcaption { font-size: 0.9em; max-width: 48em; color: #333; }
 @page { size: A4; margin: 14mm; }
 @media print {
+  details::details-content { content-visibility: visible; }
   body { margin: 0; max-width: none; padding: 0; font-size: 10.5pt; }
   section { border-top: none; margin-top: 0; }
   section ~ section { break-before: page; }
@@ -77,6 +79,8 @@ fn measured(provenance: &Provenance, seed: u64) -> String {
     format!(
         "<p class=\"about\">Measured by groundtruth {version}, commit {}, on {} ({platform}), \
          threads: {threads}, seed: {seed}.{warning} Times are of that machine: compare ratios. \
+         Rays and samples are timed by the processor time of one thread; ‡ marks a row where that and \
+         the clock on the wall differ by more than a tenth, as other programs were running. \
          Everything else is the same for the same seed. The numbers behind every table and picture \
          are in <code>report.json</code>, beside this page.</p>\n",
         escaped(commit),

@@ -59,6 +59,11 @@ impl Table {
     }
 }
 
+/// Content behind a line that says the essential; a click opens it.
+pub fn folded(summary: &str, content: &str) -> String {
+    format!("<details>\n<summary>{summary}</summary>\n{content}</details>\n")
+}
+
 /// A picture and the words below it.
 pub fn figure(svg: &str, caption: &str) -> String {
     format!("<figure>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>\n")
@@ -102,6 +107,11 @@ pub fn superscript(whole: &str) -> String {
         _ => c.to_digit(10).and_then(|d| char::from_u32('⁰' as u32 + d)).unwrap_or(c),
     };
     whole.chars().map(raised).collect()
+}
+
+/// A time, marked if its measurement was disturbed.
+pub fn flagged(time: String, disturbed: bool) -> String {
+    if disturbed { format!("{time} <span class=\"bad\">‡</span>") } else { time }
 }
 
 /// Seconds in a unit that suits them: `35 ns`, `1.2 ms`.

@@ -146,7 +146,8 @@ pub struct Material {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
-    /// What people call it; error messages name it.
+    /// What people call it; no two objects share a name. As for lights and materials, an empty name is
+    /// one as any other.
     pub name: String,
     /// The `name` of a material.
     pub material: String,

@@ -4,6 +4,8 @@
 //! the truth, the PNG is for eyes. The digest ties them together: an image and a manifest that do
 //! not belong to one another are found out.
 
+mod journal;
+
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -132,6 +134,7 @@ struct Manifest {
 pub struct Goldens {
     folder: PathBuf,
     all: Vec<Golden>,
+    finished: bool,
 }
 
 /// A picture that would be accepted.
@@ -152,6 +155,7 @@ pub struct Wishes {
     pub shows: Option<String>,
 }
 
+const MANIFEST: &str = "manifest.toml";
 const WIDTH: u32 = 96;
 const SAMPLES: u32 = 4;
 
@@ -163,12 +167,15 @@ const HEADER: &str = "\
 ";
 
 impl Goldens {
-    /// Reads the manifest of a folder.
+    /// Reads the manifest of a folder. If an earlier run was stopped while it accepted pictures, that
+    /// is finished first.
     ///
     /// # Errors
     /// [`GoldenError::File`] and [`GoldenError::Manifest`].
     pub fn open(folder: &Path) -> Result<Self, GoldenError> {
-        let path = folder.join("manifest.toml");
+        let path = folder.join(MANIFEST);
+        let finished = journal::finish(folder)
+            .map_err(|source| GoldenError::File { path: folder.to_owned(), source })?;
         let text = std::fs::read_to_string(&path)
             .map_err(|source| GoldenError::File { path: path.clone(), source })?;
         let wrong = |problem| GoldenError::Manifest { path: path.clone(), problem };
@@ -183,12 +190,22 @@ impl Goldens {
                 return Err(wrong(format!("{name} is there twice")));
             }
         }
-        Ok(Self { folder: folder.to_owned(), all: manifest.golden })
+        Ok(Self { folder: folder.to_owned(), all: manifest.golden, finished })
+    }
+
+    /// Whether the folder has no manifest, and none that waits to be moved there.
+    pub fn is_none(folder: &Path) -> bool {
+        !journal::waits(folder) && matches!(folder.join(MANIFEST).try_exists(), Ok(false))
     }
 
     /// An empty folder's goldens: none. Nothing is written until something is accepted.
     pub fn none(folder: &Path) -> Self {
-        Self { folder: folder.to_owned(), all: Vec::new() }
+        Self { folder: folder.to_owned(), all: Vec::new(), finished: false }
+    }
+
+    /// Whether opening them finished what an earlier run was stopped in.
+    pub fn was_finished(&self) -> bool {
+        self.finished
     }
 
     /// What the manifest has, in its order.
@@ -273,54 +290,50 @@ impl Goldens {
         Ok(Proposal { golden, film })
     }
 
-    /// Keeps the proposed pictures: all of them, or none. Everything is written beside its place
-    /// before the first file is moved, and the manifest is moved last; should the machine stop
-    /// between two moves, the digests tell.
+    /// Keeps the proposed pictures: all of them, or none. Should the machine stop on the way, the
+    /// next [`Goldens::open`] finishes it, or finds the goldens as they were.
     ///
     /// # Errors
     /// [`GoldenError::File`] and [`GoldenError::Image`].
     pub fn accept(&mut self, proposals: Vec<Proposal>) -> Result<(), GoldenError> {
-        let folder = self.folder.clone();
-        let file = |path: &Path, source| GoldenError::File { path: path.to_owned(), source };
-        std::fs::create_dir_all(&folder).map_err(|e| file(&folder, e))?;
-        let staged = tempfile::Builder::new()
-            .prefix(".accepting-")
-            .tempdir_in(&folder)
-            .map_err(|e| file(&folder, e))?;
+        let all = self.decide(proposals)?;
+        journal::finish(&self.folder).map_err(|e| self.unwritten(e))?;
+        self.all = all;
+        Ok(())
+    }
+
+    /// Writes pictures and manifest, so that nothing is left to do but to move them.
+    fn decide(&self, proposals: Vec<Proposal>) -> Result<Vec<Golden>, GoldenError> {
+        std::fs::create_dir_all(&self.folder).map_err(|e| self.unwritten(e))?;
+        journal::clear(&self.folder).map_err(|e| self.unwritten(e))?;
+        let staged = journal::stage(&self.folder).map_err(|e| self.unwritten(e))?;
 
         let mut all = self.all.clone();
-        let mut moves = Vec::new();
-        for (i, Proposal { golden, film }) in proposals.into_iter().enumerate() {
+        for Proposal { golden, film } in proposals {
             let name = golden.name();
             let scene = golden.small_scene()?;
             let tone = golden.view.tone(&scene);
             let shown = golden.view.for_eyes(&film);
             for (extension, film) in [("exr", &film), ("png", &shown)] {
-                let (from, to) =
-                    (staged.path().join(format!("{i}.{extension}")), self.file(&name, extension));
-                film::write(film, &tone, &from)?;
-                moves.push((from, to));
+                let path = staged.path().join(format!("{name}.{extension}"));
+                std::fs::create_dir_all(film::folder_of(&path)).map_err(|e| self.unwritten(e))?;
+                film::write(film, &tone, &path)?;
             }
             all.retain(|other| other.name() != name);
             all.push(golden);
         }
         all.sort_by_key(Golden::name);
-        let manifest = folder.join("manifest.toml");
         let text = toml::to_string(&Manifest { golden: all.clone() }).map_err(|e| {
-            GoldenError::Manifest { path: manifest.clone(), problem: e.to_string() }
+            GoldenError::Manifest { path: self.folder.join(MANIFEST), problem: e.to_string() }
         })?;
+        film::replace(&staged.path().join(MANIFEST), (HEADER.to_owned() + &text).as_bytes())
+            .and_then(|()| journal::decide(&self.folder, staged))
+            .map_err(|e| self.unwritten(e))?;
+        Ok(all)
+    }
 
-        for (_, to) in &moves {
-            let folder = to.parent().unwrap_or(&folder);
-            std::fs::create_dir_all(folder).map_err(|e| file(folder, e))?;
-        }
-        for (from, to) in &moves {
-            std::fs::rename(from, to).map_err(|e| file(to, e))?;
-        }
-        film::replace(&manifest, (HEADER.to_owned() + &text).as_bytes())
-            .map_err(|e| file(&manifest, e))?;
-        self.all = all;
-        Ok(())
+    fn unwritten(&self, source: std::io::Error) -> GoldenError {
+        GoldenError::File { path: self.folder.clone(), source }
     }
 }
 

@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::{Data, Run, StageData};
-use crate::report::html::{Table, bytes, capital, count, escaped, figure, listed, short, time};
+use crate::report::html::{
+    Table, bytes, capital, count, escaped, figure, flagged, listed, short, time,
+};
 use crate::report::plot::{Plot, Series};
 use crate::verify::slope::{PowerLaw, power_law};
 
@@ -227,7 +229,7 @@ fn table(stage: &StageData) -> Table {
             count(run.objects),
             time(run.build_seconds),
             run.memory_bytes.map_or("–".to_owned(), |count| bytes(count as f64)),
-            time(run.picture_seconds),
+            flagged(time(run.picture_seconds), run.disturbed),
             short(run.tests_per_ray),
             run.steps_per_ray.map_or("–".to_owned(), short),
             count(run.timed_rays),

@@ -6,7 +6,7 @@ use super::stages::{Stage, Things};
 use super::structures::{Built, Counts, Structure};
 use super::{Run, Skipped, StageData, sizes};
 use crate::math::Ray;
-use crate::report::clock::{medians, seconds};
+use crate::report::clock::{medians, time};
 use crate::report::{Interrupted, Settings, Watch};
 
 /// Rays whose answers are compared and whose costs are counted first.
@@ -61,7 +61,8 @@ fn run(structure: Structure, things: &Things, rays: &[Ray]) -> Result<(Run, Answ
     if structure.is_exhaustive() && things.count() as f64 > MOST_TESTS {
         return Err(many(things.count() as f64));
     }
-    let (built, build_seconds) = seconds(|| structure.build(things));
+    // by all threads: the time of this one says nothing
+    let (built, building) = time(|| structure.build(things));
     let counted = structure.build_counted(things);
     let probes = spread(rays, PROBES);
     let (mut tests, mut steps) = count(&counted, things, &probes);
@@ -84,9 +85,10 @@ fn run(structure: Structure, things: &Things, rays: &[Ray]) -> Result<(Run, Answ
     let run = Run {
         structure: structure.name(),
         objects: things.count(),
-        build_seconds,
+        build_seconds: building.wall,
         memory_bytes: counted.memory_bytes(),
-        picture_seconds: round * rays.len() as f64 / timed.len() as f64,
+        picture_seconds: round.cpu * rays.len() as f64 / timed.len() as f64,
+        disturbed: round.is_disturbed(),
         timed_rays: timed.len(),
         tests_per_ray: tests,
         steps_per_ray: steps,

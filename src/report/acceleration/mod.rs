@@ -46,12 +46,14 @@ pub struct Run {
     pub structure: String,
     /// Objects, or triangles.
     pub objects: usize,
-    /// Seconds to build it, on all threads.
+    /// Seconds to build it, on all threads, by the clock on the wall.
     pub build_seconds: f64,
     /// What the structure takes, without the objects.
     pub memory_bytes: Option<u64>,
     /// Seconds to find the first hit of the ray of every pixel, on one thread.
     pub picture_seconds: f64,
+    /// Whether other programs took turns with the measurement of `picture_seconds`.
+    pub disturbed: bool,
     /// So many of those rays were timed, evenly spread; the rest is their share.
     pub timed_rays: usize,
     /// Objects tested for each ray.

@@ -1,7 +1,7 @@
 //! Page 1 as tables and a picture, from its data alone.
 
 use super::{Data, FamilyData, KindData, Routine};
-use crate::report::html::{Table, count, figure, listed, short, short_or_dash};
+use crate::report::html::{Table, count, figure, flagged, folded, listed, short, short_or_dash};
 use crate::report::plot::{Plot, Series};
 use crate::verify::against::ALLOWED;
 use crate::verify::quantile;
@@ -14,8 +14,10 @@ pub fn page(data: &Data) -> String {
     html += &format!("<p class=\"pick\"><strong>What to pick.</strong> {}</p>\n", pick(data));
     html += &overview(data).html();
     html += &figure(&picture(data).svg(), CAPTION);
-    html.push_str("<h3>Each shape, family by family</h3>\n");
-    data.kinds.iter().for_each(|kind| html += &details(kind).html());
+    html.push_str(
+        "<h3>Each shape, family by family</h3>\n<p>A click opens the table of a shape.</p>\n",
+    );
+    data.kinds.iter().for_each(|kind| html += &folded(&summary(kind), &details(kind).html()));
     html
 }
 
@@ -155,7 +157,10 @@ fn overview(data: &Data) -> Table {
     };
     let row = |(index, kind): (usize, &KindData)| {
         let judged: usize = kind.families.iter().map(|family| family.judged).sum();
-        let mut row = vec![format!("{} {}", index + 1, words(&kind.kind)), count(judged)];
+        let name = format!("{} {}", index + 1, words(&kind.kind));
+        // the times of this table are of the first family
+        let disturbed = kind.families.first().is_some_and(|ordinary| ordinary.disturbed);
+        let mut row = vec![flagged(name, disturbed), count(judged)];
         row.extend(cells(ours(kind)));
         row.extend(cells(textbook(kind)));
         row
@@ -168,6 +173,26 @@ fn overview(data: &Data) -> Table {
         headings: headings(&["shape", "rays judged"], &columns),
         rows: data.kinds.iter().enumerate().map(row).collect(),
     }
+}
+
+/// One line for a shape: how wrong each routine is at worst, how often it fails, and what it costs.
+fn summary(kind: &KindData) -> String {
+    let one = |name: &str, found: Option<Summary>| match found {
+        Some(s) => format!(
+            "; {name}: worst error {}, {} lost or wrong, {} ns a hit",
+            error(s.worst),
+            failures(s.lost + s.wrong),
+            short_or_dash(s.hit_ns)
+        ),
+        None => String::new(),
+    };
+    let mark = flagged(String::new(), kind.families.iter().any(|family| family.disturbed));
+    let name = words(&kind.kind);
+    format!(
+        "<strong>{name}</strong>{}{}{mark}",
+        one("ours", ours(kind)),
+        one("textbook", textbook(kind))
+    )
 }
 
 fn details(kind: &KindData) -> Table {
@@ -185,7 +210,8 @@ fn details(kind: &KindData) -> Table {
     };
     let row = |family: &FamilyData| {
         let misses = family.judged - family.hits;
-        let mut row = vec![words(&family.family), family.hits.to_string(), misses.to_string()];
+        let name = flagged(words(&family.family), family.disturbed);
+        let mut row = vec![name, family.hits.to_string(), misses.to_string()];
         row.extend(cells(&family.ours));
         row.extend(cells(&family.textbook));
         row

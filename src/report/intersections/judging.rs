@@ -144,6 +144,7 @@ impl Judged {
             hits: hit_count,
             ours: ours.routine(),
             textbook: book.routine(),
+            disturbed: false,
         };
         Self { data, hits, misses }
     }

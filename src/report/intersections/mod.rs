@@ -49,6 +49,8 @@ pub struct FamilyData {
     pub ours: Routine,
     /// The textbook's.
     pub textbook: Routine,
+    /// Whether other programs took turns with the measurement of any of the times.
+    pub disturbed: bool,
 }
 
 /// How good one routine is.

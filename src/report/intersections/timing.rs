@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use super::FamilyData;
 use super::judging::{Case, Judged};
-use crate::report::clock::{medians, seconds};
+use crate::report::clock::{Time, medians, time};
 
 /// So often are the two routines timed in turn: at least, and at most.
 const ROUNDS: [usize; 2] = [3, 41];
@@ -15,21 +15,22 @@ const PATIENCE: f64 = 0.01;
 
 /// With the times of its rays filled in.
 pub fn timed(Judged { mut data, hits, misses }: Judged) -> FamilyData {
-    let [ours, textbook] = nanoseconds(&hits);
-    let [ours_miss, textbook_miss] = nanoseconds(&misses);
+    let ([ours, textbook], hits_disturbed) = nanoseconds(&hits);
+    let ([ours_miss, textbook_miss], misses_disturbed) = nanoseconds(&misses);
     (data.ours.hit_ns, data.ours.miss_ns) = (ours, ours_miss);
     (data.textbook.hit_ns, data.textbook.miss_ns) = (textbook, textbook_miss);
+    data.disturbed = hits_disturbed || misses_disturbed;
     data
 }
 
-/// For one call of ours and of the textbook's: both through a reference to a trait's object, for the
+/// For one call of ours and of the textbook's, and whether either was disturbed: both through a reference to a trait's object, for the
 /// same rays, and of both answers `t` alone is kept. (To keep the whole [`Candidate`], face and
 /// parameters, would time the copy of it: 4 ns that no caller spends.)
 ///
 /// [`Candidate`]: crate::shapes::Candidate
-fn nanoseconds(cases: &[Case]) -> [Option<f64>; 2] {
+fn nanoseconds(cases: &[Case]) -> ([Option<f64>; 2], bool) {
     if cases.is_empty() {
-        return [None; 2];
+        return ([None; 2], false);
     }
     let ours = |repeats: usize| {
         for _ in 0..repeats {
@@ -46,16 +47,16 @@ fn nanoseconds(cases: &[Case]) -> [Option<f64>; 2] {
             }
         }
     };
-    let ((), once) = seconds(|| {
+    let ((), once) = time(|| {
         ours(1);
         textbook(1);
     });
     let [fewest, most] = ROUNDS;
-    let affordable = PATIENCE / once.max(1e-9);
+    let affordable = PATIENCE / once.cpu.max(1e-9);
     let repeats = CALLS.div_ceil(cases.len()).min((affordable / most as f64) as usize).max(1);
     let rounds = ((affordable / repeats as f64) as usize).clamp(fewest, most);
     let calls = (repeats * cases.len()) as f64;
     let times = medians(rounds, &mut [&mut || ours(repeats), &mut || textbook(repeats)]);
-    let one = |seconds: f64| Some(1e9 * seconds / calls);
-    [one(times[0]), one(times[1])]
+    let one = |time: Time| Some(1e9 * time.cpu / calls);
+    ([one(times[0]), one(times[1])], times.iter().any(|time| time.is_disturbed()))
 }

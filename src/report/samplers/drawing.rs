@@ -1,7 +1,7 @@
 //! Page 3 as tables and pictures, from its data alone.
 
 use super::{CONFIDENCE, Data, FITTED_FROM, IntegrandData, SamplerData};
-use crate::report::html::{Table, capital, count, escaped, figure, listed, short, time};
+use crate::report::html::{Table, capital, count, escaped, figure, flagged, listed, short, time};
 use crate::report::plot::{Plot, Series};
 
 /// A sampler is as good as the best if it takes no more than this times its time.
@@ -154,7 +154,7 @@ fn table(integrand: &IntegrandData) -> String {
             at(4096),
             slope,
             samples_needed(s),
-            s.seconds_for_one_percent().map_or("–".to_owned(), time),
+            flagged(s.seconds_for_one_percent().map_or("–".to_owned(), time), s.disturbed),
         ]
     };
     let headings = [

@@ -51,6 +51,7 @@ pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> 
                 sampler,
                 errors,
                 sample_seconds,
+                disturbed: false,
                 slope: None,
                 samples_for_one_percent,
             };
@@ -123,9 +124,10 @@ fn time_samples(
         let mut jobs: Vec<_> = all.iter().map(|sets| move || job(sets)).collect();
         let mut turns: Vec<&mut dyn FnMut()> = Vec::new();
         jobs.iter_mut().for_each(|job| turns.push(job));
-        let seconds = clock::medians(ROUNDS, &mut turns);
-        for ((found, sets), seconds) in data.samplers.iter_mut().zip(&all).zip(seconds) {
-            found.sample_seconds = seconds / (f64::from(sets.per_set()) * problems.len() as f64);
+        let times = clock::medians(ROUNDS, &mut turns);
+        for ((found, sets), time) in data.samplers.iter_mut().zip(&all).zip(times) {
+            found.disturbed = time.is_disturbed();
+            found.sample_seconds = time.cpu / (f64::from(sets.per_set()) * problems.len() as f64);
         }
         watch.step()?;
     }

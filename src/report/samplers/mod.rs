@@ -43,6 +43,8 @@ pub struct SamplerData {
     pub errors: Vec<Error>,
     /// Seconds for one sample, drawn and put into the integrand, on one thread.
     pub sample_seconds: f64,
+    /// Whether other programs took turns with the measurement of `sample_seconds`.
+    pub disturbed: bool,
     /// The slope of log error over log samples, from 16 samples on, and its interval of 95 %
     /// confidence; `None` if some error is 0.
     pub slope: Option<[f64; 3]>,

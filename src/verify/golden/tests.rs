@@ -62,7 +62,53 @@ fn an_image_that_is_gone_is_missing() {
     assert_eq!(goldens.check(NAME).unwrap().status, Status::Missing);
 }
 
-/// As when the machine stops between moving the image and moving the manifest.
+/// Law: wherever an acceptance stops, the goldens opened next belong together; they are the old ones
+/// until all is written, the new ones after that. Oracle: the digests, and a count of the files.
+#[test]
+fn an_acceptance_that_stops_anywhere_leaves_a_consistent_folder() {
+    let other = "ch03/single-sphere";
+    let begin = || {
+        let (folder, goldens) = one_golden();
+        let larger = Wishes { size: Some([14, 14]), ..Wishes::default() };
+        let proposals =
+            [NAME, other].map(|name| goldens.propose(name, "again", &larger).unwrap()).to_vec();
+        (folder, goldens, proposals)
+    };
+    let consistent = |folder: &Path, size: [u32; 2], count: usize| {
+        let goldens = Goldens::open(folder).unwrap();
+        assert_eq!(goldens.all().len(), count);
+        for golden in goldens.all() {
+            assert_eq!(golden.size, size);
+            assert_eq!(goldens.check(&golden.name()).unwrap().status, Status::Same);
+        }
+        goldens
+    };
+
+    // while files are written: as a stopped process leaves it, the folder stays
+    let (folder, _, _) = begin();
+    let left = journal::stage(folder.path()).unwrap().keep();
+    std::fs::write(left.join(MANIFEST), "half a mani").unwrap();
+    let mut goldens = consistent(folder.path(), [12, 12], 1);
+    assert!(!goldens.was_finished());
+    goldens.accept(Vec::new()).unwrap();
+    assert!(!left.exists(), "the next acceptance removes it");
+
+    // after k moves, and after the last one before the empty folder is removed
+    for k in 0..=5 {
+        let (folder, goldens, proposals) = begin();
+        goldens.decide(proposals).unwrap();
+        let moves = journal::files(&folder.path().join(".accepted"), folder.path()).unwrap();
+        assert_eq!(moves.len(), 5, "two pictures of each, and the manifest");
+        for (from, to) in &moves[..k] {
+            std::fs::rename(from, to).unwrap();
+        }
+        assert!(consistent(folder.path(), [14, 14], 2).was_finished(), "after {k} moves");
+        assert!(!consistent(folder.path(), [14, 14], 2).was_finished());
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+}
+
+/// As when a person copies another image over it.
 #[test]
 fn an_image_and_a_manifest_that_do_not_belong_together_are_found_out() {
     let (_folder, goldens) = one_golden();

@@ -1,0 +1,98 @@
+//! Scenes exported with a mesh file, from here to there: they find the file and show the same.
+
+use std::fs;
+use std::path::Path;
+
+use super::run_in;
+
+const SCENE: &str = r#"
+background = 0.5
+[image]
+width = 12
+height = 12
+[camera]
+eye = [0, 0, 5]
+lens = { pinhole = { distance = 8 } }
+[[materials]]
+name = "red"
+recipe = { matte = { ka = 0.5, cd = [1, 0, 0] } }
+[[lights]]
+name = "everywhere"
+source = { ambient = { color = 1, ls = 1 } }
+[[objects]]
+name = "knot"
+material = "red"
+shape = { mesh = { file = "meshes/knot.ply", scale = 0.5 } }
+"#;
+
+/// A folder with `scenes/first.toml` and its mesh in `scenes/meshes`.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let meshes = folder.path().join("scenes/meshes");
+    fs::create_dir_all(&meshes).expect("a folder");
+    fs::create_dir(folder.path().join("other")).expect("a folder");
+    let knot = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply");
+    fs::copy(knot, meshes.join("knot.ply")).expect("it is there");
+    fs::write(folder.path().join("scenes/first.toml"), SCENE).expect("it can be written");
+    folder
+}
+
+fn good(folder: &Path, arguments: &[&str]) -> String {
+    let run = run_in(folder, arguments);
+    assert_eq!(run.status, Some(0), "{arguments:?}: {}", run.stderr);
+    run.stdout
+}
+
+/// The bits of a scene's picture.
+fn picture(folder: &Path, scene: &str) -> Vec<u8> {
+    let file = folder.join("picture.exr");
+    good(folder, &["render", scene, "-o", &file.to_string_lossy()]);
+    fs::read(file).expect("it was written")
+}
+
+/// Law: the picture is the same from any folder, and the name in the file the shortest way there.
+/// Oracle: the picture of the scene before, and the names by hand.
+#[test]
+fn an_exported_mesh_is_found_from_the_new_folder() {
+    let folder = folder();
+    let expected = picture(folder.path(), "scenes/first.toml");
+    for (here, from, to, name) in [
+        ("scenes", "first.toml", "second.toml", "meshes/knot.ply"),
+        ("scenes", "first.toml", "../other/second.toml", "../scenes/meshes/knot.ply"),
+        (".", "scenes/first.toml", "second.toml", "scenes/meshes/knot.ply"),
+        ("other", "../scenes/../scenes/first.toml", "second.toml", "../scenes/meshes/knot.ply"),
+        (".", "scenes/first.toml", "scenes/meshes/second.toml", "../meshes/knot.ply"),
+    ] {
+        let here = folder.path().join(here);
+        assert_eq!(good(&here, &["export", from, "-o", to]), "");
+        let text = fs::read_to_string(here.join(to)).expect("it was written");
+        assert!(text.contains(&format!("\"{name}\"")), "{from} to {to}:\n{text}");
+        assert!(picture(&here, to) == expected, "{from} to {to}");
+    }
+}
+
+/// Law: on the standard output the name is absolute, also of a scene named without its folder.
+#[test]
+fn a_mesh_on_the_standard_output_has_an_absolute_name() {
+    let folder = folder();
+    let scenes = folder.path().join("scenes");
+    let text = good(&scenes, &["export", "first.toml"]);
+    fs::write(folder.path().join("other/second.toml"), text).expect("it can be written");
+    let expected = picture(&scenes, "first.toml");
+    assert!(picture(folder.path(), "other/second.toml") == expected);
+}
+
+/// Law: `..` behind a symbolic link leads to the folder above the one it points to.
+#[test]
+#[cfg(unix)]
+fn an_exported_mesh_is_found_through_symbolic_links() {
+    let folder = folder();
+    let at = |path: &str| folder.path().join(path);
+    fs::create_dir_all(at("deep/er")).expect("a folder");
+    std::os::unix::fs::symlink(at("deep/er"), at("short")).expect("a link");
+    std::os::unix::fs::symlink(at("scenes"), at("deep/linked")).expect("a link");
+    let expected = picture(folder.path(), "scenes/first.toml");
+    good(folder.path(), &["export", "deep/linked/first.toml", "-o", "short/second.toml"]);
+    assert!(picture(folder.path(), "short/second.toml") == expected);
+    assert!(picture(folder.path(), "deep/er/second.toml") == expected);
+}

@@ -1,0 +1,43 @@
+//! Which goldens are checked and shown.
+
+use std::path::Path;
+
+use super::run_in;
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/goldens");
+
+/// The names that a check speaks of.
+fn checked(names: &[&str]) -> Vec<String> {
+    let run = run_in(Path::new("."), &[&["goldens", "check", "--folder", FOLDER], names].concat());
+    assert_eq!(run.status, Some(0), "{names:?}: {}{}", run.stdout, run.stderr);
+    let lines = run.stdout.lines().filter_map(|line| line.strip_prefix("same "));
+    lines.map(|line| line.trim().to_owned()).collect()
+}
+
+/// Law: a name means one golden, a chapter all of its goldens, each once. Oracle: the manifest.
+#[test]
+fn goldens_are_checked_by_name_and_by_chapter() {
+    let manifest = std::fs::read_to_string(format!("{FOLDER}/manifest.toml")).expect("it is there");
+    let of_chapter = manifest.matches("scene = \"ch03/").count();
+    let found = checked(&["ch28/glass-sphere", "ch03", "ch03/single-sphere"]);
+    assert_eq!(found.len(), of_chapter + 1, "{found:?}");
+    assert!(found.contains(&"ch28/glass-sphere".to_owned()));
+    assert!(found[..of_chapter].iter().all(|name| name.starts_with("ch03/")), "{found:?}");
+}
+
+/// Law: a name that is none gets the names like it, and status 2.
+#[test]
+fn an_unknown_golden_gets_a_suggestion() {
+    let run = run_in(Path::new("."), &["goldens", "check", "glass-sphere", "--folder", FOLDER]);
+    assert_eq!(run.status, Some(2));
+    assert!(run.stderr.contains("no golden `glass-sphere`"), "{}", run.stderr);
+    assert!(run.stderr.contains("did you mean `ch28/glass-sphere`"), "{}", run.stderr);
+}
+
+/// Law: a review of a chapter shows each of its goldens.
+#[test]
+fn a_review_of_a_chapter_shows_its_goldens() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = run_in(folder.path(), &["goldens", "review", "ch03", "--folder", FOLDER]);
+    assert_eq!(run.stdout, format!("review.html: shows {}\n", checked(&["ch03"]).len()));
+}
