@@ -1,7 +1,9 @@
 //! Lists of so many numbers, in files.
 
+use std::borrow::Cow;
 use std::fmt;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -45,7 +47,23 @@ pub fn number_or_vector<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Ve
     deserializer.deserialize_any(NumberOrVector)
 }
 
-struct NumberOrVector;
+/// How [`number_or_vector`] is written.
+pub struct NumberOrVector;
+
+impl JsonSchema for NumberOrVector {
+    fn schema_name() -> Cow<'static, str> {
+        "NumberOrVector".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let vector = <[f64; 3]>::json_schema(generator);
+        json_schema!({ "anyOf": [{ "type": "number" }, vector] })
+    }
+}
 
 impl<'de> Visitor<'de> for NumberOrVector {
     type Value = Vector;

@@ -19,7 +19,11 @@ pub enum Step {
     Translate(Vector),
     /// Scales along the axes by these factors, none of them zero; one number is the factor of all
     /// three.
-    Scale(#[serde(deserialize_with = "lists::number_or_vector")] Vector),
+    Scale(
+        #[serde(deserialize_with = "lists::number_or_vector")]
+        #[schemars(with = "lists::NumberOrVector")]
+        Vector,
+    ),
     /// Rotates about the x axis.
     RotateX(f64),
     /// Rotates about the y axis.
