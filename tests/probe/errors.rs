@@ -328,8 +328,28 @@ const ERRORS: &[(&str, &str)] = &[
         "transform.steps: the transformation is singular (condition number inf; at most 1e12 fits)",
     ),
     (
+        r#"{"transform": {"steps": [{"matrix": [[1, 2, 3, 0], [2, 4, 6, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]}}"#,
+        "transform.steps: the transformation is singular (condition number inf; at most 1e12 fits)",
+    ),
+    (
+        r#"{"transform": {"steps": [{"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]}]}}"#,
+        "transform.steps[0].matrix[3][0]: found 5, but the last of the four rows has to be [0, 0, 0, 1]",
+    ),
+    (
+        r#"{"transform": {"steps": [{"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 2]]}]}}"#,
+        "transform.steps[0].matrix[3][3]: found 2, but the last of the four rows has to be [0, 0, 0, 1]",
+    ),
+    (
+        r#"{"transform": {"steps": [{"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]}}"#,
+        "column 78: invalid length 3, expected an array of length 4",
+    ),
+    (
+        r#"{"transform": {"steps": [{"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}]}}"#,
+        "column 38: invalid type: integer `1`, expected a list",
+    ),
+    (
         r#"{"transform": {"steps": [{"turn": 3}]}}"#,
-        "column 32: unknown variant `turn`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`",
+        "column 32: unknown variant `turn`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
     ),
     (r#"{"radiance": {"scene": "ch28/glass-sphere"}}"#, "radiance: needs either `pixel` or `ray`"),
     (
