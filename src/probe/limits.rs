@@ -48,6 +48,10 @@ fn primitives(shape: &Kind) -> Result<u64, Invalid> {
             few(26 * (blocks + wedges)).map_err(|e| e.inside(field).inside("archway"))
         }
         Kind::Rosette(_) => Ok(26 * 115),
+        Kind::Mesh(mesh) => {
+            let triangles = mesh.triangles.as_ref().map_or(1, |triangles| triangles.len() as u64);
+            few(triangles).map_err(|e| e.inside("triangles").inside("mesh"))
+        }
         _ => Ok(1),
     }
 }
