@@ -10,9 +10,11 @@ use crate::world::World;
 pub const LONGEST_LINE: usize = 1 << 20;
 /// Points of sample sets in one answer, and samples of one set.
 pub const MOST_POINTS: u32 = 1 << 14;
-/// Triangles of all procedural meshes, and parts and copies of shapes, of a line. A mesh file is not counted: it takes what a file
-/// of its size takes anywhere else.
+/// Triangles of all procedural meshes and lists, and parts and copies of shapes, of a line. A mesh file
+/// is not counted: it takes what a file of its size takes anywhere else.
 pub const MOST_TRIANGLES: u64 = 1 << 18;
+/// Cells of a grid: about as many as these for a cube, and at most some times as many.
+pub const MOST_CELLS: f64 = (1 << 20) as f64;
 /// Ray–object tests, roughly, for one radiance: some seconds.
 pub const MOST_WORK: f64 = 2e8;
 

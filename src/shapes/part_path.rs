@@ -59,6 +59,11 @@ impl PartPath {
         &self.levels
     }
 
+    /// Whether it has no levels.
+    pub fn is_empty(&self) -> bool {
+        self.levels.is_empty()
+    }
+
     /// The path of one level.
     pub fn to(level: Level) -> Self {
         Self { levels: vec![level] }

@@ -1,6 +1,7 @@
 //! Chapter 28: realistic transparency.
 
 mod fresnel;
+mod polarised;
 
 use std::f64::consts::TAU;
 
