@@ -345,7 +345,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"transform": {"steps": [{"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}]}}"#,
-        "column 38: invalid type: integer `1`, expected a list",
+        "column 38: invalid type: integer `1`, expected a sequence",
     ),
     (
         r#"{"transform": {"steps": [{"turn": 3}]}}"#,
@@ -369,7 +369,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"intersect": {"shape": {"mesh": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1]]}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
-        "column 103: invalid length 2, expected an array of length 3",
+        "column 102: invalid length 2, expected an array of length 3",
     ),
     (r#"{"grid": {}}"#, "grid: needs either `boxes` or `shapes`"),
     (r#"{"grid": {"boxes": [], "shapes": []}}"#, "grid: needs either `boxes` or `shapes`"),
@@ -403,7 +403,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"grid": {"boxes": [{"min": [0, 0, 0], "max": [1, 1, 1]}], "cell": [0, -1, 0]}}"#,
-        "column 80: invalid value: integer `-1`, expected a whole number from 0 to 4294967295",
+        "column 73: invalid value: integer `-1`, expected a whole number from 0 to 4294967295",
     ),
     (
         r#"{"grid": {"boxes": [{"min": [0, 0, 0], "max": [1, 1, 1]}], "ray": {"origin": [0, 0, 0], "direction": [0, 0, 0]}}}"#,
