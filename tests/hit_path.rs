@@ -30,7 +30,7 @@ fn strip(folder: &std::path::Path) -> (Kind, MeshData) {
     let file = folder.join("strip.ply");
     let bytes = write_ply(&data, Encoding::LittleEndian);
     std::fs::write(&file, bytes).expect("written");
-    let mesh = Mesh { file, scale: 1.0, smooth: false, reverse_normals: false, accel: None };
+    let mesh = Mesh::of_file(file);
     (mesh.into(), data)
 }
 
@@ -215,7 +215,7 @@ fn polygons_take_as_many_numbers_as_triangles_they_are_cut_into() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("polygons.obj");
     std::fs::write(&file, obj).expect("written");
-    let mesh = Mesh { file, scale: 1.0, smooth: false, reverse_normals: false, accel: None };
+    let mesh = Mesh::of_file(file);
     let shape = Kind::from(mesh).build(&mut Context::default()).expect("valid");
     let mut draw = Draw::new(2149);
     let mut seen = std::collections::BTreeSet::new();

@@ -4,6 +4,10 @@
 mod answers;
 #[path = "probe/errors.rs"]
 mod errors;
+#[path = "probe/grid.rs"]
+mod grid;
+#[path = "probe/inside.rs"]
+mod inside;
 #[path = "probe/lines.rs"]
 mod lines;
 #[path = "probe/radiance.rs"]

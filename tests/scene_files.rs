@@ -1,6 +1,8 @@
 //! Scene files that are wrong: one error each, with file, line, object and field, and what would
 //! fit; never a panic, a hang or gigabytes.
 
+#[path = "scene_files/mesh_lists.rs"]
+mod mesh_lists;
 #[path = "scene_files/meshes.rs"]
 mod meshes;
 #[path = "scene_files/not_finite.rs"]
@@ -292,6 +294,16 @@ const ERRORS: &[(&str, &str, &str)] = &[
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.instance]\nof = { sphere = { center = [0, 0, 0], radius = 1 } }\ntransform = [\n{ matrix = [[1, 0, 0, 0],\n[0, 1, 0, 0],\n[0, 0, inf, 0],\n[0, 0, 0, 1]] }]\n",
+        "scene.toml:34: objects[0] \"ball\", shape.instance.transform[0].matrix[2][2]: found inf, but a finite number is needed",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
+        "[objects.shape.instance]\nof = { sphere = { center = [0, 0, 0], radius = 1 } }\ntransform = [{ matrix = [[1, 0, 0, 0], [0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]] }]\n",
+        "scene.toml:32: objects[0] \"ball\", shape.instance.transform[0].matrix: invalid length 3, expected an array of length 4",
+    ),
+    (
+        "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ translate = [nan, 0, 0] }] } }\n",
         "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].translate: found [NaN, 0.0, 0.0], but finite coordinates are needed",
     ),
@@ -303,7 +315,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ spin = 3 }] } }\n",
-        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].spin: unknown variant `spin`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].spin: unknown variant `spin`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",

@@ -17,7 +17,7 @@ use std::ops::Range;
 
 use super::frame::{Frame, FrameRay};
 use super::search::Search;
-use crate::math::{Aabb, Vector, cbrt};
+use crate::math::{Aabb, Span, Vector, cbrt};
 
 /// Cells on each axis for each cube root of a primitive: the book's `multiplier`.
 const MULTIPLIER: f64 = 2.0;
@@ -62,9 +62,18 @@ struct Cells {
 impl Grid {
     /// Over these primitives, whose boxes are `bounds`.
     pub(super) fn build(frame: &Frame, bounds: &[Aabb], which: &[u32]) -> Self {
+        Self::build_with(frame, bounds, which, MULTIPLIER)
+    }
+
+    /// The same with so many cells on each axis for each cube root of a primitive, or fewer.
+    pub(super) fn build_with(
+        frame: &Frame,
+        bounds: &[Aabb],
+        which: &[u32],
+        mut multiplier: f64,
+    ) -> Self {
         let boxes: Vec<Aabb> = which.iter().map(|&i| frame.boxed(&bounds[i as usize])).collect();
         let most = (MOST_ENTRIES * boxes.len()).max(FEW_ENTRIES);
-        let mut multiplier = MULTIPLIER;
         let cells = loop {
             let cells = Cells::of(&boxes, multiplier);
             let entries = boxes.iter().map(|b| cells.ranges(b).map(|r| r.len()).iter().product());
@@ -97,7 +106,7 @@ impl Grid {
     #[inline(never)]
     pub(super) fn search(&self, search: &mut impl Search) {
         let Some(ray) = search.enter() else { return };
-        let Some(walk) = Walk::new(&self.cells, &ray, search.span().min) else {
+        let Some(walk) = self.walk(&ray, search.span()) else {
             self.all.iter().any(|&index| search.consider(index));
             return;
         };
@@ -114,7 +123,22 @@ impl Grid {
         }
     }
 
-    fn cell(&self, cell: usize) -> &[u32] {
+    /// The cells along the ray, each with where the ray leaves it; `None` for a ray from too far away.
+    pub(super) fn walk<'a>(
+        &'a self,
+        ray: &'a FrameRay,
+        span: Span,
+    ) -> Option<impl Iterator<Item = (usize, f64)>> {
+        Walk::new(&self.cells, ray, span.min)
+    }
+
+    /// Cells on each axis.
+    pub(super) fn resolution(&self) -> [usize; 3] {
+        self.cells.counts
+    }
+
+    /// What is in the cell of this number, which counts along x first, then along y.
+    pub(super) fn cell(&self, cell: usize) -> &[u32] {
         &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 

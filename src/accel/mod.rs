@@ -6,6 +6,7 @@
 //! skip a hit that another one counts.
 
 mod bvh;
+mod cells;
 mod frame;
 mod grid;
 mod kernel;
@@ -21,6 +22,7 @@ use frame::Frame;
 use search::{Among, Any, Nearest, Search};
 
 pub use bvh::{LeafCost, OneByOne};
+pub use cells::Cells;
 pub(crate) use kernel::Instructions;
 pub use kernel::Kernel;
 

@@ -21,7 +21,7 @@ use crate::invalid::Invalid;
 use crate::math::{Normal, Vector};
 use crate::rgb::Rgb;
 
-pub use fresnel::{Fresnel, fresnel};
+pub use fresnel::{Fresnel, Polarised, fresnel, polarised};
 pub use refract::refract;
 
 /// A direction drawn by a lobe.

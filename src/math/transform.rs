@@ -44,6 +44,9 @@ pub enum Step {
     /// The six-factor shear `x' = x + a y + b z`, `y' = c x + y + d z`, `z' = e x + f y + z`, as
     /// `[a, b, c, d, e, f]`.
     Shear(#[serde(deserialize_with = "lists::exactly")] [f64; 6]),
+    /// Any affine map, by the four rows of its matrix: it sends x to
+    /// `m[0][0] x + m[0][1] y + m[0][2] z + m[0][3]`. The last row is `[0, 0, 0, 1]`.
+    Matrix(#[serde(deserialize_with = "lists::rows")] [[f64; 4]; 4]),
 }
 
 /// A coordinate axis.
@@ -83,6 +86,10 @@ impl Step {
             Step::RotateAbout { point, direction, degrees } => {
                 Step::RotateAbout { point: point.scaled(factor), direction, degrees }
             }
+            Step::Matrix([x, y, z, last]) => {
+                let moved = |[a, b, c, shift]: [f64; 4]| [a, b, c, factor * shift];
+                Step::Matrix([moved(x), moved(y), moved(z), last])
+            }
             _ => self.clone(),
         }
     }
@@ -113,6 +120,14 @@ impl Step {
             Step::Shear([a, b, c, d, e, f]) => {
                 let m = DMat3::from_cols_array(&[1.0, c, e, a, 1.0, f, b, d, 1.0]);
                 linear(m, inverse_of(m))
+            }
+            Step::Matrix([x, y, z, _]) => {
+                let column = |j: usize| DVec3::new(x[j], y[j], z[j]);
+                let matrix3 = DMat3::from_cols(column(0), column(1), column(2));
+                let forward = DAffine3 { matrix3, translation: column(3) };
+                let matrix3 = inverse_of(matrix3);
+                let translation = -(matrix3 * forward.translation);
+                [forward, DAffine3 { matrix3, translation }]
             }
         }
     }

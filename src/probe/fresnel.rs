@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::numbers::{Real, Triple, triple, unit};
 use crate::invalid::{Invalid, direction, positive};
-use crate::lobes::{fresnel, refract};
+use crate::lobes::{fresnel, polarised, refract};
 use crate::math::Vector;
 
 #[derive(Deserialize)]
@@ -20,6 +20,11 @@ pub struct Fresnel {
 pub struct Answer {
     reflected: Real,
     transmitted: Real,
+    /// Of light polarised perpendicular to the plane of incidence (s), and in it (p).
+    r_s: Real,
+    r_p: Real,
+    t_s: Real,
+    t_p: Real,
     /// Left out if no directions were given, null on total internal reflection.
     #[serde(skip_serializing_if = "Option::is_none")]
     refracted: Option<Option<Triple>>,
@@ -49,8 +54,15 @@ impl super::Question for Fresnel {
             }
             _ => return Err(Invalid::new("needs either `cos_i`, or `wo` and `n`")),
         };
-        let shares = fresnel(cos_i, eta);
-        let (reflected, transmitted) = (Real(shares.reflected), Real(shares.transmitted));
-        Ok(Answer { reflected, transmitted, refracted })
+        let (mean, each) = (fresnel(cos_i, eta), polarised(cos_i, eta));
+        Ok(Answer {
+            reflected: Real(mean.reflected),
+            transmitted: Real(mean.transmitted),
+            r_s: Real(each.s.reflected),
+            r_p: Real(each.p.reflected),
+            t_s: Real(each.s.transmitted),
+            t_p: Real(each.p.transmitted),
+            refracted,
+        })
     }
 }

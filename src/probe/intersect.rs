@@ -4,10 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::limits;
 use super::numbers::{RayData, Real, SpanData, Triple, triple};
-use crate::invalid::{Invalid, Key};
+use crate::invalid::{Invalid, Key, direction};
 use crate::kinds::Specification;
-use crate::math::{Ray, Step};
-use crate::shapes::{Candidate, Context, Instance, Kind, Shape};
+use crate::math::{Ray, Step, Vector};
+use crate::shapes::{Candidate, Context, Instance, Kind, PartPath, Shape};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -19,6 +19,8 @@ pub struct Intersect {
     span: Option<SpanData>,
     #[serde(default)]
     all: bool,
+    /// A direction in which a ray leaves the hit.
+    leave: Option<Vector>,
 }
 
 /// One hit.
@@ -35,6 +37,12 @@ pub struct Hit {
     /// Texture coordinates, of what has any.
     #[serde(skip_serializing_if = "Option::is_none")]
     uv: Option<[Real; 2]>,
+    /// Through which nested shapes the hit went, of what has any.
+    #[serde(skip_serializing_if = "PartPath::is_empty")]
+    path: PartPath,
+    /// Where a ray that leaves in the direction asked for starts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    leave: Option<Triple>,
 }
 
 #[derive(Serialize)]
@@ -50,27 +58,34 @@ impl super::Question for Intersect {
     fn answer(&self) -> Result<Hits, Invalid> {
         let ray = self.ray.ray()?;
         let span = SpanData::span(self.span)?;
+        if let Some(leave) = self.leave {
+            direction("leave", leave)?;
+        }
         let shape = build(&self.shape, &self.transform)?;
         if self.all {
             limits::all_of(&*shape).map_err(|e| e.inside("all"))?;
             let roots = shape.roots(&ray, span);
-            return Ok(Hits::All(roots.iter().map(|at| hit(&*shape, &ray, at)).collect()));
+            return Ok(Hits::All(roots.iter().map(|at| self.hit(&*shape, &ray, at)).collect()));
         }
-        Ok(Hits::Nearest(shape.hit(&ray, span).map(|at| hit(&*shape, &ray, &at))))
+        Ok(Hits::Nearest(shape.hit(&ray, span).map(|at| self.hit(&*shape, &ray, &at))))
     }
 }
 
-fn hit(shape: &dyn Shape, ray: &Ray, at: &Candidate) -> Hit {
-    let surface = shape.surface(ray, at);
-    let differs = surface.shading != surface.normal;
-    Hit {
-        t: Real(at.t),
-        point: triple(surface.point),
-        normal: triple(surface.normal),
-        shading_normal: differs.then(|| triple(surface.shading)),
-        front: surface.is_front(ray.direction),
-        error: Real(surface.error),
-        uv: shape.uv(at).map(|uv| uv.map(Real)),
+impl Intersect {
+    fn hit(&self, shape: &dyn Shape, ray: &Ray, at: &Candidate) -> Hit {
+        let surface = shape.surface(ray, at);
+        let differs = surface.shading != surface.normal;
+        Hit {
+            t: Real(at.t),
+            point: triple(surface.point),
+            normal: triple(surface.normal),
+            shading_normal: differs.then(|| triple(surface.shading)),
+            front: surface.is_front(ray.direction),
+            error: Real(surface.error),
+            uv: shape.uv(at).map(|uv| uv.map(Real)),
+            path: shape.path(at),
+            leave: self.leave.map(|direction| triple(surface.leave(direction))),
+        }
     }
 }
 

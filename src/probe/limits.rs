@@ -10,9 +10,11 @@ use crate::world::World;
 pub const LONGEST_LINE: usize = 1 << 20;
 /// Points of sample sets in one answer, and samples of one set.
 pub const MOST_POINTS: u32 = 1 << 14;
-/// Triangles of all procedural meshes, and parts and copies of shapes, of a line. A mesh file is not counted: it takes what a file
-/// of its size takes anywhere else.
+/// Triangles of all procedural meshes and lists, and parts and copies of shapes, of a line. A mesh file
+/// is not counted: it takes what a file of its size takes anywhere else.
 pub const MOST_TRIANGLES: u64 = 1 << 18;
+/// Cells of a grid: about as many as these for a cube, and at most some times as many.
+pub const MOST_CELLS: f64 = (1 << 20) as f64;
 /// Ray–object tests, roughly, for one radiance: some seconds.
 pub const MOST_WORK: f64 = 2e8;
 
@@ -48,6 +50,10 @@ fn primitives(shape: &Kind) -> Result<u64, Invalid> {
             few(26 * (blocks + wedges)).map_err(|e| e.inside(field).inside("archway"))
         }
         Kind::Rosette(_) => Ok(26 * 115),
+        Kind::Mesh(mesh) => {
+            let triangles = mesh.triangles.as_ref().map_or(1, |triangles| triangles.len() as u64);
+            few(triangles).map_err(|e| e.inside("triangles").inside("mesh"))
+        }
         _ => Ok(1),
     }
 }

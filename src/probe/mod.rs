@@ -6,10 +6,12 @@
 //! the same bits.
 //!
 //! Each question is a file: its data, and a `Question` that answers it; its entry in the list
-//! below gives it its name.
+//! below gives it its name. What is asked of a part of the library by itself (`grid`: the cells of an
+//! acceleration) reads the very structure that renders.
 
 mod camera_ray;
 mod fresnel;
+mod grid;
 mod intersect;
 mod light;
 mod lobe;
@@ -98,6 +100,7 @@ questions! {
     light::Light,
     texture::Texture,
     transform::Transform,
+    grid::Grid,
     radiance::Radiance,
 }
 

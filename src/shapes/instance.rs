@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface, normal_along};
-use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths};
+use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths, shown};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
 
@@ -113,7 +113,27 @@ fn check(step: &Step) -> Result<(), Invalid> {
             let problem = format!("found {factors:?}, but six finite numbers are needed");
             Err(Invalid::field("shear", problem))
         }
+        Step::Matrix(rows) => check_matrix(rows).map_err(|e| e.inside("matrix")),
     }
+}
+
+/// Refuses entries that are not finite, and a last row of no affine map.
+fn check_matrix(rows: &[[f64; 4]; 4]) -> Result<(), Invalid> {
+    const LAST: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
+    for (i, row) in rows.iter().enumerate() {
+        for (j, &entry) in row.iter().enumerate() {
+            let problem = if !entry.is_finite() {
+                format!("found {entry}, but a finite number is needed")
+            } else if i == 3 && entry != LAST[j] {
+                let found = shown(entry);
+                format!("found {found}, but the last of the four rows has to be [0, 0, 0, 1]")
+            } else {
+                continue;
+            };
+            return Err(Invalid::new(problem).inside(j).inside(i));
+        }
+    }
+    Ok(())
 }
 
 impl Shape for Placed {

@@ -181,10 +181,12 @@ mod assembly;
 mod context;
 mod edges;
 mod lanes;
+mod mesh_lists;
 mod part_path;
 mod shoulder;
 mod spherical_cap;
 mod triangle_block;
+mod triangle_mesh;
 mod vertex_normals;
 mod watertight;
 mod wedge_parts;
@@ -232,7 +234,7 @@ pub use context::{Context, PartMaterial};
 pub use part_path::{Face, Level, PartPath};
 
 pub(crate) use instance::transform_of;
-pub use mesh::{AcceleratedMesh, TriangleMesh};
+pub use triangle_mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
     /// The surface of an object. Lengths are in the unit of the scene.
@@ -311,7 +313,7 @@ impl Kind {
     /// Makes the names of its files, which are relative to `folder`, independent of it.
     pub fn files_from(&mut self, folder: &Path) {
         match self {
-            Kind::Mesh(mesh) => mesh.file = folder.join(&mesh.file),
+            Kind::Mesh(Mesh { file: Some(file), .. }) => *file = folder.join(&*file),
             Kind::Instance(instance) => instance.of.files_from(folder),
             Kind::Lattice(lattice) => lattice.of.files_from(folder),
             Kind::Compound(compound) => {

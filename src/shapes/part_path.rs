@@ -33,7 +33,8 @@ pub enum Level {
     Sphere(u32),
     /// A triangle of a mesh. Of a mesh file, the triangles are those of its faces in the order of the
     /// file, a polygon of n corners being cut into n − 2; triangles of area zero are counted,
-    /// although no ray hits them.
+    /// although no ray hits them. Of a mesh of lists, it is the
+    /// index into `triangles`.
     Triangle(u32),
     /// A face of a box.
     Face(Face),

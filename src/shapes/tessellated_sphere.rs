@@ -6,8 +6,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::mesh::TriangleMesh;
-use super::{Context, Shape};
+use super::{Context, Shape, TriangleMesh};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};

@@ -12,7 +12,9 @@ use crate::math::floor;
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
-/// Cubes of alternating colours, in the local coordinates of the object.
+/// Cubes of alternating colours, in the local coordinates of the object. The cube of a point is
+/// `floor(x / size − 0.000187453738)` on each axis, so that its borders are a little beyond the
+/// multiples of the size: a face at a whole coordinate lies in one cube, whatever way it is rounded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Checker3d {
@@ -31,8 +33,9 @@ fn half_grey() -> Rgb {
     Rgb::grey(0.5)
 }
 
-/// The book's odd offset, so that a face that lies on a border of cubes has one colour. Here it is
-/// a fraction of the size: the book's absolute one would not scale with the scene.
+/// The book's odd offset, added before rounding down, so that a face that lies on a border of cubes has
+/// one colour. Here it is a fraction of the size: the book's absolute one would not scale with the
+/// scene.
 const OFFSET: f64 = -0.000_187_453_738;
 
 impl Specification for Checker3d {

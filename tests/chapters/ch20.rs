@@ -1,5 +1,7 @@
 //! Chapter 20: affine transformations.
 
+mod matrix;
+
 use dashu_ratio::RBig;
 use groundtruth::math::{Axis, Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use proptest::prelude::*;

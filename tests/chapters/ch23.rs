@@ -5,6 +5,7 @@ mod files;
 mod hard;
 mod hard_spheres;
 mod leaving;
+mod lists;
 mod meshes;
 mod outside;
 mod smooth;

@@ -1,6 +1,7 @@
 //! Chapter 28: realistic transparency.
 
 mod fresnel;
+mod polarised;
 mod recorded_optics;
 
 use std::f64::consts::TAU;

@@ -174,6 +174,11 @@ proptest! {
         let answer = ask(&json!({"fresnel": {"wo": wo.to_array(), "n": n.to_array(), "eta": eta}}));
         let share = |name: &str| answer[name].as_f64().expect("a share");
         prop_assert!((share("reflected") + share("transmitted") - 1.0).abs() < ROUNDING);
+        for [r, t] in [["r_s", "t_s"], ["r_p", "t_p"]] {
+            prop_assert!((share(r) + share(t) - 1.0).abs() < ROUNDING);
+        }
+        let mean = 0.5 * (share("r_s") + share("r_p"));
+        prop_assert!((share("reflected") - mean).abs() < ROUNDING);
         let sine = n.cross(wo).length();
         if answer["refracted"].is_null() {
             prop_assert!(sine > eta - ROUNDING);
@@ -198,7 +203,34 @@ proptest! {
         let brewster = 1.0 / (1.0 + eta * eta).sqrt();
         let expected = 0.5 * square((1.0 - eta * eta) / (1.0 + eta * eta));
         prop_assert!((reflected(brewster) - expected).abs() < ROUNDING);
+        let answer = ask(&json!({"fresnel": {"cos_i": brewster, "eta": eta}}));
+        prop_assert!(answer["r_p"].as_f64().expect("a share") < ROUNDING * ROUNDING);
+        prop_assert!((answer["r_s"].as_f64().expect("a share") - 2.0 * expected).abs() < ROUNDING);
         prop_assert!((reflected(1.0) - square((eta - 1.0) / (eta + 1.0))).abs() < ROUNDING);
+    }
+
+    /// Law: albedos are as good as the document says. Oracle: for the glossy lobe the closed forms
+    /// `2π/(e + 2)` straight on and, of exponent 0, `π (1 + cosθ)/2`; for the others their definitions.
+    #[test]
+    fn albedos_are_as_good_as_documented(e in 0.0..300.0_f64, cosine in 0.001..1.0_f64, eta in 0.5..2.0_f64) {
+        let albedo = |lobe: serde_json::Value, cosine: f64| {
+            let wo = [((1.0 - cosine) * (1.0 + cosine)).sqrt(), 0.0, cosine];
+            numbers(&ask(&json!({"lobe": {"lobe": lobe, "wo": wo}}))["albedo"])[0]
+        };
+        let glossy = |e: f64| json!({"glossy_specular": {"reflectance": 1, "exponent": e}});
+        prop_assert!((albedo(glossy(e), 1.0) - 2.0 * PI / (e + 2.0)).abs() <= 1e-4);
+        prop_assert!((albedo(glossy(0.0), cosine) - 0.5 * PI * (1.0 + cosine)).abs() <= 1e-4);
+        prop_assert_eq!(albedo(json!({"lambertian": {"reflectance": 0.3}}), cosine), 0.3);
+        prop_assert_eq!(albedo(json!({"perfect_specular": {"reflectance": 0.3}}), cosine), 0.3);
+        let clear = json!({"perfect_transmitter": {"transmittance": 0.3, "eta": eta}});
+        let passes = (1.0 - cosine) * (1.0 + cosine) < eta * eta;
+        let expected = if passes { 0.3 / (eta * eta) } else { 0.0 };
+        prop_assert!((albedo(clear, cosine) - expected).abs() <= 3.0 * f64::EPSILON / 2.0 * expected);
+        let shares = ask(&json!({"fresnel": {"cos_i": cosine, "eta": eta}}));
+        let mirror = albedo(json!({"fresnel_reflector": {"eta": eta}}), cosine);
+        prop_assert!((mirror - shares["reflected"].as_f64().expect("a share")).abs() < ROUNDING);
+        let refracting = albedo(json!({"fresnel_transmitter": {"eta": eta}}), cosine) * eta * eta;
+        prop_assert!((refracting - shares["transmitted"].as_f64().expect("a share")).abs() < ROUNDING);
     }
 
     /// Law: a point light's radiance falls with the power of the distance.

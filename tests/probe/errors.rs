@@ -12,15 +12,15 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{}"#,
-        "column 2: no question; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, radiance",
+        "column 2: no question; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, grid, radiance",
     ),
     (
         r#"{"id": 3}"#,
-        "column 9: no question; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, radiance",
+        "column 9: no question; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, grid, radiance",
     ),
     (
         r#"{"intersekt": {}}"#,
-        "column 12: no question `intersekt`; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, radiance",
+        "column 12: no question `intersekt`; there are: intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, transform, grid, radiance",
     ),
     (
         r#"{"fresnel": {"cos_i": 1, "eta": 1}, "light": {"light": {"ambient": {}}, "from": [0, 0, 0]}}"#,
@@ -71,7 +71,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "al": true}}"#,
-        "column 131: unknown field `al`, expected one of `shape`, `transform`, `ray`, `span`, `all`",
+        "column 131: unknown field `al`, expected one of `shape`, `transform`, `ray`, `span`, `all`, `leave`",
     ),
     (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 0}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
@@ -328,8 +328,86 @@ const ERRORS: &[(&str, &str)] = &[
         "transform.steps: the transformation is singular (condition number inf; at most 1e12 fits)",
     ),
     (
+        r#"{"transform": {"steps": [{"matrix": [[1, 2, 3, 0], [2, 4, 6, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]}}"#,
+        "transform.steps: the transformation is singular (condition number inf; at most 1e12 fits)",
+    ),
+    (
+        r#"{"transform": {"steps": [{"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]}]}}"#,
+        "transform.steps[0].matrix[3][0]: found 5, but the last of the four rows has to be [0, 0, 0, 1]",
+    ),
+    (
+        r#"{"transform": {"steps": [{"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 2]]}]}}"#,
+        "transform.steps[0].matrix[3][3]: found 2, but the last of the four rows has to be [0, 0, 0, 1]",
+    ),
+    (
+        r#"{"transform": {"steps": [{"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]}}"#,
+        "column 78: invalid length 3, expected an array of length 4",
+    ),
+    (
+        r#"{"transform": {"steps": [{"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}]}}"#,
+        "column 38: invalid type: integer `1`, expected a sequence",
+    ),
+    (
         r#"{"transform": {"steps": [{"turn": 3}]}}"#,
-        "column 32: unknown variant `turn`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`",
+        "column 32: unknown variant `turn`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
+    ),
+    (
+        r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "leave": [0, 0, 0]}}"#,
+        "intersect.leave: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+    ),
+    (
+        r#"{"intersect": {"shape": {"mesh": {}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "intersect.shape.mesh: needs either `file`, or `vertices` and `triangles`",
+    ),
+    (
+        r#"{"intersect": {"shape": {"mesh": {"file": "a.ply", "uvs": []}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "intersect.shape.mesh.uvs: found beside `file`; leave one of them out",
+    ),
+    (
+        r#"{"intersect": {"shape": {"mesh": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2], [0, 2, 3]]}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "intersect.shape.mesh.triangles[1][2]: found 3, but vertices go from 0 to 2",
+    ),
+    (
+        r#"{"intersect": {"shape": {"mesh": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1]]}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
+        "column 102: invalid length 2, expected an array of length 3",
+    ),
+    (r#"{"grid": {}}"#, "grid: needs either `boxes` or `shapes`"),
+    (r#"{"grid": {"boxes": [], "shapes": []}}"#, "grid: needs either `boxes` or `shapes`"),
+    (
+        r#"{"grid": {"boxes": []}}"#,
+        "grid.boxes: found none with bounds, but a grid has at least one",
+    ),
+    (
+        r#"{"grid": {"shapes": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}}]}}"#,
+        "grid.shapes: found none with bounds, but a grid has at least one",
+    ),
+    (
+        r#"{"grid": {"shapes": [{"sphere": {"center": [0, 0, 0], "radius": 1}}, {"sphere": {"center": [0, 0, 0], "radius": -1}}]}}"#,
+        "grid.shapes[1].sphere.radius: found -1, but a positive, finite number is needed",
+    ),
+    (
+        r#"{"grid": {"boxes": [{"min": [0, 0, 0], "max": [1, 1, 1]}, {"min": [0, 2, 0], "max": [1, 1, 1]}]}}"#,
+        "grid.boxes[1].max: found [1.0, 1.0, 1.0], but no coordinate may be below that of min, [0.0, 2.0, 0.0]",
+    ),
+    (
+        r#"{"grid": {"boxes": [{"min": [0, 0, 0], "max": [1, 1, 1]}], "multiplier": 0}}"#,
+        "grid.multiplier: found 0, but a positive, finite number is needed",
+    ),
+    (
+        r#"{"grid": {"boxes": [{"min": [0, 0, 0], "max": [1, 1, 1]}], "multiplier": 1000}}"#,
+        "grid.multiplier: found 1000, but at most 101.593 fits for 1 objects",
+    ),
+    (
+        r#"{"grid": {"boxes": [{"min": [0, 0, 0], "max": [1, 1, 1]}], "cell": [0, 3, 0]}}"#,
+        "grid.cell: found [0, 3, 0], but the grid has 3 × 3 × 3 cells, counted from 0",
+    ),
+    (
+        r#"{"grid": {"boxes": [{"min": [0, 0, 0], "max": [1, 1, 1]}], "cell": [0, -1, 0]}}"#,
+        "column 73: invalid value: integer `-1`, expected a whole number from 0 to 4294967295",
+    ),
+    (
+        r#"{"grid": {"boxes": [{"min": [0, 0, 0], "max": [1, 1, 1]}], "ray": {"origin": [0, 0, 0], "direction": [0, 0, 0]}}}"#,
+        "grid.ray.direction: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
     ),
     (r#"{"radiance": {"scene": "ch28/glass-sphere"}}"#, "radiance: needs either `pixel` or `ray`"),
     (

@@ -29,7 +29,7 @@ fn the_examples_of_the_document_are_true() {
         assert_eq!(Some(probe::answer(question).as_str()), expected, "{question}");
         count += 1;
     }
-    assert_eq!(count, 42, "examples in docs/probe.md");
+    assert_eq!(count, 54, "examples in docs/probe.md");
 }
 
 fn any_finite() -> impl Strategy<Value = f64> {
@@ -101,7 +101,10 @@ proptest! {
 #[test]
 fn null_is_a_mark_too() {
     let answer = probe::answer(r#"{"id": null, "fresnel": {"cos_i": 1, "eta": 1}}"#);
-    assert_eq!(answer, r#"{"id":null,"answer":{"reflected":0.0,"transmitted":1.0}}"#);
+    assert_eq!(
+        answer,
+        r#"{"id":null,"answer":{"reflected":0.0,"transmitted":1.0,"r_s":0.0,"r_p":0.0,"t_s":1.0,"t_p":1.0}}"#
+    );
     let error = probe::answer(r#"{"id": null, "fresnel": {}}"#);
     assert_eq!(error, r#"{"id":null,"error":"column 26: missing field `eta`"}"#);
 }
@@ -111,7 +114,8 @@ fn null_is_a_mark_too() {
 fn a_long_line_is_refused_and_the_next_one_answered() {
     let error = r#"{"error":"the line is longer than 1048576 bytes; put large things into files"}"#;
     let good = r#"{"fresnel": {"cos_i": 1, "eta": 1}}"#;
-    let answer = r#"{"answer":{"reflected":0.0,"transmitted":1.0}}"#;
+    let answer =
+        r#"{"answer":{"reflected":0.0,"transmitted":1.0,"r_s":0.0,"r_p":0.0,"t_s":1.0,"t_p":1.0}}"#;
     for extra in [1, 2, 3, 1000, 3 << 20] {
         let long = "x".repeat(probe::LONGEST_LINE + extra);
         let (output, _) = served(format!("{long}\n{good}\n").as_bytes());

@@ -49,6 +49,12 @@ fn everything(lens: cameras::Kind) -> Scene {
             Step::RotateAbout { point: Point::ORIGIN, direction: Vector::Y, degrees: 40.0 },
             Step::Reflect(Axis::Z),
             Step::Shear([0.5, 0.25, 0.0, 0.0, 0.125, 0.0]),
+            Step::Matrix([
+                [1.0, 0.5, 0.25, 3.0],
+                [0.0, 1.0, 0.5, 2.0],
+                [0.0, 0.0, 1.0, 1.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ]),
         ],
     );
     let all = specimens(shapes::Kind::ENTRIES).into_iter().chain([instance.into()]);

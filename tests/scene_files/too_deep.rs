@@ -7,7 +7,7 @@ use groundtruth::invalid::MAX_NESTING;
 use groundtruth::math::{Point, Step, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted, from_toml, to_toml};
-use groundtruth::shapes::{Compound, Instance, Kind, Lattice, Part, Sphere};
+use groundtruth::shapes::{Compound, Instance, Kind, Lattice, Mesh, Part, Sphere};
 use groundtruth::world::World;
 
 use super::{error_of, with};
@@ -16,8 +16,18 @@ fn sphere() -> Kind {
     Kind::from(Sphere { center: Point::ORIGIN, radius: 1.0, inward: false })
 }
 
+/// The innermost shape that takes most levels of a text.
+fn triangle() -> Kind {
+    let vertices = [Vector::ZERO, Vector::X, Vector::Y].map(|v| Point::ORIGIN + v);
+    Kind::from(Mesh::of_lists(vertices.into(), vec![[0, 1, 2]]))
+}
+
 fn nested(levels: usize, around: fn(Kind) -> Kind) -> Kind {
-    (0..levels).fold(sphere(), |of, _| around(of))
+    nested_around(sphere(), levels, around)
+}
+
+fn nested_around(innermost: Kind, levels: usize, around: fn(Kind) -> Kind) -> Kind {
+    (0..levels).fold(innermost, |of, _| around(of))
 }
 
 fn instance(of: Kind) -> Kind {
@@ -50,6 +60,9 @@ fn whatever_builds_can_be_written_and_read() {
         let scene = scene(nested(MAX_NESTING, around));
         World::build(&scene).expect("as many fit");
         let text = to_toml(&scene).expect("plain");
+        from_toml(&text, Path::new("scene.toml")).expect("the same scene");
+        let lists = self::scene(nested_around(triangle(), MAX_NESTING, around));
+        let text = to_toml(&lists).expect("plain");
         from_toml(&text, Path::new("scene.toml")).expect("the same scene");
         let deeper = World::build(&self::scene(nested(MAX_NESTING + 1, around)));
         let error = deeper.expect_err("too deep").to_string();

@@ -42,6 +42,7 @@ fn overflows(steps: &[Step]) -> bool {
             point.to_array().into_iter().chain(direction.to_array()).any(number)
         }
         Step::Shear(factors) => factors.into_iter().any(number),
+        Step::Matrix(rows) => rows.into_iter().flatten().any(number),
         _ => false,
     })
 }
@@ -49,7 +50,7 @@ fn overflows(steps: &[Step]) -> bool {
 /// A step; on the grid one whose inverse is exact.
 pub(super) fn step(input: &mut Input<'_>) -> Step {
     let chaos = input.mode == Mode::Chaos;
-    let kind = input.byte() % 8;
+    let kind = input.byte() % 9;
     let axis = [Axis::X, Axis::Y, Axis::Z][usize::from(input.byte() % 3)];
     let degrees = if chaos { input.number() } else { 90.0 * input.number() };
     match kind {
@@ -70,6 +71,19 @@ pub(super) fn step(input: &mut Input<'_>) -> Step {
             let mut factors = [0.0; 6];
             factors[usize::from(input.byte() % 6)] = input.number();
             Step::Shear(factors)
+        }
+        7 => {
+            // axes in turn, and a move
+            let mut rows = [[0.0; 4]; 4];
+            for (i, row) in rows.iter_mut().enumerate().take(3) {
+                row[(i + axis as usize) % 3] = 1.0;
+                row[3] = input.number();
+                if chaos {
+                    row.iter_mut().for_each(|entry| *entry = input.number());
+                }
+            }
+            rows[3][3] = 1.0;
+            Step::Matrix(rows)
         }
         _ if chaos => {
             Step::RotateAbout { point: input.point(), direction: input.vector(), degrees }
@@ -104,6 +118,9 @@ fn moved(step: &Step, p: [f64; 3]) -> [f64; 3] {
         }
         Step::Shear([a, b, c, d, e, f]) => {
             [x + a * y + b * z, c * x + y + d * z, e * x + f * y + z]
+        }
+        Step::Matrix([first, second, third, _]) => {
+            [first, second, third].map(|[a, b, c, d]| a * x + b * y + c * z + d)
         }
     }
 }

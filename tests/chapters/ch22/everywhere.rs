@@ -92,11 +92,9 @@ fn balls(draw: &mut Draw, count: usize) -> Vec<Kind> {
 fn nested_grids_and_grids_of_instances_equal_the_list() {
     let mut draw = Draw::new(2290);
     let knot = Mesh {
-        file: concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply").into(),
         scale: 0.5,
         smooth: true,
-        reverse_normals: false,
-        accel: None,
+        ..Mesh::of_file(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply"))
     };
     let inner = Compound::of(balls(&mut draw, 30));
     let cloud = RandomSpheres { count: 60, radius: 0.1, half_side: 0.5, seed: 3, accel: None };

@@ -28,7 +28,7 @@ fn the_three_encodings_of_ply_give_the_same_hits() {
             assert_eq!(parse_ply(&bytes).expect("readable"), data);
             let file = folder.path().join(format!("{encoding:?}-{with_normals}.ply"));
             std::fs::write(&file, bytes).expect("writable");
-            let mesh = Mesh { file, scale: 0.5, smooth: true, reverse_normals: false, accel: None };
+            let mesh = Mesh { scale: 0.5, smooth: true, ..Mesh::of_file(file) };
             Kind::from(mesh).build(&mut Context::default()).expect("valid")
         });
         let mut draw = Draw::new(2340);
@@ -56,7 +56,7 @@ fn a_file_of_flat_triangles_is_refused() {
     let file = folder.path().join("flat.obj");
     let text = "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 1 2\n";
     std::fs::write(&file, text).expect("writable");
-    let mesh = Mesh { file, scale: 1.0, smooth: false, reverse_normals: false, accel: None };
+    let mesh = Mesh::of_file(file);
     let problem = Kind::from(mesh).build(&mut Context::default()).expect_err("flat").to_string();
     assert!(problem.contains("file") && problem.contains("area zero"), "{problem}");
 }
@@ -73,7 +73,7 @@ fn a_size_that_is_not_supported_is_named() {
         let problem =
             |kind: Kind| kind.build(&mut Context::default()).expect_err("size").to_string();
         let file = file.clone();
-        let mesh = Mesh { file, scale, smooth: false, reverse_normals: false, accel: None };
+        let mesh = Mesh { scale, ..Mesh::of_file(file) };
         assert_eq!(problem(mesh.into()), format!("mesh.file: found {found}, {lengths}"));
         let vertices = [[0.0, 0.0], [scale, 0.0], [0.0, scale]].map(|[x, y]| Point::new(x, y, 0.0));
         let triangle = Triangle { vertices, normals: None };

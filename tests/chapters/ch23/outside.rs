@@ -22,7 +22,7 @@ fn written(folder: &Path, vertices: &[Point], triangles: &Triangles, normals: &[
 fn saved(folder: &Path, name: &str, bytes: &[u8]) -> Mesh {
     let file = folder.join(name);
     std::fs::write(&file, bytes).expect("writable");
-    Mesh { file, scale: 1.0, smooth: true, reverse_normals: false, accel: None }
+    Mesh { smooth: true, ..Mesh::of_file(file) }
 }
 
 fn turned(triangles: &Triangles) -> Triangles {

@@ -40,7 +40,7 @@ fn texture_coordinates_are_interpolated_where_the_file_has_them() {
         let file = folder.path().join(format!("{with_uvs}.ply"));
         let bytes = write_ply(&sheet(with_uvs, draw), Encoding::LittleEndian);
         std::fs::write(&file, bytes).expect("written");
-        Kind::from(Mesh { file, scale: 1.0, smooth: true, reverse_normals: false, accel: None })
+        Kind::from(Mesh { smooth: true, ..Mesh::of_file(file) })
     };
     let plain = mesh(true, &mut draw);
     let up = vec![Step::Translate(Vector::new(0.0, 2.0, 0.0))];

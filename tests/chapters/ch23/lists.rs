@@ -1,0 +1,90 @@
+//! Meshes whose lists stand in the scene instead of in a file.
+
+use groundtruth::math::{Point, Ray, Span, Vector};
+use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
+use groundtruth::shapes::{Context, Kind, Mesh};
+use groundtruth::verify::Draw;
+
+/// A bumpy sheet with everything a file can have; one triangle of it has no area.
+fn sheet(draw: &mut Draw) -> MeshData {
+    let mut data = MeshData::default();
+    for i in 0..36_u32 {
+        data.vertices.push([f64::from(i % 6), draw.between(-0.3, 0.3), f64::from(i / 6)]);
+    }
+    for i in (0..30).filter(|i| i % 6 != 5) {
+        data.triangles.extend([[i, i + 6, i + 1], [i + 1, i + 6, i + 7]]);
+    }
+    data.triangles.insert(7, [3, 4, 3]);
+    let normals = |_| {
+        let long = draw.between(0.5, 2.0);
+        let normal = [draw.between(-0.3, 0.3), 1.0, draw.between(-0.3, 0.3)];
+        if draw.below(5) == 0 { [0.0; 3] } else { normal.map(|x| long * x) }
+    };
+    data.normals = Some((0..36).map(normals).collect());
+    data.uvs = Some((0..36).map(|_| [draw.between(0.0, 1.0), draw.between(0.0, 1.0)]).collect());
+    data
+}
+
+/// The same data as lists.
+fn as_lists(data: &MeshData) -> Mesh {
+    let vertices = data.vertices.iter().map(|&v| Point::from(v)).collect();
+    let normals = data.normals.as_ref().map(|all| all.iter().map(|&n| n.into()).collect());
+    Mesh { normals, uvs: data.uvs.clone(), ..Mesh::of_lists(vertices, data.triangles.clone()) }
+}
+
+/// Law: a mesh of lists is the mesh of a file that has them: equal hits, surfaces, texture
+/// coordinates and numbers of triangles, to the last bit, with and without normals, smooth, scaled
+/// and turned. Oracle: the file.
+#[test]
+fn a_mesh_of_lists_is_the_mesh_of_the_file_with_them() {
+    let mut draw = Draw::new(2351);
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut hits = 0;
+    for case in 0..8 {
+        let mut data = sheet(&mut draw);
+        if case & 1 != 0 {
+            (data.normals, data.uvs) = (None, None);
+        }
+        let file = folder.path().join(format!("{case}.ply"));
+        std::fs::write(&file, write_ply(&data, Encoding::LittleEndian)).expect("writable");
+        let (smooth, reverse_normals) = (case & 2 != 0, case & 4 != 0);
+        let shapes = [Mesh::of_file(file), as_lists(&data)].map(|mesh| {
+            let mesh = Mesh { smooth, reverse_normals, scale: 0.3, ..mesh };
+            Kind::from(mesh).build(&mut Context::default()).expect("valid")
+        });
+        for _ in 0..500 {
+            let to = Point::new(draw.between(0.0, 1.5), 0.0, draw.between(0.0, 1.5));
+            let from = to + 5.0 * Vector::from(draw.direction());
+            let ray = Ray::new(from, to - from);
+            let [of_file, of_lists] = shapes.each_ref().map(|shape| {
+                let at = shape.hit(&ray, Span::AHEAD)?;
+                Some((at, shape.surface(&ray, &at), shape.uv(&at), shape.path(&at)))
+            });
+            assert_eq!(of_file, of_lists);
+            hits += u32::from(of_file.is_some());
+        }
+    }
+    assert!(hits > 2_000, "only {hits} hits");
+}
+
+/// Law: an inside-out octahedron of lists is turned by its normals, as a file's would be. Oracle:
+/// normals that point away from the middle.
+#[test]
+fn normals_of_lists_say_what_is_outside() {
+    let corners = [Vector::X, Vector::Y, Vector::Z, -Vector::X, -Vector::Y, -Vector::Z];
+    let mut triangles = Vec::new();
+    for [a, b, c] in [[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2]] {
+        triangles.extend([[a, c, b], [a, b, 5]]);
+    }
+    let vertices: Vec<_> = corners.iter().map(|&v| Point::ORIGIN + v).collect();
+    let mesh = Mesh { normals: Some(corners.into()), ..Mesh::of_lists(vertices, triangles) };
+    let shape = Kind::from(mesh).build(&mut Context::default()).expect("valid");
+    let mut draw = Draw::new(2352);
+    for _ in 0..200 {
+        let way = Vector::from(draw.direction());
+        let ray = Ray::new(Point::ORIGIN + 3.0 * way, -way);
+        let at = shape.hit(&ray, Span::AHEAD).expect("through the middle");
+        let surface = shape.surface(&ray, &at);
+        assert!(surface.normal.dot(surface.point.to_vector()) > 0.5, "{surface:?}");
+    }
+}

@@ -1,0 +1,220 @@
+//! The cells of a grid, against brute force over all of them.
+
+use groundtruth::math::cbrt;
+use groundtruth::verify::Draw;
+use serde_json::{Value, json};
+
+use super::{ask, numbers};
+
+/// What is nearer to a border than this share of a cell may fall on either side of it.
+const TIE: f64 = 1e-9;
+/// How much the box of an object is grown, in sides of the longest cell side.
+const PAD: f64 = 1.0 / 64.0;
+
+type Box3 = [[f64; 3]; 2];
+
+struct Case {
+    boxes: Vec<Box3>,
+    multiplier: f64,
+    answer: Value,
+}
+
+/// Boxes in a block of this shape, which two of them fill to its corners.
+fn case(draw: &mut Draw, ray: Option<&Value>) -> Case {
+    let sides = [draw.between(0.5, 4.0), draw.between(0.5, 4.0), draw.between(0.5, 4.0)];
+    let corner = draw.point(10.0).to_array();
+    let at = |share: [f64; 3]| [0, 1, 2].map(|i| corner[i] + share[i] * sides[i]);
+    let mut boxes = vec![[at([0.0; 3]), at([0.01; 3])], [at([0.99; 3]), at([1.0; 3])]];
+    for _ in 0..draw.below(60) {
+        let low = [0, 1, 2].map(|_| draw.between(0.0, 0.9));
+        let high = low.map(|x| x + draw.between(0.0, 0.1));
+        boxes.push([at(low), at(high)]);
+    }
+    let multiplier = draw.between(0.5, 3.0);
+    let list: Vec<Value> = boxes.iter().map(|[min, max]| json!({"min": min, "max": max})).collect();
+    let mut question = json!({"boxes": list, "multiplier": multiplier});
+    if let Some(ray) = ray {
+        let origin: Vec<f64> = numbers(&ray["origin"]);
+        let origin: Vec<f64> = origin.iter().zip(corner).map(|(x, c)| x + c).collect();
+        question["ray"] = json!({"origin": origin, "direction": ray["direction"]});
+    }
+    let answer = ask(&json!({"grid": question}));
+    Case { boxes, multiplier, answer }
+}
+
+fn whole(boxes: &[Box3]) -> Box3 {
+    let end = |which: usize, better: fn(f64, f64) -> f64| {
+        [0, 1, 2].map(|i| boxes.iter().map(|b| b[which][i]).reduce(better).expect("some"))
+    };
+    [end(0, f64::min), end(1, f64::max)]
+}
+
+impl Case {
+    fn resolution(&self) -> [usize; 3] {
+        let found = numbers(&self.answer["resolution"]);
+        [0, 1, 2].map(|i| found[i] as usize)
+    }
+
+    /// The corners of a cell, and its sides.
+    fn cell(&self, cell: [usize; 3]) -> (Box3, [f64; 3]) {
+        let ([min, max], counts) = (whole(&self.boxes), self.resolution());
+        let sides = [0, 1, 2].map(|i| (max[i] - min[i]) / counts[i] as f64);
+        let low = [0, 1, 2].map(|i| min[i] + cell[i] as f64 * sides[i]);
+        ([low, [0, 1, 2].map(|i| low[i] + sides[i])], sides)
+    }
+
+    fn all_cells(&self) -> impl Iterator<Item = [usize; 3]> {
+        let [nx, ny, nz] = self.resolution();
+        (0..nx * ny * nz).map(move |n| [n % nx, n / nx % ny, n / nx / ny])
+    }
+
+    /// The objects in a cell by comparing its box with every object's, grown; `None` near a tie.
+    fn objects(&self, cell: [usize; 3]) -> Option<Vec<usize>> {
+        let ([low, high], sides) = self.cell(cell);
+        let longest = sides.into_iter().fold(0.0, f64::max);
+        let mut inside = Vec::new();
+        for (index, [min, max]) in self.boxes.iter().enumerate() {
+            // how far the boxes overlap on the axis where they do least
+            let overlap = (0..3)
+                .map(|i| (max[i] + PAD * longest - low[i]).min(high[i] - (min[i] - PAD * longest)))
+                .fold(f64::INFINITY, f64::min);
+            if overlap.abs() < TIE * longest {
+                return None;
+            }
+            if overlap > 0.0 {
+                inside.push(index);
+            }
+        }
+        Some(inside)
+    }
+}
+
+/// Law: `⌊multiplier · side / s⌋ + 1` cells on each axis, where `s³` is the volume for each object,
+/// between the least and greatest corners. Oracle: the book's formula (ch. 22), with sides not below
+/// what the document says.
+#[test]
+fn a_grid_has_as_many_cells_as_the_book_says() {
+    let mut draw = Draw::new(2261);
+    let mut thick = 0;
+    for _ in 0..300 {
+        let case = case(&mut draw, None);
+        let [min, max] = whole(&case.boxes);
+        assert_eq!(numbers(&case.answer["min"]), min);
+        assert_eq!(numbers(&case.answer["max"]), max);
+        let mut sides = [0, 1, 2].map(|i| max[i] - min[i]);
+        let n = case.boxes.len() as f64;
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &j| sides[i].total_cmp(&sides[j]));
+        let [short, middle, long] = order;
+        sides[middle] = sides[middle].max(sides[long] / n);
+        let least = (sides[long] * sides[middle] / n).sqrt();
+        thick += u32::from(sides[short] < least);
+        sides[short] = sides[short].max(least);
+        let s = cbrt(sides[0] * sides[1] * sides[2] / n);
+        for (side, count) in sides.into_iter().zip(case.resolution()) {
+            let exact = case.multiplier * side / s;
+            if (exact - exact.round()).abs() > TIE {
+                assert_eq!(count, exact as usize + 1);
+            }
+        }
+    }
+    assert!((20..280).contains(&thick), "{thick} blocks are taken to be thicker");
+}
+
+/// Law: a ray visits the cells whose inside it crosses, in the order in which it does, and each holds
+/// the objects whose grown boxes overlap it. Oracle: the interval of the ray in the slabs of every
+/// cell; cells in which the ray is hardly at all are left out of both.
+#[test]
+fn a_ray_visits_the_cells_that_it_crosses() {
+    let mut draw = Draw::new(2262);
+    let (mut seen, mut missed) = (0, 0);
+    for _ in 0..400 {
+        // from outside or inside, near the block's corner
+        let origin = draw.point(6.0).to_array();
+        let to = [0, 1, 2].map(|_| draw.between(-0.5, 2.5));
+        let direction = [0, 1, 2].map(|i| to[i] - origin[i]);
+        let case = case(&mut draw, Some(&json!({"origin": origin, "direction": direction})));
+        let corner = whole(&case.boxes)[0];
+        let origin = [0, 1, 2].map(|i| origin[i] + corner[i]);
+        let mut crossed = Vec::new();
+        let mut hardly = Vec::new();
+        for cell in case.all_cells() {
+            let ([low, high], _) = case.cell(cell);
+            let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
+            for i in 0..3 {
+                let ends = [low[i], high[i]].map(|x| (x - origin[i]) / direction[i]);
+                enter = enter.max(ends[0].min(ends[1]));
+                leave = leave.min(ends[0].max(ends[1]));
+            }
+            if leave - enter > 1e-7 {
+                crossed.push((enter, cell));
+            } else if leave - enter > -1e-7 {
+                hardly.push(cell);
+            }
+        }
+        crossed.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let expected: Vec<_> = crossed.into_iter().map(|(_, cell)| cell).collect();
+        let visited = case.answer["visited"].as_array().expect("the ray is not far away");
+        let mut found = Vec::new();
+        for step in visited {
+            let cell = numbers(&step["cell"]);
+            let cell = [0, 1, 2].map(|i| cell[i] as usize);
+            if let Some(objects) = case.objects(cell) {
+                assert_eq!(step["objects"], json!(objects), "{cell:?}");
+            }
+            if !hardly.contains(&cell) {
+                found.push(cell);
+            }
+        }
+        assert_eq!(found, expected);
+        *(if expected.is_empty() { &mut missed } else { &mut seen }) += 1;
+    }
+    assert!(seen > 100 && missed > 20, "{seen} {missed}");
+}
+
+/// Law: the objects of a cell asked for are those of brute force; objects are numbered as in the
+/// list, planes among them counted, which are in no cell. Oracle: the boxes; worked by hand.
+#[test]
+fn a_cell_holds_the_objects_that_overlap_it() {
+    let mut draw = Draw::new(2263);
+    for _ in 0..100 {
+        let case = case(&mut draw, None);
+        let counts = case.resolution();
+        let cell = counts.map(|count| draw.below(count));
+        let list: Vec<Value> =
+            case.boxes.iter().map(|[min, max]| json!({"min": min, "max": max})).collect();
+        let answer =
+            ask(&json!({"grid": {"boxes": list, "multiplier": case.multiplier, "cell": cell}}));
+        if let Some(objects) = case.objects(cell) {
+            assert_eq!(answer["objects"], json!(objects));
+        }
+    }
+    let ball = |x: f64| json!({"sphere": {"center": [x, 0, 0], "radius": 1}});
+    let plane = json!({"plane": {"point": [0, -1, 0], "normal": [0, 1, 0]}});
+    let answer =
+        ask(&json!({"grid": {"shapes": [plane, ball(0.0), ball(9.0)], "cell": [0, 0, 0]}}));
+    assert_eq!(answer["unbounded"], json!([0]));
+    assert_eq!(answer["objects"], json!([1]));
+    assert_eq!(numbers(&answer["min"]), [-1.0, -1.0, -1.0]);
+    assert_eq!(numbers(&answer["max"]), [10.0, 1.0, 1.0]);
+}
+
+/// Law: boxes of any size and place have an answer or an error, never a panic. Oracle: that there is
+/// a line.
+#[test]
+fn extreme_boxes_get_an_answer() {
+    let numbers = [0.0, 1.0, -1.0, 1e-310, 1e-40, 1e40, -1e155, 1e308, -1e308];
+    let mut draw = Draw::new(2264);
+    for _ in 0..2_000 {
+        let mut corner = || [0, 1, 2].map(|_| draw.pick(&numbers));
+        let boxes: Vec<Value> = (0..3)
+            .map(|_| {
+                let (a, b) = (corner(), corner());
+                let end = |better: fn(f64, f64) -> f64| [0, 1, 2].map(|i| better(a[i], b[i]));
+                json!({"min": end(f64::min), "max": end(f64::max)})
+            })
+            .collect();
+        let ray = json!({"origin": corner(), "direction": [1, 1e-9, -0.5]});
+        ask(&json!({"grid": {"boxes": boxes, "ray": ray}}));
+    }
+}
