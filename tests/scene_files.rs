@@ -300,7 +300,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "[objects.shape.instance]\nof = { sphere = { center = [0, 0, 0], radius = 1 } }\ntransform = [{ matrix = [[1, 0, 0, 0], [0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]] }]\n",
-        "scene.toml:32: objects[0] \"ball\", shape.instance.transform[0].matrix: invalid length 3, expected an array of length 4",
+        "scene.toml:31: objects[0] \"ball\", shape.instance.transform[0].matrix: invalid length 3, expected an array of length 4",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",

@@ -81,7 +81,7 @@ proptest! {
         let amplitude = 12.0 * U * (1.0 + eta * eta) / (eta * eta);
         prop_assert!(each.p.reflected <= amplitude * amplitude, "{each:?}");
         let r_s = (1.0 - eta * eta) / (1.0 + eta * eta);
-        prop_assert!((each.s.reflected - r_s * r_s).abs() <= 16.0 * U);
+        prop_assert!((each.s.reflected - r_s * r_s).abs() <= 2.0 * amplitude + 16.0 * U);
         let straight = polarised(1.0, eta);
         let r = (eta - 1.0) / (eta + 1.0);
         for shares in [straight.s, straight.p] {
