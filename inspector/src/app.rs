@@ -13,7 +13,7 @@ use crate::image_settings::ImageSettings;
 use crate::kept::Kept;
 use crate::keys::{self, Shortcut};
 use crate::panels::{self, Fields, Wish};
-use crate::picture::{self, Mouse, Picture};
+use crate::picture::{self, Picture};
 use crate::saving::Saving;
 use crate::scene_picker::ScenePicker;
 use crate::splits::Splits;
@@ -50,7 +50,8 @@ pub struct Inspector {
     settings: ImageSettings,
     splits: Splits,
     is_showing_keys: bool,
-    mouse: Mouse,
+    /// The pixel under the mouse.
+    over: Option<[u32; 2]>,
     title: String,
 }
 
@@ -78,7 +79,7 @@ impl Inspector {
             settings: ImageSettings::default(),
             splits: Splits::default(),
             is_showing_keys: false,
-            mouse: Mouse::default(),
+            over: None,
         }
     }
 
@@ -126,15 +127,18 @@ impl Inspector {
         self.follow_files(&ctx);
         self.set_title(&ctx);
 
+        // before anything is drawn, so that the tree is in the frame of the click
+        if let Some(pixel) = self.picture.clicked(&ctx, self.rendering.size()) {
+            self.select(pixel);
+        }
+        self.step(ui);
+        self.selection.refresh(&ctx, &self.rendering, self.generation);
+
         let wish = self.bars(ui);
         let changed = CentralPanel::default().frame(Frame::NONE).show(ui, |ui| self.parts(ui));
         if changed.inner {
             self.rebuild(&ctx);
         }
-        if let Some(pixel) = self.mouse.clicked {
-            self.select(pixel);
-        }
-        self.step(ui);
         // before a wish begins a question: the Enter that wished it is no answer
         self.saving.ask(&ctx, (&self.rendering, &self.picture));
         if let Some(wish) = wish.or(self.shortcut(&ctx)) {
@@ -158,9 +162,9 @@ impl Inspector {
             self.message_line(ui);
             wish
         });
-        let status = Panel::bottom("status").frame(bar).show(ui, |ui| {
-            panels::status(ui, &self.rendering, self.mouse.over, self.loading.is_busy())
-        });
+        let status = Panel::bottom("status")
+            .frame(bar)
+            .show(ui, |ui| panels::status(ui, &self.rendering, self.over, self.loading.is_busy()));
         self.is_showing_keys ^= status.inner;
         Panel::top("look")
             .frame(bar)
@@ -180,7 +184,7 @@ impl Inspector {
         });
         part(ui, ("picture", parts.picture), |ui| {
             let size = self.rendering.size();
-            self.mouse = self.picture.show(ui, size, self.selection.pixel);
+            self.over = self.picture.show(ui, size, self.selection.pixel);
             let trail = self.selection.trail(&self.rendering);
             trail::paint(ui.painter(), &self.picture.placed(size), &trail);
         });

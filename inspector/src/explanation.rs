@@ -1,6 +1,7 @@
 //! The selected pixel: its samples, the sum that it is, and the ray that is looked at.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use eframe::egui::{self, CentralPanel, Frame, Key, Margin, Panel, ScrollArea, Ui};
 use groundtruth::explain::{self, PixelExplanation, RayExplanation, SampleExplanation};
@@ -15,7 +16,7 @@ use crate::pixel::{self, Order};
 use crate::samples::Samples;
 use crate::trail::{self, Station};
 use crate::tree::Tree;
-use crate::worker::{Background, Rendering};
+use crate::worker::{Background, Lost, Rendering};
 use crate::{details, picture, tree};
 
 /// A pixel of more rays is explained one sample at a time.
@@ -25,6 +26,11 @@ const MOST_RAYS_OF_A_SAMPLE: u64 = 500_000;
 
 /// The least height of tree and details in a low window, in points of the screen.
 const LEAST_HEIGHT: f32 = 24.0;
+
+/// An explanation that takes no longer is drawn in the frame of the click.
+const MOMENT: Duration = Duration::from_millis(12);
+/// Less room for the tree is not shared with the legend of its colours, in points of the screen.
+const LEGEND_FROM: f32 = 160.0;
 
 /// What is to be explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,29 +89,33 @@ fn answer(scene: &Scene, world: &World, question: Question) -> Answer {
 }
 
 impl Selection {
-    /// Starts to explain what is selected, unless that is done or under way.
+    /// Explains what is selected, unless that is done or under way. What takes but a moment is there
+    /// at once.
     pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, generation: u64) {
-        match self.working.poll() {
-            Some(Ok((question, answer))) if question.generation == generation => {
-                self.answered = Some((question, answer));
-            }
-            Some(Err(lost)) => {
-                // asked once only: the same question would be lost again
-                if let Some(question) = self.question(rendering, generation) {
-                    self.answered = Some((question, Err(lost.to_string())));
-                }
-            }
-            _ => {}
-        }
+        let finished = self.working.poll();
         let Some(question) = self.question(rendering, generation) else {
             self.answered = None;
             return;
         };
+        self.take(finished, question);
         if self.working.is_busy() || self.answers(question) {
             return;
         }
         let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
         self.working.start(ctx, move || (question, answer(&scene, &world, question)));
+        let finished = self.working.wait(MOMENT);
+        self.take(finished, question);
+    }
+
+    fn take(&mut self, finished: Option<Result<(Question, Answer), Lost>>, asked: Question) {
+        match finished {
+            Some(Ok((question, answer))) if question.generation == asked.generation => {
+                self.answered = Some((question, answer));
+            }
+            // asked once only: the same question would be lost again
+            Some(Err(lost)) => self.answered = Some((asked, Err(lost.to_string()))),
+            Some(Ok(_)) | None => {}
+        }
     }
 
     fn question(&self, rendering: &Rendering, generation: u64) -> Option<Question> {
@@ -181,6 +191,9 @@ impl Selection {
             ui.horizontal(|ui| {
                 ui.selectable_value(&mut self.below, Below::Ray, "The ray");
                 ui.selectable_value(&mut self.below, Below::Samples, "The samples");
+                if let (Below::Ray, Some(root)) = (self.below, camera_ray) {
+                    self.copy_numbers(ui, root);
+                }
             });
             let area = ScrollArea::both().id_salt("details").auto_shrink(false);
             let area = area.min_scrolled_height(LEAST_HEIGHT);
@@ -206,14 +219,15 @@ impl Selection {
         changed.inner
     }
 
-    fn ray_details(&mut self, ui: &mut Ui, root: &RayExplanation) {
-        let path = root.path_to(self.tree.ray);
-        let ray = path.last().copied().unwrap_or(root);
+    fn copy_numbers(&self, ui: &mut Ui, root: &RayExplanation) {
         let copy = ui.small_button("Copy numbers").on_hover_text("All numbers of this ray");
         if copy.clicked() {
-            ui.ctx().copy_text(details::text(ray));
+            ui.ctx().copy_text(details::text(self.tree.selected(root)));
         }
-        if let Some(number) = details::show(ui, ray) {
+    }
+
+    fn ray_details(&mut self, ui: &mut Ui, root: &RayExplanation) {
+        if let Some(number) = details::show(ui, self.tree.selected(root)) {
             self.tree.go_to(root, number);
         }
     }
@@ -236,7 +250,10 @@ impl Selection {
                 self.tree.follow_largest(root);
             }
         });
-        tree::legend(ui);
+        // in a low window the lines themselves matter more, and each says its kind
+        if ui.available_height() > LEGEND_FROM {
+            tree::legend(ui);
+        }
         self.tree.show(ui, root, tone);
     }
 

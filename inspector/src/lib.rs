@@ -28,5 +28,4 @@ pub mod trail;
 pub mod tree;
 pub mod view;
 pub mod watch;
-pub mod words;
 pub mod worker;

@@ -5,11 +5,10 @@ use std::path::PathBuf;
 use eframe::egui::{
     Align, Button, Id, Key, Label, Layout, ProgressBar, RichText, Slider, TextEdit, Ui,
 };
-use groundtruth::explain::short;
+use groundtruth::explain::{count, short};
 
 use crate::picture::{Picture, tone_of};
 use crate::scene_picker::ScenePicker;
-use crate::words::counted;
 use crate::worker::{Progress, Rendering, Source};
 
 /// What a person typed into the bars.
@@ -139,7 +138,7 @@ pub fn status(
 ) -> bool {
     ui.horizontal(|ui| {
         let [width, height] = rendering.size();
-        let samples = counted(rendering.world.samples_per_pixel(), "sample");
+        let samples = count(rendering.world.samples_per_pixel() as usize, "sample");
         ui.label(format!("{width} × {height}, {samples}"));
         ui.separator();
         if is_loading {

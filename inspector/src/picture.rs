@@ -61,15 +61,6 @@ impl Version {
 
 type Tiles = Vec<([u32; 2], ColorImage)>;
 
-/// What the mouse is about.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Mouse {
-    /// The pixel under it.
-    pub over: Option<[u32; 2]>,
-    /// The pixel that was clicked.
-    pub clicked: Option<[u32; 2]>,
-}
-
 /// The tone that the scene asks for.
 pub fn tone_of(rendering: &Rendering) -> Tone {
     let image = &rendering.world.image;
@@ -225,8 +216,20 @@ impl Picture {
         self.view.reveal(self.area, size, pixel);
     }
 
-    /// Draws it and listens to the mouse.
-    pub fn show(&mut self, ui: &mut Ui, size: [u32; 2], selected: Option<[u32; 2]>) -> Mouse {
+    /// The pixel that is clicked in this frame, known before the picture is drawn.
+    pub fn clicked(&self, ctx: &egui::Context, size: [u32; 2]) -> Option<[u32; 2]> {
+        let response = ctx.read_response(self.id?)?;
+        let at = if response.clicked() { response.interact_pointer_pos() } else { None };
+        self.placed(size).pixel(at?)
+    }
+
+    /// Draws it and listens to the mouse. The pixel under the mouse.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        size: [u32; 2],
+        selected: Option<[u32; 2]>,
+    ) -> Option<[u32; 2]> {
         let (response, painter) = ui.allocate_painter(ui.available_size(), Sense::click_and_drag());
         (self.area, self.id) = (response.rect, Some(response.id));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "picture"));
@@ -258,8 +261,7 @@ impl Picture {
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
 
         self.paint(&painter, &placed, selected);
-        let clicked = response.clicked().then(|| response.interact_pointer_pos()).flatten();
-        Mouse { over, clicked: clicked.and_then(|at| placed.pixel(at)) }
+        over
     }
 
     fn paint(&self, painter: &Painter, placed: &Placed, selected: Option<[u32; 2]>) {

@@ -4,13 +4,13 @@
 use eframe::egui::{
     Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
 };
+use groundtruth::explain::count;
 use groundtruth::render;
 use groundtruth::samplers::{self, Key, Purpose, SETS};
 use groundtruth::scene::Scene;
 use groundtruth::verify::chi_square;
 use groundtruth::world::World;
 
-use crate::words::counted;
 use crate::worker::Rendering;
 
 /// More would be a blot.
@@ -262,7 +262,7 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
         });
         combo.response.labelled_by(label.id);
         let used = rendering.world.samples_per_pixel();
-        ui.label(counted(used, "sample"));
+        ui.label(count(used as usize, "sample"));
         if used != rendering.scene.image.samples {
             ui.weak(format!("rounded up to {used}"));
         }

@@ -73,6 +73,11 @@ impl Default for Tree {
 }
 
 impl Tree {
+    /// The selected ray; the camera's if this tree does not have it.
+    pub fn selected<'a>(&self, root: &'a RayExplanation) -> &'a RayExplanation {
+        root.path_to(self.ray).last().copied().unwrap_or(root)
+    }
+
     /// Selects a ray and brings it into view, whatever hides it.
     pub fn go_to(&mut self, root: &RayExplanation, number: usize) {
         self.ray = number;

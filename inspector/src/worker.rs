@@ -1,9 +1,9 @@
 //! Everything slow runs on threads of its own: reading and building scenes, rendering, explaining.
-//! The window asks again in each frame and never waits.
+//! The window asks again in each frame and waits for a moment at most.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Arc, OnceLock};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
@@ -62,10 +62,15 @@ impl<T: Send + 'static> Background<T> {
 
     /// The result, once, when it is there.
     pub fn poll(&mut self) -> Option<Result<T, Lost>> {
-        let result = match self.result.as_ref()?.try_recv() {
+        self.wait(Duration::ZERO)
+    }
+
+    /// The result, once, if it is there within this time.
+    pub fn wait(&mut self, patience: Duration) -> Option<Result<T, Lost>> {
+        let result = match self.result.as_ref()?.recv_timeout(patience) {
             Ok(result) => Ok(result),
-            Err(TryRecvError::Empty) => return None,
-            Err(TryRecvError::Disconnected) => Err(Lost),
+            Err(RecvTimeoutError::Timeout) => return None,
+            Err(RecvTimeoutError::Disconnected) => Err(Lost),
         };
         self.result = None;
         Some(result)
