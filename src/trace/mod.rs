@@ -142,7 +142,7 @@ impl<R: Recorder> Tracing<'_, R> {
         sum: &mut RadianceSum,
     ) {
         let (traced, pdf) = (light.shadows, sample.pdf);
-        let mut terms = arrayvec::ArrayVec::<(TermSource, Rgb), 4>::new();
+        let mut terms = arrayvec::ArrayVec::<(&Lobe, Rgb, f64, Rgb), 4>::new();
         for (lobe, about) in lobes.iter().filter(|(lobe, _)| !lobe.is_specular()) {
             let n = point.normal(*about);
             let cos_i = n.dot(sample.direction);
@@ -159,8 +159,7 @@ impl<R: Recorder> Tracing<'_, R> {
             };
             let weight = (cos_i / pdf) * f;
             if !weight.is_black() {
-                let (light, lobe) = (light.place, *lobe);
-                terms.push((TermSource::Direct { light, lobe, f, cos_i, pdf, traced }, weight));
+                terms.push((lobe, f, cos_i, weight));
             }
         }
         if terms.is_empty() {
@@ -168,7 +167,8 @@ impl<R: Recorder> Tracing<'_, R> {
         }
         let arriving =
             if traced { self.shadow(point, light.place, sample) } else { sample.radiance };
-        for (source, weight) in terms {
+        for (&lobe, f, cos_i, weight) in terms {
+            let source = TermSource::Direct { light: light.place, lobe, f, cos_i, pdf, traced };
             sum.add(self.recorder, source, weight, arriving);
         }
     }
