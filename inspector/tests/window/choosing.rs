@@ -4,12 +4,12 @@ use std::time::{Duration, Instant};
 
 use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
+use groundtruth::explain::count;
 use groundtruth::gallery;
 use groundtruth::world::{MOST_SAMPLES, World};
 use inspector::scene_picker::found;
 use inspector::thumbnails;
 use inspector::view::View;
-use inspector::words::counted;
 
 use crate::support::*;
 
@@ -126,7 +126,7 @@ fn the_whole_picture_fills_its_place() {
 /// Law: one thing is told as one.
 #[test]
 fn one_sample_is_no_samples() {
-    let words = [1_u32, 0, 2].map(|n| counted(n, "ray"));
+    let words = [1, 0, 2].map(|n| count(n, "ray"));
     assert_eq!(words, ["1 ray", "0 rays", "2 rays"]);
     let mut scene = small_glass_sphere();
     scene.image.samples = 1;
