@@ -93,7 +93,7 @@ impl Definition {
         std::ptr::eq(self.schema, other.schema)
     }
 
-    /// Whether it is neither a table nor a list of kinds: a colour, a point.
+    /// Whether it is a plain value, such as a colour or a point: no table and no list of kinds.
     pub fn is_value(&self) -> bool {
         !self.is_table() && !self.is_list()
     }

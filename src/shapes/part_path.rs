@@ -40,16 +40,21 @@ pub enum Level {
     Face(Face),
 }
 
-/// A face of a box, by the corner of the box whose coordinate it has.
+/// A face of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-#[allow(missing_docs)]
 pub enum Face {
+    /// The face of least x.
     MinX,
+    /// The face of greatest x.
     MaxX,
+    /// The face of least y.
     MinY,
+    /// The face of greatest y.
     MaxY,
+    /// The face of least z.
     MinZ,
+    /// The face of greatest z.
     MaxZ,
 }
 

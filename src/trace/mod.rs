@@ -229,8 +229,8 @@ impl<R: Recorder> Tracing<'_, R> {
     }
 }
 
-/// The segment from `origin` to a light, in units of its length, without its ends: neither objects
-/// behind the light nor the surface that the light may lie on are in the way.
+/// The segment from `origin` to a light, in units of its length, without its ends: objects behind
+/// the light do not block it, and a surface that the light lies on does not either.
 fn up_to(light: Point, origin: Point) -> Span {
     let size = light.to_vector().max_abs() + origin.to_vector().max_abs();
     // of the place of the light, and of the t of a surface there that the ray does not graze
