@@ -5,8 +5,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use groundtruth::filters;
-use groundtruth::math::Pcg32;
-use groundtruth::samplers::{self, Key, Purpose, SampleSets, maps};
+use groundtruth::math::{Pcg32, maps};
+use groundtruth::samplers::{self, Key, Purpose, SampleSets};
 
 /// Samples of a pixel.
 const N: u32 = 64;

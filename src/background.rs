@@ -49,6 +49,14 @@ impl Background {
         }
     }
 
+    /// Whether it looks different from different places, as no sky does.
+    pub fn depends_on_origin(&self) -> bool {
+        match self {
+            Self::Color(_) => false,
+            Self::Pattern(Pattern::Sinusoid(_)) => true,
+        }
+    }
+
     /// Refuses colours and lengths that do not fit.
     pub(crate) fn check(&self) -> Result<(), Invalid> {
         match self {

@@ -15,6 +15,7 @@
 pub mod accel;
 pub mod background;
 pub mod cameras;
+pub mod emission;
 pub mod explain;
 pub mod film;
 pub mod filters;

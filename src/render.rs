@@ -10,9 +10,9 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use crate::film::Film;
-use crate::math::Ray;
+use crate::math::{Ray, maps};
 use crate::rgb::Rgb;
-use crate::samplers::{Key, Purpose, maps};
+use crate::samplers::Purpose;
 use crate::scene::Image;
 use crate::trace::{self, Recorder};
 use crate::world::World;
@@ -38,10 +38,10 @@ pub struct CameraSample {
 pub fn camera_sample(world: &World, [column, row]: [u32; 2], index: u32) -> Option<CameraSample> {
     let (eye, column) = world.view.seen_by(column, world.image.width)?;
     let pixel = [column, row];
-    let draw = |purpose| world.samples.draw(Key::new(world.seed, pixel, purpose), index);
-    let [(x, weight_x), (y, weight_y)] = draw(Purpose::Pixel).map(|u| world.filter.draw(u));
+    let draws = world.draws(pixel, index);
+    let [(x, weight_x), (y, weight_y)] = draws.draw(Purpose::Pixel).map(|u| world.filter.draw(u));
     let film = film_place(&world.image, pixel, [x, y]);
-    let lens = world.view.has_lens().then(|| maps::disk(draw(Purpose::Lens)));
+    let lens = world.view.has_lens().then(|| maps::disk(draws.draw(Purpose::Lens)));
     let ray = eye.ray(film, lens.unwrap_or_default());
     Some(CameraSample { pixel, film, lens, weight: weight_x * weight_y, ray })
 }
@@ -66,8 +66,8 @@ pub fn image_place(image: &Image, [x, y]: [f64; 2]) -> [f64; 2] {
 /// filter.
 pub fn sample<R: Recorder>(world: &World, pixel: [u32; 2], index: u32, recorder: &mut R) -> Rgb {
     match camera_sample(world, pixel, index) {
-        Some(CameraSample { weight, ray: Some(ray), .. }) => {
-            weight * trace::radiance(world, &ray, recorder)
+        Some(CameraSample { pixel, weight, ray: Some(ray), .. }) => {
+            weight * trace::radiance(world, &ray, world.draws(pixel, index), recorder)
         }
         _ => Rgb::BLACK,
     }

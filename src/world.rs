@@ -9,10 +9,10 @@ use crate::background::Background;
 use crate::cameras::View;
 use crate::filters::Filter;
 use crate::invalid::{Invalid, Key, positive, shown};
-use crate::lights::Light;
+use crate::lights::{self, LampObject, Light};
 use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
-use crate::samplers::{Kind as SamplerKind, MultiJittered, Regular, SampleSets};
+use crate::samplers::{Draws, Kind as SamplerKind, MultiJittered, SampleSets};
 use crate::scene::{self, Image, Scene, SceneError, Tracer};
 use crate::shapes::{Candidate, Context, PartMaterial, PartPath, Shape, Surface};
 
@@ -91,6 +91,8 @@ pub struct PlacedObject {
     material: u32,
     /// Whether it stands in the way of light.
     casts_shadows: bool,
+    /// Whether it sends out the light of its material: not while its area light is off.
+    pub(crate) shines: bool,
     shape: Arc<dyn Shape>,
     bounds: Aabb,
 }
@@ -157,7 +159,8 @@ impl World {
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
         let mut materials = placed_materials(scene)?;
-        let objects = Objects(placed_objects(scene, folder, &mut materials)?);
+        let mut objects = Objects(placed_objects(scene, folder, &mut materials)?);
+        let lights = placed_lights(scene, &materials, &mut objects.0)?;
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
         // a single object is tested, not searched for
         let method = if bounds.len() == 1 { Method::List } else { scene.accel };
@@ -169,7 +172,7 @@ impl World {
             seed,
             samples,
             filter,
-            lights: placed_lights(scene)?,
+            lights,
             materials,
             accel: Accel::build(method, &bounds),
             objects,
@@ -180,6 +183,11 @@ impl World {
     pub fn reseed(&mut self, seed: u64) {
         self.seed = seed;
         self.samples = samples(&self.image, seed).expect("the image was checked");
+    }
+
+    /// The draws of a sample of a pixel.
+    pub fn draws(&self, pixel: [u32; 2], index: u32) -> Draws<'_> {
+        Draws::new(&self.samples, self.seed, pixel, index)
     }
 
     /// What the ray meets first.
@@ -281,12 +289,11 @@ pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
 
 fn samples(image: &Image, seed: u64) -> Result<SampleSets, Invalid> {
     check_image(image)?;
-    let sampler = image.sampler.clone().unwrap_or(match image.samples {
-        1 => SamplerKind::from(Regular {}),
-        _ => SamplerKind::from(MultiJittered {}),
-    });
+    let sampler = image.sampler.clone().unwrap_or(SamplerKind::from(MultiJittered {}));
     let sampler = sampler.build(&mut ()).map_err(|e| e.inside("sampler"))?;
-    Ok(SampleSets::new(&*sampler, image.samples, seed))
+    let sets = SampleSets::new(&*sampler, image.samples, seed);
+    let usual = image.sampler.is_none() && image.samples == 1;
+    Ok(if usual { sets.centered() } else { sets })
 }
 
 /// An element of a list, for error messages.
@@ -307,18 +314,53 @@ fn unique<'a>(list: &str, names: impl Iterator<Item = &'a str>) -> Result<(), In
     Ok(())
 }
 
-fn placed_lights(scene: &Scene) -> Result<Vec<PlacedLight>, Invalid> {
+fn placed_lights(
+    scene: &Scene,
+    materials: &[PlacedMaterial],
+    objects: &mut [PlacedObject],
+) -> Result<Vec<PlacedLight>, Invalid> {
     unique("lights", scene.lights.iter().map(|light| light.name.as_str()))?;
+    let mut context = lights_context(scene, materials, objects);
+    let mut lamps: BTreeMap<String, &str> = BTreeMap::new();
     let mut lights = Vec::new();
     for (index, light) in scene.lights.iter().enumerate() {
-        let built = light.source.build(&mut ()).map_err(|e| e.inside("source"));
-        let built = built.map_err(item("lights", index, &light.name))?;
+        let here = |e: Invalid| item("lights", index, &light.name)(e.inside("source"));
+        let built = light.source.build(&mut context).map_err(here)?;
+        if let Some(name) = built.object() {
+            if let Some(other) = lamps.insert(name.to_owned(), &light.name) {
+                let problem = format!("`{name}` is the lamp of the light \"{other}\" already");
+                return Err(here(Invalid::field("object", problem).inside("area")));
+            }
+            for object in objects.iter_mut().filter(|object| object.name == name) {
+                object.shines = light.enabled;
+            }
+        }
         if light.enabled {
             let (name, place, shadows) = (light.name.clone(), index as u32, light.shadows);
             lights.push(PlacedLight { name, place, shadows, light: built });
         }
     }
     Ok(lights)
+}
+
+/// What area lights may name. Objects that are switched off have no shape here.
+fn lights_context(
+    scene: &Scene,
+    materials: &[PlacedMaterial],
+    objects: &[PlacedObject],
+) -> lights::Context {
+    let mut context = lights::Context {
+        background: scene.background.clone(),
+        hidden: scene.objects.iter().filter(|o| !o.enabled).map(|o| o.name.clone()).collect(),
+        ..lights::Context::default()
+    };
+    for object in objects {
+        let material = &materials[object.material as usize];
+        let (shape, two_sided) = (Arc::clone(&object.shape), material.two_sided);
+        let emission = material.recipe.emission().cloned();
+        context.objects.insert(object.name.clone(), LampObject { shape, emission, two_sided });
+    }
+    context
 }
 
 fn placed_materials(scene: &Scene) -> Result<Vec<PlacedMaterial>, Invalid> {
@@ -363,6 +405,7 @@ fn placed_objects(
             place: index as u32,
             material: material.place,
             casts_shadows: object.casts_shadows && made_of.iter().any(|part| part.casts_shadows),
+            shines: true,
             bounds: shape.bounds(),
             shape,
         });

@@ -60,7 +60,8 @@ fn a_lamp_on_a_surface_is_not_in_that_surfaces_shadow() {
         let ray = Ray::new(Point::new(3.0 * x, 2.0, 3.0 * z), Vector::ZERO);
         let target = Point::new(0.5 * x, -1.0, 0.5 * z);
         let direction = (target - ray.origin).unit().expect("apart");
-        let seen = trace::radiance(&world, &Ray { direction, ..ray }, &mut ());
+        let seen =
+            trace::radiance(&world, &Ray { direction, ..ray }, world.draws([0, 0], 0), &mut ());
         assert!(seen.r > 0.0, "a black speck near {target:?}");
     }
 }
@@ -74,7 +75,7 @@ fn an_invisible_ball_does_not_clear_the_fog() {
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 4 });
     let wall = Plane { point: Point::new(0.0, 0.0, -5.0), normal: Vector::Z };
     scene.objects.push(Object::new("wall", "glow", wall));
-    let glow = groundtruth::materials::Emissive { ls: 1.0, ce: Rgb::WHITE.into() };
+    let glow = groundtruth::materials::Emissive::new(1.0, Rgb::WHITE);
     scene.materials.push(Material::new("glow", glow));
     let invisible = Transparent {
         phong: groundtruth::materials::Phong::default(),
@@ -87,7 +88,7 @@ fn an_invisible_ball_does_not_clear_the_fog() {
     scene.camera.medium = Medium { eta: 1.0, absorption: Rgb::grey(0.125) };
     let world = World::build(&scene).expect("valid");
     let ray = Ray::new(Point::new(0.0, 0.0, 5.0), -Vector::Z);
-    let seen = trace::radiance(&world, &ray, &mut ()).r;
+    let seen = trace::radiance(&world, &ray, world.draws([0, 0], 0), &mut ()).r;
     // ten units of fog, all the way; a few roundings of each of three factors
     assert!((seen - exp(-1.25)).abs() < 1e-14, "{seen}");
 }

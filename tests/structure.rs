@@ -20,8 +20,12 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("samplers", &["invalid", "kinds", "math"]),
     ("lobes", &["invalid", "kinds", "math", "rgb", "samplers"]),
     ("textures", &["invalid", "kinds", "math", "rgb", "shapes"]),
-    ("materials", &["invalid", "kinds", "lobes", "math", "rgb", "shapes", "textures"]),
-    ("lights", &["invalid", "kinds", "math", "rgb"]),
+    ("materials", &["emission", "invalid", "kinds", "lobes", "math", "rgb", "shapes", "textures"]),
+    ("emission", &["rgb", "shapes", "textures"]),
+    (
+        "lights",
+        &["background", "emission", "invalid", "kinds", "math", "rgb", "shapes", "textures"],
+    ),
     ("cameras", &["invalid", "kinds", "materials", "math"]),
     ("film", &["math", "rgb"]),
     ("filters", &["invalid", "kinds", "math"]),
@@ -62,7 +66,10 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "shapes",
         ],
     ),
-    ("trace", &["lights", "lobes", "materials", "math", "rgb", "scene", "shapes", "world"]),
+    (
+        "trace",
+        &["lights", "lobes", "materials", "math", "rgb", "samplers", "scene", "shapes", "world"],
+    ),
     ("render", &["film", "math", "rgb", "samplers", "scene", "trace", "world"]),
     ("explain", &["lobes", "render", "rgb", "scene", "shapes", "trace", "world"]),
     (
@@ -87,6 +94,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         "probe",
         &[
             "accel",
+            "background",
             "cameras",
             "gallery",
             "invalid",

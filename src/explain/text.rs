@@ -134,7 +134,7 @@ impl TermExplanation {
         match &self.source {
             TermSource::Background => "background".to_owned(),
             TermSource::Emission => "emission".to_owned(),
-            TermSource::Ambient { light } => format!("ambient, light \"{light}\""),
+            TermSource::Ambient { light, .. } => format!("ambient, light \"{light}\""),
             TermSource::Direct { light, lobe, .. } => format!("{}, light \"{light}\"", lobe.name()),
             TermSource::Traced { lobe } => lobe.name().to_owned(),
             TermSource::Light { light } => format!("light \"{light}\""),
@@ -147,7 +147,7 @@ impl TermExplanation {
             TermSource::Direct { lobe, f, cos_i, pdf, .. } => {
                 let mut text = value_of(lobe, *f);
                 let _ = write!(text, " × cos θ {}", brief(*cos_i));
-                if *pdf != 1.0 {
+                if let Some(pdf) = pdf {
                     let _ = write!(text, " / pdf {}", brief(*pdf));
                 }
                 text

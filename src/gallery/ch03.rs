@@ -19,7 +19,7 @@ fn from_above_the_plane() -> Viewpoint {
 
 /// An object of one flat colour, as chapter 3 has them before materials exist.
 fn flat(scene: &mut Scene, name: &str, shape: impl Into<shapes::Kind>, color: Rgb) {
-    let mut material = Material::new(name, Emissive { ls: 1.0, ce: color.into() });
+    let mut material = Material::new(name, Emissive::new(1.0, color));
     material.two_sided = true;
     scene.objects.push(Object::new(name, name, shape));
     scene.materials.push(material);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Illumination, Light, Place};
+use super::{Context, Light, LightContext, LightSample, Meets};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Specification};
 use crate::rgb::Rgb;
@@ -23,17 +23,17 @@ pub struct Ambient {
 }
 
 #[derive(Debug)]
-struct Built {
+struct Everywhere {
     radiance: Rgb,
 }
 
 impl Specification for Ambient {
     type Built = Arc<dyn Light>;
-    type Context = ();
+    type Context = Context;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Light>, Invalid> {
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         let radiance = not_negative("ls", self.ls)? * self.color.checked("color")?;
-        Ok(Arc::new(Built { radiance }))
+        Ok(Arc::new(Everywhere { radiance }))
     }
 
     fn scaled(&self, _: f64) -> Self {
@@ -45,8 +45,18 @@ impl Specification for Ambient {
     }
 }
 
-impl Light for Built {
-    fn illuminate(&self, _: Place) -> Illumination {
-        Illumination::Ambient(self.radiance)
+impl Light for Everywhere {
+    fn meets(&self) -> Meets {
+        Meets::Ambient
+    }
+
+    fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
+        Some(LightSample {
+            direction: from.normal.into(),
+            segment: None,
+            radiance: self.radiance,
+            blocked: self.radiance,
+            pdf: None,
+        })
     }
 }

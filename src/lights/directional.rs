@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Illumination, Light, LightSample, Place, Reach};
+use super::{Context, Light, LightContext, LightSample, Segment};
 use crate::invalid::{Invalid, direction, not_negative};
 use crate::kinds::{self, Specification};
 use crate::math::Vector;
@@ -26,17 +26,17 @@ pub struct Directional {
 }
 
 #[derive(Debug)]
-struct Built {
+struct Parallel {
     radiance: Rgb,
     direction: Vector,
 }
 
 impl Specification for Directional {
     type Built = Arc<dyn Light>;
-    type Context = ();
+    type Context = Context;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Light>, Invalid> {
-        Ok(Arc::new(Built {
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+        Ok(Arc::new(Parallel {
             radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
             direction: direction("direction", self.direction)?.into(),
         }))
@@ -51,14 +51,14 @@ impl Specification for Directional {
     }
 }
 
-impl Light for Built {
-    fn illuminate(&self, _: Place) -> Illumination {
-        Illumination::From(LightSample {
+impl Light for Parallel {
+    fn sample(&self, _: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
+        Some(LightSample {
             direction: self.direction,
-            reach: Reach::Infinity,
+            segment: Some(Segment::Infinity),
             radiance: self.radiance,
             blocked: Rgb::BLACK,
-            pdf: 1.0,
+            pdf: None,
         })
     }
 }

@@ -1,60 +1,119 @@
-//! Lights: where light comes from, and how much (Suffern, ch. 14, 16).
+//! Lights: where light comes from, and how much (Suffern, ch. 14, 16–18).
 //!
 //! A light answers with data; it never casts a ray. Whether something stands in the way is for
-//! `trace` to find out.
+//! `trace` to find out. A light that has an extent draws one point or direction for a sample; the
+//! mean over many samples is the light of all of it.
 
 mod ambient;
+mod ambient_occluder;
+mod area;
 mod directional;
+mod environment;
+mod fake_spherical;
+mod jittered_directional;
 mod point;
+mod spot;
+
+// shared by the kinds
+mod context;
 
 use std::fmt::Debug;
 
-use crate::math::{Point as Place, Vector};
+use crate::math::{Normal, Point as Place, Vector};
 use crate::rgb::Rgb;
+use crate::shapes::Surface;
+
+pub use context::{Context, LampObject};
 
 /// A source of light. Contract: `tests/contracts/light.rs`.
 pub trait Light: Debug + Send + Sync {
-    /// The light that may arrive at a place.
-    fn illuminate(&self, from: Place) -> Illumination;
+    /// How many pairs of random numbers a sample needs: 0 for a single direction.
+    fn draws(&self) -> usize {
+        0
+    }
+
+    /// What its light meets.
+    fn meets(&self) -> Meets {
+        Meets::Lobes
+    }
+
+    /// The object whose surface it is, if it has one: that object shines only while the light is on.
+    fn object(&self) -> Option<&str> {
+        None
+    }
+
+    /// Light that may arrive at a surface, for [`Light::draws`] pairs of numbers in `[0, 1)`; `None` if
+    /// none does.
+    fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample>;
+
+    /// The density with which [`Light::sample`] draws this very point or direction, per steradian; 0
+    /// for a light that is a single direction, which nothing else can find.
+    fn pdf(&self, _from: &LightContext, _to: &Target<'_>) -> f64 {
+        0.0
+    }
 }
 
-/// What a light says it sends to a place.
+/// What a light meets at a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meets {
+    /// The lobes: a sample counts `f cosθ/pdf`.
+    Lobes,
+    /// The ambient reflectance of the material, in the book's way; no medium attenuates it.
+    Ambient,
+}
+
+/// Where light is looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Illumination {
-    /// The same from everywhere: it meets the ambient reflectance of a material, without a ray.
-    Ambient(Rgb),
-    /// From one direction.
-    From(LightSample),
+pub struct LightContext {
+    /// The point that is lit.
+    pub point: Place,
+    /// The normal used for shading; of a two-sided surface turned to the viewer.
+    pub normal: Normal,
+}
+
+/// A point or direction that may have been sampled.
+#[derive(Clone, Copy, Debug)]
+pub enum Target<'a> {
+    /// Infinitely far away, in this unit direction.
+    Infinity(Vector),
+    /// A point of the surface of the light.
+    Surface(&'a Surface),
 }
 
 /// Light from one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSample {
-    /// Unit, towards the light.
+    /// Unit, towards the light; the normal where light comes from everywhere alike.
     pub direction: Vector,
-    /// Up to where an object is in the way.
-    pub reach: Reach,
-    /// What arrives if nothing is in the way.
+    /// What must be free for the light to arrive; `None` if nothing can be in the way.
+    pub segment: Option<Segment>,
+    /// What arrives if it is free.
     pub radiance: Rgb,
-    /// What arrives if something is.
+    /// What arrives if it is not.
     pub blocked: Rgb,
-    /// Per steradian; 1 for a light that is a single direction.
-    pub pdf: f64,
+    /// Per steradian; `None` for a single direction.
+    pub pdf: Option<f64>,
 }
 
-/// How far away a light is.
+/// The segment from a surface towards a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Reach {
-    /// Infinitely far: every object in that direction is in the way.
+pub enum Segment {
+    /// Without end: every object in that direction is in the way.
     Infinity,
-    /// At this place: objects behind it are not in the way.
+    /// Up to this point: objects behind it are not in the way.
     To(Place),
 }
 
 crate::kinds! {
     /// Where light comes from, and how much.
-    Kind builds dyn Light with ();
+    Kind builds dyn Light with Context;
     ch14 ambient::Ambient,
     ch14 directional::Directional,
     ch14 point::Point,
+    ch14 spot::Spot,
+    ch17 ambient_occluder::AmbientOccluder,
+    ch18 area::Area,
+    ch18 environment::Environment,
+    ch18 jittered_directional::JitteredDirectional,
+    ch18 fake_spherical::FakeSpherical,
 }

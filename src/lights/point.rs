@@ -5,10 +5,10 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Illumination, Light, LightSample, Place, Reach};
-use crate::invalid::{Invalid, finite, finite_point, not_negative};
+use super::{Context, Light, LightContext, LightSample, Place, Segment};
+use crate::invalid::{Invalid, finite_point, not_negative};
 use crate::kinds::{self, Specification};
-use crate::math::{Vector, power};
+use crate::math::power;
 use crate::rgb::Rgb;
 
 /// Light `ls · color / d^k` from one place, `d` the distance.
@@ -31,7 +31,7 @@ pub struct Point {
 }
 
 #[derive(Debug)]
-struct Built {
+struct PointSource {
     radiance: Rgb,
     location: Place,
     attenuation: f64,
@@ -39,11 +39,10 @@ struct Built {
 
 impl Specification for Point {
     type Built = Arc<dyn Light>;
-    type Context = ();
+    type Context = Context;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Light>, Invalid> {
-        finite("attenuation", self.attenuation)?;
-        Ok(Arc::new(Built {
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+        Ok(Arc::new(PointSource {
             radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
             location: finite_point("location", self.location)?,
             attenuation: not_negative("attenuation", self.attenuation)?,
@@ -69,23 +68,29 @@ impl Specification for Point {
     }
 }
 
-impl Light for Built {
-    fn illuminate(&self, from: Place) -> Illumination {
-        let to_light = self.location - from;
-        let distance = to_light.length();
-        let radiance = match self.attenuation {
-            0.0 => self.radiance,
-            k => self.radiance / power(distance, k),
-        };
-        // at the light itself there is no direction, and no surface that faces it
-        let direction = to_light.unit().unwrap_or(Vector::ZERO);
-        let reach = Reach::To(self.location);
-        Illumination::From(LightSample {
-            direction,
-            reach,
-            radiance,
-            blocked: Rgb::BLACK,
-            pdf: 1.0,
-        })
+impl Light for PointSource {
+    fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
+        from_point(from.point, self.location, self.radiance, self.attenuation)
     }
+}
+
+/// Light `radiance / d^k` from one place; none at the place itself, where it has no direction.
+pub(super) fn from_point(
+    from: Place,
+    location: Place,
+    radiance: Rgb,
+    attenuation: f64,
+) -> Option<LightSample> {
+    let to_light = location - from;
+    let radiance = match attenuation {
+        0.0 => radiance,
+        k => radiance / power(to_light.length(), k),
+    };
+    Some(LightSample {
+        direction: to_light.unit()?,
+        segment: Some(Segment::To(location)),
+        radiance,
+        blocked: Rgb::BLACK,
+        pdf: None,
+    })
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Claims, LobeSample, fresnel, mirrored, relative};
+use super::{Branch, Claims, LobeSample, Scatter, fresnel, mirrored, relative};
 use crate::invalid::{Invalid, positive};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -15,33 +15,25 @@ pub struct FresnelReflector {
     pub eta: f64,
 }
 
-impl FresnelReflector {
-    pub(super) const SPECULAR: bool = true;
-    pub(super) const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+impl Scatter for FresnelReflector {
+    const BRANCH: Branch = Branch::Mirror;
+    const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
 
-    pub(super) fn check(&self) -> Result<(), Invalid> {
+    fn check(&self) -> Result<(), Invalid> {
         positive("eta", self.eta).map(drop)
     }
 
-    pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
-        Rgb::BLACK
-    }
-
-    pub(super) fn pdf(&self, _: Vector, _: Vector) -> f64 {
-        0.0
-    }
-
-    pub(super) fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
+    fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
         let reflected = fresnel(wo.z().abs(), relative(self.eta, wo)).reflected;
         let weight = Rgb::grey(reflected);
-        (reflected > 0.0).then_some(LobeSample { wi: mirrored(wo), weight, pdf: f64::INFINITY })
+        (reflected > 0.0).then_some(LobeSample { wi: mirrored(wo), weight, pdf: None })
     }
 
-    pub(super) fn albedo(&self, wo: Vector) -> Rgb {
+    fn albedo(&self, wo: Vector) -> Rgb {
         Rgb::grey(fresnel(wo.z().abs(), relative(self.eta, wo)).reflected)
     }
 
-    pub(super) fn specimens() -> Vec<Self> {
+    fn specimens() -> Vec<Self> {
         vec![Self { eta: 1.5 }, Self { eta: 0.75 }, Self { eta: 2.42 }]
     }
 }

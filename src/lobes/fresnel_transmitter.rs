@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Claims, LobeSample, fresnel, normal_towards, refract, relative};
+use super::{Branch, Claims, LobeSample, Scatter, fresnel, normal_towards, refract, relative};
 use crate::invalid::{Invalid, positive};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -15,36 +15,28 @@ pub struct FresnelTransmitter {
     pub eta: f64,
 }
 
-impl FresnelTransmitter {
-    pub(super) const SPECULAR: bool = true;
+impl Scatter for FresnelTransmitter {
+    const BRANCH: Branch = Branch::Refraction;
     // as the perfect transmitter
-    pub(super) const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
+    const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
 
-    pub(super) fn check(&self) -> Result<(), Invalid> {
+    fn check(&self) -> Result<(), Invalid> {
         positive("eta", self.eta).map(drop)
     }
 
-    pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
-        Rgb::BLACK
-    }
-
-    pub(super) fn pdf(&self, _: Vector, _: Vector) -> f64 {
-        0.0
-    }
-
-    pub(super) fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
+    fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
         let eta = relative(self.eta, wo);
         let wi = refract(wo, normal_towards(wo), eta)?;
         let transmitted = fresnel(wo.z().abs(), eta).transmitted;
         let weight = Rgb::grey(transmitted / (eta * eta));
-        (transmitted > 0.0).then_some(LobeSample { wi, weight, pdf: f64::INFINITY })
+        (transmitted > 0.0).then_some(LobeSample { wi, weight, pdf: None })
     }
 
-    pub(super) fn albedo(&self, wo: Vector) -> Rgb {
+    fn albedo(&self, wo: Vector) -> Rgb {
         self.sample(wo, [0.0; 2]).map_or(Rgb::BLACK, |sample| sample.weight)
     }
 
-    pub(super) fn specimens() -> Vec<Self> {
+    fn specimens() -> Vec<Self> {
         vec![Self { eta: 1.5 }, Self { eta: 0.75 }, Self { eta: 1.0 }]
     }
 }

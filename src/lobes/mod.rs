@@ -12,6 +12,7 @@ mod perfect_specular;
 mod perfect_transmitter;
 
 // shared by the kinds
+mod bsdf;
 mod fresnel;
 mod refract;
 
@@ -20,7 +21,9 @@ use arrayvec::ArrayVec;
 use crate::invalid::Invalid;
 use crate::math::{Normal, Vector};
 use crate::rgb::Rgb;
+use crate::samplers::Branch;
 
+pub use bsdf::{Bsdf, BsdfSample, Lit, Normals};
 pub use fresnel::{Fresnel, Polarised, fresnel, polarised};
 pub use refract::refract;
 
@@ -31,8 +34,8 @@ pub struct LobeSample {
     pub wi: Vector,
     /// What the light from there counts: `f |cos θ_i| / pdf`.
     pub weight: Rgb,
-    /// Per steradian; infinite for the single direction of a mirror or a refraction.
-    pub pdf: f64,
+    /// Per steradian; `None` for the single direction of a mirror or a refraction.
+    pub pdf: Option<f64>,
 }
 
 /// What a lobe promises; the contract suite proves each promise, and for the book's lobes that do
@@ -44,6 +47,40 @@ pub struct Claims {
     /// No more light leaves than arrives, for coefficients of at most 1; of refracted light that is
     /// said of the basic radiance `L/η²`, as radiance itself changes with the medium.
     pub conserves_energy: bool,
+}
+
+/// What a kind of lobe answers.
+trait Scatter {
+    /// The name of the paths it sends on; it also says whether light samples meet the lobe.
+    const BRANCH: Branch;
+    /// What it promises.
+    const CLAIMS: Claims;
+
+    /// Whether its data fit.
+    fn check(&self) -> Result<(), Invalid>;
+
+    /// The book's formula for `f`, for light from outside (`wi.z() > 0`), whatever side the viewer is
+    /// on. Black for lobes of a single direction.
+    fn formula(&self, _wo: Vector, _wi: Vector) -> Rgb {
+        Rgb::BLACK
+    }
+
+    /// The density of `sample` at `wi`, per steradian, for viewer and light outside; 0 for lobes of a
+    /// single direction.
+    fn density(&self, _wo: Vector, _wi: Vector) -> f64 {
+        0.0
+    }
+
+    /// See [`Lobe::sample`].
+    fn sample(&self, wo: Vector, u: [f64; 2]) -> Option<LobeSample>;
+
+    /// See [`Lobe::albedo`].
+    fn albedo(&self, wo: Vector) -> Rgb;
+
+    /// Examples, each valid.
+    fn specimens() -> Vec<Self>
+    where
+        Self: Sized;
 }
 
 macro_rules! lobes {
@@ -88,16 +125,13 @@ macro_rules! lobes {
                 match self { $(Self::$Lobe(_) => $name),* }
             }
 
-            /// Radiance towards `wo` for irradiance from `wi`, per steradian; black for lobes of a
-            /// single direction.
-            pub fn f(&self, wo: Vector, wi: Vector) -> Rgb {
-                match self { $(Self::$Lobe(lobe) => lobe.f(wo, wi)),* }
+            /// The book's formula for [`Lobe::f`], which does not ask on which side the viewer is.
+            fn formula(&self, wo: Vector, wi: Vector) -> Rgb {
+                match self { $(Self::$Lobe(lobe) => lobe.formula(wo, wi)),* }
             }
 
-            /// The density of [`Lobe::sample`] at `wi`, per steradian; 0 for lobes of a single
-            /// direction.
-            pub fn pdf(&self, wo: Vector, wi: Vector) -> f64 {
-                match self { $(Self::$Lobe(lobe) => lobe.pdf(wo, wi)),* }
+            fn density(&self, wo: Vector, wi: Vector) -> f64 {
+                match self { $(Self::$Lobe(lobe) => lobe.density(wo, wi)),* }
             }
 
             /// A direction for two numbers in `[0, 1)`; `None` where nothing is scattered.
@@ -110,9 +144,9 @@ macro_rules! lobes {
                 match self { $(Self::$Lobe(lobe) => lobe.albedo(wo)),* }
             }
 
-            /// Whether light comes from a single direction, which only a ray can find.
-            pub fn is_specular(&self) -> bool {
-                match self { $(Self::$Lobe(_) => $Lobe::SPECULAR),* }
+            /// The name of the paths that it sends on.
+            pub fn branch(&self) -> Branch {
+                match self { $(Self::$Lobe(_) => $Lobe::BRANCH),* }
             }
 
             /// What it promises.
@@ -124,14 +158,27 @@ macro_rules! lobes {
 }
 
 impl Lobe {
-    /// [`Lobe::f`] for a viewer who is outside the true surface, also where an interpolated normal faces
-    /// away from him, near the outline of a smooth mesh: the book's formulas do not ask for his side.
-    pub fn f_outside(&self, wo: Vector, wi: Vector) -> Rgb {
-        match self {
-            Self::Lambertian(lobe) => lobe.f_outside(wi),
-            Self::GlossySpecular(lobe) => lobe.f_outside(wo, wi),
-            _ => self.f(wo, wi),
-        }
+    /// Radiance towards `wo` for irradiance from `wi`, per steradian; black unless both are outside,
+    /// and for lobes of a single direction.
+    pub fn f(&self, wo: Vector, wi: Vector) -> Rgb {
+        if outside(wo, wi) { self.formula(wo, wi) } else { Rgb::BLACK }
+    }
+
+    /// The density of [`Lobe::sample`] at `wi`, per steradian; 0 unless both directions are outside,
+    /// and for lobes of a single direction.
+    pub fn pdf(&self, wo: Vector, wi: Vector) -> f64 {
+        if outside(wo, wi) { self.density(wo, wi) } else { 0.0 }
+    }
+
+    /// Whether light comes from a single direction, which only a ray can find.
+    pub fn is_specular(&self) -> bool {
+        matches!(self.branch(), Branch::Mirror | Branch::Refraction)
+    }
+
+    /// Whether ray casting and Whitted's tracer let lights' samples meet it; for the others they trace
+    /// rays.
+    pub fn is_lit(&self) -> bool {
+        matches!(self.branch(), Branch::Diffuse | Branch::Highlight)
     }
 
     /// For lobes that refract: the index of refraction behind the surface over the one in front of
@@ -159,15 +206,23 @@ lobes! {
 
 /// Which normal the z axis of a lobe's frame is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum About {
+pub enum NormalKind {
     /// The interpolated normal of a smooth mesh.
     Shading,
     /// The true normal: sides and refraction must not be fooled by interpolation.
     Geometry,
 }
 
+/// The most lobes of a material; one more panics.
+pub const MOST_LOBES: usize = 4;
+
 /// The lobes of one hit.
-pub type Lobes = ArrayVec<(Lobe, About), 4>;
+pub type Lobes = ArrayVec<(Lobe, NormalKind), MOST_LOBES>;
+
+/// Whether both directions are on the outer side.
+fn outside(wo: Vector, wi: Vector) -> bool {
+    wo.z() > 0.0 && wi.z() > 0.0
+}
 
 /// The index behind the surface over the one in front of it, for a viewer in direction `wo`.
 fn relative(eta: f64, wo: Vector) -> f64 {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Claims, LobeSample, mirrored};
+use super::{Branch, Claims, LobeSample, Scatter, mirrored};
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -18,31 +18,23 @@ pub struct PerfectSpecular {
     pub reflectance: Rgb,
 }
 
-impl PerfectSpecular {
-    pub(super) const SPECULAR: bool = true;
-    pub(super) const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+impl Scatter for PerfectSpecular {
+    const BRANCH: Branch = Branch::Mirror;
+    const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
 
-    pub(super) fn check(&self) -> Result<(), Invalid> {
+    fn check(&self) -> Result<(), Invalid> {
         self.reflectance.checked("reflectance").map(drop)
     }
 
-    pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
-        Rgb::BLACK
+    fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
+        Some(LobeSample { wi: mirrored(wo), weight: self.reflectance, pdf: None })
     }
 
-    pub(super) fn pdf(&self, _: Vector, _: Vector) -> f64 {
-        0.0
-    }
-
-    pub(super) fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
-        Some(LobeSample { wi: mirrored(wo), weight: self.reflectance, pdf: f64::INFINITY })
-    }
-
-    pub(super) fn albedo(&self, _: Vector) -> Rgb {
+    fn albedo(&self, _: Vector) -> Rgb {
         self.reflectance
     }
 
-    pub(super) fn specimens() -> Vec<Self> {
+    fn specimens() -> Vec<Self> {
         vec![Self { reflectance: Rgb::new(0.9, 0.8, 0.7) }]
     }
 }

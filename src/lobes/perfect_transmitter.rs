@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::refract::cos_refracted;
-use super::{Claims, LobeSample, normal_towards, refract, relative};
+use super::{Branch, Claims, LobeSample, Scatter, normal_towards, refract, relative};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -20,42 +20,36 @@ pub struct PerfectTransmitter {
 }
 
 impl PerfectTransmitter {
-    pub(super) const SPECULAR: bool = true;
-    // the index of refraction enters once, on one side: reciprocal in basic radiance L/η² only
-    pub(super) const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
-
-    pub(super) fn check(&self) -> Result<(), Invalid> {
-        not_negative("transmittance", self.transmittance)?;
-        positive("eta", self.eta).map(drop)
-    }
-
     /// Whether a viewer at this cosine (negative inside) sees total internal reflection, the
     /// book's `tir`.
     pub fn reflects_totally(&self, cos_o: f64) -> bool {
         let eta = if cos_o < 0.0 { 1.0 / self.eta } else { self.eta };
         cos_refracted(cos_o, eta).is_none()
     }
+}
 
-    pub(super) fn f(&self, _: Vector, _: Vector) -> Rgb {
-        Rgb::BLACK
+impl Scatter for PerfectTransmitter {
+    const BRANCH: Branch = Branch::Refraction;
+    // the index of refraction enters once, on one side: reciprocal in basic radiance L/η² only
+    const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
+
+    fn check(&self) -> Result<(), Invalid> {
+        not_negative("transmittance", self.transmittance)?;
+        positive("eta", self.eta).map(drop)
     }
 
-    pub(super) fn pdf(&self, _: Vector, _: Vector) -> f64 {
-        0.0
-    }
-
-    pub(super) fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
+    fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
         let eta = relative(self.eta, wo);
         let wi = refract(wo, normal_towards(wo), eta)?;
         let weight = Rgb::grey(self.transmittance / (eta * eta));
-        Some(LobeSample { wi, weight, pdf: f64::INFINITY })
+        Some(LobeSample { wi, weight, pdf: None })
     }
 
-    pub(super) fn albedo(&self, wo: Vector) -> Rgb {
+    fn albedo(&self, wo: Vector) -> Rgb {
         self.sample(wo, [0.0; 2]).map_or(Rgb::BLACK, |sample| sample.weight)
     }
 
-    pub(super) fn specimens() -> Vec<Self> {
+    fn specimens() -> Vec<Self> {
         vec![
             Self { transmittance: 0.9, eta: 1.5 },
             Self { transmittance: 0.5, eta: 0.75 },

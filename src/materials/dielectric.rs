@@ -9,7 +9,7 @@ use super::phong::{self, Phong};
 use super::{Boundary, Material, Medium, Response};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::lobes::{About, FresnelReflector, FresnelTransmitter};
+use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
@@ -70,8 +70,8 @@ impl Specification for Dielectric {
 impl Material for Built {
     fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
         self.phong.respond(at, cos_o, response);
-        response.lobes.push((FresnelReflector { eta: self.eta }.into(), About::Geometry));
-        response.lobes.push((FresnelTransmitter { eta: self.eta }.into(), About::Geometry));
+        response.lobes.push((FresnelReflector { eta: self.eta }.into(), NormalKind::Geometry));
+        response.lobes.push((FresnelTransmitter { eta: self.eta }.into(), NormalKind::Geometry));
     }
 
     fn boundary(&self) -> Option<Boundary> {

@@ -5,14 +5,17 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::matte::{self, Matte};
 use super::{Material, Response};
+use crate::emission::Emission;
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Specification};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
-use crate::textures::{Paint, Texture};
+use crate::textures::Paint;
 
-/// Radiance `ls · ce` in every direction on the outer side; black on the inner.
+/// Radiance `ls · ce` in every direction on the outer side; black on the inner, unless the material is
+/// two-sided.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Emissive {
@@ -22,12 +25,22 @@ pub struct Emissive {
     /// The colour of the light it sends out.
     #[serde(default = "kinds::white::<Paint>")]
     pub ce: Paint,
+    /// The fields of `matte`, for a surface that reflects as well; nothing if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub matte: Option<Matte>,
+}
+
+impl Emissive {
+    /// A surface that shines and reflects nothing.
+    pub fn new(ls: f64, ce: impl Into<Paint>) -> Self {
+        Self { ls, ce: ce.into(), matte: None }
+    }
 }
 
 #[derive(Debug)]
-struct Built {
-    ls: f64,
-    ce: Arc<dyn Texture>,
+struct Shining {
+    emission: Emission,
+    matte: Option<matte::Built>,
 }
 
 impl Specification for Emissive {
@@ -35,22 +48,31 @@ impl Specification for Emissive {
     type Context = ();
 
     fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(Built { ls: not_negative("ls", self.ls)?, ce: self.ce.build("ce")? }))
+        let emission = Emission { ls: not_negative("ls", self.ls)?, ce: self.ce.build("ce")? };
+        let matte = self.matte.as_ref().map(Matte::check).transpose();
+        Ok(Arc::new(Shining { emission, matte: matte.map_err(|e| e.inside("matte"))? }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { ce: self.ce.scaled(factor), ..*self }
+        let matte = self.matte.as_ref().map(|matte| matte.scaled(factor));
+        Self { ce: self.ce.scaled(factor), matte, ..*self }
     }
 
     fn specimens() -> Vec<Self> {
-        vec![Self { ls: 2.5, ce: Rgb::new(1.0, 1.0, 0.5).into() }]
+        let plain = Self::new(2.5, Rgb::new(1.0, 1.0, 0.5));
+        let matte = Matte::specimens().into_iter().next();
+        vec![Self { matte, ..plain.clone() }, plain]
     }
 }
 
-impl Material for Built {
-    fn respond(&self, _: &Surface, _: f64, _: &mut Response) {}
+impl Material for Shining {
+    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+        if let Some(matte) = &self.matte {
+            matte.respond(at, cos_o, response);
+        }
+    }
 
-    fn emitted(&self, at: &Surface, cos_o: f64) -> Rgb {
-        if cos_o > 0.0 { self.ls * self.ce.color(at) } else { Rgb::BLACK }
+    fn emission(&self) -> Option<&Emission> {
+        Some(&self.emission)
     }
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{Material, Response};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::Specification;
-use crate::lobes::{About, Lambertian};
+use crate::lobes::{Lambertian, NormalKind};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -72,7 +72,7 @@ impl Material for Built {
         response.ambient = self.ka * cd;
         if self.kd > 0.0 {
             let lobe = Lambertian { reflectance: self.kd * cd };
-            response.lobes.push((lobe.into(), About::Shading));
+            response.lobes.push((lobe.into(), NormalKind::Shading));
         }
     }
 }

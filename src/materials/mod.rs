@@ -16,6 +16,7 @@ use crate::kinds;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::emission::Emission;
 use crate::invalid::{Invalid, positive};
 use crate::lobes::Lobes;
 use crate::rgb::Rgb;
@@ -27,9 +28,9 @@ pub trait Material: Debug + Send + Sync {
     /// light that comes to it. Asked once for a hit, as textures may be costly.
     fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response);
 
-    /// Radiance it sends out by itself towards a viewer at `cos_o`.
-    fn emitted(&self, _: &Surface, _cos_o: f64) -> Rgb {
-        Rgb::BLACK
+    /// What it sends out by itself, if it shines.
+    fn emission(&self) -> Option<&Emission> {
+        None
     }
 
     /// What is on either side, for boundaries between media; `None` where rays stay in the medium

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{Material, Response, matte};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::Specification;
-use crate::lobes::{About, GlossySpecular};
+use crate::lobes::{GlossySpecular, NormalKind};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -84,7 +84,7 @@ impl Material for Built {
         if self.ks > 0.0 {
             let reflectance = self.ks * self.cs.color(at);
             let lobe = GlossySpecular { reflectance, exponent: self.exponent };
-            response.lobes.push((lobe.into(), About::Shading));
+            response.lobes.push((lobe.into(), NormalKind::Shading));
         }
     }
 }

@@ -9,7 +9,7 @@ use super::phong::{self, Phong};
 use super::{Material, Response};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Specification};
-use crate::lobes::{About, PerfectSpecular};
+use crate::lobes::{NormalKind, PerfectSpecular};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -62,7 +62,7 @@ impl Material for Built {
         self.phong.respond(at, cos_o, response);
         let reflectance = self.kr * self.cr.color(at);
         if !reflectance.is_black() {
-            response.lobes.push((PerfectSpecular { reflectance }.into(), About::Shading));
+            response.lobes.push((PerfectSpecular { reflectance }.into(), NormalKind::Shading));
         }
     }
 }

@@ -9,7 +9,7 @@ use super::phong::{self, Phong};
 use super::{Material, Response};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::{self, Specification};
-use crate::lobes::{About, PerfectSpecular, PerfectTransmitter};
+use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
@@ -81,10 +81,10 @@ impl Material for Built {
             self.kr * self.cr.color(at)
         };
         if !reflectance.is_black() {
-            response.lobes.push((PerfectSpecular { reflectance }.into(), About::Geometry));
+            response.lobes.push((PerfectSpecular { reflectance }.into(), NormalKind::Geometry));
         }
         if self.kt > 0.0 {
-            response.lobes.push((transmitter.into(), About::Geometry));
+            response.lobes.push((transmitter.into(), NormalKind::Geometry));
         }
     }
 

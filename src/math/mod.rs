@@ -10,7 +10,9 @@ mod exact;
 mod frame;
 mod functions;
 pub mod lists;
+pub mod maps;
 pub mod polynomial;
+mod quadrature;
 mod random;
 mod ray;
 mod roots;
@@ -26,6 +28,7 @@ pub use functions::{
     acos, atan, atan2, cbrt, cos, cos_degrees, erf, exp, exp_m1, floor, ln, ln_1p, power,
     power_of_two, sin, sin_degrees, tan, to_degrees, to_radians,
 };
+pub(crate) use quadrature::tanh_sinh;
 pub use random::{Pcg32, hash, splitmix};
 pub use ray::{Ray, Span};
 pub(crate) use roots::{Tolerance, bracketed_root};

@@ -245,6 +245,24 @@ impl Transform {
         frobenius(self.forward.matrix3) * frobenius(self.inverse.matrix3)
     }
 
+    /// The determinant of the linear part: by how much volumes grow, negative for a mirror image.
+    pub fn determinant(&self) -> f64 {
+        self.forward.matrix3.determinant()
+    }
+
+    /// Whether it keeps angles, but for rounding: turns, mirror images and equal scales do.
+    pub fn is_similarity(&self) -> bool {
+        /// More than the rounding of typed factors, less than anyone could see.
+        const SKEW: f64 = 1e-9;
+        let m = self.forward.matrix3;
+        let columns = [m.x_axis, m.y_axis, m.z_axis];
+        let size = m.x_axis.length_squared();
+        let close = |a: f64, b: f64| (a - b).abs() <= SKEW * size;
+        (0..3).all(|i| {
+            (0..3).all(|j| close(columns[i].dot(columns[j]), if i == j { size } else { 0.0 }))
+        })
+    }
+
     /// The map that undoes this one.
     pub fn inverse(&self) -> Self {
         Self { forward: self.inverse, inverse: self.forward }

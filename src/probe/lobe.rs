@@ -52,7 +52,7 @@ impl super::Question for Lobe {
                 lobe.sample(wo, u).map(|sample| Sample {
                     wi: triple(sample.wi),
                     weight: color(sample.weight),
-                    pdf: Real(sample.pdf),
+                    pdf: Real(sample.pdf.unwrap_or(f64::INFINITY)),
                 })
             }),
         })

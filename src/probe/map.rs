@@ -4,8 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::numbers::{HALF_OPEN, in_square, unit};
 use crate::invalid::Invalid;
-use crate::math::{UNIT_ROUNDOFF, Vector};
-use crate::samplers::maps;
+use crate::math::{UNIT_ROUNDOFF, Vector, maps};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -10,6 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::numbers::{RayData, Triple, color};
 use super::{camera_ray, limits};
 use crate::invalid::{Invalid, Key};
+use crate::math::Ray;
 use crate::rgb::Rgb;
 use crate::scene::{self, Scene, SceneError};
 use crate::world::{DEFAULT_SEED, World};
@@ -75,18 +76,9 @@ const MOST_REPLICAS: u32 = 1024;
 impl super::Question for Radiance {
     type Answer = Answer;
 
+    /// Replica `i` is what is rendered with `seed + i`.
     fn answer(&self) -> Result<Answer, Invalid> {
-        match (self.pixel, self.ray) {
-            (Some(pixel), None) => self.of_pixel(pixel),
-            (None, Some(ray)) => self.along(ray),
-            _ => Err(Invalid::new("needs either `pixel` or `ray`")),
-        }
-    }
-}
-
-impl Radiance {
-    /// Replica `i` is the pixel as it is rendered with `seed + i`.
-    fn of_pixel(&self, pixel: [u32; 2]) -> Result<Answer, Invalid> {
+        let looks = self.looks()?;
         let replicas = self.replicas.unwrap_or(REPLICAS);
         if !(1..=MOST_REPLICAS).contains(&replicas) {
             let problem = format!("found {replicas}, but 1 to {MOST_REPLICAS} fit");
@@ -94,13 +86,19 @@ impl Radiance {
         }
         let seed = self.seed.unwrap_or(DEFAULT_SEED);
         let mut world = self.world(seed, f64::from(replicas))?;
-        camera_ray::inside(pixel, world.picture_size())?;
+        let value: Box<dyn Fn(&World) -> Rgb> = match looks {
+            Looks::AtPixel(pixel) => {
+                camera_ray::inside(pixel, world.picture_size())?;
+                Box::new(move |world| render::pixel(world, pixel))
+            }
+            Looks::Along(ray) => Box::new(move |world| along(world, &ray)),
+        };
         let mut values = Vec::with_capacity(replicas as usize);
         for i in 0..replicas {
             if i > 0 {
                 world.reseed(seed.wrapping_add(u64::from(i)));
             }
-            values.push(render::pixel(&world, pixel));
+            values.push(value(&world));
         }
         let mean = render::mean(values.iter().copied());
         Ok(Answer {
@@ -110,21 +108,27 @@ impl Radiance {
             replicas,
         })
     }
+}
 
-    /// What arrives along one ray; nothing in it is random.
-    fn along(&self, ray: RayData) -> Result<Answer, Invalid> {
-        let given = [
-            ("samples", self.samples.is_some()),
-            ("replicas", self.replicas.is_some()),
-            ("seed", self.seed.is_some()),
-        ];
-        if let Some((field, _)) = given.into_iter().find(|(_, given)| *given) {
-            return Err(Invalid::field(field, "goes with `pixel`; along a ray nothing is random"));
+/// What is asked for.
+enum Looks {
+    AtPixel([u32; 2]),
+    Along(Ray),
+}
+
+/// What arrives along a ray: the mean of as many samples as a pixel has.
+fn along(world: &World, ray: &Ray) -> Rgb {
+    let sample = |i| trace::radiance(world, ray, world.draws([0, 0], i), &mut ());
+    render::mean((0..world.samples_per_pixel()).map(sample))
+}
+
+impl Radiance {
+    fn looks(&self) -> Result<Looks, Invalid> {
+        match (self.pixel, self.ray) {
+            (Some(pixel), None) => Ok(Looks::AtPixel(pixel)),
+            (None, Some(ray)) => Ok(Looks::Along(ray.unit_ray()?)),
+            _ => Err(Invalid::new("needs either `pixel` or `ray`")),
         }
-        let ray = ray.unit_ray()?;
-        let world = self.world(DEFAULT_SEED, 1.0)?;
-        let mean = color(trace::radiance(&world, &ray, &mut ()));
-        Ok(Answer { mean, standard_error: None, samples: 1, replicas: 1 })
     }
 
     fn world(&self, seed: u64, replicas: f64) -> Result<World, Invalid> {
@@ -148,7 +152,7 @@ impl Radiance {
         };
         let primitives = limits::buildable(shapes, here).map_err(outer)?;
         let world = World::build_seeded(&scene, folder, seed).map_err(|e| outer(invalid(e)))?;
-        let samples = if self.ray.is_some() { 1.0 } else { f64::from(world.samples_per_pixel()) };
+        let samples = f64::from(world.samples_per_pixel());
         limits::traceable(&scene, &world, primitives, samples * replicas)?;
         Ok(world)
     }

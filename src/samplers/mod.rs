@@ -36,14 +36,13 @@ mod regular;
 mod sobol;
 
 // shared by the kinds
-pub mod maps;
 mod sets;
 
 use std::fmt::Debug;
 
 use crate::math::Pcg32;
 
-pub use sets::{Key, Purpose, SETS, SampleSets};
+pub use sets::{Branch, Draws, Key, PathKey, Purpose, SETS, SampleSets};
 
 /// A way to spread points over the unit square. Contract: `tests/contracts/sampler.rs`.
 pub trait Sampler: Debug + Send + Sync {

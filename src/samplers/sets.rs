@@ -16,6 +16,39 @@ pub struct SampleSets {
     only: Option<[f64; 2]>,
     /// Whether each draw moves its samples; see [`Sampler::is_shifted`].
     shifted: bool,
+    /// Whether pixel and lens are always sampled in the middle.
+    centered: bool,
+}
+
+/// Names a path from the eye: the hash of its parent's name and of the branch taken. So it does not
+/// depend on what other rays there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PathKey(u64);
+
+/// How a path goes on at a hit. The names are fixed: that of a branch stays when others are switched
+/// off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Branch {
+    /// Scattered evenly.
+    Diffuse = 1,
+    /// Scattered about the mirror direction, as a highlight.
+    Highlight = 2,
+    /// Mirrored.
+    Mirror = 3,
+    /// Mirrored, blurred.
+    Gloss = 4,
+    /// Refracted.
+    Refraction = 5,
+}
+
+impl PathKey {
+    /// The camera's ray.
+    pub const CAMERA: Self = Self(0);
+
+    /// The path that goes on from here by this branch.
+    pub fn then(self, branch: Branch) -> Self {
+        Self(hash(&[self.0, branch as u64]))
+    }
 }
 
 /// What a draw is for; draws for different things are independent.
@@ -25,30 +58,56 @@ pub enum Purpose {
     Pixel,
     /// The place on the lens.
     Lens,
-    /// A point of a light, seen from a hit.
+    /// A point of a light, seen from where a path hits.
     Light {
-        /// The hit's ray: its number in the ray tree, 0 for the camera's.
-        node: u32,
-        /// The light's place in the scene.
+        /// The path.
+        path: PathKey,
+        /// The light's place in the scene, counted with those switched off.
         light: u32,
+        /// Which of the pairs of numbers that the light needs.
+        pair: u32,
     },
-    /// The direction in which a ray goes on from a hit.
-    Bounce {
-        /// The hit's ray: its number in the ray tree, 0 for the camera's.
-        node: u32,
+    /// The direction in which a path goes on.
+    Direction {
+        /// The path so far.
+        path: PathKey,
+        /// How it goes on.
+        branch: Branch,
     },
 }
 
 impl Purpose {
     /// Different for different purposes.
     fn words(self) -> [u64; 2] {
-        let both = |node: u32, light: u32| u64::from(node) << 32 | u64::from(light);
         match self {
             Self::Pixel => [1, 0],
             Self::Lens => [2, 0],
-            Self::Light { node, light } => [3, both(node, light)],
-            Self::Bounce { node } => [4, both(node, 0)],
+            Self::Light { path, light, pair } => {
+                [3, hash(&[path.0, u64::from(light) << 32 | u64::from(pair)])]
+            }
+            Self::Direction { path, branch } => [4, hash(&[path.0, branch as u64])],
         }
+    }
+}
+
+/// The draws of one sample of a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Draws<'a> {
+    sets: &'a SampleSets,
+    seed: u64,
+    pixel: [u32; 2],
+    index: u32,
+}
+
+impl<'a> Draws<'a> {
+    /// Sample `index` of this pixel.
+    pub fn new(sets: &'a SampleSets, seed: u64, pixel: [u32; 2], index: u32) -> Self {
+        Self { sets, seed, pixel, index }
+    }
+
+    /// Two numbers in `[0, 1)`.
+    pub fn draw(&self, purpose: Purpose) -> [f64; 2] {
+        self.sets.draw(Key::new(self.seed, self.pixel, purpose), self.index)
     }
 }
 
@@ -90,7 +149,14 @@ impl SampleSets {
         let shifted = sampler.is_shifted();
         let only = samples.first().copied();
         let only = only.filter(|first| !shifted && samples.iter().all(|s| s == first));
-        Self { per_set, samples, permutations, only, shifted }
+        Self { per_set, samples, permutations, only, shifted, centered: false }
+    }
+
+    /// The same sets, but pixel and lens are sampled in their middle: for one sample a pixel, as in the
+    /// book.
+    #[must_use]
+    pub fn centered(self) -> Self {
+        Self { centered: true, ..self }
     }
 
     /// The number of samples that use up a set: `n`, or the next square where the pattern needs one.
@@ -117,6 +183,9 @@ impl SampleSets {
     pub fn draw(&self, key: Key, index: u32) -> [f64; 2] {
         if let Some(only) = self.only {
             return only; // without the hashes, a tenth of what a simple scene's pixel takes
+        }
+        if self.centered && matches!(key.purpose, Purpose::Pixel | Purpose::Lens) {
+            return [0.5; 2];
         }
         let (run, place) = (index / self.per_set, (index % self.per_set) as usize);
         let choice = key.hash(run);

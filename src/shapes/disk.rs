@@ -1,14 +1,16 @@
 //! The disk (Suffern, ch. 19).
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, plane_distance};
+use super::sampled::{ByArea, EvenSurface};
+use super::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
 use crate::invalid::{Invalid, direction, finite_point, length};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::math::{Aabb, Frame, Normal, Point, Ray, Span, Vector, maps};
 
 /// The points of a plane within `radius` of `center`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -22,7 +24,7 @@ pub struct Disk {
     pub radius: f64,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Built {
     center: Point,
     normal: Normal,
@@ -71,11 +73,27 @@ impl Shape for Built {
         Surface::flat(ray.at(at.t), self.center, self.normal)
     }
 
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        (sampling == Sampling::Area).then(|| Box::new(ByArea(self.clone())) as _)
+    }
+
     fn bounds(&self) -> Aabb {
         // along an axis the disk reaches r sin of the angle between axis and normal
         let [x, y, z] = self.normal.to_array();
         let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
         let half = self.radius * Vector::new(sine(y, z), sine(z, x), sine(x, y));
         Aabb { min: self.center - half, max: self.center + half }
+    }
+}
+
+impl EvenSurface for Built {
+    fn area(&self) -> f64 {
+        PI * self.radius * self.radius
+    }
+
+    fn point(&self, u: [f64; 2]) -> Surface {
+        let [x, y] = maps::disk(u);
+        let from_center = Frame::around(self.normal).to_world(Vector::new(x, y, 0.0));
+        Surface::flat(self.center + self.radius * from_center, self.center, self.normal)
     }
 }

@@ -5,7 +5,10 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface, normal_along};
+use super::{
+    Candidate, Context, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
+    normal_along,
+};
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths, shown};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
@@ -163,6 +166,16 @@ impl Shape for Placed {
         self.shape.roots(&self.transform.ray_back(ray), span)
     }
 
+    /// By solid angle only where angles stay as they are.
+    fn sampled(&self, sampling: Sampling) -> Option<std::boxed::Box<dyn SampledSurface>> {
+        if sampling == Sampling::SolidAngle && !self.transform.is_similarity() {
+            return None;
+        }
+        let Self { transform, transform_texture, .. } = *self;
+        let shape = self.shape.sampled(sampling)?;
+        Some(std::boxed::Box::new(SampledInstance { shape, transform, transform_texture }))
+    }
+
     fn bounds(&self) -> Aabb {
         bounds_seen_through(&self.transform, &self.shape.bounds())
     }
@@ -180,6 +193,11 @@ pub(super) fn surface_seen_through(
     at: &Candidate,
 ) -> Surface {
     let inner = shape.surface(&transform.ray_back(ray), at);
+    moved_out(transform, inner, ray)
+}
+
+/// A surface in inner coordinates, outside; the ray meets it.
+fn moved_out(transform: &Transform, inner: Surface, ray: &Ray) -> Surface {
     let point = transform.point(inner.point);
     let outer = |n: Normal| normal_along(transform.covector(n), ray);
     let normal = outer(inner.normal);
@@ -210,4 +228,44 @@ pub(super) fn bounds_seen_through(transform: &Transform, inner: &Aabb) -> Aabb {
     let worst = inner.corners().map(moved).into_iter().fold(Vector::ZERO, Vector::max);
     let pad = 16.0 * UNIT_ROUNDOFF * worst;
     Aabb { min: outer.min - pad, max: outer.max + pad }
+}
+
+/// The points of a sampled shape, outside.
+#[derive(Debug)]
+struct SampledInstance {
+    shape: std::boxed::Box<dyn SampledSurface>,
+    transform: Transform,
+    transform_texture: bool,
+}
+
+impl SampledInstance {
+    /// The inner solid angle that is seen as one steradian outside, around the direction of an inner
+    /// point: `|M v|³/|det M|` for the unit vector `v` towards it.
+    fn squeeze(&self, inner_from: Point, inner_point: Point) -> f64 {
+        let way = inner_point - inner_from;
+        let stretch = self.transform.vector(way).length() / way.length();
+        stretch * stretch * stretch / self.transform.determinant().abs()
+    }
+}
+
+impl SampledSurface for SampledInstance {
+    fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
+        let inner_from = self.transform.inverse().point(from);
+        let (inner, pdf) = self.shape.sample(inner_from, u)?;
+        let pdf = pdf * self.squeeze(inner_from, inner.point);
+        let ray = Ray::new(from, self.transform.point(inner.point) - from);
+        let mut outer = moved_out(&self.transform, inner, &ray);
+        if !self.transform_texture {
+            outer.local = outer.point;
+        }
+        (pdf > 0.0 && pdf.is_finite()).then_some((outer, pdf))
+    }
+
+    fn pdf(&self, from: Point, at: &Surface) -> f64 {
+        let back = self.transform.inverse();
+        let (inner_from, point) = (back.point(from), back.point(at.point));
+        let normal = Normal::new(back.covector(at.normal)).unwrap_or(at.normal);
+        let inner = Surface { point, normal, ..*at };
+        self.shape.pdf(inner_from, &inner) * self.squeeze(inner_from, point)
+    }
 }

@@ -134,6 +134,12 @@ pub trait Shape: Debug + Send + Sync {
         PartPath::default()
     }
 
+    /// The surface as one on which points are drawn in this way, for area lights; `None` if that
+    /// cannot be done. Asked once, when a light is built.
+    fn sampled(&self, _: Sampling) -> Option<std::boxed::Box<dyn SampledSurface>> {
+        None
+    }
+
     /// A box that contains every point of the surface.
     fn bounds(&self) -> Aabb;
 
@@ -183,8 +189,10 @@ mod edges;
 mod lanes;
 mod mesh_lists;
 mod part_path;
+mod sampled;
 mod shoulder;
 mod spherical_cap;
+mod spherical_rectangle;
 mod triangle_block;
 mod triangle_mesh;
 mod vertex_normals;
@@ -232,6 +240,7 @@ pub use assembly::Materials;
 pub use compound::Part;
 pub use context::{Context, PartMaterial};
 pub use part_path::{Face, Level, PartPath};
+pub use sampled::{SampledSurface, Sampling};
 
 pub(crate) use instance::transform_of;
 pub use triangle_mesh::{AcceleratedMesh, TriangleMesh};

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, plane_distance};
+use super::sampled::{ByArea, EvenSurface};
+use super::spherical_rectangle::SphericalRectangle;
+use super::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
 use crate::invalid::{Invalid, finite_point, finite_vector};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross};
@@ -22,7 +24,7 @@ pub struct Rectangle {
     pub b: Vector,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Built {
     data: Rectangle,
     normal: Normal,
@@ -99,8 +101,48 @@ impl Shape for Built {
         Surface::flat(ray.at(at.t), self.data.corner, self.normal)
     }
 
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        Some(match sampling {
+            Sampling::Area => Box::new(ByArea(self.clone())),
+            Sampling::SolidAngle => Box::new(BySolidAngle(self.clone())),
+        })
+    }
+
     fn bounds(&self) -> Aabb {
         let Rectangle { corner, a, b } = self.data;
         Aabb::around([corner, corner + a, corner + b, corner + (a + b)])
+    }
+}
+
+impl EvenSurface for Built {
+    fn area(&self) -> f64 {
+        let [a_squared, b_squared] = self.squared;
+        a_squared.sqrt() * b_squared.sqrt()
+    }
+
+    fn point(&self, [u, v]: [f64; 2]) -> Surface {
+        let Rectangle { corner, a, b } = self.data;
+        Surface::flat(corner + (u * a + v * b), corner, self.normal)
+    }
+}
+
+/// A rectangle that is sampled evenly by solid angle; by area where it looks small.
+#[derive(Debug)]
+struct BySolidAngle(Built);
+
+impl SampledSurface for BySolidAngle {
+    fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
+        let Some(seen) = SphericalRectangle::seen_from(from, &self.0.data) else {
+            return self.0.sample_by_area(from, u);
+        };
+        let at = Surface::flat(seen.point(u), self.0.data.corner, self.0.normal);
+        Some((at, 1.0 / seen.solid_angle))
+    }
+
+    fn pdf(&self, from: Point, at: &Surface) -> f64 {
+        match SphericalRectangle::seen_from(from, &self.0.data) {
+            Some(seen) => 1.0 / seen.solid_angle,
+            None => self.0.pdf_by_area(from, at),
+        }
     }
 }

@@ -5,10 +5,13 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Candidate, Context, Shape, Surface, size_problem, watertight};
+use super::sampled::{ByArea, EvenSurface};
+use super::{
+    Candidate, Context, SampledSurface, Sampling, Shape, Surface, size_problem, watertight,
+};
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, maps};
 
 /// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
 /// interpolated.
@@ -28,7 +31,7 @@ pub struct Triangle {
     pub normals: Option<[Vector; 3]>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Built {
     vertices: [Point; 3],
     normal: Normal,
@@ -96,17 +99,38 @@ impl Shape for Built {
     }
 
     fn surface(&self, _: &Ray, at: &Candidate) -> Surface {
-        let (point, error) = watertight::point_on(self.vertices, at.parameters, self.normal);
+        self.surface_at(at.parameters)
+    }
+
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        (sampling == Sampling::Area).then(|| Box::new(ByArea(self.clone())) as _)
+    }
+
+    fn bounds(&self) -> Aabb {
+        watertight::bounds(self.vertices)
+    }
+}
+
+impl Built {
+    /// The surface at these barycentric coordinates.
+    fn surface_at(&self, [beta, gamma]: [f64; 2]) -> Surface {
+        let (point, error) = watertight::point_on(self.vertices, [beta, gamma], self.normal);
         let mut surface = Surface::new(point, error, self.normal);
         if let Some([n0, n1, n2]) = self.normals {
-            let [beta, gamma] = at.parameters;
             let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
             surface.shading = Normal::new(mean).unwrap_or(self.normal);
         }
         surface
     }
+}
 
-    fn bounds(&self) -> Aabb {
-        watertight::bounds(self.vertices)
+impl EvenSurface for Built {
+    fn area(&self) -> f64 {
+        let [a, b, c] = self.vertices;
+        0.5 * exact_cross(a, b, c).length()
+    }
+
+    fn point(&self, u: [f64; 2]) -> Surface {
+        self.surface_at(maps::triangle(u))
     }
 }

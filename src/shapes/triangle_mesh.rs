@@ -1,13 +1,15 @@
 //! Triangles on shared vertices (Suffern, ch. 23), searched by an acceleration of their own.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
+use super::sampled::{ByArea, EvenSurface};
 use super::triangle_block::{Block, Blocks};
 use super::vertex_normals::{mean_normals, turn};
 use super::watertight::{self, ShearedRay};
-use super::{Candidate, Level, PartPath, Shape, Surface};
+use super::{Candidate, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
 use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
-use crate::math::{Aabb, Normal, Point, Ray, Span};
+use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, exact_cross, maps};
 
 /// Triangles on shared vertices. Triangles of area zero are left out: no ray meets them.
 #[derive(Clone, Debug)]
@@ -84,13 +86,14 @@ impl TriangleMesh {
         let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         if kernel == Kernel::PLAIN {
             let accel = Accel::build_for(method, &bounds, &OneByOne, kernel);
-            return AcceleratedMesh { accel, blocks: Vec::new(), bounds: whole, mesh: self };
+            let mesh = Arc::new(self);
+            return AcceleratedMesh { accel, blocks: Vec::new(), bounds: whole, mesh };
         }
         let together = self.triangles_on_places();
         let accel = Accel::build_for(method, &bounds, &Blocks(&together), kernel);
         let block = |&leaf: &[u32; 8]| Block::new(leaf, &together, &self.vertices);
         let blocks = accel.leaves().iter().map(block).collect();
-        AcceleratedMesh { accel, blocks, bounds: whole, mesh: self }
+        AcceleratedMesh { accel, blocks, bounds: whole, mesh: Arc::new(self) }
     }
 
     /// The triangles with the first vertex in each place instead of others there, which have normals or
@@ -112,12 +115,29 @@ impl TriangleMesh {
     fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
         triangle.map(|vertex| self.vertices[vertex as usize])
     }
+
+    /// The surface of a triangle at these barycentric coordinates.
+    fn surface_at(&self, triangle: usize, [beta, gamma]: [f64; 2]) -> Surface {
+        let triangle = self.triangles[triangle];
+        let corners = self.corners(triangle);
+        let normal = watertight::normal(corners).expect("triangles of area zero were left out");
+        let (point, error) = watertight::point_on(corners, [beta, gamma], normal);
+        let mut surface = Surface::new(point, error, normal);
+        if let Some(normals) = &self.normals {
+            let [n0, n1, n2] = triangle.map(|vertex| normals[vertex as usize]);
+            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
+            // between normals that differ much it may be on the other side, where all light is lost
+            let seen = |shading: &Normal| shading.dot(normal) > 0.0;
+            surface.shading = Normal::new(mean).filter(seen).unwrap_or(normal);
+        }
+        surface
+    }
 }
 
 /// A mesh ready for rays.
 #[derive(Debug)]
 pub struct AcceleratedMesh {
-    mesh: TriangleMesh,
+    mesh: Arc<TriangleMesh>,
     accel: Accel,
     /// What the leaves of a bvh hold; empty if triangles are tested one by one.
     blocks: Vec<Block>,
@@ -242,20 +262,7 @@ impl Shape for AcceleratedMesh {
     }
 
     fn surface(&self, _: &Ray, at: &Candidate) -> Surface {
-        let triangle = self.mesh.triangles[at.part as usize];
-        let corners = self.mesh.corners(triangle);
-        let normal = watertight::normal(corners).expect("triangles of area zero were left out");
-        let (point, error) = watertight::point_on(corners, at.parameters, normal);
-        let mut surface = Surface::new(point, error, normal);
-        if let Some(normals) = &self.mesh.normals {
-            let [n0, n1, n2] = triangle.map(|vertex| normals[vertex as usize]);
-            let [beta, gamma] = at.parameters;
-            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
-            // between normals that differ much it may be on the other side, where all light is lost
-            let seen = |shading: &Normal| shading.dot(normal) > 0.0;
-            surface.shading = Normal::new(mean).filter(seen).unwrap_or(normal);
-        }
-        surface
+        self.mesh.surface_at(at.part as usize, at.parameters)
     }
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
@@ -281,7 +288,49 @@ impl Shape for AcceleratedMesh {
         roots
     }
 
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        let has_area = !self.mesh.triangles.is_empty();
+        let by_area = has_area && sampling == Sampling::Area;
+        by_area.then(|| Box::new(ByArea(SampledMesh::new(&self.mesh))) as _)
+    }
+
     fn bounds(&self) -> Aabb {
         self.bounds
+    }
+}
+
+/// A mesh on which points are drawn: first a triangle, as often as it is large, then a point of it.
+#[derive(Debug)]
+struct SampledMesh {
+    mesh: Arc<TriangleMesh>,
+    /// The areas of the triangles up to each, itself included.
+    areas: Vec<f64>,
+}
+
+impl SampledMesh {
+    fn new(mesh: &Arc<TriangleMesh>) -> Self {
+        let mesh = Arc::clone(mesh);
+        let areas = mesh.triangles.iter().scan(0.0, |sum, &triangle| {
+            let [a, b, c] = mesh.corners(triangle);
+            *sum += 0.5 * exact_cross(a, b, c).length();
+            Some(*sum)
+        });
+        Self { areas: areas.collect(), mesh }
+    }
+}
+
+impl EvenSurface for SampledMesh {
+    fn area(&self) -> f64 {
+        self.areas.last().copied().unwrap_or(0.0)
+    }
+
+    fn point(&self, [u, v]: [f64; 2]) -> Surface {
+        let wanted = u * self.area();
+        let last = self.areas.len() - 1;
+        let triangle = self.areas.partition_point(|&sum| sum <= wanted).min(last);
+        let before = if triangle == 0 { 0.0 } else { self.areas[triangle - 1] };
+        // where in its share u lies is a fresh number
+        let again = (wanted - before) / (self.areas[triangle] - before);
+        self.mesh.surface_at(triangle, maps::triangle([again.min(ONE_MINUS), v]))
     }
 }

@@ -10,31 +10,32 @@
 mod optics;
 mod recorder;
 mod shading_point;
+mod strategy;
 mod tree;
 
-use crate::lights::{Illumination, LightSample, Reach};
-use crate::lobes::{About, Lobe, LobeSample, Lobes};
+use arrayvec::ArrayVec;
+
+use crate::lights::{LightContext, LightSample, Meets, Segment};
+use crate::lobes::{Bsdf, BsdfSample, Lit, Lobe, MOST_LOBES};
 use crate::materials::Response;
-use crate::math::{Frame, Point, Ray, Span, UNIT_ROUNDOFF};
+use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
-use crate::scene::Tracer;
+use crate::samplers::{Draws, PathKey, Purpose};
 use crate::world::{Hit, PlacedLight, World};
 
 pub use optics::Optics;
 pub use recorder::{Outcome, RayCounts, RayKind, Recorder, Term, TermSource};
 pub use shading_point::ShadingPoint;
+pub use strategy::{Scatter, Strategy};
 pub use tree::{Node, RayTree, RecordedHit, RecordedTerm};
 
 /// The radiance that arrives at the origin of a ray from the camera. The direction must be unit:
 /// distances through media are counted in `t`.
-pub fn radiance<R: Recorder>(world: &World, ray: &Ray, recorder: &mut R) -> Rgb {
-    let max_depth = match world.tracer {
-        Tracer::RayCast => None,
-        Tracer::Whitted(whitted) => Some(whitted.max_depth),
-    };
-    let medium = world.view.medium.absorption;
-    let path = PathState { ray: *ray, kind: RayKind::Camera, depth: 0, medium };
-    Tracing { world, max_depth, recorder }.cast(&path, Rgb::WHITE)
+pub fn radiance<R: Recorder>(world: &World, ray: &Ray, draws: Draws<'_>, recorder: &mut R) -> Rgb {
+    let (kind, key, medium) = (RayKind::Camera, PathKey::CAMERA, world.view.medium.absorption);
+    let path = PathState { ray: *ray, kind, depth: 0, key, medium };
+    let strategy = Strategy::of(world.tracer);
+    Tracing { world, strategy, draws, recorder }.cast(&path, Rgb::WHITE)
 }
 
 /// A ray to be cast, and what it carries along its path.
@@ -43,14 +44,16 @@ struct PathState {
     kind: RayKind,
     /// The number of edges before it; 0 for the camera's ray.
     depth: u32,
+    /// Names its draws.
+    key: PathKey,
     /// The absorption of the medium it is in.
     medium: Rgb,
 }
 
 struct Tracing<'a, R> {
     world: &'a World,
-    /// `None` for ray casting, which follows no mirrors and no glass.
-    max_depth: Option<u32>,
+    strategy: Strategy,
+    draws: Draws<'a>,
     recorder: &'a mut R,
 }
 
@@ -74,11 +77,11 @@ impl RadianceSum {
 impl<R: Recorder> Tracing<'_, R> {
     /// What arrives along a ray that counts `weight` for the one before it.
     fn cast(&mut self, path: &PathState, weight: Rgb) -> Rgb {
-        let PathState { ray, kind, depth, medium } = path;
+        let PathState { ray, kind, depth, medium, .. } = path;
         self.recorder.enter(*kind, ray, *depth, weight);
         let mut sum = RadianceSum(Rgb::BLACK);
         let mut transmittance = Rgb::WHITE;
-        if self.max_depth.is_some_and(|max_depth| *depth > max_depth) {
+        if *depth > self.strategy.max_depth {
             self.recorder.outcome(Outcome::TooDeep);
         } else if let Some(hit) = &self.world.hit(ray, Span::AHEAD) {
             self.recorder.outcome(Outcome::Hit { hit });
@@ -99,97 +102,158 @@ impl<R: Recorder> Tracing<'_, R> {
     fn shade(&mut self, path: &PathState, hit: &Hit<'_>, sum: &mut RadianceSum) {
         let point = ShadingPoint::new(hit, -path.ray.direction);
         let material = &hit.material.recipe;
-        let emitted = material.emitted(&hit.surface, point.cos_o);
-        if !emitted.is_black() {
-            sum.add(self.recorder, TermSource::Emission, Rgb::WHITE, emitted);
+        if let Some(emission) = material.emission().filter(|_| hit.object.shines) {
+            let emitted = emission.radiance(&hit.surface, point.cos_o);
+            if !emitted.is_black() {
+                sum.add(self.recorder, TermSource::Emission, Rgb::WHITE, emitted);
+            }
         }
         let mut response = Response::default();
         material.respond(&hit.surface, point.cos_o, &mut response);
+        let bsdf = Bsdf::new(&response.lobes, point.normals, point.wo);
         self.recorder.surface(&point, &response.lobes);
 
         let world = self.world;
         for light in &world.lights {
-            match light.light.illuminate(hit.surface.point) {
-                Illumination::Ambient(radiance) => {
-                    if !response.ambient.is_black() {
-                        let source = TermSource::Ambient { light: light.place };
-                        sum.add(self.recorder, source, response.ambient, radiance);
+            match light.light.meets() {
+                Meets::Ambient => self.ambient(path, &point, light, response.ambient, sum),
+                Meets::Lobes => self.direct(path, &point, light, &bsdf, sum),
+            }
+        }
+        if self.strategy.scatter == Scatter::TracedLobes {
+            for (lobe, kind) in response.lobes.iter().filter(|(lobe, _)| !lobe.is_lit()) {
+                let u = match lobe.is_specular() {
+                    true => [0.5; 2], // a single direction: nothing is drawn
+                    false => {
+                        self.draw(Purpose::Direction { path: path.key, branch: lobe.branch() })
                     }
-                }
-                Illumination::From(sample) => {
-                    self.direct(&point, &response.lobes, light, &sample, sum)
-                }
-            }
-        }
-        if self.max_depth.is_some() {
-            for (lobe, about) in response.lobes.iter().filter(|(l, _)| l.is_specular()) {
-                let frame = point.frame(*about);
-                let wo = frame.to_local(point.wo);
-                if let Some(sample) = lobe.sample(wo, [0.5; 2]) {
-                    self.follow(path, &point, lobe, (&frame, sample), sum);
+                };
+                if let Some(sample) = bsdf.sample(lobe, *kind, u) {
+                    self.follow(path, &point, lobe, sample, sum);
                 }
             }
         }
+    }
+
+    fn draw(&mut self, purpose: Purpose) -> [f64; 2] {
+        self.recorder.draw();
+        self.draws.draw(purpose)
+    }
+
+    /// What a light sends to a point, for the numbers that are drawn for it there.
+    fn sample(
+        &mut self,
+        path: &PathState,
+        point: &ShadingPoint<'_>,
+        light: &PlacedLight,
+    ) -> Option<LightSample> {
+        /// More than any light draws.
+        const MOST_DRAWS: usize = 4;
+        let from = LightContext { point: point.hit.surface.point, normal: point.normals.shading };
+        let mut u = ArrayVec::<[f64; 2], MOST_DRAWS>::new();
+        for pair in 0..light.light.draws() as u32 {
+            u.push(self.draw(Purpose::Light { path: path.key, light: light.place, pair }));
+        }
+        light.light.sample(&from, &u)
+    }
+
+    /// Light that meets the ambient reflectance.
+    fn ambient(
+        &mut self,
+        path: &PathState,
+        point: &ShadingPoint<'_>,
+        light: &PlacedLight,
+        reflectance: Rgb,
+        sum: &mut RadianceSum,
+    ) {
+        if reflectance.is_black() {
+            return;
+        }
+        let Some(sample) = self.sample(path, point, light) else { return };
+        let (arriving, traced) = self.arriving(Rgb::BLACK, point, light, &sample);
+        let source = TermSource::Ambient { light: light.place, traced };
+        sum.add(self.recorder, source, reflectance, arriving);
     }
 
     /// Light that comes straight from a source, by each lobe that takes light from there.
     fn direct(
         &mut self,
+        path: &PathState,
         point: &ShadingPoint<'_>,
-        lobes: &Lobes,
         light: &PlacedLight,
-        sample: &LightSample,
+        bsdf: &Bsdf<'_>,
         sum: &mut RadianceSum,
     ) {
-        let (traced, pdf) = (light.shadows, sample.pdf);
-        let mut terms = arrayvec::ArrayVec::<(&Lobe, Rgb, f64, Rgb), 4>::new();
-        for (lobe, about) in lobes.iter().filter(|(lobe, _)| !lobe.is_specular()) {
-            let n = point.normal(*about);
-            let cos_i = n.dot(sample.direction);
-            if cos_i <= 0.0 {
-                continue; // the light is behind the surface
-            }
-            let frame = Frame::around(n);
-            let [wo, wi] = [point.wo, sample.direction].map(|w| frame.to_local(w));
-            let f = match point.cos_o > 0.0 {
-                true => lobe.f_outside(wo, wi),
-                false if wo.z() <= 0.0 => lobe.f(wo, wi),
-                // the viewer is below the true surface: this light cannot reach it
-                false => Rgb::BLACK,
-            };
-            let weight = (cos_i / pdf) * f;
-            if !weight.is_black() {
-                terms.push((lobe, f, cos_i, weight));
-            }
+        if !bsdf.is_lit() {
+            return;
         }
+        let Some(sample) = self.sample(path, point, light) else { return };
+        let pdf = sample.pdf;
+        let lit = bsdf.lit(sample.direction);
+        let terms: ArrayVec<_, MOST_LOBES> = lit
+            .into_iter()
+            .map(|lit| (lit, (lit.cos_i / pdf.unwrap_or(1.0)) * lit.f))
+            .filter(|(_, weight)| !weight.is_black())
+            .collect();
         if terms.is_empty() {
             return;
         }
-        let arriving =
-            if traced { self.shadow(point, light.place, sample) } else { sample.radiance };
-        for (&lobe, f, cos_i, weight) in terms {
+        let medium = medium_towards(path, point, sample.direction);
+        let (arriving, traced) = self.arriving(medium, point, light, &sample);
+        for (Lit { lobe, f, cos_i }, weight) in terms {
             let source = TermSource::Direct { light: light.place, lobe, f, cos_i, pdf, traced };
             sum.add(self.recorder, source, weight, arriving);
         }
     }
 
+    /// What arrives of a light's sample, and whether a shadow ray told.
+    fn arriving(
+        &mut self,
+        medium: Rgb,
+        point: &ShadingPoint<'_>,
+        light: &PlacedLight,
+        sample: &LightSample,
+    ) -> (Rgb, bool) {
+        match sample.segment {
+            Some(segment) if light.shadows => {
+                // where an interpolated normal differs from the true one, the surface hides part of
+                // the hemisphere itself
+                if sample.pdf.is_some() && point.normals.geometry.dot(sample.direction) <= 0.0 {
+                    return (sample.blocked, false);
+                }
+                (self.shadow(medium, point, light.place, (segment, sample)), true)
+            }
+            _ => (sample.radiance, false),
+        }
+    }
+
     /// Whether an object stands in the way of a light, and so what arrives.
-    fn shadow(&mut self, point: &ShadingPoint<'_>, light: u32, sample: &LightSample) -> Rgb {
+    fn shadow(
+        &mut self,
+        medium: Rgb,
+        point: &ShadingPoint<'_>,
+        light: u32,
+        (segment, sample): (Segment, &LightSample),
+    ) -> Rgb {
         let origin = point.hit.surface.leave(sample.direction);
-        let (ray, span) = match sample.reach {
-            Reach::Infinity => (Ray::new(origin, sample.direction), Span::AHEAD),
-            Reach::To(place) => (Ray::new(origin, place - origin), up_to(place, origin)),
+        let (ray, span, length) = match segment {
+            Segment::Infinity => (Ray::new(origin, sample.direction), Span::AHEAD, f64::INFINITY),
+            Segment::To(end) => {
+                (Ray::new(origin, end - origin), up_to(end, origin), end.distance(origin))
+            }
         };
         self.recorder.enter(RayKind::Shadow { light }, &ray, 0, Rgb::WHITE);
         let occluder = self.world.occluder(&ray, span);
-        let arriving = if occluder.is_some() { sample.blocked } else { sample.radiance };
+        let sent = if occluder.is_some() { sample.blocked } else { sample.radiance };
         self.recorder.outcome(match occluder {
             Some(object) => Outcome::Blocked { blocked_by: object.place },
             None => Outcome::Unblocked,
         });
         let source = TermSource::Light { light };
-        self.recorder.term(Term { source, weight: Rgb::WHITE, arriving, value: arriving });
-        self.recorder.leave(Rgb::WHITE, arriving);
+        self.recorder.term(Term { source, weight: Rgb::WHITE, arriving: sent, value: sent });
+        let transmittance = medium.transmittance(length);
+        let arriving = transmittance * sent;
+        self.recorder.leave(transmittance, arriving);
         arriving
     }
 
@@ -199,33 +263,30 @@ impl<R: Recorder> Tracing<'_, R> {
         path: &PathState,
         point: &ShadingPoint<'_>,
         lobe: &Lobe,
-        (frame, LobeSample { wi, weight, .. }): (&Frame, LobeSample),
+        BsdfSample { direction, weight, transmits, .. }: BsdfSample,
         sum: &mut RadianceSum,
     ) {
-        let direction = frame.to_world(wi);
-        let n = point.normal(About::Geometry);
-        let outward = n.dot(direction) > 0.0;
-        let stays = outward == (point.cos_o > 0.0);
-        let transmits = wi.z() * frame.to_local(point.wo).z() < 0.0;
-        if stays == transmits {
-            return; // an interpolated normal sends it to the wrong side of the true surface
-        }
-        let medium = match point.hit.material.recipe.boundary() {
-            Some(boundary) if outward => boundary.outside.absorption,
-            Some(boundary) => boundary.inside.absorption,
-            None => path.medium,
-        };
-        let Some(direction) = direction.unit() else {
-            return; // an index of refraction so far from 1 that the direction overflows
-        };
         let child = PathState {
             ray: Ray::new(point.hit.surface.leave(direction), direction),
             kind: if transmits { RayKind::Transmitted } else { RayKind::Reflected },
             depth: path.depth + 1,
-            medium,
+            key: path.key.then(lobe.branch()),
+            medium: medium_towards(path, point, direction),
         };
         let light = self.cast(&child, weight);
         sum.add(self.recorder, TermSource::Traced { lobe: *lobe }, weight, light);
+    }
+}
+
+/// The absorption of the medium that a ray in this direction is in: at a boundary that of the side it
+/// leaves to, else that of the ray before it.
+fn medium_towards(path: &PathState, point: &ShadingPoint<'_>, direction: Vector) -> Rgb {
+    match point.hit.material.recipe.boundary() {
+        Some(boundary) if point.normals.geometry.dot(direction) > 0.0 => {
+            boundary.outside.absorption
+        }
+        Some(boundary) => boundary.inside.absorption,
+        None => path.medium,
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::ShadingPoint;
-use crate::lobes::{About, Lobes, refract};
+use crate::lobes::{Lobes, NormalKind, refract};
 use crate::materials::Medium;
 use crate::math::{Normal, atan2, to_degrees};
 use crate::rgb::Rgb;
@@ -32,7 +32,7 @@ pub struct Optics {
 impl Optics {
     /// The optics of a hit whose lobes refract; `None` for opaque surfaces.
     pub(super) fn of(point: &ShadingPoint<'_>, lobes: &Lobes) -> Option<Self> {
-        let wo = point.frame(About::Geometry).to_local(point.wo);
+        let wo = point.frame(NormalKind::Geometry).to_local(point.wo);
         let eta = lobes.iter().find_map(|(lobe, _)| lobe.relative_eta(wo))?;
         let front = if wo.z() < 0.0 { -Normal::Z } else { Normal::Z };
         let share = |transmits: bool| -> Rgb {

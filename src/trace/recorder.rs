@@ -72,10 +72,12 @@ pub enum TermSource<Name = u32> {
     Background,
     /// The surface itself shines.
     Emission,
-    /// An ambient light.
+    /// A light that meets the ambient reflectance.
     Ambient {
         /// The light.
         light: Name,
+        /// Whether the shadow ray before it says what arrives.
+        traced: bool,
     },
     /// Light straight from a source, scattered by one lobe: the weight is `f cosθ_i / pdf`.
     Direct {
@@ -87,8 +89,10 @@ pub enum TermSource<Name = u32> {
         f: Rgb,
         /// The cosine of the light's angle to the normal.
         cos_i: f64,
-        /// Of the direction, per steradian; 1 for a light that is a single direction.
-        pdf: f64,
+        /// Of the direction, per steradian; `None` for a light that is a single direction, whose weight
+        /// is `f cosθ_i`.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pdf: Option<f64>,
         /// Whether the shadow ray before it says what arrives.
         traced: bool,
     },
@@ -147,7 +151,7 @@ impl<Name> TermSource<Name> {
         match self {
             Self::Background => TermSource::Background,
             Self::Emission => TermSource::Emission,
-            Self::Ambient { light } => TermSource::Ambient { light: name(light) },
+            Self::Ambient { light, traced } => TermSource::Ambient { light: name(light), traced },
             Self::Direct { light, lobe, f, cos_i, pdf, traced } => {
                 TermSource::Direct { light: name(light), lobe, f, cos_i, pdf, traced }
             }
@@ -166,6 +170,9 @@ pub trait Recorder {
     /// The surface that it met scatters light by these lobes.
     #[inline(always)]
     fn surface(&mut self, _point: &ShadingPoint<'_>, _lobes: &Lobes) {}
+    /// Two random numbers are drawn.
+    #[inline(always)]
+    fn draw(&mut self) {}
     /// A term of its sum; terms come in the order in which they are added.
     fn term(&mut self, term: Term);
     /// It ends: what its medium lets through, and what arrives at its origin.
@@ -195,8 +202,10 @@ pub struct RayCounts {
     pub transmitted: u64,
     /// Towards lights.
     pub shadow: u64,
-    /// Not cast, because they were too deep; not in the other counts.
+    /// Cast in name only, because they were too deep; they are in the counts above, too.
     pub too_deep: u64,
+    /// Pairs of random numbers drawn, beside those of the camera.
+    pub draws: u64,
 }
 
 impl Recorder for RayCounts {
@@ -207,6 +216,10 @@ impl Recorder for RayCounts {
             RayKind::Transmitted => self.transmitted += 1,
             RayKind::Shadow { .. } => self.shadow += 1,
         }
+    }
+
+    fn draw(&mut self) {
+        self.draws += 1;
     }
 
     fn outcome(&mut self, outcome: Outcome<&Hit<'_>>) {

@@ -185,11 +185,8 @@ impl Recorder for RayTree {
         }
         let from_ray = match term.source {
             TermSource::Traced { .. } => true,
-            TermSource::Direct { traced, .. } => traced,
-            TermSource::Background
-            | TermSource::Emission
-            | TermSource::Ambient { .. }
-            | TermSource::Light { .. } => false,
+            TermSource::Direct { traced, .. } | TermSource::Ambient { traced, .. } => traced,
+            TermSource::Background | TermSource::Emission | TermSource::Light { .. } => false,
         };
         let node = self.current();
         let child = if from_ray { node.children.last().copied() } else { None };

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::math::{ONE_MINUS, Pcg32, atan2, floor};
-use groundtruth::samplers::{Jittered, maps};
+use groundtruth::math::{ONE_MINUS, Pcg32, atan2, floor, maps};
+use groundtruth::samplers::Jittered;
 use groundtruth::verify::chi_square;
 use groundtruth::verify::ks;
 use groundtruth::verify::significance::sidak;

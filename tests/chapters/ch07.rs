@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::math::{ONE_MINUS, Pcg32, Vector, acos, atan2, power};
-use groundtruth::samplers::{Jittered, maps};
+use groundtruth::math::{ONE_MINUS, Pcg32, Vector, acos, atan2, maps, power};
+use groundtruth::samplers::Jittered;
 use proptest::prelude::*;
 
 use crate::ch05::patterns::{built, occupied, once_each};

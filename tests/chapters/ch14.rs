@@ -213,7 +213,7 @@ proptest! {
         let mut scene = stage(Rgb::new(0.0, 0.0, 1.0));
         let ce = Rgb::new(1.0, 0.5, 0.0);
         let plane = Plane { point: Point::ORIGIN, normal: n.into() };
-        put(&mut scene, plane, Emissive { ls: 3.0, ce: ce.into() });
+        put(&mut scene, plane, Emissive::new(3.0, ce));
         scene.materials[0].two_sided = two_sided;
         prop_assert_eq!(seen(&scene, wo), 3.0 * ce);
         prop_assert_eq!(seen(&scene, -wo), if two_sided { 3.0 * ce } else { Rgb::BLACK });

@@ -264,7 +264,7 @@ fn an_emitter_over_k_mirrors_weighs_the_kth_power() {
         put(&mut scene, Plane { point: Point::new(0.0, y, 0.0), normal }, mirror(0.8, cr));
     }
     let end = Plane { point: Point::new(10.0, 0.0, 0.0), normal: -Vector::X };
-    put(&mut scene, end, Emissive { ls: 2.0, ce: Rgb::WHITE.into() });
+    put(&mut scene, end, Emissive::new(2.0, Rgb::WHITE));
     let world = built(&scene);
     for k in 0..8_u32 {
         // from the middle, the k-th mirror is met after 2k − 1 half gaps; the end lies 2k of them away

@@ -97,7 +97,7 @@ fn a_slab_divides_light_as_all_its_inner_reflections_do() {
         let mut scene = deep_stage(Rgb::BLACK, 25);
         put(&mut scene, slab(1.0), clear(1.5));
         let lit = Plane { point: Point::new(0.0, height, 0.0), normal };
-        put(&mut scene, lit, Emissive { ls: 1.0, ce: Rgb::WHITE.into() });
+        put(&mut scene, lit, Emissive::new(1.0, Rgb::WHITE));
         let seen = look(&built(&scene), Point::new(0.3, 4.0, 0.2), -Vector::Y);
         assert!(close(seen, Rgb::grey(expected), 64.0 * U), "{seen:?} {expected}");
     }
@@ -211,7 +211,7 @@ proptest! {
         let water = glass(Medium::clear(1.33), Medium::default());
         put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, water);
         let deep = Plane { point: Point::new(0.0, -3.0, 0.0), normal: Vector::Y };
-        put(&mut scene, deep, Emissive { ls: 0.5, ce: Rgb::new(1.0, 0.0, 0.0).into() });
+        put(&mut scene, deep, Emissive::new(0.5, Rgb::new(1.0, 0.0, 0.0)));
         scene.camera.medium = Medium::clear(1.33);
         let eye = Point::new(0.0, -1.0, 0.0);
         let tree = recorded(&built(&scene), eye, at_angle(Normal::Y, cos(theta), phi));
@@ -241,7 +241,7 @@ fn an_eye_in_glass_sees_2_16() {
     scene.camera.look_at = Point::ORIGIN;
     // the reflected part ends in nothing
     let dark = Plane { point: Point::new(0.0, 0.0, -9.0), normal: -Vector::Z };
-    put(&mut scene, dark, Emissive { ls: 0.0, ce: Rgb::WHITE.into() });
+    put(&mut scene, dark, Emissive::new(0.0, Rgb::WHITE));
     assert!(close(pixel(&built(&scene), [0, 0]), Rgb::grey(2.16), 16.0 * U));
     scene.camera.exposure_time = 1.0 / 2.25;
     assert!(close(pixel(&built(&scene), [0, 0]), Rgb::grey(0.96), 16.0 * U));

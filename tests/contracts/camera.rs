@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use groundtruth::cameras::{Camera, Kind, View, ViewPlane, Viewpoint};
-use groundtruth::math::{Pcg32, Point, Vector, power_of_two};
-use groundtruth::samplers::maps;
+use groundtruth::math::{Pcg32, Point, Vector, maps, power_of_two};
 use libtest_mimic::Trial;
 
 use super::{Holds, ensure};

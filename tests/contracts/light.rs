@@ -1,107 +1,267 @@
-//! The contract of [`Light`] (Suffern, ch. 14, 16).
+//! The contract of [`Light`] (Suffern, ch. 14, 16–18). An area light is tried with every shape that
+//! can be its lamp.
 
+use std::fmt::Debug;
 use std::sync::Arc;
 
-use groundtruth::lights::{Illumination, Kind, Light, LightSample, Reach};
-use groundtruth::math::{Pcg32, Point, power_of_two};
+use groundtruth::background::Background;
+use groundtruth::cameras::{Orthographic, Viewpoint};
+use groundtruth::lights::{Area, Kind, Light, LightContext, LightSample, Meets, Segment, Target};
+use groundtruth::materials::Emissive;
+use groundtruth::math::{Normal, Pcg32, Point, Ray, Span, Vector, power_of_two};
 use groundtruth::rgb::Rgb;
+use groundtruth::scene::{self, Image, Material, Object, Scene};
+use groundtruth::shapes::{self, Sampling, Shape, Surface};
+use groundtruth::world::World;
 use libtest_mimic::Trial;
 
-use super::{Holds, ensure};
+use super::{Holds, ensure, light_sampling};
 
 pub fn trials() -> Vec<Trial> {
     super::trials(
         Kind::ENTRIES,
         &[
             ("light_is_finite_and_not_negative", light_is_finite_and_not_negative),
+            ("some_light_arrives_somewhere", some_light_arrives),
             ("directions_are_unit_and_lead_to_the_light", directions_lead_to_the_light),
             ("what_is_blocked_is_no_brighter", what_is_blocked_is_no_brighter),
+            ("a_sample_has_the_density_of_its_target", samples_have_the_density_of_their_target),
+            ("samples_follow_the_pdf", light_sampling::samples_follow_the_pdf),
+            ("the_mean_is_the_integral", light_sampling::the_mean_is_the_integral),
             ("scaling_by_a_power_of_two_keeps_every_bit", scaling_keeps_every_bit),
         ],
     )
 }
 
-fn built(kind: &Kind) -> Arc<dyn Light> {
-    kind.build(&mut ()).expect("specimens are valid")
+/// A light and what it is asked with.
+pub struct Subject {
+    pub name: String,
+    pub scene: Scene,
+    pub light: Arc<dyn Light>,
+    /// The shape of an area light's lamp.
+    pub lamp: Option<Arc<dyn Shape>>,
+    pub background: Background,
 }
 
-fn places() -> impl Iterator<Item = Point> {
-    let mut random = Pcg32::new(14, 0);
-    let mut c = move || 100.0 * (random.uniform() - 0.5);
-    (0..500).map(move |_| Point::new(c(), c(), c()))
+/// What the lamps send out.
+pub const EMITTED: Rgb = Rgb::new(2.0, 1.0, 0.5);
+
+/// The shapes that can be lamps, by these ways of sampling.
+pub fn lamps(sampling: Sampling) -> Vec<shapes::Kind> {
+    let all = shapes::Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)());
+    let can = |shape: &shapes::Kind| {
+        let built = shape.build(&mut shapes::Context::default());
+        built.is_ok_and(|shape| shape.sampled(sampling).is_some())
+    };
+    all.filter(can).collect()
 }
 
-fn sample(light: &dyn Light, place: Point) -> Option<LightSample> {
-    match light.illuminate(place) {
-        Illumination::Ambient(_) => None,
-        Illumination::From(sample) => Some(sample),
+/// The light in a scene of its own; an area light once for each lamp it can have.
+pub fn subjects(kind: &Kind) -> Vec<Subject> {
+    let Kind::Area(Area { sampling, .. }) = kind else {
+        return vec![subject(kind, None)];
+    };
+    let lamps = lamps(sampling.unwrap_or(Sampling::SolidAngle));
+    lamps.into_iter().map(|lamp| subject(kind, Some(lamp))).collect()
+}
+
+fn subject(kind: &Kind, lamp: Option<shapes::Kind>) -> Subject {
+    let camera =
+        Viewpoint::new(Point::new(0.0, 0.0, 50.0), Point::ORIGIN, Orthographic { zoom: 1.0 });
+    let mut scene = Scene::new("", Image::new(1, 1), camera);
+    scene.background = Rgb::new(0.25, 0.5, 1.0).into();
+    scene.lights.push(scene::Light::new("light", kind.clone()));
+    scene.materials.push(Material::new("glow", Emissive::new(1.0, EMITTED)));
+    let name = format!("{lamp:?}");
+    let built = lamp
+        .as_ref()
+        .map(|lamp| lamp.build(&mut shapes::Context::default()).expect("specimens are valid"));
+    if let Some(lamp) = lamp {
+        scene.objects.push(Object::new("lamp", "glow", lamp));
     }
+    let light = light_of(&scene);
+    Subject { name, background: scene.background.clone(), scene, light, lamp: built }
+}
+
+fn light_of(scene: &Scene) -> Arc<dyn Light> {
+    let world = World::build(scene).expect("specimens are valid");
+    Arc::clone(&world.lights[0].light)
+}
+
+/// Points and normals all over, near lamps and far away.
+pub fn contexts(count: usize) -> impl Iterator<Item = LightContext> {
+    let mut random = Pcg32::new(14, 0);
+    (0..count).map(move |i| {
+        let size = [4.0, 30.0, 1000.0][i % 3];
+        let mut c = || size * (random.uniform() - 0.5);
+        let point = Point::new(c(), c(), c());
+        let normal = Normal::new(Vector::new(c(), c(), c())).expect("not zero");
+        LightContext { point, normal }
+    })
+}
+
+/// Numbers for a sample, those at the ends of `[0, 1)` among them.
+fn numbers(light: &dyn Light, random: &mut Pcg32) -> Vec<[f64; 2]> {
+    let mut one = || match random.below(16) {
+        0 => 0.0,
+        1 => groundtruth::math::ONE_MINUS,
+        _ => random.uniform(),
+    };
+    (0..light.draws()).map(|_| [one(), one()]).collect()
+}
+
+/// A law of every sample of many at many places.
+fn every_sample<T: Debug>(
+    kind: &Kind,
+    law: impl Fn(&Subject, &LightContext, &[[f64; 2]], Option<LightSample>) -> Result<(), T>,
+) -> Holds {
+    for subject in subjects(kind) {
+        let mut random = Pcg32::new(14, 1);
+        for from in contexts(1500) {
+            let u = numbers(&*subject.light, &mut random);
+            let sample = subject.light.sample(&from, &u);
+            law(&subject, &from, &u, sample)
+                .map_err(|broken| format!("{} from {from:?}, {u:?}: {broken:?}", subject.name))?;
+        }
+    }
+    Ok(())
 }
 
 fn light_is_finite_and_not_negative(kind: &Kind) -> Holds {
-    let light = built(kind);
     let sound = |color: Rgb| color.to_array().iter().all(|c| c.is_finite() && *c >= 0.0);
-    for place in places() {
-        let illumination = light.illuminate(place);
-        ensure!(illumination == light.illuminate(place), "{place:?}: two answers");
-        match illumination {
-            Illumination::Ambient(radiance) => {
-                ensure!(sound(radiance), "{place:?}: {radiance:?}");
-            }
-            Illumination::From(sample) => {
-                ensure!(sound(sample.radiance), "{place:?}: {:?}", sample.radiance);
-                ensure!(sound(sample.blocked), "{place:?}: {:?}", sample.blocked);
-                ensure!(sample.pdf > 0.0 && sample.pdf.is_finite(), "{place:?}: {}", sample.pdf);
-            }
-        }
+    every_sample(kind, |subject, from, u, sample| {
+        ensure!(sample == subject.light.sample(from, u), "two answers");
+        let Some(sample) = sample else { return Ok(()) };
+        ensure!(sound(sample.radiance), "{:?}", sample.radiance);
+        ensure!(sound(sample.blocked), "{:?}", sample.blocked);
+        let fine = sample.pdf.is_none_or(|pdf| pdf >= 0.0 && pdf.is_finite());
+        ensure!(fine, "density {:?}", sample.pdf);
+        ensure!(sample.pdf.is_none() || subject.light.draws() > 0, "a density, but no draw");
+        Ok(())
+    })
+}
+
+fn some_light_arrives(kind: &Kind) -> Holds {
+    for subject in subjects(kind) {
+        let mut random = Pcg32::new(14, 2);
+        let bright = contexts(200).any(|from| {
+            let u = numbers(&*subject.light, &mut random);
+            subject.light.sample(&from, &u).is_some_and(|sample| !sample.radiance.is_black())
+        });
+        ensure!(bright, "{}: black from everywhere", subject.name);
     }
     Ok(())
 }
 
-/// Law: the direction is unit, and a light at a place lies in it.
+/// Law: the direction is unit, and a light at a point lies in it, but for the rounding of the points
+/// and the offset from a lamp's surface.
 fn directions_lead_to_the_light(kind: &Kind) -> Holds {
     /// Two normalisations and a difference.
     const ROUNDING: f64 = 8.0 * f64::EPSILON;
-    let light = built(kind);
-    for place in places() {
-        let Some(sample) = sample(&*light, place) else { continue };
-        let length = sample.direction.length();
-        ensure!((length - 1.0).abs() <= ROUNDING, "{place:?}: length {length}");
-        if let Reach::To(end) = sample.reach {
-            let way = end - place;
-            let off = (sample.direction - way / way.length()).length();
-            ensure!(off <= ROUNDING, "{place:?}: {:?} misses {end:?}", sample.direction);
+    every_sample(kind, |_, from, _, sample| {
+        let Some(LightSample { direction, segment, .. }) = sample else { return Ok(()) };
+        let length = direction.length();
+        ensure!((length - 1.0).abs() <= ROUNDING, "length {length}");
+        if let Some(Segment::To(end)) = segment {
+            let way = end - from.point;
+            let size = end.to_vector().max_abs() + from.point.to_vector().max_abs();
+            // three error bounds of some 60 roundings
+            let moved = 256.0 * f64::EPSILON * size / way.length();
+            let off = (direction - way / way.length()).length();
+            ensure!(off <= ROUNDING + moved, "{direction:?} misses {end:?} by {off}");
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 fn what_is_blocked_is_no_brighter(kind: &Kind) -> Holds {
-    let light = built(kind);
-    for place in places() {
-        let Some(sample) = sample(&*light, place) else { continue };
-        let pairs = sample.blocked.to_array().into_iter().zip(sample.radiance.to_array());
-        let dimmer = pairs.into_iter().all(|(blocked, free)| blocked <= free);
-        ensure!(dimmer, "{place:?}: {:?} above {:?}", sample.blocked, sample.radiance);
+    every_sample(kind, |_, _, _, sample| {
+        let Some(LightSample { blocked, radiance, .. }) = sample else { return Ok(()) };
+        let pairs = blocked.to_array().into_iter().zip(radiance.to_array());
+        // an occluder's other colour is another one, not a brighter one
+        let dimmer = blocked.max() <= radiance.max();
+        let fine = dimmer || pairs.into_iter().all(|(blocked, free)| blocked <= free);
+        ensure!(fine, "{blocked:?} above {radiance:?}");
+        Ok(())
+    })
+}
+
+/// The points of a lamp in a direction, nearest first.
+pub fn met(lamp: &dyn Shape, from: Point, direction: Vector) -> Vec<Surface> {
+    let ray = Ray::new(from, direction);
+    let next = |after: f64| lamp.hit(&ray, Span { min: after, max: f64::INFINITY });
+    let hits = std::iter::successors(next(0.0), |candidate| next(candidate.t));
+    hits.map(|candidate| lamp.surface(&ray, &candidate)).collect()
+}
+
+/// Law: `pdf` at what was sampled is the sample's density; for a single direction it is 0. Oracle: the
+/// point of the lamp that a ray in the sample's direction meets.
+fn samples_have_the_density_of_their_target(kind: &Kind) -> Holds {
+    /// Near its silhouette a small error of the direction moves the point far.
+    const NEAR_EDGES: f64 = 1e-4;
+    let mut compared = 0;
+    for subject in subjects(kind) {
+        let mut random = Pcg32::new(14, 3);
+        for from in contexts(600) {
+            // inside the square: on edges and corners a mesh has two normals
+            let draws = subject.light.draws();
+            let u: Vec<_> = (0..draws).map(|_| [random.uniform(), random.uniform()]).collect();
+            let Some(sample) = subject.light.sample(&from, &u) else { continue };
+            let found = match (&subject.lamp, sample.segment) {
+                (Some(lamp), Some(Segment::To(end))) => {
+                    let points = met(&**lamp, from.point, sample.direction);
+                    let far = |at: &Surface| at.point.distance(end);
+                    let nearest = points.into_iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+                    // a point on the very edge may be missed
+                    let Some(at) = nearest else { continue };
+                    let cosine = at.normal.dot(sample.direction).abs();
+                    if cosine < 0.01 {
+                        continue;
+                    }
+                    subject.light.pdf(&from, &Target::Surface(&at))
+                }
+                _ => subject.light.pdf(&from, &Target::Infinity(sample.direction)),
+            };
+            let expected = sample.pdf.unwrap_or(0.0);
+            let close = (found - expected).abs() <= NEAR_EDGES * expected;
+            let name = &subject.name;
+            ensure!(close, "{name} from {from:?}, {u:?}: density {found}, not {expected}");
+            compared += 1;
+        }
+    }
+    ensure!(compared > 100, "{compared} samples compared");
+    Ok(())
+}
+
+/// Law: with all lengths times 2ᵏ a point 2ᵏ times as far gets the same light from the same direction
+/// with the same density, bit for bit, over 2ᵏ times the distance.
+fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
+    for subject in subjects(kind) {
+        for k in [1, -7, 30, -30] {
+            let factor = power_of_two(k);
+            let scaled = light_of(&subject.scene.scaled(k));
+            let mut random = Pcg32::new(14, 4);
+            for from in contexts(300) {
+                let u = numbers(&*subject.light, &mut random);
+                let mut expected = subject.light.sample(&from, &u);
+                if let Some(LightSample { segment: Some(Segment::To(end)), .. }) = &mut expected {
+                    *end = end.scaled(factor);
+                }
+                let found =
+                    scaled.sample(&LightContext { point: from.point.scaled(factor), ..from }, &u);
+                let name = &subject.name;
+                ensure!(found == expected, "{name}, 2^{k}: {found:?}, not {expected:?}");
+            }
+        }
     }
     Ok(())
 }
 
-/// Law: with all lengths times 2ᵏ a place 2ᵏ times as far gets the same light from the same
-/// direction, bit for bit, over 2ᵏ times the distance.
-fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
-    let light = built(kind);
-    for k in [1, -7, 30, -30] {
-        let factor = power_of_two(k);
-        let scaled = built(&kind.scaled(factor));
-        for place in places() {
-            let mut expected = light.illuminate(place);
-            if let Illumination::From(LightSample { reach: Reach::To(end), .. }) = &mut expected {
-                *end = end.scaled(factor);
-            }
-            let found = scaled.illuminate(place.scaled(factor));
-            ensure!(found == expected, "{place:?}, 2^{k}: {found:?}, not {expected:?}");
-        }
-    }
-    Ok(())
+/// Whether its light meets the lobes and comes from more than one direction.
+pub fn is_sampled(light: &dyn Light) -> bool {
+    let from = LightContext { point: Point::new(0.0, 100.0, 0.0), normal: -Normal::Y };
+    let u = vec![[0.3, 0.6]; light.draws()];
+    light.draws() > 0
+        && (light.meets() == Meets::Ambient
+            || light.sample(&from, &u).is_none_or(|sample| sample.pdf.is_some()))
 }

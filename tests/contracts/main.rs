@@ -8,6 +8,7 @@ mod camera;
 mod filter;
 mod golden;
 mod light;
+mod light_sampling;
 mod lobe;
 mod lobe_sampling;
 mod material;

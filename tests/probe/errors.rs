@@ -300,8 +300,20 @@ const ERRORS: &[(&str, &str)] = &[
         "fresnel.wo: is behind the surface; turn `n` around and ask with 1/eta",
     ),
     (
-        r#"{"light": {"light": {"point": {"location": [0, 0, 1]}}, "from": [0, 0, 1]}}"#,
-        "light.from: is the place of the light: there is no direction",
+        r#"{"light": {"light": {"ambient_occluder": {}}, "from": [0, 0, 1], "u": [[0.5, 0.5]]}}"#,
+        "light.normal: missing: light that is sampled is asked for at a surface",
+    ),
+    (
+        r#"{"light": {"light": {"environment": {}}, "from": [0, 0, 1], "normal": [0, 0, 1]}}"#,
+        "light.u: found 0 pairs, but this light needs 1",
+    ),
+    (
+        r#"{"light": {"light": {"environment": {}}, "from": [0, 0, 1], "normal": [0, 0, 1], "u": [[0.5, 1]]}}"#,
+        "light.u[0]: found [0.5, 1.0], but two numbers of at least 0 and below 1 are needed",
+    ),
+    (
+        r#"{"light": {"light": {"area": {"object": "lamp"}}, "from": [0, 0, 1]}}"#,
+        "light.light.area.object: no object `lamp`; there are: ",
     ),
     (
         r#"{"light": {"light": {"point": {"location": [0, 0, 1], "attenuation": -1}}, "from": [0, 0, 0]}}"#,
@@ -309,7 +321,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"light": {"light": {"sun": {}}, "from": [0, 0, 0]}}"#,
-        "column 26: unknown variant `sun`, expected one of `ambient`, `directional`, `point`",
+        "column 26: unknown variant `sun`, expected one of `ambient`, `directional`, `point`, `spot`, `ambient_occluder`, `area`, `environment`, `jittered_directional`, `fake_spherical`",
     ),
     (
         r#"{"texture": {"texture": {"checker3d": {"size": 0}}, "point": [0, 0, 0]}}"#,
@@ -437,10 +449,6 @@ const ERRORS: &[(&str, &str)] = &[
     (
         r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [0, 0], "replicas": 100000}}"#,
         "radiance.replicas: found 100000, but 1 to 1024 fit",
-    ),
-    (
-        r#"{"radiance": {"scene": "ch28/glass-sphere", "ray": {"origin": [0, 0, 9], "direction": [0, 0, -1]}, "seed": 3}}"#,
-        "radiance.seed: goes with `pixel`; along a ray nothing is random",
     ),
     (
         r#"{"radiance": {"scene": {"image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": -1}}}]}, "pixel": [0, 0]}}"#,

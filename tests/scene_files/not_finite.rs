@@ -4,7 +4,7 @@ use std::path::Path;
 
 use groundtruth::cameras::Viewpoint;
 use groundtruth::kinds::Entry;
-use groundtruth::materials::{Matte, Medium};
+use groundtruth::materials::{Emissive, Matte, Medium};
 use groundtruth::math::{Axis, Point, Step, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{self, Image, Light, Material, Object, Scene, Tracer, Whitted};
@@ -34,7 +34,13 @@ fn everything(lens: cameras::Kind) -> Scene {
     for (i, recipe) in recipes.chain(painted).enumerate() {
         scene.materials.push(Material::new(&format!("material {i}"), recipe));
     }
-    for (i, source) in specimens(lights::Kind::ENTRIES).into_iter().enumerate() {
+    scene.materials.push(Material::new("glow", Emissive::new(1.0, Rgb::WHITE)));
+    for (i, mut source) in specimens(lights::Kind::ENTRIES).into_iter().enumerate() {
+        if let lights::Kind::Area(area) = &mut source {
+            area.object = format!("lamp {i}");
+            let lamp = Sphere { center: Point::new(0.5, 7.0, 1.5), radius: 0.75, inward: false };
+            scene.objects.push(Object::new(&area.object, "glow", lamp));
+        }
         scene.lights.push(Light::new(&format!("light {i}"), source));
     }
     let sphere = Sphere { center: Point::new(0.5, 0.25, 1.5), radius: 0.75, inward: false };

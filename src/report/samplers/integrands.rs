@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::math::{Pcg32, acos, cos_degrees, exp, exp_m1, floor, power, sin_degrees};
-use crate::samplers::maps;
+use crate::math::{Pcg32, acos, cos_degrees, exp, exp_m1, floor, maps, power, sin_degrees};
 
 /// A family of functions, one for each pixel.
 pub struct Integrand {

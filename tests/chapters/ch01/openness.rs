@@ -3,8 +3,11 @@
 use std::sync::Arc;
 
 use groundtruth::cameras::{self, Camera};
+use groundtruth::emission::Emission;
 use groundtruth::kinds::Custom;
-use groundtruth::lights::{self, Directional, Illumination, Light as LightKind};
+use groundtruth::lights::{
+    self, Directional, Light as LightKind, LightContext, LightSample, Meets,
+};
 use groundtruth::materials::{self, Material as MaterialKind, Matte, Response};
 use groundtruth::math::{Aabb, Normal, Pcg32, Point, Ray, Span, Step, Vector};
 use groundtruth::render;
@@ -146,32 +149,37 @@ impl Sampler for Quarter {
 struct RedSky;
 
 impl LightKind for RedSky {
-    fn illuminate(&self, _: Point) -> Illumination {
-        Illumination::Ambient(RED)
+    fn meets(&self) -> Meets {
+        Meets::Ambient
+    }
+
+    fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
+        let direction = from.normal.into();
+        Some(LightSample { direction, segment: None, radiance: RED, blocked: RED, pdf: None })
     }
 }
 
 /// Takes a quarter of the ambient light, and shines in green as far as its texture says.
 #[derive(Debug)]
-struct Glow(Arc<dyn Texture>);
+struct Glow(Emission);
 
 impl MaterialKind for Glow {
     fn respond(&self, _: &Surface, _: f64, response: &mut Response) {
         response.ambient = Rgb::grey(0.25);
     }
 
-    fn emitted(&self, at: &Surface, _: f64) -> Rgb {
-        Rgb::new(0.0, 1.0, 0.0) * self.0.color(at)
+    fn emission(&self) -> Option<&Emission> {
+        Some(&self.0)
     }
 }
 
-/// The coordinates of the point as a colour.
+/// The coordinates of the point as a colour, of which only the green is left.
 #[derive(Debug)]
 struct Coordinates;
 
 impl Texture for Coordinates {
     fn color(&self, at: &Surface) -> Rgb {
-        Rgb::new(at.local.x(), at.local.y(), at.local.z())
+        Rgb::new(0.0, at.local.y(), 0.0)
     }
 }
 
@@ -182,7 +190,10 @@ fn all_my_own() -> Scene {
     scene.image.sampler = Some(samplers::Kind::Custom(Custom(Arc::new(Quarter))));
     let sky = lights::Kind::Custom(Custom(Arc::new(RedSky)));
     scene.lights.push(Light::new("sky", sky));
-    let glow = materials::Kind::Custom(Custom(Arc::new(Glow(Arc::new(Coordinates)))));
+    let glow = materials::Kind::Custom(Custom(Arc::new(Glow(Emission {
+        ls: 1.0,
+        ce: Arc::new(Coordinates),
+    }))));
     scene.materials.push(Material::new("glow", glow));
     scene.objects.push(Object::new("tile", "glow", tile()));
     scene

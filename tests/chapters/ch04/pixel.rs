@@ -140,7 +140,7 @@ fn sinusoid(width: u32) -> Scene {
     scene.camera.eye = Point::new(10.83 / 2.0, 10.83 / 2.0, 10.0);
     scene.camera.look_at = scene.camera.eye - Vector::Z;
     let paint = Paint(textures::Kind::Custom(Custom(Arc::new(Sinusoid))));
-    scene.materials.push(Material::new("sinusoid", Emissive { ls: 1.0, ce: paint }));
+    scene.materials.push(Material::new("sinusoid", Emissive::new(1.0, paint)));
     scene.objects.push(Object::new(
         "wall",
         "sinusoid",

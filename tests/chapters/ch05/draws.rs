@@ -4,7 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use groundtruth::math::power_of_two;
 use groundtruth::samplers::{
-    Hammersley, Jittered, Key, Kind, MultiJittered, Purpose, Random, Regular, SampleSets, Sobol,
+    Branch, Hammersley, Jittered, Key, Kind, MultiJittered, PathKey, Purpose, Random, Regular,
+    SampleSets, Sobol,
 };
 use groundtruth::scene::Scene;
 use proptest::prelude::*;
@@ -100,17 +101,18 @@ fn seeds_change_sets_and_choices() {
 }
 
 /// Law: what one pixel draws for two purposes is not correlated, in x, y or across: pixel and lens,
-/// two lights, a light at two nodes, a light and a bounce. Oracle: correlations of 10⁴ pairs are within
+/// two lights, a light on two paths, a light and a direction. Oracle: correlations of 10⁴ pairs are within
 /// `1/√10⁴`, Šidák-corrected over the 5 × 4 × 4 of them.
 #[test]
 fn draws_for_different_purposes_are_not_correlated() {
     const SIDE: u32 = 100;
-    let light = |node, light| Purpose::Light { node, light };
+    let (first, second) = (PathKey::CAMERA, PathKey::CAMERA.then(Branch::Refraction));
+    let light = |path, light| Purpose::Light { path, light, pair: 0 };
     let pairs_of_purposes = [
         (Purpose::Pixel, Purpose::Lens),
-        (light(0, 0), light(0, 1)),
-        (light(0, 0), light(1, 0)),
-        (light(1, 0), Purpose::Bounce { node: 1 }),
+        (light(first, 0), light(first, 1)),
+        (light(first, 0), light(second, 0)),
+        (light(second, 0), Purpose::Direction { path: second, branch: Branch::Gloss }),
     ];
     for kind in [
         Kind::from(Random {}),

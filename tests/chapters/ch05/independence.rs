@@ -3,7 +3,7 @@
 //!
 //! Pairs are counted against their own marginals: 83 sets of n points are not the whole square.
 
-use groundtruth::samplers::{Key, Kind, Purpose, SampleSets};
+use groundtruth::samplers::{Branch, Key, Kind, PathKey, Purpose, SampleSets};
 use groundtruth::verify::chi_square::independence;
 use groundtruth::verify::correlation::pearson;
 use groundtruth::verify::means;
@@ -20,16 +20,22 @@ const SIDE: u32 = 1000;
 const SAMPLES: u32 = 16;
 const INDEX: u32 = 5;
 
-/// What may be drawn for one sample. A light and a node exchanged are another light at another node.
-const USES: [Purpose; 7] = [
-    Purpose::Pixel,
-    Purpose::Lens,
-    Purpose::Light { node: 0, light: 0 },
-    Purpose::Light { node: 0, light: 1 },
-    Purpose::Light { node: 1, light: 0 },
-    Purpose::Bounce { node: 0 },
-    Purpose::Bounce { node: 1 },
-];
+/// What may be drawn for one sample. A light and a pair exchanged are another light's other pair.
+fn uses() -> [Purpose; 8] {
+    let first = PathKey::CAMERA;
+    let mirrored = first.then(Branch::Mirror);
+    let light = |path, light, pair| Purpose::Light { path, light, pair };
+    [
+        Purpose::Pixel,
+        Purpose::Lens,
+        light(first, 0, 0),
+        light(first, 0, 1),
+        light(first, 1, 0),
+        light(mirrored, 0, 0),
+        Purpose::Direction { path: first, branch: Branch::Gloss },
+        Purpose::Direction { path: mirrored, branch: Branch::Gloss },
+    ]
+}
 
 /// Every sampler whose draws are random: all but those that have one set, not shifted. Two draws of a
 /// run of `n` in different pixels are the same points then, in some order.
@@ -116,13 +122,13 @@ fn holds(kinds: &[Kind], pairs: &[(usize, usize)]) {
     for kind in kinds {
         let sets = sets(kind);
         let used = |use_: usize| pairs.iter().any(|&(a, b)| a == use_ || b == use_);
-        let draws: Vec<Option<Draws>> = USES
+        let draws: Vec<Option<Draws>> = uses()
             .iter()
             .enumerate()
             .map(|(i, &purpose)| used(i).then(|| Draws::of(&sets, purpose, |x, y| [x, y], INDEX)))
             .collect();
         for &(a, b) in pairs {
-            let [(of_a, a), (of_b, b)] = [a, b].map(|i| (USES[i], draws[i].as_ref()));
+            let [(of_a, a), (of_b, b)] = [a, b].map(|i| (uses()[i], draws[i].as_ref()));
             let wrong = a.zip(b).and_then(|(a, b)| dependence(a, b, level));
             assert_eq!(wrong, None, "{kind:?}: {of_a:?} and {of_b:?}");
         }
@@ -130,7 +136,7 @@ fn holds(kinds: &[Kind], pairs: &[(usize, usize)]) {
 }
 
 fn all_pairs() -> Vec<(usize, usize)> {
-    (0..USES.len()).flat_map(|b| (0..b).map(move |a| (a, b))).collect()
+    (0..uses().len()).flat_map(|b| (0..b).map(move |a| (a, b))).collect()
 }
 
 /// Law: no two uses in a pixel have to do with each other. Oracle: correlations and χ² of

@@ -137,7 +137,7 @@ fn through_the_lens(scene: &Scene, film: [f64; 2]) -> Vec<f64> {
         let eye: &Eye = &world.view.eyes()[0];
         eye.ray(film, rim(f64::from(i) / 40.0).map(|l| r * l)).expect("it sees")
     };
-    (0..40).map(|i| trace::radiance(&world, &ray(i), &mut ()).g).collect()
+    (0..40).map(|i| trace::radiance(&world, &ray(i), world.draws([0, 0], 0), &mut ()).g).collect()
 }
 
 /// Law: a mirrored thing is sharp where the whole way along −w, to the mirror and on, is the focal

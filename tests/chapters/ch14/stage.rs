@@ -57,20 +57,20 @@ pub fn ray(origin: Point, direction: Vector) -> Ray {
 
 /// What arrives at the origin from that direction.
 pub fn look(world: &World, origin: Point, direction: Vector) -> Rgb {
-    radiance(world, &ray(origin, direction), &mut ())
+    radiance(world, &ray(origin, direction), world.draws([0, 0], 0), &mut ())
 }
 
 /// The ray tree of [`look`].
 pub fn recorded(world: &World, origin: Point, direction: Vector) -> RayTree {
     let mut tree = RayTree::default();
-    radiance(world, &ray(origin, direction), &mut tree);
+    radiance(world, &ray(origin, direction), world.draws([0, 0], 0), &mut tree);
     tree
 }
 
 /// The ray counts of [`look`].
 pub fn counted(world: &World, origin: Point, direction: Vector) -> RayCounts {
     let mut counts = RayCounts::default();
-    radiance(world, &ray(origin, direction), &mut counts);
+    radiance(world, &ray(origin, direction), world.draws([0, 0], 0), &mut counts);
     counts
 }
 

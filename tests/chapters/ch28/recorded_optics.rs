@@ -121,7 +121,7 @@ fn a_matte_term_is_reflectance_and_cosine_and_light() {
     let TermSource::Direct { light, lobe, f, cos_i, pdf, traced } = recorded.term.source else {
         panic!("direct light")
     };
-    assert_eq!((light, pdf, traced, recorded.child), (0, 1.0, true, Some(1)));
+    assert_eq!((light, pdf, traced, recorded.child), (0, None, true, Some(1)));
     let Lobe::Lambertian(lobe) = lobe else { panic!("{lobe:?}") };
     assert!(close(lobe.reflectance, Rgb::new(0.8, 0.4, 0.2), CLOSE));
     assert!(close(f, FRAC_1_PI * lobe.reflectance, CLOSE));

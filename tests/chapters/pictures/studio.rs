@@ -21,7 +21,7 @@ pub fn from_front(width: u32, height: u32, pixel_size: f64) -> Scene {
 
 /// Adds an object that shines in one colour on both sides, as chapter 3 has them.
 pub fn add_flat(scene: &mut Scene, name: &str, shape: impl Into<shapes::Kind>, color: Rgb) {
-    let mut material = Material::new(name, Emissive { ls: 1.0, ce: color.into() });
+    let mut material = Material::new(name, Emissive::new(1.0, color));
     material.two_sided = true;
     scene.materials.push(material);
     scene.objects.push(Object::new(name, name, shape));

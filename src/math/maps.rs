@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use crate::math::{ONE_MINUS, Vector, atan, atan2, cos, exp_m1, ln_1p, power, sin};
+use super::{ONE_MINUS, Vector, atan, atan2, cos, exp_m1, ln_1p, power, sin};
 
 /// A point of the unit disk: concentric squares become concentric circles, areas keep their ratio
 /// (Suffern, ch. 6; Shirley & Chiu, "A Low Distortion Map Between Disk and Square", 1997).
@@ -84,6 +84,12 @@ pub fn sphere_inverse(direction: Vector) -> [f64; 2] {
     // (1 − z)/2, without the cancellation near the upper pole
     let u1 = if z > 0.0 { 0.5 * (x * x + y * y) / (1.0 + z) } else { 0.5 * (1.0 - z) };
     [in_range(u1), turns(x, y)]
+}
+
+/// Barycentric coordinates `β, γ ≥ 0`, `β + γ ≤ 1`, of a point of a triangle; equal areas become equal
+/// areas (Heitz, "A Low-Distortion Map Between Triangle and Square", 2019).
+pub fn triangle([u1, u2]: [f64; 2]) -> [f64; 2] {
+    if u2 > u1 { [0.5 * u1, u2 - 0.5 * u1] } else { [u1 - 0.5 * u2, 0.5 * u2] }
 }
 
 /// The angle from the x axis in turns, of `[0, 1)`.

@@ -1,0 +1,110 @@
+//! The ambient occluder (Suffern, ch. 17): ambient light that objects nearby hold off.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Context, Light, LightContext, LightSample, Meets, Segment, Target};
+use crate::invalid::{Invalid, length, not_negative, within};
+use crate::kinds::{self, Specification};
+use crate::math::{Frame, maps};
+use crate::rgb::Rgb;
+
+/// Ambient light `ls · color` where nothing is in the way, and a share of it where something is: each
+/// sample looks in one direction, distributed by the cosine, so that the mean is the visible share of
+/// the hemisphere. It meets the ambient reflectance `ka` of materials.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AmbientOccluder {
+    /// Multiplies both colours; not negative.
+    #[serde(default = "kinds::one")]
+    pub ls: f64,
+    /// The colour of the light where nothing is in the way.
+    #[serde(default = "kinds::white::<Rgb>")]
+    pub color: Rgb,
+    /// The share of light where something is, from 0 to 1.
+    #[serde(default)]
+    pub min_amount: f64,
+    /// The colour of the light where something is, which `min_amount` multiplies; `color` if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub occluded_color: Option<Rgb>,
+    /// Objects farther away than this are not in the way; positive. Without end if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_distance: Option<f64>,
+}
+
+#[derive(Debug)]
+struct Occluder {
+    open: Rgb,
+    occluded: Rgb,
+    max_distance: Option<f64>,
+}
+
+impl Specification for AmbientOccluder {
+    type Built = Arc<dyn Light>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+        let ls = not_negative("ls", self.ls)?;
+        let open = ls * self.color.checked("color")?;
+        let occluded = self.occluded_color.unwrap_or(self.color).checked("occluded_color")?;
+        let min_amount = within("min_amount", self.min_amount, 0.0..=1.0)?;
+        let max_distance = self.max_distance.map(|far| length("max_distance", far)).transpose()?;
+        Ok(Arc::new(Occluder { open, occluded: min_amount * (ls * occluded), max_distance }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { max_distance: self.max_distance.map(|far| factor * far), ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let plain = Self {
+            ls: 0.5,
+            color: Rgb::new(1.0, 0.5, 0.75),
+            min_amount: 0.25,
+            occluded_color: None,
+            max_distance: None,
+        };
+        let two_colors = Self {
+            occluded_color: Some(Rgb::new(0.25, 0.5, 1.0)),
+            max_distance: Some(10.0),
+            ..plain.clone()
+        };
+        vec![plain, two_colors]
+    }
+}
+
+impl Light for Occluder {
+    fn draws(&self) -> usize {
+        1
+    }
+
+    fn meets(&self) -> Meets {
+        Meets::Ambient
+    }
+
+    fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
+        let local = maps::hemisphere(u[0], 1.0);
+        let direction = Frame::around(from.normal).to_world(local);
+        let segment = match self.max_distance {
+            None => Segment::Infinity,
+            Some(far) => Segment::To(from.point + far * direction),
+        };
+        Some(LightSample {
+            direction,
+            segment: Some(segment),
+            radiance: self.open,
+            blocked: self.occluded,
+            pdf: Some(local.z() / PI),
+        })
+    }
+
+    fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64 {
+        match to {
+            Target::Infinity(direction) => from.normal.dot(*direction).max(0.0) / PI,
+            Target::Surface(_) => 0.0,
+        }
+    }
+}

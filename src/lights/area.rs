@@ -1,0 +1,125 @@
+//! The area light (Suffern, ch. 18): an object that shines.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Context, Light, LightContext, LightSample, Place, Segment, Target};
+use crate::emission::Emission;
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::rgb::Rgb;
+use crate::shapes::{SampledSurface, Sampling, Surface};
+
+/// The light of an emissive object, whose surface is sampled: soft shadows. Its radiance is that of
+/// the object's material. Switched off, the object is dark too.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Area {
+    /// The `name` of the object: a rectangle, disk, sphere, triangle, mesh, tessellated sphere or an
+    /// instance of one. Its material is emissive.
+    pub object: String,
+    /// How its surface is sampled. If left out: by solid angle where that is known (spheres,
+    /// rectangles, and instances of them that keep angles), else by area, as in the book.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sampling: Option<Sampling>,
+}
+
+/// The shapes that can be lamps, for errors.
+const SAMPLED: &str =
+    "rectangle, disk, sphere, triangle, mesh, tessellated_sphere, and instances of these";
+/// Those that can be sampled by solid angle.
+const BY_SOLID_ANGLE: &str = "sphere and rectangle, and instances of them that keep angles";
+
+#[derive(Debug)]
+struct Lamp {
+    object: String,
+    surface: Box<dyn SampledSurface>,
+    emission: Emission,
+    two_sided: bool,
+}
+
+impl Specification for Area {
+    type Built = Arc<dyn Light>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+        let name = &self.object;
+        let object = context.object(name).map_err(|e| e.inside("object"))?;
+        let Some(emission) = object.emission.clone() else {
+            let problem =
+                format!("the material of `{name}` does not shine; an `emissive` one is needed");
+            return Err(Invalid::field("object", problem));
+        };
+        let by = |sampling| object.shape.sampled(sampling);
+        let surface = match self.sampling {
+            None => by(Sampling::SolidAngle).or_else(|| by(Sampling::Area)),
+            Some(sampling) => by(sampling),
+        };
+        let Some(surface) = surface else {
+            let solid_angle = self.sampling == Some(Sampling::SolidAngle);
+            let (field, which, can) = match solid_angle && by(Sampling::Area).is_some() {
+                true => ("sampling", " by solid angle", BY_SOLID_ANGLE),
+                false => ("object", "", SAMPLED),
+            };
+            let problem =
+                format!("the shape of `{name}` cannot be sampled{which}; these can: {can}");
+            return Err(Invalid::field(field, problem));
+        };
+        let (object, two_sided) = (name.clone(), object.two_sided);
+        Ok(Arc::new(Lamp { object, surface, emission, two_sided }))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        let lamp = Self { object: "lamp".to_owned(), sampling: None };
+        vec![Self { sampling: Some(Sampling::Area), ..lamp.clone() }, lamp]
+    }
+}
+
+impl Lamp {
+    /// The cosine at the lamp, if the side that is seen shines; that of the back of a two-sided one is
+    /// counted from its other normal.
+    fn cosine(&self, from: Place, at: &Surface) -> Option<f64> {
+        let cosine = at.normal.dot((from - at.point).unit()?);
+        let cosine = if self.two_sided { cosine.abs() } else { cosine };
+        (cosine > 0.0).then_some(cosine)
+    }
+}
+
+impl Light for Lamp {
+    fn object(&self) -> Option<&str> {
+        Some(&self.object)
+    }
+
+    fn draws(&self) -> usize {
+        1
+    }
+
+    fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
+        let (at, pdf) = self.surface.sample(from.point, u[0])?;
+        let cosine = self.cosine(from.point, &at)?;
+        let direction = (at.point - from.point).unit()?;
+        Some(LightSample {
+            direction,
+            // where a ray would leave the lamp: so it does not shadow itself
+            segment: Some(Segment::To(at.leave(-direction))),
+            radiance: self.emission.radiance(&at, cosine),
+            blocked: Rgb::BLACK,
+            pdf: Some(pdf),
+        })
+    }
+
+    fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64 {
+        match to {
+            Target::Surface(at) if self.cosine(from.point, at).is_some() => {
+                self.surface.pdf(from.point, at)
+            }
+            Target::Surface(_) | Target::Infinity(_) => 0.0,
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! What building a light needs to know of its scene.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use crate::background::Background;
+use crate::emission::Emission;
+use crate::invalid::Invalid;
+use crate::shapes::Shape;
+
+/// The objects that area lights may name, and the sky.
+#[derive(Debug, Default)]
+pub struct Context {
+    /// Those that are there, by name.
+    pub objects: BTreeMap<String, LampObject>,
+    /// The names of those that are switched off.
+    pub hidden: BTreeSet<String>,
+    /// What rays see that hit nothing.
+    pub background: Background,
+}
+
+/// An object as an area light sees it.
+#[derive(Clone, Debug)]
+pub struct LampObject {
+    /// Its shape.
+    pub shape: Arc<dyn Shape>,
+    /// What its material sends out, if anything.
+    pub emission: Option<Emission>,
+    /// Whether its back shines as its front.
+    pub two_sided: bool,
+}
+
+impl Context {
+    /// The object of this name.
+    pub(super) fn object(&self, name: &str) -> Result<&LampObject, Invalid> {
+        if self.hidden.contains(name) {
+            return Err(Invalid::new(format!("`{name}` is not there: it has `enabled = false`")));
+        }
+        self.objects.get(name).ok_or_else(|| {
+            // more names help nobody
+            const SHOWN: usize = 12;
+            let known: Vec<&str> = self.objects.keys().map(String::as_str).take(SHOWN).collect();
+            let more = if self.objects.len() > SHOWN { ", …" } else { "" };
+            Invalid::new(format!("no object `{name}`; there are: {}{more}", known.join(", ")))
+        })
+    }
+}

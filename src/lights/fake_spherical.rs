@@ -1,0 +1,83 @@
+//! The fake spherical light (Suffern, ch. 18): a point light that trembles.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::jittered_directional::in_cube;
+use super::point::from_point;
+use super::{Context, Light, LightContext, LightSample, Place};
+use crate::invalid::{Invalid, finite_point, not_negative};
+use crate::kinds::{self, Specification};
+use crate::math::power;
+use crate::rgb::Rgb;
+
+/// Light `ls · color / d^k` from one place for each sample, which is moved by at most `jitter` along
+/// each axis. An approximation of a spherical lamp, from before there were area lights: the places fill
+/// a cube, and none of them is seen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FakeSpherical {
+    /// Multiplies the colour; not negative.
+    #[serde(default = "kinds::one")]
+    pub ls: f64,
+    /// The colour of the light.
+    #[serde(default = "kinds::white::<Rgb>")]
+    pub color: Rgb,
+    /// The middle of the places.
+    pub location: Place,
+    /// How far a place is from the middle along each axis at most, `r` in the book; not negative.
+    pub jitter: f64,
+    /// The exponent `k` of the distance, not negative; as of `point`.
+    #[serde(default)]
+    pub attenuation: f64,
+}
+
+#[derive(Debug)]
+struct Trembling {
+    radiance: Rgb,
+    location: Place,
+    jitter: f64,
+    attenuation: f64,
+}
+
+impl Specification for FakeSpherical {
+    type Built = Arc<dyn Light>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+        Ok(Arc::new(Trembling {
+            radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
+            location: finite_point("location", self.location)?,
+            jitter: not_negative("jitter", self.jitter)?,
+            attenuation: not_negative("attenuation", self.attenuation)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            ls: self.ls * power(factor, self.attenuation),
+            location: self.location.scaled(factor),
+            jitter: factor * self.jitter,
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let (color, location) = (Rgb::new(1.0, 0.5, 0.0), Place::new(10.0, 15.0, 20.0));
+        let plain = Self { ls: 3.0, color, location, jitter: 3.0, attenuation: 0.0 };
+        vec![Self { attenuation: 2.0, ls: 250.0, ..plain }, plain]
+    }
+}
+
+impl Light for Trembling {
+    fn draws(&self) -> usize {
+        2
+    }
+
+    fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
+        let location = self.location + self.jitter * in_cube(u);
+        from_point(from.point, location, self.radiance, self.attenuation)
+    }
+}

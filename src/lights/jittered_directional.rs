@@ -1,0 +1,80 @@
+//! The jittered directional light (Suffern, ch. 18): a sun with soft shadows, as an approximation.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Context, Light, LightContext, LightSample, Segment};
+use crate::invalid::{Invalid, direction, not_negative};
+use crate::kinds::{self, Specification};
+use crate::math::Vector;
+use crate::rgb::Rgb;
+
+/// Light `ls · color` from one direction for each sample, which is moved by at most `jitter` along each
+/// axis. An approximation of a sun: the directions fill a cube, not a disk.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JitteredDirectional {
+    /// Multiplies the colour; not negative.
+    #[serde(default = "kinds::one")]
+    pub ls: f64,
+    /// The colour of the light.
+    #[serde(default = "kinds::white::<Rgb>")]
+    pub color: Rgb,
+    /// From the scene towards the light; not zero, need not be unit.
+    pub direction: Vector,
+    /// How far the unit direction is moved along each axis, `r` in the book; not negative.
+    pub jitter: f64,
+}
+
+#[derive(Debug)]
+struct Jittered {
+    radiance: Rgb,
+    direction: Vector,
+    jitter: f64,
+}
+
+impl Specification for JitteredDirectional {
+    type Built = Arc<dyn Light>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+        Ok(Arc::new(Jittered {
+            radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
+            direction: direction("direction", self.direction)?.into(),
+            jitter: not_negative("jitter", self.jitter)?,
+        }))
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        self.clone()
+    }
+
+    fn specimens() -> Vec<Self> {
+        let direction = Vector::new(15.0, 15.0, 2.5);
+        vec![Self { ls: 2.0, color: Rgb::WHITE, direction, jitter: 0.2 }]
+    }
+}
+
+impl Light for Jittered {
+    fn draws(&self) -> usize {
+        2
+    }
+
+    fn sample(&self, _: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
+        Some(LightSample {
+            direction: (self.direction + self.jitter * in_cube(u)).unit()?,
+            segment: Some(Segment::Infinity),
+            radiance: self.radiance,
+            blocked: Rgb::BLACK,
+            pdf: None,
+        })
+    }
+}
+
+/// A point of the cube `[−1, 1]³` for two pairs of numbers in `[0, 1)`, of which three are used.
+pub(super) fn in_cube(u: &[[f64; 2]]) -> Vector {
+    let along = |u: f64| 2.0 * u - 1.0;
+    Vector::new(along(u[0][0]), along(u[0][1]), along(u[1][0]))
+}

@@ -1,0 +1,104 @@
+//! The spot light: not in the book.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::point::from_point;
+use super::{Context, Light, LightContext, LightSample, Place};
+use crate::invalid::{Invalid, direction, finite_point, not_negative, within};
+use crate::kinds::{self, Specification};
+use crate::math::{Normal, Vector, atan2, power, to_degrees};
+use crate::rgb::Rgb;
+
+/// A point light that shines into a cone: all of `ls · color / d^k` up to `inner` degrees from its
+/// axis, none from `outer` on, and a smooth step between.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spot {
+    /// Multiplies the colour; not negative.
+    #[serde(default = "kinds::one")]
+    pub ls: f64,
+    /// The colour of the light.
+    #[serde(default = "kinds::white::<Rgb>")]
+    pub color: Rgb,
+    /// Where it is.
+    pub location: Place,
+    /// Where it shines to; not zero, need not be unit.
+    pub direction: Vector,
+    /// From this angle to the axis on it grows weaker, in degrees; from 0 to `outer`.
+    pub inner: f64,
+    /// From this angle to the axis on it is dark, in degrees; at most 180. If it equals `inner`, the
+    /// edge is sharp.
+    pub outer: f64,
+    /// The exponent `k` of the distance, not negative; as of `point`.
+    #[serde(default)]
+    pub attenuation: f64,
+}
+
+#[derive(Debug)]
+struct Cone {
+    radiance: Rgb,
+    location: Place,
+    axis: Normal,
+    inner: f64,
+    outer: f64,
+    attenuation: f64,
+}
+
+impl Specification for Spot {
+    type Built = Arc<dyn Light>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+        let outer = within("outer", self.outer, 0.0..=180.0)?;
+        Ok(Arc::new(Cone {
+            radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
+            location: finite_point("location", self.location)?,
+            axis: direction("direction", self.direction)?,
+            inner: within("inner", self.inner, 0.0..=outer)?,
+            outer,
+            attenuation: not_negative("attenuation", self.attenuation)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            ls: self.ls * power(factor, self.attenuation),
+            location: self.location.scaled(factor),
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let (color, location) = (Rgb::new(1.0, 0.5, 0.0), Place::new(10.0, 15.0, 20.0));
+        let (direction, inner, outer) = (Vector::new(-1.0, -1.5, -2.0), 30.0, 60.0);
+        vec![Self { ls: 600.0, color, location, direction, inner, outer, attenuation: 2.0 }]
+    }
+}
+
+impl Cone {
+    /// The share of light that goes into this direction: `s² (3 − 2s)`, s from 1 at `inner` to 0 at
+    /// `outer`.
+    fn share(&self, direction: Vector) -> f64 {
+        let across = Vector::from(self.axis).cross(direction).length();
+        let angle = to_degrees(atan2(across, self.axis.dot(direction)));
+        if angle <= self.inner {
+            return 1.0;
+        }
+        if angle >= self.outer {
+            return 0.0;
+        }
+        let s = (self.outer - angle) / (self.outer - self.inner);
+        s * s * (3.0 - 2.0 * s)
+    }
+}
+
+impl Light for Cone {
+    fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
+        let sample = from_point(from.point, self.location, self.radiance, self.attenuation)?;
+        let share = self.share(-sample.direction);
+        (share > 0.0).then(|| LightSample { radiance: share * sample.radiance, ..sample })
+    }
+}

@@ -1,0 +1,132 @@
+//! The lobes of a hit in the world's directions: what light from a direction leaves towards the
+//! viewer, and where light is to be looked for.
+
+use super::{Lobe, Lobes, MOST_LOBES, NormalKind};
+use crate::math::{Frame, Normal, Vector};
+use crate::rgb::Rgb;
+use arrayvec::ArrayVec;
+
+/// The lobes of a surface, as a viewer in the direction `wo` sees them.
+#[derive(Clone, Copy, Debug)]
+pub struct Bsdf<'a> {
+    lobes: &'a Lobes,
+    normals: Normals,
+    /// Unit, towards the viewer.
+    wo: Vector,
+    /// About the shading normal.
+    frame: Frame,
+}
+
+/// The two normals of a hit; those of a two-sided surface are turned to the viewer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Normals {
+    /// The interpolated one of a smooth mesh.
+    pub shading: Normal,
+    /// Perpendicular to the true surface.
+    pub geometry: Normal,
+}
+
+impl Normals {
+    /// The normal that a lobe is about.
+    pub fn of(&self, kind: NormalKind) -> Normal {
+        match kind {
+            NormalKind::Shading => self.shading,
+            NormalKind::Geometry => self.geometry,
+        }
+    }
+}
+
+/// What a lobe makes of light from a direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lit {
+    /// The lobe.
+    pub lobe: Lobe,
+    /// Its value, per steradian; not black.
+    pub f: Rgb,
+    /// The cosine of the light's angle to the normal; positive.
+    pub cos_i: f64,
+}
+
+/// A direction in which light is to be looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BsdfSample {
+    /// Unit.
+    pub direction: Vector,
+    /// What the light from there counts.
+    pub weight: Rgb,
+    /// Per steradian; `None` for a single direction.
+    pub pdf: Option<f64>,
+    /// Whether it leads to the other side of the surface.
+    pub transmits: bool,
+}
+
+impl<'a> Bsdf<'a> {
+    /// The lobes of a surface with these normals, seen from the unit direction `wo`.
+    pub fn new(lobes: &'a Lobes, normals: Normals, wo: Vector) -> Self {
+        Self { lobes, normals, wo, frame: Frame::around(normals.shading) }
+    }
+
+    /// The lobes, in the order in which the material listed them.
+    pub fn lobes(&self) -> &'a Lobes {
+        self.lobes
+    }
+
+    /// Whether any lobe may take light from a light's sample.
+    pub fn is_lit(&self) -> bool {
+        self.is_outward(self.wo) && self.lobes.iter().any(|(lobe, _)| lobe.is_lit())
+    }
+
+    /// Whether a direction leads to the side of the true surface that the normal points to.
+    pub fn is_outward(&self, direction: Vector) -> bool {
+        self.normals.geometry.dot(direction) > 0.0
+    }
+
+    fn frame(&self, kind: NormalKind) -> Frame {
+        match kind {
+            NormalKind::Shading => self.frame,
+            NormalKind::Geometry => Frame::around(self.normals.geometry),
+        }
+    }
+
+    /// What each lit lobe makes of light from the unit direction `wi`; those that make nothing of it
+    /// are left out.
+    ///
+    /// A viewer below the true surface gets nothing. One above it does, also where an interpolated
+    /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on which
+    /// side of that normal the viewer is.
+    pub fn lit(&self, wi: Vector) -> ArrayVec<Lit, MOST_LOBES> {
+        let mut lit = ArrayVec::new();
+        if !self.is_outward(self.wo) {
+            return lit;
+        }
+        for (lobe, kind) in self.lobes.iter().filter(|(lobe, _)| lobe.is_lit()) {
+            let frame = self.frame(*kind);
+            let [wo, wi] = [self.wo, wi].map(|w| frame.to_local(w));
+            let cos_i = wi.z();
+            if cos_i <= 0.0 {
+                continue; // the light is behind the surface
+            }
+            let f = lobe.formula(wo, wi);
+            if !f.is_black() {
+                lit.push(Lit { lobe: *lobe, f, cos_i });
+            }
+        }
+        lit
+    }
+
+    /// A direction drawn by one of the lobes; `None` where it scatters nothing.
+    pub fn sample(&self, lobe: &Lobe, kind: NormalKind, u: [f64; 2]) -> Option<BsdfSample> {
+        let frame = self.frame(kind);
+        let wo = frame.to_local(self.wo);
+        let sample = lobe.sample(wo, u)?;
+        let transmits = sample.wi.z() * wo.z() < 0.0;
+        let direction = frame.to_world(sample.wi);
+        let stays = self.is_outward(direction) == self.is_outward(self.wo);
+        if stays == transmits {
+            return None; // an interpolated normal sends it to the wrong side of the true surface
+        }
+        // an index of refraction so far from 1 that the direction overflows has no direction
+        let direction = direction.unit()?;
+        Some(BsdfSample { direction, weight: sample.weight, pdf: sample.pdf, transmits })
+    }
+}

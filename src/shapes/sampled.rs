@@ -1,0 +1,71 @@
+//! Points drawn on a surface, for lights (Suffern, ch. 18).
+//!
+//! By area, as the book: every part of the surface is drawn as often as it is large. By solid angle:
+//! every part is drawn as often as it looks large from the place that is lit, so that no sample falls
+//! on what faces away and none counts more than another.
+
+use std::fmt::Debug;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Surface;
+use crate::math::Point;
+
+/// How points are drawn on a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(title = "ways of sampling")]
+pub enum Sampling {
+    /// Every part as often as it is large, as in the book.
+    Area,
+    /// Every part as often as it looks large: for spheres and rectangles.
+    SolidAngle,
+}
+
+/// A surface on which points are drawn. Contract: `tests/contracts/light.rs`, of the lamps made of it.
+pub trait SampledSurface: Debug + Send + Sync {
+    /// A point for two numbers in `[0, 1)`, and its density per steradian as seen from `from`: positive
+    /// and finite. `None` for a point that is seen edge-on.
+    fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)>;
+
+    /// The density with which [`SampledSurface::sample`] draws this point of the surface, per steradian.
+    fn pdf(&self, from: Point, at: &Surface) -> f64;
+}
+
+/// A surface on which points can be drawn evenly.
+pub(super) trait EvenSurface: Debug + Send + Sync {
+    /// Its area.
+    fn area(&self) -> f64;
+
+    /// A point for two numbers in `[0, 1)`; equal areas for equal areas of the square.
+    fn point(&self, u: [f64; 2]) -> Surface;
+
+    /// As [`SampledSurface::sample`], by area.
+    fn sample_by_area(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
+        let at = self.point(u);
+        let pdf = self.pdf_by_area(from, &at);
+        (pdf > 0.0 && pdf.is_finite()).then_some((at, pdf))
+    }
+
+    /// As [`SampledSurface::pdf`], by area: `d²/(A |cosθ'|)`, the density `1/A` seen from afar.
+    fn pdf_by_area(&self, from: Point, at: &Surface) -> f64 {
+        let way = at.point - from;
+        let (squared, along) = (way.length_squared(), at.normal.dot(way).abs());
+        squared / self.area() * (squared.sqrt() / along)
+    }
+}
+
+/// A surface that is sampled by area.
+#[derive(Debug)]
+pub(super) struct ByArea<S>(pub S);
+
+impl<S: EvenSurface> SampledSurface for ByArea<S> {
+    fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
+        self.0.sample_by_area(from, u)
+    }
+
+    fn pdf(&self, from: Point, at: &Surface) -> f64 {
+        self.0.pdf_by_area(from, at)
+    }
+}

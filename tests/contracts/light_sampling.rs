@@ -1,0 +1,250 @@
+//! Lights sample what their densities say, and their mean is the light there is.
+
+use std::f64::consts::PI;
+
+use groundtruth::lights::{Area, Kind, LightContext, LightSample, Target};
+use groundtruth::math::{Frame, Normal, Pcg32, Point, Vector, atan2, cos, sin};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::{self, Sampling};
+use groundtruth::verify::chi_square::goodness_of_fit;
+use groundtruth::verify::means;
+use groundtruth::verify::significance::sidak;
+
+use super::light::{EMITTED, Subject, is_sampled, met, subjects};
+use super::{Holds, ensure};
+
+/// The probability that any of the tests below raises a false alarm, for seeds chosen at random.
+const LEVEL: f64 = 1e-3;
+/// At least as many tests as there will be: two laws, four places, lamps of every shape.
+const TESTS: usize = 500;
+
+/// Odd numbers of cells, so that no border lies on a lamp's own.
+const ROWS: usize = 9;
+const COLUMNS: usize = 19;
+/// Steps of the quadrature in each cell, along each side.
+const FINE: usize = 12;
+/// And in each part of a cell where the integrand changes fast.
+const REFINED: u32 = 16;
+/// What the quadrature may err by, as a share of the whole: at a lamp's silhouette, where the integrand
+/// jumps, a midpoint rule errs by a share of the points along the edge.
+const QUADRATURE: f64 = 3e-3;
+/// And what it may overlook, as a share of the solid angle: a facet seen edge-on.
+const MISSED: f64 = 1e-3;
+/// A density wrong by ±12 % in alternate cells is found (see `chi_square`).
+const SAMPLES: u64 = 15_000;
+
+/// Places beside, before, near and inside or behind lamps of size 1 about the origin.
+fn places() -> [LightContext; 4] {
+    [[0.1, 6.0, -0.2], [3.0, 0.7, 2.0], [0.3, 0.15, 1.6], [-0.2, -0.3, 0.45]].map(|point| {
+        let point = Point::from(point);
+        let normal = Normal::new(Vector::new(0.1, 0.2, 0.3) - point.to_vector()).expect("not zero");
+        LightContext { point, normal }
+    })
+}
+
+/// Directions about an axis, in cells of equal solid angle: those in which a lamp may be.
+struct Sky {
+    frame: Frame,
+    /// `1 − cosθ` of the widest.
+    depth: f64,
+}
+
+impl Sky {
+    /// Around the lamp; all directions if there is none, or it is all around.
+    fn of(subject: &Subject, from: &LightContext) -> Self {
+        let whole = Self { frame: Frame::around(from.normal), depth: 2.0 };
+        let Some(lamp) = &subject.lamp else { return whole };
+        let bounds = lamp.bounds();
+        let center = Point::ORIGIN + 0.5 * (bounds.min.to_vector() + bounds.max.to_vector());
+        // not the middle itself, or the silhouette of a sphere would be a row of the quadrature
+        let extent = bounds.extent().length();
+        let way = center + extent * Vector::new(0.05, -0.03, 0.04) - from.point;
+        let sine = 0.58 * extent / way.length();
+        match Normal::new(way) {
+            Some(axis) if sine < 1.0 => {
+                Self { frame: Frame::around(axis), depth: 1.0 - (1.0 - sine * sine).sqrt() }
+            }
+            _ => whole,
+        }
+    }
+
+    /// The cell of a direction.
+    fn cell(&self, direction: Vector) -> usize {
+        let w = self.frame.to_local(direction);
+        let row = (1.0 - w.z()) / self.depth * ROWS as f64;
+        let column = (atan2(w.y(), w.x()) / (2.0 * PI) + 0.5) * COLUMNS as f64;
+        (row as usize).min(ROWS - 1) * COLUMNS + (column as usize).min(COLUMNS - 1)
+    }
+
+    /// The direction at a row and column, which count from 0 to [`ROWS`] and [`COLUMNS`].
+    fn at(&self, row: f64, column: f64) -> Vector {
+        let versine = row / ROWS as f64 * self.depth;
+        let sine = (versine * (2.0 - versine)).sqrt();
+        let phi = column / COLUMNS as f64 * 2.0 * PI - PI;
+        self.frame.to_world(Vector::new(sine * cos(phi), sine * sin(phi), 1.0 - versine))
+    }
+
+    /// The integrals of a function of direction over the cells, by the midpoint rule; with more points
+    /// where it changes fast, as at the edge of a lamp.
+    fn integrals(&self, f: impl Fn(Vector) -> f64) -> Vec<f64> {
+        let solid_angle = 2.0 * PI * self.depth / (ROWS * COLUMNS) as f64;
+        let mean = |row: f64, column: f64, size: f64, n: u32| {
+            let step = size / f64::from(n);
+            let along = |start: f64| (0..n).map(move |i| start + step * (f64::from(i) + 0.5));
+            let values = along(row).flat_map(|r| along(column).map(move |c| (r, c)));
+            let values = values.map(|(r, c)| f(self.at(r, c)));
+            let ends = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+            let (least, most, sum) = values.fold(ends, |(least, most, sum), value| {
+                (least.min(value), most.max(value), sum + value)
+            });
+            (most - least > 0.1 * most, sum / f64::from(n * n))
+        };
+        let step = 1.0 / FINE as f64;
+        let cell = |i: usize| {
+            let (row, column) = ((i / COLUMNS) as f64, (i % COLUMNS) as f64);
+            let parts = (0..FINE * FINE).map(|part| {
+                let (down, across) = ((part / FINE) as f64, (part % FINE) as f64);
+                let (row, column) = (row + step * down, column + step * across);
+                match mean(row, column, step, 3) {
+                    (true, _) => mean(row, column, step, REFINED).1,
+                    (false, value) => value,
+                }
+            });
+            solid_angle * step * step * parts.sum::<f64>()
+        };
+        (0..ROWS * COLUMNS).map(cell).collect()
+    }
+}
+
+/// The sum of the densities of all that lies in a direction.
+fn density(subject: &Subject, from: &LightContext, direction: Vector) -> f64 {
+    match &subject.lamp {
+        None => subject.light.pdf(from, &Target::Infinity(direction)),
+        Some(lamp) => {
+            let points = met(&**lamp, from.point, direction);
+            points.iter().map(|at| subject.light.pdf(from, &Target::Surface(at))).sum()
+        }
+    }
+}
+
+fn samples(subject: &Subject, from: &LightContext, stream: u64) -> Vec<Option<LightSample>> {
+    let mut random = Pcg32::new(18, stream);
+    let mut one = || {
+        let u: Vec<_> =
+            (0..subject.light.draws()).map(|_| [random.uniform(), random.uniform()]).collect();
+        subject.light.sample(from, &u)
+    };
+    (0..SAMPLES).map(|_| one()).collect()
+}
+
+/// Whether a lamp's density is infinite at its silhouette, where the midpoint rule fails: that of curved
+/// ones by area, `d²/(A cosθ')`. The law of the mean, whose integrand is finite, holds them.
+fn is_singular(kind: &Kind, subject: &Subject) -> bool {
+    let by_area = matches!(kind, Kind::Area(Area { sampling: Some(Sampling::Area), .. }));
+    let shape = subject.scene.objects.first().map(|lamp| &lamp.shape);
+    by_area && matches!(shape, Some(shapes::Kind::Sphere(_) | shapes::Kind::Instance(_)))
+}
+
+/// Law: the directions of `sample` have the density that is the sum of `pdf` over the lamp's points in
+/// each direction, and what that lacks to 1 is the share of `None`. Oracle: χ² against the midpoint rule.
+pub fn samples_follow_the_pdf(kind: &Kind) -> Holds {
+    let all = subjects(kind);
+    let judged = all.iter().filter(|s| is_sampled(&*s.light) && !is_singular(kind, s));
+    for subject in judged {
+        for (stream, from) in (0..).zip(&places()) {
+            let sky = Sky::of(subject, from);
+            let mut observed = vec![0_u64; ROWS * COLUMNS];
+            let drawn = samples(subject, from, stream);
+            drawn.iter().flatten().for_each(|sample| observed[sky.cell(sample.direction)] += 1);
+            let share = observed.iter().sum::<u64>() as f64 / SAMPLES as f64;
+            let mut expected = sky.integrals(|w| density(subject, from, w));
+            let whole: f64 = expected.iter().sum();
+            // the noise of a share is below 1/2√n
+            let noise = 2.0 / (SAMPLES as f64).sqrt();
+            let right = (share - whole).abs() <= QUADRATURE * whole + noise;
+            let at = format!("{} from {from:?}", subject.name);
+            ensure!(right, "{at}: pdf adds up to {whole}, {share} of the samples are light");
+            if whole == 0.0 {
+                continue; // a place that the lamp does not face
+            }
+            // a corner of a lamp may reach into a cell between the points of the quadrature
+            let missed = observed.iter_mut().zip(&expected).filter(|(_, e)| **e == 0.0);
+            let missed: u64 = missed.map(|(count, _)| std::mem::take(count)).sum();
+            ensure!(missed < SAMPLES / 100, "{at}: {missed} samples where pdf is 0");
+            let counted = observed.iter().sum::<u64>() as f64;
+            expected.iter_mut().for_each(|e| *e *= counted / whole);
+            let p = goodness_of_fit(&observed, &expected);
+            ensure!(p > sidak(LEVEL, TESTS), "{at}: p = {p:e}");
+        }
+    }
+    Ok(())
+}
+
+/// Law: the mean of `L g/pdf` is `∫ L g dω`, for three functions g of direction, the cosine among
+/// them. Oracle: the midpoint rule over all directions, in which the lamp's surface is found by
+/// rays; t test of the means of 32 batches.
+pub fn the_mean_is_the_integral(kind: &Kind) -> Holds {
+    const BATCHES: usize = 32;
+    for subject in subjects(kind).iter().filter(|subject| is_sampled(&*subject.light)) {
+        for (stream, from) in (0..).zip(&places()) {
+            let sent = |w: Vector| match &subject.lamp {
+                None => radiance_of_the_sky(subject),
+                Some(lamp) => {
+                    let facing = |at: &&_| faces(at, from.point);
+                    let count = met(&**lamp, from.point, w).iter().filter(facing).count();
+                    count as f64 * EMITTED.g
+                }
+            };
+            let sky = Sky::of(subject, from);
+            let drawn = samples(subject, from, 100 + stream);
+            // what falls on the surface; of that one half; and what falls on one that faces the light
+            let weights: [&dyn Fn(Vector) -> f64; 3] = [
+                &|w| from.normal.dot(w).max(0.0),
+                &|w| match sky.frame.u.dot(w) > 0.3 * sky.frame.v.dot(w) {
+                    true => from.normal.dot(w).max(0.0),
+                    false => 0.0,
+                },
+                &|w| sky.frame.w.dot(w).max(0.0),
+            ];
+            for (law, weight) in weights.iter().enumerate() {
+                let expected: f64 = sky.integrals(|w| sent(w) * weight(w)).iter().sum();
+                let value = |sample: &Option<LightSample>| match sample {
+                    Some(LightSample { direction, radiance, pdf: Some(pdf), .. }) => {
+                        radiance.g * weight(*direction) / pdf
+                    }
+                    _ => 0.0,
+                };
+                let values: Vec<f64> = drawn.iter().map(value).collect();
+                let batches = values.chunks(values.len() / BATCHES);
+                let batches: Vec<f64> =
+                    batches.map(|b| b.iter().sum::<f64>() / b.len() as f64).collect();
+                let mean = batches.iter().sum::<f64>() / batches.len() as f64;
+                // the quadrature is no exact value: the nearest one that it allows is asked
+                let allowed = QUADRATURE * expected + MISSED * EMITTED.g * sky.depth;
+                let nearest = mean.clamp(expected - allowed, expected + allowed);
+                let p = means::one_sample(&batches, nearest);
+                let at = format!("{} from {from:?}, weight {law}", subject.name);
+                // an estimate without variance is as good as its rounding
+                let right = mean == nearest || p > sidak(LEVEL, TESTS);
+                ensure!(right, "{at}: the mean is {mean}, the integral {expected}; p = {p:e}");
+            }
+        }
+    }
+    Ok(())
+}
+
+fn faces(at: &groundtruth::shapes::Surface, from: Point) -> bool {
+    at.normal.dot(from - at.point) > 0.0
+}
+
+/// What the specimen sends from every direction, in green.
+fn radiance_of_the_sky(subject: &Subject) -> f64 {
+    match &subject.scene.lights[0].source {
+        Kind::AmbientOccluder(occluder) => occluder.ls * occluder.color.g,
+        Kind::Environment(_) => match &subject.background {
+            groundtruth::background::Background::Color(Rgb { g, .. }) => *g,
+            groundtruth::background::Background::Pattern(_) => f64::NAN,
+        },
+        _ => f64::NAN,
+    }
+}
