@@ -144,6 +144,18 @@ const ERRORS: &[(&[&str], &str)] = &[
         "error: invalid value '0' for '--samples <N>': 0 is not in 1..=65536",
     ),
     (
+        &["render", "ch14/set", "-o", "a.png", "--max-depth", "3"],
+        "error: --max-depth 3: the tracer ray_cast follows no rays; --tracer can name: whitted",
+    ),
+    (
+        &["explain", "ch14/set", "1", "1", "--tracer", "path"],
+        "error: invalid value 'path' for '--tracer <NAME>': there are: ray_cast, whitted",
+    ),
+    (
+        &["explain", "ch14/set", "1", "1", "--max-depth", "129"],
+        "error: invalid value '129' for '--max-depth <N>': 129 is not in 0..=128",
+    ),
+    (
         &["render", "ch12/fisheye", "-o", "a.png", "--size", "5792x5792"],
         "error: --size 5792x5792: 11589 × 5792 pixels of both images and the gap are too many; at \
          most 33554432 fit",
@@ -226,7 +238,7 @@ fn good_commands_have_status_0() {
 
 #[test]
 fn help_speaks_of_every_option() {
-    let scene = ["--size", "--samples", "--seed", "<SCENE>"];
+    let scene = ["--size", "--samples", "--tracer", "--max-depth", "--seed", "<SCENE>"];
     for (command, options) in [
         ("list", &["--json"][..]),
         ("render", &["--output", "--crop", "--stereo", "--threads"]),

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::Parser;
-use groundtruth::scene::Scene;
+use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::DEFAULT_SEED;
 
 use crate::view::parse_pixel;
@@ -23,6 +23,12 @@ pub struct Arguments {
     /// Samples for each pixel
     #[arg(long, value_name = "N")]
     pub samples: Option<u32>,
+    /// How light is followed, instead of as the scene says: ray_cast or whitted
+    #[arg(long, value_name = "NAME")]
+    pub tracer: Option<Tracer>,
+    /// The largest number of edges from the camera's ray to one that is still cast
+    #[arg(long, value_name = "N")]
+    pub max_depth: Option<u32>,
     /// The seed of all random choices
     #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
     pub seed: u64,
@@ -74,11 +80,12 @@ impl Arguments {
         }
     }
 
-    fn change(&self, mut scene: Scene) -> Scene {
+    fn change(&self, mut scene: Scene) -> Result<Scene, String> {
         if let Some(Size { width, height }) = self.size {
             scene.image.resize(width, height);
         }
         scene.image.samples = self.samples.unwrap_or(scene.image.samples);
-        scene
+        scene.tracer.change(self.tracer, self.max_depth)?;
+        Ok(scene)
     }
 }

@@ -9,10 +9,13 @@ pub fn explain_command(rendering: &Rendering, [x, y]: [u32; 2], sample: u32) -> 
     let image = &rendering.scene.image;
     let (width, height, samples) = (image.width, image.height, image.samples);
     let (name, seed) = (rendering.source.name(), rendering.world.seed);
+    let mut tracer = rendering.scene.tracer;
+    let depth = tracer.max_depth().map_or(String::new(), |depth| format!(" --max-depth {depth}"));
+    let tracer = format!("--tracer {}{depth}", tracer.name());
     let changed = if is_changed(rendering) { "  # the window shows a changed scene" } else { "" };
     format!(
         "groundtruth explain {name:?} {x} {y} --size {width}x{height} --samples {samples} \
-         --seed {seed} --sample {sample}{changed}"
+         {tracer} --seed {seed} --sample {sample}{changed}"
     )
 }
 
@@ -31,5 +34,6 @@ fn is_changed(rendering: &Rendering) -> bool {
     let image = &rendering.scene.image;
     read.image.resize(image.width, image.height);
     read.image.samples = image.samples;
+    read.tracer = rendering.scene.tracer;
     scene::to_toml(&read).ok() != scene::to_toml(&rendering.scene).ok()
 }

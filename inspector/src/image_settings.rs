@@ -1,6 +1,6 @@
 //! How the picture is made: size, samples, depth and seed, each a number to be typed or dragged.
 
-use eframe::egui::{DragValue, Grid, Response, TextEdit, Ui, emath::Numeric};
+use eframe::egui::{ComboBox, DragValue, Grid, Response, TextEdit, Ui, emath::Numeric};
 use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::{DEEPEST, MOST_PIXELS, MOST_SAMPLES};
 
@@ -21,7 +21,7 @@ impl ImageSettings {
                 .on_hover_text("For each pixel; some samplers round up")
                 .changed();
             ui.end_row();
-            resized | sampled | depth(ui, scene) | self.seed(ui, seed)
+            resized | sampled | tracer(ui, scene) | self.seed(ui, seed)
         })
         .inner
     }
@@ -64,21 +64,34 @@ fn size(ui: &mut Ui, scene: &mut Scene) -> bool {
     changed
 }
 
-fn depth(ui: &mut Ui, scene: &mut Scene) -> bool {
-    let changed = match &mut scene.tracer {
-        Tracer::Whitted(whitted) => {
+/// The tracer, and how deep it follows rays.
+fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
+    let label = ui.label("Tracer");
+    let mut changed = false;
+    let combo = ComboBox::from_id_salt("tracer").selected_text(scene.tracer.name());
+    let combo = combo.show_ui(ui, |ui| {
+        for other in Tracer::ALL {
+            let is_chosen = other.name() == scene.tracer.name();
+            if ui.selectable_label(is_chosen, other.name()).clicked() && !is_chosen {
+                scene.tracer = scene.tracer.exchanged(other);
+                changed = true;
+            }
+        }
+    });
+    combo.response.labelled_by(label.id).on_hover_text("How light is followed");
+    ui.end_row();
+    match scene.tracer.max_depth() {
+        Some(max_depth) => {
             let about = "The largest number of reflections and transmissions in a row";
-            number(ui, "Max depth", &mut whitted.max_depth, 0..=DEEPEST)
-                .on_hover_text(about)
-                .changed()
+            changed |=
+                number(ui, "Max depth", max_depth, 0..=DEEPEST).on_hover_text(about).changed();
         }
-        Tracer::RayCast => {
+        None => {
             ui.label("Max depth");
-            let about = "This scene's tracer casts no reflected or transmitted rays";
+            let about = "This tracer casts no reflected or transmitted rays";
             ui.weak("none").on_hover_text(about);
-            false
         }
-    };
+    }
     ui.end_row();
     changed
 }

@@ -36,7 +36,7 @@ impl Inspector {
         let Rendering { source, read, .. } = &self.rendering;
         let (source, before, wanted, seed) =
             (source.clone(), read.clone(), self.wanted.clone(), self.seed);
-        let change = move |now| carried(&before, &wanted, now);
+        let change = move |now| Ok(carried(&before, &wanted, now));
         self.loading.start(ctx, move || source.load_changed(seed, change));
     }
 

@@ -1,4 +1,4 @@
-//! The samples of the selected pixel: where they lie on square, disk and hemisphere, and whether
+//! The samples of the selected pixel: where they lie in pixel, lens and light, and whether
 //! their sampler is fair.
 
 use eframe::egui::{
@@ -6,7 +6,7 @@ use eframe::egui::{
 };
 use groundtruth::explain::count;
 use groundtruth::render;
-use groundtruth::samplers::{self, Key, Purpose, SETS};
+use groundtruth::samplers::{self, Key, PathKey, Purpose, SETS};
 use groundtruth::scene::Scene;
 use groundtruth::verify::chi_square;
 use groundtruth::world::World;
@@ -62,7 +62,8 @@ const STRIPS: usize = 32;
 const MOST_PLACES: usize = 400_000;
 
 impl Fairness {
-    /// Looks at the points of all sets; where each draw moves them, at the draws of as many pixels.
+    /// Looks at the points of all sets; where a draw is not a point of one, at the draws of as many
+    /// pixels.
     fn of(world: &World) -> Self {
         let samples = &world.samples;
         let (mut strips, mut cells) = (vec![0; STRIPS], vec![0; CELLS * CELLS]);
@@ -71,7 +72,7 @@ impl Fairness {
             (0..samples.per_set()).map(move |i| samples.draw(key, i))
         };
         let sets = 0..SETS as u32;
-        let places: Vec<[f64; 2]> = if samples.is_shifted() {
+        let places: Vec<[f64; 2]> = if samples.is_shifted() || samples.is_centered() {
             sets.flat_map(of_pixel).take(MOST_PLACES).collect()
         } else {
             sets.flat_map(|i| samples.set(i as usize)).copied().take(MOST_PLACES).collect()
@@ -125,6 +126,12 @@ impl Samples {
         let pixel_points = (0..count).map(|i| centered(draw(Purpose::Pixel, i))).collect();
         let lens = |i| render::camera_sample(world, pixel, i)?.lens;
         let lens_points = (0..count).filter_map(lens).collect();
+        let sampled = world.lights.iter().find(|light| light.light.draws() > 0);
+        let light_points = sampled.map_or(Vec::new(), |light| {
+            let (path, light) = (PathKey::CAMERA, light.place);
+            let purpose = Purpose::Light { path, light, pair: 0 };
+            (0..count).map(|i| centered(draw(purpose, i))).collect()
+        });
         self.plots = vec![
             plot(
                 "pixel",
@@ -134,10 +141,10 @@ impl Samples {
             ),
             plot("lens", "where on the lens", Outline::Disk, lens_points),
             plot(
-                "hemisphere, from above",
-                "where rays leave the first hit; no tracer draws such samples yet",
-                Outline::Disk,
-                Vec::new(),
+                "light",
+                "what the first light that is sampled draws at the first hit",
+                Outline::Square,
+                light_points,
             ),
         ];
     }

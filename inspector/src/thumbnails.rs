@@ -11,7 +11,7 @@ use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use groundtruth::film::Tone;
 use groundtruth::gallery::Entry;
 use groundtruth::render;
-use groundtruth::scene::{Scene, Tracer};
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use crate::picture::color;
@@ -59,8 +59,8 @@ fn render_small(mut scene: Scene) -> Option<ColorImage> {
     scene.image.samples = 1;
     scene.image.sampler = None;
     scene.camera.stereo = None;
-    if let Tracer::Whitted(whitted) = &mut scene.tracer {
-        whitted.max_depth = whitted.max_depth.min(MOST_DEPTH);
+    if let Some(max_depth) = scene.tracer.max_depth() {
+        *max_depth = MOST_DEPTH.min(*max_depth);
     }
     let world = World::build(&scene).ok()?;
     let tone =

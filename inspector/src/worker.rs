@@ -123,7 +123,7 @@ impl Source {
     /// # Errors
     /// The scene error, with file and line.
     pub fn load(self) -> Result<Loaded, String> {
-        self.load_changed(DEFAULT_SEED, |scene| scene)
+        self.load_changed(DEFAULT_SEED, Ok)
     }
 
     /// Reads it, and builds it with these changes and this seed.
@@ -133,13 +133,13 @@ impl Source {
     pub fn load_changed(
         self,
         seed: u64,
-        change: impl FnOnce(Scene) -> Scene,
+        change: impl FnOnce(Scene) -> Result<Scene, String>,
     ) -> Result<Loaded, String> {
         let mut watch = Watch::default();
         let (read, scene, world) = match &self {
             Self::Gallery(entry) => {
                 let read = (entry.build)();
-                let scene = change(read.clone());
+                let scene = change(read.clone())?;
                 let world = World::build_seeded(&scene, self.folder(), seed);
                 (read, scene, world)
             }
@@ -148,7 +148,7 @@ impl Source {
                 watch.add(path.clone());
                 let (read, text) = scene::open(path).map_err(|error| error.to_string())?;
                 watch.add_meshes(&read, self.folder());
-                let scene = change(read.clone());
+                let scene = change(read.clone())?;
                 let world = text.build(&scene, seed);
                 (read, scene, world)
             }

@@ -8,8 +8,8 @@ use clap::Args;
 use groundtruth::film;
 use groundtruth::gallery;
 use groundtruth::render::Crop;
-use groundtruth::scene::{self, Scene, SceneError, Source};
-use groundtruth::world::{DEFAULT_SEED, MOST_PIXELS, MOST_SAMPLES, World};
+use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};
+use groundtruth::world::{DEEPEST, DEFAULT_SEED, MOST_PIXELS, MOST_SAMPLES, World};
 
 #[derive(Args)]
 pub struct SceneArguments {
@@ -22,6 +22,12 @@ pub struct SceneArguments {
     /// Samples for each pixel
     #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
+    /// How light is followed, instead of as the scene says: ray_cast or whitted
+    #[arg(long, value_name = "NAME")]
+    tracer: Option<Tracer>,
+    /// The largest number of edges from the camera's ray to one that is still cast
+    #[arg(long, value_name = "N", value_parser = depth())]
+    max_depth: Option<u32>,
     /// The seed of all random choices
     #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
     seed: u64,
@@ -38,6 +44,7 @@ impl SceneArguments {
         if let Some(samples) = self.samples {
             scene.image.samples = samples;
         }
+        scene.tracer.change(self.tracer, self.max_depth)?;
         let build = |scene: &Scene| match &source {
             Some(source) => source.build(scene, self.seed),
             None => World::build_seeded(scene, Path::new(""), self.seed),
@@ -89,6 +96,11 @@ impl SceneArguments {
 /// Reads how many samples a pixel has.
 pub fn samples() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES))
+}
+
+/// Reads how deep rays are followed.
+pub fn depth() -> clap::builder::RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(0..=i64::from(DEEPEST))
 }
 
 /// `300x200`.

@@ -35,6 +35,14 @@ pub struct AmbientOccluder {
     pub max_distance: Option<f64>,
 }
 
+impl Default for AmbientOccluder {
+    /// White, and black where something is in the way.
+    fn default() -> Self {
+        let color = Rgb::WHITE;
+        Self { ls: 1.0, color, min_amount: 0.0, occluded_color: None, max_distance: None }
+    }
+}
+
 #[derive(Debug)]
 struct Occluder {
     open: Rgb,
@@ -60,13 +68,8 @@ impl Specification for AmbientOccluder {
     }
 
     fn specimens() -> Vec<Self> {
-        let plain = Self {
-            ls: 0.5,
-            color: Rgb::new(1.0, 0.5, 0.75),
-            min_amount: 0.25,
-            occluded_color: None,
-            max_distance: None,
-        };
+        let color = Rgb::new(1.0, 0.5, 0.75);
+        let plain = Self { ls: 0.5, color, min_amount: 0.25, ..Self::default() };
         let two_colors = Self {
             occluded_color: Some(Rgb::new(0.25, 0.5, 1.0)),
             max_distance: Some(10.0),

@@ -159,6 +159,11 @@ impl SampleSets {
         Self { centered: true, ..self }
     }
 
+    /// Whether pixel and lens are always sampled in the middle; see [`SampleSets::centered`].
+    pub fn is_centered(&self) -> bool {
+        self.centered
+    }
+
     /// The number of samples that use up a set: `n`, or the next square where the pattern needs one.
     pub fn per_set(&self) -> u32 {
         self.per_set

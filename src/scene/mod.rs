@@ -7,6 +7,8 @@ mod places;
 mod schema;
 pub mod vocabulary;
 
+use std::str::FromStr;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -161,6 +163,71 @@ pub struct Object {
     pub casts_shadows: bool,
     /// What shape it has.
     pub shape: shapes::Kind,
+}
+
+impl Tracer {
+    /// Every tracer, with a depth that is enough for most scenes.
+    pub const ALL: [Self; 2] = [Self::RayCast, Self::Whitted(Whitted { max_depth: 5 })];
+
+    /// What scene files call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::RayCast => "ray_cast",
+            Self::Whitted(_) => "whitted",
+        }
+    }
+
+    /// How deep it follows rays; `None` if it follows none.
+    pub fn max_depth(&mut self) -> Option<&mut u32> {
+        match self {
+            Self::RayCast => None,
+            Self::Whitted(whitted) => Some(&mut whitted.max_depth),
+        }
+    }
+
+    /// Another tracer, as deep as this one if both have a depth.
+    #[must_use]
+    pub fn exchanged(mut self, mut other: Self) -> Self {
+        if let (Some(depth), Some(other_depth)) = (self.max_depth(), other.max_depth()) {
+            *other_depth = *depth;
+        }
+        other
+    }
+
+    /// Exchanges the tracer, and then sets the depth, where these are named.
+    ///
+    /// # Errors
+    /// Says so if a depth is named, but the tracer follows no rays.
+    pub fn change(&mut self, other: Option<Self>, max_depth: Option<u32>) -> Result<(), String> {
+        *self = other.map_or(*self, |other| self.exchanged(other));
+        let name = self.name();
+        match (self.max_depth(), max_depth) {
+            (Some(depth), Some(wanted)) => *depth = wanted,
+            (None, Some(wanted)) => {
+                let follows = |tracer: &mut Self| tracer.max_depth().is_some();
+                let names: Vec<&str> = Self::ALL
+                    .into_iter()
+                    .filter_map(|mut tracer| follows(&mut tracer).then_some(tracer.name()))
+                    .collect();
+                let names = names.join(", ");
+                return Err(format!(
+                    "--max-depth {wanted}: the tracer {name} follows no rays; --tracer can name: {names}"
+                ));
+            }
+            (_, None) => {}
+        }
+        Ok(())
+    }
+}
+
+impl FromStr for Tracer {
+    type Err = String;
+
+    /// A tracer by its name.
+    fn from_str(name: &str) -> Result<Self, String> {
+        let named = Self::ALL.into_iter().find(|tracer| tracer.name() == name);
+        named.ok_or_else(|| format!("there are: {}", Self::ALL.map(Self::name).join(", ")))
+    }
 }
 
 impl Image {

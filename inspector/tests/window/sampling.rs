@@ -4,9 +4,10 @@ use eframe::egui::Pos2;
 use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Stereo, Viewing};
 use groundtruth::gallery;
+use groundtruth::lights::AmbientOccluder;
 use groundtruth::render;
-use groundtruth::samplers::{Jittered, Kind, Regular};
-use groundtruth::scene::Scene;
+use groundtruth::samplers::{Jittered, Kind, PathKey, Purpose, Regular};
+use groundtruth::scene::{Light, Scene};
 
 use crate::support::*;
 
@@ -160,18 +161,21 @@ fn the_lens_is_shown_where_there_is_one() {
     assert_drawn_as(&window, 1, 78.0, &places);
 }
 
-/// Law: the hemisphere is empty: no tracer draws samples of directions. Oracle: the library, in which
-/// no draw names that purpose.
+/// Law: a scene of point lights draws nothing for them; one with an area light draws a pair of numbers
+/// for each sample, shown where they lie in the square. Oracle: the library's draws.
 #[test]
-fn the_hemisphere_is_empty_as_nothing_uses_it() {
+fn the_light_is_shown_where_one_is_sampled() {
     let window = samples_of(sixteen(), ON_GLASS);
-    assert!(window.query_by_label("hemisphere, from above").is_some());
+    assert!(window.query_by_label("light").is_some());
     assert_eq!(window.state().selection.samples.on_screen(2, 0), None);
-    let source = |file: &str| {
-        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../src").join(file);
-        std::fs::read_to_string(path).expect("a source file")
-    };
-    for file in ["render.rs", "trace/mod.rs"] {
-        assert!(!source(file).contains("Purpose::Bounce"), "{file}");
-    }
+
+    let mut scene = sixteen();
+    scene.lights.push(Light::new("occluder", AmbientOccluder::default()));
+    let world = built(&scene);
+    let window = samples_of(scene, ON_GLASS);
+    let (path, light) = (PathKey::CAMERA, world.lights.last().expect("one is there").place);
+    let purpose = Purpose::Light { path, light, pair: 0 };
+    let draws = |i| world.draws(ON_GLASS, i).draw(purpose).map(|u| 2.0 * u - 1.0);
+    let places: Vec<_> = (0..16).map(draws).collect();
+    assert_drawn_as(&window, 2, 78.0, &places);
 }
