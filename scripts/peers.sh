@@ -1,5 +1,6 @@
 #!/bin/sh
-# Fetches Embree 4 from the Python package `embreex` and measures our meshes against it and others.
+# Fetches Embree 4 from the Python package `embreex` and measures our meshes against it and others;
+# `peers.sh occlusion` measures a whole picture of ambient occlusion.
 set -eu
 cd "$(dirname "$0")/.."
 folder=target/embree
@@ -9,4 +10,4 @@ if [ ! -d "$folder" ]; then
 fi
 EMBREE=$(ls "$PWD/$folder"/embreex.libs/libembree4*.so* | head -n 1)
 export EMBREE
-exec cargo run --release --manifest-path benches/peers/Cargo.toml
+exec cargo run --release --manifest-path benches/peers/Cargo.toml --bin "${1:-peers}"

@@ -54,9 +54,14 @@ pub fn disk_by_rejection(
 /// `φ = 2π u₁` (Suffern, ch. 7). `e ≥ 0` is any real number; 0 is uniform, 1 weighs by the cosine.
 pub fn hemisphere([u1, u2]: [f64; 2], e: f64) -> Vector {
     let phi = 2.0 * PI * u1;
-    let cos_theta = power(1.0 - u2, 1.0 / (e + 1.0));
-    // sin²θ = 1 − (1 − u₂)^(2/(e+1)), without the cancellation near the pole
-    let sin_theta = (-exp_m1(2.0 * ln_1p(-u2) / (e + 1.0))).sqrt();
+    let (cos_theta, sin_theta) = if e == 1.0 {
+        // by far the most frequent, and a quarter of the time
+        ((1.0 - u2).sqrt(), u2.sqrt())
+    } else {
+        // sin²θ = 1 − (1 − u₂)^(2/(e+1)), without the cancellation near the pole
+        let sin_squared = -exp_m1(2.0 * ln_1p(-u2) / (e + 1.0));
+        (power(1.0 - u2, 1.0 / (e + 1.0)), sin_squared.sqrt())
+    };
     Vector::new(sin_theta * cos(phi), sin_theta * sin(phi), cos_theta)
 }
 

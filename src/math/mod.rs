@@ -29,7 +29,7 @@ pub use functions::{
     power_of_two, sin, sin_degrees, tan, to_degrees, to_radians,
 };
 pub(crate) use quadrature::tanh_sinh;
-pub use random::{Pcg32, hash, splitmix};
+pub use random::{Pcg32, hash, hash_onto, splitmix};
 pub use ray::{Ray, Span};
 pub(crate) use roots::{Tolerance, bracketed_root};
 pub use roots::{circle_roots, perpendicular_roots, quadratic};

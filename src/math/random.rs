@@ -64,5 +64,10 @@ pub fn splitmix(x: u64) -> u64 {
 
 /// One well-mixed number from several; the order of the words matters.
 pub fn hash(words: &[u64]) -> u64 {
-    words.iter().fold(0, |h, &word| splitmix(splitmix(h) ^ word))
+    hash_onto(0, words)
+}
+
+/// The hash of all words, if `first` is that of those before these.
+pub fn hash_onto(first: u64, words: &[u64]) -> u64 {
+    words.iter().fold(first, |h, &word| splitmix(splitmix(h) ^ word))
 }

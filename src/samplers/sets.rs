@@ -1,7 +1,7 @@
 //! The book's 83 sets and shuffled indices, without its shared `count` and `jump`.
 
 use super::Sampler;
-use crate::math::{ONE_MINUS, Pcg32, hash};
+use crate::math::{ONE_MINUS, Pcg32, hash, hash_onto};
 
 /// As many sets as in the book: a prime.
 pub const SETS: usize = 83;
@@ -94,43 +94,46 @@ impl Purpose {
 #[derive(Clone, Copy, Debug)]
 pub struct Draws<'a> {
     sets: &'a SampleSets,
-    seed: u64,
-    pixel: [u32; 2],
+    pixel: u64,
     index: u32,
 }
 
 impl<'a> Draws<'a> {
     /// Sample `index` of this pixel.
     pub fn new(sets: &'a SampleSets, seed: u64, pixel: [u32; 2], index: u32) -> Self {
-        Self { sets, seed, pixel, index }
+        Self { sets, pixel: pixel_hash(seed, pixel), index }
     }
 
     /// Two numbers in `[0, 1)`.
     pub fn draw(&self, purpose: Purpose) -> [f64; 2] {
-        self.sets.draw(Key::new(self.seed, self.pixel, purpose), self.index)
+        self.sets.draw(Key { pixel: self.pixel, purpose }, self.index)
     }
 }
 
 /// Names a draw: it decides on the set and the permutation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key {
-    seed: u64,
-    pixel: [u32; 2],
+    /// The hash of seed and pixel, with which those of all their draws begin.
+    pixel: u64,
     purpose: Purpose,
 }
 
 impl Key {
     /// The draw for this purpose in this pixel.
     pub fn new(seed: u64, pixel: [u32; 2], purpose: Purpose) -> Self {
-        Self { seed, pixel, purpose }
+        Self { pixel: pixel_hash(seed, pixel), purpose }
     }
 
     /// A number for a run of this draw.
     fn hash(self, run: u32) -> u64 {
-        let [x, y] = self.pixel.map(u64::from);
         let [what, which] = self.purpose.words();
-        hash(&[self.seed, x << 32 | y, what, which, run.into()])
+        hash_onto(self.pixel, &[what, which, run.into()])
     }
+}
+
+fn pixel_hash(seed: u64, pixel: [u32; 2]) -> u64 {
+    let [x, y] = pixel.map(u64::from);
+    hash(&[seed, x << 32 | y])
 }
 
 impl SampleSets {
@@ -192,7 +195,10 @@ impl SampleSets {
         if self.centered && matches!(key.purpose, Purpose::Pixel | Purpose::Lens) {
             return [0.5; 2];
         }
-        let (run, place) = (index / self.per_set, (index % self.per_set) as usize);
+        let (run, place) = match index < self.per_set {
+            true => (0, index as usize), // without divisions, which take most of the time
+            false => (index / self.per_set, (index % self.per_set) as usize),
+        };
         let choice = key.hash(run);
         let n = self.per_set as usize;
         // the choice, written as digits to the bases 83, 83, n
@@ -200,7 +206,9 @@ impl SampleSets {
         let (permutation, rest) = ((rest % SETS as u64) as usize, rest / SETS as u64);
         let start = (rest % n as u64) as usize;
         let permutation = &self.permutations[permutation * n..][..n];
-        let sample = self.samples[set * n + permutation[(start + place) % n] as usize];
+        let along = start + place;
+        let along = if along < n { along } else { along - n };
+        let sample = self.samples[set * n + permutation[along] as usize];
         if self.shifted { shifted(sample, choice) } else { sample }
     }
 }

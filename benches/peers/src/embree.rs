@@ -41,6 +41,17 @@ pub struct Scene {
     _library: Library,
     scene: Handle,
     intersect: Intersect,
+    occluded: Intersect,
+}
+
+// SAFETY: a built scene may be asked by many threads at once, says Embree's manual
+unsafe impl Sync for Scene {}
+
+/// The first hit of a ray.
+pub struct Hit {
+    pub t: f64,
+    /// Perpendicular to the triangle, of any length.
+    pub normal: [f32; 3],
 }
 
 impl Scene {
@@ -69,6 +80,7 @@ impl Scene {
             let commit_scene: Symbol<unsafe extern "C" fn(Handle)> =
                 library.get(b"rtcCommitScene").ok()?;
             let intersect: Intersect = *library.get(b"rtcIntersect1").ok()?;
+            let occluded: Intersect = *library.get(b"rtcOccluded1").ok()?;
 
             let device = new_device(null());
             let scene = new_scene(device);
@@ -85,13 +97,31 @@ impl Scene {
             commit_geometry(geometry);
             attach(scene, geometry);
             commit_scene(scene);
-            Some(Self { scene, intersect, _library: library })
+            Some(Self { scene, intersect, occluded, _library: library })
         }
     }
 
-    /// The distance of the first hit.
-    pub fn hit(&self, ray: &Ray) -> Option<f64> {
-        let mut ray = RayHit {
+    /// The first hit.
+    pub fn hit(&self, ray: &Ray) -> Option<Hit> {
+        let mut ray = RayHit::new(ray);
+        // SAFETY: the scene is built, and the ray is laid out as the library expects
+        unsafe { (self.intersect)(self.scene, &mut ray, null_mut()) };
+        let hit = Hit { t: f64::from(ray.far), normal: ray.normal };
+        (ray.geometry != NOTHING).then_some(hit)
+    }
+
+    /// Whether there is any hit.
+    pub fn is_occluded(&self, ray: &Ray) -> bool {
+        let mut ray = RayHit::new(ray);
+        // SAFETY: as above; of an occluded ray the far end is set to −∞
+        unsafe { (self.occluded)(self.scene, &mut ray, null_mut()) };
+        ray.far < 0.0
+    }
+}
+
+impl RayHit {
+    fn new(ray: &Ray) -> Self {
+        Self {
             origin: ray.origin.to_array().map(|x| x as f32),
             near: 0.0,
             direction: ray.direction.to_array().map(|x| x as f32),
@@ -106,9 +136,6 @@ impl Scene {
             geometry: NOTHING,
             instance: [NOTHING; 2],
             room: [0; 11],
-        };
-        // SAFETY: the scene is built, and the ray is laid out as the library expects
-        unsafe { (self.intersect)(self.scene, &mut ray, null_mut()) };
-        (ray.geometry != NOTHING).then_some(f64::from(ray.far))
+        }
     }
 }

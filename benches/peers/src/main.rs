@@ -54,7 +54,7 @@ fn embree(vertices: &[Point], triangles: &[[u32; 3]], robust: bool) -> Option<Pe
     let (built, scene) = timed(|| embree::Scene::new(vertices, triangles, robust));
     let scene = scene?;
     let name = if robust { "Embree 4, robust" } else { "Embree 4" }.to_owned();
-    Some(Peer { name, built, hit: Box::new(move |ray| scene.hit(ray)) })
+    Some(Peer { name, built, hit: Box::new(move |ray| Some(scene.hit(ray)?.t)) })
 }
 
 fn parry(vertices: &[Point], triangles: &[[u32; 3]]) -> Peer {
