@@ -19,9 +19,9 @@ silent=$(count "$target/$example" silent)
 cp "$target/$example" "$copy/with"
 
 git archive HEAD | tar -x -C "$copy"
-perl -0pi -e 's/^\s*(self\.)?recorder\.(enter|outcome|term|leave)\([^;]*\);\n//mg' \
+perl -0pi -e 's/^\s*(self\.)?recorder\.(enter|outcome|draw|term|leave)\([^;]*\);\n//mg' \
     "$copy/src/trace/mod.rs"
-if grep -n 'recorder\.\(enter\|outcome\|term\|leave\)' "$copy/src/trace/mod.rs"; then
+if grep -n 'recorder\.\(enter\|outcome\|draw\|term\|leave\)' "$copy/src/trace/mod.rs"; then
     echo "these calls were not cut out" >&2
     exit 1
 fi

@@ -81,6 +81,9 @@ fn hit_fields(hit: &HitExplanation) -> Vec<(&'static str, String)> {
         ("angle of incidence", format!("{:?}°", hit.angle_of_incidence)),
     ]);
     fields.extend(hit.optics.as_ref().map_or(Vec::new(), optics_fields));
+    if hit.is_switched_off {
+        fields.push(("shines", "no: its area light is switched off".to_owned()));
+    }
     fields
 }
 

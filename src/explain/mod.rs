@@ -138,6 +138,9 @@ pub struct HitExplanation {
     /// How light divides there, if the surface refracts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub optics: Option<Optics>,
+    /// Whether it is the lamp of an area light that is off, and so does not shine.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub is_switched_off: bool,
 }
 
 /// One term of what leaves a surface: `weight · arriving`.
@@ -294,6 +297,7 @@ impl Explaining<'_> {
             front: hit.front,
             angle_of_incidence: hit.angle_of_incidence,
             optics: hit.optics,
+            is_switched_off: !hit.shines,
         }
     }
 

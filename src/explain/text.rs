@@ -101,6 +101,9 @@ impl HitExplanation {
             lines.push(format!("shading normal {:?}", self.shading_normal));
         }
         lines.extend(self.optics.as_ref().map(Optics::to_string));
+        if self.is_switched_off {
+            lines.push("does not shine: its area light is switched off".to_owned());
+        }
         lines
     }
 }

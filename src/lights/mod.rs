@@ -1,7 +1,8 @@
 //! Lights: where light comes from, and how much (Suffern, ch. 14, 16–18).
 //!
 //! A light answers with data; it never casts a ray. Whether something stands in the way is for
-//! `trace` to find out. A light that has an extent draws one point or direction for a sample; the
+//! `trace` to find out: the book's `in_shadow` is there. Its `G` and `pdf` are one number here, the
+//! density per steradian, and its shared sample point is a value that is handed over. A light that has an extent draws one point or direction for a sample; the
 //! mean over many samples is the light of all of it.
 
 mod ambient;
@@ -27,7 +28,8 @@ pub use context::{Context, LampObject};
 
 /// A source of light. Contract: `tests/contracts/light.rs`.
 pub trait Light: Debug + Send + Sync {
-    /// How many pairs of random numbers a sample needs: 0 for a single direction.
+    /// How many pairs of random numbers a sample needs, at most [`MOST_DRAWS`]: 0 for a single
+    /// direction.
     fn draws(&self) -> usize {
         0
     }
@@ -52,6 +54,9 @@ pub trait Light: Debug + Send + Sync {
         0.0
     }
 }
+
+/// The most pairs of random numbers that a light may draw; one more panics.
+pub const MOST_DRAWS: usize = 4;
 
 /// What a light meets at a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -89,8 +89,8 @@ pub struct Image {
     /// it. 16 gives smooth edges.
     #[serde(default = "one_sample")]
     pub samples: u32,
-    /// How they are spread. If left out: regular for one sample, else multi-jittered, as in the
-    /// book.
+    /// How they are spread. If left out: multi-jittered, as in the book; but a single sample lies in the
+    /// middle of pixel and lens.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sampler: Option<samplers::Kind>,
     /// How what lies around a pixel's centre counts; the box if left out.

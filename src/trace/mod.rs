@@ -1,8 +1,8 @@
 //! The one recursion: from a ray to the radiance that arrives along it (Suffern, ch. 3, 14, 24).
 //!
 //! Lights and lobes answer "from where, how much?" and never trace; only this module casts rays, so
-//! each one passes `Tracing::cast` and is heard by the recorder. The book's tracers are settings
-//! of it, and its `Material::shade` is `Tracing::shade`.
+//! each one passes `Tracing::cast` and is heard by the recorder. The book's tracers are values of
+//! one [`Strategy`], and its `Material::shade` and `area_light_shade` are `Tracing::shade`.
 //!
 //! Law: what arrives along a ray is `T · Σ terms`, the terms in the order in which the recorder
 //! hears them, each one local or `weight · L(child)`, and `T` the transmittance of the medium.
@@ -15,7 +15,7 @@ mod tree;
 
 use arrayvec::ArrayVec;
 
-use crate::lights::{LightContext, LightSample, Meets, Segment};
+use crate::lights::{LightContext, LightSample, MOST_DRAWS, Meets, Segment};
 use crate::lobes::{Bsdf, BsdfSample, Lit, Lobe, MOST_LOBES};
 use crate::materials::Response;
 use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF, Vector};
@@ -147,8 +147,6 @@ impl<R: Recorder> Tracing<'_, R> {
         point: &ShadingPoint<'_>,
         light: &PlacedLight,
     ) -> Option<LightSample> {
-        /// More than any light draws.
-        const MOST_DRAWS: usize = 4;
         let from = LightContext { point: point.hit.surface.point, normal: point.normals.shading };
         let mut u = ArrayVec::<[f64; 2], MOST_DRAWS>::new();
         for pair in 0..light.light.draws() as u32 {

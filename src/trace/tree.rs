@@ -71,6 +71,8 @@ pub struct RecordedHit {
     pub angle_of_incidence: f64,
     /// How light divides there, if the surface refracts.
     pub optics: Option<Optics>,
+    /// Whether the object may shine: not while it is the lamp of a light that is off.
+    pub shines: bool,
 }
 
 impl RecordedHit {
@@ -90,6 +92,7 @@ impl RecordedHit {
             front: hit.front,
             angle_of_incidence: to_degrees(atan2(across, along)),
             optics: None,
+            shines: hit.object.shines,
         }
     }
 }
