@@ -322,6 +322,7 @@ fn placed_lights(
     unique("lights", scene.lights.iter().map(|light| light.name.as_str()))?;
     let mut context = lights_context(scene, materials, objects);
     let mut lamps: BTreeMap<String, &str> = BTreeMap::new();
+    let mut sky: Option<&str> = None;
     let mut lights = Vec::new();
     for (index, light) in scene.lights.iter().enumerate() {
         let here = |e: Invalid| item("lights", index, &light.name)(e.inside("source"));
@@ -334,6 +335,10 @@ fn placed_lights(
             for object in objects.iter_mut().filter(|object| object.name == name) {
                 object.shines = light.enabled;
             }
+        }
+        if built.is_sky() && let Some(other) = sky.replace(&light.name) {
+            let problem = format!("the background is the light \"{other}\" already");
+            return Err(here(Invalid::field("environment", problem)));
         }
         if light.enabled {
             let (name, place, shadows) = (light.name.clone(), index as u32, light.shadows);

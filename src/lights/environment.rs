@@ -48,6 +48,10 @@ impl Specification for Environment {
 }
 
 impl Light for Sky {
+    fn is_sky(&self) -> bool {
+        true
+    }
+
     fn draws(&self) -> usize {
         1
     }

@@ -44,6 +44,11 @@ pub trait Light: Debug + Send + Sync {
         None
     }
 
+    /// Whether it is what rays see that hit nothing.
+    fn is_sky(&self) -> bool {
+        false
+    }
+
     /// Light that may arrive at a surface, for [`Light::draws`] pairs of numbers in `[0, 1)`; `None` if
     /// none does.
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample>;
