@@ -93,6 +93,8 @@ pub struct PlacedObject {
     casts_shadows: bool,
     /// Whether it sends out the light of its material: not while its area light is off.
     pub(crate) shines: bool,
+    /// The area light whose lamp it is, by its index among those that are on.
+    pub(crate) lamp_of: Option<u32>,
     shape: Arc<dyn Shape>,
     bounds: Aabb,
 }
@@ -150,11 +152,11 @@ impl World {
         let filter = scene.image.filter.build(&mut ());
         let filter = filter.map_err(|e| e.inside("filter").inside("image"))?;
         scene.background.check()?;
-        if let Tracer::Whitted(whitted) = scene.tracer
-            && whitted.max_depth > DEEPEST
-        {
-            let problem = format!("found {}, but at most {DEEPEST} fits", whitted.max_depth);
-            return Err(Invalid::field("max_depth", problem).inside("whitted").inside("tracer"));
+        let mut tracer = scene.tracer;
+        if let Some(max_depth) = tracer.max_depth().filter(|max_depth| **max_depth > DEEPEST) {
+            let problem = format!("found {max_depth}, but at most {DEEPEST} fits");
+            let name = tracer.name();
+            return Err(Invalid::field("max_depth", problem).inside(name).inside("tracer"));
         }
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
@@ -183,6 +185,11 @@ impl World {
     pub fn reseed(&mut self, seed: u64) {
         self.seed = seed;
         self.samples = samples(&self.image, seed).expect("the image was checked");
+    }
+
+    /// The light that is the background, if one is and is on.
+    pub fn sky(&self) -> Option<&PlacedLight> {
+        self.lights.iter().find(|light| light.light.is_sky())
     }
 
     /// The draws of a sample of a pixel.
@@ -239,6 +246,9 @@ impl World {
             Tracer::Whitted(whitted) if opaque => samples * f64::from(whitted.max_depth + 1),
             Tracer::Whitted(whitted) => {
                 samples * crate::math::power(2.0, f64::from(whitted.max_depth + 1))
+            }
+            Tracer::PathTrace(it) | Tracer::GlobalTrace(it) | Tracer::Path(it) => {
+                samples * f64::from(it.max_depth + 1)
             }
         }
     }
@@ -334,9 +344,12 @@ fn placed_lights(
             }
             for object in objects.iter_mut().filter(|object| object.name == name) {
                 object.shines = light.enabled;
+                object.lamp_of = light.enabled.then_some(lights.len() as u32);
             }
         }
-        if built.is_sky() && let Some(other) = sky.replace(&light.name) {
+        if built.is_sky()
+            && let Some(other) = sky.replace(&light.name)
+        {
             let problem = format!("the background is the light \"{other}\" already");
             return Err(here(Invalid::field("environment", problem)));
         }
@@ -411,6 +424,7 @@ fn placed_objects(
             material: material.place,
             casts_shadows: object.casts_shadows && made_of.iter().any(|part| part.casts_shadows),
             shines: true,
+            lamp_of: None,
             bounds: shape.bounds(),
             shape,
         });

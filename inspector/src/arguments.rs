@@ -23,7 +23,8 @@ pub struct Arguments {
     /// Samples for each pixel
     #[arg(long, value_name = "N")]
     pub samples: Option<u32>,
-    /// How light is followed, instead of as the scene says: ray_cast or whitted
+    /// How light is followed, instead of as the scene says: ray_cast, whitted,
+    /// path_trace, global_trace or path
     #[arg(long, value_name = "NAME")]
     pub tracer: Option<Tracer>,
     /// The largest number of edges from the camera's ray to one that is still cast

@@ -22,7 +22,8 @@ pub struct SceneArguments {
     /// Samples for each pixel
     #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
-    /// How light is followed, instead of as the scene says: ray_cast or whitted
+    /// How light is followed, instead of as the scene says: ray_cast, whitted,
+    /// path_trace, global_trace or path
     #[arg(long, value_name = "NAME")]
     tracer: Option<Tracer>,
     /// The largest number of edges from the camera's ray to one that is still cast

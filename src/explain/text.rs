@@ -147,11 +147,14 @@ impl TermExplanation {
     /// What is multiplied to get it: `(0.8, 0.4, 0.1) / π × cos θ 0.5 × 2 along ray 3`.
     pub fn factors(&self) -> String {
         let mut text = match &self.source {
-            TermSource::Direct { lobe, f, cos_i, pdf, .. } => {
+            TermSource::Direct { lobe, f, cos_i, pdf, mis, .. } => {
                 let mut text = value_of(lobe, *f);
                 let _ = write!(text, " × cos θ {}", brief(*cos_i));
                 if let Some(pdf) = pdf {
                     let _ = write!(text, " / pdf {}", brief(*pdf));
+                }
+                if let Some(mis) = mis {
+                    let _ = write!(text, " × MIS {}", brief(*mis));
                 }
                 text
             }

@@ -36,6 +36,24 @@ impl Normals {
     }
 }
 
+/// Which lobes lights' samples meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// Those for which no ray is traced.
+    Lit,
+    /// All that are no single direction.
+    Spread,
+}
+
+impl Which {
+    fn has(self, lobe: &Lobe) -> bool {
+        match self {
+            Self::Lit => lobe.is_lit(),
+            Self::Spread => !lobe.is_specular(),
+        }
+    }
+}
+
 /// What a lobe makes of light from a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lit {
@@ -71,9 +89,34 @@ impl<'a> Bsdf<'a> {
         self.lobes
     }
 
-    /// Whether any lobe may take light from a light's sample.
-    pub fn is_lit(&self) -> bool {
-        self.is_outward(self.wo) && self.lobes.iter().any(|(lobe, _)| lobe.is_lit())
+    /// Whether any of these lobes may take light from a light's sample.
+    pub fn is_lit(&self, which: Which) -> bool {
+        self.is_outward(self.wo) && self.lobes.iter().any(|(lobe, _)| which.has(lobe))
+    }
+
+    /// With which probability a path takes each lobe.
+    pub fn chances(&self) -> ArrayVec<f64, MOST_LOBES> {
+        let chance =
+            |(lobe, kind): &(Lobe, NormalKind)| lobe.chance(self.frame(*kind).to_local(self.wo));
+        let mut chances: ArrayVec<f64, MOST_LOBES> = self.lobes.iter().map(chance).collect();
+        let sum: f64 = chances.iter().sum();
+        if sum > 0.0 {
+            chances.iter_mut().for_each(|chance| *chance /= sum);
+        }
+        chances
+    }
+
+    /// The density with which a path goes on in a direction, per steradian, whatever lobe it takes; that
+    /// of a single direction is left out.
+    pub fn pdf(&self, wi: Vector) -> f64 {
+        if !(self.is_outward(self.wo) && self.is_outward(wi)) {
+            return 0.0;
+        }
+        let density = |((lobe, kind), chance): (&(Lobe, NormalKind), f64)| {
+            let frame = self.frame(*kind);
+            chance * lobe.pdf(frame.to_local(self.wo), frame.to_local(wi))
+        };
+        self.lobes.iter().zip(self.chances()).map(density).sum()
     }
 
     /// Whether a direction leads to the side of the true surface that the normal points to.
@@ -88,18 +131,18 @@ impl<'a> Bsdf<'a> {
         }
     }
 
-    /// What each lit lobe makes of light from the unit direction `wi`; those that make nothing of it
+    /// What each of these lobes makes of light from the unit direction `wi`; those that make nothing of it
     /// are left out.
     ///
     /// A viewer below the true surface gets nothing. One above it does, also where an interpolated
     /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on which
     /// side of that normal the viewer is.
-    pub fn lit(&self, wi: Vector) -> ArrayVec<Lit, MOST_LOBES> {
+    pub fn lit(&self, which: Which, wi: Vector) -> ArrayVec<Lit, MOST_LOBES> {
         let mut lit = ArrayVec::new();
         if !self.is_outward(self.wo) {
             return lit;
         }
-        for (lobe, kind) in self.lobes.iter().filter(|(lobe, _)| lobe.is_lit()) {
+        for (lobe, kind) in self.lobes.iter().filter(|(lobe, _)| which.has(lobe)) {
             let frame = self.frame(*kind);
             let [wo, wi] = [self.wo, wi].map(|w| frame.to_local(w));
             let cos_i = wi.z();
@@ -112,6 +155,12 @@ impl<'a> Bsdf<'a> {
             }
         }
         lit
+    }
+
+    /// For a lobe that refracts: the index of refraction behind the surface over the one in front; 1 for
+    /// others.
+    pub fn relative_eta(&self, lobe: &Lobe, kind: NormalKind) -> f64 {
+        lobe.relative_eta(self.frame(kind).to_local(self.wo)).unwrap_or(1.0)
     }
 
     /// A direction drawn by one of the lobes; `None` where it scatters nothing.

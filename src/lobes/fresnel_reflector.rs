@@ -23,6 +23,10 @@ impl Scatter for FresnelReflector {
         positive("eta", self.eta).map(drop)
     }
 
+    fn chance(&self, wo: Vector) -> f64 {
+        fresnel(wo.z().abs(), relative(self.eta, wo)).reflected
+    }
+
     fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
         let reflected = fresnel(wo.z().abs(), relative(self.eta, wo)).reflected;
         let weight = Rgb::grey(reflected);

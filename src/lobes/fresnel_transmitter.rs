@@ -24,6 +24,10 @@ impl Scatter for FresnelTransmitter {
         positive("eta", self.eta).map(drop)
     }
 
+    fn chance(&self, wo: Vector) -> f64 {
+        fresnel(wo.z().abs(), relative(self.eta, wo)).transmitted
+    }
+
     fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
         let eta = relative(self.eta, wo);
         let wi = refract(wo, normal_towards(wo), eta)?;

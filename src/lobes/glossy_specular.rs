@@ -47,6 +47,11 @@ impl Scatter for GlossySpecular {
         (self.exponent + 1.0) / (2.0 * PI) * power(cosine, self.exponent)
     }
 
+    fn chance(&self, _: Vector) -> f64 {
+        // its albedo for a viewer straight above, at most the reflectance
+        self.reflectance.average() * (2.0 * PI / (self.exponent + 2.0)).min(1.0)
+    }
+
     fn sample(&self, wo: Vector, u: [f64; 2]) -> Option<LobeSample> {
         let r = Normal::new(mirrored(wo))?;
         let wi = Frame::around(r).to_world(maps::hemisphere(u, self.exponent));

@@ -33,6 +33,10 @@ impl Scatter for Lambertian {
         wi.z() / PI
     }
 
+    fn chance(&self, _: Vector) -> f64 {
+        self.reflectance.average()
+    }
+
     /// Cosine-distributed, so that the weight is the albedo for every sample.
     fn sample(&self, wo: Vector, u: [f64; 2]) -> Option<LobeSample> {
         let wi = maps::hemisphere(u, 1.0);

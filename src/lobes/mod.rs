@@ -23,7 +23,7 @@ use crate::math::{Normal, Vector};
 use crate::rgb::Rgb;
 use crate::samplers::Branch;
 
-pub use bsdf::{Bsdf, BsdfSample, Lit, Normals};
+pub use bsdf::{Bsdf, BsdfSample, Lit, Normals, Which};
 pub use fresnel::{Fresnel, Polarised, fresnel, polarised};
 pub use refract::refract;
 
@@ -70,6 +70,9 @@ trait Scatter {
     fn density(&self, _wo: Vector, _wi: Vector) -> f64 {
         0.0
     }
+
+    /// See [`Lobe::chance`].
+    fn chance(&self, wo: Vector) -> f64;
 
     /// See [`Lobe::sample`].
     fn sample(&self, wo: Vector, u: [f64; 2]) -> Option<LobeSample>;
@@ -132,6 +135,12 @@ macro_rules! lobes {
 
             fn density(&self, wo: Vector, wi: Vector) -> f64 {
                 match self { $(Self::$Lobe(lobe) => lobe.density(wo, wi)),* }
+            }
+
+            /// How often a path takes this lobe, in proportion to the others: about the share of light
+            /// that it sends on, cheaply, and not 0 where it sends any.
+            pub fn chance(&self, wo: Vector) -> f64 {
+                match self { $(Self::$Lobe(lobe) => lobe.chance(wo)),* }
             }
 
             /// A direction for two numbers in `[0, 1)`; `None` where nothing is scattered.

@@ -26,6 +26,10 @@ impl Scatter for PerfectSpecular {
         self.reflectance.checked("reflectance").map(drop)
     }
 
+    fn chance(&self, _: Vector) -> f64 {
+        self.reflectance.average()
+    }
+
     fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
         Some(LobeSample { wi: mirrored(wo), weight: self.reflectance, pdf: None })
     }

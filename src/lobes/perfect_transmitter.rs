@@ -38,6 +38,11 @@ impl Scatter for PerfectTransmitter {
         positive("eta", self.eta).map(drop)
     }
 
+    fn chance(&self, wo: Vector) -> f64 {
+        let passes = !self.reflects_totally(wo.z());
+        if passes { self.transmittance } else { 0.0 }
+    }
+
     fn sample(&self, wo: Vector, _: [f64; 2]) -> Option<LobeSample> {
         let eta = relative(self.eta, wo);
         let wi = refract(wo, normal_towards(wo), eta)?;

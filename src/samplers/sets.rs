@@ -67,6 +67,11 @@ pub enum Purpose {
         /// Which of the pairs of numbers that the light needs.
         pair: u32,
     },
+    /// Which lobe a path takes; and whether it goes on at all.
+    Lobe {
+        /// The path so far.
+        path: PathKey,
+    },
     /// The direction in which a path goes on.
     Direction {
         /// The path so far.
@@ -86,6 +91,7 @@ impl Purpose {
                 [3, hash(&[path.0, u64::from(light) << 32 | u64::from(pair)])]
             }
             Self::Direction { path, branch } => [4, hash(&[path.0, branch as u64])],
+            Self::Lobe { path } => [5, hash(&[path.0])],
         }
     }
 }

@@ -62,6 +62,24 @@ pub enum Tracer {
     RayCast,
     /// Mirrors and glass are followed (chapter 24).
     Whitted(Whitted),
+    /// Paths that end on what shines, lights never sampled (chapter 26): light bounces between all
+    /// surfaces. It sees emissive surfaces and the background, no point, directional or spot lights.
+    PathTrace(Depth),
+    /// Paths whose direct light is sampled at the first hit (chapter 26).
+    GlobalTrace(Depth),
+    /// Paths whose lights are sampled at every hit and met as well, each weighted by how likely the
+    /// other was, and ended by chance where they carry little. Not in the book: the one to choose.
+    Path(Depth),
+}
+
+/// The setting of the path tracers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(example = Depth { max_depth: 8 })]
+pub struct Depth {
+    /// The largest number of edges from the camera's ray to a ray that is still cast; what lies
+    /// beyond is black. From 0 to 128; 10 is enough for most rooms.
+    pub max_depth: u32,
 }
 
 /// The setting of the Whitted tracer.
@@ -167,13 +185,22 @@ pub struct Object {
 
 impl Tracer {
     /// Every tracer, with a depth that is enough for most scenes.
-    pub const ALL: [Self; 2] = [Self::RayCast, Self::Whitted(Whitted { max_depth: 5 })];
+    pub const ALL: [Self; 5] = [
+        Self::RayCast,
+        Self::Whitted(Whitted { max_depth: 5 }),
+        Self::PathTrace(Depth { max_depth: 10 }),
+        Self::GlobalTrace(Depth { max_depth: 10 }),
+        Self::Path(Depth { max_depth: 10 }),
+    ];
 
     /// What scene files call it.
     pub fn name(self) -> &'static str {
         match self {
             Self::RayCast => "ray_cast",
             Self::Whitted(_) => "whitted",
+            Self::PathTrace(_) => "path_trace",
+            Self::GlobalTrace(_) => "global_trace",
+            Self::Path(_) => "path",
         }
     }
 
@@ -182,6 +209,9 @@ impl Tracer {
         match self {
             Self::RayCast => None,
             Self::Whitted(whitted) => Some(&mut whitted.max_depth),
+            Self::PathTrace(depth) | Self::GlobalTrace(depth) | Self::Path(depth) => {
+                Some(&mut depth.max_depth)
+            }
         }
     }
 

@@ -93,6 +93,10 @@ pub enum TermSource<Name = u32> {
         /// is `f cosθ_i`.
         #[serde(skip_serializing_if = "Option::is_none")]
         pdf: Option<f64>,
+        /// The share that meeting the light by a scattered ray leaves, if that is tried as well; the
+        /// weight has it as a factor.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        mis: Option<f64>,
         /// Whether the shadow ray before it says what arrives.
         traced: bool,
     },
@@ -152,8 +156,8 @@ impl<Name> TermSource<Name> {
             Self::Background => TermSource::Background,
             Self::Emission => TermSource::Emission,
             Self::Ambient { light, traced } => TermSource::Ambient { light: name(light), traced },
-            Self::Direct { light, lobe, f, cos_i, pdf, traced } => {
-                TermSource::Direct { light: name(light), lobe, f, cos_i, pdf, traced }
+            Self::Direct { light, lobe, f, cos_i, pdf, mis, traced } => {
+                TermSource::Direct { light: name(light), lobe, f, cos_i, pdf, mis, traced }
             }
             Self::Traced { lobe } => TermSource::Traced { lobe },
             Self::Light { light } => TermSource::Light { light: name(light) },

@@ -5,29 +5,89 @@ use crate::scene::Tracer;
 /// How light is followed: every tracer of the book is a value of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strategy {
+    /// At which hits lights are sampled.
+    pub direct: Direct,
     /// What is followed from a hit.
     pub scatter: Scatter,
+    /// What a lamp counts that a ray meets, if its light was sampled where the ray starts.
+    pub lamps: Lamps,
     /// A ray is cast if at most so many edges are before it.
     pub max_depth: u32,
 }
 
-/// What is followed from a hit. Lights are sampled at every hit.
+/// At which hits lights are sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direct {
+    /// At every hit, as a term of shading.
+    Shading,
+    /// At the first hit of a path.
+    FirstHit,
+    /// At every hit of a path, unless its edge to the light would be too deep.
+    EveryHit,
+    /// Nowhere.
+    Never,
+}
+
+/// What is followed from a hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scatter {
     /// Nothing.
     Nothing,
     /// Each lobe that lights' samples do not meet: a tree.
     TracedLobes,
+    /// One of all lobes: a path.
+    OneLobe,
+    /// The same, and a path that carries little may end by chance (Russian roulette).
+    OneLobeOrNone,
+}
+
+/// What a lamp counts that a ray meets, if its light was sampled at the hit from which the ray comes,
+/// and the ray is not a single direction, which that sample could not find.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lamps {
+    /// All: the two never meet the same lobe.
+    Full,
+    /// Nothing: the sample stands for it.
+    Nothing,
+    /// The share that its sample leaves (multiple importance sampling, Veach 1997).
+    Weighted,
 }
 
 impl Strategy {
     /// What the tracer of a scene does.
     pub fn of(tracer: Tracer) -> Self {
+        let tree = |scatter, max_depth| Self {
+            direct: Direct::Shading,
+            scatter,
+            lamps: Lamps::Full,
+            max_depth,
+        };
+        let path =
+            |direct, lamps, max_depth| Self { direct, scatter: Scatter::OneLobe, lamps, max_depth };
         match tracer {
-            Tracer::RayCast => Self { scatter: Scatter::Nothing, max_depth: 0 },
-            Tracer::Whitted(whitted) => {
-                Self { scatter: Scatter::TracedLobes, max_depth: whitted.max_depth }
-            }
+            Tracer::RayCast => tree(Scatter::Nothing, 0),
+            Tracer::Whitted(it) => tree(Scatter::TracedLobes, it.max_depth),
+            Tracer::PathTrace(it) => path(Direct::Never, Lamps::Full, it.max_depth),
+            Tracer::GlobalTrace(it) => path(Direct::FirstHit, Lamps::Nothing, it.max_depth),
+            Tracer::Path(it) => Self {
+                scatter: Scatter::OneLobeOrNone,
+                ..path(Direct::EveryHit, Lamps::Weighted, it.max_depth)
+            },
+        }
+    }
+
+    /// Whether one lobe is followed, so that the samples of a pixel are paths.
+    pub fn is_path(self) -> bool {
+        matches!(self.scatter, Scatter::OneLobe | Scatter::OneLobeOrNone)
+    }
+
+    /// Whether lights are sampled at a hit of this depth.
+    pub fn samples_lights(self, depth: u32) -> bool {
+        match self.direct {
+            Direct::Shading => true,
+            Direct::FirstHit => depth == 0 && depth < self.max_depth,
+            Direct::EveryHit => depth < self.max_depth,
+            Direct::Never => false,
         }
     }
 }
