@@ -273,6 +273,9 @@ impl Selection {
             ui.separator();
             pixel::copies(ui, rendering, answer.pixel, self.sample.min(last));
         });
+        for note in &answer.left_out {
+            ui.weak(note);
+        }
         pixel::sum(ui, answer, rendered(rendering, answer.pixel));
         if answer.samples_per_pixel > 1 {
             pixel::samples(ui, answer, tone, &mut self.order, &mut self.sample);

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use groundtruth::film::{self, Tone};
 use groundtruth::render::{self, Canvas};
+use groundtruth::trace;
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -63,6 +64,7 @@ impl Render {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
             None => Canvas::new(&world),
         });
+        trace::left_out(&world).iter().for_each(|note| eprintln!("note: {note}"));
         if world.most_rays() > MANY_RAYS {
             eprintln!("note: this may take up to {:.0e} rays", world.most_rays());
         }

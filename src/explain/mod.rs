@@ -13,7 +13,7 @@ use crate::render::{self, CameraSample};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
 use crate::shapes::PartPath;
-use crate::trace::{Optics, Outcome, RayKind, RayTree, RecordedHit, TermSource};
+use crate::trace::{self, Optics, Outcome, RayKind, RayTree, RecordedHit, TermSource};
 use crate::world::World;
 
 pub use outline::{Outline, Row};
@@ -24,6 +24,9 @@ pub use text::{brief, count, percent, short};
 pub struct PixelExplanation {
     /// x right and y down from the top left, from 0.
     pub pixel: [u32; 2],
+    /// What the tracer leaves out, a sentence each.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<String>,
     /// How many samples the pixel has.
     pub samples_per_pixel: u32,
     /// Multiplies the mean of the samples.
@@ -177,6 +180,7 @@ pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -
     };
     PixelExplanation {
         pixel,
+        left_out: trace::left_out(world),
         samples_per_pixel: count,
         exposure_time: world.view.exposure_time,
         samples,

@@ -18,6 +18,7 @@ mod ch21;
 mod ch22;
 mod ch23;
 mod ch24;
+mod ch26;
 mod ch27;
 mod ch28;
 
@@ -55,6 +56,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch22::SCENES,
         ch23::SCENES,
         ch24::SCENES,
+        ch26::SCENES,
         ch27::SCENES,
         ch28::SCENES,
     ]

@@ -1,6 +1,8 @@
 //! The book's tracers as values.
 
+use crate::lights::{Light, Meets};
 use crate::scene::Tracer;
+use crate::world::World;
 
 /// How light is followed: every tracer of the book is a value of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,6 +83,19 @@ impl Strategy {
         matches!(self.scatter, Scatter::OneLobe | Scatter::OneLobeOrNone)
     }
 
+    /// Whether light of this kind never arrives, in words.
+    fn leaves_out(self, light: &dyn Light) -> Option<&'static str> {
+        if !self.is_path() {
+            None
+        } else if light.meets() == Meets::Ambient {
+            Some("ambient light stands for what paths find by themselves")
+        } else if self.direct == Direct::Never && light.object().is_none() && !light.is_sky() {
+            Some("no path can meet it, as it has no surface; `path` and `global_trace` sample it")
+        } else {
+            None
+        }
+    }
+
     /// Whether lights are sampled at a hit of this depth.
     pub fn samples_lights(self, depth: u32) -> bool {
         match self.direct {
@@ -90,4 +105,14 @@ impl Strategy {
             Direct::Never => false,
         }
     }
+}
+
+/// What a person should know of lights that the world's tracer leaves out, a sentence each.
+pub fn left_out(world: &World) -> Vec<String> {
+    let strategy = Strategy::of(world.tracer);
+    let of = |light: &crate::world::PlacedLight| {
+        let why = strategy.leaves_out(&*light.light)?;
+        Some(format!("{} leaves out the light \"{}\": {why}", world.tracer.name(), light.name))
+    };
+    world.lights.iter().filter_map(of).collect()
 }

@@ -31,6 +31,7 @@ mod ch21;
 mod ch22;
 mod ch23;
 mod ch24;
+mod ch26;
 mod ch27;
 mod ch28;
 mod ch30;

@@ -1,0 +1,180 @@
+//! Global illumination (Suffern, ch. 26): paths, and what they agree on.
+
+use groundtruth::gallery;
+use groundtruth::lights::{Ambient, Area};
+use groundtruth::materials::{Emissive, Matte};
+use groundtruth::math::{Pcg32, Point, Vector, power};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Scene, Tracer};
+use groundtruth::shapes::{Disk, Plane, Sphere};
+use groundtruth::trace::{TermSource, left_out};
+use groundtruth::verify::means;
+use groundtruth::verify::significance::sidak;
+
+use crate::ch14::stage::{built, counted, look, put, recorded, shine, stage};
+
+/// The chance that a law of means of this file is called broken if it holds, had the seeds been drawn
+/// anew.
+const LEVEL: f64 = 1e-3;
+/// Laws of means, times the pixels that each looks at.
+const TESTS: usize = 60;
+
+const REPLICAS: u64 = 24;
+
+fn tracers(max_depth: u32) -> [Tracer; 3] {
+    let depth = Depth { max_depth };
+    [Tracer::PathTrace(depth), Tracer::GlobalTrace(depth), Tracer::Path(depth)]
+}
+
+/// A white ball on a red floor under a disk lamp, in a dim sky.
+fn room() -> Scene {
+    let mut scene = stage(Rgb::new(0.1, 0.2, 0.3));
+    let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
+    put(&mut scene, floor, Matte { ka: 0.0, kd: 0.8, cd: Rgb::new(0.9, 0.3, 0.2).into() });
+    let ball = Sphere { center: Point::new(0.0, 1.0, 0.0), radius: 1.0, inward: false };
+    put(&mut scene, ball, Matte { ka: 0.0, kd: 0.7, cd: Rgb::WHITE.into() });
+    let lamp = Disk { center: Point::new(1.5, 3.0, 0.5), normal: -Vector::Y, radius: 0.8 };
+    let lamp = put(&mut scene, lamp, Emissive::new(5.0, Rgb::WHITE));
+    shine(&mut scene, Area { object: lamp.to_string(), sampling: None });
+    scene.image.samples = 64;
+    scene
+}
+
+/// What a replica finds along rays into the room, in green.
+fn replicas(scene: &Scene, rays: &[(Point, Vector)]) -> Vec<Vec<f64>> {
+    let mut world = built(scene);
+    let mut values = vec![Vec::new(); rays.len()];
+    for seed in 0..REPLICAS {
+        world.reseed(seed);
+        for (values, (origin, direction)) in values.iter_mut().zip(rays) {
+            let ray = crate::ch14::stage::ray(*origin, *direction);
+            let sample =
+                |i| groundtruth::trace::radiance(&world, &ray, world.draws([0, 0], i), &mut ());
+            values.push(render::mean((0..world.samples_per_pixel()).map(sample)).g);
+        }
+    }
+    values
+}
+
+/// Law: path trace, global trace and path have one mean, at every depth: light that is sampled and light
+/// that is met are the same light, counted once. Oracle: each other (Welch's t over replicas).
+#[test]
+fn the_three_path_tracers_agree() {
+    let eye = Point::new(0.5, 2.0, 6.0);
+    let rays = [[0.0, -0.3, -1.0], [0.1, -0.15, -1.0], [-0.3, -0.5, -1.0], [0.15, 0.16, -1.0]]
+        .map(|direction| (eye, Vector::from(direction)));
+    for max_depth in [0, 1, 2, 6] {
+        let mut scene = room();
+        let found = tracers(max_depth).map(|tracer| {
+            scene.tracer = tracer;
+            replicas(&scene, &rays)
+        });
+        for i in 0..rays.len() {
+            for (a, b) in [(0, 2), (1, 2)] {
+                let p = means::two_samples(&found[a][i], &found[b][i]);
+                let [a, b] = [a, b].map(|t| found[t][i].iter().sum::<f64>() / REPLICAS as f64);
+                let right = p > sidak(LEVEL, TESTS);
+                assert!(right, "depth {max_depth}, ray {i}: {a} and {b}, p = {p:e}");
+            }
+        }
+    }
+}
+
+/// Law: inside a closed sphere that emits E and reflects ρ, the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` with N
+/// edges after the camera's; every sample of a path trace is that value. Oracle: the sum of the series.
+#[test]
+fn a_closed_sphere_that_emits_and_reflects_sums_the_series() {
+    /// A few roundings for each of up to 20 bounces.
+    const ROUNDING: f64 = 64.0 * f64::EPSILON;
+    let mut random = Pcg32::new(26, 0);
+    for rho in [0.2, 0.5, 0.9] {
+        for n in [0, 1, 2, 5, 20] {
+            let mut scene = stage(Rgb::BLACK);
+            scene.tracer = Tracer::PathTrace(Depth { max_depth: n });
+            let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
+            let matte = Some(Matte { ka: 0.0, kd: rho, cd: Rgb::WHITE.into() });
+            put(&mut scene, wall, Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) });
+            let expected = 2.0 * (1.0 - power(rho, f64::from(n + 1))) / (1.0 - rho);
+            let mut c = || random.uniform() - 0.5;
+            let found = look(&built(&scene), Point::new(c(), c(), c()), Vector::new(c(), c(), c()));
+            let off = (found.r - expected).abs() / expected;
+            assert!(off < ROUNDING, "ρ {rho}, depth {n}: {} instead of {expected}", found.r);
+        }
+    }
+}
+
+/// Law: a convex matte body in uniform light shows `ρ L`, each sample exactly, whichever strategy finds the
+/// light. Oracle: the furnace.
+#[test]
+fn a_convex_body_in_uniform_light_shows_its_reflectance() {
+    for tracer in tracers(5).into_iter().take(1) {
+        let mut scene = stage(Rgb::grey(2.0));
+        scene.tracer = tracer;
+        let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+        put(&mut scene, ball, Matte { ka: 0.0, kd: 0.3, cd: Rgb::WHITE.into() });
+        let found = look(&built(&scene), Point::new(0.2, 0.3, 5.0), -Vector::Z);
+        assert!((found.r - 0.6).abs() < 1e-15, "{tracer:?}: {} instead of 0.6", found.r);
+    }
+}
+
+/// Law: a path is a line: at most one ray goes on from a hit, so N + 1 rays are cast in a closed room of
+/// depth N, and one more is too deep. Oracle: counting.
+#[test]
+fn a_path_is_a_line() {
+    for n in [0, 3, 9] {
+        let mut scene = stage(Rgb::BLACK);
+        scene.tracer = Tracer::PathTrace(Depth { max_depth: n });
+        let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
+        put(&mut scene, wall, Matte { ka: 0.0, kd: 0.9, cd: Rgb::WHITE.into() });
+        let counts = counted(&built(&scene), Point::ORIGIN, Vector::X);
+        assert_eq!((counts.camera, counts.reflected), (1, u64::from(n) + 1), "depth {n}");
+        assert_eq!((counts.shadow, counts.too_deep), (0, 1), "depth {n}");
+        assert_eq!(counts.draws, u64::from(n) + 1, "a surface of one lobe draws no choice");
+    }
+}
+
+/// Law: ambient light is left out by paths, and they say so; path trace says that it does not see a
+/// point light. Oracle: the terms, and the words.
+#[test]
+fn what_is_left_out_is_said() {
+    let mut scene = room();
+    shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+    scene.materials.iter_mut().for_each(|material| {
+        if let groundtruth::materials::Kind::Matte(matte) = &mut material.recipe {
+            matte.ka = 1.0;
+        }
+    });
+    let below = (Point::new(3.0, 2.0, 0.0), Vector::new(0.0, -1.0, 0.1));
+    for tracer in tracers(3) {
+        scene.tracer = tracer;
+        let world = built(&scene);
+        let tree = recorded(&world, below.0, below.1);
+        let mut terms = tree.nodes().iter().flat_map(|node| &node.terms);
+        assert!(terms.all(|term| !matches!(term.term.source, TermSource::Ambient { .. })));
+        let said = left_out(&world);
+        assert!(said.len() == 1 && said[0].contains("leaves out the light \"1\""), "{said:?}");
+    }
+    scene.tracer = Tracer::RayCast;
+    assert!(left_out(&built(&scene)).is_empty());
+}
+
+/// Law: the floor of the Cornell box is redder beside the red wall than beside the green one. Oracle: the
+/// ratios of channels, the lamp's colour divided out.
+#[test]
+fn walls_bleed_their_colour() {
+    let mut scene = (gallery::find("ch26/cornell-box").expect("in the gallery").build)();
+    scene.image.resize(60, 60);
+    scene.image.samples = 256;
+    let world = built(&scene);
+    // the picture's left is the red wall's side
+    let ratio = |x| {
+        let seen: Rgb = (50..56).map(|y| render::pixel(&world, [x, y])).sum();
+        seen.r / (seen.g / 0.73)
+    };
+    let (red, green) = (ratio(8), ratio(51));
+    assert!(
+        red > 1.05 && red > 1.1 * green,
+        "red to green {red} at the left, {green} at the right"
+    );
+}
