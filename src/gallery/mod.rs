@@ -11,6 +11,7 @@ mod ch10;
 mod ch11;
 mod ch12;
 mod ch14;
+mod ch15;
 mod ch16;
 mod ch19;
 mod ch20;
@@ -24,6 +25,7 @@ mod ch28;
 // shared by the chapters
 mod parts;
 mod sets;
+mod shaded_sets;
 
 use crate::scene::Scene;
 
@@ -48,6 +50,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch11::SCENES,
         ch12::SCENES,
         ch14::SCENES,
+        ch15::SCENES,
         ch16::SCENES,
         ch19::SCENES,
         ch20::SCENES,
