@@ -13,6 +13,7 @@ mod ch12;
 mod ch14;
 mod ch15;
 mod ch16;
+mod ch17;
 mod ch19;
 mod ch20;
 mod ch21;
@@ -52,6 +53,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch14::SCENES,
         ch15::SCENES,
         ch16::SCENES,
+        ch17::SCENES,
         ch19::SCENES,
         ch20::SCENES,
         ch21::SCENES,
