@@ -78,6 +78,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "accel",
             "background",
             "cameras",
+            "film",
             "filters",
             "kinds",
             "lights",

@@ -16,6 +16,6 @@ fn opener() -> Scene {
     let about = "the chapter's opening picture: a city through a wide lens looks like a model";
     let mut scene = Scene::new(about, image, camera);
     scene.background = rgb(0.6, 0.75, 0.95).into();
-    city(&mut scene);
+    city(&mut scene, ambient(0.5));
     scene
 }

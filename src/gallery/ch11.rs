@@ -61,6 +61,6 @@ fn city_through(about: &str, [width, height]: [u32; 2], stand: Stand, lens: Lens
     let image = Image { samples: 16, ..Image::new(width, height) };
     let mut scene = Scene::new(about, image, Viewpoint::new(eye, look_at, lens));
     scene.background = rgb(0.6, 0.75, 0.95).into();
-    city(&mut scene);
+    city(&mut scene, ambient(0.5));
     scene
 }

@@ -2,8 +2,10 @@
 
 use super::List;
 use super::parts::*;
-use super::sets::{LENS, boxes_in_depth, rings_of_columns, wireframe_box};
-use crate::cameras::{Fisheye, Kind as Lens, Pinhole, Stereo, ThinLens, Viewing, Viewpoint};
+use super::sets::{LENS, boxes_in_depth, city, rings_of_columns, wireframe_box};
+use crate::cameras::{
+    Fisheye, Kind as Lens, Pinhole, SphericalPanorama, Stereo, ThinLens, Viewing, Viewpoint,
+};
 use crate::math::Point;
 use crate::rgb::Rgb;
 use crate::scene::{Image, Scene};
@@ -18,6 +20,7 @@ pub const SCENES: List = &[
     }),
     ("ch12/thin-lens", thin_lens),
     ("ch12/fisheye", || columns("figure 12.16: columns all around, fisheye of 200°", 200.0)),
+    ("ch12/city", city_around),
     ("ch12/page-one", || columns("the picture of page one: a fisheye of 130°", 130.0)),
 ];
 
@@ -76,5 +79,17 @@ fn columns(about: &str, fov: f64) -> Scene {
     let mut scene = Scene::new(about, image, eyes(eye, look_at, 5.0, lens));
     scene.background = rgb(0.6, 0.75, 0.95).into();
     rings_of_columns(&mut scene);
+    scene
+}
+
+/// Figure 12.17. The book's sky is a picture of clouds.
+fn city_around() -> Scene {
+    let lens = SphericalPanorama { horizontal_fov: 180.0, vertical_fov: 180.0 };
+    let (eye, look_at) = (point(10.0, 15.0, 13.0), point(34.0, 15.0, 0.0));
+    let image = Image { samples: 64, ..Image::new(200, 200) };
+    let about = "figure 12.17 without clouds: the city, half of all around, with ambient occlusion";
+    let mut scene = Scene::new(about, image, eyes(eye, look_at, 5.0, lens));
+    scene.background = rgb(0.6, 0.75, 0.95).into();
+    city(&mut scene, occluder(0.5));
     scene
 }

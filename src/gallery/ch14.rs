@@ -2,112 +2,126 @@
 
 use super::List;
 use super::parts::*;
-use crate::cameras::{Pinhole, Viewpoint};
+use super::shaded_sets::{
+    before_the_set, four_cylinders, matte_set, thirty_five_spheres, two_spheres_before_a_wall,
+};
+use crate::film::OutOfGamut;
+use crate::lights::{Directional, Point as PointLight, Spot};
+use crate::materials::Emissive;
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
-use crate::scene::{Image, Material, Object, Scene};
-use crate::shapes::{Disk, OpenCylinder};
+use crate::scene::{Light, Scene};
 
-pub const SCENES: List = &[("ch14/page-one", page_one), ("ch14/set", set)];
-
-const YELLOW: Rgb = Rgb::new(1.0, 1.0, 0.0);
-const BROWN: Rgb = Rgb::new(0.71, 0.40, 0.16);
-const DARK_GREEN: Rgb = Rgb::new(0.0, 0.41, 0.41);
-const ORANGE: Rgb = Rgb::new(1.0, 0.75, 0.0);
-const GREEN: Rgb = Rgb::new(0.0, 0.6, 0.3);
-const LIGHT_GREEN: Rgb = Rgb::new(0.65, 1.0, 0.30);
-const DARK_YELLOW: Rgb = Rgb::new(0.61, 0.61, 0.0);
-const LIGHT_PURPLE: Rgb = Rgb::new(0.65, 0.3, 1.0);
-const DARK_PURPLE: Rgb = Rgb::new(0.5, 0.0, 1.0);
-
-/// The 35 spheres: centre, radius, and which of the colours.
-const SPHERES: [([f64; 3], f64, Rgb); 35] = [
-    ([5.0, 3.0, 0.0], 30.0, YELLOW),
-    ([45.0, -7.0, -60.0], 20.0, BROWN),
-    ([40.0, 43.0, -100.0], 17.0, DARK_GREEN),
-    ([-20.0, 28.0, -15.0], 20.0, ORANGE),
-    ([-25.0, -7.0, -35.0], 27.0, GREEN),
-    ([20.0, -27.0, -35.0], 25.0, LIGHT_GREEN),
-    ([35.0, 18.0, -35.0], 22.0, GREEN),
-    ([-57.0, -17.0, -50.0], 15.0, BROWN),
-    ([-47.0, 16.0, -80.0], 23.0, LIGHT_GREEN),
-    ([-15.0, -32.0, -60.0], 22.0, DARK_GREEN),
-    ([-35.0, -37.0, -80.0], 22.0, DARK_YELLOW),
-    ([10.0, 43.0, -80.0], 22.0, DARK_YELLOW),
-    ([30.0, -7.0, -80.0], 10.0, DARK_YELLOW),
-    ([-40.0, 48.0, -110.0], 18.0, DARK_GREEN),
-    ([-10.0, 53.0, -120.0], 18.0, BROWN),
-    ([-55.0, -52.0, -100.0], 10.0, LIGHT_PURPLE),
-    ([5.0, -52.0, -100.0], 15.0, BROWN),
-    ([-20.0, -57.0, -120.0], 15.0, DARK_PURPLE),
-    ([55.0, -27.0, -100.0], 17.0, DARK_GREEN),
-    ([50.0, -47.0, -120.0], 15.0, BROWN),
-    ([70.0, -42.0, -150.0], 10.0, LIGHT_PURPLE),
-    ([5.0, 73.0, -130.0], 12.0, LIGHT_PURPLE),
-    ([66.0, 21.0, -130.0], 13.0, DARK_PURPLE),
-    ([72.0, -12.0, -140.0], 12.0, LIGHT_PURPLE),
-    ([64.0, 5.0, -160.0], 11.0, GREEN),
-    ([55.0, 38.0, -160.0], 12.0, LIGHT_PURPLE),
-    ([-73.0, -2.0, -160.0], 12.0, LIGHT_PURPLE),
-    ([30.0, -62.0, -140.0], 15.0, DARK_PURPLE),
-    ([25.0, 63.0, -140.0], 15.0, DARK_PURPLE),
-    ([-60.0, 46.0, -140.0], 15.0, DARK_PURPLE),
-    ([-30.0, 68.0, -130.0], 12.0, LIGHT_PURPLE),
-    ([58.0, 56.0, -180.0], 11.0, GREEN),
-    ([-63.0, -39.0, -180.0], 11.0, GREEN),
-    ([46.0, 68.0, -200.0], 10.0, LIGHT_PURPLE),
-    ([-3.0, -72.0, -130.0], 12.0, LIGHT_PURPLE),
+pub const SCENES: List = &[
+    ("ch14/page-one", || {
+        spheres("the picture of page one: 35 matte spheres under a directional light", 3.0)
+    }),
+    ("ch14/ambient-set", || {
+        set("figure 14.5: the set in ambient light only: every object has one even colour", None)
+    }),
+    ("ch14/set", || {
+        let about =
+            "figure 14.7: two spheres, a cylinder, a box and a plane under a directional light";
+        set(about, Some(directional("sun", LAMP - Point::ORIGIN, 2.0).without_shadows()))
+    }),
+    ("ch14/point-set", || {
+        let about =
+            "figure 14.10: the set under a point light, whose direction changes along the box";
+        set(about, Some(point_light("lamp", LAMP, 2.0).without_shadows()))
+    }),
+    ("ch14/attenuated-set", attenuated_set),
+    ("ch14/spot-set", spot_set),
+    ("ch14/diffuse-reflectance", || {
+        let about = "figure 14.15: cylinders with kd 0.1, 0.4, 0.7 and 1";
+        four_cylinders(about, [0.1, 0.4, 0.7, 1.0].map(|kd| matte(0.25, kd, grey(0.5)).into()))
+    }),
+    ("ch14/two-spheres", two_spheres),
+    ("ch14/out-of-gamut", || {
+        let about = "figure 14.22: 35 spheres in too much light; colours above 1 are shown in red";
+        let mut scene = spheres(about, 4.5);
+        scene.image.out_of_gamut = OutOfGamut::ClampToColor;
+        scene
+    }),
+    ("ch14/max-to-one", || {
+        spheres("figure 14.23: colours above 1 are divided by their largest channel", 4.5)
+    }),
+    ("ch14/white-light", || {
+        four_spheres("figure 14.24: four coloured spheres in white light", Rgb::WHITE)
+    }),
+    ("ch14/orange-light", || {
+        let about = "figure 14.26: four coloured spheres in orange light, which has no blue";
+        four_spheres(about, rgb(1.0, 0.5, 0.0))
+    }),
 ];
 
-fn page_one() -> Scene {
-    let eye = point(0.0, 0.0, 10_000.0);
-    let camera = Viewpoint::new(eye, Point::ORIGIN, Pinhole { distance: 15_000.0, zoom: 1.0 });
-    let image = Image { pixel_size: 0.5, samples: 16, ..Image::new(600, 600) };
-    let about = "the picture of page one: 35 matte spheres under a directional light";
-    let mut scene = Scene::new(about, image, camera);
-    scene.lights.push(ambient(1.0));
-    scene.lights.push(directional("sun", vector(100.0, 100.0, 200.0), 3.0).without_shadows());
-    for (i, &(center, radius, color)) in SPHERES.iter().enumerate() {
-        let (object, material) = object(
-            &format!("sphere {}", i + 1),
-            sphere(center.into(), radius),
-            matte(0.25, 0.75, color),
-        );
-        scene.objects.push(object);
-        scene.materials.push(material);
+/// The lamp of figures 14.10 and 14.11; that of 14.7 shines from this direction.
+const LAMP: Point = Point::new(15.0, 15.0, 2.5);
+
+/// Page one, and figures 14.22 and 14.23.
+fn spheres(about: &str, ls: f64) -> Scene {
+    let sun = directional("sun", vector(100.0, 100.0, 200.0), ls).without_shadows();
+    thirty_five_spheres(about, sun, |color| matte(0.25, 0.75, color).into())
+}
+
+/// Figures 14.5 to 14.10.
+fn set(about: &str, light: Option<Light>) -> Scene {
+    matte_set(before_the_set(about), light)
+}
+
+/// Figure 14.11. From where the book looks at the set, the lamp is not in the picture.
+fn attenuated_set() -> Scene {
+    let about = "figure 14.11 from farther away, to see the lamp: its light falls off as 1/d²";
+    let stand = [point(18.0, 9.0, 30.0), point(3.5, 6.5, 0.0)];
+    let source = PointLight { ls: 600.0, color: Rgb::WHITE, location: LAMP, attenuation: 2.0 };
+    let light = Light::new("lamp light", source).without_shadows();
+    let mut scene = matte_set(pinhole(about, [600, 400], stand, 500.0), Some(light));
+    let (mut lamp, glow) = object("lamp", sphere(LAMP, 0.75), Emissive::new(1.0, Rgb::WHITE));
+    lamp.casts_shadows = false;
+    scene.objects.push(lamp);
+    scene.materials.push(glow);
+    scene
+}
+
+/// Not in the book.
+fn spot_set() -> Scene {
+    let about = "a spot light on the set (not in the book): a cone of light with a soft edge";
+    let source = Spot {
+        ls: 2.0,
+        color: Rgb::WHITE,
+        location: LAMP,
+        direction: point(0.5, 2.0, 0.0) - LAMP,
+        inner: 10.0,
+        outer: 16.0,
+        attenuation: 0.0,
+    };
+    set(about, Some(Light::new("spot", source).without_shadows()))
+}
+
+/// Figure 14.21.
+fn two_spheres() -> Scene {
+    let about = "figure 14.21: two matte spheres before a wall; nothing throws a shadow";
+    let mut scene = two_spheres_before_a_wall(about);
+    for light in &mut scene.lights {
+        light.shadows = false;
     }
     scene
 }
 
-/// The two spheres, cylinder, box and plane of figures 14.5 to 14.11, in the light of 14.7.
-fn set() -> Scene {
-    let lens = Pinhole { distance: 340.0, zoom: 1.0 };
-    let camera = Viewpoint::new(point(7.5, 4.0, 10.0), point(-1.0, 3.7, 0.0), lens);
-    let image = Image { samples: 16, ..Image::new(600, 400) };
-    let about = "figure 14.7: two spheres, a cylinder, a box and a plane under a directional light";
-    let mut scene = Scene::new(about, image, camera);
-    scene.background = rgb(0.0, 0.225, 0.1875).into();
-    scene.lights.push(ambient(0.5));
-    scene.lights.push(directional("sun", vector(15.0, 15.0, 2.5), 2.0).without_shadows());
-
-    let mut add = |(object, material): (Object, Material)| {
-        scene.objects.push(object);
-        scene.materials.push(material);
-    };
-    let yellow = matte(0.25, 0.75, rgb(0.75, 0.75, 0.0));
-    add(object("yellow sphere", sphere(point(3.85, 2.3, -2.55), 2.3), yellow));
-    let orange = matte(0.45, 0.75, rgb(0.75, 0.25, 0.0));
-    add(object("orange sphere", sphere(point(-0.7, 1.0, 4.2), 2.0), orange));
-    let wall = OpenCylinder { y0: 0.0, y1: 8.5, radius: 2.2, inward: false };
-    add(object("cylinder", wall, matte(0.4, 0.75, rgb(1.0, 0.5, 1.0))));
-    let slab = boxed(point(-3.5, 0.0, -11.0), point(-2.5, 6.0, 6.5));
-    add(object("box", slab, matte(0.15, 0.5, rgb(0.75, 1.0, 0.75))));
-    add(object("ground", ground(0.0), matte(0.2, 0.97, Rgb::WHITE)));
-    for (name, y, normal) in
-        [("cylinder top", 8.5, Vector::Y), ("cylinder bottom", 0.0, -Vector::Y)]
-    {
-        let disk = Disk { center: point(0.0, y, 0.0), normal, radius: 2.2 };
-        scene.objects.push(Object::new(name, "cylinder", disk));
+/// Figures 14.24 and 14.26.
+fn four_spheres(about: &str, color: Rgb) -> Scene {
+    let stand = [point(0.0, 25.0, 100.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [600, 300], stand, 6500.0);
+    scene.lights.push(ambient(1.0));
+    let source = Directional { ls: 3.0, color, direction: vector(200.0, 250.0, 300.0) };
+    scene.lights.push(Light::new("sun", source).without_shadows());
+    for (name, x, color) in [
+        ("red sphere", -3.3, rgb(1.0, 0.0, 0.0)),
+        ("orange sphere", -1.1, rgb(1.0, 0.5, 0.0)),
+        ("yellow sphere", 1.1, rgb(1.0, 1.0, 0.0)),
+        ("green sphere", 3.3, rgb(0.0, 1.0, 0.0)),
+    ] {
+        add(&mut scene, name, sphere(Point::ORIGIN + x * Vector::X, 1.0), matte(0.0, 0.75, color));
     }
+    add(&mut scene, "ground", ground(-1.0), matte(0.25, 0.5, Rgb::WHITE));
     scene
 }

@@ -2,20 +2,92 @@
 
 use super::List;
 use super::parts::*;
-use crate::cameras::{Pinhole, Viewpoint};
+use super::shaded_sets::{thirty_five_spheres, two_spheres_before_a_wall};
 use crate::lights::Point as PointLight;
 use crate::math::Point;
-use crate::scene::{Image, Light, Scene};
+use crate::rgb::Rgb;
+use crate::scene::{Light, Scene};
+use crate::shapes::{Compound, Materials, SolidCylinder, Triangle};
 
-pub const SCENES: List = &[("ch16/coloured-shadows", coloured_shadows)];
+pub const SCENES: List = &[
+    ("ch16/page-one", || {
+        let about = "the picture of page one: 35 spheres that shade one another";
+        let lamp = point_light("lamp", point(100.0, 100.0, 200.0), 3.0);
+        thirty_five_spheres(about, lamp, |color| phong(0.25, 0.75, color, 0.12, 20.0).into())
+    }),
+    ("ch16/no-shadows", || {
+        floating("figure 16.1a: without shadows it is hard to say what stands where", false)
+    }),
+    ("ch16/shadows", || {
+        floating("figure 16.1b: the shadows of two lights tell what stands where", true)
+    }),
+    ("ch16/canyon", || {
+        let about = "figure 16.5a: rows of boxes throw shadows on one another";
+        canyon(about, [point(350.0, 1000.0, 500.0), point(-175.0, 550.0, -40.0)], 350.0)
+    }),
+    ("ch16/canyon-from-the-light", || {
+        let about = "figure 16.5b: seen from where the light is, nothing is in shadow";
+        canyon(about, [CANYON_LAMP, point(-50.0, 300.0, -600.0)], 650.0)
+    }),
+    ("ch16/two-spheres", || {
+        two_spheres_before_a_wall("figure 16.10a: the two spheres of figure 14.21 with shadows")
+    }),
+    ("ch16/coloured-shadows", coloured_shadows),
+];
 
+/// Figure 16.1.
+fn floating(about: &str, shadows: bool) -> Scene {
+    let stand = [point(2.0, 2.5, 15.0), point(3.0, 2.5, 0.0)];
+    let mut scene = pinhole(about, [300, 200], stand, 400.0);
+    scene.lights.push(ambient(1.0));
+    let sun = directional("sun", vector(200.0, 150.0, 125.0), 4.0);
+    scene.lights.push(Light { shadows, ..sun });
+    let lamp = point_light("lamp", point(-12.0, 15.0, 30.0), 4.0);
+    scene.lights.push(Light { shadows, ..lamp });
+
+    let olive = matte(0.3, 0.3, rgb(0.5, 0.6, 0.0));
+    add(&mut scene, "sphere", sphere(point(0.0, 2.4, 0.0), 1.5), olive);
+    let brown = matte(0.2, 0.3, rgb(0.8, 0.5, 0.0));
+    add(&mut scene, "box", boxed(point(5.4, -0.5, -3.0), point(7.5, 4.75, 0.6)), brown.clone());
+    let cyan = matte(0.35, 0.5, rgb(0.0, 0.5, 0.5));
+    let vertices = [point(1.5, -0.5, 1.8), point(7.5, -0.5, -9.0), point(2.35, 5.8, 1.4)];
+    add(&mut scene, "triangle", Triangle { vertices, normals: None }, cyan);
+    let cylinder = SolidCylinder { y0: -0.5, y1: 1.0, radius: 1.0, materials: Materials::new() };
+    add(&mut scene, "cylinder", cylinder, brown);
+    add(&mut scene, "ground", ground(-0.5), matte(0.1, 0.2, Rgb::WHITE));
+    scene
+}
+
+/// The lamp of figures 16.5.
+const CANYON_LAMP: Point = Point::new(1500.0, 750.0, 250.0);
+
+/// Figures 16.5: three rows of boxes, 50 wide and 100 apart, the higher the farther left.
+fn canyon(about: &str, stand: [Point; 2], distance: f64) -> Scene {
+    let mut scene = pinhole(about, [600, 400], stand, distance);
+    scene.lights.push(ambient(1.0));
+    scene.lights.push(point_light("lamp", CANYON_LAMP, 4.5));
+    for (name, right, count, height, color) in [
+        ("right row", 0.0, 11, 300.0, rgb(0.0, 0.5, 0.5)),
+        ("middle row", -150.0, 12, 450.0, rgb(1.0, 0.0, 0.0)),
+        ("left row", -300.0, 12, 600.0, rgb(0.5, 0.6, 0.0)),
+    ] {
+        let at = |i: i32| {
+            let front = -150.0 * f64::from(i);
+            boxed(point(right - 50.0, 0.0, front - 50.0), point(right, height, front))
+        };
+        add(&mut scene, name, Compound::of((0..count).map(at)), matte(0.4, 0.5, color));
+    }
+    let squares = checker3d(50.0, grey(0.7), Rgb::WHITE);
+    add(&mut scene, "ground", ground(1.0), matte(0.15, 1.0, squares));
+    scene
+}
+
+/// Figure 16.11b.
 fn coloured_shadows() -> Scene {
-    let lens = Pinhole { distance: 1200.0, zoom: 1.0 };
-    let camera = Viewpoint::new(point(0.0, 7.0, 10.0), point(0.0, -1.5, 0.0), lens);
-    let image = Image { samples: 16, ..Image::new(600, 540) };
     let about =
         "figure 16.11b: three coloured point lights; where one is blocked, the other two mix";
-    let mut scene = Scene::new(about, image, camera);
+    let stand = [point(0.0, 7.0, 10.0), point(0.0, -1.5, 0.0)];
+    let mut scene = pinhole(about, [600, 540], stand, 1200.0);
     for (name, color, location) in [
         ("red light", rgb(1.0, 0.0, 0.0), point(3.0, 10.0, 2.0)),
         ("green light", rgb(0.0, 1.0, 0.0), point(-3.0, 10.0, 2.0)),
@@ -24,12 +96,8 @@ fn coloured_shadows() -> Scene {
         let source = PointLight { ls: 12.0, color, location, attenuation: 0.0 };
         scene.lights.push(Light::new(name, source));
     }
-    for (object, material) in [
-        object("sphere", sphere(Point::ORIGIN, 1.0), matte(0.0, 0.35, grey(0.7))),
-        object("ground", ground(-3.0), matte(0.0, 0.35, grey(0.7))),
-    ] {
-        scene.objects.push(object);
-        scene.materials.push(material);
-    }
+    let grey_matte = || matte(0.0, 0.35, grey(0.7));
+    add(&mut scene, "sphere", sphere(Point::ORIGIN, 1.0), grey_matte());
+    add(&mut scene, "ground", ground(-3.0), grey_matte());
     scene
 }

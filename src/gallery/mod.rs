@@ -4,6 +4,7 @@
 
 mod ch03;
 mod ch04;
+mod ch05;
 mod ch06;
 mod ch08;
 mod ch09;
@@ -11,7 +12,10 @@ mod ch10;
 mod ch11;
 mod ch12;
 mod ch14;
+mod ch15;
 mod ch16;
+mod ch17;
+mod ch18;
 mod ch19;
 mod ch20;
 mod ch21;
@@ -25,6 +29,7 @@ mod ch28;
 // shared by the chapters
 mod parts;
 mod sets;
+mod shaded_sets;
 
 use crate::scene::Scene;
 
@@ -42,6 +47,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
     [
         ch03::SCENES,
         ch04::SCENES,
+        ch05::SCENES,
         ch06::SCENES,
         ch08::SCENES,
         ch09::SCENES,
@@ -49,7 +55,10 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch11::SCENES,
         ch12::SCENES,
         ch14::SCENES,
+        ch15::SCENES,
         ch16::SCENES,
+        ch17::SCENES,
+        ch18::SCENES,
         ch19::SCENES,
         ch20::SCENES,
         ch21::SCENES,

@@ -1,12 +1,22 @@
 //! What the chapters' scenes are put together from.
 
-use crate::lights::{Ambient, Directional, Point as PointLight};
+use crate::cameras::{Pinhole, Viewpoint};
+use crate::lights::{Ambient, AmbientOccluder, Directional, Point as PointLight};
 use crate::materials::{Matte, Phong};
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
-use crate::scene::{Light, Material, Object, Scene};
+use crate::scene::{Image, Light, Material, Object, Scene};
 use crate::shapes::{self, Plane, Sphere};
 use crate::textures::{Checker3d, Paint};
+
+/// An empty scene through a pinhole camera, 16 samples a pixel; `stand` is the eye and the point it
+/// looks at.
+pub fn pinhole(about: &str, size: [u32; 2], stand: [Point; 2], distance: f64) -> Scene {
+    let ([width, height], [eye, look_at]) = (size, stand);
+    let camera = Viewpoint::new(eye, look_at, Pinhole { distance, zoom: 1.0 });
+    let image = Image { samples: 16, ..Image::new(width, height) };
+    Scene::new(about, image, camera)
+}
 
 pub fn point(x: f64, y: f64, z: f64) -> Point {
     Point::new(x, y, z)
@@ -47,6 +57,18 @@ pub fn phong(ka: f64, kd: f64, cd: impl Into<Paint>, ks: f64, exponent: f64) -> 
 
 pub fn ambient(ls: f64) -> Light {
     Light::new("ambient", Ambient { ls, color: Rgb::WHITE })
+}
+
+/// White ambient light that objects hold off; `min_amount` of it stays.
+pub fn occluder(min_amount: f64) -> Light {
+    let source = AmbientOccluder {
+        ls: 1.0,
+        color: Rgb::WHITE,
+        min_amount,
+        occluded_color: None,
+        max_distance: None,
+    };
+    Light::new("ambient", source)
 }
 
 pub fn directional(name: &str, direction: Vector, ls: f64) -> Light {

@@ -3,9 +3,10 @@
 
 use super::parts::*;
 use crate::cameras::ThinLens;
+use crate::materials::Matte;
 use crate::math::{Pcg32, Point, Step, Vector};
 use crate::rgb::Rgb;
-use crate::scene::Scene;
+use crate::scene::{Light, Scene};
 use crate::shapes::{self, Compound, OpenCylinder, Triangle};
 
 /// Sphere, box and triangle of figure 8.16, and their light.
@@ -70,8 +71,15 @@ pub fn canyon(scene: &mut Scene, canyon: &Canyon) {
     add(scene, "ground", ground(0.0), matte(0.3, 0.5, squares));
 }
 
-/// The city of chapter 11: 10 rows of 12 blocks around a park.
-pub fn city(scene: &mut Scene) {
+/// The city of chapter 11 on checkered ground, in this ambient light.
+pub fn city(scene: &mut Scene, sky: Light) {
+    let lawn = checker3d(5.0, rgb(0.35, 0.75, 0.35), rgb(0.3, 0.5, 0.3));
+    let streets = checker3d(50.0, grey(0.7), Rgb::WHITE);
+    city_on(scene, sky, [matte(0.3, 0.5, lawn), matte(0.3, 0.5, streets)]);
+}
+
+/// 10 rows of 12 blocks around a park, on this lawn and these streets.
+pub fn city_on(scene: &mut Scene, sky: Light, [lawn, streets]: [Matte; 2]) {
     const ROWS: u32 = 10;
     const COLUMNS: u32 = 12;
     /// A block, along x and z.
@@ -79,7 +87,7 @@ pub fn city(scene: &mut Scene) {
     /// The least side of a building, and how far it stands from its block's edges.
     const LEAST: f64 = 6.0;
     const OFFSET: f64 = 1.0;
-    scene.lights.push(ambient(0.5));
+    scene.lights.push(sky);
     scene.lights.push(point_light("lamp", point(150.0, 500.0, 300.0), 3.75));
     let mut random = Pcg32::new(15, 0);
     let corner = [-0.5 * BLOCK[0] * f64::from(COLUMNS), -0.5 * BLOCK[1] * f64::from(ROWS)];
@@ -108,10 +116,8 @@ pub fn city(scene: &mut Scene) {
     }
     let [half_x, half_z] = [3.0 * BLOCK[0], 2.0 * BLOCK[1]];
     let park = boxed(point(-half_x, 0.0, -half_z), point(half_x, 0.1, half_z));
-    let lawn = checker3d(5.0, rgb(0.35, 0.75, 0.35), rgb(0.3, 0.5, 0.3));
-    add(scene, "park", park, matte(0.3, 0.5, lawn));
-    let streets = checker3d(50.0, grey(0.7), Rgb::WHITE);
-    add(scene, "ground", ground(0.01), matte(0.3, 0.5, streets));
+    add(scene, "park", park, lawn);
+    add(scene, "ground", ground(0.01), streets);
 }
 
 /// Rings of columns around the eye: how many, how far, how high, and turned by how many degrees.
