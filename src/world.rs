@@ -336,6 +336,10 @@ fn placed_lights(
     let mut lights = Vec::new();
     for (index, light) in scene.lights.iter().enumerate() {
         let here = |e: Invalid| item("lights", index, &light.name)(e.inside("source"));
+        let lamp_is_hidden = matches!(&light.source, lights::Kind::Area(area) if context.hidden.contains(&area.object));
+        if lamp_is_hidden && !light.enabled {
+            continue; // both are switched off
+        }
         let built = light.source.build(&mut context).map_err(here)?;
         if let Some(name) = built.object() {
             if let Some(other) = lamps.insert(name.to_owned(), &light.name) {

@@ -145,11 +145,11 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["render", "ch14/set", "-o", "a.png", "--max-depth", "3"],
-        "error: --max-depth 3: the tracer ray_cast follows no rays; --tracer can name: whitted",
+        "error: --max-depth: found 3, but the tracer ray_cast follows no rays; these do: whitted, path_trace, global_trace, path",
     ),
     (
-        &["explain", "ch14/set", "1", "1", "--tracer", "path"],
-        "error: invalid value 'path' for '--tracer <NAME>': there are: ray_cast, whitted",
+        &["explain", "ch14/set", "1", "1", "--tracer", "paths"],
+        "error: invalid value 'paths' for '--tracer <NAME>': there are: ray_cast, whitted, path_trace, global_trace, path",
     ),
     (
         &["explain", "ch14/set", "1", "1", "--max-depth", "129"],

@@ -45,7 +45,8 @@ impl SceneArguments {
         if let Some(samples) = self.samples {
             scene.image.samples = samples;
         }
-        scene.tracer.change(self.tracer, self.max_depth)?;
+        let changed = scene.tracer.change(self.tracer, self.max_depth);
+        changed.map_err(|problem| format!("--max-depth: {problem}"))?;
         let build = |scene: &Scene| match &source {
             Some(source) => source.build(scene, self.seed),
             None => World::build_seeded(scene, Path::new(""), self.seed),

@@ -23,7 +23,7 @@ pub struct Ambient {
 }
 
 #[derive(Debug)]
-struct Everywhere {
+struct Constant {
     radiance: Rgb,
 }
 
@@ -33,7 +33,7 @@ impl Specification for Ambient {
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         let radiance = not_negative("ls", self.ls)? * self.color.checked("color")?;
-        Ok(Arc::new(Everywhere { radiance }))
+        Ok(Arc::new(Constant { radiance }))
     }
 
     fn scaled(&self, _: f64) -> Self {
@@ -45,7 +45,7 @@ impl Specification for Ambient {
     }
 }
 
-impl Light for Everywhere {
+impl Light for Constant {
     fn meets(&self) -> Meets {
         Meets::Ambient
     }

@@ -14,7 +14,8 @@ use crate::rgb::Rgb;
 
 /// Ambient light `ls · color` where nothing is in the way, and a share of it where something is: each
 /// sample looks in one direction, distributed by the cosine, so that the mean is the visible share of
-/// the hemisphere. It meets the ambient reflectance `ka` of materials.
+/// the hemisphere. It meets the ambient reflectance `ka` of materials. The hemisphere is that of the
+/// normal: open surfaces that are seen from behind need a two-sided material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AmbientOccluder {
@@ -59,6 +60,11 @@ impl Specification for AmbientOccluder {
         let open = ls * self.color.checked("color")?;
         let occluded = self.occluded_color.unwrap_or(self.color).checked("occluded_color")?;
         let min_amount = within("min_amount", self.min_amount, 0.0..=1.0)?;
+        if self.occluded_color.is_some() && min_amount == 0.0 {
+            let problem =
+                "found 0, by which `occluded_color` is multiplied: with 1 it is seen as it is";
+            return Err(Invalid::field("min_amount", problem));
+        }
         let max_distance = self.max_distance.map(|far| length("max_distance", far)).transpose()?;
         Ok(Arc::new(Occluder { open, occluded: min_amount * (ls * occluded), max_distance }))
     }
@@ -89,8 +95,7 @@ impl Light for Occluder {
     }
 
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
-        let local = maps::hemisphere(u[0], 1.0);
-        let direction = Frame::around(from.normal).to_world(local);
+        let direction = Frame::around(from.normal).to_world(maps::hemisphere(u[0], 1.0));
         let segment = match self.max_distance {
             None => Segment::Infinity,
             Some(far) => Segment::To(from.point + far * direction),
@@ -100,7 +105,7 @@ impl Light for Occluder {
             segment: Some(segment),
             radiance: self.open,
             blocked: self.occluded,
-            pdf: Some(local.z() / PI),
+            pdf: Some(from.normal.dot(direction).max(0.0) / PI),
         })
     }
 

@@ -13,7 +13,7 @@ use crate::rgb::Rgb;
 use crate::shapes::{SampledSurface, Sampling, Surface};
 
 /// The light of an emissive object, whose surface is sampled: soft shadows. Its radiance is that of
-/// the object's material. Switched off, the object is dark too.
+/// the object's material, on the side of the true normal. Switched off, the object is dark too.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Area {

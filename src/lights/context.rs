@@ -37,6 +37,9 @@ impl Context {
             return Err(Invalid::new(format!("`{name}` is not there: it has `enabled = false`")));
         }
         self.objects.get(name).ok_or_else(|| {
+            if self.objects.is_empty() {
+                return Invalid::new(format!("no object `{name}`: the scene has none"));
+            }
             // more names help nobody
             const SHOWN: usize = 12;
             let known: Vec<&str> = self.objects.keys().map(String::as_str).take(SHOWN).collect();

@@ -58,9 +58,8 @@ impl Light for Sky {
 
     /// Cosine-distributed about the normal.
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
-        let local = maps::hemisphere(u[0], 1.0);
-        let direction = Frame::around(from.normal).to_world(local);
-        let pdf = local.z() / PI;
+        let direction = Frame::around(from.normal).to_world(maps::hemisphere(u[0], 1.0));
+        let pdf = from.normal.dot(direction) / PI;
         (pdf > 0.0).then(|| LightSample {
             direction,
             segment: Some(Segment::Infinity),

@@ -1,4 +1,4 @@
-//! The fake spherical light (Suffern, ch. 18): a point light that trembles.
+//! The fake spherical light (Suffern, ch. 18): a jittered point light.
 
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ pub struct FakeSpherical {
 }
 
 #[derive(Debug)]
-struct Trembling {
+struct JitteredPoint {
     radiance: Rgb,
     location: Place,
     jitter: f64,
@@ -47,7 +47,7 @@ impl Specification for FakeSpherical {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        Ok(Arc::new(Trembling {
+        Ok(Arc::new(JitteredPoint {
             radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
             location: finite_point("location", self.location)?,
             jitter: not_negative("jitter", self.jitter)?,
@@ -71,7 +71,7 @@ impl Specification for FakeSpherical {
     }
 }
 
-impl Light for Trembling {
+impl Light for JitteredPoint {
     fn draws(&self) -> usize {
         2
     }

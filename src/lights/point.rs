@@ -74,7 +74,8 @@ impl Light for PointSource {
     }
 }
 
-/// Light `radiance / d^k` from one place; none at the place itself, where it has no direction.
+/// Light `radiance / d^k` from one place; none at the place itself, where it has no direction, or so near
+/// that it would be infinite.
 pub(super) fn from_point(
     from: Place,
     location: Place,
@@ -86,6 +87,9 @@ pub(super) fn from_point(
         0.0 => radiance,
         k => radiance / power(to_light.length(), k),
     };
+    if !radiance.to_array().iter().all(|channel| channel.is_finite()) {
+        return None;
+    }
     Some(LightSample {
         direction: to_light.unit()?,
         segment: Some(Segment::To(location)),

@@ -23,6 +23,8 @@ pub struct Radiance {
     pixel: Option<[u32; 2]>,
     ray: Option<RayData>,
     samples: Option<u32>,
+    tracer: Option<String>,
+    max_depth: Option<u32>,
     replicas: Option<u32>,
     seed: Option<u64>,
 }
@@ -145,6 +147,10 @@ impl Radiance {
         if let Some(samples) = self.samples {
             scene.image.samples = samples;
         }
+        let tracer = self.tracer.as_deref().map(str::parse).transpose();
+        let tracer = tracer.map_err(|problem| Invalid::field("tracer", problem))?;
+        let changed = scene.tracer.change(tracer, self.max_depth);
+        changed.map_err(|problem| Invalid::field("max_depth", problem))?;
         let shapes = scene.objects.iter().map(|object| &object.shape);
         let here = |index: usize, e: Invalid| {
             let name = Some(scene.objects[index].name.clone());

@@ -60,7 +60,7 @@ pub trait Sampler: Debug + Send + Sync {
 }
 
 crate::kinds! {
-    /// How samples are spread over a pixel, and over a lens.
+    /// How samples are spread over a pixel, a lens, a light and the directions of a scattered ray.
     Kind builds dyn Sampler with ();
     ch04 regular::Regular,
     ch04 random::Random,

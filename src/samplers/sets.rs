@@ -162,7 +162,7 @@ impl SampleSets {
     }
 
     /// The same sets, but pixel and lens are sampled in their middle: for one sample a pixel, as in the
-    /// book.
+    /// book. Other draws are shifted, so that they may be anywhere.
     #[must_use]
     pub fn centered(self) -> Self {
         Self { centered: true, ..self }
@@ -215,7 +215,8 @@ impl SampleSets {
         let along = start + place;
         let along = if along < n { along } else { along - n };
         let sample = self.samples[set * n + permutation[along] as usize];
-        if self.shifted { shifted(sample, choice) } else { sample }
+        // of one point a set there would be but 83
+        if self.shifted || self.centered { shifted(sample, choice) } else { sample }
     }
 }
 

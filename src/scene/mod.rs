@@ -241,7 +241,7 @@ impl Tracer {
                     .collect();
                 let names = names.join(", ");
                 return Err(format!(
-                    "--max-depth {wanted}: the tracer {name} follows no rays; --tracer can name: {names}"
+                    "found {wanted}, but the tracer {name} follows no rays; these do: {names}"
                 ));
             }
             (_, None) => {}

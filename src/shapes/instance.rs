@@ -241,7 +241,7 @@ struct SampledInstance {
 impl SampledInstance {
     /// The inner solid angle that is seen as one steradian outside, around the direction of an inner
     /// point: `|M v|³/|det M|` for the unit vector `v` towards it.
-    fn squeeze(&self, inner_from: Point, inner_point: Point) -> f64 {
+    fn solid_angle_ratio(&self, inner_from: Point, inner_point: Point) -> f64 {
         let way = inner_point - inner_from;
         let stretch = self.transform.vector(way).length() / way.length();
         stretch * stretch * stretch / self.transform.determinant().abs()
@@ -252,7 +252,7 @@ impl SampledSurface for SampledInstance {
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
         let inner_from = self.transform.inverse().point(from);
         let (inner, pdf) = self.shape.sample(inner_from, u)?;
-        let pdf = pdf * self.squeeze(inner_from, inner.point);
+        let pdf = pdf * self.solid_angle_ratio(inner_from, inner.point);
         let ray = Ray::new(from, self.transform.point(inner.point) - from);
         let mut outer = moved_out(&self.transform, inner, &ray);
         if !self.transform_texture {
@@ -266,6 +266,6 @@ impl SampledSurface for SampledInstance {
         let (inner_from, point) = (back.point(from), back.point(at.point));
         let normal = Normal::new(back.covector(at.normal)).unwrap_or(at.normal);
         let inner = Surface { point, normal, ..*at };
-        self.shape.pdf(inner_from, &inner) * self.squeeze(inner_from, point)
+        self.shape.pdf(inner_from, &inner) * self.solid_angle_ratio(inner_from, point)
     }
 }

@@ -26,7 +26,7 @@ pub enum Sampling {
 /// A surface on which points are drawn. Contract: `tests/contracts/light.rs`, of the lamps made of it.
 pub trait SampledSurface: Debug + Send + Sync {
     /// A point for two numbers in `[0, 1)`, and its density per steradian as seen from `from`: positive
-    /// and finite. `None` for a point that is seen edge-on.
+    /// and finite. `None` for a point that is not seen, or edge-on.
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)>;
 
     /// The density with which [`SampledSurface::sample`] draws this point of the surface, per steradian.
@@ -41,18 +41,28 @@ pub(super) trait EvenSurface: Debug + Send + Sync {
     /// A point for two numbers in `[0, 1)`; equal areas for equal areas of the square.
     fn point(&self, u: [f64; 2]) -> Surface;
 
+    /// Whether the surface itself hides this point of it, as the far side of a sphere is hidden.
+    fn is_hidden(&self, _from: Point, _at: &Surface) -> bool {
+        false
+    }
+
     /// As [`SampledSurface::sample`], by area.
     fn sample_by_area(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
         let at = self.point(u);
         let pdf = self.pdf_by_area(from, &at);
-        (pdf > 0.0 && pdf.is_finite()).then_some((at, pdf))
+        (pdf > 0.0).then_some((at, pdf))
     }
 
-    /// As [`SampledSurface::pdf`], by area: `d²/(A |cosθ'|)`, the density `1/A` seen from afar.
+    /// As [`SampledSurface::pdf`], by area: `d²/(A |cosθ'|)`, the density `1/A` seen from afar; 0 for
+    /// a point seen edge-on, which sends no light.
     fn pdf_by_area(&self, from: Point, at: &Surface) -> f64 {
+        if self.is_hidden(from, at) {
+            return 0.0;
+        }
         let way = at.point - from;
         let (squared, along) = (way.length_squared(), at.normal.dot(way).abs());
-        squared / self.area() * (squared.sqrt() / along)
+        let pdf = squared / self.area() * (squared.sqrt() / along);
+        if pdf.is_finite() { pdf } else { 0.0 }
     }
 }
 

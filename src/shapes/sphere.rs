@@ -100,7 +100,22 @@ impl Shape for Sphere {
     }
 }
 
+impl Sphere {
+    /// Whether a point of it is hidden behind the sphere itself, seen from this place; what lies on the
+    /// silhouette is not, nor anything that is seen from inside.
+    fn hides(&self, from: Point, at: &Surface) -> bool {
+        let (way, out) = (from - at.point, at.point - self.center);
+        way.dot(out) < -64.0 * UNIT_ROUNDOFF * way.length() * self.radius
+            && (from - self.center).length_squared() > self.radius * self.radius
+    }
+}
+
 impl EvenSurface for Sphere {
+    /// From outside only the near side is seen, also of a sphere that casts no shadow.
+    fn is_hidden(&self, from: Point, at: &Surface) -> bool {
+        self.hides(from, at)
+    }
+
     fn area(&self) -> f64 {
         4.0 * PI * self.radius * self.radius
     }
@@ -138,7 +153,7 @@ impl SampledSurface for BySolidAngle {
             return self.0.sample_by_area(from, u);
         };
         let [x, y] = maps::disk(u);
-        let rho_squared = x * x + y * y;
+        let rho_squared = (x * x + y * y).min(1.0); // which rounding may pass
         let cos_theta = 1.0 - rho_squared * opening;
         // of α + θ, its sine over ρ; the sine of θ over ρ
         let sine = ((1.0 + cos_theta) / (2.0 - opening)).sqrt();
@@ -155,8 +170,7 @@ impl SampledSurface for BySolidAngle {
 
     fn pdf(&self, from: Point, at: &Surface) -> f64 {
         match self.cone(from) {
-            // the far side is not drawn
-            Some(_) if (from - at.point).dot(at.point - self.0.center) <= 0.0 => 0.0,
+            Some(_) if self.0.hides(from, at) => 0.0,
             Some((_, opening)) => 1.0 / (2.0 * PI * opening),
             None => self.0.pdf_by_area(from, at),
         }

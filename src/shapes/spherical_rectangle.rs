@@ -23,9 +23,12 @@ pub(super) struct SphericalRectangle {
     start: f64,
 }
 
-/// Smaller ones are nearly flat: evenly over the area is as good, and a difference of angles near 2π
-/// has too few digits.
-const LEAST_SOLID_ANGLE: f64 = 1e-4;
+/// The solid angle is a difference of angles near 2π, wrong by some 1e-15: of a smaller one too few digits
+/// are left. It is one that is seen almost edge-on, and sends hardly any light.
+const LEAST_SOLID_ANGLE: f64 = 1e-9;
+/// A rectangle of a smaller square of its diagonal over its distance looks flat from so far away: evenly
+/// over the area is as good.
+const LEAST_SIZE_SQUARED: f64 = 1e-4;
 
 impl SphericalRectangle {
     /// `None` for a rectangle that looks too small for it, or is seen edge-on.
@@ -51,7 +54,8 @@ impl SphericalRectangle {
         let g3 = angle(x0, y0, -x0 * y0);
         let start = 2.0 * PI - g2 - g3;
         let solid_angle = g0 + g1 - start;
-        let fits = solid_angle >= LEAST_SOLID_ANGLE && z < 0.0;
+        let is_near = width * width + height * height >= LEAST_SIZE_SQUARED * d.length_squared();
+        let fits = is_near && solid_angle >= LEAST_SOLID_ANGLE && z < 0.0;
         fits.then_some(Self { from, axes, x, y, z, solid_angle, start })
     }
 
@@ -62,7 +66,9 @@ impl SphericalRectangle {
         let (b0, b1) = (-plane(y0), plane(y1));
         let angle = self.start + u * self.solid_angle;
         let f = (cos(angle) * b0 - b1) / sin(angle);
-        let c = (1.0 / (f * f + b0 * b0).sqrt()).copysign(f).clamp(-1.0, 1.0);
+        // from a point on the rectangle itself f may be 0/0, which stands for infinity
+        let c = if f.is_nan() { 0.0 } else { 1.0 / (f * f + b0 * b0).sqrt() };
+        let c = c.copysign(f).clamp(-1.0, 1.0);
         let x = (-(c * z) / ((1.0 - c) * (1.0 + c)).sqrt()).clamp(x0, x1);
         let d = (x * x + z * z).sqrt();
         let height = |y: f64| y / (d * d + y * y).sqrt();

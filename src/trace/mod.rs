@@ -296,7 +296,7 @@ impl<R: Recorder> Tracing<'_, R> {
             .map(|(lit, weight)| (lit, mis.map_or(weight, |mis| mis * weight)))
             .filter(|(_, weight)| !weight.is_black())
             .collect();
-        if terms.is_empty() {
+        if terms.is_empty() || (sample.radiance.is_black() && sample.blocked.is_black()) {
             return;
         }
         let medium = medium_towards(path, point, sample.direction);
@@ -316,6 +316,11 @@ impl<R: Recorder> Tracing<'_, R> {
         light: &PlacedLight,
         sample: &LightSample,
     ) -> (Rgb, bool) {
+        let length = match sample.segment {
+            None => 0.0,
+            Some(Segment::Infinity) => f64::INFINITY,
+            Some(Segment::To(end)) => end.distance(point.hit.surface.point),
+        };
         match sample.segment {
             Some(segment) if light.shadows => {
                 // where an interpolated normal differs from the true one, the surface hides part of
@@ -325,7 +330,8 @@ impl<R: Recorder> Tracing<'_, R> {
                 }
                 (self.shadow(medium, point, light.place, (segment, sample)), true)
             }
-            _ => (sample.radiance, false),
+            // what absorbs is in its way all the same
+            _ => (medium.transmittance(length) * sample.radiance, false),
         }
     }
 
