@@ -14,7 +14,8 @@ use crate::ch14::stage::{built, ray};
 /// Seeded independently: more than the 16 that a t test of nearly normal values needs.
 pub const REPLICAS: u64 = 24;
 
-/// The probability that any of the means of one law raises a false alarm, for seeds chosen at random.
+/// The probability that any of the means of one law raises a false alarm, for seeds chosen at
+/// random.
 pub const LEVEL: f64 = 1e-6;
 
 /// An estimate without variance errs by its rounding only: a few dozen products and sums.
@@ -46,8 +47,8 @@ pub fn replicas<T>(scene: &Scene, of: impl Fn(&World) -> T) -> Vec<T> {
 }
 
 /// Fails if the mean of the values differs significantly from what is expected, as one of so many
-/// tests; or if it is known too badly to tell: its standard error is above `power` times the expected
-/// value.
+/// tests; or if it is known too badly to tell: its standard error is above `power` times the
+/// expected value.
 pub fn assert_mean(what: &str, values: &[f64], expected: f64, tests: usize, power: f64) {
     let n = values.len() as f64;
     let mean = values.iter().sum::<f64>() / n;

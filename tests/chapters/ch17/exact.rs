@@ -52,10 +52,14 @@ fn heap() -> Scene {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a plane alone is not occluded anywhere: each sample is plain ambient light, bit for bit, and has
-    /// cast one ray that met nothing. Oracle: the ambient light of chapter 14.
+    /// Law: a plane alone is not occluded anywhere: each sample is plain ambient light, bit for
+    /// bit, and has cast one ray that met nothing. Oracle: the ambient light of chapter 14.
     #[test]
-    fn an_infinite_plane_alone_is_not_occluded(n in unit(), (cosine, phi) in (1e-6..1.0_f64, 0.0..TAU), far in -6..6_i32) {
+    fn an_infinite_plane_alone_is_not_occluded(
+        n in unit(),
+        (cosine, phi) in (1e-6..1.0_f64, 0.0..TAU),
+        far in -6..6_i32,
+    ) {
         let scene = floor(n.into());
         let to_eye = at_angle(n, cosine, phi);
         let eye = Point::ORIGIN + groundtruth::math::power(10.0, f64::from(far)) * to_eye;
@@ -65,8 +69,9 @@ proptest! {
         prop_assert_eq!(counted(&built(&scene), eye, -to_eye).shadow, 1);
     }
 
-    /// Law: inside a closed body every sample is `min_amount` of ambient light. Oracle: that product; in boxes,
-    /// spheres and meshes, turned and stretched, as a hole anywhere would let the sky in.
+    /// Law: inside a closed body every sample is `min_amount` of ambient light. Oracle: that
+    /// product; in boxes, spheres and meshes, turned and stretched, as a hole anywhere would let
+    /// the sky in.
     #[test]
     fn inside_a_closed_body_only_the_least_light_is_left(
         kind in 0..4_usize,
@@ -91,8 +96,9 @@ proptest! {
         }
     }
 
-    /// Law: each sample is ambient light or `min_amount` of it, nothing else: never above the one or below the
-    /// other; the one if and only if its ray met nothing. Oracle: the recorded outcome and the closed form.
+    /// Law: each sample is ambient light or `min_amount` of it, nothing else: never above the one
+    /// or below the other; the one if and only if its ray met nothing. Oracle: the recorded outcome
+    /// and the closed form.
     #[test]
     fn a_sample_is_all_light_or_the_least(from in unit(), target in point(1.0)) {
         let world = built(&with_samples(heap(), SAMPLES));
@@ -116,8 +122,8 @@ proptest! {
         }
     }
 
-    /// Law: with `min_amount = 1` the occluder is plain ambient light, whatever is in the way. Oracle: that
-    /// light.
+    /// Law: with `min_amount = 1` the occluder is plain ambient light, whatever is in the way.
+    /// Oracle: that light.
     #[test]
     fn the_least_amount_of_one_is_plain_ambient_light(from in unit(), target in point(1.0)) {
         let mut scene = heap();
@@ -126,8 +132,8 @@ proptest! {
         prop_assert_eq!(each(&scene, eye, target - eye), each(&plain(&scene), eye, target - eye));
     }
 
-    /// Law: without shadows the occluder is plain ambient light, and casts no ray; and an object that casts no
-    /// shadow is not in the way. Oracle: that light, and the floor alone.
+    /// Law: without shadows the occluder is plain ambient light, and casts no ray; and an object
+    /// that casts no shadow is not in the way. Oracle: that light, and the floor alone.
     #[test]
     fn what_casts_no_shadow_is_not_in_the_way(from in unit(), target in point(1.0)) {
         let mut scene = heap();
@@ -148,8 +154,8 @@ proptest! {
     }
 }
 
-/// Law: a surface that reflects no ambient light draws nothing and casts no ray for the occluder; one that does
-/// draws one pair of numbers and casts one ray. Oracle: the counters.
+/// Law: a surface that reflects no ambient light draws nothing and casts no ray for the occluder;
+/// one that does draws one pair of numbers and casts one ray. Oracle: the counters.
 #[test]
 fn nothing_is_drawn_where_no_ambient_light_is_reflected() {
     let eye = Point::new(0.0, 1.0, 0.0);
@@ -175,9 +181,10 @@ fn nothing_is_drawn_where_no_ambient_light_is_reflected() {
     }
 }
 
-/// Law: the occluder lights by `ka`, whichever side the normal of a one-sided surface has: an open surface
-/// with its normal on the other side shows the sky behind it. A two-sided one shows that of the viewer (ch. 17:
-/// "open surfaces need the normal on the viewed side"). Oracle: a ceiling that is in the way on one side only.
+/// Law: the occluder lights by `ka`, whichever side the normal of a one-sided surface has: an open
+/// surface with its normal on the other side shows the sky behind it. A two-sided one shows that of
+/// the viewer (ch. 17: "open surfaces need the normal on the viewed side"). Oracle: a ceiling that
+/// is in the way on one side only.
 #[test]
 fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
     let ceiling = Plane { point: Point::new(0.0, 1.0, 0.0), normal: Vector::Y };
@@ -202,9 +209,9 @@ fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
     assert!(seen.into_iter().all(|seen| close(seen, shade(1.0), PRODUCTS)));
 }
 
-/// Law: directions are spread by the cosine about the normal, on the normal's side: the samples of a pixel fall
-/// one into each of the N strata of the disk that they are projected to (Nusselt). Oracle: equal areas of the
-/// disk for the set's squares, by radius; azimuths all around.
+/// Law: directions are spread by the cosine about the normal, on the normal's side: the samples of
+/// a pixel fall one into each of the N strata of the disk that they are projected to (Nusselt).
+/// Oracle: equal areas of the disk for the set's squares, by radius; azimuths all around.
 #[test]
 fn the_samples_of_a_pixel_are_stratified_over_the_sky() {
     let mut scene = floor(Vector::new(0.3, 1.0, -0.2));

@@ -8,7 +8,9 @@ use groundtruth::math::{Frame, Normal, Pcg32, Point, Step, Vector, acos, atan2, 
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{Kind as Sampler, MultiJittered, Random};
 use groundtruth::scene::{Scene, Tracer, Whitted};
-use groundtruth::shapes::{Box as Cuboid, Disk, Instance, Plane, Rectangle, TessellatedSphere};
+use groundtruth::shapes::{
+    Box as Cuboid, Disk, Instance, Plane, Rectangle, TessellatedSphere, Triangle,
+};
 use groundtruth::trace::Outcome;
 
 use super::*;
@@ -20,17 +22,18 @@ const SAMPLES: u32 = 1024;
 /// The standard error that each mean may have at most: so an error of 2 % would be 10 of them.
 const POWER: f64 = 2e-3;
 
-/// What the eye sees of a surface point, in each replica: from a little above it, so that nothing is in
-/// between.
+/// What the eye sees of a surface point, in each replica: from a little above it, so that nothing
+/// is in between.
 fn seen(scene: &Scene, point: Point, normal: impl Into<Vector>) -> Vec<Rgb> {
     let out = normal.into() + 0.3 * Vector::new(0.2, 0.7, -0.4);
     let eye = point + 1e-3 * out;
     replicas(&with_samples(scene.clone(), SAMPLES), |world| view(world, eye, -out))
 }
 
-/// Law: a sphere of radius R that lies on a plane takes away the cosine-weighted share
-/// `(R/√(R² + x²))³` of the sky at the distance x from where it lies; `min_amount` of that is given back.
-/// Oracle: the closed form (a sphere above the horizon is `sin²α cosθ`, with `sinα = cosθ` here; ch. 17).
+/// Law: a sphere of radius R that lies on a plane takes away the cosine-weighted share `(R/√(R² +
+/// x²))³` of the sky at the distance x from where it lies; `min_amount` of that is given back.
+/// Oracle: the closed form (a sphere above the horizon is `sin²α cosθ`, with `sinα = cosθ` here;
+/// ch. 17).
 #[test]
 fn a_sphere_on_a_plane_darkens_it_by_the_cube_of_its_sine() {
     for radius in [0.5, 1.0, 30.0] {
@@ -46,9 +49,9 @@ fn a_sphere_on_a_plane_darkens_it_by_the_cube_of_its_sine() {
     }
 }
 
-/// Law: where the normal of a sphere above an infinite plane makes the angle a with the plane's, the share
-/// `(1 + cos a)/2` of the sky is visible, whatever the height and the azimuth: all at the top, one half at
-/// the equator, none at the bottom. Oracle: the closed form (ch. 17).
+/// Law: where the normal of a sphere above an infinite plane makes the angle a with the plane's,
+/// the share `(1 + cos a)/2` of the sky is visible, whatever the height and the azimuth: all at the
+/// top, one half at the equator, none at the bottom. Oracle: the closed form (ch. 17).
 #[test]
 fn a_sphere_above_a_plane_sees_half_of_one_plus_the_cosine() {
     let up = Normal::new(Vector::new(1.0, 2.0, -0.5)).expect("not zero");
@@ -65,8 +68,8 @@ fn a_sphere_above_a_plane_sees_half_of_one_plus_the_cosine() {
     }
 }
 
-/// A wall of height `tall` along a horizontal line at the distance `far` from the origin of the floor, in
-/// the direction `phi`; 10⁵ times as long.
+/// A wall of height `tall` along a horizontal line at the distance `far` from the origin of the
+/// floor, in the direction `phi`; 10⁵ times as long.
 fn wall(floor: Normal, phi: f64, tall: f64, far: f64) -> Rectangle {
     let Frame { u, v, w } = Frame::around(floor);
     let (out, along) = (cos(phi) * u + sin(phi) * v, cos(phi) * v - sin(phi) * u);
@@ -78,10 +81,11 @@ fn wall(floor: Normal, phi: f64, tall: f64, far: f64) -> Rectangle {
     }
 }
 
-/// Law: beside a long wall that rises to the angle a above the horizon the share `(1 + cos a)/2` of the sky
-/// is visible, one half if it has no end; in every direction of the wall and of the floor, on whichever
-/// side the wall has its front, be it an instance or not. Oracle: the closed form of a long strip, `½ (sin φ₂
-/// − sin φ₁)` with angles from the normal: from `π/2 − a` to `π/2` it is `½ (1 − cos a)`.
+/// Law: beside a long wall that rises to the angle a above the horizon the share `(1 + cos a)/2` of
+/// the sky is visible, one half if it has no end; in every direction of the wall and of the floor,
+/// on whichever side the wall has its front, be it an instance or not. Oracle: the closed form of a
+/// long strip, `½ (sin φ₂ − sin φ₁)` with angles from the normal: from `π/2 − a` to `π/2` it is `½
+/// (1 − cos a)`.
 #[test]
 fn beside_a_wall_half_of_one_plus_the_cosine_of_its_height_is_visible() {
     let mut random = Pcg32::new(17, 0);
@@ -109,8 +113,9 @@ fn beside_a_wall_half_of_one_plus_the_cosine_of_its_height_is_visible() {
     }
 }
 
-/// Law: turning everything about the normal changes nothing: whatever the azimuth of the frame, each wall
-/// takes the same away. Oracle: the closed form of a corner of two walls without end: a quarter is visible.
+/// Law: turning everything about the normal changes nothing: whatever the azimuth of the frame,
+/// each wall takes the same away. Oracle: the closed form of a corner of two walls without end: a
+/// quarter is visible.
 #[test]
 fn the_azimuth_of_the_frame_does_not_matter() {
     for turn in 0..8 {
@@ -125,7 +130,8 @@ fn the_azimuth_of_the_frame_does_not_matter() {
     }
 }
 
-/// Law: two colours mix by visibility: `V c_open + (1 − V) min c_occluded`. Oracle: that, with V of the wall.
+/// Law: two colours mix by visibility: `V c_open + (1 − V) min c_occluded`. Oracle: that, with V of
+/// the wall.
 #[test]
 fn two_colours_mix_by_visibility() {
     let occluded = Rgb::new(0.1, 0.2, 1.0);
@@ -147,10 +153,11 @@ fn with_max_distance(scene: &mut Scene, max_distance: f64) {
     scene.lights[0].source = source.into();
 }
 
-/// Law: objects beyond `max_distance` do not count. Below a ceiling at height h the share `(h/D)²` is
-/// visible, as `1 − (h/D)²` of the cosine-weighted sky is within `acos(h/D)` of the zenith. Beside a wall
-/// without end at the distance d it is one minus a segment of the unit disk, `(acos q − q √(1 − q²))/π` for
-/// `q = d/D`, as the cosine-weighted sky is that disk (Nusselt). Oracle: these closed forms.
+/// Law: objects beyond `max_distance` do not count. Below a ceiling at height h the share `(h/D)²`
+/// is visible, as `1 − (h/D)²` of the cosine-weighted sky is within `acos(h/D)` of the zenith.
+/// Beside a wall without end at the distance d it is one minus a segment of the unit disk, `(acos q
+/// − q √(1 − q²))/π` for `q = d/D`, as the cosine-weighted sky is that disk (Nusselt). Oracle:
+/// these closed forms.
 #[test]
 fn objects_beyond_the_largest_distance_do_not_count() {
     for q in [0.1, 0.5, 0.9] {
@@ -168,9 +175,9 @@ fn objects_beyond_the_largest_distance_do_not_count() {
     }
 }
 
-/// Law: where an interpolated normal leans by δ from the true one, directions below the true surface are
-/// blocked by the surface itself: `(1 + cos δ)/2` is visible on a smooth convex mesh alone. Oracle: the share
-/// of a tilted plane; δ from the normals that are recorded.
+/// Law: where an interpolated normal leans by δ from the true one, directions below the true
+/// surface are blocked by the surface itself: `(1 + cos δ)/2` is visible on a smooth convex mesh
+/// alone. Oracle: the share of a tilted plane; δ from the normals that are recorded.
 #[test]
 fn directions_below_the_true_surface_are_blocked() {
     let mut scene = stage(Rgb::BLACK);
@@ -191,8 +198,24 @@ fn directions_below_the_true_surface_are_blocked() {
     assert!(leans >= 3, "the normals lean at {leans} places only");
 }
 
-/// Law: a mirror shows the floor as dark as it is. Oracle: the closed form of a sphere on a plane, and the
-/// mirror itself, which hides half of the sky beside it.
+/// Law: so does an open surface, behind which there is nothing else to stop them. Oracle: the share
+/// of a tilted plane, for a triangle whose normals lean as they are told to.
+#[test]
+fn an_open_surface_blocks_directions_below_itself() {
+    for cosine in [0.9, 0.5, 0.2] {
+        let mut scene = stage(Rgb::BLACK);
+        let vertices = [[-3.0, 0.0, -2.0], [0.0, 0.0, 4.0], [3.0, 0.0, -2.0]].map(Point::from);
+        let leaning = at_angle(Normal::Y, cosine, 2.0);
+        put(&mut scene, Triangle { vertices, normals: Some([leaning; 3]) }, chalk());
+        shine(&mut scene, occluder());
+        let values = seen(&scene, Point::ORIGIN, Vector::Y);
+        let what = format!("a normal that leans by acos {cosine}");
+        assert_color(&what, &values, shade(0.5 * (1.0 + cosine)), 3, POWER);
+    }
+}
+
+/// Law: a mirror shows the floor as dark as it is. Oracle: the closed form of a sphere on a plane,
+/// and the mirror itself, which hides half of the sky beside it.
 #[test]
 fn a_mirror_shows_the_same_occlusion() {
     let mut scene = floor(Vector::Y);
@@ -209,8 +232,8 @@ fn a_mirror_shows_the_same_occlusion() {
     assert_color("in the mirror", &values, 0.5 * shade(0.5), 2, POWER);
 }
 
-/// Pixels whose variance is taken, and how far the ratio of a sample variance of that many nearly normal
-/// values to its expectation may be from 1: five standard deviations `√(2/4096)`.
+/// Pixels whose variance is taken, and how far the ratio of a sample variance of that many nearly
+/// normal values to its expectation may be from 1: five standard deviations `√(2/4096)`.
 const PIXELS: u32 = 4096;
 const VARIANCE_RATIO: f64 = 5.0 * 0.0221;
 
@@ -230,9 +253,9 @@ fn variance(scene: &Scene, sampler: Sampler, samples: u32) -> f64 {
     values.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / (n - 1.0)
 }
 
-/// Law: N independent samples of a point of which the share A is occluded have the standard deviation
-/// `√(A (1 − A)/N) (1 − min)`, that of a coin; multi-jittered ones less. Oracle: the binomial distribution
-/// (ch. 17), by the variance over reseeded pixels.
+/// Law: N independent samples of a point of which the share A is occluded have the standard
+/// deviation `√(A (1 − A)/N) (1 − min)`, that of a coin; multi-jittered ones less. Oracle: the
+/// binomial distribution (ch. 17), by the variance over reseeded pixels.
 #[test]
 fn noise_is_that_of_a_coin() {
     let mut scene = floor(Vector::Y);
@@ -254,9 +277,9 @@ fn noise_is_that_of_a_coin() {
     }
 }
 
-/// Law: what hangs over a point of an open two-sided surface darkens the side that it hangs over, and the
-/// other side not: each viewer sees the sky of their own side. Oracle: the closed form of a disk parallel to
-/// the surface, `R²/(R² + h²)`, and a free sky.
+/// Law: what hangs over a point of an open two-sided surface darkens the side that it hangs over,
+/// and the other side not: each viewer sees the sky of their own side. Oracle: the closed form of a
+/// disk parallel to the surface, `R²/(R² + h²)`, and a free sky.
 #[test]
 fn an_open_surface_is_darkened_on_the_viewers_side() {
     let mut scene = floor(Vector::Y);
@@ -274,10 +297,10 @@ fn an_open_surface_is_darkened_on_the_viewers_side() {
     }
 }
 
-/// Law: what is in the way is the nearest part of any shape, block or ball, that casts shadows: a block around
-/// the edge of which the sky is seen. Oracle: the view factor of a rectangle perpendicular to the surface
-/// whose foot is at it, `(1/2π)(atan(b/c) − (c/√(c² + h²)) atan(b/√(c² + h²)))` for one half of width b, height
-/// h, distance c.
+/// Law: what is in the way is the nearest part of any shape, block or ball, that casts shadows: a
+/// block around the edge of which the sky is seen. Oracle: the view factor of a rectangle
+/// perpendicular to the surface whose foot is at it, `(1/2π)(atan(b/c) − (c/√(c² + h²)) atan(b/√(c²
+/// + h²)))` for one half of width b, height h, distance c.
 #[test]
 fn a_block_hides_the_view_factor_of_its_face() {
     let (b, h, c) = (1.5, 0.8, 1.0_f64);

@@ -44,8 +44,8 @@ pub fn ball(center: Point, radius: f64) -> Sphere {
     Sphere { center, radius, inward: false }
 }
 
-/// A plane through the origin on a stage in the light of the occluder; the background is bright, as it
-/// must not count.
+/// A plane through the origin on a stage in the light of the occluder; the background is bright, as
+/// it must not count.
 pub fn floor(normal: Vector) -> Scene {
     let mut scene = stage(Rgb::new(3.0, 5.0, 7.0));
     put(&mut scene, Plane { point: Point::ORIGIN, normal }, chalk());

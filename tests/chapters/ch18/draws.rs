@@ -32,7 +32,8 @@ fn rays(tree: &RayTree, except: u32) -> Vec<(RayKind, Ray)> {
     tree.nodes().iter().filter(other).map(|node| (node.kind, node.ray)).collect()
 }
 
-/// What is drawn for each light: direction and density stand in the terms, also where no shadow ray is cast.
+/// What is drawn for each light: direction and density stand in the terms, also where no shadow ray
+/// is cast.
 fn weights(tree: &RayTree, except: Option<u32>) -> Vec<(u32, [f64; 3], f64)> {
     let term = |source: &TermSource| match *source {
         TermSource::Direct { light, cos_i, pdf, .. } => Some((light, cos_i, pdf.unwrap_or(-1.0))),
@@ -46,8 +47,9 @@ fn weights(tree: &RayTree, except: Option<u32>) -> Vec<(u32, [f64; 3], f64)> {
     drawn.filter(|(light, ..)| Some(*light) != except).collect()
 }
 
-/// Law: switching a light off takes its own rays away and changes no draw of any other light; switching its shadows
-/// off changes no draw at all, its own included. Oracle: all lights, bit for bit: rays, cosines, densities.
+/// Law: switching a light off takes its own rays away and changes no draw of any other light;
+/// switching its shadows off changes no draw at all, its own included. Oracle: all lights, bit for
+/// bit: rays, cosines, densities.
 #[test]
 fn switching_a_light_or_its_shadows_changes_no_other_draw() {
     let scene = all_lights();
@@ -79,8 +81,8 @@ fn switching_a_light_or_its_shadows_changes_no_other_draw() {
     }
 }
 
-/// Law: whoever listens, the same is drawn. Oracle: silence; and the counter of draws: one pair for each light that needs one,
-/// two for those of three numbers.
+/// Law: whoever listens, the same is drawn. Oracle: silence; and the counter of draws: one pair for
+/// each light that needs one, two for those of three numbers.
 #[test]
 fn listening_changes_no_draw() {
     let scene = all_lights();
@@ -101,7 +103,8 @@ fn listening_changes_no_draw() {
     }
 }
 
-/// Where on a lamp, a rectangle of the sides X and Z about (0, 2, 0), the shadow rays of a pixel's samples end.
+/// Where on a lamp, a rectangle of the sides X and Z about (0, 2, 0), the shadow rays of a pixel's
+/// samples end.
 fn ends(world: &World, pixel: [u32; 2], lamp: u32) -> Vec<[f64; 2]> {
     let ray = ray(Point::new(0.0, 1.0, 0.0), -Vector::Y);
     let mut ends = Vec::new();
@@ -127,8 +130,9 @@ fn two_lamps() -> Scene {
     scene
 }
 
-/// Law: the N samples of a pixel are as well spread over a lamp as they are over the pixel: each stratum has one of them,
-/// cells, columns and rows; over a second lamp in another order. Oracle: counting, where the recorded shadow rays end.
+/// Law: the N samples of a pixel are as well spread over a lamp as they are over the pixel: each
+/// stratum has one of them, cells, columns and rows; over a second lamp in another order. Oracle:
+/// counting, where the recorded shadow rays end.
 #[test]
 fn the_samples_of_a_pixel_are_stratified_over_each_lamp() {
     for side in [4_usize, 8] {
@@ -157,9 +161,10 @@ fn the_samples_of_a_pixel_are_stratified_over_each_lamp() {
     }
 }
 
-/// Law: with one sample and no sampler named, pixel and lens are sampled in the middle, as in the book, and lights are not: from
-/// pixel to pixel the places on a lamp are spread all over it. Oracle: the middle, exactly; all nine parts of the
-/// lamp, and over replicas the mean of the places, its middle.
+/// Law: with one sample and no sampler named, pixel and lens are sampled in the middle, as in the
+/// book, and lights are not: from pixel to pixel the places on a lamp are spread all over it.
+/// Oracle: the middle, exactly; all nine parts of the lamp, and over replicas the mean of the
+/// places, its middle.
 #[test]
 fn one_sample_is_in_the_middle_of_pixel_and_lens_only() {
     let mut scene = two_lamps();
@@ -202,9 +207,9 @@ fn one_sample_is_in_the_middle_of_pixel_and_lens_only() {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: an opaque matte scene takes one ray from the eye for each sample, and at a hit one for each light that casts shadows and
-    /// is above the surface; point and directional lights draw nothing. Oracle: counting the lights above the tangent
-    /// plane of a ball.
+    /// Law: an opaque matte scene takes one ray from the eye for each sample, and at a hit one for
+    /// each light that casts shadows and is above the surface; point and directional lights draw
+    /// nothing. Oracle: counting the lights above the tangent plane of a ball.
     #[test]
     fn a_matte_hit_costs_one_ray_for_each_light_above_it(
         to_eye in unit(),
@@ -217,7 +222,10 @@ proptest! {
         for (direction, near, shadows, enabled) in &directions {
             let (ls, color, towards) = (1.0, Rgb::WHITE, Vector::from(*direction));
             let light = match near {
-                true => shine(&mut scene, PointLight { ls, color, location: Point::ORIGIN + 3.0 * towards, attenuation: 0.0 }),
+                true => {
+                    let location = Point::ORIGIN + 3.0 * towards;
+                    shine(&mut scene, PointLight { ls, color, location, attenuation: 0.0 })
+                }
                 false => shine(&mut scene, Directional { ls, color, direction: towards }),
             };
             (scene.lights[light].shadows, scene.lights[light].enabled) = (*shadows, *enabled);

@@ -9,8 +9,8 @@ use super::*;
 use crate::replicas::assert_color;
 use crate::support::{U, laws, unit};
 
-/// How large lamps are, seen from the place that is lit: each sample of a lamp is off by a few times as much,
-/// the mean by its square.
+/// How large lamps are, seen from the place that is lit: each sample of a lamp is off by a few
+/// times as much, the mean by its square.
 const SIZE: f64 = 1e-5;
 
 /// Lamps of that size at a distance, their area, and the cosine with which they face the origin.
@@ -38,10 +38,10 @@ fn small_lamps(to_lamp: Vector, far: f64, turned: Vector) -> Vec<(shapes::Kind, 
 proptest! {
     #![proptest_config(ProptestConfig { cases: laws().cases / 4, ..laws() })]
 
-    /// Law: from far away a flat lamp is a point light of strength `L A cosθ'` that fades with the square of the
-    /// distance, a sphere one of `L π R²`: flat ones in each sample, whichever point it draws. Oracle: that point light
-    /// (ch. 14, 18); twice as large an area at the same radiance gives twice the light, at half the radiance the
-    /// same.
+    /// Law: from far away a flat lamp is a point light of strength `L A cosθ'` that fades with the
+    /// square of the distance, a sphere one of `L π R²`: flat ones in each sample, whichever point
+    /// it draws. Oracle: that point light (ch. 14, 18); twice as large an area at the same radiance
+    /// gives twice the light, at half the radiance the same.
     #[test]
     fn from_far_away_a_lamp_is_a_point_light(
         (n, to_lamp) in (unit(), unit()),
@@ -66,14 +66,15 @@ proptest! {
             let mut by_point = floor(n);
             shine(&mut by_point, point);
             let expected = look(&built(&by_point), eye, Point::ORIGIN - eye);
-            // the cosines change by the lamp's size over themselves; rounding of the place of a small thing far away
+            // the cosines change by the lamp's size over themselves; rounding of the place of a
+            // small thing far away
             let tolerance = 8.0 * SIZE / (cosine * cos_i) + 64.0 * U / SIZE;
             prop_assert!(close(found, expected, tolerance), "{shape:?}: {found:?}, expected {expected:?}");
         }
     }
 
-    /// Law: a lamp seen directly has the radiance `l_s c_e`, at any distance and angle, whether a light names it or
-    /// not. Oracle: the product, bit for bit.
+    /// Law: a lamp seen directly has the radiance `l_s c_e`, at any distance and angle, whether a
+    /// light names it or not. Oracle: the product, bit for bit.
     #[test]
     fn a_lamp_is_seen_as_it_shines(to_eye in unit(), far in 1.0..1e6_f64, spot in unit()) {
         for (name, shape) in every_lamp() {
@@ -92,8 +93,8 @@ proptest! {
     }
 }
 
-/// Law: twice the area at the same radiance gives twice the light far away; half the radiance restores it, exactly
-/// (ch. 18). Oracle: the smaller lamp.
+/// Law: twice the area at the same radiance gives twice the light far away; half the radiance
+/// restores it, exactly (ch. 18). Oracle: the smaller lamp.
 #[test]
 fn twice_the_area_is_twice_the_light() {
     let center = Point::new(0.0, 50.0, 20.0);

@@ -15,8 +15,9 @@ use crate::support::{U, laws, point, unit};
 
 const SAMPLES: u32 = 1024;
 
-/// `∫ f` over the cube `[−1, 1]³`, over its volume: midpoints of 48³ cells. They err by the square of a cell's side,
-/// `1/48²`, times a few second derivatives over 24: a few 1e-4 of the value for the lights below.
+/// `∫ f` over the cube `[−1, 1]³`, over its volume: midpoints of 48³ cells. They err by the square
+/// of a cell's side, `1/48²`, times a few second derivatives over 24: a few 1e-4 of the value for
+/// the lights below.
 fn cube_mean(f: impl Fn(Vector) -> f64) -> f64 {
     const CELLS: u32 = 48;
     let along = |i: u32| (f64::from(2 * i + 1) / f64::from(CELLS)) - 1.0;
@@ -31,8 +32,9 @@ fn cube_mean(f: impl Fn(Vector) -> f64) -> f64 {
     sum / f64::from(CELLS * CELLS * CELLS)
 }
 
-/// Law: a fake spherical light is the mean of point lights all over a cube of side 2r. Oracle: the sum over 48³ of them, by
-/// `k_d l_s cosθ/(π d^k)`; near, so that the corners of the cube count, and partly below the horizon.
+/// Law: a fake spherical light is the mean of point lights all over a cube of side 2r. Oracle: the
+/// sum over 48³ of them, by `k_d l_s cosθ/(π d^k)`; near, so that the corners of the cube count,
+/// and partly below the horizon.
 #[test]
 fn a_fake_spherical_light_is_the_mean_of_a_cube_of_points() {
     for (location, jitter, attenuation) in [
@@ -54,8 +56,8 @@ fn a_fake_spherical_light_is_the_mean_of_a_cube_of_points() {
     }
 }
 
-/// Law: a jittered directional light is the mean of directional ones: unit directions moved by up to r along each axis and
-/// made unit again. Oracle: the sum over 48³ of them.
+/// Law: a jittered directional light is the mean of directional ones: unit directions moved by up
+/// to r along each axis and made unit again. Oracle: the sum over 48³ of them.
 #[test]
 fn a_jittered_directional_light_is_the_mean_of_a_cube_of_directions() {
     for (direction, jitter) in [
@@ -82,8 +84,9 @@ fn a_jittered_directional_light_is_the_mean_of_a_cube_of_directions() {
     }
 }
 
-/// Law: the places fill the whole cube and nothing else, each axis evenly: mean 0, mean square 1/3, product 0. Oracle: these
-/// moments, of where the shadow rays end; no place is farther than r along an axis.
+/// Law: the places fill the whole cube and nothing else, each axis evenly: mean 0, mean square 1/3,
+/// product 0. Oracle: these moments, of where the shadow rays end; no place is farther than r along
+/// an axis.
 #[test]
 fn the_places_of_a_fake_spherical_light_fill_a_cube() {
     let (location, jitter) = (Point::new(3.0, 5.0, -2.0), 0.25);
@@ -123,8 +126,9 @@ fn the_places_of_a_fake_spherical_light_fill_a_cube() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: laws().cases / 4, ..laws() })]
 
-    /// Law: without jitter the fake spherical light is the point light, and the jittered directional one the directional light.
-    /// Oracle: those, shadows and all; bit for bit but for making a unit vector unit again.
+    /// Law: without jitter the fake spherical light is the point light, and the jittered
+    /// directional one the directional light. Oracle: those, shadows and all; bit for bit but for
+    /// making a unit vector unit again.
     #[test]
     fn without_jitter_there_is_one_place_and_one_direction(
         location in point(3.0),

@@ -41,9 +41,10 @@ fn places() -> Vec<Point> {
     (0..24).map(|_| Point::new(c(), 0.0, c())).collect()
 }
 
-/// Law: no lamp shadows itself, of any shape, however it is sampled, at scales from 2⁻²⁰ to 2²⁰: each sample that the
-/// lamp gives arrives, as it does without shadows. But another object in between does, and is the one that is named. Oracle: the
-/// same scene without shadows, bit for bit; a screen that hides all of the lamp.
+/// Law: no lamp shadows itself, of any shape, however it is sampled, at scales from 2⁻²⁰ to 2²⁰:
+/// each sample that the lamp gives arrives, as it does without shadows. But another object in
+/// between does, and is the one that is named. Oracle: the same scene without shadows, bit for bit;
+/// a screen that hides all of the lamp.
 #[test]
 fn a_lamp_does_not_shadow_itself_but_others_shadow_it() {
     for (name, shape) in every_lamp() {
@@ -79,8 +80,8 @@ fn a_lamp_does_not_shadow_itself_but_others_shadow_it() {
     }
 }
 
-/// Law: lamps stand in the way of each other's light: a lamp right above a smaller one takes all its light from the floor's
-/// other side. Oracle: the closed form of the nearer disk alone.
+/// Law: lamps stand in the way of each other's light: a lamp right above a smaller one takes all
+/// its light from the floor's other side. Oracle: the closed form of the nearer disk alone.
 #[test]
 fn lamps_shadow_other_lamps() {
     let mut scene = floor(up());
@@ -106,8 +107,9 @@ fn lamps_shadow_other_lamps() {
     );
 }
 
-/// Law: the back of a one-sided lamp gives nothing; that of a two-sided one the light of its front; a two-sided sphere shines
-/// within as without. Oracle: nothing, and the closed forms of disk and furnace.
+/// Law: the back of a one-sided lamp gives nothing; that of a two-sided one the light of its front;
+/// a two-sided sphere shines within as without. Oracle: nothing, and the closed forms of disk and
+/// furnace.
 #[test]
 fn the_back_of_a_lamp_shines_if_it_is_two_sided() {
     for two_sided in [false, true] {
@@ -137,8 +139,9 @@ fn the_back_of_a_lamp_shines_if_it_is_two_sided() {
     }
 }
 
-/// Law: the light of a lamp that is off is gone and so is its glow: its object is black, but still in the way. An
-/// emissive object that no light names is seen, and lights nothing. Oracle: the radiance `l_s c_e`, and black.
+/// Law: the light of a lamp that is off is gone and so is its glow: its object is black, but still
+/// in the way. An emissive object that no light names is seen, and lights nothing. Oracle: the
+/// radiance `l_s c_e`, and black.
 #[test]
 fn a_lamp_that_is_off_is_dark_and_one_without_light_is_only_seen() {
     let (below, spot) = (Point::new(0.1, 0.5, 0.2), Point::new(0.1, 3.0, 0.1));
@@ -208,9 +211,9 @@ pub fn all_lights() -> Scene {
     with_samples(scene, 16)
 }
 
-/// Law: lights add, of every kind: what is seen in the light of all is the sum of what is seen in the light of each alone, as
-/// each draws what it draws whatever else shines. Oracle: the sum, at places all over the floor and the ball; lamps that are off are
-/// still in the way.
+/// Law: lights add, of every kind: what is seen in the light of all is the sum of what is seen in
+/// the light of each alone, as each draws what it draws whatever else shines. Oracle: the sum, at
+/// places all over the floor and the ball; lamps that are off are still in the way.
 #[test]
 fn lights_of_every_kind_add() {
     let scene = all_lights();
@@ -237,8 +240,41 @@ fn lights_of_every_kind_add() {
     assert!(bright.iter().all(|&n| n > 3), "each light lights something: {bright:?}");
 }
 
-/// Law: a light's strength is a factor of its part: twice `l_s` is twice its part, bit for bit, for every kind of light.
-/// Oracle: the part before.
+/// Law: objects stand in the way of every kind of light, and of none that casts no shadows: under a
+/// hood the floor is black, but for ambient light, of which the occluder leaves its least. Oracle:
+/// nothing; and the floor without the hood, bit for bit.
+#[test]
+fn a_hood_keeps_off_light_of_every_kind() {
+    let (spot, eye) = (Point::new(1.0, 0.0, 0.9), Point::new(1.02, 0.05, 0.93));
+    let mut scene = all_lights();
+    let places = scene.lights.len();
+    let hood = put(&mut scene, ball(spot, 0.2), white());
+    for only in 0..places {
+        let mut hooded = scene.clone();
+        hooded.lights.iter_mut().enumerate().for_each(|(i, light)| light.enabled = i == only);
+        let mut open = hooded.clone();
+        open.objects[hood].enabled = false;
+        let free = view(&built(&open), eye, spot - eye);
+        assert!(!free.is_black(), "light {only} lights the floor");
+        let found = view(&built(&hooded), eye, spot - eye);
+        let reflectance = 0.4 * Rgb::new(0.9, 0.6, 0.3);
+        let expected = match &hooded.lights[only].source {
+            Kind::Ambient(_) => free,
+            Kind::AmbientOccluder(light) => {
+                (light.min_amount * light.ls) * (reflectance * light.color)
+            }
+            _ => Rgb::BLACK,
+        };
+        assert!(close(found, expected, 16.0 * U), "light {only}: {found:?}, expected {expected:?}");
+        hooded.lights[only].shadows = false;
+        open.lights[only].shadows = false;
+        let [found, expected] = [hooded, open].map(|scene| view(&built(&scene), eye, spot - eye));
+        assert_eq!(found, expected, "light {only} without shadows");
+    }
+}
+
+/// Law: a light's strength is a factor of its part: twice `l_s` is twice its part, bit for bit, for
+/// every kind of light. Oracle: the part before.
 #[test]
 fn twice_the_strength_is_twice_the_light() {
     let scene = all_lights();

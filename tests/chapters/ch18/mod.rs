@@ -5,7 +5,7 @@ mod errors;
 mod far;
 mod irradiance;
 mod jittered;
-mod lamps;
+pub mod lamps;
 mod penumbra;
 mod polygon;
 mod sky;
@@ -35,8 +35,8 @@ pub fn ball(center: Point, radius: f64) -> Sphere {
     Sphere { center, radius, inward: false }
 }
 
-/// A white plane through the origin; nothing shines yet. The background is bright where the sky does not
-/// light: it must not count.
+/// A white plane through the origin; nothing shines yet. The background is bright where the sky
+/// does not light: it must not count.
 pub fn floor(normal: impl Into<Vector>) -> Scene {
     let mut scene = stage(Rgb::new(3.0, 5.0, 7.0));
     put(&mut scene, Plane { point: Point::ORIGIN, normal: normal.into() }, white());
@@ -54,7 +54,8 @@ pub fn hang(
     place
 }
 
-/// What the eye sees, in each replica, of a point from a little above it, so that nothing is in between.
+/// What the eye sees, in each replica, of a point from a little above it, so that nothing is in
+/// between.
 pub fn seen(scene: &Scene, samples: u32, point: Point, normal: impl Into<Vector>) -> Vec<Rgb> {
     let out = normal.into() + 0.3 * Vector::new(0.2, 0.7, -0.4);
     let eye = point + 1e-3 * out;
@@ -66,7 +67,8 @@ pub fn panel(center: Point, a: Vector, b: Vector) -> Rectangle {
     Rectangle { corner: center - 0.5 * (a + b), a, b }
 }
 
-/// The radiance of a white surface of which the lamps fill this share of the cosine-weighted sky: `F L`.
+/// The radiance of a white surface of which the lamps fill this share of the cosine-weighted sky:
+/// `F L`.
 pub fn lit(share: f64) -> Rgb {
     (share * LS) * CE
 }

@@ -12,15 +12,16 @@ const WIDTH: f64 = 0.6;
 const LAMP: f64 = 4.0;
 const BEAM: f64 = 1.0;
 
-/// Samples: multi-jittered, so that in each direction of the lamp there is one in each of so many strips.
+/// Samples: multi-jittered, so that in each direction of the lamp there is one in each of so many
+/// strips.
 const SAMPLES: u32 = 256;
 
-/// The lamp's strips are numbered by the sample; the share that is seen is whole strips, but for the one that the
-/// edge cuts, and for rounding.
+/// The lamp's strips are numbered by the sample; the share that is seen is whole strips, but for
+/// the one that the edge cuts, and for rounding.
 const STRIP: f64 = 1.0 / 256.0 + 1e-9;
 
-/// A floor under a lamp, with a beam from `−half` to `half` in between. The lamp is sampled by area, so that
-/// samples are spread evenly over its width.
+/// A floor under a lamp, with a beam from `−half` to `half` in between. The lamp is sampled by
+/// area, so that samples are spread evenly over its width.
 fn under_a_beam(half: f64) -> Scene {
     let mut scene = floor(up());
     let lamp = panel(Point::new(0.0, LAMP, 0.0), WIDTH * Vector::X, 1e-3 * Vector::Z);
@@ -44,7 +45,8 @@ fn unblocked(world: &World, x: f64) -> (f64, Rgb) {
     (free as f64 / f64::from(SAMPLES), (1.0 / f64::from(SAMPLES)) * sum)
 }
 
-/// The share of the lamp's width that is seen from the floor at x past a beam from `−half` to `half`.
+/// The share of the lamp's width that is seen from the floor at x past a beam from `−half` to
+/// `half`.
 fn visible(x: f64, half: f64) -> f64 {
     // an edge of the beam is seen before this place of the lamp: similar triangles
     let onto_lamp = |edge: f64| x + (edge - x) * LAMP / BEAM;
@@ -52,10 +54,11 @@ fn visible(x: f64, half: f64) -> f64 {
     1.0 - (inside(onto_lamp(half)) - inside(onto_lamp(-half)))
 }
 
-/// Law: the share of a lamp that is seen past a beam is that by similar triangles, everywhere: the umbra is `B − (w − B)
-/// h/(H − h)` wide if the beam is that wide, umbra and penumbra together `B + (B + w) h/(H − h)`, for a beam B at
-/// height h under a lamp w at height H. Oracle: the projected edges, to one strip of the stratified lamp; exactly all and
-/// none outside the penumbra, and there what is seen is what it is without the beam, bit for bit, or black.
+/// Law: the share of a lamp that is seen past a beam is that by similar triangles, everywhere: the
+/// umbra is `B − (w − B) h/(H − h)` wide if the beam is that wide, umbra and penumbra together `B +
+/// (B + w) h/(H − h)`, for a beam B at height h under a lamp w at height H. Oracle: the projected
+/// edges, to one strip of the stratified lamp; exactly all and none outside the penumbra, and there
+/// what is seen is what it is without the beam, bit for bit, or black.
 #[test]
 fn umbra_and_penumbra_have_the_widths_of_similar_triangles() {
     for half in [0.05, 0.2, 0.5] {
@@ -89,8 +92,9 @@ fn umbra_and_penumbra_have_the_widths_of_similar_triangles() {
     }
 }
 
-/// Law: across a penumbra the floor becomes brighter and brighter: the share that is seen with the same samples never
-/// falls, and neither does the light, in steps of a sixteenth of the penumbra. Oracle: the neighbour.
+/// Law: across a penumbra the floor becomes brighter and brighter: the share that is seen with the
+/// same samples never falls, and neither does the light, in steps of a sixteenth of the penumbra.
+/// Oracle: the neighbour.
 #[test]
 fn light_grows_across_a_penumbra() {
     let scene = under_a_beam(0.4);
@@ -111,9 +115,10 @@ fn light_grows_across_a_penumbra() {
     assert!(before.0 > 0.99, "at the outer edge {} of the lamp is seen", before.0);
 }
 
-/// Law: a ball between a spherical lamp and the floor: where lamp and ball have their centres on one line with the
-/// point, and the ball looks larger, there is no light; beside the cone that touches both crosswise it is whole. Oracle: the
-/// tangent cones of two spheres on one axis: apex behind the ball for the umbra, between them for the penumbra.
+/// Law: a ball between a spherical lamp and the floor: where lamp and ball have their centres on
+/// one line with the point, and the ball looks larger, there is no light; beside the cone that
+/// touches both crosswise it is whole. Oracle: the tangent cones of two spheres on one axis: apex
+/// behind the ball for the umbra, between them for the penumbra.
 #[test]
 fn two_balls_have_an_umbra_and_a_penumbra() {
     let (lamp, ball_at, big, small) = (10.0, 4.0, 1.0, 0.6);

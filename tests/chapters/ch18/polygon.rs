@@ -27,9 +27,10 @@ fn above(point: Point, normal: Normal, polygon: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// The share of the cosine-weighted sky of a point that a polygon fills whose corners run counter-clockwise
-/// as its front is seen; 0 from behind: `(1/2π) Σ γ_i (n·Γ_i)`, γ the angle under which an edge is seen and
-/// Γ the unit normal of the plane through edge and point (Lambert 1760, "Photometria").
+/// The share of the cosine-weighted sky of a point that a polygon fills whose corners run
+/// counter-clockwise as its front is seen; 0 from behind: `(1/2π) Σ γ_i (n·Γ_i)`, γ the angle under
+/// which an edge is seen and Γ the unit normal of the plane through edge and point (Lambert 1760,
+/// "Photometria").
 pub fn share(point: Point, normal: Normal, polygon: &[Point]) -> f64 {
     let corners = above(point, normal, polygon);
     let edge = |i: usize| {
@@ -47,7 +48,8 @@ fn corners(rectangle: &Rectangle) -> [Point; 4] {
     [corner, corner + a, corner + a + b, corner + b]
 }
 
-/// Some lamps within 1 to 4 of the origin, turned towards it, some of them partly below the horizon.
+/// Some lamps within 1 to 4 of the origin, turned towards it, some of them partly below the
+/// horizon.
 fn rectangles(count: u32) -> Vec<Rectangle> {
     let mut random = Pcg32::new(18, 0);
     let mut some = Vec::new();
@@ -66,9 +68,9 @@ fn rectangles(count: u32) -> Vec<Rectangle> {
     some
 }
 
-/// Law: the formula itself is right: it gives the known form factors of a square, and a polygon is the sum of
-/// its parts. Oracle: the arc tangents for a corner of a parallel rectangle (ch. 18), and one share for an
-/// opening all around.
+/// Law: the formula itself is right: it gives the known form factors of a square, and a polygon is
+/// the sum of its parts. Oracle: the arc tangents for a corner of a parallel rectangle (ch. 18),
+/// and one share for an opening all around.
 #[test]
 fn lamberts_formula_is_the_form_factor_of_a_parallel_rectangle() {
     for (a, b, h) in [(1.0, 1.0, 1.0), (3.0, 0.5, 2.0), (1e6, 1e6, 1.0_f64)] {
@@ -80,16 +82,16 @@ fn lamberts_formula_is_the_form_factor_of_a_parallel_rectangle() {
     }
 }
 
-/// The share of a rectangle parallel to the surface, one corner straight above the point: sides over the
-/// distance (ch. 18).
+/// The share of a rectangle parallel to the surface, one corner straight above the point: sides
+/// over the distance (ch. 18).
 fn corner_factor(a: f64, b: f64) -> f64 {
     let (sa, sb) = ((1.0 + a * a).sqrt(), (1.0 + b * b).sqrt());
     (a / sa * atan2(b, sa) + b / sb * atan2(a, sb)) / TAU
 }
 
-/// Law: a rectangle parallel to the floor, its corner straight above, fills the share of the arc tangents; one
-/// straight above with its centre four times that of a quarter. Sampled by area and by solid angle. Oracle: the
-/// closed form (ch. 18).
+/// Law: a rectangle parallel to the floor, its corner straight above, fills the share of the arc
+/// tangents; one straight above with its centre four times that of a quarter. Sampled by area and
+/// by solid angle. Oracle: the closed form (ch. 18).
 #[test]
 fn a_parallel_rectangle_gives_the_form_factor_of_the_arc_tangents() {
     for sampling in [Sampling::Area, Sampling::SolidAngle] {
@@ -109,8 +111,9 @@ fn a_parallel_rectangle_gives_the_form_factor_of_the_arc_tangents() {
     }
 }
 
-/// Law: a rectangle anywhere, also partly below the horizon, and an instance of another one that becomes it,
-/// give the light of Lambert's formula, sampled by area and by solid angle. Oracle: that formula.
+/// Law: a rectangle anywhere, also partly below the horizon, and an instance of another one that
+/// becomes it, give the light of Lambert's formula, sampled by area and by solid angle. Oracle:
+/// that formula.
 #[test]
 fn rectangles_and_their_instances_give_lamberts_light() {
     for (i, rectangle) in rectangles(6).into_iter().enumerate() {
@@ -124,7 +127,8 @@ fn rectangles_and_their_instances_give_lamberts_light() {
         let [corner, at_a, at_b] =
             [rectangle.corner, rectangle.corner + rectangle.a, rectangle.corner + rectangle.b]
                 .map(|p| back.point(p));
-        // undone by the transform, the sides are not at right angles in general: a triangle pair is a mesh
+        // undone by the transform, the sides are not at right angles in general: a triangle pair is
+        // a mesh
         let (a, b) = (at_a - corner, at_b - corner);
         let mesh = Mesh::of_lists(
             vec![corner, corner + a, corner + a + b, corner + b],
@@ -146,8 +150,9 @@ fn rectangles_and_their_instances_give_lamberts_light() {
     }
 }
 
-/// Law: an instance of a rectangle is the transformed rectangle: turned and evenly scaled, or stretched along
-/// its sides; by whichever sampling it allows. Oracle: Lambert's formula for the transformed corners.
+/// Law: an instance of a rectangle is the transformed rectangle: turned and evenly scaled, or
+/// stretched along its sides; by whichever sampling it allows. Oracle: Lambert's formula for the
+/// transformed corners.
 #[test]
 fn an_instance_of_a_rectangle_is_the_transformed_rectangle() {
     let rectangle = panel(Point::new(0.2, 0.0, -0.1), 2.0 * Vector::X, Vector::Z);
@@ -170,7 +175,8 @@ fn an_instance_of_a_rectangle_is_the_transformed_rectangle() {
     for steps in [similar.to_vec(), stretched.to_vec(), mirrored.to_vec()] {
         let transform = Transform::from_steps(&steps).expect("not singular");
         let mut polygon = corners(&rectangle).map(|p| transform.point(p));
-        // normals go along with the surface: mirrored, the corners run the other way round its front
+        // normals go along with the surface: mirrored, the corners run the other way round its
+        // front
         if transform.determinant() < 0.0 {
             polygon.reverse();
         }
@@ -186,8 +192,8 @@ fn an_instance_of_a_rectangle_is_the_transformed_rectangle() {
     }
 }
 
-/// Law: a triangle gives the light of Lambert's formula, seen from its front, and none from behind; a mesh that
-/// of all its triangles, however different their sizes. Oracle: that formula, added up.
+/// Law: a triangle gives the light of Lambert's formula, seen from its front, and none from behind;
+/// a mesh that of all its triangles, however different their sizes. Oracle: that formula, added up.
 #[test]
 fn triangles_and_meshes_give_the_light_of_their_polygons() {
     let at = |x: f64, y: f64, z: f64| Point::new(x, y, z);
@@ -222,9 +228,9 @@ fn triangles_and_meshes_give_the_light_of_their_polygons() {
     assert_color("the mesh", &values, lit(sum), 4, 2.0 * POWER);
 }
 
-/// Law: a tessellated sphere gives the light of those of its triangles that face the point; the others take
-/// their samples for nothing and are not seen through. Oracle: Lambert's formula for each triangle, which is 0 from
-/// behind; a convex body hides no front of its own.
+/// Law: a tessellated sphere gives the light of those of its triangles that face the point; the
+/// others take their samples for nothing and are not seen through. Oracle: Lambert's formula for
+/// each triangle, which is 0 from behind; a convex body hides no front of its own.
 #[test]
 fn a_tessellated_sphere_gives_the_light_of_the_triangles_that_face_the_point() {
     let sphere = TessellatedSphere::new(9, 6, false);

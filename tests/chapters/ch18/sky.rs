@@ -25,8 +25,9 @@ fn under_the_sky(normal: Normal, matte: Matte) -> Scene {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: under a free sky a matte surface has the radiance `k_d c_d L`, in each single sample: directions drawn by
-    /// the cosine leave no variance. Oracle: the product (ch. 18), to 4e-15 but for grazing directions.
+    /// Law: under a free sky a matte surface has the radiance `k_d c_d L`, in each single sample:
+    /// directions drawn by the cosine leave no variance. Oracle: the product (ch. 18), to 4e-15 but
+    /// for grazing directions.
     #[test]
     fn each_sample_of_a_free_sky_is_the_whole_of_it(
         n in unit(),
@@ -50,8 +51,8 @@ proptest! {
     }
 }
 
-/// Law: the sky that a wall hides gives no light: beside a wall that rises to the angle a, `½ (1 + cos a)` of it is
-/// left. Oracle: the closed form of chapter 17; what hides the sky is black here.
+/// Law: the sky that a wall hides gives no light: beside a wall that rises to the angle a, `½ (1 +
+/// cos a)` of it is left. Oracle: the closed form of chapter 17; what hides the sky is black here.
 #[test]
 fn a_wall_hides_its_share_of_the_sky() {
     for tall in [0.5, 2.0_f64] {
@@ -69,8 +70,8 @@ fn a_wall_hides_its_share_of_the_sky() {
     }
 }
 
-/// Law: the sky's highlight on a glossy surface, seen from straight above, is `2π k_s/(e + 2)` of it, beside the diffuse
-/// share. Oracle: the closed form of chapter 15.
+/// Law: the sky's highlight on a glossy surface, seen from straight above, is `2π k_s/(e + 2)` of
+/// it, beside the diffuse share. Oracle: the closed form of chapter 15.
 #[test]
 fn the_highlight_of_the_sky_is_its_albedo() {
     for exponent in [0.0, 3.0, 10.0] {
@@ -97,8 +98,9 @@ fn the_highlight_of_the_sky_is_its_albedo() {
     }
 }
 
-/// Law: the noise falls with the number of samples: random ones by 1/N, multi-jittered ones faster. Oracle: the variance
-/// over replicas, against that of a fourth of the samples; half the sky is hidden by a slanted wall.
+/// Law: the noise falls with the number of samples: random ones by 1/N, multi-jittered ones faster.
+/// Oracle: the variance over replicas, against that of a fourth of the samples; half the sky is
+/// hidden by a slanted wall.
 #[test]
 fn multi_jittered_noise_falls_faster_than_random_noise() {
     use groundtruth::samplers::{Kind, MultiJittered, Random};
