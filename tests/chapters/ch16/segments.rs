@@ -1,6 +1,6 @@
 //! Where shadow rays begin and end.
 
-use std::f64::consts::FRAC_1_PI;
+use std::f64::consts::{FRAC_1_PI, TAU};
 
 use groundtruth::lights::{Directional, FakeSpherical, JitteredDirectional, Kind, Point as Lamp};
 use groundtruth::materials::Matte;
@@ -42,7 +42,7 @@ proptest! {
     /// without the object.
     #[test]
     fn the_shadow_ray_ends_at_the_light_to_nine_digits(
-        (towards, (cosine, phi)) in ((0.2..1.0_f64, 0.0..6.28_f64), (0.3..1.0_f64, 0.0..6.28_f64)),
+        (towards, (cosine, phi)) in ((0.2..1.0_f64, 0.0..TAU), (0.3..1.0_f64, 0.0..TAU)),
         exponent in -9.0..-1.0_f64,
         scale in -20..20_i32,
     ) {
@@ -65,8 +65,8 @@ proptest! {
     /// surface; planes and spheres through the light, at angles from straight on to 5°.
     #[test]
     fn a_surface_that_the_light_lies_on_does_not_hide_it(
-        towards in (0.2..1.0_f64, 0.0..6.28_f64),
-        (cosine, phi) in (0.1..1.0_f64, 0.0..6.28_f64),
+        towards in (0.2..1.0_f64, 0.0..TAU),
+        (cosine, phi) in (0.1..1.0_f64, 0.0..TAU),
         by in point(1.0),
         radius in 0.01..2.0_f64,
         scale in -20..20_i32,
@@ -94,7 +94,7 @@ proptest! {
     /// directions and jittered ones.
     #[test]
     fn an_open_surface_hides_its_front_from_light_below(
-        (lean, turn) in (0.2..1.0_f64, 0.0..6.28_f64),
+        (lean, turn) in (0.2..1.0_f64, 0.0..TAU),
         wi in unit(),
     ) {
         let leaning = at_angle(Normal::Y, lean, turn);

@@ -2,8 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use groundtruth::materials::Emissive;
 use groundtruth::math::{Normal, Pcg32, Point, Step, Transform, Vector, atan2};
 use groundtruth::shapes::{Instance, Kind as Shape, Mesh, TessellatedSphere, Triangle};
+use groundtruth::textures::{Checker3d, Paint};
 
 use super::*;
 use crate::replicas::assert_color;
@@ -226,6 +228,38 @@ fn triangles_and_meshes_give_the_light_of_their_polygons() {
     hang(&mut scene, Mesh::of_lists(vertices.to_vec(), triangles.to_vec()), None);
     let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
     assert_color("the mesh", &values, lit(sum), 4, 2.0 * POWER);
+}
+
+/// Law: a lamp shines with the colour of its texture at the point that is sampled: one of two colours
+/// gives each colour's own share. Oracle: Lambert's formula for its parts.
+#[test]
+fn a_painted_lamp_gives_the_light_of_its_parts() {
+    const SIZE: f64 = 4.0;
+    /// A checker's borders lie that far below the multiples of its size (see `checker3d`).
+    const BORDER: f64 = -2e-4 * SIZE;
+    let (red, blue) = (Rgb::new(1.0, 0.1, 0.0), Rgb::new(0.2, 0.4, 1.0));
+    let from_to = |from: f64, to: f64| Rectangle {
+        corner: Point::new(from, 1.2, -0.3),
+        a: (to - from) * Vector::X,
+        b: 1.5 * Vector::Z,
+    };
+    // not in the middle, so that the parts differ
+    let spot = Point::new(0.8, 0.0, 0.1);
+    let [left, right] = [from_to(-2.0, BORDER), from_to(BORDER, 2.0)]
+        .map(|part| share(spot, up(), &corners(&part)));
+    let expected = LS * (left * blue + right * red);
+    // moved within its own space, so that of the checker's borders it meets the one near x = 0 only
+    let Rectangle { corner, a, b } = from_to(-2.0, 2.0);
+    let within = Rectangle { corner: corner + Vector::Z, a, b };
+    let lamp_shape = Instance::new(within, vec![Step::Translate(-Vector::Z)]);
+    for sampling in [Sampling::Area, Sampling::SolidAngle] {
+        let mut scene = floor(up());
+        let lamp = hang(&mut scene, lamp_shape.clone(), Some(sampling));
+        let checker = Checker3d { size: SIZE, color1: red, color2: blue };
+        scene.materials[lamp].recipe = Emissive::new(LS, Paint(checker.into())).into();
+        let values = seen(&scene, SAMPLES, spot, up());
+        assert_color(&format!("{sampling:?}"), &values, expected, 2, POWER);
+    }
 }
 
 /// Law: a tessellated sphere gives the light of those of its triangles that face the point; the
