@@ -324,8 +324,8 @@ impl<R: Recorder> Tracing<'_, R> {
         match sample.segment {
             Some(segment) if light.shadows => {
                 // where an interpolated normal differs from the true one, the surface hides part of
-                // the hemisphere itself
-                if sample.pdf.is_some() && point.normals.geometry.dot(sample.direction) <= 0.0 {
+                // the hemisphere itself, also if it is open and nothing else is behind it
+                if point.normals.geometry.dot(sample.direction) <= 0.0 {
                     return (sample.blocked, false);
                 }
                 (self.shadow(medium, point, light.place, (segment, sample)), true)

@@ -1,5 +1,7 @@
 //! Chapter 13: theoretical foundations.
 
+mod albedo;
+
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use groundtruth::lights::Directional;
@@ -117,26 +119,6 @@ fn samples_follow_the_density_they_state() {
             assert!((mean - integral).abs() < 2e-3, "{lobe:?}: {mean} {integral}");
         }
     }
-}
-
-/// Law: a lobe that claims to conserve energy sends out no more than arrives, and the glossy lobe,
-/// which does not claim it, does not: `2π/(e + 2) > 1` for small `e` (ch. 13, 15). The refracted
-/// lobes count radiance, which grows by η² in the denser medium.
-#[test]
-fn no_lobe_that_conserves_energy_reflects_more_than_all() {
-    for lobe in every_lobe().filter(|lobe| lobe.claims().conserves_energy) {
-        for cosine in [1.0, 0.7, 0.2, 1e-6] {
-            let eta = match lobe {
-                Lobe::PerfectTransmitter(lobe) => lobe.eta,
-                Lobe::FresnelTransmitter(lobe) => lobe.eta,
-                _ => 1.0,
-            };
-            let albedo = lobe.albedo(at_angle(Normal::Z, cosine, 2.0));
-            assert!(eta * eta * albedo.max() <= 1.0 + 8.0 * U, "{lobe:?} {cosine}: {albedo:?}");
-        }
-    }
-    let broad = Lobe::from(GlossySpecular { reflectance: Rgb::WHITE, exponent: 0.0 });
-    assert!(!broad.claims().conserves_energy && broad.albedo(Vector::Z).r > 3.0);
 }
 
 proptest! {

@@ -1,5 +1,6 @@
 //! Chapter 14: lights and materials.
 
+mod sources;
 pub mod stage;
 
 use std::f64::consts::{FRAC_1_PI, PI};

@@ -1,5 +1,8 @@
 //! Chapter 16: shadows.
 
+mod media;
+mod segments;
+
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 use groundtruth::gallery;

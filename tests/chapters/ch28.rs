@@ -1,6 +1,6 @@
 //! Chapter 28: realistic transparency.
 
-mod fresnel;
+pub mod fresnel;
 mod polarised;
 mod recorded_optics;
 

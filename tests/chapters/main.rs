@@ -7,6 +7,7 @@ mod calibration;
 mod exact;
 mod hard_cases;
 mod leaving;
+mod replicas;
 mod support;
 
 mod ch01;
@@ -25,6 +26,8 @@ mod ch13;
 mod ch14;
 mod ch15;
 mod ch16;
+mod ch17;
+mod ch18;
 mod ch19;
 mod ch20;
 mod ch21;

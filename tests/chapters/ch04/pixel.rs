@@ -12,6 +12,8 @@ use groundtruth::scene::{Material, Object, Scene};
 use groundtruth::shapes::{self, Plane, Surface};
 use groundtruth::textures::{self, Paint, Texture};
 use groundtruth::trace::RayCounts;
+use groundtruth::verify::means::one_sample;
+use groundtruth::verify::significance::sidak;
 use proptest::prelude::*;
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
@@ -162,32 +164,65 @@ fn the_sinusoid_is_shown_at_the_centres() {
     }
 }
 
-/// Law: many samples show the mean over the pixel where one shows anything. Oracle: a midpoint sum
-/// of 400 × 400.
+/// Law: many samples show the mean over the pixel where one shows anything: with n × n jittered
+/// samples no error is larger than that of as many independent ones, and over reseeded pictures
+/// there is none. Oracle: mean and variance by midpoints of 400 × 400 cells; t tests of 16 replicas
+/// of each pixel, and the standard error `σ/n` of independent samples, which a stratum each cannot
+/// exceed.
 #[test]
-fn more_samples_come_nearer_to_the_mean_over_the_pixel() {
+fn more_samples_show_the_mean_over_the_pixel() {
+    const REPLICAS: u64 = 16;
+    const PIXELS: usize = 32;
     let mut one = sinusoid(32);
     let mut many = one.clone();
     one.image.sampler = Some(Regular {}.into());
     many.image.samples = 1024;
     many.image.sampler = Some(Jittered {}.into());
-    let [one, many] = [one, many].map(|scene| built(&scene));
-    let (mut worse, mut better) = (0.0, 0.0);
-    for at in (0..32).map(|i| [i, 31 - i]) {
-        let s = 10.83 / 32.0;
-        let (left, bottom) = (s * f64::from(at[0]), s * f64::from(31 - at[1]));
-        let fine = |i: u32| s * (f64::from(i) + 0.5) / 400.0;
-        let mean = pixels(400, 400)
-            .map(|[i, j]| {
-                let (x, y) = (left + fine(i), bottom + fine(j));
-                0.5 * (1.0 + sin(x * x * y * y))
-            })
-            .sum::<f64>()
-            / 160_000.0;
-        worse += (render::pixel(&one, at).g - mean).abs();
-        better += (render::pixel(&many, at).g - mean).abs();
+    let [one, mut many] = [one, many].map(|scene| built(&scene));
+    let at = |i: u32| [i, 31 - i];
+    let mut values = vec![Vec::new(); PIXELS];
+    for seed in 0..REPLICAS {
+        many.reseed(seed);
+        for (i, values) in (0..).zip(&mut values) {
+            values.push(render::pixel(&many, at(i)).g);
+        }
     }
-    assert!(better < worse / 20.0, "{better} {worse}");
+    let mut surprising = 0;
+    for (i, values) in (0..).zip(&values) {
+        let s = 10.83 / 32.0;
+        let (left, bottom) = (s * f64::from(at(i)[0]), s * f64::from(31 - at(i)[1]));
+        let fine = |i: u32| s * (f64::from(i) + 0.5) / 400.0;
+        let (mut mean, mut square) = (0.0, 0.0);
+        for [i, j] in pixels(400, 400) {
+            let (x, y) = (left + fine(i), bottom + fine(j));
+            let value = 0.5 * (1.0 + sin(x * x * y * y));
+            (mean, square) = (mean + value / 160_000.0, square + value * value / 160_000.0);
+        }
+        let sigma = (square - mean * mean).max(0.0).sqrt();
+        let p = one_sample(values, mean);
+        let found = values.iter().sum::<f64>() / REPLICAS as f64;
+        // in the corner the function is flat: the midpoint rule and the samples agree to its
+        // rounding
+        let same = (found - mean).abs() < 1e-9;
+        assert!(
+            same || p > sidak(1e-3, PIXELS),
+            "{:?}: the mean of the replicas is {found}, expected {mean}, p = {p:e}",
+            at(i)
+        );
+        for value in values {
+            // six standard errors: one of 512 values is beyond in a million runs, were they normal
+            // and independent
+            let most = 6.0 * sigma / 32.0 + 1e-9;
+            assert!(
+                (value - mean).abs() <= most,
+                "{:?}: {value}, expected {mean} ± {most:e}",
+                at(i)
+            );
+        }
+        // one sample is some standard deviation of the function off
+        surprising += u32::from((render::pixel(&one, at(i)).g - mean).abs() > 6.0 * sigma / 32.0);
+    }
+    assert!(surprising > 16, "one sample shows the mean of {} of 32 pixels", 32 - surprising);
 }
 
 /// Law: the mean of a million samples is right to 1e-12, whatever their order and signs. Oracle: whole

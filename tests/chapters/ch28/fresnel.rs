@@ -50,14 +50,19 @@ proptest! {
         prop_assert!((0.0..=1.0 + SUM).contains(&f.transmitted), "{f:?}");
     }
 
-    /// Law: R is Fresnel's, for unpolarised light. Oracle: the form with sums and differences of angles.
+    /// Law: R is Fresnel's, for unpolarised light, and T the rest. Oracle: the form with sums and
+    /// differences of angles.
     #[test]
     fn reflection_is_fresnels_in_terms_of_angles(sine in 0.001..0.999_f64, eta in 1.01..4.0_f64) {
         let cos_i = ((1.0 - sine) * (1.0 + sine)).sqrt();
         let (seen, expected) = (fresnel(cos_i, eta).reflected, by_angles(sine, eta));
+        let passed = fresnel(cos_i, eta).transmitted;
         // a difference of angles near zero loses digits, relative to its size
         let tolerance = 64.0 * U / ((eta - 1.0) * sine) / cos_i;
-        prop_assert!((seen - expected).abs() <= tolerance * expected.max(1e-3), "{seen} {expected}");
+        let tolerance = tolerance * expected.max(1e-3);
+        prop_assert!((seen - expected).abs() <= tolerance, "R is {seen}, expected {expected}");
+        let rest = 1.0 - expected;
+        prop_assert!((passed - rest).abs() <= tolerance + SUM, "T is {passed}, expected {rest}");
     }
 
     /// Law: between equal media nothing is reflected, also at grazing incidence; else grazing light is
@@ -101,15 +106,17 @@ proptest! {
         }
     }
 
-    /// Law: R from the other side, at the refracted angle and with `1/η`, is the same. Oracle: that
-    /// exchange (Helmholtz; numerics). cosθ_t is known to u over its square.
+    /// Law: R and T from the other side, at the refracted angle and with `1/η`, are the same.
+    /// Oracle: that exchange (Helmholtz; numerics). cosθ_t is known to u over its square.
     #[test]
     fn reflection_is_the_same_from_the_other_side(cos_i in 0.01..1.0_f64, eta in 0.4..2.5_f64) {
         let wo = at_angle(Normal::Z, cos_i, 0.5);
         let Some(t) = refract(wo, Normal::Z, eta) else { return Ok(()) };
-        let (there, back) = (fresnel(wo.z(), eta).reflected, fresnel(-t.z(), 1.0 / eta).reflected);
+        let (there, back) = (fresnel(wo.z(), eta), fresnel(-t.z(), 1.0 / eta));
         let tolerance = 64.0 * U / (t.z() * t.z() * wo.z());
-        prop_assert!((there - back).abs() <= tolerance, "{there} {back}");
+        let [r, t] = [there.reflected - back.reflected, there.transmitted - back.transmitted];
+        prop_assert!(r.abs() <= tolerance && t.abs() <= tolerance, "{there:?} and back {back:?}");
+        prop_assert!(eta == 1.0 || there.transmitted < 1.0, "all of it passes: {there:?}");
     }
 
     /// Law: near η = 1 reflection does not drown in rounding: straight on it is `((η − 1)/(η + 1))²`, to a few
@@ -169,8 +176,8 @@ fn transmittance_is_one_without_medium_or_without_length() {
     assert!(close(half.transmittance(3.0), Rgb::grey(0.125), 8.0 * U));
 }
 
-/// Law: straight on, R is .04, .020059, .172395, .003608, .055081, .084487, the same for `1/η`. Oracle: the
-/// table of ch. 28.
+/// Law: straight on, R is .04, .020059, .172395, .003608, .055081, .084487, the same for `1/η`, and
+/// T is `4η/(η + 1)²`. Oracle: the table of ch. 28, and the closed form.
 #[test]
 fn normal_incidence_reflects_as_in_the_table() {
     let table = [
@@ -183,8 +190,16 @@ fn normal_incidence_reflects_as_in_the_table() {
     ];
     for (eta, expected) in table {
         for eta in [eta, 1.0 / eta] {
-            let seen = fresnel(1.0, eta).reflected;
-            assert!((seen - expected).abs() < 5e-7, "{eta}: {seen}");
+            let seen = fresnel(1.0, eta);
+            assert!(
+                (seen.reflected - expected).abs() < 5e-7,
+                "{eta}: {seen:?}, expected {expected}"
+            );
+            let passing = 4.0 * eta / ((eta + 1.0) * (eta + 1.0));
+            assert!(
+                (seen.transmitted - passing).abs() < SUM,
+                "{eta}: {seen:?}, expected {passing}"
+            );
         }
     }
 }
@@ -194,7 +209,9 @@ fn normal_incidence_reflects_as_in_the_table() {
 #[test]
 fn at_brewsters_angle_half_of_the_light_is_never_reflected() {
     let cos_i = 1.0 / (1.0 + 1.5 * 1.5_f64).sqrt();
-    let r = fresnel(cos_i, 1.5).reflected;
+    let found = fresnel(cos_i, 1.5);
+    let r = found.reflected;
+    assert!((found.transmitted - (1.0 - 0.073964)).abs() < 5e-7, "T is {}", found.transmitted);
     assert!((r - 0.073964).abs() < 5e-7 && (2.0 * r - 0.147929).abs() < 5e-7, "{r}");
     assert!((cos(groundtruth::math::to_radians(56.3099)) - cos_i).abs() < 1e-6);
     // reflected and refracted ray are at right angles there

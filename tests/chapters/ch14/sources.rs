@@ -1,0 +1,188 @@
+//! Point and spot lights: how they fade, and where they end.
+
+use std::f64::consts::{FRAC_1_PI, TAU};
+
+use groundtruth::lights::{Kind, Point as Lamp, Spot};
+use groundtruth::materials::Matte;
+use groundtruth::math::{Normal, Point, Vector, cos, power, sin, to_radians};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::shapes::{Plane, Sphere};
+use groundtruth::trace::RayCounts;
+use proptest::prelude::*;
+
+use super::stage::*;
+use crate::support::{U, laws};
+
+/// Angles by the arc tangent, a polynomial of them, a power, and products: some roundings each.
+const ROUNDING: f64 = 64.0 * U;
+
+/// A white plane in the light of one source.
+fn plane(normal: Normal, source: impl Into<Kind>) -> Scene {
+    let mut scene = stage(Rgb::BLACK);
+    let white = Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
+    put(&mut scene, Plane { point: Point::ORIGIN, normal: normal.into() }, white);
+    shine(&mut scene, source);
+    scene
+}
+
+/// What is seen of the origin from a direction beside the normal.
+fn seen(scene: &Scene, normal: Normal) -> Rgb {
+    let to_eye = at_angle(normal, 0.4, 2.0);
+    look(&built(scene), Point::ORIGIN + 1e-3 * to_eye, -to_eye)
+}
+
+/// A spot light at `far · towards` whose axis leans by `angle` degrees from the way to the origin.
+fn spot(towards: Vector, far: f64, angle: f64, turn: f64, inner: f64, outer: f64) -> Spot {
+    let back = Normal::new(-towards).expect("a unit vector");
+    let lean = to_radians(angle);
+    let across = at_angle(back, 0.0, turn);
+    Spot {
+        ls: 3.0,
+        color: Rgb::new(1.0, 0.5, 0.25),
+        location: Point::ORIGIN + far * towards,
+        // any length
+        direction: 0.3 * (cos(lean) * Vector::from(back) + sin(lean) * across),
+        inner,
+        outer,
+        attenuation: 0.0,
+    }
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: at the angle a from its axis a spot light sends the share `s² (3 − 2s)` of its light,
+    /// `s = (outer − a)/(outer − inner)`, of `l_s c_l/d^k`: coloured, and fading as a point light.
+    /// Oracle: that polynomial; the angle from which the light is built, which the code finds by an
+    /// arc tangent.
+    #[test]
+    fn a_spot_light_falls_off_by_a_smooth_step(
+        (n, towards) in normal_and_direction_above(),
+        (inner, width) in (0.0..80.0_f64, 1.0..80.0_f64),
+        (at, turn) in (0.0..1.0_f64, 0.0..TAU),
+        (far, k) in (0.1..100.0_f64, prop_oneof![Just(0.0), Just(1.0), Just(2.0), 0.0..3.0_f64]),
+    ) {
+        let outer = inner + width;
+        let light = Spot { attenuation: k, ..spot(towards, far, inner + at * width, turn, inner, outer) };
+        let s = 1.0 - at;
+        let share = s * s * (3.0 - 2.0 * s);
+        let cosine = n.dot(towards);
+        let expected = (share * cosine * FRAC_1_PI * 3.0 / power(far, k)) * light.color;
+        let found = seen(&plane(n, light), n);
+        // an angle is known to some u of 180°: to `180 u/width` of s, which the step makes `1.5`
+        // of; and the cosine, of a grazing light, to some u
+        let tolerance = ROUNDING * expected.r.abs() + (power(far, -k) + 1.0) * (2e4 * U / width + 64.0 * U);
+        for (found, expected) in found.to_array().into_iter().zip(expected.to_array()) {
+            prop_assert!(
+                (found - expected).abs() <= tolerance,
+                "{found}, expected {expected}, within {tolerance:e}"
+            );
+        }
+    }
+
+    /// Law: up to `inner` a spot light is the point light, bit for bit; from `outer` on it is dark
+    /// and nothing is traced; with `inner = outer` the edge is sharp; with 180° it is the point
+    /// light everywhere. Oracle: that point light, and the counters.
+    #[test]
+    fn a_spot_light_is_a_point_light_inside_and_dark_outside(
+        (n, towards) in normal_and_direction_above(),
+        (inner, width) in (0.0..120.0_f64, prop_oneof![Just(0.0), 0.0..59.0_f64]),
+        (share, turn) in (1e-9..1.0_f64, 0.0..TAU),
+        k in 0.0..3.0_f64,
+    ) {
+        let outer = inner + width;
+        let point = |&Spot { ls, color, location, .. }: &Spot| Lamp { ls, color, location, attenuation: k };
+        let with = |angle, inner, outer| {
+            Spot { attenuation: k, ..spot(towards, 2.0, angle, turn, inner, outer) }
+        };
+        // not nearer to the edges than angles are known
+        let within = with((1.0 - share) * (inner - 1e-9).max(0.0), inner, outer);
+        if inner > 1e-6 {
+            prop_assert_eq!(seen(&plane(n, within.clone()), n), seen(&plane(n, point(&within)), n));
+        }
+        let beyond = with(outer + 1e-9 + share * (179.9 - outer), inner, outer);
+        prop_assert_eq!(seen(&plane(n, beyond.clone()), n), Rgb::BLACK);
+        let to_eye = at_angle(n, 0.4, 2.0);
+        let counts = counted(&built(&plane(n, beyond)), Point::ORIGIN + to_eye, -to_eye);
+        prop_assert_eq!(counts, RayCounts { camera: 1, ..RayCounts::default() });
+        let everywhere = with(179.0 * share, 180.0, 180.0);
+        prop_assert_eq!(seen(&plane(n, everywhere.clone()), n), seen(&plane(n, point(&everywhere)), n));
+    }
+
+    /// Law: a spot light has no edge: across `inner` and `outer` a small step of the angle changes
+    /// its light little: by the square of the step. Oracle: the smooth step is flat at both ends,
+    /// `3 (δ/width)²`.
+    #[test]
+    fn a_spot_light_is_continuous(
+        (inner, width) in (1.0..60.0_f64, 2.0..60.0_f64),
+        (step, turn) in (1e-6..1e-2_f64, 0.0..TAU),
+    ) {
+        let outer = inner + width;
+        let at = |angle| {
+            let light = spot(Vector::Y, 2.0, angle, turn, inner, outer);
+            seen(&plane(Normal::Y, light), Normal::Y).r * TAU / 6.0
+        };
+        let most = 3.0 * (step / width) * (step / width) + 64.0 * U;
+        prop_assert!((1.0 - at(inner - step)).abs() <= 64.0 * U);
+        prop_assert!((1.0 - at(inner + step)).abs() <= most, "{} beyond the inner angle", at(inner + step));
+        let last = at(outer - step);
+        prop_assert!(last <= most && last > 0.0, "{last} before the outer angle");
+        prop_assert_eq!(at(outer + step), 0.0);
+    }
+
+    /// Law: light from a place fades as `d^−k` along any direction, in each channel alike, whatever
+    /// k; the ratio of two places on one line is `(d₁/d₂)^k`. Oracle: that power, for point and
+    /// spot lights.
+    #[test]
+    fn light_fades_with_the_power_of_the_distance(
+        (n, towards) in normal_and_direction_above(),
+        (near, ratio) in (0.01..100.0_f64, 1.0..50.0_f64),
+        k in prop_oneof![Just(0.0), Just(2.0), 0.0..4.0_f64],
+        is_spot in any::<bool>(),
+        color in color(),
+    ) {
+        let at = |far: f64| -> Rgb {
+            let location = Point::ORIGIN + far * towards;
+            let source: Kind = match is_spot {
+                true => Spot { attenuation: k, color, ..spot(towards, far, 10.0, 1.0, 20.0, 30.0) }.into(),
+                false => Lamp { ls: 3.0, color, location, attenuation: k }.into(),
+            };
+            seen(&plane(n, source), n)
+        };
+        let (here, there) = (at(near), at(ratio * near));
+        let expected = (3.0 * n.dot(towards) * FRAC_1_PI / power(near, k)) * color;
+        // the point that is hit is some u of 1e-3 off, which a near and grazing light feels
+        let tolerance = ROUNDING * (1.0 + k) + 64.0 * U / n.dot(towards);
+        prop_assert!(close(here, expected, tolerance), "{here:?}, expected {expected:?}");
+        prop_assert!(
+            close(there, power(ratio, -k) * here, tolerance),
+            "{there:?}, expected 1/{ratio}^{k} of {here:?}"
+        );
+    }
+
+    /// Law: an object in the way of a spot light takes all of it, unless the light casts no
+    /// shadows: then it is what it is without the object, bit for bit; an object beyond the light
+    /// takes nothing. Oracle: the scene without the object.
+    #[test]
+    fn a_spot_light_has_its_shadow_switch(
+        towards in (-0.5..0.5_f64, -0.5..0.5_f64),
+        (between, beyond) in (0.3..0.9_f64, 1.3..9.0_f64),
+    ) {
+        let towards = Vector::new(towards.0, 1.0, towards.1).unit().expect("not zero");
+        let scene = plane(Normal::Y, spot(towards, 2.0, 25.0, 1.0, 20.0, 40.0));
+        let free = seen(&scene, Normal::Y);
+        prop_assert!(!free.is_black());
+        let with = |share: f64, shadows: bool| {
+            let mut scene = scene.clone();
+            let center = Point::ORIGIN + 2.0 * share * towards;
+            let white = Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
+            put(&mut scene, Sphere { center, radius: 0.1, inward: false }, white);
+            scene.lights[0].shadows = shadows;
+            seen(&scene, Normal::Y)
+        };
+        prop_assert_eq!(with(between, true), Rgb::BLACK);
+        prop_assert_eq!(with(between, false), free);
+        prop_assert_eq!(with(beyond, true), free);
+    }
+}

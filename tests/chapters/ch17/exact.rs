@@ -1,0 +1,232 @@
+//! What holds for each sample.
+
+use std::f64::consts::TAU;
+
+use groundtruth::lights::{Ambient, AmbientOccluder, Directional};
+use groundtruth::materials::Matte;
+use groundtruth::math::{Normal, Point, Step, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::shapes::{
+    Box as Cuboid, Instance, Kind as Shape, Materials, Plane, SolidCylinder, Sphere,
+    TessellatedSphere,
+};
+use groundtruth::trace::{Outcome, RayCounts, RayKind, RayTree, radiance};
+use proptest::prelude::*;
+
+use super::*;
+use crate::replicas::with_samples;
+use crate::support::{U, laws, point, unit};
+
+/// Samples of a pixel: all of them are looked at.
+const SAMPLES: u32 = 64;
+
+/// The products of four numbers, in two orders.
+const PRODUCTS: f64 = 8.0 * U;
+
+/// What each sample of a pixel sees.
+fn each(scene: &Scene, eye: Point, towards: Vector) -> Vec<Rgb> {
+    let world = built(&with_samples(scene.clone(), SAMPLES));
+    let ray = ray(eye, towards);
+    (0..SAMPLES).map(|i| radiance(&world, &ray, world.draws([3, 5], i), &mut ())).collect()
+}
+
+/// The scene with plain ambient light of the same strength.
+fn plain(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    scene.lights[0].source = Ambient { ls: LS, color: COLOR }.into();
+    scene
+}
+
+/// A floor with things on it and above it, for light of any kind.
+fn heap() -> Scene {
+    let mut scene = floor(Vector::Y);
+    put(&mut scene, ball(Point::new(0.0, 1.0, 0.0), 1.0), chalk());
+    let block = Cuboid { min: Point::new(-2.0, 0.0, -1.0), max: Point::new(-1.0, 2.0, 1.0) };
+    put(&mut scene, block, chalk());
+    let stretched = vec![Step::Scale(Vector::new(1.0, 0.2, 0.6)), Step::Translate(2.0 * Vector::Y)];
+    put(&mut scene, Instance::new(TessellatedSphere::new(7, 5, true), stretched), chalk());
+    scene
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: a plane alone is not occluded anywhere: each sample is plain ambient light, bit for
+    /// bit, and has cast one ray that met nothing. Oracle: the ambient light of chapter 14.
+    #[test]
+    fn an_infinite_plane_alone_is_not_occluded(
+        n in unit(),
+        (cosine, phi) in (1e-6..1.0_f64, 0.0..TAU),
+        far in -6..6_i32,
+    ) {
+        let scene = floor(n.into());
+        let to_eye = at_angle(n, cosine, phi);
+        let eye = Point::ORIGIN + groundtruth::math::power(10.0, f64::from(far)) * to_eye;
+        let expected = each(&plain(&scene), eye, -to_eye);
+        prop_assert_eq!(&each(&scene, eye, -to_eye), &expected);
+        prop_assert!(close(expected[0], shade(1.0), PRODUCTS), "{expected:?}");
+        prop_assert_eq!(counted(&built(&scene), eye, -to_eye).shadow, 1);
+    }
+
+    /// Law: inside a closed body every sample is `min_amount` of ambient light. Oracle: that
+    /// product; in boxes, spheres and meshes, turned and stretched, as a hole anywhere would let
+    /// the sky in.
+    #[test]
+    fn inside_a_closed_body_only_the_least_light_is_left(
+        kind in 0..4_usize,
+        (eye, towards) in (point(0.2), unit()),
+        (a, b, c) in (0.1..5.0_f64, 0.1..5.0_f64, 0.0..360.0_f64),
+    ) {
+        let closed: Shape = match kind {
+            0 => Cuboid { min: Point::new(-1.0, -0.7, -0.9), max: Point::new(0.8, 0.9, 1.0) }.into(),
+            1 => Sphere { center: Point::ORIGIN, radius: 0.8, inward: true }.into(),
+            2 => TessellatedSphere::new(7, 5, false).into(),
+            _ => SolidCylinder { y0: -0.8, y1: 0.9, radius: 0.7, materials: Materials::default() }.into(),
+        };
+        let steps = vec![Step::RotateX(c), Step::Scale(Vector::new(a, 1.0, b)), Step::RotateZ(2.0 * c)];
+        let mut scene = stage(Rgb::WHITE);
+        put(&mut scene, Instance::new(closed, steps.clone()), chalk());
+        scene.materials[0].two_sided = true;
+        shine(&mut scene, occluder());
+        // the eye is carried along, so that it is inside
+        let transform = groundtruth::math::Transform::from_steps(&steps).expect("not singular");
+        for seen in each(&scene, transform.point(eye), towards.into()) {
+            prop_assert!(close(seen, shade(0.0), PRODUCTS), "{seen:?}, expected {:?}", shade(0.0));
+        }
+    }
+
+    /// Law: each sample is ambient light or `min_amount` of it, nothing else: never above the one
+    /// or below the other; the one if and only if its ray met nothing. Oracle: the recorded outcome
+    /// and the closed form.
+    #[test]
+    fn a_sample_is_all_light_or_the_least(from in unit(), target in point(1.0)) {
+        let world = built(&with_samples(heap(), SAMPLES));
+        let eye = Point::ORIGIN + 9.0 * from + 10.0 * Vector::Y;
+        let ray = ray(eye, target - eye);
+        for i in 0..SAMPLES {
+            let mut tree = RayTree::default();
+            let seen = radiance(&world, &ray, world.draws([0, 0], i), &mut tree);
+            let [root, shadow] = tree.nodes() else {
+                // the ray leads into the sky, or the direction below the surface of a smooth mesh
+                let sky = seen == Rgb::new(3.0, 5.0, 7.0);
+                prop_assert!(sky || close(seen, shade(0.0), PRODUCTS), "{seen:?}");
+                continue;
+            };
+            let Outcome::Hit { hit } = &root.outcome else { panic!("{root:?}") };
+            let open = shadow.outcome == Outcome::Unblocked;
+            let expected = shade(if open { 1.0 } else { 0.0 });
+            prop_assert!(close(seen, expected, PRODUCTS), "{seen:?}, expected {expected:?}");
+            prop_assert!(hit.shading.dot(shadow.ray.direction) >= -4.0 * U, "{shadow:?}");
+            prop_assert_eq!(shadow.kind, RayKind::Shadow { light: 0 });
+        }
+    }
+
+    /// Law: with `min_amount = 1` the occluder is plain ambient light, whatever is in the way.
+    /// Oracle: that light.
+    #[test]
+    fn the_least_amount_of_one_is_plain_ambient_light(from in unit(), target in point(1.0)) {
+        let mut scene = heap();
+        scene.lights[0].source = AmbientOccluder { min_amount: 1.0, ..occluder() }.into();
+        let eye = Point::ORIGIN + 9.0 * from + 10.0 * Vector::Y;
+        prop_assert_eq!(each(&scene, eye, target - eye), each(&plain(&scene), eye, target - eye));
+    }
+
+    /// Law: without shadows the occluder is plain ambient light, and casts no ray; and an object
+    /// that casts no shadow is not in the way. Oracle: that light, and the floor alone.
+    #[test]
+    fn what_casts_no_shadow_is_not_in_the_way(from in unit(), target in point(1.0)) {
+        let mut scene = heap();
+        let eye = Point::ORIGIN + 9.0 * from + 10.0 * Vector::Y;
+        let expected = each(&plain(&scene), eye, target - eye);
+        scene.lights[0].shadows = false;
+        prop_assert_eq!(&each(&scene, eye, target - eye), &expected);
+        prop_assert_eq!(counted(&built(&scene), eye, target - eye).shadow, 0);
+        scene.lights[0].shadows = true;
+        scene.objects.iter_mut().take(3).for_each(|object| object.casts_shadows = false);
+        scene.materials[3].casts_shadows = false;
+        let seen = each(&scene, eye, target - eye);
+        // but for directions below the surface of the smooth mesh
+        let hit = recorded(&built(&scene), eye, target - eye).root().outcome.clone();
+        if !matches!(hit, Outcome::Hit { hit } if hit.object == 3) {
+            prop_assert_eq!(seen, expected);
+        }
+    }
+}
+
+/// Law: a surface that reflects no ambient light draws nothing and casts no ray for the occluder;
+/// one that does draws one pair of numbers and casts one ray. Oracle: the counters.
+#[test]
+fn nothing_is_drawn_where_no_ambient_light_is_reflected() {
+    let eye = Point::new(0.0, 1.0, 0.0);
+    for (ka, cd, expected) in
+        [(0.0, CD, 0), (0.5, Rgb::BLACK, 0), (0.5, Rgb::new(0.0, 0.0, 1e-9), 1)]
+    {
+        let mut scene = floor(Vector::Y);
+        scene.materials[0].recipe = Matte { ka, kd: 0.5, cd: cd.into() }.into();
+        let counts = counted(&built(&scene), eye, -Vector::Y);
+        let counted =
+            RayCounts { camera: 1, shadow: expected, draws: expected, ..RayCounts::default() };
+        assert_eq!(counts, counted, "ka {ka}, cd {cd:?}");
+        // another light does not change that
+        let direction = Vector::new(0.0, 1.0, 0.0);
+        shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction });
+        let more = u64::from(!cd.is_black());
+        let counts = self::counted(&built(&scene), eye, -Vector::Y);
+        assert_eq!(
+            (counts.shadow, counts.draws),
+            (expected + more, expected),
+            "ka {ka}, cd {cd:?}"
+        );
+    }
+}
+
+/// Law: the occluder lights by `ka`, whichever side the normal of a one-sided surface has: an open
+/// surface with its normal on the other side shows the sky behind it. A two-sided one shows that of
+/// the viewer (ch. 17: "open surfaces need the normal on the viewed side"). Oracle: a ceiling that
+/// is in the way on one side only.
+#[test]
+fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
+    let ceiling = Plane { point: Point::new(0.0, 1.0, 0.0), normal: Vector::Y };
+    for (normal, two_sided, visible) in
+        [(1.0, false, 0.0), (-1.0, false, 1.0), (1.0, true, 0.0), (-1.0, true, 0.0)]
+    {
+        let mut scene = floor(normal * Vector::Y);
+        scene.materials[0].two_sided = two_sided;
+        put(&mut scene, ceiling.clone(), chalk());
+        for seen in each(&scene, Point::new(0.0, 0.5, 0.0), -Vector::Y) {
+            let expected = shade(visible);
+            assert!(
+                close(seen, expected, PRODUCTS),
+                "normal {normal} y, two-sided: {two_sided}: {seen:?}, expected {expected:?}"
+            );
+        }
+    }
+    // the ground for the ceiling's own front is free
+    let mut scene = floor(Vector::Y);
+    put(&mut scene, ceiling, chalk());
+    let seen = each(&scene, Point::new(0.0, 2.0, 0.0), -Vector::Y);
+    assert!(seen.into_iter().all(|seen| close(seen, shade(1.0), PRODUCTS)));
+}
+
+/// Law: directions are spread by the cosine about the normal, on the normal's side: the samples of
+/// a pixel fall one into each of the N strata of the disk that they are projected to (Nusselt).
+/// Oracle: equal areas of the disk for the set's squares, by radius; azimuths all around.
+#[test]
+fn the_samples_of_a_pixel_are_stratified_over_the_sky() {
+    let mut scene = floor(Vector::new(0.3, 1.0, -0.2));
+    put(&mut scene, ball(Point::new(0.0, 4.0, 0.0), 1.0), chalk());
+    let n = Normal::new(Vector::new(0.3, 1.0, -0.2)).expect("not zero");
+    let world = built(&with_samples(scene, SAMPLES));
+    let ray = ray(Point::ORIGIN + Vector::from(n), -Vector::from(n));
+    let mut rings = [0; SAMPLES as usize];
+    for i in 0..SAMPLES {
+        let mut tree = RayTree::default();
+        radiance(&world, &ray, world.draws([7, 2], i), &mut tree);
+        let cosine = n.dot(tree.nodes()[1].ray.direction);
+        assert!(cosine >= 0.0, "below the surface");
+        // 1 − cos²θ is uniform; multi-jittered samples have one in each of N rings
+        rings[((1.0 - cosine * cosine) * f64::from(SAMPLES)) as usize] += 1;
+    }
+    assert!(rings.iter().all(|&count| count == 1), "samples in each ring of equal area: {rings:?}");
+}

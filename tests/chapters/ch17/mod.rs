@@ -1,0 +1,54 @@
+//! Chapter 17: ambient occlusion.
+
+mod exact;
+mod mean;
+
+use groundtruth::lights::AmbientOccluder;
+use groundtruth::materials::Matte;
+use groundtruth::math::{Point, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::shapes::{Plane, Sphere};
+
+use crate::ch14::stage::*;
+
+/// Of the surfaces, for ambient light.
+pub const KA: f64 = 0.75;
+pub const CD: Rgb = Rgb::new(1.0, 0.5, 0.25);
+/// Of the light.
+pub const LS: f64 = 1.5;
+pub const COLOR: Rgb = Rgb::new(0.5, 1.0, 0.75);
+pub const MIN: f64 = 0.25;
+
+/// A surface that ambient light alone makes visible.
+pub fn chalk() -> Matte {
+    Matte { ka: KA, kd: 0.0, cd: CD.into() }
+}
+
+pub fn occluder() -> AmbientOccluder {
+    AmbientOccluder {
+        ls: LS,
+        color: COLOR,
+        min_amount: MIN,
+        occluded_color: None,
+        max_distance: None,
+    }
+}
+
+/// What is seen of chalk where this share of the sky is visible.
+pub fn shade(visible: f64) -> Rgb {
+    (KA * LS * (visible + MIN * (1.0 - visible))) * (CD * COLOR)
+}
+
+pub fn ball(center: Point, radius: f64) -> Sphere {
+    Sphere { center, radius, inward: false }
+}
+
+/// A plane through the origin on a stage in the light of the occluder; the background is bright, as
+/// it must not count.
+pub fn floor(normal: Vector) -> Scene {
+    let mut scene = stage(Rgb::new(3.0, 5.0, 7.0));
+    put(&mut scene, Plane { point: Point::ORIGIN, normal }, chalk());
+    shine(&mut scene, occluder());
+    scene
+}

@@ -1,0 +1,247 @@
+//! What lights draw, and how many rays they cost.
+
+use groundtruth::cameras::ThinLens;
+use groundtruth::lights::{Ambient, Directional, Point as PointLight};
+use groundtruth::math::Ray;
+use groundtruth::render::{camera_sample, sample};
+use groundtruth::trace::{Node, RayCounts, RayKind, RayTree, TermSource, radiance};
+use groundtruth::world::World;
+use proptest::prelude::*;
+
+use super::lamps::all_lights;
+use super::*;
+use crate::support::{laws, point, unit};
+
+/// The recorded samples of a pixel at some places.
+fn trees(world: &World) -> Vec<RayTree> {
+    let eye = Point::new(1.0, 1.8, 4.0);
+    let mut trees = Vec::new();
+    for i in 0..40 {
+        let spot = Point::new(0.1 * f64::from(i % 8) - 0.4, 0.1 * f64::from(i / 8), 0.3);
+        let mut tree = RayTree::default();
+        let draws = world.draws([i, 7], i % world.samples_per_pixel());
+        radiance(world, &ray(eye, spot - eye), draws, &mut tree);
+        trees.push(tree);
+    }
+    trees
+}
+
+/// The rays towards each light but one.
+fn rays(tree: &RayTree, except: u32) -> Vec<(RayKind, Ray)> {
+    let other = |node: &&Node| node.kind != RayKind::Shadow { light: except };
+    tree.nodes().iter().filter(other).map(|node| (node.kind, node.ray)).collect()
+}
+
+/// What is drawn for each light: direction and density stand in the terms, also where no shadow ray
+/// is cast.
+fn weights(tree: &RayTree, except: Option<u32>) -> Vec<(u32, [f64; 3], f64)> {
+    let term = |source: &TermSource| match *source {
+        TermSource::Direct { light, cos_i, pdf, .. } => Some((light, cos_i, pdf.unwrap_or(-1.0))),
+        _ => None,
+    };
+    let terms = tree.root().terms.iter();
+    let drawn = terms.filter_map(|recorded| {
+        let (light, cos_i, pdf) = term(&recorded.term.source)?;
+        Some((light, [cos_i, pdf, recorded.term.weight.g], recorded.term.weight.r))
+    });
+    drawn.filter(|(light, ..)| Some(*light) != except).collect()
+}
+
+/// Law: switching a light off takes its own rays away and changes no draw of any other light;
+/// switching its shadows off changes no draw at all, its own included. Oracle: all lights, bit for
+/// bit: rays, cosines, densities.
+#[test]
+fn switching_a_light_or_its_shadows_changes_no_other_draw() {
+    let scene = all_lights();
+    let all = trees(&built(&scene));
+    let shadow_rays: usize = all.iter().map(|tree| tree.nodes().len() - 1).sum();
+    assert!(shadow_rays > 200, "{shadow_rays} shadow rays only");
+    for which in 0..scene.lights.len() {
+        let mut changed = scene.clone();
+        changed.lights[which].enabled = false;
+        let light = which as u32;
+        for (with, without) in all.iter().zip(trees(&built(&changed))) {
+            assert_eq!(rays(with, light), rays(&without, u32::MAX), "light {which} off");
+            assert_eq!(weights(with, Some(light)), weights(&without, None), "light {which} off");
+        }
+        changed.lights[which].enabled = true;
+        changed.lights[which].shadows = false;
+        for (with, without) in all.iter().zip(trees(&built(&changed))) {
+            assert_eq!(
+                rays(with, light),
+                rays(&without, u32::MAX),
+                "light {which} without shadows"
+            );
+            assert_eq!(
+                weights(with, None),
+                weights(&without, None),
+                "light {which} without shadows"
+            );
+        }
+    }
+}
+
+/// Law: whoever listens, the same is drawn. Oracle: silence; and the counter of draws: one pair for
+/// each light that needs one, two for those of three numbers.
+#[test]
+fn listening_changes_no_draw() {
+    let scene = all_lights();
+    let world = built(&scene);
+    let eye = Point::new(1.0, 1.8, 4.0);
+    for (i, tree) in trees(&world).iter().enumerate() {
+        let i = i as u32;
+        let draws = world.draws([i, 7], i % world.samples_per_pixel());
+        let silent = radiance(&world, &tree.root().ray, draws, &mut ());
+        let mut counts = RayCounts::default();
+        let counted = radiance(&world, &tree.root().ray, draws, &mut counts);
+        assert_eq!((silent, counted), (tree.root().radiance, silent), "sample {i}");
+        assert_eq!(tree.root().ray.origin, eye);
+        let hit = tree.root().outcome.hit().is_some_and(|hit| hit.object < 2);
+        // two lamps, occluder and sky; both jittered lights
+        let expected = if hit { 4 + 2 * 2 } else { 0 };
+        assert_eq!(counts.draws, expected, "sample {i}");
+    }
+}
+
+/// Where on a lamp, a rectangle of the sides X and Z about (0, 2, 0), the shadow rays of a pixel's
+/// samples end.
+fn ends(world: &World, pixel: [u32; 2], lamp: u32) -> Vec<[f64; 2]> {
+    let ray = ray(Point::new(0.0, 1.0, 0.0), -Vector::Y);
+    let mut ends = Vec::new();
+    for i in 0..world.samples_per_pixel() {
+        let mut tree = RayTree::default();
+        radiance(world, &ray, world.draws(pixel, i), &mut tree);
+        let shadow = tree.nodes().iter().find(|node| node.kind == RayKind::Shadow { light: lamp });
+        let end = shadow.expect("each sample has its ray").ray.at(1.0);
+        ends.push([end.x() + 0.5, end.z() + 0.5]);
+    }
+    ends
+}
+
+fn two_lamps() -> Scene {
+    let mut scene = floor(up());
+    for height in [2.0, 2.5] {
+        hang(
+            &mut scene,
+            panel(Point::new(0.0, height, 0.0), Vector::X, Vector::Z),
+            Some(Sampling::Area),
+        );
+    }
+    scene
+}
+
+/// Law: the N samples of a pixel are as well spread over a lamp as they are over the pixel: each
+/// stratum has one of them, cells, columns and rows; over a second lamp in another order. Oracle:
+/// counting, where the recorded shadow rays end.
+#[test]
+fn the_samples_of_a_pixel_are_stratified_over_each_lamp() {
+    for side in [4_usize, 8] {
+        let n = side * side;
+        let world = built(&with_samples(two_lamps(), n as u32));
+        for pixel in [[0, 0], [3, 5], [100, 2]] {
+            let spread = [0, 1].map(|lamp| ends(&world, pixel, lamp));
+            for (lamp, ends) in spread.iter().enumerate() {
+                let (mut cells, mut columns, mut rows) = (vec![0; n], vec![0; n], vec![0; n]);
+                for [x, z] in ends {
+                    let part = |c: f64, parts: usize| ((c * parts as f64) as usize).min(parts - 1);
+                    cells[part(*x, side) + side * part(*z, side)] += 1;
+                    columns[part(*x, n)] += 1;
+                    rows[part(*z, n)] += 1;
+                }
+                for (what, counts) in [("cells", cells), ("columns", columns), ("rows", rows)] {
+                    let once = counts.iter().all(|&count| count == 1);
+                    assert!(
+                        once,
+                        "{n} samples of {pixel:?} in the {what} of lamp {lamp}: {counts:?}"
+                    );
+                }
+            }
+            assert_ne!(spread[0], spread[1], "both lamps are sampled alike");
+        }
+    }
+}
+
+/// Law: with one sample and no sampler named, pixel and lens are sampled in the middle, as in the
+/// book, and lights are not: from pixel to pixel the places on a lamp are spread all over it.
+/// Oracle: the middle, exactly; all nine parts of the lamp, and over replicas the mean of the
+/// places, its middle.
+#[test]
+fn one_sample_is_in_the_middle_of_pixel_and_lens_only() {
+    let mut scene = two_lamps();
+    assert!(scene.image.samples == 1 && scene.image.sampler.is_none());
+    (scene.image.width, scene.image.height, scene.image.pixel_size) = (12, 12, 1e-3);
+    let lens = ThinLens { distance: 1.0, focal_distance: 2.0, lens_radius: 0.1, zoom: 1.0 };
+    scene.camera.lens = lens.into();
+    scene.camera.eye = Point::new(0.0, 1.0, 0.0);
+    let means = replicas(&scene, |world| {
+        let mut cells = [0; 9];
+        let mut sums = [0.0; 2];
+        for pixel in (0..144).map(|i| [i % 12, i / 12]) {
+            let way = camera_sample(world, pixel, 0).expect("no gap");
+            let middle = pixel.map(f64::from);
+            assert_eq!(way.lens, Some([0.0; 2]), "lens of {pixel:?}");
+            assert!((way.film[0] - 1e-3 * (middle[0] - 5.5)).abs() < 1e-15, "{pixel:?}: {way:?}");
+            assert!((way.film[1] - 1e-3 * (5.5 - middle[1])).abs() < 1e-15, "{pixel:?}: {way:?}");
+            let mut tree = RayTree::default();
+            sample(world, pixel, 0, &mut tree);
+            let end = tree.nodes()[1].ray.at(1.0);
+            let place = [end.x() + 0.5, end.z() + 0.5];
+            sums.iter_mut().zip(place).for_each(|(sum, c)| *sum += c / 144.0);
+            cells[place
+                .map(|c| ((3.0 * c) as usize).min(2))
+                .iter()
+                .fold(0, |cell, c| 3 * cell + c)] += 1;
+        }
+        assert!(
+            cells.iter().all(|&count| count > 0),
+            "places in each ninth of the lamp: {cells:?}"
+        );
+        sums
+    });
+    for axis in 0..2 {
+        let values: Vec<f64> = means.iter().map(|mean| mean[axis]).collect();
+        crate::replicas::assert_mean(&format!("axis {axis}"), &values, 0.5, 2, 0.05);
+    }
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: an opaque matte scene takes one ray from the eye for each sample, and at a hit one for
+    /// each light that casts shadows and is above the surface; point and directional lights draw
+    /// nothing. Oracle: counting the lights above the tangent plane of a ball.
+    #[test]
+    fn a_matte_hit_costs_one_ray_for_each_light_above_it(
+        to_eye in unit(),
+        directions in prop::collection::vec((unit(), any::<bool>(), any::<bool>(), any::<bool>()), 0..9),
+        target in point(0.5),
+    ) {
+        let mut scene = stage(Rgb::WHITE);
+        put(&mut scene, ball(Point::ORIGIN, 1.0), Matte { ka: 0.5, kd: 0.5, cd: Rgb::WHITE.into() });
+        shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+        for (direction, near, shadows, enabled) in &directions {
+            let (ls, color, towards) = (1.0, Rgb::WHITE, Vector::from(*direction));
+            let light = match near {
+                true => {
+                    let location = Point::ORIGIN + 3.0 * towards;
+                    shine(&mut scene, PointLight { ls, color, location, attenuation: 0.0 })
+                }
+                false => shine(&mut scene, Directional { ls, color, direction: towards }),
+            };
+            (scene.lights[light].shadows, scene.lights[light].enabled) = (*shadows, *enabled);
+        }
+        let eye = Point::ORIGIN + 5.0 * to_eye;
+        let world = built(&scene);
+        let tree = recorded(&world, eye, target - eye);
+        let counts = counted(&world, eye, target - eye);
+        let Some(hit) = tree.root().outcome.hit() else { return Ok(()) };
+        let above = directions.iter().filter(|(direction, near, shadows, enabled)| {
+            // the sphere's normal is its point
+            let n = hit.point.to_vector();
+            let towards = if *near { 3.0 * *direction - n } else { (*direction).into() };
+            *shadows && *enabled && n.dot(towards) > 0.0
+        });
+        let expected = RayCounts { camera: 1, shadow: above.count() as u64, ..RayCounts::default() };
+        prop_assert_eq!(counts, expected);
+    }
+}

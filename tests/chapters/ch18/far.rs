@@ -1,0 +1,120 @@
+//! From far away a lamp is a point, and what is seen directly does not fade.
+
+use groundtruth::lights::Point as PointLight;
+use groundtruth::materials::Emissive;
+use groundtruth::math::{Normal, power};
+use proptest::prelude::*;
+
+use super::*;
+use crate::replicas::assert_color;
+use crate::support::{U, laws, unit};
+
+/// How large lamps are, seen from the place that is lit: each sample of a lamp is off by a few
+/// times as much, the mean by its square.
+const SIZE: f64 = 1e-5;
+
+/// Lamps of that size at a distance, their area, and the cosine with which they face the origin.
+fn small_lamps(to_lamp: Vector, far: f64, turned: Vector) -> Vec<(shapes::Kind, f64, f64)> {
+    let r = SIZE * far;
+    let center = Point::ORIGIN + far * to_lamp;
+    let normal = Normal::new(0.8 * turned - to_lamp).expect("not opposite");
+    let cosine = -normal.dot(to_lamp);
+    let (a, b) = (
+        r * at_angle(normal, 0.0, 1.0),
+        r * at_angle(normal, 0.0, 1.0 + std::f64::consts::FRAC_PI_2),
+    );
+    let disk = Disk { center, normal: normal.into(), radius: r };
+    let triangle = shapes::Triangle { vertices: [center, center + a, center + b], normals: None };
+    let pi = std::f64::consts::PI;
+    vec![
+        (panel(center, a, b).into(), r * r, cosine),
+        (disk.into(), pi * r * r, cosine),
+        (triangle.into(), 0.5 * r * r, cosine),
+        // of a sphere the disk that is seen counts
+        (ball(center, r).into(), pi * r * r, 1.0),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: laws().cases / 4, ..laws() })]
+
+    /// Law: from far away a flat lamp is a point light of strength `L A cosθ'` that fades with the
+    /// square of the distance, a sphere one of `L π R²`: flat ones in each sample, whichever point
+    /// it draws. Oracle: that point light (ch. 14, 18); twice as large an area at the same radiance
+    /// gives twice the light, at half the radiance the same.
+    #[test]
+    fn from_far_away_a_lamp_is_a_point_light(
+        (n, to_lamp) in (unit(), unit()),
+        turned in unit(),
+        exponent in -3.0..3.0_f64,
+    ) {
+        let cos_i = n.dot(to_lamp);
+        prop_assume!(cos_i > 0.1);
+        let far = power(10.0, exponent);
+        for (shape, area, cosine) in small_lamps(to_lamp.into(), far, turned.into()) {
+            if cosine < 0.1 {
+                continue;
+            }
+            let mut scene = floor(n);
+            let is_round = matches!(shape, shapes::Kind::Sphere(_));
+            let sampling = if is_round { Sampling::SolidAngle } else { Sampling::Area };
+            hang(&mut scene, shape.clone(), Some(sampling));
+            let eye = Point::ORIGIN + 0.1 * far * at_angle(n, 0.5, 1.0);
+            let found = look(&built(&scene), eye, Point::ORIGIN - eye);
+            let location = Point::ORIGIN + far * to_lamp;
+            let point = PointLight { ls: LS * area * cosine, color: CE, location, attenuation: 2.0 };
+            let mut by_point = floor(n);
+            shine(&mut by_point, point);
+            let expected = look(&built(&by_point), eye, Point::ORIGIN - eye);
+            // the cosines change by the lamp's size over themselves; rounding of the place of a
+            // small thing far away
+            let tolerance = 8.0 * SIZE / (cosine * cos_i) + 64.0 * U / SIZE;
+            prop_assert!(close(found, expected, tolerance), "{shape:?}: {found:?}, expected {expected:?}");
+        }
+    }
+
+    /// Law: a lamp seen directly has the radiance `l_s c_e`, at any distance and angle, whether a
+    /// light names it or not. Oracle: the product, bit for bit.
+    #[test]
+    fn a_lamp_is_seen_as_it_shines(to_eye in unit(), far in 1.0..1e6_f64, spot in unit()) {
+        for (name, shape) in every_lamp() {
+            let center = Point::new(0.0, 3.0, 0.0);
+            let eye = center + far * to_eye;
+            let mut scene = stage(Rgb::BLACK);
+            hang(&mut scene, shape.clone(), None);
+            let seen = look(&built(&scene), eye, center + 0.1 * spot - eye);
+            let tree = recorded(&built(&scene), eye, center + 0.1 * spot - eye);
+            let hit = tree.root().outcome.hit().map(|hit| hit.front);
+            let expected = if hit == Some(true) { LS * CE } else { Rgb::BLACK };
+            prop_assert_eq!(seen, expected, "{}", name);
+            scene.lights.clear();
+            prop_assert_eq!(look(&built(&scene), eye, center + 0.1 * spot - eye), expected);
+        }
+    }
+}
+
+/// Law: twice the area at the same radiance gives twice the light far away; half the radiance
+/// restores it, exactly (ch. 18). Oracle: the smaller lamp.
+#[test]
+fn twice_the_area_is_twice_the_light() {
+    let center = Point::new(0.0, 50.0, 20.0);
+    let at = |long: f64, ls: f64| {
+        let mut scene = floor(up());
+        let lamp = hang(&mut scene, panel(center, long * Vector::X, 0.01 * Vector::Z), None);
+        scene.materials[lamp].recipe = Emissive::new(ls, CE).into();
+        seen(&scene, 64, Point::ORIGIN, up())
+    };
+    let (one, two, half) = (at(0.01, LS), at(0.02, LS), at(0.02, 0.5 * LS));
+    let mean = one.iter().copied().sum::<Rgb>();
+    let expected = (1.0 / one.len() as f64) * mean;
+    // a lamp of size s at the distance d is a point up to (s/d)²
+    let tolerance = 4.0 * 4e-4 * 4e-4;
+    for (two, half) in two.iter().zip(&half) {
+        assert!(
+            close(*two, 2.0 * expected, 0.01 * 4e-2 + tolerance),
+            "{two:?}, expected twice {expected:?}"
+        );
+        assert_eq!(*half, 0.5 * *two);
+    }
+    assert_color("twice the area", &two, 2.0 * expected, 1, 1e-3);
+}

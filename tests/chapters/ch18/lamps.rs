@@ -1,0 +1,309 @@
+//! Lamps as objects: what they shade, which side shines, and their switches.
+
+use groundtruth::lights::{
+    Ambient, AmbientOccluder, Directional, Environment, FakeSpherical, JitteredDirectional, Kind,
+    Point as PointLight, Spot,
+};
+use groundtruth::materials::Emissive;
+use groundtruth::math::{Pcg32, power_of_two};
+use groundtruth::trace::{Outcome, RayKind, RayTree, radiance};
+
+use super::*;
+use crate::replicas::assert_color;
+use crate::support::U;
+
+const SAMPLES: u32 = 64;
+
+/// What the shadow rays of all samples from a place on the floor meet.
+fn outcomes(scene: &Scene, at: Point) -> Vec<Option<u32>> {
+    let world = built(&with_samples(scene.clone(), SAMPLES));
+    let ray =
+        ray(at + Vector::new(0.0, 1e-3 * (at.to_vector().max_abs() + 1e-30), 0.0), -Vector::Y);
+    let mut met = Vec::new();
+    for i in 0..SAMPLES {
+        let mut tree = RayTree::default();
+        radiance(&world, &ray, world.draws([0, 0], i), &mut tree);
+        for node in tree.nodes() {
+            match node.outcome {
+                Outcome::Unblocked => met.push(None),
+                Outcome::Blocked { blocked_by } => met.push(Some(blocked_by)),
+                _ => assert_eq!(node.kind, RayKind::Camera),
+            }
+        }
+    }
+    met
+}
+
+/// Places on the floor below the lamps and beside them.
+fn places() -> Vec<Point> {
+    let mut random = Pcg32::new(18, 7);
+    let mut c = || 6.0 * (random.uniform() - 0.5);
+    (0..24).map(|_| Point::new(c(), 0.0, c())).collect()
+}
+
+/// Law: no lamp shadows itself, of any shape, however it is sampled, at scales from 2⁻²⁰ to 2²⁰:
+/// each sample that the lamp gives arrives, as it does without shadows. But another object in
+/// between does, and is the one that is named. Oracle: the same scene without shadows, bit for bit;
+/// a screen that hides all of the lamp.
+#[test]
+fn a_lamp_does_not_shadow_itself_but_others_shadow_it() {
+    for (name, shape) in every_lamp() {
+        for sampling in samplings(&shape) {
+            for exponent in [-20, 0, 20] {
+                let mut scene = floor(up());
+                hang(&mut scene, shape.clone(), Some(sampling));
+                let mut free = scene.clone();
+                free.lights[0].shadows = false;
+                let mut hidden = scene.clone();
+                let screen = panel(Point::new(0.0, 1.0, 0.0), 30.0 * Vector::X, 30.0 * Vector::Z);
+                let screen = put(&mut hidden, screen, white()) as u32;
+                let [scene, free, hidden] =
+                    [scene, free, hidden].map(|scene| scene.scaled(exponent));
+                let mut rays = 0;
+                for place in places() {
+                    let at = place.scaled(power_of_two(exponent));
+                    let met = outcomes(&scene, at);
+                    let what = format!("{name}, {sampling:?}, 2^{exponent}, at {place:?}");
+                    assert!(met.iter().all(Option::is_none), "{what}: {met:?}");
+                    rays += met.len();
+                    let [seen, expected] = [&scene, &free].map(|scene| {
+                        let eye = at + Vector::new(0.0, 1e-3 * power_of_two(exponent), 0.0);
+                        view(&built(&with_samples(scene.clone(), 4)), eye, -Vector::Y)
+                    });
+                    assert_eq!(seen, expected, "{what}");
+                    let met = outcomes(&hidden, at);
+                    assert!(met.iter().all(|by| *by == Some(screen)), "{what}, hidden: {met:?}");
+                }
+                assert!(rays > 500, "{name}, {sampling:?}: {rays} shadow rays only");
+            }
+        }
+    }
+}
+
+/// Law: lamps stand in the way of each other's light: a lamp right above a smaller one takes all
+/// its light from the floor's other side. Oracle: the closed form of the nearer disk alone.
+#[test]
+fn lamps_shadow_other_lamps() {
+    let mut scene = floor(up());
+    let disk = |height: f64, radius: f64| Disk {
+        center: Point::new(0.0, height, 0.0),
+        normal: -Vector::Y,
+        radius,
+    };
+    hang(&mut scene, disk(1.0, 1.0), None);
+    let far = hang(&mut scene, disk(2.0, 1.9), None);
+    let values = seen(&scene, 1024, Point::ORIGIN, up());
+    assert_color("both lamps", &values, lit(0.5), 2, 2e-3);
+    // unless it casts no shadow: the farther one fills 1.9²/(1.9² + 2²) by itself
+    scene.objects[1].casts_shadows = false;
+    let share = 0.5 + 1.9 * 1.9 / (1.9 * 1.9 + 4.0);
+    let values = seen(&scene, 1024, Point::ORIGIN, up());
+    assert_color(
+        &format!("with light from {far} through the nearer"),
+        &values,
+        lit(share),
+        2,
+        2e-3,
+    );
+}
+
+/// Law: the back of a one-sided lamp gives nothing; that of a two-sided one the light of its front;
+/// a two-sided sphere shines within as without. Oracle: nothing, and the closed forms of disk and
+/// furnace.
+#[test]
+fn the_back_of_a_lamp_shines_if_it_is_two_sided() {
+    for two_sided in [false, true] {
+        for facing in [-1.0, 1.0] {
+            let mut scene = floor(up());
+            let disk =
+                Disk { center: Point::new(0.0, 1.0, 0.0), normal: facing * Vector::Y, radius: 2.0 };
+            let lamp = hang(&mut scene, disk, None);
+            scene.materials[lamp].two_sided = two_sided;
+            let values = seen(&scene, 1024, Point::ORIGIN, up());
+            let expected = if two_sided || facing < 0.0 { lit(0.8) } else { Rgb::BLACK };
+            let what = format!("two-sided: {two_sided}, normal {facing} y");
+            assert_color(&what, &values, expected, 6, 4e-3);
+            let eye = Point::new(0.1, 0.5, 0.0);
+            let direct = look(&built(&scene), eye, Vector::Y);
+            let expected = if two_sided || facing < 0.0 { LS * CE } else { Rgb::BLACK };
+            assert_eq!(direct, expected, "{what}, seen directly");
+        }
+        for sampling in [Sampling::Area, Sampling::SolidAngle] {
+            let mut scene = floor(up());
+            let lamp = hang(&mut scene, ball(Point::new(0.2, 0.1, 0.0), 3.0), Some(sampling));
+            scene.materials[lamp].two_sided = two_sided;
+            let values = seen(&scene, 1024, Point::ORIGIN, up());
+            let expected = if two_sided { lit(1.0) } else { Rgb::BLACK };
+            assert_color(&format!("within, {sampling:?}"), &values, expected, 6, 4e-3);
+        }
+    }
+}
+
+/// Law: the light of a lamp that is off is gone and so is its glow: its object is black, but still
+/// in the way. An emissive object that no light names is seen, and lights nothing. Oracle: the
+/// radiance `l_s c_e`, and black.
+#[test]
+fn a_lamp_that_is_off_is_dark_and_one_without_light_is_only_seen() {
+    let (below, spot) = (Point::new(0.1, 0.5, 0.2), Point::new(0.1, 3.0, 0.1));
+    for (name, shape) in every_lamp() {
+        let mut scene = floor(up());
+        hang(&mut scene, shape, None);
+        // of a round lamp some samples face away
+        let mut scene = with_samples(scene, SAMPLES);
+        let on = built(&scene);
+        assert_eq!(look(&on, below, spot - below), LS * CE, "{name} on, seen");
+        assert!(!view(&on, below, -Vector::Y).is_black(), "{name} on, lighting");
+        scene.lights[0].enabled = false;
+        let off = built(&scene);
+        assert_eq!(look(&off, below, spot - below), Rgb::BLACK, "{name} off, seen");
+        assert_eq!(view(&off, below, -Vector::Y), Rgb::BLACK, "{name} off, lighting");
+        // it hides the sun that stands right behind it
+        let direction = spot - Point::new(0.1, 0.0, 0.2);
+        shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction });
+        assert!(look(&built(&scene), below, -Vector::Y).is_black(), "{name} off, in the way");
+        scene.lights.clear();
+        let unnamed = built(&scene);
+        assert_eq!(look(&unnamed, below, spot - below), LS * CE, "{name} without light, seen");
+        assert_eq!(view(&unnamed, below, -Vector::Y), Rgb::BLACK, "{name} without light, lighting");
+    }
+}
+
+/// One light of each kind over a floor with things on it, and the lamps of the area lights.
+pub fn all_lights() -> Scene {
+    let mut scene = stage(Rgb::new(0.2, 0.3, 0.5));
+    let matte = Matte { ka: 0.4, kd: 0.6, cd: Rgb::new(0.9, 0.6, 0.3).into() };
+    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, matte.clone());
+    put(&mut scene, ball(Point::new(0.3, 0.7, 0.2), 0.5), matte);
+    let center = Point::new(0.0, 3.0, 0.0);
+    hang(&mut scene, panel(center, Vector::X, Vector::Z), None);
+    hang(&mut scene, ball(Point::new(2.0, 2.0, 1.0), 0.4), Some(Sampling::Area));
+    let (color, location) = (Rgb::new(1.0, 0.8, 0.2), Point::new(-2.0, 2.5, 1.0));
+    let direction = Vector::new(1.0, 2.0, -0.5);
+    let others: Vec<Kind> = vec![
+        Ambient { ls: 0.3, color }.into(),
+        AmbientOccluder {
+            ls: 0.5,
+            color,
+            min_amount: 0.25,
+            occluded_color: None,
+            max_distance: None,
+        }
+        .into(),
+        Directional { ls: 1.0, color, direction }.into(),
+        PointLight { ls: 3.0, color, location, attenuation: 2.0 }.into(),
+        Spot {
+            ls: 2.0,
+            color,
+            location,
+            direction: -location.to_vector(),
+            inner: 20.0,
+            outer: 40.0,
+            attenuation: 1.0,
+        }
+        .into(),
+        Environment {}.into(),
+        JitteredDirectional { ls: 1.5, color, direction, jitter: 0.3 }.into(),
+        FakeSpherical { ls: 4.0, color, location, jitter: 0.5, attenuation: 2.0 }.into(),
+    ];
+    for light in others {
+        shine(&mut scene, light);
+    }
+    with_samples(scene, 16)
+}
+
+/// Law: lights add, of every kind: what is seen in the light of all is the sum of what is seen in
+/// the light of each alone, as each draws what it draws whatever else shines. Oracle: the sum, at
+/// places all over the floor and the ball; lamps that are off are still in the way.
+#[test]
+fn lights_of_every_kind_add() {
+    let scene = all_lights();
+    let kinds: std::collections::HashSet<_> =
+        scene.lights.iter().map(|light| std::mem::discriminant(&light.source)).collect();
+    assert_eq!(kinds.len(), Kind::ENTRIES.len(), "a kind of light is missing here");
+    let eye = Point::new(1.0, 1.8, 4.0);
+    let together = built(&scene);
+    let alone: Vec<_> = (0..scene.lights.len())
+        .map(|only| {
+            let mut scene = scene.clone();
+            scene.lights.iter_mut().enumerate().for_each(|(i, light)| light.enabled = i == only);
+            built(&scene)
+        })
+        .collect();
+    let mut bright = vec![0; alone.len()];
+    for place in places() {
+        let whole = view(&together, eye, place - eye);
+        let parts: Vec<Rgb> = alone.iter().map(|world| view(world, eye, place - eye)).collect();
+        bright.iter_mut().zip(&parts).for_each(|(n, part)| *n += u32::from(!part.is_black()));
+        let sum: Rgb = parts.iter().copied().sum();
+        assert!(close(whole, sum, 64.0 * U), "{place:?}: {whole:?}, the parts add up to {sum:?}");
+    }
+    assert!(bright.iter().all(|&n| n > 3), "each light lights something: {bright:?}");
+}
+
+/// Law: objects stand in the way of every kind of light, and of none that casts no shadows: under a
+/// hood the floor is black, but for ambient light, of which the occluder leaves its least. Oracle:
+/// nothing; and the floor without the hood, bit for bit.
+#[test]
+fn a_hood_keeps_off_light_of_every_kind() {
+    let (spot, eye) = (Point::new(1.0, 0.0, 0.9), Point::new(1.02, 0.05, 0.93));
+    let mut scene = all_lights();
+    let places = scene.lights.len();
+    let hood = put(&mut scene, ball(spot, 0.2), white());
+    for only in 0..places {
+        let mut hooded = scene.clone();
+        hooded.lights.iter_mut().enumerate().for_each(|(i, light)| light.enabled = i == only);
+        let mut open = hooded.clone();
+        open.objects[hood].enabled = false;
+        let free = view(&built(&open), eye, spot - eye);
+        assert!(!free.is_black(), "light {only} lights the floor");
+        let found = view(&built(&hooded), eye, spot - eye);
+        let reflectance = 0.4 * Rgb::new(0.9, 0.6, 0.3);
+        let expected = match &hooded.lights[only].source {
+            Kind::Ambient(_) => free,
+            Kind::AmbientOccluder(light) => {
+                (light.min_amount * light.ls) * (reflectance * light.color)
+            }
+            _ => Rgb::BLACK,
+        };
+        assert!(close(found, expected, 16.0 * U), "light {only}: {found:?}, expected {expected:?}");
+        hooded.lights[only].shadows = false;
+        open.lights[only].shadows = false;
+        let [found, expected] = [hooded, open].map(|scene| view(&built(&scene), eye, spot - eye));
+        assert_eq!(found, expected, "light {only} without shadows");
+    }
+}
+
+/// Law: a light's strength is a factor of its part: twice `l_s` is twice its part, bit for bit, for
+/// every kind of light. Oracle: the part before.
+#[test]
+fn twice_the_strength_is_twice_the_light() {
+    let scene = all_lights();
+    let eye = Point::new(1.0, 1.8, 4.0);
+    for only in 0..scene.lights.len() {
+        let mut one = scene.clone();
+        one.lights.iter_mut().enumerate().for_each(|(i, light)| light.enabled = i == only);
+        let mut two = one.clone();
+        let mut doubled = true;
+        match &mut two.lights[only].source {
+            Kind::Ambient(light) => light.ls *= 2.0,
+            Kind::AmbientOccluder(light) => light.ls *= 2.0,
+            Kind::Directional(light) => light.ls *= 2.0,
+            Kind::Point(light) => light.ls *= 2.0,
+            Kind::Spot(light) => light.ls *= 2.0,
+            Kind::JitteredDirectional(light) => light.ls *= 2.0,
+            Kind::FakeSpherical(light) => light.ls *= 2.0,
+            Kind::Area(Area { object, .. }) => {
+                let lamp = two.materials.iter_mut().find(|material| material.name == *object);
+                lamp.expect("named").recipe = Emissive::new(2.0 * LS, CE).into();
+            }
+            Kind::Environment(_) => two.background = Rgb::new(0.4, 0.6, 1.0).into(),
+            _ => doubled = false,
+        }
+        assert!(doubled, "a kind of light is missing here");
+        let [one, two] = [one, two].map(|scene| built(&scene));
+        for place in places() {
+            let [part, twice] = [&one, &two].map(|world| view(world, eye, place - eye));
+            assert_eq!(twice, 2.0 * part, "light {only} at {place:?}");
+        }
+    }
+}

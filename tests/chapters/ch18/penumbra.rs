@@ -1,0 +1,153 @@
+//! Soft shadows: umbra and penumbra by similar triangles.
+
+use groundtruth::materials::Matte;
+use groundtruth::shapes::Box as Cuboid;
+use groundtruth::trace::{Outcome, RayKind, RayTree, radiance};
+use groundtruth::world::World;
+
+use super::*;
+
+/// A narrow lamp of this width at height `LAMP`, and a long beam across it at height `BEAM`.
+const WIDTH: f64 = 0.6;
+const LAMP: f64 = 4.0;
+const BEAM: f64 = 1.0;
+
+/// Samples: multi-jittered, so that in each direction of the lamp there is one in each of so many
+/// strips.
+const SAMPLES: u32 = 256;
+
+/// The lamp's strips are numbered by the sample; the share that is seen is whole strips, but for
+/// the one that the edge cuts, and for rounding.
+const STRIP: f64 = 1.0 / 256.0 + 1e-9;
+
+/// A floor under a lamp, with a beam from `−half` to `half` in between. The lamp is sampled by
+/// area, so that samples are spread evenly over its width.
+fn under_a_beam(half: f64) -> Scene {
+    let mut scene = floor(up());
+    let lamp = panel(Point::new(0.0, LAMP, 0.0), WIDTH * Vector::X, 1e-3 * Vector::Z);
+    hang(&mut scene, lamp, Some(Sampling::Area));
+    let beam =
+        Cuboid { min: Point::new(-half, BEAM, -9.0), max: Point::new(half, BEAM + 1e-9, 9.0) };
+    put(&mut scene, beam, Matte { ka: 0.0, kd: 0.0, cd: Rgb::BLACK.into() });
+    with_samples(scene, SAMPLES)
+}
+
+/// The share of the shadow rays from the floor at x that reach the lamp, and what is seen there.
+fn unblocked(world: &World, x: f64) -> (f64, Rgb) {
+    let ray = ray(Point::new(x, 0.01, 0.02), Vector::new(0.0, -0.01, -0.02));
+    let (mut free, mut sum) = (0, Rgb::BLACK);
+    for i in 0..SAMPLES {
+        let mut tree = RayTree::default();
+        sum += radiance(world, &ray, world.draws([1, 2], i), &mut tree);
+        let shadows = tree.nodes().iter().filter(|node| node.kind == RayKind::Shadow { light: 0 });
+        free += shadows.filter(|node| node.outcome == Outcome::Unblocked).count();
+    }
+    (free as f64 / f64::from(SAMPLES), (1.0 / f64::from(SAMPLES)) * sum)
+}
+
+/// The share of the lamp's width that is seen from the floor at x past a beam from `−half` to
+/// `half`.
+fn visible(x: f64, half: f64) -> f64 {
+    // an edge of the beam is seen before this place of the lamp: similar triangles
+    let onto_lamp = |edge: f64| x + (edge - x) * LAMP / BEAM;
+    let inside = |place: f64| (place / WIDTH + 0.5).clamp(0.0, 1.0);
+    1.0 - (inside(onto_lamp(half)) - inside(onto_lamp(-half)))
+}
+
+/// Law: the share of a lamp that is seen past a beam is that by similar triangles, everywhere: the
+/// umbra is `B − (w − B) h/(H − h)` wide if the beam is that wide, umbra and penumbra together `B +
+/// (B + w) h/(H − h)`, for a beam B at height h under a lamp w at height H. Oracle: the projected
+/// edges, to one strip of the stratified lamp; exactly all and none outside the penumbra, and there
+/// what is seen is what it is without the beam, bit for bit, or black.
+#[test]
+fn umbra_and_penumbra_have_the_widths_of_similar_triangles() {
+    for half in [0.05, 0.2, 0.5] {
+        let scene = under_a_beam(half);
+        let mut free = scene.clone();
+        free.lights[0].shadows = false;
+        let [world, free] = [scene, free].map(|scene| built(&scene));
+        let shift = BEAM / (LAMP - BEAM);
+        let outer = half + (half + 0.5 * WIDTH) * shift;
+        let inner = half + (half - 0.5 * WIDTH) * shift;
+        for i in -60..=60 {
+            let x = 0.023 * f64::from(i);
+            let (share, seen) = unblocked(&world, x);
+            let (_, without) = unblocked(&free, x);
+            let expected = visible(x, half);
+            let what =
+                format!("beam ±{half}, x = {x}: {share} of the lamp is seen, expected {expected}");
+            // two edges may each cut a strip
+            assert!((share - expected).abs() <= 2.0 * STRIP, "{what}");
+            if x.abs() > outer + 1e-6 {
+                assert!(
+                    share == 1.0 && seen == without,
+                    "{what}: {seen:?}, without the beam {without:?}"
+                );
+            }
+            if x.abs() < inner - 1e-6 {
+                assert!(share == 0.0 && seen.is_black(), "{what}: {seen:?}");
+            }
+            assert!(!without.is_black(), "the lamp is there");
+        }
+    }
+}
+
+/// Law: across a penumbra the floor becomes brighter and brighter: the share that is seen with the
+/// same samples never falls, and neither does the light, in steps of a sixteenth of the penumbra.
+/// Oracle: the neighbour.
+#[test]
+fn light_grows_across_a_penumbra() {
+    let scene = under_a_beam(0.4);
+    let world = built(&scene);
+    let shift = BEAM / (LAMP - BEAM);
+    let (from, width) = (0.4 + (0.4 - 0.5 * WIDTH) * shift, WIDTH * shift);
+    let mut before = (0.0, -1.0);
+    for i in 0..=64 {
+        let x = from + width * f64::from(i) / 64.0;
+        let (share, seen) = unblocked(&world, x);
+        assert!(share >= before.0, "x = {x}: {share} of the lamp is seen, {} before", before.0);
+        before.0 = share;
+        if i % 4 == 0 {
+            assert!(seen.g > before.1, "x = {x}: radiance {}, {} before", seen.g, before.1);
+            before.1 = seen.g;
+        }
+    }
+    assert!(before.0 > 0.99, "at the outer edge {} of the lamp is seen", before.0);
+}
+
+/// Law: a ball between a spherical lamp and the floor: where lamp and ball have their centres on
+/// one line with the point, and the ball looks larger, there is no light; beside the cone that
+/// touches both crosswise it is whole. Oracle: the tangent cones of two spheres on one axis: apex
+/// behind the ball for the umbra, between them for the penumbra.
+#[test]
+fn two_balls_have_an_umbra_and_a_penumbra() {
+    let (lamp, ball_at, big, small) = (10.0, 4.0, 1.0, 0.6);
+    let mut scene = floor(up());
+    hang(&mut scene, ball(Point::new(0.0, lamp, 0.0), big), Some(Sampling::SolidAngle));
+    put(&mut scene, ball(Point::new(0.0, ball_at, 0.0), small), white());
+    let mut free = scene.clone();
+    free.lights[0].shadows = false;
+    let [world, free] = [scene, free].map(|scene| built(&with_samples(scene, SAMPLES)));
+    let apart = lamp - ball_at;
+    // sines of the half angles; heights of the apices
+    let (outer, inner) = ((big + small) / apart, (big - small) / apart);
+    let crossing = ball_at + small / outer;
+    let behind = ball_at - small / inner;
+    let tan = |sine: f64| sine / (1.0 - sine * sine).sqrt();
+    let penumbra = crossing * tan(outer);
+    assert!(behind < 0.0, "the umbra reaches the floor");
+    let umbra = -behind * tan(inner);
+    for i in 0..60 {
+        let x = 0.05 * f64::from(i);
+        let (share, seen) = unblocked(&world, x);
+        let what =
+            format!("x = {x}: {share} of the samples arrive; umbra {umbra}, penumbra {penumbra}");
+        if x < umbra - 1e-6 {
+            assert_eq!(share, 0.0, "{what}");
+        } else if x > penumbra + 1e-6 {
+            assert!(share == 1.0 && seen == unblocked(&free, x).1, "{what}");
+        } else if (umbra + 0.1..penumbra - 0.1).contains(&x) {
+            assert!(share > 0.0 && share < 1.0, "{what}");
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! Lambert's formula for the light of a polygon, and lamps that are polygons.
+
+use std::f64::consts::TAU;
+
+use groundtruth::materials::Emissive;
+use groundtruth::math::{Normal, Pcg32, Point, Step, Transform, Vector, atan2};
+use groundtruth::shapes::{Instance, Kind as Shape, Mesh, TessellatedSphere, Triangle};
+use groundtruth::textures::{Checker3d, Paint};
+
+use super::*;
+use crate::replicas::assert_color;
+
+const SAMPLES: u32 = 1024;
+const POWER: f64 = 4e-3;
+
+/// The part of a polygon above the horizon of a point.
+fn above(point: Point, normal: Normal, polygon: &[Point]) -> Vec<Point> {
+    let height = |p: Point| normal.dot(p - point);
+    let mut kept = Vec::new();
+    for (i, &p) in polygon.iter().enumerate() {
+        let q = polygon[(i + 1) % polygon.len()];
+        if height(p) > 0.0 {
+            kept.push(p);
+        }
+        if (height(p) > 0.0) != (height(q) > 0.0) {
+            kept.push(p + height(p) / (height(p) - height(q)) * (q - p));
+        }
+    }
+    kept
+}
+
+/// The share of the cosine-weighted sky of a point that a polygon fills whose corners run
+/// counter-clockwise as its front is seen; 0 from behind: `(1/2π) Σ γ_i (n·Γ_i)`, γ the angle under
+/// which an edge is seen and Γ the unit normal of the plane through edge and point (Lambert 1760,
+/// "Photometria").
+pub fn share(point: Point, normal: Normal, polygon: &[Point]) -> f64 {
+    let corners = above(point, normal, polygon);
+    let edge = |i: usize| {
+        let [p, q] = [i, (i + 1) % corners.len()].map(|i| corners[i] - point);
+        let across = q.cross(p);
+        atan2(across.length(), p.dot(q)) * across.unit().map_or(0.0, |unit| normal.dot(unit))
+    };
+    let sum: f64 = (0..corners.len()).map(edge).sum();
+    (sum / TAU).max(0.0)
+}
+
+/// The corners of `corner`, `a`, `b`, counter-clockwise as seen from where `a × b` points.
+fn corners(rectangle: &Rectangle) -> [Point; 4] {
+    let Rectangle { corner, a, b } = *rectangle;
+    [corner, corner + a, corner + a + b, corner + b]
+}
+
+/// Some lamps within 1 to 4 of the origin, turned towards it, some of them partly below the
+/// horizon.
+fn rectangles(count: u32) -> Vec<Rectangle> {
+    let mut random = Pcg32::new(18, 0);
+    let mut some = Vec::new();
+    while some.len() < count as usize {
+        let mut c = |size: f64| size * (random.uniform() - 0.5);
+        let (center, a) =
+            (Point::new(c(4.0), 1.0 + c(3.0), c(4.0)), Vector::new(c(3.0), c(3.0), c(3.0)));
+        let b = a.cross(Vector::new(c(2.0), c(2.0), c(2.0)));
+        let rectangle = panel(center, a, b);
+        let share = share(Point::ORIGIN, up(), &corners(&rectangle));
+        let clear = a.cross(b).unit().is_some_and(|n| n.dot(center.to_vector()).abs() > 0.4);
+        if share > 0.02 && clear {
+            some.push(rectangle);
+        }
+    }
+    some
+}
+
+/// Law: the formula itself is right: it gives the known form factors of a square, and a polygon is
+/// the sum of its parts. Oracle: the arc tangents for a corner of a parallel rectangle (ch. 18),
+/// and one share for an opening all around.
+#[test]
+fn lamberts_formula_is_the_form_factor_of_a_parallel_rectangle() {
+    for (a, b, h) in [(1.0, 1.0, 1.0), (3.0, 0.5, 2.0), (1e6, 1e6, 1.0_f64)] {
+        let rectangle =
+            Rectangle { corner: Point::new(0.0, h, 0.0), a: a * Vector::X, b: b * Vector::Z };
+        let found = share(Point::ORIGIN, up(), &corners(&rectangle));
+        let expected = corner_factor(a / h, b / h);
+        assert!((found - expected).abs() < 1e-12, "{a} × {b} at {h}: {found}, expected {expected}");
+    }
+}
+
+/// The share of a rectangle parallel to the surface, one corner straight above the point: sides
+/// over the distance (ch. 18).
+fn corner_factor(a: f64, b: f64) -> f64 {
+    let (sa, sb) = ((1.0 + a * a).sqrt(), (1.0 + b * b).sqrt());
+    (a / sa * atan2(b, sa) + b / sb * atan2(a, sb)) / TAU
+}
+
+/// Law: a rectangle parallel to the floor, its corner straight above, fills the share of the arc
+/// tangents; one straight above with its centre four times that of a quarter. Sampled by area and
+/// by solid angle. Oracle: the closed form (ch. 18).
+#[test]
+fn a_parallel_rectangle_gives_the_form_factor_of_the_arc_tangents() {
+    for sampling in [Sampling::Area, Sampling::SolidAngle] {
+        for (a, b, h) in [(1.0, 1.0, 1.0), (2.0, 0.5, 1.5)] {
+            let center = Point::new(0.0, h, 0.0);
+            let corner = Rectangle { corner: center, a: a * Vector::X, b: b * Vector::Z };
+            let whole = panel(center, 2.0 * a * Vector::X, 2.0 * b * Vector::Z);
+            let quarter = corner_factor(a / h, b / h);
+            for (rectangle, expected) in [(corner, quarter), (whole, 4.0 * quarter)] {
+                let mut scene = floor(up());
+                let what = format!("{sampling:?} {rectangle:?}");
+                hang(&mut scene, rectangle, Some(sampling));
+                let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
+                assert_color(&what, &values, lit(expected), 8, POWER);
+            }
+        }
+    }
+}
+
+/// Law: a rectangle anywhere, also partly below the horizon, and an instance of another one that
+/// becomes it, give the light of Lambert's formula, sampled by area and by solid angle. Oracle:
+/// that formula.
+#[test]
+fn rectangles_and_their_instances_give_lamberts_light() {
+    for (i, rectangle) in rectangles(6).into_iter().enumerate() {
+        let share = share(Point::ORIGIN, up(), &corners(&rectangle));
+        let steps = vec![
+            Step::RotateX(40.0),
+            Step::Scale(Vector::new(1.0, 2.0, 0.5)),
+            Step::Translate(Vector::new(1.0, -2.0, 0.5)),
+        ];
+        let back = Transform::from_steps(&steps).expect("not singular").inverse();
+        let [corner, at_a, at_b] =
+            [rectangle.corner, rectangle.corner + rectangle.a, rectangle.corner + rectangle.b]
+                .map(|p| back.point(p));
+        // undone by the transform, the sides are not at right angles in general: a triangle pair is
+        // a mesh
+        let (a, b) = (at_a - corner, at_b - corner);
+        let mesh = Mesh::of_lists(
+            vec![corner, corner + a, corner + a + b, corner + b],
+            vec![[0, 1, 2], [0, 2, 3]],
+        );
+        let shapes: [(Shape, Option<Sampling>); 4] = [
+            (rectangle.clone().into(), Some(Sampling::Area)),
+            (rectangle.clone().into(), Some(Sampling::SolidAngle)),
+            (rectangle.clone().into(), None),
+            (Instance::new(mesh, steps).into(), None),
+        ];
+        for (shape, sampling) in shapes {
+            let mut scene = floor(up());
+            hang(&mut scene, shape, sampling);
+            let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
+            let what = format!("rectangle {i}, {sampling:?}, share {share}");
+            assert_color(&what, &values, lit(share), 24, 2.0 * POWER);
+        }
+    }
+}
+
+/// Law: an instance of a rectangle is the transformed rectangle: turned and evenly scaled, or
+/// stretched along its sides; by whichever sampling it allows. Oracle: Lambert's formula for the
+/// transformed corners.
+#[test]
+fn an_instance_of_a_rectangle_is_the_transformed_rectangle() {
+    let rectangle = panel(Point::new(0.2, 0.0, -0.1), 2.0 * Vector::X, Vector::Z);
+    let similar = [
+        Step::Scale(Vector::new(0.7, 0.7, 0.7)),
+        Step::RotateZ(25.0),
+        Step::RotateY(70.0),
+        Step::Translate(Vector::new(0.5, 1.6, 0.3)),
+    ];
+    let stretched = [
+        Step::Scale(Vector::new(0.5, 3.0, 1.2)),
+        Step::RotateX(-30.0),
+        Step::Translate(Vector::new(-0.3, 2.0, 0.9)),
+    ];
+    let mirrored = [
+        Step::Scale(Vector::new(-0.8, 0.8, 0.8)),
+        Step::RotateZ(15.0),
+        Step::Translate(Vector::new(0.0, 1.8, 0.0)),
+    ];
+    for steps in [similar.to_vec(), stretched.to_vec(), mirrored.to_vec()] {
+        let transform = Transform::from_steps(&steps).expect("not singular");
+        let mut polygon = corners(&rectangle).map(|p| transform.point(p));
+        // normals go along with the surface: mirrored, the corners run the other way round its
+        // front
+        if transform.determinant() < 0.0 {
+            polygon.reverse();
+        }
+        let share = share(Point::ORIGIN, up(), &polygon);
+        assert!(share > 0.05, "the lamp faces the floor: {share}");
+        let shape = Shape::from(Instance::new(rectangle.clone(), steps.clone()));
+        for sampling in samplings(&shape) {
+            let mut scene = floor(up());
+            hang(&mut scene, shape.clone(), Some(sampling));
+            let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
+            assert_color(&format!("{sampling:?} {steps:?}"), &values, lit(share), 6, POWER);
+        }
+    }
+}
+
+/// Law: a triangle gives the light of Lambert's formula, seen from its front, and none from behind;
+/// a mesh that of all its triangles, however different their sizes. Oracle: that formula, added up.
+#[test]
+fn triangles_and_meshes_give_the_light_of_their_polygons() {
+    let at = |x: f64, y: f64, z: f64| Point::new(x, y, z);
+    let vertices = [
+        at(-1.0, 1.0, -0.5),
+        at(0.5, 1.2, -1.0),
+        at(0.3, 0.9, 1.0),
+        at(-1.5, 1.5, 1.5),
+        at(-3.0, -0.5, 0.2),
+    ];
+    // one small, one larger, one partly below the horizon: fronts down
+    let triangles = [[0_u32, 1, 2], [0, 2, 3], [0, 3, 4]];
+    let share_of = |of: &[u32; 3]| share(Point::ORIGIN, up(), &of.map(|i| vertices[i as usize]));
+    let mut sum = 0.0;
+    for triangle in &triangles {
+        let expected = share_of(triangle);
+        assert!(expected > 0.01, "{triangle:?} faces the floor: {expected}");
+        sum += expected;
+        let mut scene = floor(up());
+        let corners = triangle.map(|i| vertices[i as usize]);
+        let lamp = hang(&mut scene, Triangle { vertices: corners, normals: None }, None);
+        let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
+        assert_color(&format!("{triangle:?}"), &values, lit(expected), 4, 2.0 * POWER);
+        let [a, b, c] = corners;
+        scene.objects[lamp].shape = Triangle { vertices: [a, c, b], normals: None }.into();
+        let behind = seen(&scene, 16, Point::ORIGIN, up());
+        assert!(behind.iter().all(|seen| seen.is_black()), "{triangle:?} from behind: {behind:?}");
+    }
+    let mut scene = floor(up());
+    hang(&mut scene, Mesh::of_lists(vertices.to_vec(), triangles.to_vec()), None);
+    let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
+    assert_color("the mesh", &values, lit(sum), 4, 2.0 * POWER);
+}
+
+/// Law: a lamp shines with the colour of its texture at the point that is sampled: one of two colours
+/// gives each colour's own share. Oracle: Lambert's formula for its parts.
+#[test]
+fn a_painted_lamp_gives_the_light_of_its_parts() {
+    const SIZE: f64 = 4.0;
+    /// A checker's borders lie that far below the multiples of its size (see `checker3d`).
+    const BORDER: f64 = -2e-4 * SIZE;
+    let (red, blue) = (Rgb::new(1.0, 0.1, 0.0), Rgb::new(0.2, 0.4, 1.0));
+    let from_to = |from: f64, to: f64| Rectangle {
+        corner: Point::new(from, 1.2, -0.3),
+        a: (to - from) * Vector::X,
+        b: 1.5 * Vector::Z,
+    };
+    // not in the middle, so that the parts differ
+    let spot = Point::new(0.8, 0.0, 0.1);
+    let [left, right] = [from_to(-2.0, BORDER), from_to(BORDER, 2.0)]
+        .map(|part| share(spot, up(), &corners(&part)));
+    let expected = LS * (left * blue + right * red);
+    // moved within its own space, so that of the checker's borders it meets the one near x = 0 only
+    let Rectangle { corner, a, b } = from_to(-2.0, 2.0);
+    let within = Rectangle { corner: corner + Vector::Z, a, b };
+    let lamp_shape = Instance::new(within, vec![Step::Translate(-Vector::Z)]);
+    for sampling in [Sampling::Area, Sampling::SolidAngle] {
+        let mut scene = floor(up());
+        let lamp = hang(&mut scene, lamp_shape.clone(), Some(sampling));
+        let checker = Checker3d { size: SIZE, color1: red, color2: blue };
+        scene.materials[lamp].recipe = Emissive::new(LS, Paint(checker.into())).into();
+        let values = seen(&scene, SAMPLES, spot, up());
+        assert_color(&format!("{sampling:?}"), &values, expected, 2, POWER);
+    }
+}
+
+/// Law: a tessellated sphere gives the light of those of its triangles that face the point; the
+/// others take their samples for nothing and are not seen through. Oracle: Lambert's formula for
+/// each triangle, which is 0 from behind; a convex body hides no front of its own.
+#[test]
+fn a_tessellated_sphere_gives_the_light_of_the_triangles_that_face_the_point() {
+    let sphere = TessellatedSphere::new(9, 6, false);
+    let mesh = sphere.mesh();
+    let (center, size) = (Vector::new(0.4, 1.9, -0.3), 0.8);
+    let place = |p: Point| Point::ORIGIN + size * p.to_vector() + center;
+    let expected: f64 = mesh
+        .triangles()
+        .iter()
+        .map(|of| share(Point::ORIGIN, up(), &of.map(|i| place(mesh.vertices()[i as usize]))))
+        .sum();
+    let steps = vec![Step::Scale(Vector::new(size, size, size)), Step::Translate(center)];
+    let mut scene = floor(up());
+    hang(&mut scene, Instance::new(sphere, steps), None);
+    let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
+    assert_color("tessellated sphere", &values, lit(expected), 1, 2.0 * POWER);
+}

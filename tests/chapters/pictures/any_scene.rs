@@ -1,0 +1,196 @@
+//! What must hold for every picture: laws tried on scenes drawn at random.
+
+use std::collections::HashSet;
+use std::mem::{Discriminant, discriminant};
+use std::path::Path;
+
+use groundtruth::accel::Method;
+use groundtruth::film::Film;
+use groundtruth::render::{self, render};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Material, Scene, from_toml, to_toml};
+use groundtruth::trace::RayTree;
+use groundtruth::{lights, materials, shapes};
+
+use super::random_scenes::scene;
+use super::studio::{assert_same_bits, bits, built, pixels};
+
+fn same(color: Rgb) -> Rgb {
+    color
+}
+
+/// Fails if any pixel of the scene's picture is negative, infinite or no number.
+fn assert_sound(number: u64) -> Film {
+    let film = render(&built(&scene(number, &same)));
+    for at in pixels(8, 8) {
+        let sound = film.get(at).to_array().iter().all(|c| c.is_finite() && *c >= 0.0);
+        assert!(
+            sound,
+            "scene {number}, pixel {at:?} is {:?}, expected finite and at least 0",
+            film.get(at)
+        );
+    }
+    film
+}
+
+/// Scenes in each law here.
+const SCENES: u64 = 200;
+
+/// Law: no pixel of any valid scene is negative, infinite or no number; and the scenes are worth
+/// the question: most of their pictures are not black, and all kinds of light and material occur.
+/// Oracle: the definition of radiance.
+#[test]
+fn no_picture_has_negative_or_infinite_light() {
+    let (mut bright, mut lights, mut made_of) = (0, HashSet::new(), HashSet::new());
+    let mut shapes = HashSet::new();
+    for number in 0..SCENES {
+        let film = assert_sound(number);
+        bright += u64::from(film.pixels().iter().any(|pixel| !pixel.is_black()));
+        let scene = scene(number, &same);
+        let kinds = scene.lights.iter().map(|light| discriminant(&light.source));
+        lights.extend(kinds.collect::<Vec<Discriminant<lights::Kind>>>());
+        made_of.extend(scene.materials.iter().map(|material| discriminant(&material.recipe)));
+        for object in &scene.objects {
+            if let shapes::Kind::Instance(instance) = &object.shape {
+                shapes.insert(discriminant(&*instance.of));
+            }
+        }
+    }
+    assert!(bright > SCENES * 4 / 5, "{bright} of {SCENES} pictures show anything");
+    assert_eq!(lights.len(), lights::Kind::ENTRIES.len(), "kinds of light in {SCENES} scenes");
+    assert_eq!(made_of.len(), materials::Kind::ENTRIES.len(), "kinds of material");
+    assert!(shapes.len() + 3 > shapes::Kind::ENTRIES.len(), "{} kinds of shape", shapes.len());
+}
+
+/// The same for many more scenes: some two minutes on two cores.
+#[test]
+#[ignore = "cost: cargo test no_picture_of_many -- --ignored"]
+fn no_picture_of_many_has_negative_or_infinite_light() {
+    (0..100_000).for_each(|number| drop(assert_sound(number)));
+}
+
+/// Law: red, green and blue know nothing of each other: all colours with their channels moved round
+/// give the picture with its channels moved round, bit for bit. Oracle: the picture before.
+#[test]
+fn channels_are_independent() {
+    let round = |color: Rgb| Rgb::new(color.b, color.r, color.g);
+    for number in 0..SCENES {
+        let [before, after] =
+            [&same as &dyn Fn(Rgb) -> Rgb, &round].map(|tint| render(&built(&scene(number, tint))));
+        for at in pixels(8, 8) {
+            let (found, expected) = (after.get(at), round(before.get(at)));
+            assert!(
+                bits(found) == bits(expected),
+                "scene {number}, {at:?}: {found:?}, expected {expected:?}"
+            );
+        }
+    }
+}
+
+/// Law: a picture is linear in each light: with twice the strength of one light, what that light
+/// adds is twice as much. Oracle: the picture without the light's strength, and the difference;
+/// lamps are seen too, so their material's strength counts.
+#[test]
+fn pictures_are_linear_in_each_light() {
+    /// Sums of some hundred terms, and their difference.
+    const ROUNDING: f64 = 1e-12;
+    let mut tested = 0;
+    for number in 0..SCENES / 2 {
+        let scene = scene(number, &same);
+        for which in 0..scene.lights.len() {
+            let with = |factor: f64| {
+                let mut scene = scene.clone();
+                scaled(&mut scene, which, factor).then(|| render(&built(&scene)))
+            };
+            let [Some(none), Some(once), Some(twice)] = [0.0, 1.0, 2.0].map(with) else { continue };
+            tested += 1;
+            for at in pixels(8, 8) {
+                let [none, once, twice] =
+                    [&none, &once, &twice].map(|film| film.get(at).to_array());
+                for i in 0..3 {
+                    let (found, expected) = (twice[i] - none[i], 2.0 * (once[i] - none[i]));
+                    let apart = (found - expected).abs();
+                    assert!(
+                        apart <= ROUNDING * twice[i].max(1.0),
+                        "scene {number}, light {which}, {at:?}, channel {i}: twice the strength adds {found}, \
+                         expected {expected}, apart by {apart:e}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(tested > 100, "{tested} lights");
+}
+
+/// Multiplies the strength of a light; `false` for the sky, which has none of its own.
+fn scaled(scene: &mut Scene, which: usize, factor: f64) -> bool {
+    match &mut scene.lights[which].source {
+        lights::Kind::Ambient(light) => light.ls *= factor,
+        lights::Kind::AmbientOccluder(light) => light.ls *= factor,
+        lights::Kind::Directional(light) => light.ls *= factor,
+        lights::Kind::Point(light) => light.ls *= factor,
+        lights::Kind::Spot(light) => light.ls *= factor,
+        lights::Kind::JitteredDirectional(light) => light.ls *= factor,
+        lights::Kind::FakeSpherical(light) => light.ls *= factor,
+        lights::Kind::Area(area) => {
+            let lamp = scene.materials.iter_mut().find(|material| material.name == area.object);
+            let Some(Material { recipe: materials::Kind::Emissive(emissive), .. }) = lamp else {
+                return false;
+            };
+            emissive.ls *= factor;
+        }
+        _ => return false,
+    }
+    true
+}
+
+/// Law: no length is special: all lengths times a power of two give the same picture, and list, grid
+/// and bvh do. Written out and read again, it is the same too. Oracle: the scene as it is, bit for
+/// bit.
+#[test]
+fn scale_acceleration_and_export_do_not_matter() {
+    for number in 0..SCENES {
+        let mut scene = scene(number, &same);
+        let original = render(&built(&scene));
+        for k in [-30, -3, 30] {
+            let scaled = render(&built(&scene.scaled(k)));
+            assert_same_bits(&format!("scene {number} times 2^{k}"), &scaled, &original);
+        }
+        let text = to_toml(&scene).expect("plain data");
+        let (_, world) = from_toml(&text, Path::new("scene.toml")).expect("it reads back");
+        assert_same_bits(&format!("scene {number}, read again"), &render(&world), &original);
+        for method in [Method::List, Method::Grid, Method::Bvh] {
+            scene.accel = method;
+            let picture = render(&built(&scene));
+            assert_same_bits(&format!("scene {number}, {method:?}"), &picture, &original);
+        }
+    }
+}
+
+/// Law: a picture is its pixels, each by itself and in any order, recorded or not; at every ray what
+/// arrives is the sum of its terms through the medium. No light keeps what it drew for another
+/// thread. Oracle: single samples, recorded, and the sum worked out again.
+#[test]
+fn pictures_are_made_of_single_recorded_samples() {
+    for number in 0..SCENES {
+        let world = built(&scene(number, &same));
+        let film = render(&world);
+        for [x, y] in pixels(8, 8) {
+            let at = [7 - x, 7 - y];
+            let samples = (0..world.samples_per_pixel()).map(|i| {
+                let mut tree = RayTree::default();
+                let radiance = render::sample(&world, at, i, &mut tree);
+                for node in tree.nodes() {
+                    let (found, expected) = (node.radiance, tree.folded(node));
+                    assert_eq!(bits(found), bits(expected), "scene {number}, {at:?}, sample {i}");
+                }
+                radiance
+            });
+            let (found, expected) = (render::expose(&world, samples), film.get(at));
+            assert!(
+                bits(found) == bits(expected),
+                "scene {number}, {at:?}: recorded {found:?}, rendered {expected:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Estimates judged by replicas: the same view with all random choices made anew, again and again.
+
+use groundtruth::math::{Point, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers;
+use groundtruth::scene::Scene;
+use groundtruth::trace::radiance;
+use groundtruth::verify::means;
+use groundtruth::verify::significance::sidak;
+use groundtruth::world::World;
+
+use crate::ch14::stage::{built, ray};
+
+/// Seeded independently: more than the 16 that a t test of nearly normal values needs.
+pub const REPLICAS: u64 = 24;
+
+/// The probability that any of the means of one law raises a false alarm, for seeds chosen at
+/// random.
+pub const LEVEL: f64 = 1e-6;
+
+/// An estimate without variance errs by its rounding only: a few dozen products and sums.
+const ROUNDING: f64 = 1e-13;
+
+/// Gives each pixel so many multi-jittered samples.
+pub fn with_samples(mut scene: Scene, samples: u32) -> Scene {
+    scene.image.samples = samples;
+    scene.image.sampler = Some(samplers::MultiJittered {}.into());
+    scene
+}
+
+/// What arrives at a place from a direction: the mean over a pixel's samples.
+pub fn view(world: &World, origin: Point, direction: Vector) -> Rgb {
+    let n = world.samples_per_pixel();
+    let ray = ray(origin, direction);
+    let sample = |i| radiance(world, &ray, world.draws([0, 0], i), &mut ());
+    groundtruth::render::mean((0..n).map(sample))
+}
+
+/// A quantity of the scene, once for each replica.
+pub fn replicas<T>(scene: &Scene, of: impl Fn(&World) -> T) -> Vec<T> {
+    let mut world = built(scene);
+    let mut one = |seed| {
+        world.reseed(2007 + seed);
+        of(&world)
+    };
+    (0..REPLICAS).map(&mut one).collect()
+}
+
+/// Fails if the mean of the values differs significantly from what is expected, as one of so many
+/// tests; or if it is known too badly to tell: its standard error is above `power` times the
+/// expected value.
+pub fn assert_mean(what: &str, values: &[f64], expected: f64, tests: usize, power: f64) {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let squares: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
+    let error = (squares / (n - 1.0) / n).sqrt();
+    let apart = (mean - expected).abs();
+    if error <= ROUNDING * mean.abs() {
+        assert!(
+            apart <= 2.0 * ROUNDING * expected.abs(),
+            "{what}: every replica gives {mean}, expected {expected}: {apart:e} apart"
+        );
+        return;
+    }
+    let p = means::one_sample(values, expected);
+    assert!(
+        p > sidak(LEVEL, tests),
+        "{what}: the mean is {mean} ± {error:e}, expected {expected}: {:.1} standard errors apart, \
+         p = {p:e}",
+        apart / error
+    );
+    assert!(
+        error <= power * expected.abs(),
+        "{what}: the mean {mean} is known to {error:e} only, too badly to judge {expected}"
+    );
+}
+
+/// As [`assert_mean`], in each channel.
+pub fn assert_color(what: &str, values: &[Rgb], expected: Rgb, tests: usize, power: f64) {
+    for (channel, expected) in expected.to_array().into_iter().enumerate() {
+        let values: Vec<f64> = values.iter().map(|value| value.to_array()[channel]).collect();
+        assert_mean(&format!("{what}, channel {channel}"), &values, expected, 3 * tests, power);
+    }
+}
