@@ -313,7 +313,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"light": {"light": {"area": {"object": "lamp"}}, "from": [0, 0, 1]}}"#,
-        "light.light.area.object: no object `lamp`; there are: ",
+        "light.light.area.object: no object `lamp`: the scene has none",
     ),
     (
         r#"{"light": {"light": {"point": {"location": [0, 0, 1], "attenuation": -1}}, "from": [0, 0, 0]}}"#,

@@ -135,7 +135,7 @@ fn the_azimuth_of_the_frame_does_not_matter() {
 #[test]
 fn two_colours_mix_by_visibility() {
     let occluded = Rgb::new(0.1, 0.2, 1.0);
-    for (min_amount, tall) in [(1.0, 1.0), (0.5, 3.0), (0.0, 0.4)] {
+    for (min_amount, tall) in [(1.0, 1.0), (0.5, 3.0), (0.125, 0.4)] {
         let mut scene = floor(Vector::Y);
         put(&mut scene, wall(Normal::Y, 1.0, tall, 1.0), chalk());
         let source =

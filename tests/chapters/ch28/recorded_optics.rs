@@ -118,7 +118,8 @@ fn a_matte_term_is_reflectance_and_cosine_and_light() {
     shine(&mut scene, lights::Directional { ls: 3.0, color: Rgb::WHITE, direction });
     let tree = recorded(&built(&scene), Point::new(0.0, 1.0, 0.0), -Vector::Y);
     let [recorded] = &tree.root().terms[..] else { panic!("one light, one lobe") };
-    let TermSource::Direct { light, lobe, f, cos_i, pdf, traced, mis: None } = recorded.term.source else {
+    let TermSource::Direct { light, lobe, f, cos_i, pdf, traced, mis: None } = recorded.term.source
+    else {
         panic!("direct light")
     };
     assert_eq!((light, pdf, traced, recorded.child), (0, None, true, Some(1)));
