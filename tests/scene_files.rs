@@ -136,8 +136,8 @@ const ERRORS: &[(&str, &str, &str)] = &[
     ),
     (
         "whitted",
-        "path",
-        "scene.toml:4: tracer.path: unknown variant `path`, expected `ray_cast` or `whitted`",
+        "paths",
+        "scene.toml:4: tracer.paths: unknown variant `paths`, expected one of `ray_cast`, `whitted`, `path_trace`, `global_trace`, `path`",
     ),
     (
         "material = \"red\"",
