@@ -28,7 +28,8 @@ pub struct Scene {
     /// What it shows, in one line.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub about: String,
-    /// How light is followed: `"ray_cast"` for direct light only, or `whitted` for mirrors and glass.
+    /// How light is followed: `"ray_cast"` for direct light only, `whitted` for mirrors and glass, or one
+    /// of the path tracers for light that bounces between all surfaces.
     #[serde(default)]
     pub tracer: Tracer,
     /// How rays find objects. The picture is the same; only the time differs.

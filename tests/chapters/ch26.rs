@@ -70,7 +70,7 @@ fn the_three_path_tracers_agree() {
             scene.tracer = tracer;
             replicas(&scene, &rays)
         });
-        for i in 0..rays.len() {
+        for (i, _) in rays.iter().enumerate() {
             for (a, b) in [(0, 2), (1, 2)] {
                 let p = means::two_samples(&found[a][i], &found[b][i]);
                 let [a, b] = [a, b].map(|t| found[t][i].iter().sum::<f64>() / REPLICAS as f64);

@@ -86,11 +86,13 @@ impl Scene {
             let scene = new_scene(device);
             set_flags(scene, if robust { ROBUST } else { 0 });
             let geometry = new_geometry(device, TRIANGLES);
-            let places = buffer(geometry, VERTICES, 0, FLOAT3, 12, vertices.len()).cast::<[f32; 3]>();
+            let places =
+                buffer(geometry, VERTICES, 0, FLOAT3, 12, vertices.len()).cast::<[f32; 3]>();
             for (i, vertex) in vertices.iter().enumerate() {
                 *places.add(i) = vertex.to_array().map(|x| x as f32);
             }
-            let indices = buffer(geometry, INDICES, 0, UINT3, 12, triangles.len()).cast::<[u32; 3]>();
+            let indices =
+                buffer(geometry, INDICES, 0, UINT3, 12, triangles.len()).cast::<[u32; 3]>();
             for (i, triangle) in triangles.iter().enumerate() {
                 *indices.add(i) = *triangle;
             }

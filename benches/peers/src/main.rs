@@ -6,6 +6,7 @@
 
 #[path = "../../bumpy.rs"]
 mod bumpy;
+#[allow(dead_code)] // what the other comparison asks
 mod embree;
 
 use std::hint::black_box;
@@ -113,7 +114,8 @@ fn compare(steps: [u32; 2]) {
     let ours = Kernel::available().into_iter().map(|kernel| ours(&vertices, &triangles, kernel));
     let mut peers: Vec<Peer> = ours.collect();
     peers.extend([parry(&vertices, &triangles), obvhs(&vertices, &triangles)]);
-    peers.extend([false, true].into_iter().flat_map(|robust| embree(&vertices, &triangles, robust)));
+    peers
+        .extend([false, true].into_iter().flat_map(|robust| embree(&vertices, &triangles, robust)));
     println!("{} triangles; built in", triangles.len());
     for peer in &peers {
         println!("  {:42} {:7.1} ms", peer.name, 1e3 * peer.built.as_secs_f64());

@@ -96,7 +96,10 @@ fn main() {
         print!("  groundtruth {time:.2} s (mean {mean:.5})");
         if let Some(peer) = &peer {
             let (peer_mean, peer_time) = loop_over(peer);
-            print!(", Embree loop {peer_time:.2} s (mean {peer_mean:.5}), ratio {:.2}", time / peer_time);
+            print!(
+                ", Embree loop {peer_time:.2} s (mean {peer_mean:.5}), ratio {:.2}",
+                time / peer_time
+            );
             ratios.push(time / peer_time);
         }
         println!();

@@ -1,0 +1,109 @@
+//! Rays that go on from a hit: a tree of them, or a path.
+
+use super::{
+    Left, PathState, RadianceSum, RayKind, Recorder, Scatter, ShadingPoint, TermSource, Tracing,
+    context, medium_towards,
+};
+use crate::lobes::{Bsdf, BsdfSample, Lobe};
+use crate::math::Ray;
+use crate::rgb::Rgb;
+use crate::samplers::Purpose;
+
+/// What a path knows when it goes on.
+struct Onward {
+    left: Option<Left>,
+    throughput: Rgb,
+}
+
+impl<R: Recorder> Tracing<'_, R> {
+    /// Follows each lobe that lights' samples do not meet.
+    pub(super) fn follow_each(
+        &mut self,
+        path: &PathState,
+        point: &ShadingPoint<'_>,
+        bsdf: &Bsdf<'_>,
+        sum: &mut RadianceSum,
+    ) {
+        for (lobe, kind) in bsdf.lobes().iter().filter(|(lobe, _)| !lobe.is_lit()) {
+            let u = self.direction(path, lobe);
+            if let Some(sample) = bsdf.sample(lobe, *kind, u) {
+                let onward = Onward { left: None, throughput: path.throughput };
+                self.follow(path, point, lobe, (sample, onward), sum);
+            }
+        }
+    }
+
+    /// Follows one lobe, chosen in proportion to about what it sends on; with Russian roulette perhaps
+    /// none.
+    pub(super) fn follow_one(
+        &mut self,
+        path: &PathState,
+        point: &ShadingPoint<'_>,
+        bsdf: &Bsdf<'_>,
+        sum: &mut RadianceSum,
+    ) {
+        /// From this depth on a path may end by chance.
+        const ROULETTE_FROM: u32 = 3;
+        let chances = bsdf.chances();
+        let plays = self.strategy.scatter == Scatter::OneLobeOrNone && path.depth >= ROULETTE_FROM;
+        let is_certain = chances.contains(&1.0);
+        // one pair for both: a surface of one lobe draws no choice
+        let [u, luck] = match plays || !is_certain {
+            true => self.draw(Purpose::Lobe { path: path.key }),
+            false => [0.0; 2],
+        };
+        let mut passed = 0.0;
+        let chosen = chances.iter().position(|chance| {
+            passed += chance;
+            u < passed
+        });
+        let Some((lobe, kind)) = chosen.map(|index| &bsdf.lobes()[index]) else { return };
+        let direction = self.direction(path, lobe);
+        let Some(mut sample) = bsdf.sample(lobe, *kind, direction) else { return };
+        sample.weight = sample.weight / chances[chosen.unwrap_or(0)];
+        let eta = if sample.transmits { bsdf.relative_eta(lobe, *kind) } else { 1.0 };
+        let mut throughput = path.throughput * ((eta * eta) * sample.weight);
+        if plays {
+            let survives = throughput.max().min(1.0);
+            if luck >= survives {
+                return;
+            }
+            sample.weight = sample.weight / survives;
+            throughput = throughput / survives;
+        }
+        let sampled = self.strategy.samples_lights(path.depth) && sample.pdf.is_some();
+        let left = sampled.then(|| Left { from: context(point), pdf: bsdf.pdf(sample.direction) });
+        self.follow(path, point, lobe, (sample, Onward { left, throughput }), sum);
+    }
+
+    /// The numbers for the direction of a lobe; a single direction needs none.
+    fn direction(&mut self, path: &PathState, lobe: &Lobe) -> [f64; 2] {
+        match lobe.is_specular() {
+            true => [0.5; 2],
+            false => self.draw(Purpose::Direction { path: path.key, branch: lobe.branch() }),
+        }
+    }
+
+    /// Follows a mirrored or refracted ray.
+    fn follow(
+        &mut self,
+        path: &PathState,
+        point: &ShadingPoint<'_>,
+        lobe: &Lobe,
+        (sample, Onward { left, throughput }): (BsdfSample, Onward),
+        sum: &mut RadianceSum,
+    ) {
+        let BsdfSample { direction, weight, transmits, .. } = sample;
+        let child = PathState {
+            ray: Ray::new(point.hit.surface.leave(direction), direction),
+            kind: if transmits { RayKind::Transmitted } else { RayKind::Reflected },
+            depth: path.depth + 1,
+            key: path.key.then(lobe.branch()),
+            medium: medium_towards(path, point, direction),
+            left,
+            throughput,
+        };
+        let light = self.cast(&child, weight);
+        sum.add(self.recorder, TermSource::Traced { lobe: *lobe }, weight, light);
+    }
+}

@@ -1,0 +1,141 @@
+//! The lists of a scene checked and built: lights, materials, objects.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+
+use super::{PlacedLight, PlacedMaterial, PlacedObject};
+use crate::invalid::{Invalid, Key};
+use crate::lights::{self, LampObject};
+use crate::scene::{self, Scene};
+use crate::shapes::{Context, PartMaterial};
+
+/// An element of a list, for error messages.
+fn item(list: &str, index: usize, name: &str) -> impl Fn(Invalid) -> Invalid {
+    let key = Key::Item(index, Some(name.to_owned()));
+    move |invalid| invalid.inside(key.clone()).inside(list)
+}
+
+/// Refuses a name that an earlier element has.
+fn unique<'a>(list: &str, names: impl Iterator<Item = &'a str>) -> Result<(), Invalid> {
+    let mut known = std::collections::HashMap::new();
+    for (index, name) in names.enumerate() {
+        if let Some(first) = known.insert(name, index) {
+            let problem = format!("`{name}` is the name of {list}[{first}] already");
+            return Err(item(list, index, name)(Invalid::field("name", problem)));
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn placed_lights(
+    scene: &Scene,
+    materials: &[PlacedMaterial],
+    objects: &mut [PlacedObject],
+) -> Result<Vec<PlacedLight>, Invalid> {
+    unique("lights", scene.lights.iter().map(|light| light.name.as_str()))?;
+    let mut context = lights_context(scene, materials, objects);
+    let mut lamps: BTreeMap<String, &str> = BTreeMap::new();
+    let mut sky: Option<&str> = None;
+    let mut lights = Vec::new();
+    for (index, light) in scene.lights.iter().enumerate() {
+        let here = |e: Invalid| item("lights", index, &light.name)(e.inside("source"));
+        let lamp_is_hidden = matches!(&light.source, lights::Kind::Area(area) if context.hidden.contains(&area.object));
+        if lamp_is_hidden && !light.enabled {
+            continue; // both are switched off
+        }
+        let built = light.source.build(&mut context).map_err(here)?;
+        if let Some(name) = built.object() {
+            if let Some(other) = lamps.insert(name.to_owned(), &light.name) {
+                let problem = format!("`{name}` is the lamp of the light \"{other}\" already");
+                return Err(here(Invalid::field("object", problem).inside("area")));
+            }
+            for object in objects.iter_mut().filter(|object| object.name == name) {
+                object.shines = light.enabled;
+                object.lamp_of = light.enabled.then_some(lights.len() as u32);
+            }
+        }
+        if built.is_sky()
+            && let Some(other) = sky.replace(&light.name)
+        {
+            let problem = format!("the background is the light \"{other}\" already");
+            return Err(here(Invalid::field("environment", problem)));
+        }
+        if light.enabled {
+            let (name, place, shadows) = (light.name.clone(), index as u32, light.shadows);
+            lights.push(PlacedLight { name, place, shadows, light: built });
+        }
+    }
+    Ok(lights)
+}
+
+/// What area lights may name. Objects that are switched off have no shape here.
+fn lights_context(
+    scene: &Scene,
+    materials: &[PlacedMaterial],
+    objects: &[PlacedObject],
+) -> lights::Context {
+    let mut context = lights::Context {
+        background: scene.background.clone(),
+        hidden: scene.objects.iter().filter(|o| !o.enabled).map(|o| o.name.clone()).collect(),
+        ..lights::Context::default()
+    };
+    for object in objects {
+        let material = &materials[object.material as usize];
+        let (shape, two_sided) = (Arc::clone(&object.shape), material.two_sided);
+        let emission = material.recipe.emission().cloned();
+        context.objects.insert(object.name.clone(), LampObject { shape, emission, two_sided });
+    }
+    context
+}
+
+pub(super) fn placed_materials(scene: &Scene) -> Result<Vec<PlacedMaterial>, Invalid> {
+    unique("materials", scene.materials.iter().map(|material| material.name.as_str()))?;
+    let placed = |(index, material): (usize, &scene::Material)| {
+        let here = item("materials", index, &material.name);
+        let recipe = material.recipe.build(&mut ()).map_err(|e| here(e.inside("recipe")))?;
+        if material.two_sided && recipe.transmits() {
+            let problem = "a transparent material must know its inside and cannot be two-sided";
+            return Err(here(Invalid::field("two_sided", problem)));
+        }
+        let (name, place) = (material.name.clone(), index as u32);
+        let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
+        Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows, used: false })
+    };
+    scene.materials.iter().enumerate().map(placed).collect()
+}
+
+pub(super) fn placed_objects(
+    scene: &Scene,
+    folder: &Path,
+    materials: &mut [PlacedMaterial],
+) -> Result<Vec<PlacedObject>, Invalid> {
+    let known: BTreeMap<String, PartMaterial> = materials
+        .iter()
+        .map(|m| (m.name.clone(), PartMaterial { place: m.place, casts_shadows: m.casts_shadows }))
+        .collect();
+    unique("objects", scene.objects.iter().map(|object| object.name.as_str()))?;
+    let mut context = Context::new(folder, scene.accel).with_materials(known);
+    let mut objects = Vec::new();
+    for (index, object) in scene.objects.iter().enumerate() {
+        let here = item("objects", index, &object.name);
+        let material = context.material(&object.material).map_err(&here)?;
+        let built = context.object(&object.shape, material).map_err(|e| here(e.inside("shape")));
+        let (shape, made_of) = built?;
+        if !object.enabled {
+            continue;
+        }
+        made_of.iter().for_each(|part| materials[part.place as usize].used = true);
+        objects.push(PlacedObject {
+            name: object.name.clone(),
+            place: index as u32,
+            material: material.place,
+            casts_shadows: object.casts_shadows && made_of.iter().any(|part| part.casts_shadows),
+            shines: true,
+            lamp_of: None,
+            bounds: shape.bounds(),
+            shape,
+        });
+    }
+    Ok(objects)
+}
