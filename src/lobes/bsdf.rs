@@ -4,6 +4,7 @@
 use super::{Lobe, Lobes, MOST_LOBES, NormalKind};
 use crate::math::{Frame, Normal, Vector};
 use crate::rgb::Rgb;
+use crate::samplers::Branch;
 use arrayvec::ArrayVec;
 
 /// The lobes of a surface, as a viewer in the direction `wo` sees them.
@@ -172,7 +173,10 @@ impl<'a> Bsdf<'a> {
         let direction = frame.to_world(sample.wi);
         let stays = self.is_outward(direction) == self.is_outward(self.wo);
         if stays == transmits {
-            return None; // an interpolated normal sends it to the wrong side of the true surface
+            // an interpolated normal sends it to the wrong side of the true surface: without this,
+            // smooth mirrors would have black outlines
+            let mirror = lobe.branch() == Branch::Mirror && kind == NormalKind::Shading;
+            return if mirror { self.sample(lobe, NormalKind::Geometry, u) } else { None };
         }
         // an index of refraction so far from 1 that the direction overflows has no direction
         let direction = direction.unit()?;

@@ -17,7 +17,10 @@ pub struct FresnelReflector {
 
 impl Scatter for FresnelReflector {
     const BRANCH: Branch = Branch::Mirror;
-    const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+
+    fn claims(&self) -> Claims {
+        Claims { reciprocal: true, conserves_energy: true }
+    }
 
     fn check(&self) -> Result<(), Invalid> {
         positive("eta", self.eta).map(drop)

@@ -17,8 +17,11 @@ pub struct FresnelTransmitter {
 
 impl Scatter for FresnelTransmitter {
     const BRANCH: Branch = Branch::Refraction;
-    // as the perfect transmitter
-    const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
+
+    fn claims(&self) -> Claims {
+        // as the perfect transmitter
+        Claims { reciprocal: false, conserves_energy: true }
+    }
 
     fn check(&self) -> Result<(), Invalid> {
         positive("eta", self.eta).map(drop)

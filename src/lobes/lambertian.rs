@@ -19,7 +19,10 @@ pub struct Lambertian {
 
 impl Scatter for Lambertian {
     const BRANCH: Branch = Branch::Diffuse;
-    const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+
+    fn claims(&self) -> Claims {
+        Claims { reciprocal: true, conserves_energy: true }
+    }
 
     fn check(&self) -> Result<(), Invalid> {
         self.reflectance.checked("reflectance").map(drop)

@@ -6,6 +6,7 @@
 
 mod fresnel_reflector;
 mod fresnel_transmitter;
+mod glossy_reflection;
 mod glossy_specular;
 mod lambertian;
 mod perfect_specular;
@@ -13,6 +14,7 @@ mod perfect_transmitter;
 
 // shared by the kinds
 mod bsdf;
+mod cosine_power;
 mod fresnel;
 mod refract;
 
@@ -25,6 +27,7 @@ use crate::samplers::Branch;
 
 pub use bsdf::{Bsdf, BsdfSample, Lit, Normals, Which};
 pub use fresnel::{Fresnel, Polarised, fresnel, polarised};
+pub use glossy_reflection::GlossyRule;
 pub use refract::refract;
 
 /// A direction drawn by a lobe.
@@ -53,8 +56,9 @@ pub struct Claims {
 trait Scatter {
     /// The name of the paths it sends on; it also says whether light samples meet the lobe.
     const BRANCH: Branch;
-    /// What it promises.
-    const CLAIMS: Claims;
+
+    /// See [`Lobe::claims`].
+    fn claims(&self) -> Claims;
 
     /// Whether its data fit.
     fn check(&self) -> Result<(), Invalid>;
@@ -160,7 +164,7 @@ macro_rules! lobes {
 
             /// What it promises.
             pub fn claims(&self) -> Claims {
-                match self { $(Self::$Lobe(_) => $Lobe::CLAIMS),* }
+                match self { $(Self::$Lobe(lobe) => lobe.claims()),* }
             }
         }
     };
@@ -198,6 +202,7 @@ impl Lobe {
             Self::FresnelTransmitter(lobe) => Some(relative(lobe.eta, wo)),
             Self::Lambertian(_)
             | Self::GlossySpecular(_)
+            | Self::GlossyReflection(_)
             | Self::PerfectSpecular(_)
             | Self::FresnelReflector(_) => None,
         }
@@ -208,6 +213,7 @@ lobes! {
     ch13 lambertian::Lambertian "Lambertian",
     ch15 glossy_specular::GlossySpecular "glossy specular",
     ch24 perfect_specular::PerfectSpecular "perfect specular",
+    ch25 glossy_reflection::GlossyReflection "glossy reflection",
     ch27 perfect_transmitter::PerfectTransmitter "perfect transmitter",
     ch28 fresnel_reflector::FresnelReflector "Fresnel reflector",
     ch28 fresnel_transmitter::FresnelTransmitter "Fresnel transmitter",

@@ -20,7 +20,10 @@ pub struct PerfectSpecular {
 
 impl Scatter for PerfectSpecular {
     const BRANCH: Branch = Branch::Mirror;
-    const CLAIMS: Claims = Claims { reciprocal: true, conserves_energy: true };
+
+    fn claims(&self) -> Claims {
+        Claims { reciprocal: true, conserves_energy: true }
+    }
 
     fn check(&self) -> Result<(), Invalid> {
         self.reflectance.checked("reflectance").map(drop)

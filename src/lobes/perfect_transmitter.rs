@@ -30,8 +30,11 @@ impl PerfectTransmitter {
 
 impl Scatter for PerfectTransmitter {
     const BRANCH: Branch = Branch::Refraction;
-    // the index of refraction enters once, on one side: reciprocal in basic radiance L/η² only
-    const CLAIMS: Claims = Claims { reciprocal: false, conserves_energy: true };
+
+    fn claims(&self) -> Claims {
+        // the index of refraction enters once, on one side: reciprocal in basic radiance L/η² only
+        Claims { reciprocal: false, conserves_energy: true }
+    }
 
     fn check(&self) -> Result<(), Invalid> {
         not_negative("transmittance", self.transmittance)?;

@@ -5,6 +5,7 @@
 
 mod dielectric;
 mod emissive;
+mod glossy_reflector;
 mod matte;
 mod phong;
 mod reflective;
@@ -109,6 +110,7 @@ crate::kinds! {
     ch15 phong::Phong,
     ch24 reflective::Reflective,
     ch24 emissive::Emissive,
+    ch25 glossy_reflector::GlossyReflector,
     ch27 transparent::Transparent,
     ch28 dielectric::Dielectric,
 }

@@ -104,6 +104,26 @@ fn a_closed_sphere_that_emits_and_reflects_sums_the_series() {
     }
 }
 
+/// Law: Russian roulette keeps the mean: what paths that go on count more makes up for those that end.
+/// Oracle: the series above, at depths where many have ended.
+#[test]
+fn roulette_keeps_the_mean() {
+    for rho in [0.3, 0.6, 0.9] {
+        let mut scene = stage(Rgb::BLACK);
+        scene.tracer = Tracer::Path(Depth { max_depth: 40 });
+        scene.image.samples = 256;
+        let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
+        let matte = Some(Matte { ka: 0.0, kd: rho, cd: Rgb::WHITE.into() });
+        put(&mut scene, wall, Emissive { matte, ..Emissive::new(1.0, Rgb::WHITE) });
+        let expected = (1.0 - power(rho, 41.0)) / (1.0 - rho);
+        let found = replicas(&scene, &[(Point::ORIGIN, Vector::X)]);
+        let mean = found[0].iter().sum::<f64>() / REPLICAS as f64;
+        let p = means::one_sample(&found[0], expected);
+        assert!(p > sidak(LEVEL, TESTS), "ρ {rho}: {mean} instead of {expected}, p = {p:e}");
+        assert!(found[0].iter().any(|value| *value != mean), "no path ended by chance");
+    }
+}
+
 /// Law: a convex matte body in uniform light shows `ρ L`, each sample exactly, whichever strategy finds the
 /// light. Oracle: the furnace.
 #[test]

@@ -1,0 +1,84 @@
+//! The glossy reflector (Suffern, ch. 25): a blurred mirror over Phong shading.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::phong::{self, Phong};
+use super::{Material, Response};
+use crate::invalid::{Invalid, not_negative};
+use crate::kinds::{self, Specification};
+use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
+use crate::rgb::Rgb;
+use crate::shapes::Surface;
+use crate::textures::{Paint, Texture};
+
+/// A blurred mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path tracer, and
+/// some samples a pixel: each looks in one direction.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GlossyReflector {
+    /// The fields of `phong`, for what is under the mirror; nothing if left out. Its exponent is that of
+    /// the highlights.
+    #[serde(default)]
+    pub phong: Phong,
+    /// The share of light that is reflected, from 0 to 1 mostly; not negative.
+    pub kr: f64,
+    /// The colour of the reflection.
+    #[serde(default = "kinds::white::<Paint>")]
+    pub cr: Paint,
+    /// The exponent `e` of the reflection, not negative: 10 blurs all but the nearest, 10000 hardly
+    /// anything.
+    pub exponent: f64,
+    /// What a reflected ray counts; as in the book if left out.
+    #[serde(default)]
+    pub rule: GlossyRule,
+}
+
+#[derive(Debug)]
+struct BlurredMirror {
+    phong: phong::Built,
+    kr: f64,
+    cr: Arc<dyn Texture>,
+    exponent: f64,
+    rule: GlossyRule,
+}
+
+impl Specification for GlossyReflector {
+    type Built = Arc<dyn Material>;
+    type Context = ();
+
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+        Ok(Arc::new(BlurredMirror {
+            phong: self.phong.check().map_err(|e| e.inside("phong"))?,
+            kr: not_negative("kr", self.kr)?,
+            cr: self.cr.build("cr")?,
+            exponent: not_negative("exponent", self.exponent)?,
+            rule: self.rule,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { phong: self.phong.scaled(factor), cr: self.cr.scaled(factor), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let phong = Phong::specimens().remove(0);
+        let cr = Rgb::new(0.9, 1.0, 0.9).into();
+        let book = Self { phong, kr: 0.75, cr, exponent: 100.0, rule: GlossyRule::Book };
+        vec![Self { rule: GlossyRule::Normalised, ..book.clone() }, book]
+    }
+}
+
+impl Material for BlurredMirror {
+    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+        self.phong.respond(at, cos_o, response);
+        let reflectance = self.kr * self.cr.color(at);
+        if !reflectance.is_black() {
+            let (exponent, rule) = (self.exponent, self.rule);
+            let lobe = GlossyReflection { reflectance, exponent, rule };
+            response.lobes.push((lobe.into(), NormalKind::Shading));
+        }
+    }
+}
