@@ -82,6 +82,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "filters",
             "kinds",
             "lights",
+            "lobes",
             "materials",
             "math",
             "rgb",

@@ -66,7 +66,7 @@ const ROOM: f64 = 11.0;
 const MIRROR: f64 = 8.0;
 const GAP: f64 = 1.0;
 
-fn hall_of_mirrors() -> Scene {
+pub(super) fn hall_of_mirrors() -> Scene {
     let lens = Pinhole { distance: 300.0, zoom: 1.0 };
     let camera = Viewpoint::new(point(7.5, 3.0, 9.5), Point::ORIGIN, lens);
     let image = Image { samples: 16, ..Image::new(600, 400) };

@@ -1,0 +1,293 @@
+//! Glossy reflection (Suffern, ch. 25).
+
+use groundtruth::lobes::{GlossyReflection, GlossyRule, Lobe};
+use groundtruth::materials::{Emissive, GlossyReflector, Matte, Phong, Reflective};
+use groundtruth::math::{Frame, Normal, Pcg32, Point, Vector, cos, power, sin};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Scene, Tracer};
+use groundtruth::shapes::{Plane, Sphere, Triangle};
+use groundtruth::trace::radiance;
+use groundtruth::verify::means;
+use groundtruth::verify::significance::sidak;
+use groundtruth::world::World;
+
+use crate::ch14::stage::{built, counted, deep_stage, look, put, ray, recorded, shine, stage};
+
+/// The chance that a law of means of this file is called broken if it holds, had the seeds been drawn
+/// anew.
+const LEVEL: f64 = 1e-3;
+const TESTS: usize = 40;
+const REPLICAS: u64 = 24;
+
+fn glossy(kr: f64, exponent: f64, rule: GlossyRule) -> GlossyReflector {
+    GlossyReflector { phong: Phong::default(), kr, cr: Rgb::WHITE.into(), exponent, rule }
+}
+
+fn floor() -> Plane {
+    Plane { point: Point::ORIGIN, normal: Vector::Y }
+}
+
+/// What `samples` samples in each of the replicas find in a direction, in green.
+fn replicas(scene: &Scene, samples: u32, origin: Point, direction: Vector) -> Vec<f64> {
+    let mut scene = scene.clone();
+    scene.image.samples = samples;
+    let mut world = built(&scene);
+    let mean_of = |world: &World| {
+        let sample = |i| radiance(world, &ray(origin, direction), world.draws([0, 0], i), &mut ());
+        render::mean((0..world.samples_per_pixel()).map(sample)).g
+    };
+    let replica = |seed| {
+        world.reseed(seed);
+        mean_of(&world)
+    };
+    (0..REPLICAS).map(replica).collect()
+}
+
+/// Directions of viewers, from straight above to nearly grazing.
+fn viewers() -> impl Iterator<Item = Vector> {
+    [1.0, 0.8, 0.3, 0.05, 1e-3].into_iter().map(|c: f64| {
+        let sine = ((1.0 - c) * (1.0 + c)).sqrt();
+        Vector::new(sine * cos(0.7), sine * sin(0.7), c)
+    })
+}
+
+fn samples_of(lobe: GlossyReflection, wo: Vector, count: u32) -> Vec<Vector> {
+    let mut random = Pcg32::new(25, 0);
+    let lobe = Lobe::from(lobe);
+    let one = |_| lobe.sample(wo, [random.uniform(), random.uniform()]).map(|sample| sample.wi);
+    (0..count).filter_map(one).collect()
+}
+
+/// Law: by the book's rule uniform surroundings L are seen as `kr L`, by each sample exactly and at every
+/// angle. Oracle: the product.
+#[test]
+fn uniform_surroundings_are_seen_times_the_reflectance() {
+    for exponent in [0.0, 1.0, 10.0, 1000.0, 1e5] {
+        let mut scene = deep_stage(Rgb::new(0.8, 0.9, 1.0), 1);
+        put(&mut scene, floor(), glossy(0.8, exponent, GlossyRule::Book));
+        let world = built(&scene);
+        for slope in [-100.0, -1.0, -0.2, -0.01] {
+            let seen = look(&world, Point::new(0.0, 1.0, 0.0), Vector::new(1.0, slope, 0.3));
+            let off = (seen.g - 0.72).abs() / 0.72;
+            assert!(off < 1e-14, "e = {exponent}, slope {slope}: {} instead of 0.72", seen.g);
+        }
+    }
+}
+
+/// Law: by the normalised rule the mean is `L` times the albedo, which is at most `kr`, and less where the
+/// lobe reaches below the surface. Oracle: quadrature of the lobe over the hemisphere.
+#[test]
+fn the_normalised_rule_loses_what_falls_below() {
+    const STEPS: u32 = 400;
+    for (exponent, slope) in [(1.0, -1.0), (10.0, -0.3), (100.0, -0.1)] {
+        let mut scene = deep_stage(Rgb::WHITE, 1);
+        put(&mut scene, floor(), glossy(0.9, exponent, GlossyRule::Normalised));
+        let direction = Vector::new(1.0, slope, 0.0).unit().expect("not zero");
+        // about the mirror direction, in equal steps of cos^(e+1) and φ
+        let mirrored = Vector::new(direction.x(), -direction.y(), 0.0);
+        let frame = Frame::around(Normal::new(mirrored).expect("unit"));
+        let mut sum = 0.0;
+        for i in 0..STEPS {
+            let c = power((f64::from(i) + 0.5) / f64::from(STEPS), 1.0 / (exponent + 1.0));
+            let s = ((1.0 - c) * (1.0 + c)).sqrt();
+            for j in 0..STEPS {
+                let phi = std::f64::consts::TAU * (f64::from(j) + 0.5) / f64::from(STEPS);
+                let wi = frame.to_world(Vector::new(s * cos(phi), s * sin(phi), c));
+                sum += wi.y().max(0.0);
+            }
+        }
+        let mean = sum / f64::from(STEPS * STEPS);
+        let expected = 0.9 * (exponent + 2.0) / (exponent + 1.0) * mean;
+        let found = replicas(&scene, 256, Point::new(0.0, 1.0, 0.0), direction);
+        let p = means::one_sample(&found, expected);
+        let mean = found.iter().sum::<f64>() / REPLICAS as f64;
+        let what = format!("e = {exponent}, slope {slope}");
+        assert!(p > sidak(LEVEL, TESTS), "{what}: {mean} instead of {expected}, p = {p:e}");
+        assert!(expected < 0.9, "{what}: {expected}");
+    }
+}
+
+/// Law: every direction is above the surface, also at grazing angles; by the book's rule none is lost.
+/// Oracle: the sign of z.
+#[test]
+fn every_direction_is_above_the_surface() {
+    for rule in [GlossyRule::Book, GlossyRule::Normalised] {
+        for (wo, exponent) in viewers().zip([0.0, 1.0, 5.0, 50.0, 1e4]) {
+            let lobe = GlossyReflection { reflectance: Rgb::WHITE, exponent, rule };
+            let all = samples_of(lobe, wo, 2000);
+            assert!(all.iter().all(|wi| wi.z() > 0.0), "{rule:?}, {wo:?}");
+            let lost = 2000 - all.len();
+            assert!(rule == GlossyRule::Normalised || lost == 0, "{wo:?}: {lost} are lost");
+        }
+    }
+}
+
+/// Law: the mean of `r·ω_i` is `(e + 1)/(e + 2)`; the turn about r does not change it. Oracle: that integral;
+/// t test of batches.
+#[test]
+fn the_mean_cosine_to_the_mirror_direction_is_that_of_the_power() {
+    for (wo, exponent) in viewers().zip([1.0, 3.0, 10.0, 100.0, 1000.0]) {
+        let lobe = GlossyReflection { reflectance: Rgb::WHITE, exponent, rule: GlossyRule::Book };
+        let r = Vector::new(-wo.x(), -wo.y(), wo.z());
+        let cosines: Vec<f64> = samples_of(lobe, wo, 40_000).iter().map(|wi| r.dot(*wi)).collect();
+        let batches: Vec<f64> = cosines.chunks(1000).map(|b| b.iter().sum::<f64>() / 1e3).collect();
+        let expected = (exponent + 1.0) / (exponent + 2.0);
+        let p = means::one_sample(&batches, expected);
+        assert!(p > sidak(LEVEL, TESTS), "e = {exponent}: p = {p:e} for {expected}");
+    }
+}
+
+/// Law: seen from straight above, the blur is the same in all directions: the mean of x, y and xy is 0, and
+/// x² and y² have one mean. Oracle: symmetry; t tests of batches.
+#[test]
+fn the_blur_is_round() {
+    let lobe = GlossyReflection { reflectance: Rgb::WHITE, exponent: 20.0, rule: GlossyRule::Book };
+    let all = samples_of(lobe, Vector::Z, 60_000);
+    let moments: [fn(&Vector) -> f64; 4] =
+        [|w| w.x(), |w| w.y(), |w| w.x() * w.y(), |w| w.x() * w.x() - w.y() * w.y()];
+    for (i, moment) in moments.iter().enumerate() {
+        let values: Vec<f64> = all.iter().map(moment).collect();
+        let batches: Vec<f64> =
+            values.chunks(1500).map(|b| b.iter().sum::<f64>() / 1.5e3).collect();
+        let p = means::one_sample(&batches, 0.0);
+        assert!(p > sidak(LEVEL, TESTS), "moment {i}: p = {p:e}");
+    }
+}
+
+/// A glossy floor under a bright ball.
+fn under_a_ball(finish: impl Into<groundtruth::materials::Kind>) -> Scene {
+    let mut scene = deep_stage(Rgb::grey(0.1), 2);
+    put(&mut scene, floor(), finish);
+    let ball = Sphere { center: Point::new(0.0, 1.5, 0.0), radius: 1.0, inward: false };
+    put(&mut scene, ball, Emissive::new(3.0, Rgb::WHITE));
+    scene
+}
+
+/// Law: with a growing exponent the reflection tends to the mirror's, at the edge of a reflected ball too.
+/// Oracle: the mirror of chapter 24; the distance falls at each step.
+#[test]
+fn a_large_exponent_is_a_mirror() {
+    let mirror = Reflective { phong: Phong::default(), kr: 0.8, cr: Rgb::WHITE.into() };
+    let mirrored = built(&under_a_ball(mirror));
+    let rays = (0..60).map(|i| Vector::new(0.02 * f64::from(i) - 0.6, -0.45, -1.0));
+    let distance = |exponent| {
+        let mut scene = under_a_ball(glossy(0.8, exponent, GlossyRule::Book));
+        scene.image.samples = 64;
+        let world = built(&scene);
+        let eye = Point::new(0.0, 2.0, 5.0);
+        let squares = rays.clone().map(|direction| {
+            let sample =
+                |i| radiance(&world, &ray(eye, direction), world.draws([0, 0], i), &mut ());
+            let seen = render::mean((0..64).map(sample)).g - look(&mirrored, eye, direction).g;
+            seen * seen
+        });
+        (squares.sum::<f64>() / 60.0).sqrt()
+    };
+    let distances = [1.0, 10.0, 100.0, 1e4, 1e6, 1e12].map(distance);
+    assert!(distances.windows(2).all(|w| w[1] < w[0] || w[1] == 0.0), "{distances:?}");
+    assert!(distances[0] > 0.3 && distances[5] < 1e-4, "{distances:?}");
+}
+
+/// Law: the exponent of the reflection does not change highlights, nor that of the highlights the
+/// reflection. Oracle: the same scene without the other.
+#[test]
+fn highlight_and_reflection_have_exponents_of_their_own() {
+    let highlight = Phong { ks: 0.5, exponent: 30.0, ..Phong::default() };
+    let seen = |finish: GlossyReflector| {
+        let mut scene = deep_stage(Rgb::BLACK, 1);
+        put(&mut scene, floor(), finish);
+        let location = Point::new(1.0, 2.0, 0.0);
+        let (ls, color) = (2.0, Rgb::WHITE);
+        shine(&mut scene, groundtruth::lights::Point { ls, color, location, attenuation: 0.0 });
+        look(&built(&scene), Point::new(-1.0, 2.0, 0.1), Vector::new(1.0, -2.0, 0.0)).g
+    };
+    let with = |exponent| GlossyReflector {
+        phong: highlight.clone(),
+        ..glossy(0.5, exponent, GlossyRule::Book)
+    };
+    // the surroundings are black: what is seen is the highlight
+    let alone = seen(GlossyReflector { kr: 0.0, ..with(1.0) });
+    assert!(alone > 0.1, "{alone}");
+    assert_eq!([seen(with(1.0)), seen(with(1e4))], [alone; 2]);
+    let bright = |highlight_exponent| {
+        let phong = Phong { exponent: highlight_exponent, ..highlight.clone() };
+        let mut scene = deep_stage(Rgb::WHITE, 1);
+        put(&mut scene, floor(), GlossyReflector { phong, ..glossy(0.5, 10.0, GlossyRule::Book) });
+        look(&built(&scene), Point::new(-1.0, 2.0, 0.1), Vector::new(1.0, -2.0, 0.0)).g
+    };
+    assert!((bright(1.0) - 0.5).abs() < 1e-14 && bright(1.0) == bright(1e3));
+}
+
+/// Law: a glossy hit casts one ray and draws one pair of numbers; ray casting neither. Oracle: counting.
+#[test]
+fn a_glossy_hit_costs_one_ray_and_one_draw() {
+    let scene = under_a_ball(glossy(0.8, 10.0, GlossyRule::Book));
+    let down = (Point::new(3.0, 1.0, 0.0), -Vector::Y);
+    let counts = counted(&built(&scene), down.0, down.1);
+    assert_eq!((counts.camera, counts.reflected, counts.draws), (1, 1, 1));
+    let cast = Scene { tracer: Tracer::RayCast, ..scene };
+    let counts = counted(&built(&cast), down.0, down.1);
+    assert_eq!((counts.camera, counts.reflected, counts.draws), (1, 0, 0));
+}
+
+/// Law: a matte and a mirror branch before it do not change where a glossy ray goes. Oracle: the recorded
+/// directions of both.
+#[test]
+fn other_lobes_do_not_move_the_reflection() {
+    let direction = |kd| {
+        let phong = Phong { kd, cd: Rgb::WHITE.into(), ..Phong::default() };
+        let scene = under_a_ball(GlossyReflector { phong, ..glossy(0.8, 10.0, GlossyRule::Book) });
+        let tree = recorded(&built(&scene), Point::new(3.0, 1.0, 0.0), -Vector::Y);
+        tree.nodes().last().expect("a reflected ray").ray
+    };
+    assert_eq!(direction(0.0), direction(0.5));
+}
+
+/// Law: where only what shines is seen, Whitted's tracer and the three path tracers have one mean, by both
+/// rules. Oracle: each other (Welch's t).
+#[test]
+fn all_tracers_see_the_same_reflection() {
+    for rule in [GlossyRule::Book, GlossyRule::Normalised] {
+        let mut scene = under_a_ball(glossy(0.7, 20.0, rule));
+        shine(&mut scene, groundtruth::lights::Area { object: "1".to_owned(), sampling: None });
+        let (eye, direction) = (Point::new(0.0, 2.0, 5.0), Vector::new(0.05, -0.45, -1.0));
+        let depth = Depth { max_depth: 1 };
+        let whitted = replicas(&scene, 64, eye, direction);
+        for tracer in [Tracer::PathTrace(depth), Tracer::GlobalTrace(depth), Tracer::Path(depth)] {
+            scene.tracer = tracer;
+            let found = replicas(&scene, 64, eye, direction);
+            let p = means::two_samples(&whitted, &found);
+            let [a, b] = [&whitted, &found].map(|v| v.iter().sum::<f64>() / REPLICAS as f64);
+            let right = p > sidak(LEVEL, TESTS);
+            assert!(right, "{rule:?}, {}: {a} and {b}, p = {p:e}", tracer.name());
+        }
+    }
+}
+
+/// Law: where the interpolated normal of a smooth mirror would send a ray below the true surface, it goes
+/// about the true normal, so that no outline is black. Oracle: the background's colour.
+#[test]
+fn a_smooth_mirror_has_no_black_outline() {
+    let mut scene = deep_stage(Rgb::new(0.2, 0.4, 0.6), 2);
+    let vertices = [[-1.0, 0.0, -1.0], [0.0, 0.0, 1.0], [1.0, 0.0, -1.0]].map(Point::from);
+    let normals = Some([Vector::new(-0.9, 0.5, 0.0); 3]);
+    let mirror = Reflective { phong: Phong::default(), kr: 1.0, cr: Rgb::WHITE.into() };
+    put(&mut scene, Triangle { vertices, normals }, mirror);
+    let seen = look(&built(&scene), Point::new(2.0, 0.4, 0.0), Vector::new(-2.0, -0.4, -0.1));
+    assert_eq!(seen, Rgb::new(0.2, 0.4, 0.6));
+}
+
+/// Law: a matte floor beside a glossy one is what it is without: black surroundings show nothing in a glossy
+/// surface. Oracle: black.
+#[test]
+fn nothing_is_reflected_of_nothing() {
+    let mut scene = stage(Rgb::BLACK);
+    scene.tracer = Tracer::Path(Depth { max_depth: 5 });
+    put(&mut scene, floor(), glossy(1.0, 5.0, GlossyRule::Normalised));
+    let ball = Sphere { center: Point::new(0.0, 1.0, 0.0), radius: 1.0, inward: false };
+    put(&mut scene, ball, Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() });
+    assert!(
+        look(&built(&scene), Point::new(0.0, 3.0, 5.0), Vector::new(0.0, -3.0, -5.0)).is_black()
+    );
+}
