@@ -228,8 +228,8 @@ proptest! {
         prop_assert_eq!(look(&built(&scene), from, d), BACKGROUND);
     }
 
-    /// Law: a smooth mesh mirrors by its smoothed normal, and what that would send into the mesh is left
-    /// out: no ray goes inside. Oracle: the flat normal; the smoothed one for the angle.
+    /// Law: a smooth mesh mirrors by its smoothed normal, and where that would send a ray into the mesh by
+    /// the flat one: no ray goes inside, and none is left out. Oracle: both normals, for the angle.
     #[test]
     fn a_smooth_mirror_sends_no_ray_inside(to_eye in unit(), phi in 0.0..TAU, far in 0.4..0.95_f64) {
         let mut scene = deep_stage(BACKGROUND, 1);
@@ -244,12 +244,16 @@ proptest! {
         match path(&tree)[..] {
             [_, after, ..] => {
                 prop_assert!(after.dot(hit.normal) > 0.0);
-                prop_assert!((after.cross(hit.shading) - before.cross(hit.shading)).length() <= 16.0 * U);
-            }
-            _ => {
                 let n = Vector::from(hit.shading);
-                prop_assert!((before - 2.0 * before.dot(n) * n).dot(hit.normal) < 16.0 * U);
+                let into = (before - 2.0 * before.dot(n) * n).dot(hit.normal);
+                // at the limit rounding decides
+                if into.abs() > 16.0 * U {
+                    let about = if into > 0.0 { hit.shading } else { hit.normal };
+                    let off = (after.cross(about) - before.cross(about)).length();
+                    prop_assert!(off <= 16.0 * U, "{off} off the mirror direction, {into} inside");
+                }
             }
+            _ => prop_assert!(false, "no ray is reflected"),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use groundtruth::lobes::{GlossySpecular, Lobe};
+use groundtruth::lobes::{GlossyRule, GlossySpecular, Lobe};
 use groundtruth::math::{Normal, Vector, acos, atan2, cos, exp, ln, ln_1p, sin};
 use groundtruth::rgb::Rgb;
 
@@ -150,6 +150,15 @@ fn outside_albedo(lobe: &Lobe, wo: Vector) -> f64 {
         Lobe::GlossySpecular(glossy) => {
             glossy.reflectance.max() * albedo_about_the_mirror_direction(glossy.exponent, wo.z())
         }
+        Lobe::GlossyReflection(_) if wo.z() < 0.0 => 0.0,
+        Lobe::GlossyReflection(glossy) => match glossy.rule {
+            // all of it: see `ch25::every_direction_is_above_the_surface`
+            GlossyRule::Book => glossy.reflectance.max(),
+            GlossyRule::Normalised => {
+                let scale = glossy.reflectance.max() * (glossy.exponent + 2.0) / (2.0 * PI);
+                scale * albedo_about_the_mirror_direction(glossy.exponent, wo.z())
+            }
+        },
         Lobe::PerfectSpecular(mirror) => mirror.reflectance.max(),
         Lobe::PerfectTransmitter(glass) if sine >= relative(glass.eta) => 0.0,
         Lobe::PerfectTransmitter(glass) => {

@@ -8,7 +8,7 @@ use groundtruth::accel::Method;
 use groundtruth::film::Film;
 use groundtruth::render::{self, render};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Material, Scene, from_toml, to_toml};
+use groundtruth::scene::{Depth, Material, Scene, Tracer, from_toml, to_toml};
 use groundtruth::trace::RayTree;
 use groundtruth::{lights, materials, shapes};
 
@@ -19,9 +19,18 @@ fn same(color: Rgb) -> Rgb {
     color
 }
 
-/// Fails if any pixel of the scene's picture is negative, infinite or no number.
+/// Fails if any pixel of the scene's picture is negative, infinite or no number, by its own tracer or by
+/// one that follows paths.
 fn assert_sound(number: u64) -> Film {
-    let film = render(&built(&scene(number, &same)));
+    let scene = scene(number, &same);
+    let depth = Depth { max_depth: (number % 6) as u32 };
+    let paths = [Tracer::PathTrace(depth), Tracer::GlobalTrace(depth), Tracer::Path(depth)];
+    assert_sound_by(number, &Scene { tracer: paths[(number % 3) as usize], ..scene.clone() });
+    assert_sound_by(number, &scene)
+}
+
+fn assert_sound_by(number: u64, scene: &Scene) -> Film {
+    let film = render(&built(scene));
     for at in pixels(8, 8) {
         let sound = film.get(at).to_array().iter().all(|c| c.is_finite() && *c >= 0.0);
         assert!(

@@ -5,8 +5,9 @@ use groundtruth::lights::{
     self, Ambient, AmbientOccluder, Area, Directional, Environment, FakeSpherical,
     JitteredDirectional, Spot,
 };
+use groundtruth::lobes::GlossyRule;
 use groundtruth::materials::{
-    self, Dielectric, Emissive, Matte, Medium, Phong, Reflective, Transparent,
+    self, Dielectric, Emissive, GlossyReflector, Matte, Medium, Phong, Reflective, Transparent,
 };
 use groundtruth::math::{Pcg32, Point, Step, Vector, power};
 use groundtruth::rgb::Rgb;
@@ -82,7 +83,7 @@ impl Die<'_> {
 
     fn material(&mut self) -> materials::Kind {
         let kr = self.random.uniform();
-        match self.below(6) {
+        match self.below(7) {
             0 => self.matte().into(),
             1 => self.phong().into(),
             2 => Reflective { phong: self.phong(), kr, cr: self.paint() }.into(),
@@ -93,6 +94,11 @@ impl Die<'_> {
             4 => {
                 let (phong, cr, eta) = (self.phong(), self.paint(), self.within(0.5, 2.5));
                 Transparent { phong, kr, cr, kt: 1.0 - kr, eta }.into()
+            }
+            5 => {
+                let (phong, cr, exponent) = (self.phong(), self.paint(), self.within(0.0, 200.0));
+                let rule = if self.is() { GlossyRule::Book } else { GlossyRule::Normalised };
+                GlossyReflector { phong, kr, cr, exponent, rule }.into()
             }
             _ => {
                 let (inside, outside) = (self.medium(), self.medium());
@@ -219,5 +225,12 @@ pub fn scene(number: u64, tint: &dyn Fn(Rgb) -> Rgb) -> Scene {
         light.enabled = die.below(8) > 0;
         scene.lights.push(light);
     }
+    // there is one sky
+    let mut skies = 0;
+    scene.lights.retain(|light| {
+        let is_sky = matches!(light.source, lights::Kind::Environment(_));
+        skies += u32::from(is_sky);
+        !is_sky || skies == 1
+    });
     scene
 }
