@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Branch, Claims, LobeSample, Scatter, cosine_power};
+use super::{Branch, Claims, LobeSample, Scatter, cosine_power, drawn};
 use crate::invalid::{Invalid, not_negative};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -85,12 +85,7 @@ impl Scatter for GlossyReflection {
             GlossyRule::Book if first.z() <= 0.0 => turned,
             _ => first,
         };
-        if wo.z() <= 0.0 || wi.z() <= 0.0 {
-            return None;
-        }
-        let pdf = self.density(wo, wi);
-        let weight = (wi.z() / pdf) * self.formula(wo, wi);
-        (pdf > 0.0).then_some(LobeSample { wi, weight, pdf: Some(pdf) })
+        drawn(self, wo, wi)
     }
 
     /// By the book's rule all of the reflectance: of a direction and the one opposite it about r, at least

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Branch, Claims, LobeSample, Scatter, cosine_power};
+use super::{Branch, Claims, LobeSample, Scatter, cosine_power, drawn};
 use crate::invalid::{Invalid, not_negative};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -48,12 +48,7 @@ impl Scatter for GlossySpecular {
 
     fn sample(&self, wo: Vector, u: [f64; 2]) -> Option<LobeSample> {
         let [wi, _] = cosine_power::sample(self.exponent, wo, u)?;
-        if wo.z() <= 0.0 || wi.z() <= 0.0 {
-            return None;
-        }
-        let pdf = self.density(wo, wi);
-        let weight = (wi.z() / pdf) * self.formula(wo, wi);
-        (pdf > 0.0).then_some(LobeSample { wi, weight, pdf: Some(pdf) })
+        drawn(self, wo, wi)
     }
 
     fn albedo(&self, wo: Vector) -> Rgb {

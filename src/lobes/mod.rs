@@ -239,6 +239,16 @@ fn outside(wo: Vector, wi: Vector) -> bool {
     wo.z() > 0.0 && wi.z() > 0.0
 }
 
+/// The sample of a lobe that drew this direction; `None` unless viewer and light are outside.
+fn drawn(lobe: &impl Scatter, wo: Vector, wi: Vector) -> Option<LobeSample> {
+    if !outside(wo, wi) {
+        return None;
+    }
+    let pdf = lobe.density(wo, wi);
+    let weight = (wi.z() / pdf) * lobe.formula(wo, wi);
+    (pdf > 0.0).then_some(LobeSample { wi, weight, pdf: Some(pdf) })
+}
+
 /// The index behind the surface over the one in front of it, for a viewer in direction `wo`.
 fn relative(eta: f64, wo: Vector) -> f64 {
     if wo.z() < 0.0 { 1.0 / eta } else { eta }
