@@ -20,6 +20,7 @@ pub fn trials() -> Vec<Trial> {
             ("albedo_is_the_integral_of_f", albedo_is_the_integral_of_f),
             ("energy_is_conserved_if_claimed", energy_is_conserved_if_claimed),
             ("samples_agree_with_f_and_pdf", samples_agree_with_f_and_pdf),
+            ("no_sample_counts_without_bound", no_sample_counts_without_bound),
             ("samples_follow_the_pdf", lobe_sampling::samples_follow_the_pdf),
         ],
     );
@@ -170,6 +171,27 @@ fn conserves_energy(lobe: &Lobe) -> Holds {
             }
         }
         ensure!(albedo.max() <= 1.0 + ROUNDING, "{wo:?}: albedo {albedo:?}");
+    }
+    Ok(())
+}
+
+/// Law: `f |cosθ_i| / pdf` is bounded, for grazing viewers and directions too: with coefficients of at most 1
+/// by 2π, of the broadest highlight, in the medium of the viewer. Oracle: the bound.
+fn no_sample_counts_without_bound(lobe: &Lobe) -> Holds {
+    let mut random = Pcg32::new(13, 3);
+    for wo in viewers() {
+        let eta = lobe.relative_eta(wo).unwrap_or(1.0);
+        for i in 0..20_000 {
+            // a part of them near the ends, where directions graze
+            let tiny = [1.0, 1e-3, 1e-9][i % 3];
+            let mut one = || match random.below(2) {
+                0 => tiny * random.uniform(),
+                _ => (1.0 - tiny * random.uniform()).min(ONE_MINUS),
+            };
+            let Some(sample) = lobe.sample(wo, [one(), one()]) else { continue };
+            let most = eta * eta * sample.weight.max();
+            ensure!(most <= 2.0 * PI * (1.0 + ROUNDING), "{wo:?}: {:?} counts {most}", sample.wi);
+        }
     }
     Ok(())
 }
