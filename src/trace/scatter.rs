@@ -45,6 +45,9 @@ impl<R: Recorder> Tracing<'_, R> {
         /// From this depth on a path may end by chance.
         const ROULETTE_FROM: u32 = 3;
         let chances = bsdf.chances();
+        if chances.iter().all(|chance| *chance == 0.0) {
+            return; // nothing is scattered: nothing is drawn
+        }
         let plays = self.strategy.scatter == Scatter::OneLobeOrNone && path.depth >= ROULETTE_FROM;
         let is_certain = chances.contains(&1.0);
         // one pair for both: a surface of one lobe draws no choice
@@ -57,10 +60,11 @@ impl<R: Recorder> Tracing<'_, R> {
             passed += chance;
             u < passed
         });
-        let Some((lobe, kind)) = chosen.map(|index| &bsdf.lobes()[index]) else { return };
+        let Some(chosen) = chosen else { return };
+        let (lobe, kind) = &bsdf.lobes()[chosen];
         let direction = self.direction(path, lobe);
         let Some(mut sample) = bsdf.sample(lobe, *kind, direction) else { return };
-        sample.weight = sample.weight / chances[chosen.unwrap_or(0)];
+        sample.weight = sample.weight / chances[chosen];
         let eta = if sample.transmits { bsdf.relative_eta(lobe, *kind) } else { 1.0 };
         let mut throughput = path.throughput * ((eta * eta) * sample.weight);
         if plays {
