@@ -248,7 +248,7 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
         let label = ui.label("Sampler");
         let image = &mut wanted.image;
         let words = |kind: &samplers::Kind| format!("{kind:?}");
-        let usual = "as the book: one regular sample, or multi-jittered ones";
+        let usual = "as the book: one sample in the middle, or multi-jittered ones";
         let all = samplers::named();
         let current = image.sampler.as_ref().map(words);
         let name = all.iter().find(|(_, kind)| Some(words(kind)) == current);

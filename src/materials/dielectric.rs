@@ -14,7 +14,7 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
 /// Glass, water: a boundary between two media, with Fresnel reflection and refraction, and absorption
-/// on either side. It needs the tracer `whitted`.
+/// on either side. It needs `whitted` or a path tracer.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Dielectric {

@@ -14,7 +14,7 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
-/// A mirror of reflectance `kr · cr` over a Phong base. It needs the tracer `whitted`.
+/// A mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path tracer.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reflective {

@@ -15,8 +15,8 @@ use crate::shapes::Surface;
 use crate::textures::{Paint, Texture};
 
 /// A clear body that reflects `kr` and lets through `kt`, whatever the angle; on total internal
-/// reflection it reflects everything. It needs the tracer `whitted`. It says nothing of what media
-/// absorb: rays stay in the one they came through.
+/// reflection it reflects everything. It needs `whitted` or a path tracer. It says nothing of what
+/// media absorb: rays stay in the one they came through.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Transparent {

@@ -101,8 +101,8 @@ impl Shape for Sphere {
 }
 
 impl Sphere {
-    /// Whether a point of it is hidden behind the sphere itself, seen from this place; what lies on the
-    /// silhouette is not, nor anything that is seen from inside.
+    /// Whether the sphere itself hides this point of it from `from`. The silhouette is not hidden, and
+    /// from inside nothing is.
     fn hides(&self, from: Point, at: &Surface) -> bool {
         let (way, out) = (from - at.point, at.point - self.center);
         way.dot(out) < -64.0 * UNIT_ROUNDOFF * way.length() * self.radius
@@ -144,6 +144,10 @@ impl BySolidAngle {
     }
 }
 
+/// A point of the unit disk nearer to its rim than this is moved inwards by as much: on the silhouette
+/// itself, rounding would put it now before and now behind the sphere.
+const RIM: f64 = 1.0 - 1e-12;
+
 impl SampledSurface for BySolidAngle {
     /// The disk map keeps areas, and so does the map of disk to cap `1 − cosθ = ρ² (1 − cosθ_max)`.
     /// The normal follows from the angle α at the centre: `sin(α + θ) = (d/r) sinθ`, and
@@ -152,8 +156,11 @@ impl SampledSurface for BySolidAngle {
         let Some((way, opening)) = self.cone(from) else {
             return self.0.sample_by_area(from, u);
         };
-        let [x, y] = maps::disk(u);
-        let rho_squared = (x * x + y * y).min(1.0); // which rounding may pass
+        let [mut x, mut y] = maps::disk(u);
+        if x * x + y * y > RIM {
+            (x, y) = (RIM * x, RIM * y);
+        }
+        let rho_squared = x * x + y * y;
         let cos_theta = 1.0 - rho_squared * opening;
         // of α + θ, its sine over ρ; the sine of θ over ρ
         let sine = ((1.0 + cos_theta) / (2.0 - opening)).sqrt();
