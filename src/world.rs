@@ -16,7 +16,7 @@ use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
 use crate::samplers::{Draws, Kind as SamplerKind, MultiJittered, SampleSets};
-use crate::scene::{Image, Scene, SceneError, Tracer};
+use crate::scene::{Image, Scene, SceneError, Tracer, Transparency};
 use crate::shapes::{Candidate, PartPath, Shape, Surface};
 
 /// The seed of a picture that names none.
@@ -40,6 +40,8 @@ pub struct World {
     pub background: Background,
     /// How light is followed.
     pub tracer: Tracer,
+    /// What the scene says of glass.
+    pub transparency: Transparency,
     /// The seed of all random choices.
     pub seed: u64,
     /// The samples of all draws.
@@ -123,6 +125,11 @@ impl Hit<'_> {
     pub fn path(&self) -> PartPath {
         self.object.shape.path(&self.candidate)
     }
+
+    /// Whether the part that is hit stands in the way of light.
+    pub fn casts_shadow(&self) -> bool {
+        self.object.casts_shadows && self.material.casts_shadows
+    }
 }
 
 impl World {
@@ -174,6 +181,7 @@ impl World {
             view,
             background: scene.background.clone(),
             tracer: scene.tracer,
+            transparency: scene.transparency,
             seed,
             samples,
             filter,

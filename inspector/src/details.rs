@@ -1,7 +1,7 @@
 //! Everything that is known of one ray.
 
 use eframe::egui::{Grid, RichText, Ui};
-use groundtruth::explain::{HitExplanation, RayExplanation, brief, percent, short};
+use groundtruth::explain::{HitExplanation, RayExplanation, brief, percent, short, unblocked};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{Optics, Outcome, RayKind};
 
@@ -47,7 +47,7 @@ fn fields(ray: &RayExplanation) -> Vec<(&'static str, String)> {
         Outcome::Hit { .. } => "hit".to_owned(),
         Outcome::Background => "background".to_owned(),
         Outcome::TooDeep => "too deep".to_owned(),
-        Outcome::Unblocked => "unblocked".to_owned(),
+        Outcome::Unblocked { boundaries } => unblocked(*boundaries),
         Outcome::Blocked { blocked_by } => format!("blocked by \"{blocked_by}\""),
     };
     let mut fields = vec![("kind", kind), ("outcome", outcome)];

@@ -33,9 +33,10 @@ pub fn kind_color(ray: &RayExplanation) -> Color32 {
         RayKind::Transmitted => TRANSMITTED,
         RayKind::Shadow { .. } => match ray.outcome {
             Outcome::Blocked { .. } => BLOCKED,
-            Outcome::Hit { .. } | Outcome::Background | Outcome::TooDeep | Outcome::Unblocked => {
-                UNBLOCKED
-            }
+            Outcome::Hit { .. }
+            | Outcome::Background
+            | Outcome::TooDeep
+            | Outcome::Unblocked { .. } => UNBLOCKED,
         },
     }
 }

@@ -17,7 +17,7 @@ use crate::trace::{self, Optics, Outcome, RayKind, RayTree, RecordedHit, TermSou
 use crate::world::World;
 
 pub use outline::{Outline, Row};
-pub use text::{brief, count, percent, short};
+pub use text::{brief, count, percent, short, unblocked};
 
 /// A pixel explained: its samples and the sum that it is.
 #[derive(Clone, Debug, Serialize)]

@@ -35,6 +35,14 @@ pub fn percent(share: f64) -> String {
     }
 }
 
+/// What became of a shadow ray that reached its light.
+pub fn unblocked(boundaries: u32) -> String {
+    match boundaries {
+        0 => "unblocked".to_owned(),
+        n => format!("straight through {}", count(n as usize, "transparent surface")),
+    }
+}
+
 /// `1 ray`, `2 rays`.
 pub fn count(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
@@ -53,7 +61,7 @@ impl RayExplanation {
             Outcome::Hit { hit } => format!("t {}  hits \"{}\"", brief(hit.t), hit.object),
             Outcome::Background => "hits nothing".to_owned(),
             Outcome::TooDeep => "beyond the largest depth: black".to_owned(),
-            Outcome::Unblocked => "unblocked".to_owned(),
+            Outcome::Unblocked { boundaries } => unblocked(*boundaries),
             Outcome::Blocked { blocked_by } => format!("blocked by \"{blocked_by}\""),
         };
         format!("{}  {kind}  {outcome}", self.number)
@@ -108,7 +116,7 @@ impl HitExplanation {
     }
 }
 
-/// `from η 1 into η 1.5: relative η 1.5, refracted at 27.4°, R 0.05, T 0.95`.
+/// `from η 1 into η 1.5: relative η 1.5, refracted at 27.4° (radiance × 1/η² = 0.444), R 0.05, T 0.95`.
 impl fmt::Display for Optics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(media) = self.media {
@@ -124,7 +132,11 @@ impl fmt::Display for Optics {
             write!(f, "critical angle {}°, ", brief(angle))?;
         }
         match self.angle_of_refraction {
-            Some(angle) => write!(f, "refracted at {}°, ", brief(angle))?,
+            Some(angle) => {
+                // the same light fills a smaller cone of directions in the denser medium (ch. 27)
+                let factor = brief(1.0 / (self.eta * self.eta));
+                write!(f, "refracted at {}° (radiance × 1/η² = {factor}), ", brief(angle))?;
+            }
             None => f.write_str("total internal reflection, ")?,
         }
         write!(f, "R {}, T {}", short(self.reflected), short(self.transmitted))

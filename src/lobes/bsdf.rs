@@ -75,8 +75,9 @@ pub struct BsdfSample {
     pub weight: Rgb,
     /// Per steradian; `None` for a single direction.
     pub pdf: Option<f64>,
-    /// Whether it leads to the other side of the surface.
-    pub transmits: bool,
+    /// For a direction to the other side of the surface, the index of refraction there over the one on
+    /// this side: the weight has a factor `1/η²`.
+    pub refracted: Option<f64>,
 }
 
 impl<'a> Bsdf<'a> {
@@ -158,12 +159,6 @@ impl<'a> Bsdf<'a> {
         lit
     }
 
-    /// For a lobe that refracts: the index of refraction behind the surface over the one in front; 1 for
-    /// others.
-    pub fn relative_eta(&self, lobe: &Lobe, kind: NormalKind) -> f64 {
-        lobe.relative_eta(self.frame(kind).to_local(self.wo)).unwrap_or(1.0)
-    }
-
     /// A direction drawn by one of the lobes; `None` where it scatters nothing.
     pub fn sample(&self, lobe: &Lobe, kind: NormalKind, u: [f64; 2]) -> Option<BsdfSample> {
         let frame = self.frame(kind);
@@ -180,6 +175,7 @@ impl<'a> Bsdf<'a> {
         }
         // an index of refraction so far from 1 that the direction overflows has no direction
         let direction = direction.unit()?;
-        Some(BsdfSample { direction, weight: sample.weight, pdf: sample.pdf, transmits })
+        let refracted = transmits.then(|| lobe.relative_eta(wo).unwrap_or(1.0));
+        Some(BsdfSample { direction, weight: sample.weight, pdf: sample.pdf, refracted })
     }
 }

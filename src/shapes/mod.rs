@@ -184,6 +184,7 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 // shared by the kinds
 mod angles;
 mod assembly;
+mod boundaries;
 mod context;
 mod edges;
 mod lanes;
@@ -212,7 +213,9 @@ mod cone;
 mod cuboid;
 mod cut_face;
 mod disk;
+mod fish_bowl;
 mod flat_rimmed_bowl;
+mod glass_of_water;
 mod instance;
 mod lattice;
 mod mesh;
@@ -237,6 +240,7 @@ mod triangle;
 
 pub use algebraic::Term;
 pub use assembly::Materials;
+pub use boundaries::BoundaryMaterials;
 pub use compound::Part;
 pub use context::{Context, PartMaterial};
 pub use part_path::{Face, Level, PartPath};
@@ -283,6 +287,8 @@ crate::kinds! {
     ch22 lattice::Lattice,
     ch23 mesh::Mesh,
     ch23 tessellated_sphere::TessellatedSphere,
+    ch28 glass_of_water::GlassOfWater,
+    ch28 fish_bowl::FishBowl,
 }
 
 /// The shape, if its extent and its distance from the origin are in [`LENGTHS`]; the unbounded have

@@ -1,14 +1,13 @@
-//! Light straight from lights: their samples, and the rays that say what is in the way.
+//! Light straight from lights, for the numbers drawn for them.
 
 use arrayvec::ArrayVec;
 
 use super::{
-    Lamps, Outcome, PathState, RadianceSum, RayKind, Recorder, ShadingPoint, Term, TermSource,
-    Tracing, context, medium_towards, power_heuristic,
+    Lamps, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing, context,
+    medium_towards, power_heuristic,
 };
-use crate::lights::{LightSample, MOST_DRAWS, Segment};
+use crate::lights::{LightSample, MOST_DRAWS};
 use crate::lobes::{Bsdf, Lit, MOST_LOBES, Which};
-use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF};
 use crate::rgb::Rgb;
 use crate::samplers::Purpose;
 use crate::world::PlacedLight;
@@ -74,7 +73,7 @@ impl<R: Recorder> Tracing<'_, R> {
         if terms.is_empty() || (sample.radiance.is_black() && sample.blocked.is_black()) {
             return;
         }
-        let medium = medium_towards(path, point, sample.direction);
+        let medium = medium_towards(path.medium, point, sample.direction);
         let (arriving, traced) = self.arriving(medium, point, light, &sample);
         for (Lit { lobe, f, cos_i }, weight) in terms {
             let source =
@@ -82,70 +81,4 @@ impl<R: Recorder> Tracing<'_, R> {
             sum.add(self.recorder, source, weight, arriving);
         }
     }
-
-    /// What arrives of a light's sample, and whether a shadow ray told.
-    fn arriving(
-        &mut self,
-        medium: Rgb,
-        point: &ShadingPoint<'_>,
-        light: &PlacedLight,
-        sample: &LightSample,
-    ) -> (Rgb, bool) {
-        let length = match sample.segment {
-            None => 0.0,
-            Some(Segment::Infinity) => f64::INFINITY,
-            Some(Segment::To(end)) => end.distance(point.hit.surface.point),
-        };
-        match sample.segment {
-            Some(segment) if light.shadows => {
-                // where an interpolated normal differs from the true one, the surface hides part of
-                // the hemisphere itself, also if it is open and nothing else is behind it
-                if point.normals.geometry.dot(sample.direction) <= 0.0 {
-                    return (sample.blocked, false);
-                }
-                (self.shadow(medium, point, light.place, (segment, sample)), true)
-            }
-            // what absorbs is in its way all the same
-            _ => (medium.transmittance(length) * sample.radiance, false),
-        }
-    }
-
-    /// Whether an object stands in the way of a light, and so what arrives.
-    fn shadow(
-        &mut self,
-        medium: Rgb,
-        point: &ShadingPoint<'_>,
-        light: u32,
-        (segment, sample): (Segment, &LightSample),
-    ) -> Rgb {
-        let origin = point.hit.surface.leave(sample.direction);
-        let (ray, span, length) = match segment {
-            Segment::Infinity => (Ray::new(origin, sample.direction), Span::AHEAD, f64::INFINITY),
-            Segment::To(end) => {
-                (Ray::new(origin, end - origin), up_to(end, origin), end.distance(origin))
-            }
-        };
-        self.recorder.enter(RayKind::Shadow { light }, &ray, 0, Rgb::WHITE);
-        let occluder = self.world.occluder(&ray, span);
-        let sent = if occluder.is_some() { sample.blocked } else { sample.radiance };
-        self.recorder.outcome(match occluder {
-            Some(object) => Outcome::Blocked { blocked_by: object.place },
-            None => Outcome::Unblocked,
-        });
-        let source = TermSource::Light { light };
-        self.recorder.term(Term { source, weight: Rgb::WHITE, arriving: sent, value: sent });
-        let transmittance = medium.transmittance(length);
-        let arriving = transmittance * sent;
-        self.recorder.leave(transmittance, arriving);
-        arriving
-    }
-}
-
-/// The segment from `origin` to a light, in units of its length, without its ends: objects behind
-/// the light do not block it, and a surface that the light lies on does not either.
-fn up_to(light: Point, origin: Point) -> Span {
-    let size = light.to_vector().max_abs() + origin.to_vector().max_abs();
-    // of the place of the light, and of the t of a surface there that the ray does not graze
-    let rounding = 64.0 * UNIT_ROUNDOFF * size / light.distance(origin);
-    Span { min: 0.0, max: 1.0 - rounding }
 }

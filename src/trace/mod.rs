@@ -12,6 +12,7 @@ mod optics;
 mod recorder;
 mod scatter;
 mod shading_point;
+mod shadow;
 mod strategy;
 mod tree;
 
@@ -186,12 +187,12 @@ fn power_heuristic(pdf: f64, other: f64) -> f64 {
 
 /// The absorption of the medium that a ray in this direction is in: at a boundary that of the side it
 /// leaves to, else that of the ray before it.
-fn medium_towards(path: &PathState, point: &ShadingPoint<'_>, direction: Vector) -> Rgb {
+fn medium_towards(before: Rgb, point: &ShadingPoint<'_>, direction: Vector) -> Rgb {
     match point.hit.material.recipe.boundary() {
         Some(boundary) if point.normals.geometry.dot(direction) > 0.0 => {
             boundary.outside.absorption
         }
         Some(boundary) => boundary.inside.absorption,
-        None => path.medium,
+        None => before,
     }
 }

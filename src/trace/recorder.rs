@@ -43,7 +43,10 @@ pub enum Outcome<Met, Name = u32> {
     /// It was beyond the largest depth and not cast.
     TooDeep,
     /// A shadow ray that reached its light.
-    Unblocked,
+    Unblocked {
+        /// How many transparent surfaces it passed.
+        boundaries: u32,
+    },
     /// A shadow ray that met an object.
     Blocked {
         /// The object; there may be others.
@@ -135,7 +138,7 @@ impl<Met, Name> Outcome<Met, Name> {
             Self::Hit { hit } => Outcome::Hit { hit: describe(hit) },
             Self::Background => Outcome::Background,
             Self::TooDeep => Outcome::TooDeep,
-            Self::Unblocked => Outcome::Unblocked,
+            Self::Unblocked { boundaries } => Outcome::Unblocked { boundaries },
             Self::Blocked { blocked_by } => Outcome::Blocked { blocked_by: name(blocked_by) },
         }
     }
@@ -144,7 +147,9 @@ impl<Met, Name> Outcome<Met, Name> {
     pub fn hit(&self) -> Option<&Met> {
         match self {
             Self::Hit { hit } => Some(hit),
-            Self::Background | Self::TooDeep | Self::Unblocked | Self::Blocked { .. } => None,
+            Self::Background | Self::TooDeep | Self::Unblocked { .. } | Self::Blocked { .. } => {
+                None
+            }
         }
     }
 }

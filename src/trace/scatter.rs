@@ -65,7 +65,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let direction = self.direction(path, lobe);
         let Some(mut sample) = bsdf.sample(lobe, *kind, direction) else { return };
         sample.weight = sample.weight / chances[chosen];
-        let eta = if sample.transmits { bsdf.relative_eta(lobe, *kind) } else { 1.0 };
+        let eta = sample.refracted.unwrap_or(1.0);
         let mut throughput = path.throughput * ((eta * eta) * sample.weight);
         if plays {
             let survives = throughput.max().min(1.0);
@@ -97,13 +97,16 @@ impl<R: Recorder> Tracing<'_, R> {
         (sample, Onward { left, throughput }): (BsdfSample, Onward),
         sum: &mut RadianceSum,
     ) {
-        let BsdfSample { direction, weight, transmits, .. } = sample;
+        let BsdfSample { direction, mut weight, refracted, .. } = sample;
+        if let Some(eta) = refracted.filter(|_| !self.world.transparency.scales_radiance) {
+            weight = (eta * eta) * weight;
+        }
         let child = PathState {
             ray: Ray::new(point.hit.surface.leave(direction), direction),
-            kind: if transmits { RayKind::Transmitted } else { RayKind::Reflected },
+            kind: if refracted.is_some() { RayKind::Transmitted } else { RayKind::Reflected },
             depth: path.depth + 1,
             key: path.key.then(lobe.branch()),
-            medium: medium_towards(path, point, direction),
+            medium: medium_towards(path.medium, point, direction),
             left,
             throughput,
         };

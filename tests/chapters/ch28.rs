@@ -3,6 +3,8 @@
 pub mod fresnel;
 mod polarised;
 mod recorded_optics;
+mod shadows;
+mod vessels;
 
 use std::f64::consts::TAU;
 

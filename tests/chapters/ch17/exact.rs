@@ -114,7 +114,7 @@ proptest! {
                 continue;
             };
             let Outcome::Hit { hit } = &root.outcome else { panic!("{root:?}") };
-            let open = shadow.outcome == Outcome::Unblocked;
+            let open = shadow.outcome == Outcome::Unblocked { boundaries: 0 };
             let expected = shade(if open { 1.0 } else { 0.0 });
             prop_assert!(close(seen, expected, PRODUCTS), "{seen:?}, expected {expected:?}");
             prop_assert!(hit.shading.dot(shadow.ray.direction) >= -4.0 * U, "{shadow:?}");

@@ -25,7 +25,7 @@ fn outcomes(scene: &Scene, at: Point) -> Vec<Option<u32>> {
         radiance(&world, &ray, world.draws([0, 0], i), &mut tree);
         for node in tree.nodes() {
             match node.outcome {
-                Outcome::Unblocked => met.push(None),
+                Outcome::Unblocked { .. } => met.push(None),
                 Outcome::Blocked { blocked_by } => met.push(Some(blocked_by)),
                 _ => assert_eq!(node.kind, RayKind::Camera),
             }

@@ -40,7 +40,7 @@ fn unblocked(world: &World, x: f64) -> (f64, Rgb) {
         let mut tree = RayTree::default();
         sum += radiance(world, &ray, world.draws([1, 2], i), &mut tree);
         let shadows = tree.nodes().iter().filter(|node| node.kind == RayKind::Shadow { light: 0 });
-        free += shadows.filter(|node| node.outcome == Outcome::Unblocked).count();
+        free += shadows.filter(|node| node.outcome == Outcome::Unblocked { boundaries: 0 }).count();
     }
     (free as f64 / f64::from(SAMPLES), (1.0 / f64::from(SAMPLES)) * sum)
 }

@@ -1,0 +1,165 @@
+//! What arrives of a light's sample: the shadow rays (Suffern, ch. 16), and what they may pass.
+
+use super::{
+    Optics, Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource, Tracing, medium_towards,
+};
+use crate::lights::{LightSample, Segment};
+use crate::materials::Response;
+use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF, Vector};
+use crate::rgb::Rgb;
+use crate::scene::TransparentShadows;
+use crate::world::{Hit, PlacedLight};
+
+/// What stands between a point and a light.
+struct Between {
+    /// An opaque object, after which nothing else is looked for.
+    blocked_by: Option<u32>,
+    /// The transparent surfaces that are passed.
+    boundaries: u32,
+    /// The share of light that passes all of these.
+    passed: Rgb,
+    /// What the media let through.
+    transmittance: Rgb,
+}
+
+impl<R: Recorder> Tracing<'_, R> {
+    /// What arrives of a light's sample, and whether a shadow ray told.
+    pub(super) fn arriving(
+        &mut self,
+        medium: Rgb,
+        point: &ShadingPoint<'_>,
+        light: &PlacedLight,
+        sample: &LightSample,
+    ) -> (Rgb, bool) {
+        let length = match sample.segment {
+            None => 0.0,
+            Some(Segment::Infinity) => f64::INFINITY,
+            Some(Segment::To(end)) => end.distance(point.hit.surface.point),
+        };
+        match sample.segment {
+            Some(segment) if light.shadows => {
+                // where an interpolated normal differs from the true one, the surface hides part of
+                // the hemisphere itself, also if it is open and nothing else is behind it
+                if point.normals.geometry.dot(sample.direction) <= 0.0 {
+                    return (sample.blocked, false);
+                }
+                (self.shadow(medium, point, light, (segment, sample)), true)
+            }
+            // what absorbs is in its way all the same
+            _ => (medium.transmittance(length) * sample.radiance, false),
+        }
+    }
+
+    /// Casts a shadow ray: what it lets through of a light's sample.
+    fn shadow(
+        &mut self,
+        medium: Rgb,
+        point: &ShadingPoint<'_>,
+        light: &PlacedLight,
+        (segment, sample): (Segment, &LightSample),
+    ) -> Rgb {
+        let origin = point.hit.surface.leave(sample.direction);
+        let (ray, span, length) = stretch(origin, sample.direction, segment);
+        let kind = RayKind::Shadow { light: light.place };
+        self.recorder.enter(kind, &ray, 0, Rgb::WHITE);
+        let between = if self.passes_glass(light) {
+            self.straight_through(origin, sample.direction, segment, medium)
+        } else {
+            let blocked_by = self.world.occluder(&ray, span).map(|object| object.place);
+            let passed = if blocked_by.is_some() { Rgb::BLACK } else { Rgb::WHITE };
+            let transmittance = medium.transmittance(length);
+            Between { blocked_by, boundaries: 0, passed, transmittance }
+        };
+        let Between { blocked_by, boundaries, passed, transmittance } = between;
+        self.recorder.outcome(match blocked_by {
+            Some(blocked_by) => Outcome::Blocked { blocked_by },
+            None => Outcome::Unblocked { boundaries },
+        });
+        let mut sent = Rgb::BLACK;
+        for (weight, arriving) in
+            [(passed, sample.radiance), (passed.map(|passed| 1.0 - passed), sample.blocked)]
+        {
+            if !weight.is_black() {
+                let value = weight * arriving;
+                sent += value;
+                let source = TermSource::Light { light: light.place };
+                self.recorder.term(Term { source, weight, arriving, value });
+            }
+        }
+        let arriving = transmittance * sent;
+        self.recorder.leave(transmittance, arriving);
+        arriving
+    }
+
+    /// Whether the shadow rays of this light pass what is transparent. Paths that can meet the light
+    /// find its way through glass by themselves: it would be counted twice.
+    fn passes_glass(&self, light: &PlacedLight) -> bool {
+        let is_met = light.light.object().is_some() || light.light.is_sky();
+        self.world.transparency.shadows == TransparentShadows::Attenuated
+            && !(self.strategy.is_path() && is_met)
+    }
+
+    /// Follows a shadow ray straight through transparent surfaces, as an approximation: each lets
+    /// through what it transmits at the angle of the straight ray, and each stretch between two of
+    /// them what its medium does.
+    fn straight_through(
+        &self,
+        mut origin: Point,
+        direction: Vector,
+        segment: Segment,
+        mut medium: Rgb,
+    ) -> Between {
+        let (mut boundaries, mut passed, mut transmittance) = (0, Rgb::WHITE, Rgb::WHITE);
+        loop {
+            let (ray, span, length) = stretch(origin, direction, segment);
+            let hit = self.world.hit(&ray, span);
+            let end = hit.as_ref().map_or(length, |hit| hit.t * ray.direction.length());
+            transmittance = transmittance * medium.transmittance(end);
+            let Some(hit) = hit else {
+                return Between { blocked_by: None, boundaries, passed, transmittance };
+            };
+            origin = hit.surface.leave(direction);
+            if hit.casts_shadow() {
+                let point = ShadingPoint::new(&hit, -direction);
+                passed = passed * transmitted(&point);
+                if passed.is_black() {
+                    let blocked_by = Some(hit.object.place);
+                    return Between { blocked_by, boundaries, passed, transmittance };
+                }
+                boundaries += 1;
+                medium = medium_towards(medium, &point, direction);
+            }
+        }
+    }
+}
+
+/// The ray from `origin` to a light, without the light itself, and its length.
+fn stretch(origin: Point, direction: Vector, segment: Segment) -> (Ray, Span, f64) {
+    match segment {
+        Segment::Infinity => (Ray::new(origin, direction), Span::AHEAD, f64::INFINITY),
+        Segment::To(end) => {
+            (Ray::new(origin, end - origin), up_to(end, origin), end.distance(origin))
+        }
+    }
+}
+
+/// The segment from `origin` to a light, in units of its length, without its ends: objects behind
+/// the light do not block it, and a surface that the light lies on does not either.
+fn up_to(light: Point, origin: Point) -> Span {
+    let size = light.to_vector().max_abs() + origin.to_vector().max_abs();
+    // of the place of the light, and of the t of a surface there that the ray does not graze
+    let rounding = 64.0 * UNIT_ROUNDOFF * size / light.distance(origin);
+    Span { min: 0.0, max: 1.0 - rounding }
+}
+
+/// The share of light that a surface lets through towards the viewer, without the `1/η²` of radiance;
+/// black if it is opaque.
+fn transmitted(point: &ShadingPoint<'_>) -> Rgb {
+    let Hit { material, surface, .. } = point.hit;
+    if !material.recipe.transmits() {
+        return Rgb::BLACK;
+    }
+    let mut response = Response::default();
+    material.recipe.respond(surface, point.cos_o, &mut response);
+    Optics::of(point, &response.lobes).map_or(Rgb::BLACK, |optics| optics.transmitted)
+}

@@ -1,0 +1,212 @@
+//! Shadow rays that pass straight through what is transparent, and pictures of basic radiance: the two
+//! switches of a scene's `transparency`.
+
+use groundtruth::lights::{Area, Directional, Point as PointLight};
+use groundtruth::materials::{Dielectric, Emissive, Matte, Medium, Transparent};
+use groundtruth::math::{Point, Vector, exp};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Scene, Tracer, Transparency, TransparentShadows};
+use groundtruth::shapes::{Box as Cuboid, Disk, Sphere};
+use groundtruth::trace::Outcome;
+
+use crate::ch14::stage::{built, deep_stage, look, put, recorded, shine};
+
+const STRAIGHT: Transparency =
+    Transparency { shadows: TransparentShadows::Attenuated, scales_radiance: true };
+
+/// A white floor, and a slab of this material from y = 1 to y = 1 + thickness over it.
+fn under_glass(recipe: impl Into<groundtruth::materials::Kind>, thickness: f64) -> Scene {
+    let mut scene = deep_stage(Rgb::BLACK, 2);
+    scene.transparency = STRAIGHT;
+    let disk = Disk { center: Point::ORIGIN, normal: Vector::Y, radius: 50.0 };
+    put(&mut scene, disk, Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() });
+    let (min, max) = (Point::new(-50.0, 1.0, -50.0), Point::new(50.0, 1.0 + thickness, 50.0));
+    put(&mut scene, Cuboid { min, max }, recipe);
+    scene
+}
+
+fn clear(eta: f64) -> Dielectric {
+    Dielectric { inside: Medium::clear(eta), ..Dielectric::default() }
+}
+
+/// What the floor shows under glass, over what it shows without.
+fn share(scene: &Scene) -> Rgb {
+    let floor =
+        |scene: &Scene| look(&built(scene), Point::new(0.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0));
+    let mut open = scene.clone();
+    open.objects.truncate(1);
+    let [with, without] = [floor(scene), floor(&open)].map(Rgb::to_array);
+    Rgb::from(std::array::from_fn(|i| with[i] / without[i]))
+}
+
+/// Law: straight on, glass lets `(1 − R)² exp(−σ d)` through, R = .04: from the sun and from a lamp.
+/// Oracle: Fresnel's value straight on and Beer's law.
+#[test]
+fn light_passes_a_pane_straight_on() {
+    let absorption = Rgb::new(0.5, 0.0, 1.25);
+    let inside = Medium { eta: 1.5, absorption };
+    let mut scene = under_glass(Dielectric { inside, ..Dielectric::default() }, 0.5);
+    shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::Y });
+    let expected = absorption.map(|sigma| 0.96 * 0.96 * exp(-0.5 * sigma));
+    // the lamp is straight above the point that is looked at
+    let mut lamp = scene.clone();
+    lamp.lights.clear();
+    let location = Point::new(0.05, 8.0, 0.0);
+    shine(&mut lamp, PointLight { ls: 1.0, color: Rgb::WHITE, location, attenuation: 0.0 });
+    for scene in [scene, lamp] {
+        let found = share(&scene);
+        let off = (found.r - expected.r).abs().max((found.g - expected.g).abs());
+        assert!(off.max((found.b - expected.b).abs()) < 1e-14, "{found:?} and {expected:?}");
+    }
+}
+
+/// Law: askew, each side counts what it transmits at the angle of the straight ray, which inside is
+/// another one than that of refracted light; where that is beyond the critical angle the pane is
+/// opaque. Oracle: Fresnel's equations in sines and tangents, on both sides.
+#[test]
+fn askew_each_surface_counts_at_the_straight_angle() {
+    /// R by Snell's law, sines and tangents.
+    fn reflected(angle: f64, eta: f64) -> f64 {
+        let t = (angle.sin() / eta).asin();
+        let s = (angle - t).sin() / (angle + t).sin();
+        let p = (angle - t).tan() / (angle + t).tan();
+        0.5 * (s * s + p * p)
+    }
+    for (degrees, eta) in [(10.0_f64, 1.5), (30.0, 1.5), (41.0, 1.5), (45.0, 1.33)] {
+        let mut scene = under_glass(clear(eta), 0.5);
+        let angle = degrees.to_radians();
+        let direction = Vector::new(angle.sin(), angle.cos(), 0.0);
+        shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction });
+        let expected = (1.0 - reflected(angle, eta)) * (1.0 - reflected(angle, 1.0 / eta));
+        let found = share(&scene).r;
+        assert!((found - expected).abs() < 1e-12, "{degrees}°: {found} instead of {expected}");
+    }
+    let mut scene = under_glass(clear(1.5), 0.5);
+    let direction = Vector::new(1.0, 1.0, 0.0);
+    shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction });
+    assert_eq!(share(&scene).r, 0.0);
+}
+
+/// Law: simple transparent things let k_t through at each of their surfaces, whatever the angle; the
+/// ray tree says how many there were; what is opaque ends the light, also behind glass; and what
+/// casts no shadow counts nothing. Oracle: powers of k_t, and 0.
+#[test]
+fn simple_glass_counts_kt_for_each_surface() {
+    let glass = Transparent {
+        phong: Default::default(),
+        kr: 0.1,
+        cr: Rgb::WHITE.into(),
+        kt: 0.9,
+        eta: 1.5,
+    };
+    let mut scene = under_glass(glass.clone(), 0.5);
+    shine(
+        &mut scene,
+        Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::new(0.2, 1.0, 0.1) },
+    );
+    let ball = Sphere { center: Point::new(0.45, 3.0, 0.25), radius: 0.5, inward: false };
+    put(&mut scene, ball, glass);
+    let found = share(&scene).r;
+    assert!((found - 0.6561).abs() < 1e-15, "{found} instead of 0.9⁴");
+    let tree = recorded(&built(&scene), Point::new(0.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0));
+    let shadow = tree.nodes().last().expect("a shadow ray");
+    assert_eq!(shadow.outcome, Outcome::Unblocked { boundaries: 4 });
+
+    scene.objects[2].casts_shadows = false;
+    assert!((share(&scene).r - 0.81).abs() < 1e-15);
+    let above = Disk { center: Point::new(0.0, 9.0, 0.0), normal: Vector::Y, radius: 50.0 };
+    let opaque = put(&mut scene, above, Matte { ka: 0.0, kd: 0.5, cd: Rgb::WHITE.into() });
+    let tree = recorded(&built(&scene), Point::new(0.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0));
+    let shadow = tree.nodes().last().expect("a shadow ray");
+    assert_eq!(shadow.outcome, Outcome::Blocked { blocked_by: opaque as u32 });
+    assert_eq!(share(&scene), Rgb::BLACK);
+    scene.objects[opaque].enabled = false;
+    scene.transparency = Transparency::default();
+    assert_eq!(share(&scene), Rgb::BLACK, "opaque, as in the book");
+}
+
+/// Law: under a path tracer a lamp that paths can meet is not sampled through glass: its light would be
+/// counted twice. A point light is. Oracle: the picture with opaque glass, bit for bit, and k_t².
+#[test]
+fn paths_do_not_count_a_lamp_twice() {
+    let glass = Transparent {
+        phong: Default::default(),
+        kr: 0.1,
+        cr: Rgb::WHITE.into(),
+        kt: 0.9,
+        eta: 1.5,
+    };
+    for tracer in
+        [Tracer::GlobalTrace(Depth { max_depth: 5 }), Tracer::Path(Depth { max_depth: 5 })]
+    {
+        let mut scene = under_glass(glass.clone(), 0.5);
+        scene.tracer = tracer;
+        let disk = Disk { center: Point::new(0.0, 4.0, 0.0), normal: -Vector::Y, radius: 1.0 };
+        let lamp = put(&mut scene, disk, Emissive::new(5.0, Rgb::WHITE));
+        shine(&mut scene, Area { object: lamp.to_string(), sampling: None });
+        let eye = (Point::new(0.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0));
+        let straight = look(&built(&scene), eye.0, eye.1);
+        scene.transparency = Transparency::default();
+        assert_eq!(straight, look(&built(&scene), eye.0, eye.1), "{tracer:?}");
+
+        let mut scene = under_glass(glass.clone(), 0.5);
+        scene.tracer = tracer;
+        let location = Point::new(0.0, 8.0, 0.0);
+        shine(&mut scene, PointLight { ls: 1.0, color: Rgb::WHITE, location, attenuation: 0.0 });
+        let found = share(&scene).r;
+        assert!((found - 0.81).abs() < 1e-14, "{tracer:?}: {found}");
+    }
+}
+
+/// Law: without the 1/η² of radiance, an eye in glass looking straight out at uniform light 1 sees
+/// 1 − R = .96 instead of 2.16, and an eye in air that looks into glass at an emitter in it sees .96
+/// instead of .96/2.25; through a whole pane nothing changes, to the last bits, under each tracer.
+/// Oracle: those numbers (ch. 28), and each other.
+#[test]
+fn without_the_factor_a_picture_shows_basic_radiance() {
+    let plain = Transparency { scales_radiance: false, ..Transparency::default() };
+    let mut scene = deep_stage(Rgb::WHITE, 1);
+    put(
+        &mut scene,
+        Cuboid { min: Point::new(-9.0, -9.0, -9.0), max: Point::new(9.0, 9.0, 0.0) },
+        clear(1.5),
+    );
+    let out = |scene: &Scene| look(&built(scene), Point::new(0.0, 0.0, -4.0), Vector::Z).r;
+    let [scaled, basic] = [Transparency::default(), plain].map(|transparency| {
+        scene.transparency = transparency;
+        out(&scene)
+    });
+    assert!((scaled - 2.16).abs() < 1e-14 && (basic - 0.96).abs() < 1e-14, "{scaled}, {basic}");
+
+    scene.background = Rgb::BLACK.into();
+    let lamp = Disk { center: Point::new(0.0, 0.0, -2.0), normal: Vector::Z, radius: 1.0 };
+    put(&mut scene, lamp, Emissive::new(1.0, Rgb::WHITE));
+    let into = |scene: &Scene| look(&built(scene), Point::new(0.0, 0.0, 4.0), -Vector::Z).r;
+    let [scaled, basic] = [Transparency::default(), plain].map(|transparency| {
+        scene.transparency = transparency;
+        into(&scene)
+    });
+    assert!(
+        (scaled - 0.96 / 2.25).abs() < 1e-14 && (basic - 0.96).abs() < 1e-14,
+        "{scaled}, {basic}"
+    );
+
+    let depth = Depth { max_depth: 9 };
+    for tracer in [Tracer::PathTrace(depth), Tracer::Path(depth), deep_stage(Rgb::BLACK, 9).tracer]
+    {
+        let mut scene = deep_stage(Rgb::WHITE, 9);
+        scene.tracer = tracer;
+        put(
+            &mut scene,
+            Cuboid { min: Point::new(-9.0, -9.0, -1.0), max: Point::new(9.0, 9.0, 0.0) },
+            clear(1.5),
+        );
+        let through = |scene: &Scene| {
+            look(&built(scene), Point::new(0.0, 0.0, 4.0), Vector::new(0.3, 0.1, -1.0)).r
+        };
+        let scaled = through(&scene);
+        scene.transparency = plain;
+        let basic = through(&scene);
+        assert!((scaled - basic).abs() < 1e-14, "{tracer:?}: {scaled} and {basic}");
+    }
+}

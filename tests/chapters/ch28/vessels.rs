@@ -1,0 +1,207 @@
+//! A glass of water and a fish bowl: one surface for each boundary between two media.
+
+use std::collections::BTreeSet;
+
+use groundtruth::materials::{Boundary, Dielectric, Medium};
+use groundtruth::math::{Pcg32, Point, Ray, Span, Vector, atan2, to_degrees};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Material, Object, Scene};
+use groundtruth::shapes::{BoundaryMaterials, FishBowl, GlassOfWater, Kind};
+use groundtruth::world::World;
+
+use crate::ch14::stage::{built, deep_stage, look, ray};
+
+const AIR: Medium = Medium::clear(1.0);
+const WATER: Medium = Medium::clear(1.33);
+const GLASS: Medium = Medium::clear(1.5);
+
+/// A scene of one vessel, whose boundaries lie between these media.
+fn vessel(
+    shape: impl Fn(BoundaryMaterials) -> Kind,
+    [air, water, glass]: [Medium; 3],
+    background: Rgb,
+) -> Scene {
+    let mut scene = deep_stage(background, 40);
+    let names = ["glass-air", "water-air", "water-glass"];
+    for (name, [inside, outside]) in
+        names.into_iter().zip([[glass, air], [water, air], [water, glass]])
+    {
+        let recipe = Dielectric { inside, outside, ..Dielectric::default() };
+        scene.materials.push(Material::new(name, recipe));
+    }
+    let [glass_air, water_air, water_glass] = names.map(|name| Some(name.to_owned()));
+    let shape = shape(BoundaryMaterials { glass_air, water_air, water_glass });
+    scene.objects.push(Object::new("vessel", names[0], shape));
+    scene
+}
+
+fn glass_of_water(materials: BoundaryMaterials) -> Kind {
+    GlassOfWater { materials, ..GlassOfWater::default() }.into()
+}
+
+fn fish_bowl(materials: BoundaryMaterials) -> Kind {
+    FishBowl { materials, ..FishBowl::default() }.into()
+}
+
+/// Less than half full, with a wide opening.
+fn shallow_bowl(materials: BoundaryMaterials) -> Kind {
+    FishBowl { water_depth: 0.6, opening: 200.0, materials, ..FishBowl::default() }.into()
+}
+
+/// A narrow opening: here the book's angles of the rim would not fit the spheres.
+fn narrow_bowl(materials: BoundaryMaterials) -> Kind {
+    FishBowl { opening: 60.0, materials, ..FishBowl::default() }.into()
+}
+
+/// A tall thin glass, filled almost to the rim.
+fn test_tube(materials: BoundaryMaterials) -> Kind {
+    let (height, inner_radius, water_height) = (4.0, 0.5, 3.7);
+    GlassOfWater { height, inner_radius, water_height, materials, ..GlassOfWater::default() }.into()
+}
+
+/// The boundaries along a ray, in order: the name of the part, and the media before and behind it.
+fn crossed(world: &World, mut ray: Ray) -> Vec<(String, [Medium; 2])> {
+    let mut crossed = Vec::new();
+    while let Some(hit) = world.hit(&ray, Span::AHEAD) {
+        let Boundary { inside, outside } =
+            hit.material.recipe.boundary().expect("all are dielectrics");
+        let media = if hit.front { [outside, inside] } else { [inside, outside] };
+        crossed.push((hit.path().to_string(), media));
+        ray = Ray::new(hit.surface.leave(ray.direction), ray.direction);
+    }
+    crossed
+}
+
+/// Rays from a sphere around the vessel to points in it.
+fn rays(seed: u64) -> impl Iterator<Item = Ray> {
+    let mut random = Pcg32::new(28, seed);
+    std::iter::repeat_with(move || {
+        let mut c = || 2.0 * random.uniform() - 1.0;
+        let from = Vector::new(c(), c(), c()).unit().expect("not zero");
+        let to = Point::new(1.1 * c(), 2.0 * c(), 1.1 * c());
+        ray(Point::ORIGIN + 9.0 * from, to - (Point::ORIGIN + 9.0 * from))
+    })
+}
+
+/// Law: along every ray the medium behind a boundary is the one before the next, from air to air: no
+/// gap, no overlap, no normal on the wrong side. Oracle: topology, over 10⁵ random rays for each
+/// vessel; and each part is met.
+#[test]
+fn media_follow_one_another_along_every_ray() {
+    let vessels: [(fn(BoundaryMaterials) -> Kind, usize); 5] =
+        [(glass_of_water, 8), (test_tube, 8), (fish_bowl, 7), (narrow_bowl, 7), (shallow_bowl, 6)];
+    for (place, (shape, parts)) in vessels.into_iter().enumerate() {
+        let world = built(&vessel(shape, [AIR, WATER, GLASS], Rgb::BLACK));
+        let mut met = BTreeSet::new();
+        for ray in rays(place as u64).take(100_000) {
+            let mut medium = AIR;
+            for (part, [before, behind]) in crossed(&world, ray) {
+                assert_eq!(before, medium, "vessel {place}, {part}, {ray:?}");
+                medium = behind;
+                met.insert(part);
+            }
+            assert_eq!(medium, AIR, "vessel {place}, after the last boundary of {ray:?}");
+        }
+        assert_eq!(met.len(), parts, "vessel {place}: {met:?}");
+    }
+}
+
+/// Law: with all indices 1 and nothing absorbed a vessel is invisible. Oracle: the background, exactly.
+#[test]
+fn vessels_of_one_medium_are_invisible() {
+    let background = Rgb::new(0.25, 0.5, 1.0);
+    for shape in [glass_of_water, fish_bowl] {
+        let world = built(&vessel(shape, [AIR; 3], background));
+        for ray in rays(7).take(2000) {
+            assert_eq!(look(&world, ray.origin, ray.direction), background, "{ray:?}");
+        }
+    }
+}
+
+/// Law: straight down through the level of the glass pass water and the base: the stretches are 1.2 of
+/// water and .3 of glass, and the reflections are those of water, water to glass, and glass to air.
+/// Oracle: `(1 − R₁)(1 − R₂)(1 − R₃) exp(−1.2 σ_w − .3 σ_g)`, and what the level and the base reflect
+/// at depth 3, from the table of ch. 28.
+#[test]
+fn straight_down_a_glass_of_water_light_passes_three_boundaries() {
+    let absorbing = |eta, sigma: f64| Medium { eta, absorption: Rgb::grey(sigma) };
+    let media = [AIR, absorbing(1.33, 0.5), absorbing(1.5, 1.0)];
+    let mut scene = vessel(glass_of_water, media, Rgb::WHITE);
+    *scene.tracer.max_depth().expect("whitted") = 3;
+    let found = look(&built(&scene), Point::new(0.1, 5.0, 0.2), -Vector::Y).r;
+    let transmitted = [0.020059, 0.003608, 0.04].iter().map(|r| 1.0 - r).product::<f64>();
+    let through = transmitted * (-(1.2 * 0.5 + 0.3 * 1.0_f64)).exp();
+    // light from above by the level, and by the base through the water twice
+    let base = 0.003608 * (1.0 - 0.020059_f64).powi(2) * (-2.0 * 1.2 * 0.5_f64).exp();
+    let expected = 0.020059 + base + through;
+    assert!((found - expected).abs() < 1e-5, "{found} instead of {expected}");
+}
+
+/// Law: the meniscus of the fish bowl is tangent to the water's level and to the glass: x_c = .901388,
+/// y_c = .3, β = 18.408°. Oracle: those numbers (ch. 28), from the surface's heights and normals along
+/// vertical rays at both ends.
+#[test]
+fn the_meniscus_touches_level_and_glass_without_an_angle() {
+    /// As near the seams as the numbers of the book are exact.
+    const NEAR: f64 = 1e-6;
+    let world = built(&vessel(fish_bowl, [AIR, WATER, GLASS], Rgb::BLACK));
+    let (xc, yc, m, beta) = (0.901388, 0.3, 0.05, 18.408_f64.to_radians());
+    let below = |x: f64| {
+        let hit = world.hit(&ray(Point::new(x, 0.301, 0.0), -Vector::Y), Span::AHEAD);
+        let hit = hit.expect("water is below");
+        (hit.path().to_string(), hit.surface.point.y(), Vector::from(hit.surface.normal))
+    };
+    let (part, height, normal) = below(xc - NEAR);
+    assert!(part.contains("level") && (height - 0.25).abs() < 1e-15 && normal == Vector::Y);
+    let (part, height, normal) = below(xc + NEAR);
+    assert!(part.contains("meniscus") && (height - 0.25).abs() < 1e-9, "{part} at {height}");
+    assert!((normal - Vector::Y).length() < 1e-4, "{normal:?}");
+    // from the middle of the tube outward, at both sides of the line of contact
+    let outward = |angle: f64| {
+        let direction = Vector::new(angle.cos(), angle.sin(), 0.0);
+        let from = Point::new(xc, yc, 0.0);
+        let hit = world.hit(&ray(from, direction), Span::AHEAD).expect("glass or water");
+        assert!((hit.t - m).abs() < 1e-5, "at {} from the middle of the tube", hit.t);
+        let n = Vector::from(hit.surface.normal);
+        assert!(n.dot(direction) < -1.0 + 1e-7, "{n:?} is not across");
+        (hit.path().to_string(), hit.surface.point)
+    };
+    let (part, contact) = outward(beta - 1e-4);
+    assert!(part.contains("meniscus"), "{part}");
+    let (part, _) = outward(beta + 1e-4);
+    assert!(part.contains("inside"), "{part}");
+    assert!((to_degrees(atan2(contact.y(), contact.x())) - 18.408).abs() < 0.01, "{contact:?}");
+    assert!((contact.to_vector().length() - 1.0).abs() < 1e-6, "{contact:?}");
+}
+
+/// Law: numbers of which no vessel can be made, and names of no material, get an error that names the
+/// field. Oracle: the messages.
+#[test]
+fn vessels_that_cannot_be_are_refused() {
+    let plain = BoundaryMaterials::default;
+    let glass = GlassOfWater::default();
+    let bowl = FishBowl::default();
+    let named = BoundaryMaterials { water_air: Some("beer".to_owned()), ..plain() };
+    let cases: [(Kind, &str); 8] = [
+        (
+            GlassOfWater { meniscus_radius: 0.45, ..glass.clone() }.into(),
+            "meniscus_radius: found 0.45",
+        ),
+        (GlassOfWater { water_height: 1.95, ..glass.clone() }.into(), "water_height: found 1.95"),
+        (GlassOfWater { water_height: 0.2, ..glass.clone() }.into(), "water_height: found 0.2"),
+        (GlassOfWater { wall_thickness: 0.0, ..glass.clone() }.into(), "wall_thickness: found 0"),
+        (
+            GlassOfWater { materials: named.clone(), ..glass }.into(),
+            "materials.water_air: no material `beer`",
+        ),
+        (FishBowl { water_depth: 1.72, ..bowl.clone() }.into(), "water_depth: found 1.72"),
+        (FishBowl { meniscus_radius: 0.6, ..bowl.clone() }.into(), "meniscus_radius: found 0.6"),
+        (FishBowl { opening: 0.0, ..bowl }.into(), "opening: found 0"),
+    ];
+    for (shape, message) in cases {
+        let mut scene = vessel(glass_of_water, [AIR, WATER, GLASS], Rgb::BLACK);
+        scene.objects[0].shape = shape;
+        let error = World::build(&scene).expect_err("no such vessel").to_string();
+        assert!(error.contains(message), "{error}\ninstead of\n{message}");
+    }
+}
