@@ -218,7 +218,8 @@ fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
 
 /// Law: a ray that leaves a surface never meets it at the same place again, also at grazing angles:
 /// what it hits next it meets from the side it left to, or it is far off: the inner side of an open
-/// shape, through its opening. From inside a closed shape it hits something. So too when it is turned and moved far away, where coordinates are rounded more.
+/// shape, through its opening. From inside a closed shape it hits something. So too when it is turned
+/// and moved far away, where coordinates are rounded more.
 fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
     let transform = vec![Step::RotateX(30.0), Step::Translate(Vector::new(900.0, -30.0, 700.0))];
     let far = Instance::new(kind.clone(), transform);
@@ -229,6 +230,8 @@ fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
 fn leaves(shape: &dyn Shape) -> Holds {
     let mut rays = Rays::new(shape);
     let closed = is_closed(shape, &mut rays);
+    // of a vessel of glass and water a ray may leave two boundaries in a row from the inner side
+    let near = 1e-3 * shape.bounds().extent().max_abs().min(rays.size());
     for Met { surface, .. } in rays.smooth_hits(shape, RAYS) {
         let n = surface.normal;
         let tangent = Frame::around(n).to_world(across(rays.unit()));
@@ -244,7 +247,7 @@ fn leaves(shape: &dyn Shape) -> Holds {
                 ),
                 Some(at) => {
                     let next = shape.surface(&ray, &at).normal.dot(direction);
-                    let far = !closed && at.t > 1e-3 * rays.size();
+                    let far = !closed && at.t > near;
                     ensure!(
                         next * cosine < 0.0 || far,
                         "from {:?} at {cosine:e}: hit again at t {:e}",
