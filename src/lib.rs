@@ -28,6 +28,7 @@ pub mod materials;
 pub mod math;
 pub mod mesh_file;
 pub mod probe;
+pub mod ray_budget;
 pub mod reference;
 pub mod render;
 pub mod report;

@@ -81,8 +81,6 @@ pub struct PlacedMaterial {
     /// What it is made of.
     pub recipe: Arc<dyn Material>,
     casts_shadows: bool,
-    /// Whether any object, or part of one, is made of it.
-    used: bool,
 }
 
 /// An object that is there.
@@ -170,8 +168,8 @@ impl World {
         }
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
-        let mut materials = placed_materials(scene)?;
-        let mut objects = Objects(placed_objects(scene, folder, &mut materials)?);
+        let materials = placed_materials(scene)?;
+        let mut objects = Objects(placed_objects(scene, folder, &materials)?);
         let lights = placed_lights(scene, &materials, &mut objects.0)?;
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
         // a single object is tested, not searched for
@@ -241,27 +239,6 @@ impl World {
     /// Samples for each pixel.
     pub fn samples_per_pixel(&self) -> u32 {
         self.samples.per_set()
-    }
-
-    /// The most rays the whole picture can take, shadow rays left out.
-    pub fn most_rays(&self) -> f64 {
-        let image = &self.image;
-        let samples = f64::from(image.width) * f64::from(image.height);
-        let samples = samples * self.view.eyes().len() as f64;
-        let samples = samples * f64::from(self.samples_per_pixel());
-        let mut used = self.materials.iter().filter(|material| material.used);
-        let opaque = !used.any(|material| material.recipe.transmits());
-        match self.tracer {
-            Tracer::RayCast => samples,
-            // a chain of mirrors, or a tree of glass
-            Tracer::Whitted(whitted) if opaque => samples * f64::from(whitted.max_depth + 1),
-            Tracer::Whitted(whitted) => {
-                samples * crate::math::power(2.0, f64::from(whitted.max_depth + 1))
-            }
-            Tracer::PathTrace(it) | Tracer::GlobalTrace(it) | Tracer::Path(it) => {
-                samples * f64::from(it.max_depth + 1)
-            }
-        }
     }
 }
 

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use groundtruth::film::{self, Tone};
+use groundtruth::ray_budget::{self, MOST_COUNTED};
 use groundtruth::render::{self, Canvas};
 use groundtruth::trace;
 use groundtruth::world::World;
@@ -65,8 +66,11 @@ impl Render {
             None => Canvas::new(&world),
         });
         trace::left_out(&world).iter().for_each(|note| eprintln!("note: {note}"));
-        if world.most_rays() > MANY_RAYS {
-            eprintln!("note: this may take up to {:.0e} rays", world.most_rays());
+        let rays = ray_budget::measured(&world, MOST_COUNTED);
+        let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
+        if rays.mean * samples > MANY_RAYS {
+            let about = if rays.is_cut { "at least" } else { "about" };
+            eprintln!("note: this will take {about} {:.0e} rays", rays.mean * samples);
         }
         let loaded = start.elapsed();
 

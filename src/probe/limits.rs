@@ -2,8 +2,11 @@
 
 use crate::accel;
 use crate::invalid::Invalid;
+use crate::ray_budget::{self, MOST_COUNTED, RayCounter};
+use crate::rgb::Rgb;
 use crate::scene::Scene;
 use crate::shapes::{Kind, Shape};
+use crate::trace::Recorder;
 use crate::world::World;
 
 /// Bytes of a line; an inline scene fits, a mesh belongs into a file.
@@ -92,26 +95,37 @@ pub(super) fn all_of(shape: &dyn Shape) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// Refuses a radiance that could take too long.
+/// Refuses so many samples if they would take too long: `look` is one of them, and others are those of the
+/// whole picture.
 pub(super) fn traceable(
     scene: &Scene,
     world: &World,
     primitives: u64,
     samples: f64,
+    look: impl FnOnce(&World, &mut RayCounter) -> Rgb,
 ) -> Result<(), Invalid> {
-    let pixels = f64::from(world.image.width) * f64::from(world.image.height);
-    let pixels = pixels * world.view.eyes().len() as f64;
-    let rays = world.most_rays() / (pixels * f64::from(world.samples_per_pixel())) * samples;
     let tests = match scene.accel {
         // a teapot in a stadium is in one cell
         accel::Method::List | accel::Method::Grid => primitives as f64,
         accel::Method::Bvh => (primitives as f64).min(64.0),
     };
-    let work = rays * (1.0 + world.lights.len() as f64) * tests.max(1.0);
+    let tests = tests.max(1.0);
+    let most = (MOST_WORK / tests) as u64;
+    let mut asked = RayCounter::up_to(most);
+    asked.count(|counter| look(world, counter));
+    if asked.is_full() {
+        return Err(Invalid::new(format!(
+            "a single sample casts more than {} rays; lower the scene's max_depth",
+            most.min(MOST_COUNTED)
+        )));
+    }
+    let all = ray_budget::measured(world, most);
+    let about = if all.is_cut { "at least" } else { "about" };
+    let work = asked.estimate().mean.max(all.mean) * samples * tests;
     if work > MOST_WORK {
         return Err(Invalid::new(format!(
-            "this may take {work:.0e} tests of a ray and an object, and at most {MOST_WORK:.0e} \
-             fit; ask for fewer samples or replicas, or lower the scene's max_depth"
+            "this would take {about} {work:.0e} tests of a ray and an object, and at most \
+             {MOST_WORK:.0e} fit; ask for fewer samples or replicas, or lower the scene's max_depth"
         )));
     }
     Ok(())

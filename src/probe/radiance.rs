@@ -13,6 +13,7 @@ use crate::invalid::{Invalid, Key};
 use crate::math::Ray;
 use crate::rgb::Rgb;
 use crate::scene::{self, Scene, SceneError};
+use crate::trace::Recorder;
 use crate::world::{DEFAULT_SEED, World};
 use crate::{gallery, render, trace};
 
@@ -87,20 +88,13 @@ impl super::Question for Radiance {
             return Err(Invalid::field("replicas", problem));
         }
         let seed = self.seed.unwrap_or(DEFAULT_SEED);
-        let mut world = self.world(seed, f64::from(replicas))?;
-        let value: Box<dyn Fn(&World) -> Rgb> = match looks {
-            Looks::AtPixel(pixel) => {
-                camera_ray::inside(pixel, world.picture_size())?;
-                Box::new(move |world| render::pixel(world, pixel))
-            }
-            Looks::Along(ray) => Box::new(move |world| along(world, &ray)),
-        };
+        let mut world = self.world(seed, &looks, f64::from(replicas))?;
         let mut values = Vec::with_capacity(replicas as usize);
         for i in 0..replicas {
             if i > 0 {
                 world.reseed(seed.wrapping_add(u64::from(i)));
             }
-            values.push(value(&world));
+            values.push(looks.value(&world));
         }
         let mean = render::mean(values.iter().copied());
         Ok(Answer {
@@ -118,10 +112,22 @@ enum Looks {
     Along(Ray),
 }
 
-/// What arrives along a ray: the mean of as many samples as a pixel has.
-fn along(world: &World, ray: &Ray) -> Rgb {
-    let sample = |i| trace::radiance(world, ray, world.draws([0, 0], i), &mut ());
-    render::mean((0..world.samples_per_pixel()).map(sample))
+impl Looks {
+    fn sample<R: Recorder>(&self, world: &World, index: u32, recorder: &mut R) -> Rgb {
+        match self {
+            Self::AtPixel(pixel) => render::sample(world, *pixel, index, recorder),
+            Self::Along(ray) => trace::radiance(world, ray, world.draws([0, 0], index), recorder),
+        }
+    }
+
+    /// The value of a pixel, or the mean of as many samples along a ray.
+    fn value(&self, world: &World) -> Rgb {
+        let samples = (0..world.samples_per_pixel()).map(|i| self.sample(world, i, &mut ()));
+        match self {
+            Self::AtPixel(_) => render::expose(world, samples),
+            Self::Along(_) => render::mean(samples),
+        }
+    }
 }
 
 impl Radiance {
@@ -133,7 +139,7 @@ impl Radiance {
         }
     }
 
-    fn world(&self, seed: u64, replicas: f64) -> Result<World, Invalid> {
+    fn world(&self, seed: u64, looks: &Looks, replicas: f64) -> Result<World, Invalid> {
         let outer = |e: Invalid| e.inside("scene");
         let mut read = None;
         let (scene, folder) = match &self.scene {
@@ -158,8 +164,13 @@ impl Radiance {
         };
         let primitives = limits::buildable(shapes, here).map_err(outer)?;
         let world = World::build_seeded(&scene, folder, seed).map_err(|e| outer(invalid(e)))?;
+        if let Looks::AtPixel(pixel) = looks {
+            camera_ray::inside(*pixel, world.picture_size())?;
+        }
         let samples = f64::from(world.samples_per_pixel());
-        limits::traceable(&scene, &world, primitives, samples * replicas)?;
+        limits::traceable(&scene, &world, primitives, samples * replicas, |world, counter| {
+            looks.sample(world, 0, counter)
+        })?;
         Ok(world)
     }
 }

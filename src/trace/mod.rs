@@ -97,7 +97,7 @@ impl<R: Recorder> Tracing<'_, R> {
         self.recorder.enter(*kind, ray, *depth, weight);
         let mut sum = RadianceSum(Rgb::BLACK);
         let mut transmittance = Rgb::WHITE;
-        if *depth > self.strategy.max_depth {
+        if *depth > self.strategy.max_depth || self.recorder.is_full() {
             self.recorder.outcome(Outcome::TooDeep);
         } else if let Some(hit) = &self.world.hit(ray, Span::AHEAD) {
             self.recorder.outcome(Outcome::Hit { hit });

@@ -170,7 +170,8 @@ impl<Name> TermSource<Name> {
     }
 }
 
-/// Hears every ray. It cannot change the picture, and `()` costs nothing.
+/// Hears every ray. It cannot change the picture, but for one that only counts and has enough; `()`
+/// costs nothing.
 pub trait Recorder {
     /// A ray begins; it counts `weight` for the ray before it.
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb);
@@ -179,6 +180,11 @@ pub trait Recorder {
     /// The surface that it met scatters light by these lobes.
     #[inline(always)]
     fn surface(&mut self, _point: &ShadingPoint<'_>, _lobes: &Lobes) {}
+    /// Whether no ray should be cast any more.
+    #[inline(always)]
+    fn is_full(&self) -> bool {
+        false
+    }
     /// Two random numbers are drawn.
     #[inline(always)]
     fn draw(&mut self) {}

@@ -100,7 +100,7 @@ pub(super) fn placed_materials(scene: &Scene) -> Result<Vec<PlacedMaterial>, Inv
         }
         let (name, place) = (material.name.clone(), index as u32);
         let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
-        Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows, used: false })
+        Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows })
     };
     scene.materials.iter().enumerate().map(placed).collect()
 }
@@ -108,7 +108,7 @@ pub(super) fn placed_materials(scene: &Scene) -> Result<Vec<PlacedMaterial>, Inv
 pub(super) fn placed_objects(
     scene: &Scene,
     folder: &Path,
-    materials: &mut [PlacedMaterial],
+    materials: &[PlacedMaterial],
 ) -> Result<Vec<PlacedObject>, Invalid> {
     let known: BTreeMap<String, PartMaterial> = materials
         .iter()
@@ -125,7 +125,6 @@ pub(super) fn placed_objects(
         if !object.enabled {
             continue;
         }
-        made_of.iter().for_each(|part| materials[part.place as usize].used = true);
         objects.push(PlacedObject {
             name: object.name.clone(),
             place: index as u32,

@@ -18,7 +18,7 @@ fn an_interrupted_picture_leaves_no_file() {
         .expect("it starts");
     let mut stderr = BufReader::new(child.stderr.take().expect("piped")).lines();
     let first = stderr.next().expect("a line").expect("text");
-    assert_eq!(first, "note: this may take up to 2e10 rays");
+    assert_eq!(first, "note: this will take about 2e9 rays");
     // the note comes just before the handler of the signal
     std::thread::sleep(Duration::from_millis(500));
     let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();

@@ -1,0 +1,93 @@
+//! How many rays a picture takes is measured before it is rendered.
+
+use groundtruth::materials::{Dielectric, Medium, Phong, Reflective};
+use groundtruth::math::Point;
+use groundtruth::ray_budget::{MOST_COUNTED, measured};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::shapes::{Box as Cuboid, Sphere};
+use groundtruth::trace::RayCounts;
+
+use crate::ch14::stage::{built, deep_stage, put};
+
+fn ball(radius: f64) -> Sphere {
+    Sphere { center: Point::ORIGIN, radius, inward: false }
+}
+
+fn clear(eta: f64) -> Dielectric {
+    Dielectric { inside: Medium::clear(eta), ..Dielectric::default() }
+}
+
+/// A picture of the stage, all of which shows what is put at the origin.
+fn picture(max_depth: u32) -> Scene {
+    let mut scene = deep_stage(Rgb::WHITE, max_depth);
+    (scene.image.width, scene.image.height) = (24, 16);
+    scene.image.pixel_size = 0.01;
+    scene
+}
+
+/// Law: in a slab of glass one ray goes on inside and one leaves at each of its sides: at depth 100 a
+/// picture takes 203 rays a sample, of which two are too deep, and not 2¹⁰¹. Oracle: counting both.
+#[test]
+fn a_slab_at_depth_100_counts_as_a_line() {
+    let mut scene = picture(100);
+    let (min, max) = (Point::new(-50.0, -50.0, -1.0), Point::new(50.0, 50.0, 0.0));
+    put(&mut scene, Cuboid { min, max }, clear(1.5));
+    let estimate = measured(&built(&scene), MOST_COUNTED);
+    // the camera's, and two at each of the hits at depths 0 to 100
+    assert_eq!((estimate.mean, estimate.is_cut), (1.0 + 2.0 * 101.0, false));
+}
+
+/// Law: inside a mirror a picture takes N + 2 rays a sample, the last of which is too deep. Oracle:
+/// counting.
+#[test]
+fn a_mirror_counts_as_a_line() {
+    for n in [0, 1, 7] {
+        let mut scene = picture(n);
+        let mirror = Reflective { phong: Phong::default(), kr: 0.9, cr: Rgb::WHITE.into() };
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 20.0, inward: true }, mirror);
+        let estimate = measured(&built(&scene), MOST_COUNTED);
+        assert_eq!((estimate.mean, estimate.is_cut), (f64::from(n + 2), false));
+    }
+}
+
+/// Law: measuring ends also where a single sample would take 2¹⁰⁰ rays, and says so: of balls of glass
+/// in one another at depth 100. Oracle: that the test ends; the number it may count.
+#[test]
+fn a_tree_without_end_is_cut() {
+    let mut scene = picture(100);
+    for radius in [1.0, 0.9, 0.8] {
+        put(&mut scene, ball(radius), clear(1.0 + radius));
+    }
+    let estimate = measured(&built(&scene), MOST_COUNTED);
+    // what is being counted when it is cut is still heard: each open ray sends one more
+    let few = estimate.mean < MOST_COUNTED as f64 + 300.0;
+    assert!(estimate.is_cut && estimate.mean >= 1e6 && few, "{estimate:?}");
+    let estimate = measured(&built(&scene), 1000);
+    assert!(estimate.is_cut && estimate.mean < 1300.0, "{estimate:?}");
+}
+
+/// Law: the estimate is that of the whole picture, up to the spread of 256 of its samples: here some see
+/// two balls of glass in one another and some nothing. Oracle: all rays of the picture counted, and
+/// four standard errors of the mean of 256, by their standard deviation.
+#[test]
+fn the_estimate_is_that_of_the_picture() {
+    let mut scene = picture(8);
+    scene.image.pixel_size = 0.12;
+    for radius in [1.0, 0.7] {
+        put(&mut scene, ball(radius), clear(1.0 + radius));
+    }
+    let world = built(&scene);
+    let counts = |pixel| {
+        let mut counts = RayCounts::default();
+        render::sample(&world, pixel, 0, &mut counts);
+        (counts.camera + counts.reflected + counts.transmitted + counts.shadow) as f64
+    };
+    let all: Vec<f64> = (0..16).flat_map(|y| (0..24).map(move |x| [x, y])).map(counts).collect();
+    let mean = all.iter().sum::<f64>() / all.len() as f64;
+    let variance = all.iter().map(|n| (n - mean) * (n - mean)).sum::<f64>() / all.len() as f64;
+    let (error, estimate) = ((variance / 256.0).sqrt(), measured(&world, MOST_COUNTED));
+    let off = (estimate.mean - mean).abs();
+    assert!(error > 0.5 && off < 4.0 * error, "{} of {mean}, error {error}", estimate.mean);
+}
