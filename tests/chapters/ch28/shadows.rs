@@ -60,6 +60,17 @@ fn light_passes_a_pane_straight_on() {
     }
 }
 
+/// Law: a lamp inside glass loses R at the one surface that its light passes, and nothing by `1/η²`: the
+/// power of a lamp does not fill a smaller cone. Oracle: .96 (ch. 28).
+#[test]
+fn a_lamp_in_glass_shines_out_by_one_surface() {
+    let mut scene = under_glass(clear(1.5), 8.0);
+    let location = Point::new(0.05, 5.0, 0.0);
+    shine(&mut scene, PointLight { ls: 1.0, color: Rgb::WHITE, location, attenuation: 0.0 });
+    let found = share(&scene).r;
+    assert!((found - 0.96).abs() < 1e-14, "{found} instead of 0.96");
+}
+
 /// Law: askew, each side counts what it transmits at the angle of the straight ray, which inside is
 /// another one than that of refracted light; where that is beyond the critical angle the pane is
 /// opaque. Oracle: Fresnel's equations in sines and tangents, on both sides.
