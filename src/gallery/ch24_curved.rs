@@ -3,11 +3,11 @@
 use super::List;
 use super::parts::*;
 use crate::cameras::{Orthographic, Stereo, Viewing, Viewpoint};
-use crate::materials::{Emissive, Phong};
+use crate::materials::{Emissive, Phong, Reflective};
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
 use crate::scene::{Image, Scene, Tracer, Whitted};
-use crate::shapes::{BeveledBox, Cone, Disk, Materials, OpenCylinder, TessellatedSphere};
+use crate::shapes::{BeveledBox, Cone, Disk, Materials, OpenCylinder, Sphere, TessellatedSphere};
 use crate::textures::{Kind as TextureKind, Paint, PlaneChecker};
 
 pub const SCENES: List = &[
@@ -37,7 +37,7 @@ fn mirrored(about: &str, size: [u32; 2], stand: [Point; 2], distance: f64, depth
 }
 
 /// A mirror of this colour and nothing else.
-fn pure(kr: f64, cr: Rgb) -> crate::materials::Reflective {
+fn pure(kr: f64, cr: Rgb) -> Reflective {
     mirror(Phong::default(), kr, cr)
 }
 
@@ -77,14 +77,13 @@ fn seven_spheres() -> Scene {
 
 /// The spheres and the eyes are the book's; the colours and the view are ours.
 fn stereo() -> Scene {
-    let about =
-        "figures 24.15 and 24.16: a mirror sphere in a checkered sphere that shines, for two eyes";
+    let about = "figure 24.16: a mirror sphere in a checkered sphere that shines, for two eyes";
     let stand = [point(0.0, 6.0, 20.0), Point::ORIGIN];
     let mut scene = mirrored(about, [300, 300], stand, 700.0, 1);
     scene.camera.stereo = Some(Stereo { viewing: Viewing::Parallel, gap: 5, separation: 1.5 });
     add(&mut scene, "mirror sphere", sphere(Point::ORIGIN, 3.0), pure(0.9, Rgb::WHITE));
     let checks = checker3d(8.0, rgb(1.0, 0.9, 0.6), rgb(0.15, 0.3, 0.5));
-    let around = crate::shapes::Sphere { inward: true, ..sphere(Point::ORIGIN, 30.0) };
+    let around = Sphere { inward: true, ..sphere(Point::ORIGIN, 30.0) };
     add(&mut scene, "surroundings", around, Emissive::new(1.0, checks));
     scene
 }
@@ -162,13 +161,14 @@ fn mirror_cone() -> Scene {
 
 /// Radius and lamp are the book's; the rest of the numbers is ours.
 fn mirror_cylinder() -> Scene {
-    let about = "as figure 24.39: along the axis of a cylinder, a mirror inside, with a lamp in it";
-    let stand = [point(0.0, 40.0, 0.0), Point::ORIGIN];
-    let mut scene = mirrored(about, [400, 400], stand, 400.0, 10);
+    let about =
+        "as figure 24.39: a lamp in a mirror cylinder, from its axis: arcs, one pair a reflection";
+    let stand = [point(0.0, 60.0, 0.0), Point::ORIGIN];
+    let mut scene = mirrored(about, [400, 400], stand, 220.0, 10);
     scene.camera.up = -Vector::Z;
-    let wall = OpenCylinder { y0: 0.0, y1: 30.0, radius: 10.0, inward: true };
+    let wall = OpenCylinder { y0: 0.0, y1: 60.0, radius: 10.0, inward: true };
     add(&mut scene, "wall", wall, pure(0.9, Rgb::WHITE));
-    let lamp = sphere(point(4.0, 3.0, 0.0), 1.5);
+    let lamp = sphere(point(2.0, 3.0, 0.0), 1.5);
     add(&mut scene, "lamp", lamp, Emissive::new(0.85, rgb(1.0, 1.0, 0.5)));
     scene
 }

@@ -78,28 +78,28 @@ fn under_a_dome(about: &str, tracer: Tracer) -> Scene {
 /// The lamp and the mirror's colour are the book's; the rest of the numbers is ours.
 fn mirror_caustic() -> Scene {
     let about = "as figure 26.8: a sphere shines on a mirror, which throws its light on the ground";
-    let stand = [point(6.0, 9.0, 22.0), point(-1.0, 2.5, 3.0)];
-    let mut scene = pinhole(about, [400, 400], stand, 750.0);
+    let stand = [point(9.0, 10.0, 16.0), point(-1.5, 2.5, 2.5)];
+    let mut scene = pinhole(about, [400, 400], stand, 680.0);
     scene.image.samples = 256;
     scene.tracer = Tracer::Path(Depth { max_depth: 5 });
     add_lamp(&mut scene, sphere(point(-2.0, 7.0, 6.0), 1.0), 20.0, rgb(0.75, 1.0, 0.75));
-    let shape = Rectangle { corner: point(-4.0, 0.0, 0.0), a: 6.0 * Vector::X, b: 6.0 * Vector::Y };
+    let shape = Rectangle { corner: point(-4.0, 0.0, 0.0), a: 4.0 * Vector::X, b: 3.0 * Vector::Y };
     add(&mut scene, "mirror", shape, mirror(Phong::default(), 0.95, rgb(1.0, 0.5, 0.25)));
-    add(&mut scene, "ground", ground(0.0), matte(0.0, 0.75, Rgb::WHITE));
+    add(&mut scene, "ground", ground(0.0), matte(0.0, 0.95, Rgb::WHITE));
     scene
 }
 
 /// The cylinder and the lamp's radiance are the book's; the rest of the numbers is ours.
 fn half_cylinder_caustic() -> Scene {
     let about = "figure 26.9: a half cylinder, a mirror inside, throws a cardioid on the ground";
-    let stand = [point(0.0, 12.0, 8.0), point(0.0, -1.0, 0.0)];
-    let mut scene = pinhole(about, [400, 400], stand, 700.0);
+    let stand = [point(0.0, 16.0, 1.0), point(0.0, -1.0, 0.2)];
+    let mut scene = pinhole(about, [400, 400], stand, 750.0);
     scene.image.samples = 256;
     scene.tracer = Tracer::Path(Depth { max_depth: 5 });
-    add_lamp(&mut scene, sphere(point(0.0, 3.0, 3.0), 0.3), 30.0, Rgb::WHITE);
+    add_lamp(&mut scene, sphere(point(0.0, 3.0, 3.0), 0.5), 30.0, Rgb::WHITE);
     let wall = PartCylinder { y0: -1.0, y1: 3.0, radius: 3.0, phi: [90.0, 270.0], inward: true };
     add(&mut scene, "half cylinder", wall, mirror(Phong::default(), 0.95, rgb(1.0, 0.75, 0.5)));
-    add(&mut scene, "ground", ground(-1.0), matte(0.0, 0.75, Rgb::WHITE));
+    add(&mut scene, "ground", ground(-1.0), matte(0.0, 0.9, Rgb::WHITE));
     scene
 }
 
