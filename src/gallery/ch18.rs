@@ -128,7 +128,7 @@ fn boxes(about: &str, light: Light) -> Scene {
 
 /// What lights the solids of figures 18.7 to 18.11.
 #[derive(Clone, Copy)]
-enum Part {
+pub(super) enum Part {
     Occlusion,
     Sky,
 }
@@ -141,7 +141,12 @@ const SUN_COLOR: Rgb = Rgb::new(1.0, 0.25, 0.0);
 
 /// Figures 18.7 to 18.11: solids under a sky of this colour; `finish` makes their materials. The
 /// scene's background is the sky that is seen, and that the environment light shines with.
-fn solids(about: &str, sky: Rgb, parts: &[Part], finish: impl Fn(Matte) -> MaterialKind) -> Scene {
+pub(super) fn solids(
+    about: &str,
+    sky: Rgb,
+    parts: &[Part],
+    finish: impl Fn(Matte) -> MaterialKind,
+) -> Scene {
     let stand = [point(100.0, 45.0, 100.0), point(-10.0, 40.0, 0.0)];
     let mut scene = pinhole(about, [600, 400], stand, 400.0);
     scene.image.samples = 64;
@@ -171,7 +176,7 @@ fn with_sun(about: &str, sun: Light) -> Scene {
     scene
 }
 
-fn plain(matte: Matte) -> MaterialKind {
+pub(super) fn plain(matte: Matte) -> MaterialKind {
     matte.into()
 }
 

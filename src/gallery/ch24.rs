@@ -1,30 +1,52 @@
-//! Chapter 24: mirror reflection.
+//! Chapter 24: mirror reflection; rooms and sets.
 
 use super::List;
 use super::parts::*;
 use crate::cameras::{Pinhole, Viewpoint};
-use crate::materials::{Phong, Reflective};
+use crate::materials::Phong;
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
 use crate::scene::{Image, Material, Object, Scene, Tracer, Whitted};
 use crate::shapes::{Disk, OpenCylinder, Rectangle};
 use crate::textures::{Kind as TextureKind, Paint, PlaneChecker};
 
-pub const SCENES: List =
-    &[("ch24/reflective-set", reflective_set), ("ch24/hall-of-mirrors", hall_of_mirrors)];
+pub const SCENES: List = &[
+    ("ch24/reflective-set-depth-0", || {
+        reflective_set("as figure 24.6 at depth 0: direct light alone, mirrors are dark", 0)
+    }),
+    ("ch24/reflective-set-depth-1", || {
+        reflective_set("as figure 24.6 at depth 1: mirrors in mirrors are dark", 1)
+    }),
+    ("ch24/reflective-set-depth-2", || {
+        reflective_set("as figure 24.6 at depth 2: reflections of reflections", 2)
+    }),
+    ("ch24/reflective-set", || {
+        let about = "figure 24.6: mirrors among matte things, up to ten reflections of one another";
+        reflective_set(about, 10)
+    }),
+    ("ch24/hall-of-mirrors-depth-2", || {
+        let mut scene = hall_of_mirrors();
+        scene.about = "as figure 24.17 at depth 2: the third mirror in a row is black".to_owned();
+        scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });
+        scene
+    }),
+    ("ch24/hall-of-mirrors", hall_of_mirrors),
+    ("ch24/floor-mirror", || {
+        let mut scene = hall_of_mirrors();
+        scene.about = "figure 24.18b: the floor mirror of the hall in close-up".to_owned();
+        scene.camera.look_at = point(0.0, -5.0, 0.0);
+        scene.camera.lens = Pinhole { distance: 2000.0, zoom: 1.0 }.into();
+        scene
+    }),
+];
 
-fn mirror(phong: Phong, kr: f64, cr: Rgb) -> Reflective {
-    Reflective { phong, kr, cr: cr.into() }
-}
-
-/// Figure 24.6 at depth 10.
-fn reflective_set() -> Scene {
+/// Figure 24.6 at this depth.
+fn reflective_set(about: &str, max_depth: u32) -> Scene {
     let lens = Pinhole { distance: 360.0, zoom: 1.0 };
     let camera = Viewpoint::new(point(75.0, 40.0, 100.0), point(-10.0, 39.0, 0.0), lens);
     let image = Image { samples: 16, ..Image::new(600, 400) };
-    let about = "figure 24.6: mirrors among matte things, up to ten reflections of one another";
     let mut scene = Scene::new(about, image, camera);
-    scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
+    scene.tracer = Tracer::Whitted(Whitted { max_depth });
     scene.background = grey(0.15).into();
     scene.lights.push(ambient(0.5));
     scene.lights.push(point_light("lamp", point(150.0, 150.0, 0.0), 3.0));

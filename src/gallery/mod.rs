@@ -22,6 +22,7 @@ mod ch21;
 mod ch22;
 mod ch23;
 mod ch24;
+mod ch24_curved;
 mod ch25;
 mod ch26;
 mod ch27;
@@ -66,6 +67,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch22::SCENES,
         ch23::SCENES,
         ch24::SCENES,
+        ch24_curved::SCENES,
         ch25::SCENES,
         ch26::SCENES,
         ch27::SCENES,

@@ -2,7 +2,7 @@
 
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::lights::{Ambient, AmbientOccluder, Directional, Point as PointLight};
-use crate::materials::{Matte, Phong};
+use crate::materials::{Matte, Phong, Reflective};
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
 use crate::scene::{Image, Light, Material, Object, Scene};
@@ -53,6 +53,11 @@ pub fn matte(ka: f64, kd: f64, cd: impl Into<Paint>) -> Matte {
 
 pub fn phong(ka: f64, kd: f64, cd: impl Into<Paint>, ks: f64, exponent: f64) -> Phong {
     Phong { ka, kd, cd: cd.into(), ks, exponent, ..Phong::default() }
+}
+
+/// A mirror of reflectance `kr · cr` over this base.
+pub fn mirror(phong: Phong, kr: f64, cr: Rgb) -> Reflective {
+    Reflective { phong, kr, cr: cr.into() }
 }
 
 pub fn ambient(ls: f64) -> Light {
