@@ -68,9 +68,9 @@ impl<R: Recorder> Tracing<'_, R> {
             .into_iter()
             .map(|lit| (lit, (lit.cos_i / pdf.unwrap_or(1.0)) * lit.f))
             .map(|(lit, weight)| (lit, mis.map_or(weight, |mis| mis * weight)))
-            .filter(|(_, weight)| !weight.is_black())
+            .filter(|(_, weight)| counts(*weight, &sample))
             .collect();
-        if terms.is_empty() || (sample.radiance.is_black() && sample.blocked.is_black()) {
+        if terms.is_empty() {
             return;
         }
         let medium = medium_towards(path.medium, point, sample.direction);
@@ -81,4 +81,13 @@ impl<R: Recorder> Tracing<'_, R> {
             sum.add(self.recorder, source, weight, arriving);
         }
     }
+}
+
+/// Whether light of this weight could be told from none in a picture, whose numbers are single precision:
+/// far from its mirror direction a sharp highlight weighs less than that, and needs no shadow ray. A
+/// larger threshold would darken sums of many lights.
+fn counts(weight: Rgb, sample: &LightSample) -> bool {
+    /// 2⁻¹⁴⁹.
+    const SMALLEST: f64 = f32::from_bits(1) as f64;
+    [sample.radiance, sample.blocked].into_iter().any(|sent| (weight * sent).max() >= SMALLEST)
 }

@@ -227,3 +227,22 @@ fn a_highlight_in_a_picture_has_the_size_of_its_exponent() {
         }
     }
 }
+
+/// Law: a highlight too faint for the single precision of a picture, below 2⁻¹⁴⁹, casts no shadow ray; a
+/// brighter one does, and no light is lost. Oracle: `(cos 60°)^e = 2^−e`, on both sides of the limit.
+#[test]
+fn no_shadow_ray_is_cast_for_what_no_picture_can_show() {
+    for (exponent, rays) in [(1000.0, 0), (151.0, 0), (147.0, 1), (1.0, 1)] {
+        let mut scene = stage(Rgb::BLACK);
+        let gloss = Phong { ks: 1.0, exponent, ..Phong::default() };
+        put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, gloss);
+        shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::Y });
+        let (eye, down) =
+            (Point::new(-3.0_f64.sqrt(), 1.0, 0.0), Vector::new(3.0_f64.sqrt(), -1.0, 0.0));
+        let world = built(&scene);
+        assert_eq!(counted(&world, eye, down).shadow, rays, "exponent {exponent}");
+        let found = look(&world, eye, down).r;
+        let expected = if rays > 0 { 0.5_f64.powf(exponent) } else { 0.0 };
+        assert!((found - expected).abs() <= 1e-12 * expected, "{found:e} for exponent {exponent}");
+    }
+}
