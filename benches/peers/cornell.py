@@ -33,14 +33,14 @@ def error(picture, reference):
 
 
 class Groundtruth:
-    """Our path tracer with one of our samplers."""
+    """Our path tracer with one of our samplers, and the lamp sampled by area or by solid angle."""
 
-    def __init__(self, sampler):
-        self.name = f"groundtruth, {sampler}"
+    def __init__(self, sampler, sampling):
+        self.name = f"groundtruth, {sampler}, {sampling}"
         text = SCENE.read_text()
-        if sampler != "multi_jittered":
-            text = text.replace("[image]\n", f"[image]\nsampler.{sampler} = {{}}\n")
-        self.scene = FOLDER / f"{sampler}.toml"
+        text = text.replace("[image]\n", f"[image]\nsampler.{sampler} = {{}}\n")
+        text = text.replace('object = "lamp" }', f'object = "lamp", sampling = "{sampling}" }}')
+        self.scene = FOLDER / f"{sampler}-{sampling}.toml"
         self.scene.write_text(text)
 
     def render(self, samples, seed):
@@ -147,7 +147,8 @@ def write_ply(file, vertices, triangles):
 
 def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
-    renderers = [Groundtruth(name) for name in ("multi_jittered", "random")]
+    samplers = ("hammersley", "area"), ("multi_jittered", "solid_angle"), ("random", "area")
+    renderers = [Groundtruth(*pair) for pair in samplers]
     for variant in ("scalar_rgb", "llvm_ad_rgb"):
         mi.set_variant(variant)
         dr.set_thread_count(THREADS)
@@ -174,7 +175,7 @@ def main():
         seconds = statistics.median(times[renderer.name])
         rate = 256 * 256 * samples / seconds / 1e6
         print(
-            f"{renderer.name:34} {samples:5} samples, error {off:.5f}, {seconds:6.2f} s, "
+            f"{renderer.name:42} {samples:5} samples, error {off:.5f}, {seconds:6.2f} s, "
             f"{rate:.2f} million paths a second"
         )
 
