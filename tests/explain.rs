@@ -68,6 +68,7 @@ fn what_is_folded_is_counted() {
         for row in Outline::folding_below(min_share).rows(&root) {
             match row {
                 Row::Ray { ray, .. } => shown.push(ray.number),
+                Row::Local { .. } => {}
                 Row::Folded { parent, rays: count, share, .. } => {
                     hidden += count;
                     let small: Vec<_> =

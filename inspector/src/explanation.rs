@@ -25,7 +25,7 @@ const MOST_RAYS_OF_A_PIXEL: u64 = 30_000;
 const MOST_RAYS_OF_A_SAMPLE: u64 = 500_000;
 
 /// The least height of tree and details in a low window, in points of the screen.
-const LEAST_HEIGHT: f32 = 24.0;
+pub const LEAST_HEIGHT: f32 = 24.0;
 
 /// An explanation that takes no longer is drawn in the frame of the click.
 const MOMENT: Duration = Duration::from_millis(12);
@@ -67,7 +67,9 @@ pub enum Below {
     /// The selected ray.
     #[default]
     Ray,
-    /// The samples of the pixel.
+    /// What the pixel is the sum of: sources of light, and samples by value.
+    Sum,
+    /// Where the samples of the pixel lie.
     Samples,
 }
 
@@ -190,14 +192,20 @@ impl Selection {
         let changed = panel.show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.selectable_value(&mut self.below, Below::Ray, "The ray");
+                ui.selectable_value(&mut self.below, Below::Sum, "The sum");
                 ui.selectable_value(&mut self.below, Below::Samples, "The samples");
                 if let (Below::Ray, Some(root)) = (self.below, camera_ray) {
                     self.copy_numbers(ui, root);
                 }
             });
+            if self.below == Below::Sum {
+                pixel::parts(ui, &answer, tone, &mut self.order, &mut self.sample);
+                return false;
+            }
             let area = ScrollArea::both().id_salt("details").auto_shrink(false);
             let area = area.min_scrolled_height(LEAST_HEIGHT);
             let shown = area.show(ui, |ui| match self.below {
+                Below::Sum => false,
                 Below::Ray => {
                     if let Some(root) = camera_ray {
                         self.ray_details(ui, root);
@@ -277,9 +285,6 @@ impl Selection {
             ui.weak(note);
         }
         pixel::sum(ui, answer, rendered(rendering, answer.pixel));
-        if answer.samples_per_pixel > 1 {
-            pixel::samples(ui, answer, tone, &mut self.order, &mut self.sample);
-        }
     }
 }
 
