@@ -194,9 +194,6 @@ impl Selection {
                 ui.selectable_value(&mut self.below, Below::Ray, "The ray");
                 ui.selectable_value(&mut self.below, Below::Sum, "The sum");
                 ui.selectable_value(&mut self.below, Below::Samples, "The samples");
-                if let (Below::Ray, Some(root)) = (self.below, camera_ray) {
-                    self.copy_numbers(ui, root);
-                }
             });
             if self.below == Below::Sum {
                 pixel::parts(ui, &answer, tone, &mut self.order, &mut self.sample);
@@ -225,13 +222,6 @@ impl Selection {
             None => drop(ui.spinner()),
         });
         changed.inner
-    }
-
-    fn copy_numbers(&self, ui: &mut Ui, root: &RayExplanation) {
-        let copy = ui.small_button("Copy numbers").on_hover_text("All numbers of this ray");
-        if copy.clicked() {
-            ui.ctx().copy_text(details::text(self.tree.selected(root)));
-        }
     }
 
     fn ray_details(&mut self, ui: &mut Ui, root: &RayExplanation) {
@@ -279,7 +269,11 @@ impl Selection {
                 pixel::chooser(ui, &mut self.sample, last);
             }
             ui.separator();
-            pixel::copies(ui, rendering, answer.pixel, self.sample.min(last));
+            let index = self.sample.min(last);
+            let sample = answer.samples.iter().find(|sample| sample.index == index);
+            let root = sample.and_then(|sample| sample.ray.as_ref());
+            let ray = root.map(|root| self.tree.selected(root));
+            pixel::copies(ui, rendering, answer.pixel, index, ray);
         });
         for note in &answer.left_out {
             ui.weak(note);

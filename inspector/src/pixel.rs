@@ -1,7 +1,7 @@
 //! The head of an explanation: the sum that is the pixel, its samples, and what can be copied.
 
 use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
-use groundtruth::explain::{PixelExplanation, SourceExplanation, percent, short};
+use groundtruth::explain::{self, PixelExplanation, RayExplanation, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
 
@@ -37,8 +37,14 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     *chosen = sample;
 }
 
-/// A menu that copies what reproduces this pixel outside the window.
-pub fn copies(ui: &mut Ui, rendering: &Rendering, pixel: [u32; 2], sample: u32) {
+/// A menu that copies what reproduces this pixel outside the window, and the selected ray.
+pub fn copies(
+    ui: &mut Ui,
+    rendering: &Rendering,
+    pixel: [u32; 2],
+    sample: u32,
+    ray: Option<&RayExplanation>,
+) {
     ui.menu_button("Copy", |ui| {
         let command = ui.button("The command for a terminal");
         if command.on_hover_text("`explain` shows this sample there").clicked() {
@@ -48,6 +54,12 @@ pub fn copies(ui: &mut Ui, rendering: &Rendering, pixel: [u32; 2], sample: u32) 
         let probe = ui.button("The probe's line");
         if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
             ui.ctx().copy_text(copying::probe_line(rendering, pixel));
+            ui.close();
+        }
+        if let Some(ray) = ray
+            && ui.button("All numbers of the selected ray").clicked()
+        {
+            ui.ctx().copy_text(details::text(ray));
             ui.close();
         }
     });
@@ -82,10 +94,9 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
 }
 
 /// A line of the list below the tree.
-enum Line<'a> {
+enum Line {
     Words(&'static str),
-    Titles,
-    Source(&'a SourceExplanation),
+    Numbers(String),
     Order,
     Spread,
     Sample(u32),
@@ -102,8 +113,8 @@ pub fn parts(
 ) {
     let mut lines = Vec::new();
     for (words, sources) in answer.sources.lists() {
-        lines.extend([Line::Words(words), Line::Titles]);
-        lines.extend(sources.iter().map(Line::Source));
+        lines.push(Line::Words(words));
+        lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
     }
     lines.extend([Line::Spread, Line::Order]);
     lines.extend(sorted(answer, *order).into_iter().map(Line::Sample));
@@ -117,18 +128,15 @@ pub fn parts(
         for line in &lines[seen] {
             ui.horizontal(|ui| match line {
                 Line::Words(words) => drop(ui.strong(*words)),
-                Line::Titles => drop(ui.weak(numbers(SourceExplanation::titles()))),
-                Line::Source(source) => drop(ui.label(numbers(source.line()))),
+                Line::Numbers(text) => {
+                    ui.label(RichText::new(text).monospace().size(11.5));
+                }
                 Line::Order => order_line(ui, order),
                 Line::Spread => spread(ui, answer, chosen),
                 Line::Sample(index) => sample_line(ui, answer, *index, tone, chosen),
             });
         }
     });
-}
-
-fn numbers(text: String) -> RichText {
-    RichText::new(text).monospace().size(11.5)
 }
 
 fn order_line(ui: &mut Ui, order: &mut Order) {

@@ -2,7 +2,8 @@
 
 use eframe::egui::collapsing_header::paint_default_icon;
 use eframe::egui::{
-    Align2, Button, Color32, FontId, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
+    Align2, Button, Color32, FontId, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    vec2,
 };
 use groundtruth::explain::{Outline, RayExplanation, Row, TermExplanation, count, percent};
 use groundtruth::film::Tone;
@@ -100,25 +101,31 @@ impl Tree {
     /// Shows the lines in view; a click selects a ray.
     pub fn show(&mut self, ui: &mut Ui, root: &RayExplanation, tone: &Tone) {
         let rows = self.outline.rows(root);
-        let mut area = ScrollArea::both().id_salt("tree").auto_shrink(false);
-        if std::mem::take(&mut self.scroll) {
-            let is_selected =
-                |row: &Row<'_>| matches!(row, Row::Ray { ray, .. } if ray.number == self.ray);
-            let line = rows.iter().position(is_selected).unwrap_or(0);
-            let above = 0.4 * ui.available_height();
-            area = area.vertical_scroll_offset((line as f32 * LINE - above).max(0.0));
-        }
+        let wanted = std::mem::take(&mut self.scroll);
+        let is_selected =
+            |row: &Row<'_>| matches!(row, Row::Ray { ray, .. } if ray.number == self.ray);
+        let wanted = rows.iter().position(is_selected).filter(|_| wanted);
+        let area = ScrollArea::both().id_salt("tree").auto_shrink(false).animated(false);
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.spacing_mut().interact_size.y = LINE;
         ui.spacing_mut().button_padding = vec2(3.0, 0.0);
         area.show_rows(ui, LINE, rows.len(), |ui, seen| {
+            if let Some(line) = wanted {
+                // with the lines above and below it; no farther to the side than now
+                let top = ui.max_rect().top() - LINE * seen.start as f32;
+                let [first, last] = [line.max(1) - 1, (line + 2).min(rows.len())];
+                let y = top + LINE * first as f32..=top + LINE * last as f32;
+                ui.scroll_to_rect(Rect::from_x_y_ranges(ui.clip_rect().x_range(), y), None);
+            }
             ui.style_mut().wrap_mode = Some(eframe::egui::TextWrapMode::Extend);
             for row in &rows[seen] {
                 ui.horizontal(|ui| match *row {
                     Row::Ray { ray, term, indent } => self.ray_line(ui, (ray, term), indent, tone),
                     Row::Local { term, indent } => {
                         bar(ui, term.share);
-                        ui.add_space(INDENT * (indent as f32 + 1.0));
+                        ui.add_space(INDENT * indent as f32);
+                        // no children: room for their triangle
+                        ui.allocate_exact_size(vec2(INDENT, LINE), Sense::hover());
                         swatch(ui, picture::color(tone, term.contribution));
                         ui.label(RichText::new(term.line()).color(LOCAL));
                     }

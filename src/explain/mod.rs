@@ -19,7 +19,7 @@ use crate::world::World;
 
 pub use outline::{Outline, Row};
 pub use sources::{Source, SourceExplanation, Sources};
-pub use text::{brief, count, percent, short};
+pub use text::{brief, count, percent, short, table};
 
 /// A pixel explained: its samples and the sum that it is.
 #[derive(Clone, Debug, Serialize)]

@@ -268,8 +268,7 @@ impl PixelExplanation {
         for (words, sources) in self.sources.lists() {
             writeln!(f)?;
             writeln!(f, "{words}")?;
-            writeln!(f, "  {}", SourceExplanation::titles())?;
-            sources.iter().try_for_each(|source| writeln!(f, "  {}", source.line()))?;
+            table(sources).iter().try_for_each(|line| writeln!(f, "  {line}"))?;
         }
         writeln!(f)?;
         let radiance = self.radiance.to_array();
@@ -292,30 +291,28 @@ impl Source<String> {
 impl Sources {
     /// The two ways to divide the pixel's light, each said in words.
     pub fn lists(&self) -> [(&'static str, &[SourceExplanation]); 2] {
-        [
-            (
-                "the pixel by where light enters: a light's samples at all hits; what a lobe's rays meet",
-                &self.by_entry,
-            ),
-            (
-                "the pixel by its first hit: a light's samples there; all light along a lobe's rays",
-                &self.by_first_hit,
-            ),
-        ]
+        let by_entry = "the pixel by where light enters: a light's samples at all hits; what a lobe's rays meet";
+        let by_first_hit =
+            "the pixel by its first hit: a light's samples there; all light along a lobe's rays";
+        [(by_entry, &self.by_entry), (by_first_hit, &self.by_first_hit)]
     }
 }
 
-impl SourceExplanation {
-    /// What stands above its lines.
-    pub fn titles() -> String {
-        format!("{:<27} {:<27} source", "mean", "standard deviation")
-    }
-
-    /// One line: mean, standard deviation and source.
-    pub fn line(&self) -> String {
-        let deviation = self.standard_deviation.map_or("one sample".to_owned(), short);
-        format!("{:<27} {deviation:<27} {}", short(self.mean), self.source.name())
-    }
+/// A list of sources as lines of a table, the titles first.
+pub fn table(sources: &[SourceExplanation]) -> Vec<String> {
+    let row = |row: &SourceExplanation| {
+        let deviation = row.standard_deviation.map_or("one sample".to_owned(), short);
+        [row.source.name(), short(row.mean), deviation]
+    };
+    let titles = ["source", "mean", "standard deviation"].map(str::to_owned);
+    let rows: Vec<[String; 3]> = std::iter::once(titles).chain(sources.iter().map(row)).collect();
+    let width = |column: usize| {
+        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
+    };
+    let (names, means) = (width(0), width(1));
+    rows.iter()
+        .map(|[name, mean, deviation]| format!("{name:names$}  {mean:means$}  {deviation}"))
+        .collect()
 }
 
 impl SampleExplanation {
