@@ -127,7 +127,7 @@ pub fn parts(
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         for line in &lines[seen] {
             ui.horizontal(|ui| match line {
-                Line::Words(words) => drop(ui.strong(*words)),
+                Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
                 Line::Numbers(text) => {
                     ui.label(RichText::new(text).monospace().size(11.5));
                 }
