@@ -25,7 +25,7 @@ const MOST_RAYS_OF_A_PIXEL: u64 = 30_000;
 const MOST_RAYS_OF_A_SAMPLE: u64 = 500_000;
 
 /// The least height of tree and details in a low window, in points of the screen.
-pub const LEAST_HEIGHT: f32 = 24.0;
+const LEAST_HEIGHT: f32 = 24.0;
 
 /// An explanation that takes no longer is drawn in the frame of the click.
 const MOMENT: Duration = Duration::from_millis(12);
@@ -195,27 +195,30 @@ impl Selection {
                 ui.selectable_value(&mut self.below, Below::Sum, "The sum");
                 ui.selectable_value(&mut self.below, Below::Samples, "The samples");
             });
-            if self.below == Below::Sum {
-                pixel::parts(ui, &answer, tone, &mut self.order, &mut self.sample);
-                return false;
-            }
             let area = ScrollArea::both().id_salt("details").auto_shrink(false);
             let area = area.min_scrolled_height(LEAST_HEIGHT);
-            let shown = area.show(ui, |ui| match self.below {
-                Below::Sum => false,
+            match self.below {
                 Below::Ray => {
-                    if let Some(root) = camera_ray {
-                        self.ray_details(ui, root);
-                    }
+                    let details = |ui: &mut Ui| {
+                        if let Some(root) = camera_ray {
+                            self.ray_details(ui, root);
+                        }
+                    };
+                    area.show(ui, details);
+                    false
+                }
+                Below::Sum => {
+                    pixel::parts(ui, area, &answer, tone, (&mut self.order, &mut self.sample));
                     false
                 }
                 Below::Samples => {
                     let color = |i: u32| picture::color(tone, answer.radiances[i as usize]);
                     let of = (rendering, generation, answer.pixel);
-                    self.samples.show(ui, of, &color, &mut self.sample, wanted)
+                    let show =
+                        |ui: &mut Ui| self.samples.show(ui, of, &color, &mut self.sample, wanted);
+                    area.show(ui, show).inner
                 }
-            });
-            shown.inner
+            }
         });
         CentralPanel::default().frame(inner).show(ui, |ui| match sample {
             Some(sample) => self.sample_tree(ui, sample, tone),

@@ -1,11 +1,10 @@
-//! The head of an explanation: the sum that is the pixel, its samples, and what can be copied.
+//! The pixel as a whole: the sum that it is, what it is made of, its samples, and what can be copied.
 
 use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
 use groundtruth::explain::{self, PixelExplanation, RayExplanation, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
 
-use crate::explanation::LEAST_HEIGHT;
 use crate::worker::Rendering;
 use crate::{copying, details, picture, tree};
 
@@ -93,7 +92,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     };
 }
 
-/// A line of the list below the tree.
+/// A line of what the sum is made of.
 enum Line {
     Words(&'static str),
     Numbers(String),
@@ -106,20 +105,20 @@ enum Line {
 /// tree.
 pub fn parts(
     ui: &mut Ui,
+    area: ScrollArea,
     answer: &PixelExplanation,
     tone: &Tone,
-    order: &mut Order,
-    chosen: &mut u32,
+    (order, chosen): (&mut Order, &mut u32),
 ) {
     let mut lines = Vec::new();
     for (words, sources) in answer.sources.lists() {
         lines.push(Line::Words(words));
         lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
     }
-    lines.extend([Line::Spread, Line::Order]);
-    lines.extend(sorted(answer, *order).into_iter().map(Line::Sample));
-    let area = ScrollArea::both().id_salt("sum").auto_shrink(false);
-    let area = area.min_scrolled_height(LEAST_HEIGHT);
+    if answer.samples_per_pixel > 1 {
+        lines.extend([Line::Spread, Line::Order]);
+        lines.extend(sorted(answer, *order).into_iter().map(Line::Sample));
+    }
     ui.spacing_mut().item_spacing.y = 0.0;
     ui.spacing_mut().interact_size.y = LINE;
     ui.spacing_mut().button_padding.y = 0.0;

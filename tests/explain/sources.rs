@@ -7,7 +7,7 @@ use groundtruth::explain::{self, RayExplanation, Source, SourceExplanation};
 use groundtruth::filters::Mitchell;
 use groundtruth::gallery;
 use groundtruth::lights::{Ambient, Directional};
-use groundtruth::materials::{Emissive, Matte, Phong, Reflective};
+use groundtruth::materials::{Emissive, Kind, Matte, Phong, Reflective};
 use groundtruth::math::{Point, Vector};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
@@ -37,13 +37,19 @@ fn small(name: &str, size: u32, samples: u32) -> Scene {
     scene
 }
 
-/// Law: the means of both lists add up to the pixel, whatever tracer, filter and exposure time, also if
-/// one sample only is explained. Oracle: the pixel, rendered silently.
+/// Law: the means of both lists add up to the pixel, whatever tracer, filter, media and exposure time,
+/// also if one sample only is explained. Oracle: the pixel, rendered silently.
 #[test]
 fn the_means_add_up_to_the_pixel() {
     let mut filtered = small("ch28/glass-sphere", 24, 16);
     filtered.image.filter = Mitchell { b: 1.0 / 3.0, c: 1.0 / 3.0 }.into();
     filtered.camera.exposure_time = 0.5;
+    filtered.camera.medium.absorption = Rgb::new(0.01, 0.02, 0.0);
+    for material in &mut filtered.materials {
+        if let Kind::Dielectric(glass) = &mut material.recipe {
+            glass.inside.absorption = Rgb::new(0.05, 0.0, 0.1);
+        }
+    }
     let mut rows = 0;
     for scene in [small("ch26/cornell-box", 24, 16), small("ch24/hall-of-mirrors", 24, 4), filtered]
     {
