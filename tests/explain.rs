@@ -2,6 +2,11 @@
 //!
 //! The numbers are judged elsewhere (`tests/chapters`); this text shows a change of what people read.
 
+#[path = "explain/paths.rs"]
+mod paths;
+#[path = "explain/sources.rs"]
+mod sources;
+
 use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::explain::{self, Outline, RayExplanation, Row};
 use groundtruth::gallery;
@@ -68,6 +73,7 @@ fn what_is_folded_is_counted() {
         for row in Outline::folding_below(min_share).rows(&root) {
             match row {
                 Row::Ray { ray, .. } => shown.push(ray.number),
+                Row::Local { .. } => {}
                 Row::Folded { parent, rays: count, share, .. } => {
                     hidden += count;
                     let small: Vec<_> =
@@ -118,30 +124,6 @@ fn the_path_of_the_light_follows_the_largest() {
     let path: Vec<usize> = root.path_to(ray.number).iter().map(|ray| ray.number).collect();
     assert_eq!((path[0], path.len(), path.last()), (0, length + 1, Some(&ray.number)));
     assert!(root.path_to(usize::MAX).is_empty());
-}
-
-/// Law: a chain of single rays is not indented, however long. Oracle: a ray's line is indented beyond
-/// its parent's only if other lines stand beside it.
-#[test]
-fn a_chain_of_single_rays_is_flat() {
-    let root = nested_glass();
-    let rows = Outline::folding_below(0.3).rows(&root);
-    let indents = rows.iter().map(|row| match row {
-        Row::Ray { indent, .. } | Row::Folded { indent, .. } => *indent,
-    });
-    let unfolded = rows.iter().filter(|row| matches!(row, Row::Ray { .. })).count();
-    assert!(unfolded >= 5 && indents.max() < Some(unfolded), "{rows:?}");
-    // one mirror facing nothing: a chain
-    let chain = RayExplanation { children: vec![only_child(&root)], ..root.clone() };
-    let rows = Outline::default().rows(&chain);
-    assert!(rows.iter().all(|row| matches!(row, Row::Ray { indent: 0, .. })), "{rows:?}");
-}
-
-/// The ray's first child with a single child of its own, and so on for three rays.
-fn only_child(ray: &RayExplanation) -> RayExplanation {
-    let leaf = RayExplanation { children: Vec::new(), number: 3, ..ray.clone() };
-    let middle = RayExplanation { children: vec![leaf], number: 2, ..ray.clone() };
-    RayExplanation { children: vec![middle], number: 1, ..ray.clone() }
 }
 
 /// Law: what hides a ray is opened for it, and nothing else. Oracle: the rows before and after.

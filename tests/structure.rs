@@ -71,7 +71,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         &["lights", "lobes", "materials", "math", "rgb", "samplers", "scene", "shapes", "world"],
     ),
     ("render", &["film", "math", "rgb", "samplers", "scene", "trace", "world"]),
-    ("explain", &["lobes", "render", "rgb", "scene", "shapes", "trace", "world"]),
+    ("explain", &["lobes", "math", "render", "rgb", "scene", "shapes", "trace", "world"]),
     (
         "gallery",
         &[

@@ -67,7 +67,9 @@ pub enum Below {
     /// The selected ray.
     #[default]
     Ray,
-    /// The samples of the pixel.
+    /// What the pixel is the sum of: sources of light, and samples by value.
+    Sum,
+    /// Where the samples of the pixel lie.
     Samples,
 }
 
@@ -190,40 +192,39 @@ impl Selection {
         let changed = panel.show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.selectable_value(&mut self.below, Below::Ray, "The ray");
+                ui.selectable_value(&mut self.below, Below::Sum, "The sum");
                 ui.selectable_value(&mut self.below, Below::Samples, "The samples");
-                if let (Below::Ray, Some(root)) = (self.below, camera_ray) {
-                    self.copy_numbers(ui, root);
-                }
             });
             let area = ScrollArea::both().id_salt("details").auto_shrink(false);
             let area = area.min_scrolled_height(LEAST_HEIGHT);
-            let shown = area.show(ui, |ui| match self.below {
+            match self.below {
                 Below::Ray => {
-                    if let Some(root) = camera_ray {
-                        self.ray_details(ui, root);
-                    }
+                    let details = |ui: &mut Ui| {
+                        if let Some(root) = camera_ray {
+                            self.ray_details(ui, root);
+                        }
+                    };
+                    area.show(ui, details);
+                    false
+                }
+                Below::Sum => {
+                    pixel::parts(ui, area, &answer, tone, (&mut self.order, &mut self.sample));
                     false
                 }
                 Below::Samples => {
                     let color = |i: u32| picture::color(tone, answer.radiances[i as usize]);
                     let of = (rendering, generation, answer.pixel);
-                    self.samples.show(ui, of, &color, &mut self.sample, wanted)
+                    let show =
+                        |ui: &mut Ui| self.samples.show(ui, of, &color, &mut self.sample, wanted);
+                    area.show(ui, show).inner
                 }
-            });
-            shown.inner
+            }
         });
         CentralPanel::default().frame(inner).show(ui, |ui| match sample {
             Some(sample) => self.sample_tree(ui, sample, tone),
             None => drop(ui.spinner()),
         });
         changed.inner
-    }
-
-    fn copy_numbers(&self, ui: &mut Ui, root: &RayExplanation) {
-        let copy = ui.small_button("Copy numbers").on_hover_text("All numbers of this ray");
-        if copy.clicked() {
-            ui.ctx().copy_text(details::text(self.tree.selected(root)));
-        }
     }
 
     fn ray_details(&mut self, ui: &mut Ui, root: &RayExplanation) {
@@ -271,15 +272,16 @@ impl Selection {
                 pixel::chooser(ui, &mut self.sample, last);
             }
             ui.separator();
-            pixel::copies(ui, rendering, answer.pixel, self.sample.min(last));
+            let index = self.sample.min(last);
+            let sample = answer.samples.iter().find(|sample| sample.index == index);
+            let root = sample.and_then(|sample| sample.ray.as_ref());
+            let ray = root.map(|root| self.tree.selected(root));
+            pixel::copies(ui, rendering, answer.pixel, index, ray);
         });
         for note in &answer.left_out {
             ui.weak(note);
         }
         pixel::sum(ui, answer, rendered(rendering, answer.pixel));
-        if answer.samples_per_pixel > 1 {
-            pixel::samples(ui, answer, tone, &mut self.order, &mut self.sample);
-        }
     }
 }
 

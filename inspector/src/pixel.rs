@@ -1,7 +1,7 @@
-//! The head of an explanation: the sum that is the pixel, its samples, and what can be copied.
+//! The pixel as a whole: the sum that it is, what it is made of, its samples, and what can be copied.
 
-use eframe::egui::{CollapsingHeader, Color32, DragValue, RichText, ScrollArea, Ui};
-use groundtruth::explain::{PixelExplanation, percent, short};
+use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
+use groundtruth::explain::{self, PixelExplanation, RayExplanation, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
 
@@ -12,14 +12,13 @@ use crate::{copying, details, picture, tree};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Order {
     /// By index.
-    #[default]
     Index,
     /// The greatest radiance first, averaged over the channels.
+    #[default]
     Value,
 }
 
-/// The height of the list of samples and of a line of it.
-const LIST: f32 = 130.0;
+/// The height of a line of the list of sources and samples.
 const LINE: f32 = 18.0;
 
 /// Which sample's tree is shown.
@@ -37,8 +36,14 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     *chosen = sample;
 }
 
-/// A menu that copies what reproduces this pixel outside the window.
-pub fn copies(ui: &mut Ui, rendering: &Rendering, pixel: [u32; 2], sample: u32) {
+/// A menu that copies what reproduces this pixel outside the window, and the selected ray.
+pub fn copies(
+    ui: &mut Ui,
+    rendering: &Rendering,
+    pixel: [u32; 2],
+    sample: u32,
+    ray: Option<&RayExplanation>,
+) {
     ui.menu_button("Copy", |ui| {
         let command = ui.button("The command for a terminal");
         if command.on_hover_text("`explain` shows this sample there").clicked() {
@@ -48,6 +53,12 @@ pub fn copies(ui: &mut Ui, rendering: &Rendering, pixel: [u32; 2], sample: u32) 
         let probe = ui.button("The probe's line");
         if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
             ui.ctx().copy_text(copying::probe_line(rendering, pixel));
+            ui.close();
+        }
+        if let Some(ray) = ray
+            && ui.button("All numbers of the selected ray").clicked()
+        {
+            ui.ctx().copy_text(details::text(ray));
             ui.close();
         }
     });
@@ -81,37 +92,62 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     };
 }
 
-/// How the samples are spread, and all of them as a list; a click chooses one.
-pub fn samples(
+/// A line of what the sum is made of.
+enum Line {
+    Words(&'static str),
+    Numbers(String),
+    Order,
+    Spread,
+    Sample(u32),
+}
+
+/// What the sum is made of: what each source of light adds, and all samples; a click on one shows its
+/// tree.
+pub fn parts(
     ui: &mut Ui,
+    area: ScrollArea,
     answer: &PixelExplanation,
     tone: &Tone,
-    order: &mut Order,
-    chosen: &mut u32,
+    (order, chosen): (&mut Order, &mut u32),
 ) {
-    let title = format!("All {} samples of the sum", answer.samples_per_pixel);
-    CollapsingHeader::new(title).id_salt("samples").show(ui, |ui| {
-        spread(ui, answer, chosen);
-        ui.horizontal(|ui| {
-            ui.weak("sorted by");
-            ui.selectable_value(order, Order::Index, "index");
-            ui.selectable_value(order, Order::Value, "value");
-        });
-        let indices = sorted(answer, *order);
-        let area = ScrollArea::vertical().max_height(LIST).auto_shrink([false, true]);
-        ui.spacing_mut().item_spacing.y = 0.0;
-        area.show_rows(ui, LINE, indices.len(), |ui, seen| {
-            for &index in &indices[seen] {
-                sample_line(ui, answer, index, tone, chosen);
-            }
-        });
+    let mut lines = Vec::new();
+    for (words, sources) in answer.sources.lists() {
+        lines.push(Line::Words(words));
+        lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
+    }
+    if answer.samples_per_pixel > 1 {
+        lines.extend([Line::Spread, Line::Order]);
+        lines.extend(sorted(answer, *order).into_iter().map(Line::Sample));
+    }
+    ui.spacing_mut().item_spacing.y = 0.0;
+    ui.spacing_mut().interact_size.y = LINE;
+    ui.spacing_mut().button_padding.y = 0.0;
+    area.show_rows(ui, LINE, lines.len(), |ui, seen| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        for line in &lines[seen] {
+            ui.horizontal(|ui| match line {
+                Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
+                Line::Numbers(text) => {
+                    ui.label(RichText::new(text).monospace().size(11.5));
+                }
+                Line::Order => order_line(ui, order),
+                Line::Spread => spread(ui, answer, chosen),
+                Line::Sample(index) => sample_line(ui, answer, *index, tone, chosen),
+            });
+        }
     });
+}
+
+fn order_line(ui: &mut Ui, order: &mut Order) {
+    ui.weak("samples, sorted by");
+    ui.selectable_value(order, Order::Value, "value");
+    ui.selectable_value(order, Order::Index, "index");
 }
 
 /// Standard error, least and greatest; a click on the last two chooses that sample.
 fn spread(ui: &mut Ui, answer: &PixelExplanation, chosen: &mut u32) {
     let statistics = &answer.statistics;
-    ui.horizontal_wrapped(|ui| {
+    ui.horizontal(|ui| {
         if let Some(error) = statistics.standard_error {
             let hint =
                 "Of the mean, as if the samples were independent; well-spread ones are nearer";

@@ -2,9 +2,10 @@
 
 use eframe::egui::collapsing_header::paint_default_icon;
 use eframe::egui::{
-    Align2, Button, Color32, FontId, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
+    Align2, Button, Color32, FontId, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    vec2,
 };
-use groundtruth::explain::{Outline, RayExplanation, Row, count, percent};
+use groundtruth::explain::{Outline, RayExplanation, Row, TermExplanation, count, percent};
 use groundtruth::film::Tone;
 use groundtruth::trace::{Outcome, RayKind};
 
@@ -12,6 +13,9 @@ use crate::picture;
 
 /// Rays that add less than this part of their sample are folded together.
 pub const MIN_SHARE: f64 = 0.01;
+/// What the numbers beside a ray are.
+const SAMPLING: &str = "weight: what its light counts for the ray before it; pdf: the density of its direction, \
+                        per steradian; MIS: the share that this way to find the light counts";
 /// The height of a line, in points of the screen.
 const LINE: f32 = 18.0;
 /// Each step of a branch is indented by so much.
@@ -24,6 +28,7 @@ const TRANSMITTED: Color32 = Color32::from_rgb(90, 205, 255);
 const CAMERA: Color32 = Color32::from_rgb(235, 235, 235);
 const UNBLOCKED: Color32 = Color32::from_rgb(250, 225, 100);
 const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
+const LOCAL: Color32 = Color32::from_rgb(150, 215, 150);
 
 /// The colour of a ray's line.
 pub fn kind_color(ray: &RayExplanation) -> Color32 {
@@ -51,6 +56,7 @@ pub fn legend(ui: &mut Ui) {
             ("transmitted", TRANSMITTED),
             ("shadow, unblocked", UNBLOCKED),
             ("shadow, blocked", BLOCKED),
+            ("no ray", LOCAL),
         ] {
             ui.label(RichText::new(name).color(color));
         }
@@ -96,22 +102,34 @@ impl Tree {
     /// Shows the lines in view; a click selects a ray.
     pub fn show(&mut self, ui: &mut Ui, root: &RayExplanation, tone: &Tone) {
         let rows = self.outline.rows(root);
-        let mut area = ScrollArea::both().id_salt("tree").auto_shrink(false);
-        if std::mem::take(&mut self.scroll) {
-            let is_selected =
-                |row: &Row<'_>| matches!(row, Row::Ray { ray, .. } if ray.number == self.ray);
-            let line = rows.iter().position(is_selected).unwrap_or(0);
-            let above = 0.4 * ui.available_height();
-            area = area.vertical_scroll_offset((line as f32 * LINE - above).max(0.0));
-        }
+        let wanted = std::mem::take(&mut self.scroll);
+        let is_selected =
+            |row: &Row<'_>| matches!(row, Row::Ray { ray, .. } if ray.number == self.ray);
+        let wanted = rows.iter().position(is_selected).filter(|_| wanted);
+        let area = ScrollArea::both().id_salt("tree").auto_shrink(false).animated(false);
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.spacing_mut().interact_size.y = LINE;
         ui.spacing_mut().button_padding = vec2(3.0, 0.0);
         area.show_rows(ui, LINE, rows.len(), |ui, seen| {
+            if let Some(line) = wanted {
+                // with the lines above and below it; no farther to the side than now
+                let top = ui.max_rect().top() - LINE * seen.start as f32;
+                let [first, last] = [line.max(1) - 1, (line + 2).min(rows.len())];
+                let y = top + LINE * first as f32..=top + LINE * last as f32;
+                ui.scroll_to_rect(Rect::from_x_y_ranges(ui.clip_rect().x_range(), y), None);
+            }
             ui.style_mut().wrap_mode = Some(eframe::egui::TextWrapMode::Extend);
             for row in &rows[seen] {
                 ui.horizontal(|ui| match *row {
-                    Row::Ray { ray, indent } => self.ray_line(ui, ray, indent, tone),
+                    Row::Ray { ray, term, indent } => self.ray_line(ui, (ray, term), indent, tone),
+                    Row::Local { term, indent } => {
+                        bar(ui, term.share);
+                        ui.add_space(INDENT * indent as f32);
+                        // no children: room for their triangle
+                        ui.allocate_exact_size(vec2(INDENT, LINE), Sense::hover());
+                        swatch(ui, picture::color(tone, term.contribution));
+                        ui.label(RichText::new(term.line()).color(LOCAL));
+                    }
                     Row::Folded { parent, indent, rays, share } => {
                         bar(ui, share);
                         ui.add_space(INDENT * (indent as f32 + 1.0));
@@ -126,7 +144,13 @@ impl Tree {
         });
     }
 
-    fn ray_line(&mut self, ui: &mut Ui, ray: &RayExplanation, indent: usize, tone: &Tone) {
+    fn ray_line(
+        &mut self,
+        ui: &mut Ui,
+        (ray, term): (&RayExplanation, Option<&TermExplanation>),
+        indent: usize,
+        tone: &Tone,
+    ) {
         bar(ui, ray.share);
         ui.add_space(INDENT * indent as f32);
         let (_, icon) = ui.allocate_exact_size(vec2(INDENT, LINE), Sense::click());
@@ -141,6 +165,9 @@ impl Tree {
         let text = RichText::new(ray.line()).color(kind_color(ray));
         if ui.add(Button::selectable(self.ray == ray.number, text)).clicked() {
             self.ray = ray.number;
+        }
+        if let Some(sampling) = term.map(TermExplanation::sampling).filter(|it| !it.is_empty()) {
+            ui.weak(sampling).on_hover_text(SAMPLING);
         }
     }
 }

@@ -1,9 +1,10 @@
 //! Why a pixel has its colour: the ray tree in words and numbers, for people and for scripts.
 //!
 //! A [`RayExplanation`] is a recorded ray with names in place of indices, and what it adds to its
-//! pixel. The command line prints it, the inspector shows it; neither computes anything.
+//! pixel. [`Sources`] are what each light and each lobe adds to the pixel, over all samples. The command line prints it, the inspector shows it; neither computes anything.
 
 mod outline;
+mod sources;
 mod text;
 
 use serde::Serialize;
@@ -17,7 +18,8 @@ use crate::trace::{self, Optics, Outcome, RayKind, RayTree, RecordedHit, TermSou
 use crate::world::World;
 
 pub use outline::{Outline, Row};
-pub use text::{brief, count, percent, short, unblocked};
+pub use sources::{Source, SourceExplanation, Sources};
+pub use text::{brief, count, percent, short, table, unblocked};
 
 /// A pixel explained: its samples and the sum that it is.
 #[derive(Clone, Debug, Serialize)]
@@ -38,6 +40,8 @@ pub struct PixelExplanation {
     pub radiances: Vec<Rgb>,
     /// How the samples are spread.
     pub statistics: Statistics,
+    /// What each light and each lobe adds.
+    pub sources: Sources,
     /// The pixel: the exposure time times the mean of all its samples.
     pub radiance: Rgb,
 }
@@ -158,6 +162,11 @@ pub struct TermExplanation {
     pub arriving: Rgb,
     /// What it adds.
     pub value: Rgb,
+    /// What it adds to its sample.
+    pub contribution: Rgb,
+    /// The part of its sample that it adds, from 0 to 1, averaged over the channels; 0 in a black
+    /// sample.
+    pub share: f64,
     /// The number of the ray that the light comes along, if it took one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ray: Option<usize>,
@@ -166,18 +175,9 @@ pub struct TermExplanation {
 /// Explains a pixel (x right, y down): one of its samples, or all.
 pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -> PixelExplanation {
     let count = world.samples_per_pixel();
-    let (samples, radiances): (Vec<SampleExplanation>, Vec<Rgb>) = match only {
-        Some(index) => {
-            let radiances = (0..count).map(|i| render::sample(world, pixel, i, &mut ()));
-            (vec![sample(scene, world, pixel, index)], radiances.collect())
-        }
-        None => {
-            let samples: Vec<_> =
-                (0..count).map(|index| sample(scene, world, pixel, index)).collect();
-            let radiances = samples.iter().map(|sample| sample.radiance).collect();
-            (samples, radiances)
-        }
-    };
+    let explained = only.map_or(0..count, |index| index..index + 1);
+    let samples = explained.map(|index| sample(scene, world, pixel, index)).collect();
+    let (radiances, sources) = sources::of(scene, world, pixel);
     PixelExplanation {
         pixel,
         left_out: trace::left_out(world),
@@ -185,6 +185,7 @@ pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -
         exposure_time: world.view.exposure_time,
         samples,
         statistics: Statistics::of(&radiances),
+        sources,
         radiance: render::expose(world, radiances.iter().copied()),
         radiances,
     }
@@ -255,13 +256,16 @@ impl Explaining<'_> {
             let terms = node.terms.iter().filter(|recorded| recorded.child == Some(child));
             terms.map(|recorded| recorded.term.weight).sum()
         };
-        let children =
-            node.children.iter().map(|&c| self.ray(c, reaches * node.transmittance * weight_of(c)));
+        // what leaves the surface reaches the eye through the medium
+        let leaving = reaches * node.transmittance;
+        let children = node.children.iter().map(|&c| self.ray(c, leaving * weight_of(c)));
         let terms = node.terms.iter().map(|recorded| TermExplanation {
             source: recorded.term.source.named(|light| self.light(light)),
             weight: recorded.term.weight,
             arriving: recorded.term.arriving,
             value: recorded.term.value,
+            contribution: leaving * recorded.term.value,
+            share: self.share(leaving * recorded.term.value),
             ray: recorded.child,
         });
         let own_terms = node.terms.iter().filter(|recorded| recorded.child.is_none());
@@ -282,7 +286,7 @@ impl Explaining<'_> {
             transmittance: node.transmittance,
             radiance: node.radiance,
             contribution,
-            own_contribution: reaches * node.transmittance * own,
+            own_contribution: leaving * own,
             share: self.share(contribution),
             children: children.collect(),
         }

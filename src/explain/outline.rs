@@ -1,9 +1,10 @@
 //! What is shown of a ray tree, and in which order: what matters little is folded together, and a
-//! chain of single rays is not indented.
+//! path is a flat list of its bounces, each with its shadow rays and local terms below it.
 
 use std::collections::BTreeSet;
 
-use super::RayExplanation;
+use super::{RayExplanation, TermExplanation};
+use crate::trace::RayKind;
 
 /// Smaller trees are shown whole.
 const SMALL_TREE: usize = 12;
@@ -26,6 +27,16 @@ pub enum Row<'a> {
     Ray {
         /// The ray.
         ray: &'a RayExplanation,
+        /// The term of the ray before it that takes its light; of several the first. `None` for the
+        /// camera's ray, and for a ray whose light no term takes.
+        term: Option<&'a TermExplanation>,
+        /// How far the line is indented.
+        indent: usize,
+    },
+    /// A term of the ray before it that takes no other ray's light, and adds something.
+    Local {
+        /// The term.
+        term: &'a TermExplanation,
         /// How far the line is indented.
         indent: usize,
     },
@@ -53,7 +64,8 @@ impl Outline {
         // a black sample has no rays that matter more than others
         let whole = root.share == 0.0 || root.count() <= SMALL_TREE;
         let mut rows = Vec::new();
-        self.add(root, 0, if whole { 0.0 } else { self.min_share }, &mut rows);
+        let min_share = if whole { 0.0 } else { self.min_share };
+        self.add((root, None), 0, min_share, &mut rows);
         rows
     }
 
@@ -70,36 +82,56 @@ impl Outline {
 
     fn add<'a>(
         &self,
-        ray: &'a RayExplanation,
+        (ray, term): (&'a RayExplanation, Option<&'a TermExplanation>),
         indent: usize,
         min_share: f64,
         rows: &mut Vec<Row<'a>>,
     ) {
-        rows.push(Row::Ray { ray, indent });
+        rows.push(Row::Ray { ray, term, indent });
         if self.closed.contains(&ray.number) {
             return;
         }
+        let below = indent + 1;
+        let local = ray.terms.iter().filter(|term| term.ray.is_none() && !term.value.is_black());
+        let local = local.filter(|term| !is_shadow(ray) && term.share >= min_share);
+        rows.extend(local.map(|term| Row::Local { term, indent: below }));
         let small = |child: &&RayExplanation| child.share < min_share;
         let rays: usize = ray.children.iter().filter(small).map(RayExplanation::count).sum();
         // a line for a single ray would hide it and save nothing
         let fold = rays > 1 && !self.unfolded.contains(&ray.number);
-        let shown = || ray.children.iter().filter(|child| !(fold && small(child)));
-        let lines = shown().count() + usize::from(fold);
-        let indent = if lines > 1 { indent + 1 } else { indent };
-        for child in shown() {
-            self.add(child, indent, min_share, rows);
+        let (shadows, onward): (Vec<_>, Vec<_>) = ray
+            .children
+            .iter()
+            .filter(|child| !(fold && small(child)))
+            .partition(|ray| is_shadow(ray));
+        for child in shadows {
+            self.add((child, ray.term_of(child)), below, min_share, rows);
         }
         if fold {
             let share = ray.children.iter().filter(small).map(|child| child.share).sum();
-            rows.push(Row::Folded { parent: ray.number, indent, rays, share });
+            rows.push(Row::Folded { parent: ray.number, indent: below, rays, share });
+        }
+        // a path stays where it is; branches stand below the ray that sent them
+        let indent = if onward.len() > 1 { below } else { indent };
+        for child in onward {
+            self.add((child, ray.term_of(child)), indent, min_share, rows);
         }
     }
+}
+
+fn is_shadow(ray: &RayExplanation) -> bool {
+    matches!(ray.kind, RayKind::Shadow { .. })
 }
 
 impl RayExplanation {
     /// How many rays there are from this one on.
     pub fn count(&self) -> usize {
         1 + self.children.iter().map(Self::count).sum::<usize>()
+    }
+
+    /// The first of its terms that takes the light of this child.
+    fn term_of(&self, child: &Self) -> Option<&TermExplanation> {
+        self.terms.iter().find(|term| term.ray == Some(child.number))
     }
 
     /// The rays from this one to the one of this number; empty if it is not among those after it.

@@ -3,8 +3,8 @@
 use std::fmt::{self, Write as _};
 
 use super::{
-    HitExplanation, Outline, PixelExplanation, RayExplanation, Row, SampleExplanation,
-    TermExplanation,
+    HitExplanation, Outline, PixelExplanation, RayExplanation, Row, SampleExplanation, Source,
+    SourceExplanation, Sources, TermExplanation,
 };
 use crate::lobes::Lobe;
 use crate::rgb::Rgb;
@@ -78,11 +78,7 @@ impl RayExplanation {
         }
         let (weight, radiance) = (short(self.weight), short(self.radiance));
         lines.push(format!("weight {weight}  radiance {radiance}"));
-        lines.extend(
-            self.terms.iter().map(|term| {
-                format!("  + {}  {}: {}", short(term.value), term.name(), term.factors())
-            }),
-        );
+        lines.extend(self.terms.iter().map(|term| format!("  {}", term.line())));
         if self.transmittance != Rgb::WHITE {
             lines.push(format!("  × {}  through the medium", short(self.transmittance)));
         }
@@ -144,14 +140,41 @@ impl fmt::Display for Optics {
 }
 
 impl TermExplanation {
+    /// One line: `+ 0.02  emission: MIS 0.01 × light 2`.
+    pub fn line(&self) -> String {
+        format!("+ {}  {}: {}", short(self.value), self.name(), self.factors())
+    }
+
+    /// What the ray that brings its light counts, and how it was drawn: `weight 0.6, pdf 0.2 /sr,
+    /// Lambertian` of a lobe's ray, `pdf 24 /sr, MIS 0.9` of a light's; empty where nothing was drawn.
+    pub fn sampling(&self) -> String {
+        match &self.source {
+            TermSource::Traced { lobe, pdf, chance, survival } => {
+                let mut parts = drawn(*pdf, *chance, *survival);
+                parts.insert(0, format!("weight {}", short(self.weight)));
+                parts.push(lobe.name().to_owned());
+                parts.join(", ")
+            }
+            TermSource::Direct { pdf: Some(pdf), mis, .. } => {
+                let mis = mis.map_or(String::new(), |mis| format!(", MIS {}", brief(mis)));
+                format!("pdf {} /sr{mis}", brief(*pdf))
+            }
+            TermSource::Direct { pdf: None, .. }
+            | TermSource::Background { .. }
+            | TermSource::Emission { .. }
+            | TermSource::Ambient { .. }
+            | TermSource::Light { .. } => String::new(),
+        }
+    }
+
     /// Where it comes from: `Lambertian, light "lamp"`.
     pub fn name(&self) -> String {
         match &self.source {
-            TermSource::Background => "background".to_owned(),
-            TermSource::Emission => "emission".to_owned(),
+            TermSource::Background { .. } => "background".to_owned(),
+            TermSource::Emission { .. } => "emission".to_owned(),
             TermSource::Ambient { light, .. } => format!("ambient, light \"{light}\""),
             TermSource::Direct { light, lobe, .. } => format!("{}, light \"{light}\"", lobe.name()),
-            TermSource::Traced { lobe } => lobe.name().to_owned(),
+            TermSource::Traced { lobe, .. } => lobe.name().to_owned(),
             TermSource::Light { light } => format!("light \"{light}\""),
         }
     }
@@ -171,9 +194,16 @@ impl TermExplanation {
                 text
             }
             TermSource::Ambient { .. } => format!("reflectance {}", short(self.weight)),
-            TermSource::Traced { .. }
-            | TermSource::Background
-            | TermSource::Emission
+            TermSource::Background { mis: Some(mis) } | TermSource::Emission { mis: Some(mis) } => {
+                format!("MIS {}", brief(*mis))
+            }
+            TermSource::Traced { pdf, chance, survival, .. } => {
+                let drawn = drawn(*pdf, *chance, *survival).join(", ");
+                let drawn = if drawn.is_empty() { drawn } else { format!(" ({drawn})") };
+                format!("weight {}{drawn}", short(self.weight))
+            }
+            TermSource::Background { mis: None }
+            | TermSource::Emission { mis: None }
             | TermSource::Light { .. } => format!("weight {}", short(self.weight)),
         };
         let arriving = short(self.arriving);
@@ -183,6 +213,17 @@ impl TermExplanation {
         };
         text
     }
+}
+
+/// How the direction of a lobe was drawn; chances of 1 are left out.
+fn drawn(pdf: Option<f64>, chance: f64, survival: f64) -> Vec<String> {
+    let mut parts: Vec<String> = pdf.iter().map(|pdf| format!("pdf {} /sr", brief(*pdf))).collect();
+    for (name, probability) in [("chance", chance), ("survival", survival)] {
+        if probability != 1.0 {
+            parts.push(format!("{name} {}", brief(probability)));
+        }
+    }
+    parts
 }
 
 /// The value of a lobe, `f`, in the terms of its formula.
@@ -220,7 +261,9 @@ impl PixelExplanation {
             sample.write(f, min_share, largest)?;
         }
         writeln!(f)?;
-        for sample in &self.samples {
+        let mut samples: Vec<_> = self.samples.iter().collect();
+        samples.sort_by(|a, b| b.radiance.average().total_cmp(&a.radiance.average()));
+        for sample in samples {
             writeln!(f, "sample {:>4}: {:?}", sample.index, sample.radiance.to_array())?;
         }
         let exposure = match self.exposure_time {
@@ -234,9 +277,54 @@ impl PixelExplanation {
             let error = short(error);
             writeln!(f, "samples: least {least}, greatest {greatest}, standard error {error}")?;
         }
+        for (words, sources) in self.sources.lists() {
+            writeln!(f)?;
+            writeln!(f, "{words}")?;
+            table(sources).iter().try_for_each(|line| writeln!(f, "  {line}"))?;
+        }
+        writeln!(f)?;
         let radiance = self.radiance.to_array();
         writeln!(f, "the pixel is the mean of {count}{exposure}: {radiance:?}")
     }
+}
+
+impl Source<String> {
+    /// `light "lamp"`.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Emission => "emission, seen directly".to_owned(),
+            Self::Background => "background, seen directly".to_owned(),
+            Self::Light { light } => format!("light \"{light}\""),
+            Self::Lobe { lobe } => (*lobe).to_owned(),
+        }
+    }
+}
+
+impl Sources {
+    /// The two ways to divide the pixel's light, each said in words.
+    pub fn lists(&self) -> [(&'static str, &[SourceExplanation]); 2] {
+        let by_entry = "the pixel by where light enters: a light's samples at all hits; what a lobe's rays meet";
+        let by_first_hit =
+            "the pixel by its first hit: a light's samples there; all light along a lobe's rays";
+        [(by_entry, &self.by_entry), (by_first_hit, &self.by_first_hit)]
+    }
+}
+
+/// A list of sources as lines of a table, the titles first.
+pub fn table(sources: &[SourceExplanation]) -> Vec<String> {
+    let row = |row: &SourceExplanation| {
+        let deviation = row.standard_deviation.map_or("one sample".to_owned(), short);
+        [row.source.name(), short(row.mean), deviation]
+    };
+    let titles = ["source", "mean", "standard deviation"].map(str::to_owned);
+    let rows: Vec<[String; 3]> = std::iter::once(titles).chain(sources.iter().map(row)).collect();
+    let width = |column: usize| {
+        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
+    };
+    let (names, means) = (width(0), width(1));
+    rows.iter()
+        .map(|[name, mean, deviation]| format!("{name:names$}  {mean:means$}  {deviation}"))
+        .collect()
 }
 
 impl SampleExplanation {
@@ -271,14 +359,14 @@ impl SampleExplanation {
 /// The rays along which most of the light comes, as a chain.
 fn path_of_the_light(root: &RayExplanation) -> Vec<Row<'_>> {
     let path = std::iter::successors(Some(root), |ray| ray.largest_child());
-    path.map(|ray| Row::Ray { ray, indent: 0 }).collect()
+    path.map(|ray| Row::Ray { ray, term: None, indent: 0 }).collect()
 }
 
 /// The share of each ray at the left, its line, and its details below.
 fn write_rows(f: &mut String, rows: &[Row<'_>]) -> fmt::Result {
     for row in rows {
         match row {
-            Row::Ray { ray, indent } => {
+            Row::Ray { ray, indent, .. } => {
                 let pad = "    ".repeat(*indent);
                 let (share, contribution) = (percent(ray.share), short(ray.contribution));
                 writeln!(f, "{share:>7}  {pad}{}  contributes {contribution}", ray.line())?;
@@ -286,6 +374,8 @@ fn write_rows(f: &mut String, rows: &[Row<'_>]) -> fmt::Result {
                     writeln!(f, "         {pad}      {line}")?;
                 }
             }
+            // among the ray's details
+            Row::Local { .. } => {}
             Row::Folded { indent, rays, share, .. } => {
                 let pad = "    ".repeat(*indent);
                 let rays = count(*rays, "more ray");

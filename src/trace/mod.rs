@@ -107,12 +107,11 @@ impl<R: Recorder> Tracing<'_, R> {
             self.recorder.outcome(Outcome::Background);
             transmittance = medium.transmittance(f64::INFINITY);
             let radiance = self.world.background.radiance(ray);
-            let share = match self.world.sky() {
-                Some(sky) => self.share(path, sky, &Target::Infinity(ray.direction)),
-                None => 1.0,
-            };
+            let sky = self.world.sky();
+            let mis = sky.and_then(|sky| self.share(path, sky, &Target::Infinity(ray.direction)));
+            let share = mis.unwrap_or(1.0);
             if share > 0.0 {
-                sum.add(self.recorder, TermSource::Background, Rgb::grey(share), radiance);
+                sum.add(self.recorder, TermSource::Background { mis }, Rgb::grey(share), radiance);
             }
         }
         let arriving = transmittance * sum.0;
@@ -127,10 +126,11 @@ impl<R: Recorder> Tracing<'_, R> {
         if let Some(emission) = material.emission().filter(|_| hit.object.shines) {
             let emitted = emission.radiance(&hit.surface, point.cos_o);
             let lamp_of = hit.object.lamp_of.map(|light| &self.world.lights[light as usize]);
-            let share = lamp_of
-                .map_or(1.0, |light| self.share(path, light, &Target::Surface(&hit.surface)));
+            let to = Target::Surface(&hit.surface);
+            let mis = lamp_of.and_then(|light| self.share(path, light, &to));
+            let share = mis.unwrap_or(1.0);
             if !emitted.is_black() && share > 0.0 {
-                sum.add(self.recorder, TermSource::Emission, Rgb::grey(share), emitted);
+                sum.add(self.recorder, TermSource::Emission { mis }, Rgb::grey(share), emitted);
             }
         }
         let mut response = Response::default();
@@ -155,14 +155,14 @@ impl<R: Recorder> Tracing<'_, R> {
         }
     }
 
-    /// What light from a target counts along a path that came upon it, if its light may have been
-    /// sampled before.
-    fn share(&self, path: &PathState, light: &PlacedLight, to: &Target<'_>) -> f64 {
+    /// The share that light from a target counts along a path that came upon it, if its light may have
+    /// been sampled before; `None` if it was not, and counts in full.
+    fn share(&self, path: &PathState, light: &PlacedLight, to: &Target<'_>) -> Option<f64> {
         match (self.strategy.lamps, path.left) {
-            (Lamps::Full, _) | (_, None) => 1.0,
-            (Lamps::Nothing, Some(_)) => 0.0,
+            (Lamps::Full, _) | (_, None) => None,
+            (Lamps::Nothing, Some(_)) => Some(0.0),
             (Lamps::Weighted, Some(left)) => {
-                power_heuristic(left.pdf, light.light.pdf(&left.from, to))
+                Some(power_heuristic(left.pdf, light.light.pdf(&left.from, to)))
             }
         }
     }

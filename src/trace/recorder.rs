@@ -72,9 +72,17 @@ pub struct Term {
 #[serde(tag = "source", rename_all = "snake_case")]
 pub enum TermSource<Name = u32> {
     /// The background.
-    Background,
+    Background {
+        /// The share that sampling the sky leaves, if that is tried as well: it is the weight.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        mis: Option<f64>,
+    },
     /// The surface itself shines.
-    Emission,
+    Emission {
+        /// The share that sampling the lamp leaves, if that is tried as well: it is the weight.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        mis: Option<f64>,
+    },
     /// A light that meets the ambient reflectance.
     Ambient {
         /// The light.
@@ -103,10 +111,18 @@ pub enum TermSource<Name = u32> {
         /// Whether the shadow ray before it says what arrives.
         traced: bool,
     },
-    /// Light along the ray before it.
+    /// Light along the ray before it: the weight is `f cosθ_i / (pdf · chance · survival)`.
     Traced {
         /// The lobe that sent the ray.
         lobe: Lobe,
+        /// The density with which the lobe draws the direction, per steradian; `None` for a single
+        /// direction.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pdf: Option<f64>,
+        /// The probability with which the path took this lobe; 1 where each lobe is followed.
+        chance: f64,
+        /// The probability with which the path went on at all (Russian roulette).
+        survival: f64,
     },
     /// What a light sends along a shadow ray.
     Light {
@@ -158,13 +174,15 @@ impl<Name> TermSource<Name> {
     /// The same source, its light named otherwise.
     pub fn named<Other>(self, name: impl Fn(Name) -> Other) -> TermSource<Other> {
         match self {
-            Self::Background => TermSource::Background,
-            Self::Emission => TermSource::Emission,
+            Self::Background { mis } => TermSource::Background { mis },
+            Self::Emission { mis } => TermSource::Emission { mis },
             Self::Ambient { light, traced } => TermSource::Ambient { light: name(light), traced },
             Self::Direct { light, lobe, f, cos_i, pdf, mis, traced } => {
                 TermSource::Direct { light: name(light), lobe, f, cos_i, pdf, mis, traced }
             }
-            Self::Traced { lobe } => TermSource::Traced { lobe },
+            Self::Traced { lobe, pdf, chance, survival } => {
+                TermSource::Traced { lobe, pdf, chance, survival }
+            }
             Self::Light { light } => TermSource::Light { light: name(light) },
         }
     }

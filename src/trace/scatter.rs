@@ -13,6 +13,10 @@ use crate::samplers::Purpose;
 struct Onward {
     left: Option<Left>,
     throughput: Rgb,
+    /// The probability with which it took the lobe.
+    chance: f64,
+    /// The probability with which it went on.
+    survival: f64,
 }
 
 impl<R: Recorder> Tracing<'_, R> {
@@ -27,7 +31,8 @@ impl<R: Recorder> Tracing<'_, R> {
         for (lobe, kind) in bsdf.lobes().iter().filter(|(lobe, _)| !lobe.is_lit()) {
             let u = self.direction(path, lobe);
             if let Some(sample) = bsdf.sample(lobe, *kind, u) {
-                let onward = Onward { left: None, throughput: path.throughput };
+                let throughput = path.throughput;
+                let onward = Onward { left: None, throughput, chance: 1.0, survival: 1.0 };
                 self.follow(path, point, lobe, (sample, onward), sum);
             }
         }
@@ -42,8 +47,8 @@ impl<R: Recorder> Tracing<'_, R> {
         bsdf: &Bsdf<'_>,
         sum: &mut RadianceSum,
     ) {
-        /// From this depth on a path may end by chance.
-        const ROULETTE_FROM: u32 = 3;
+        /// From this depth on a path may end by chance: sooner, it loses more by noise than it gains in time.
+        const ROULETTE_FROM: u32 = 5;
         let chances = bsdf.chances();
         if chances.iter().all(|chance| *chance == 0.0) {
             return; // nothing is scattered: nothing is drawn
@@ -67,17 +72,19 @@ impl<R: Recorder> Tracing<'_, R> {
         sample.weight = sample.weight / chances[chosen];
         let eta = sample.refracted.unwrap_or(1.0);
         let mut throughput = path.throughput * ((eta * eta) * sample.weight);
+        let mut survival = 1.0;
         if plays {
-            let survives = throughput.max().min(1.0);
-            if luck >= survives {
+            survival = throughput.max().min(1.0);
+            if luck >= survival {
                 return;
             }
-            sample.weight = sample.weight / survives;
-            throughput = throughput / survives;
+            sample.weight = sample.weight / survival;
+            throughput = throughput / survival;
         }
         let sampled = self.strategy.samples_lights(path.depth) && sample.pdf.is_some();
         let left = sampled.then(|| Left { from: context(point), pdf: bsdf.pdf(sample.direction) });
-        self.follow(path, point, lobe, (sample, Onward { left, throughput }), sum);
+        let onward = Onward { left, throughput, chance: chances[chosen], survival };
+        self.follow(path, point, lobe, (sample, onward), sum);
     }
 
     /// The numbers for the direction of a lobe; a single direction needs none.
@@ -94,13 +101,14 @@ impl<R: Recorder> Tracing<'_, R> {
         path: &PathState,
         point: &ShadingPoint<'_>,
         lobe: &Lobe,
-        (sample, Onward { left, throughput }): (BsdfSample, Onward),
+        (sample, onward): (BsdfSample, Onward),
         sum: &mut RadianceSum,
     ) {
-        let BsdfSample { direction, mut weight, refracted, .. } = sample;
+        let BsdfSample { direction, mut weight, pdf, refracted } = sample;
         if let Some(eta) = refracted.filter(|_| !self.world.transparency.scales_radiance) {
             weight = (eta * eta) * weight;
         }
+        let Onward { left, throughput, chance, survival } = onward;
         let child = PathState {
             ray: Ray::new(point.hit.surface.leave(direction), direction),
             kind: if refracted.is_some() { RayKind::Transmitted } else { RayKind::Reflected },
@@ -111,6 +119,7 @@ impl<R: Recorder> Tracing<'_, R> {
             throughput,
         };
         let light = self.cast(&child, weight);
-        sum.add(self.recorder, TermSource::Traced { lobe: *lobe }, weight, light);
+        let source = TermSource::Traced { lobe: *lobe, pdf, chance, survival };
+        sum.add(self.recorder, source, weight, light);
     }
 }

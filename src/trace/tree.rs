@@ -189,7 +189,9 @@ impl Recorder for RayTree {
         let from_ray = match term.source {
             TermSource::Traced { .. } => true,
             TermSource::Direct { traced, .. } | TermSource::Ambient { traced, .. } => traced,
-            TermSource::Background | TermSource::Emission | TermSource::Light { .. } => false,
+            TermSource::Background { .. }
+            | TermSource::Emission { .. }
+            | TermSource::Light { .. } => false,
         };
         let node = self.current();
         let child = if from_ray { node.children.last().copied() } else { None };

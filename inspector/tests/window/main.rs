@@ -4,6 +4,7 @@ mod arguments;
 mod choosing;
 mod explaining;
 mod looking;
+mod noise;
 mod renderer;
 mod room;
 mod sampling;

@@ -66,7 +66,7 @@ fn the_parts_stand_side_by_side() {
         let lamp = window.get_by_label("high lamp").rect();
         let heading = window.get_by_label("Pixel (17, 19)").rect();
         assert!(lamp.right() <= middle.left() && heading.left() >= middle.right(), "{size:?}");
-        for name in ["<", ">", "The ray", "The samples"] {
+        for name in ["<", ">", "The ray", "The sum", "The samples"] {
             assert!(whole.contains_rect(window.get_by_label(name).rect()), "{name} of {size:?}");
         }
     }

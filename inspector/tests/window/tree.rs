@@ -39,7 +39,7 @@ fn small_rays_are_folded_until_they_are_asked_for() {
     let folded =
         Outline::folding_below(MIN_SHARE).rows(&root).into_iter().find_map(|row| match row {
             Row::Folded { parent, .. } => Some(parent),
-            Row::Ray { .. } => None,
+            Row::Ray { .. } | Row::Local { .. } => None,
         });
     let parent = folded.expect("a deep tree has small rays");
     let small = root.path_to(parent).last().expect("a ray of the tree").children.clone();
@@ -101,31 +101,6 @@ fn the_ray_of_a_term_is_a_click_away() {
     assert_eq!(lines(&window, ray), 2, "in the tree and above the details");
 }
 
-/// Law: the list of samples by value begins with the greatest, which is also told above it. Oracle:
-/// the library's samples, sorted by hand.
-#[test]
-fn samples_are_sorted_by_value() {
-    let mut window = glass_window();
-    // the rim of the sphere, where samples differ
-    click(&mut window, [7, 20]);
-    window.get_by_label("All 4 samples of the sum").click();
-    settle(&mut window);
-    window.get_by_label("value").click();
-    settle(&mut window);
-    let explanation = window.state().selection.explanation().expect("explained").clone();
-    let mut values: Vec<(u32, f64)> =
-        (0..).zip(explanation.samples.iter().map(|sample| sample.radiance.average())).collect();
-    values.sort_by(|a, b| b.1.total_cmp(&a.1));
-    assert!(values[0].1 > values[3].1, "the samples differ");
-    let height = |index: u32| {
-        let line = format!("sample {index:>3}  ");
-        window.get_by_label_contains(&line).rect().center().y
-    };
-    assert!(values.windows(2).all(|pair| height(pair[0].0) < height(pair[1].0)));
-    let told = text_with(&window, "greatest ");
-    assert!(told.ends_with(&format!("sample {}", values[0].0)), "{told}");
-}
-
 /// Law: what is copied reproduces the pixel: the command names scene, pixel, size, samples and seed,
 /// and the probe's line is answered with the pixel. Oracle: the probe.
 #[test]
@@ -144,7 +119,7 @@ fn what_is_copied_reproduces_the_pixel() {
     let expected = window.state().selection.explanation().expect("explained").radiance.to_array();
     let mean: Vec<f64> = mean.iter().filter_map(serde_json::Value::as_f64).collect();
     assert_eq!(mean, expected);
-    let numbers = copied(&mut window, "Copy numbers");
+    let numbers = copied(&mut window, "All numbers of the selected ray");
     assert!(numbers.contains("\nt\t") && numbers.contains("\nrelative η\t1.5\n"), "{numbers}");
 }
 

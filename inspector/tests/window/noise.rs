@@ -1,0 +1,152 @@
+//! A noisy pixel: its paths, its largest samples, and what each light and each lobe adds.
+
+use egui_kittest::kittest::Queryable;
+use groundtruth::explain::{self, PixelExplanation, RayExplanation, TermExplanation};
+use groundtruth::gallery;
+use groundtruth::scene::Scene;
+use groundtruth::trace::RayKind;
+
+use crate::support::*;
+
+const ON_THE_BACK_WALL: [u32; 2] = [14, 10];
+
+/// The Cornell box in few pixels.
+fn small_cornell_box() -> Scene {
+    let mut scene = (gallery::find("ch26/cornell-box").expect("in the gallery").build)();
+    scene.image.resize(24, 24);
+    scene.image.samples = 16;
+    scene
+}
+
+/// A window on a pixel of the box, and the library's explanation of it.
+fn noisy_pixel() -> (Window, PixelExplanation) {
+    let mut window = open(small_cornell_box());
+    settle(&mut window);
+    click(&mut window, ON_THE_BACK_WALL);
+    let scene = small_cornell_box();
+    (window, explain::pixel(&scene, &built(&scene), ON_THE_BACK_WALL, None))
+}
+
+/// The rays of a path that go on, with the terms that take their light, and its shadow rays.
+fn path_of(
+    root: &RayExplanation,
+) -> (Vec<(&RayExplanation, Option<&TermExplanation>)>, Vec<&RayExplanation>) {
+    let (mut bounces, mut shadows) = (vec![(root, None)], Vec::new());
+    while let Some((hit, _)) = bounces.last().copied() {
+        let mut next = None;
+        for child in &hit.children {
+            match child.kind {
+                RayKind::Shadow { .. } => shadows.push(child),
+                _ => next = Some(child),
+            }
+        }
+        let Some(ray) = next else { return (bounces, shadows) };
+        bounces.push((ray, hit.terms.iter().find(|term| term.ray == Some(ray.number))));
+    }
+    (bounces, shadows)
+}
+
+/// Law: the bounces of a path stand one below the other, none farther right than the one before; shadow
+/// rays stand farther right. Beside each bounce stands what it counts and how it was drawn. Oracle: the
+/// places of the lines in the window, the library's path and words.
+#[test]
+fn a_path_is_no_staircase() {
+    let (mut window, explained) = noisy_pixel();
+    let roots = explained.samples.iter().filter_map(|sample| sample.ray.as_ref());
+    let longest = roots.enumerate().max_by_key(|(_, root)| root.count());
+    let (index, root) = longest.expect("the camera sees all its film");
+    window.state_mut().selection.sample = index as u32;
+    // all details closed, so that a line stands in the tree alone
+    window.get_by_label("The sum").click();
+    settle(&mut window);
+    let (bounces, shadows) = path_of(root);
+    assert!(bounces.len() >= 4 && shadows.len() >= 2, "{} bounces", bounces.len());
+    let place = |text: &str| window.get_by_label(text).rect();
+    let first = place(&root.line());
+    let mut above = first.top() - 1.0;
+    for (bounce, term) in bounces {
+        let line = place(&bounce.line());
+        assert_eq!(line.left(), first.left(), "{}", bounce.line());
+        assert!(line.top() > above, "{}", bounce.line());
+        above = line.top();
+        let Some(sampling) = term.map(TermExplanation::sampling) else { continue };
+        let mut beside = window.query_all_by_label(&sampling).map(|said| said.rect());
+        let is_beside = beside.any(|said| (said.center().y - line.center().y).abs() < 2.0);
+        assert!(is_beside && sampling.contains(" /sr, "), "{sampling}");
+    }
+    for shadow in shadows {
+        assert!(place(&shadow.line()).left() > first.left(), "{}", shadow.line());
+    }
+}
+
+/// Law: the light that a bounce adds itself has a line in the tree: the lamp, seen directly. Oracle: the
+/// library's term.
+#[test]
+fn local_light_is_in_the_tree() {
+    let (mut window, _) = noisy_pixel();
+    let on_the_lamp = [12, 3];
+    let scene = small_cornell_box();
+    let found = (0..16).find_map(|index| {
+        let root = ray_of(&scene, on_the_lamp, index);
+        let local = root.terms.iter().find(|term| term.ray.is_none())?.line();
+        Some((index, local))
+    });
+    let (index, local) = found.expect("the lamp is in the pixel");
+    click(&mut window, on_the_lamp);
+    window.state_mut().selection.sample = index;
+    window.get_by_label("The sum").click();
+    settle(&mut window);
+    assert!(window.query_by_label(&local).is_some(), "{local}");
+}
+
+/// Law: the sum lists what each light and each lobe adds, in both ways, in the library's order. Oracle:
+/// the library's tables.
+#[test]
+fn the_sum_is_divided_among_lights_and_lobes() {
+    let (mut window, explained) = noisy_pixel();
+    window.get_by_label("The sum").click();
+    settle(&mut window);
+    let mut above = 0.0;
+    for (words, sources) in explained.sources.lists() {
+        assert_eq!(sources.len(), 2, "the lamp and the Lambertian lobe");
+        let mut lines = vec![words.to_owned()];
+        lines.extend(explain::table(sources).split_off(1));
+        for line in lines {
+            let top = window.get_by_label(&line).rect().top();
+            assert!(top > above, "{line}");
+            above = top;
+        }
+    }
+}
+
+/// Law: the samples stand sorted, the greatest first; a click on one shows its tree. They can be sorted
+/// by index. Oracle: the library's samples, sorted by hand.
+#[test]
+fn a_sample_is_one_click_from_its_tree() {
+    let (mut window, explained) = noisy_pixel();
+    window.get_by_label("The sum").click();
+    settle(&mut window);
+    let mut values: Vec<(u32, f64)> =
+        (0..).zip(explained.radiances.iter().map(|radiance| radiance.average())).collect();
+    values.sort_by(|a, b| b.1.total_cmp(&a.1));
+    assert!(values[0].1 > values[1].1 && values[0].0 != 0, "the samples differ");
+    let label = |index: u32| format!("sample {index:>3}  ");
+    let height = |window: &Window, index: u32| {
+        window.query_by_label_contains(&label(index)).map(|line| line.rect().center().y)
+    };
+    // those in view
+    let shown: Vec<f32> = values.iter().map_while(|&(index, _)| height(&window, index)).collect();
+    assert!(shown.len() >= 3 && shown.is_sorted(), "{shown:?}");
+    let told = text_with(&window, "greatest ");
+    assert!(told.ends_with(&format!("sample {}", values[0].0)), "{told}");
+    for &(index, _) in &values[..2] {
+        window.get_by_label_contains(&label(index)).click();
+        settle(&mut window);
+        let line = root_line_of(&small_cornell_box(), ON_THE_BACK_WALL, index);
+        assert!(window.query_by_label(&line).is_some(), "{line}");
+        assert!(window.query_by_label(&format!("Sample {index}")).is_some());
+    }
+    window.get_by_label("index").click();
+    settle(&mut window);
+    assert!(height(&window, 0) < height(&window, 1) && height(&window, 0).is_some());
+}

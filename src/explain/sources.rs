@@ -1,0 +1,197 @@
+//! What each light and each lobe adds to a pixel, and how much that varies from sample to sample.
+//!
+//! The light of a sample is divided twice, and both times the parts add up to it: by where light
+//! enters a path, and by how it leaves the first hit towards the camera.
+
+use std::cmp::Ordering;
+
+use serde::Serialize;
+use statrs::statistics::Statistics as _;
+
+use crate::math::Ray;
+use crate::render;
+use crate::rgb::Rgb;
+use crate::scene::Scene;
+use crate::trace::{Outcome, RayKind, Recorder, Term, TermSource};
+use crate::world::{Hit, World};
+
+/// What the sources of light add to a pixel. The means of each list add up to the pixel; the largest
+/// standard deviation comes first.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Sources {
+    /// By where light enters: a light adds what its samples bring at every hit, a lobe the emission and
+    /// background that its rays meet.
+    pub by_entry: Vec<SourceExplanation>,
+    /// By the first hit: a light adds what its samples bring there, a lobe all light along the rays that
+    /// it sends from there.
+    pub by_first_hit: Vec<SourceExplanation>,
+}
+
+/// A source of light. `Name` says how a light is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(tag = "source", rename_all = "snake_case")]
+pub enum Source<Name = u32> {
+    /// Emission that the camera's ray meets.
+    Emission,
+    /// The background that the camera's ray meets.
+    Background,
+    /// The samples of a light.
+    Light {
+        /// The light.
+        light: Name,
+    },
+    /// The rays of a lobe.
+    Lobe {
+        /// The name of its kind.
+        lobe: &'static str,
+    },
+}
+
+/// What a source adds to a pixel.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SourceExplanation {
+    /// The source.
+    #[serde(flatten)]
+    pub source: Source<String>,
+    /// The exposure time times the mean, over the samples, of what it adds to a sample.
+    pub mean: Rgb,
+    /// The exposure time times the standard deviation of what it adds to a sample. None for a single
+    /// sample.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub standard_deviation: Option<Rgb>,
+}
+
+/// The radiances of all samples of a pixel, and what each source adds to it.
+pub(super) fn of(scene: &Scene, world: &World, pixel: [u32; 2]) -> (Vec<Rgb>, Sources) {
+    let samples = (0..world.samples_per_pixel()).map(|index| sample(world, pixel, index));
+    let (radiances, sums): (Vec<Rgb>, Vec<_>) = samples.unzip();
+    let (entries, first_hits): (Vec<Sums>, Vec<Sums>) = sums.into_iter().unzip();
+    let [by_entry, by_first_hit] = [entries, first_hits].map(|sums| explain(scene, world, &sums));
+    (radiances, Sources { by_entry, by_first_hit })
+}
+
+/// A sample's radiance, and what of it comes from each source: by entry, and by the first hit.
+fn sample(world: &World, pixel: [u32; 2], index: u32) -> (Rgb, (Sums, Sums)) {
+    let mut recorder = SourceRecorder::default();
+    let radiance = render::sample(world, pixel, index, &mut recorder);
+    let weight = render::camera_sample(world, pixel, index).map_or(0.0, |sample| sample.weight);
+    let [by_entry, by_first_hit] =
+        [recorder.finished, recorder.first_hit].map(|sums| sums.times(Rgb::grey(weight)));
+    (radiance, (by_entry, by_first_hit))
+}
+
+/// The sources of all samples, the largest standard deviation first.
+fn explain(scene: &Scene, world: &World, samples: &[Sums]) -> Vec<SourceExplanation> {
+    let of_sample =
+        |sums: &Sums| -> Vec<Source> { sums.0.iter().map(|(source, _)| *source).collect() };
+    let mut sources: Vec<Source> = samples.iter().flat_map(of_sample).collect();
+    sources.sort();
+    sources.dedup();
+    let explained = sources.into_iter().map(|source| {
+        let values: Vec<Rgb> = samples.iter().map(|sums| sums.get(source)).collect();
+        SourceExplanation {
+            source: source.named(|light| scene.lights[light as usize].name.clone()),
+            mean: render::expose(world, values.iter().copied()),
+            standard_deviation: deviation(&values).map(|it| world.view.exposure_time * it),
+        }
+    });
+    let mut explained: Vec<_> = explained.collect();
+    explained.sort_by(|a, b| b.size().partial_cmp(&a.size()).unwrap_or(Ordering::Equal));
+    explained
+}
+
+/// The standard deviation, by n − 1; none of a single value.
+fn deviation(values: &[Rgb]) -> Option<Rgb> {
+    let of = |channel: usize| values.iter().map(|value| value.to_array()[channel]).std_dev();
+    (values.len() > 1).then(|| [0, 1, 2].map(of).into())
+}
+
+impl SourceExplanation {
+    /// What the list is sorted by: the standard deviation, then the mean, averaged over the channels.
+    fn size(&self) -> (f64, f64) {
+        let deviation = self.standard_deviation.unwrap_or(Rgb::BLACK);
+        (deviation.average(), self.mean.average())
+    }
+}
+
+impl<Name> Source<Name> {
+    fn named<Other>(self, name: impl Fn(Name) -> Other) -> Source<Other> {
+        match self {
+            Self::Emission => Source::Emission,
+            Self::Background => Source::Background,
+            Self::Light { light } => Source::Light { light: name(light) },
+            Self::Lobe { lobe } => Source::Lobe { lobe },
+        }
+    }
+}
+
+/// What arrives from each source.
+#[derive(Default)]
+struct Sums(Vec<(Source, Rgb)>);
+
+impl Sums {
+    fn add(&mut self, source: Source, value: Rgb) {
+        match self.0.iter_mut().find(|(known, _)| *known == source) {
+            Some((_, sum)) => *sum += value,
+            None => self.0.push((source, value)),
+        }
+    }
+
+    fn get(&self, source: Source) -> Rgb {
+        self.0.iter().find(|(known, _)| *known == source).map_or(Rgb::BLACK, |(_, sum)| *sum)
+    }
+
+    fn times(self, factor: Rgb) -> Self {
+        Self(self.0.into_iter().map(|(source, sum)| (source, factor * sum)).collect())
+    }
+}
+
+/// Adds up the sources from the ends of the rays to the camera; it keeps no tree.
+#[derive(Default)]
+struct SourceRecorder {
+    /// The sums of the rays that have begun and not ended.
+    open: Vec<Sums>,
+    /// What arrives along the ray that ended last, by entry.
+    finished: Sums,
+    /// What arrives along the camera's ray, by the first hit.
+    first_hit: Sums,
+}
+
+impl Recorder for SourceRecorder {
+    fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {
+        self.open.push(Sums::default());
+    }
+
+    fn outcome(&mut self, _: Outcome<&Hit<'_>>) {}
+
+    fn term(&mut self, term: Term) {
+        let source = match term.source {
+            TermSource::Emission { .. } => Source::Emission,
+            TermSource::Background { .. } => Source::Background,
+            TermSource::Ambient { light, .. }
+            | TermSource::Direct { light, .. }
+            | TermSource::Light { light } => Source::Light { light },
+            TermSource::Traced { lobe, .. } => Source::Lobe { lobe: lobe.name() },
+        };
+        if self.open.len() == 1 {
+            self.first_hit.add(source, term.value);
+        }
+        let sums = self.open.last_mut().expect("a ray has begun");
+        if !matches!(source, Source::Lobe { .. }) {
+            sums.add(source, term.value);
+            return;
+        }
+        for (entry, arriving) in std::mem::take(&mut self.finished).0 {
+            let met = matches!(entry, Source::Emission | Source::Background);
+            sums.add(if met { source } else { entry }, term.weight * arriving);
+        }
+    }
+
+    fn leave(&mut self, transmittance: Rgb, _: Rgb) {
+        let sums = self.open.pop().expect("a ray has begun");
+        self.finished = sums.times(transmittance);
+        if self.open.is_empty() {
+            self.first_hit = std::mem::take(&mut self.first_hit).times(transmittance);
+        }
+    }
+}

@@ -1,0 +1,279 @@
+//! Paths: a flat list of bounces, each with its densities and MIS shares.
+
+use std::f64::consts::PI;
+
+use groundtruth::cameras::{Orthographic, Viewpoint};
+use groundtruth::explain::{self, Outline, RayExplanation, Row, TermExplanation};
+use groundtruth::lights::Area;
+use groundtruth::lobes::Lobe;
+use groundtruth::materials::{Emissive, Phong};
+use groundtruth::math::{Point, Vector, power};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer};
+use groundtruth::shapes::{Rectangle, Sampling, Sphere};
+use groundtruth::trace::{RayKind, TermSource};
+use groundtruth::world::World;
+
+use crate::{all, nested_glass};
+
+/// The side of the lamp, and its height.
+const SIDE: f64 = 2.0;
+const HEIGHT: f64 = 1.5;
+/// The exponent of the walls' highlights.
+const EXPONENT: f64 = 10.0;
+
+/// A round room of these walls under a square lamp that faces down, seen from below the lamp.
+pub fn room(kd: f64, ks: f64, samples: u32) -> Scene {
+    let lens = Orthographic { zoom: 1.0 };
+    let camera = Viewpoint::new(Point::ORIGIN, Point::new(0.3, -1.0, 0.2), lens);
+    let mut scene = Scene::new("", Image { samples, ..Image::new(1, 1) }, camera);
+    scene.tracer = Tracer::Path(Depth { max_depth: 10 });
+    let lamp = Rectangle {
+        corner: Point::new(-0.5 * SIDE, HEIGHT, -0.5 * SIDE),
+        a: Vector::new(SIDE, 0.0, 0.0),
+        b: Vector::new(0.0, 0.0, SIDE),
+    };
+    let (cd, cs) = (Rgb::WHITE.into(), Rgb::WHITE.into());
+    scene.materials = vec![
+        Material::new("lamp", Emissive::new(2.0, Rgb::new(1.0, 0.5, 0.25))),
+        Material::new("wall", Phong { ka: 0.0, kd, cd, ks, cs, exponent: EXPONENT }),
+    ];
+    scene.objects = vec![
+        Object::new("lamp", "lamp", lamp),
+        Object::new("wall", "wall", Sphere { center: Point::ORIGIN, radius: 3.0, inward: true }),
+    ];
+    let sampling = Some(Sampling::Area);
+    scene.lights = vec![Light::new("lamp", Area { object: "lamp".to_owned(), sampling })];
+    scene
+}
+
+/// The camera's rays of the samples of a room.
+fn paths(scene: &Scene) -> Vec<RayExplanation> {
+    let world = World::build(scene).expect("the scene is valid");
+    let samples = explain::pixel(scene, &world, [0, 0], None).samples;
+    samples.into_iter().filter_map(|sample| sample.ray).collect()
+}
+
+fn is_shadow(ray: &RayExplanation) -> bool {
+    matches!(ray.kind, RayKind::Shadow { .. })
+}
+
+/// Law: a path of many bounces is a flat list: no bounce is indented, and below each stand, indented by
+/// one, its shadow ray and its own light, before the next bounce. Oracle: paths between white walls,
+/// which never end by chance: eleven rays and one that is too deep, unless one meets the black lamp.
+#[test]
+fn a_path_is_a_flat_list_of_bounces() {
+    let mut longest = 0;
+    for root in paths(&room(1.0, 0.0, 64)) {
+        let mut bounces = 0;
+        for row in Outline::default().rows(&root) {
+            match row {
+                Row::Ray { ray, indent, .. } if is_shadow(ray) => {
+                    let before = root.path_to(ray.number);
+                    assert_eq!((indent, before.len()), (1, bounces + 1), "{}", ray.line());
+                }
+                Row::Ray { ray, indent, .. } => {
+                    assert_eq!((indent, ray.depth as usize), (0, bounces), "{}", ray.line());
+                    bounces += 1;
+                }
+                Row::Local { indent, .. } => assert_eq!(indent, 1),
+                Row::Folded { .. } => panic!("nothing is small"),
+            }
+        }
+        longest = longest.max(bounces);
+    }
+    assert_eq!(longest, 12);
+}
+
+/// Law: a ray that goes on is indented beyond the one that sent it only where another one beside it goes
+/// on, too. Oracle: the lines of each ray's children, counted anew, in a tree that branches.
+#[test]
+fn branches_are_indented() {
+    let root = nested_glass();
+    let mut branches = 0;
+    for min_share in [0.0, 0.01, 0.3] {
+        let rows = Outline::folding_below(min_share).rows(&root);
+        let shown = |number: usize| {
+            rows.iter().find_map(|row| match row {
+                Row::Ray { ray, indent, .. } if ray.number == number => Some(*indent),
+                _ => None,
+            })
+        };
+        for parent in all(&root) {
+            let Some(indent) = shown(parent.number) else { continue };
+            let below: Vec<usize> =
+                parent.children.iter().filter_map(|child| shown(child.number)).collect();
+            let expected = if below.len() > 1 { indent + 1 } else { indent };
+            assert!(below.iter().all(|&at| at == expected), "ray {}: {below:?}", parent.number);
+            branches += usize::from(below.len() > 1);
+        }
+    }
+    assert!(branches > 10, "{branches}");
+}
+
+/// Law: each term that adds light without another ray has one line, below its ray, and only those have
+/// one. Oracle: all terms of all rays.
+#[test]
+fn local_light_has_a_line() {
+    let mut lines = 0;
+    for root in paths(&room(0.6, 0.0, 64)).iter().chain([&nested_glass()]) {
+        let (mut shown, mut of) = (Vec::new(), 0);
+        for row in Outline::default().rows(root) {
+            match row {
+                Row::Ray { ray, .. } if is_shadow(ray) => {}
+                Row::Ray { ray, .. } => of = ray.number,
+                Row::Local { term, .. } => shown.push((of, term.line())),
+                Row::Folded { .. } => panic!("nothing is small"),
+            }
+        }
+        let mut expected = Vec::new();
+        for ray in all(root).into_iter().filter(|ray| !is_shadow(ray)) {
+            let local = ray.terms.iter().filter(|term| term.ray.is_none());
+            let adding = local.filter(|term| term.value != Rgb::BLACK);
+            expected.extend(adding.map(|term| (ray.number, term.line())));
+        }
+        assert_eq!(shown, expected);
+        lines += shown.len();
+    }
+    assert!(lines > 10, "{lines}");
+}
+
+/// The rays that go on in a path, after the hit that sent each and with the term that takes its light.
+fn bounces(root: &RayExplanation) -> Vec<(&RayExplanation, &TermExplanation, &RayExplanation)> {
+    let mut bounces = Vec::new();
+    for hit in all(root) {
+        for ray in hit.children.iter().filter(|ray| !is_shadow(ray)) {
+            let mut terms = hit.terms.iter();
+            let term = terms.find(|term| term.ray == Some(ray.number)).expect("its light counts");
+            bounces.push((hit, term, ray));
+        }
+    }
+    bounces
+}
+
+/// Cosines of a direction to the normal of a hit, and to the mirror image of the ray that met it.
+fn cosines(hit: &RayExplanation, direction: Vector) -> [f64; 2] {
+    let normal = Vector::from(hit.outcome.hit().expect("it scatters").normal);
+    let came = Vector::from(hit.direction);
+    let mirrored = came - (2.0 * normal.dot(came)) * normal;
+    [normal.dot(direction), mirrored.dot(direction).max(0.0)]
+}
+
+/// The densities of cosine-weighted directions and of Phong's highlight.
+fn densities([cos_i, cos_r]: [f64; 2]) -> [f64; 2] {
+    [cos_i / PI, (EXPONENT + 1.0) / (2.0 * PI) * power(cos_r, EXPONENT)]
+}
+
+/// The density with which the square lamp is sampled from a point: `d²/(A cosθ')`.
+fn by_lamp([_, y, _]: [f64; 3], direction: Vector) -> f64 {
+    let distance = (HEIGHT - y) / direction.y();
+    distance * distance / (SIDE * SIDE * direction.y())
+}
+
+/// Directions are known to about 1e-15; the tenth power of a small cosine is known ten times worse.
+const ROUNDING: f64 = 1e-9;
+
+fn near(found: f64, expected: f64) -> bool {
+    (found - expected).abs() <= ROUNDING * expected.abs().max(1e-3)
+}
+
+/// Law: the weight of a lobe's ray is `f cosθ / (pdf · chance · survival)`, with the density of the lobe
+/// that drew it. Oracle: the formulas of both lobes and both densities, from directions and normals.
+#[test]
+fn the_weight_of_a_bounce_is_its_factors() {
+    let (kd, ks) = (0.5, 0.3);
+    let (mut by, mut ended) = ([0, 0], 0);
+    for root in &paths(&room(kd, ks, 256)) {
+        for (hit, term, ray) in bounces(root) {
+            let TermSource::Traced { lobe, pdf, chance, survival } = &term.source else {
+                panic!("a lobe sent it: {term:?}");
+            };
+            let cosines @ [cos_i, cos_r] = cosines(hit, ray.direction.into());
+            let (which, f) = match lobe {
+                Lobe::Lambertian(_) => (0, kd / PI),
+                Lobe::GlossySpecular(_) => (1, ks * power(cos_r, EXPONENT)),
+                other => panic!("the wall has no {}", other.name()),
+            };
+            let (density, pdf) = (densities(cosines)[which], pdf.expect("it is drawn"));
+            assert!(near(pdf, density), "{}: pdf {pdf}, not {density}", lobe.name());
+            let (found, expected) = (term.weight.g * pdf * chance * survival, f * cos_i);
+            assert!(near(found, expected), "{}: {found}, not {expected}", lobe.name());
+            assert!(*chance > 0.0 && *chance < 1.0 && *survival <= 1.0);
+            assert!(ray.depth > 5 || *survival == 1.0, "roulette begins at depth 5");
+            by[which] += 1;
+            ended += usize::from(*survival < 1.0);
+        }
+    }
+    assert!(by.iter().all(|&count| count > 50) && ended > 20, "{by:?}, {ended}");
+}
+
+/// Law: emission that a lobe's ray meets counts `p²/(p² + q²)`, a light's sample `q²/(p² + q²)`: `p` is the
+/// density of the direction by all lobes, `q` by the lamp. Oracle: both densities by their formulas.
+#[test]
+fn mis_shares_are_those_of_the_densities() {
+    let (mut met, mut sampled) = (0, 0);
+    for root in &paths(&room(0.5, 0.3, 1024)) {
+        for (hit, term, ray) in bounces(root) {
+            let TermSource::Traced { lobe, chance, .. } = &term.source else {
+                panic!("a lobe sent it: {term:?}");
+            };
+            let diffuse = if lobe.name() == "Lambertian" { *chance } else { 1.0 - chance };
+            let by_lobes = |direction: Vector| {
+                let [spread, highlight] = densities(cosines(hit, direction));
+                diffuse * spread + (1.0 - diffuse) * highlight
+            };
+            let at = hit.outcome.hit().expect("it scatters").point;
+            for term in &ray.terms {
+                let TermSource::Emission { mis } = term.source else { continue };
+                let direction = Vector::from(ray.direction);
+                let (p, q) = (by_lobes(direction), by_lamp(at, direction));
+                let (mis, expected) = (mis.expect("the lamp is sampled"), p * p / (p * p + q * q));
+                assert!(near(mis, expected), "met: {mis}, not {expected}");
+                assert_eq!(term.weight, Rgb::grey(mis));
+                met += 1;
+            }
+            let shadows = hit.children.iter().filter(|ray| is_shadow(ray));
+            for (term, shadow) in hit.terms.iter().zip(shadows) {
+                let TermSource::Direct { pdf, mis, .. } = term.source else { continue };
+                let direction = Vector::from(shadow.direction).unit().expect("it has one");
+                let (p, q) = (by_lobes(direction), by_lamp(at, direction));
+                let (mis, expected) = (mis.expect("lobes are sampled"), q * q / (p * p + q * q));
+                assert!(near(pdf.expect("it is drawn"), q), "pdf {pdf:?}, not {q}");
+                assert!(near(mis, expected), "sampled: {mis}, not {expected}");
+                sampled += 1;
+            }
+        }
+    }
+    assert!(met > 50 && sampled > 500, "{met} met, {sampled} sampled");
+}
+
+/// Law: what the camera sees counts in full, without a share. Oracle: the lamp seen directly.
+#[test]
+fn what_the_camera_sees_has_no_mis_share() {
+    let mut scene = room(0.5, 0.3, 1);
+    scene.camera.look_at = Point::new(0.0, 1.0, 0.01);
+    scene.camera.up = Vector::X;
+    let root = &paths(&scene)[0];
+    let TermSource::Emission { mis: None } = root.terms[0].source else { panic!("{root:?}") };
+    assert_eq!((root.terms[0].weight, root.radiance), (Rgb::WHITE, Rgb::new(2.0, 1.0, 0.5)));
+}
+
+/// What is said beside each ray of a path, and of its own light. The numbers are judged above; this text
+/// shows a change of what people read.
+#[test]
+fn the_lines_of_a_path_read_as_before() {
+    let paths = paths(&room(0.5, 0.3, 64));
+    let late = |ray: &RayExplanation| ray.depth > 1 && ray.own_contribution != Rgb::BLACK;
+    let meets = |root: &&RayExplanation| all(root).into_iter().any(late);
+    let root = paths.iter().find(meets).expect("a path meets the lamp late");
+    let rows = Outline::default().rows(root);
+    let said = rows.iter().map(|row| match row {
+        Row::Ray { ray, term, indent } => {
+            let sampling = term.map_or(String::new(), TermExplanation::sampling);
+            format!("{}{}  {sampling}", "    ".repeat(*indent), ray.line())
+        }
+        Row::Local { term, indent } => format!("{}{}", "    ".repeat(*indent), term.line()),
+        Row::Folded { .. } => panic!("nothing is small"),
+    });
+    insta::assert_snapshot!(said.collect::<Vec<_>>().join("\n"));
+}

@@ -1,0 +1,213 @@
+//! What each light and each lobe adds to a pixel.
+
+use std::f64::consts::PI;
+
+use groundtruth::cameras::{Orthographic, Viewpoint};
+use groundtruth::explain::{self, RayExplanation, Source, SourceExplanation};
+use groundtruth::filters::Mitchell;
+use groundtruth::gallery;
+use groundtruth::lights::{Ambient, Directional};
+use groundtruth::materials::{Emissive, Kind, Matte, Phong, Reflective};
+use groundtruth::math::{Point, Vector};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::Random;
+use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
+use groundtruth::shapes::Plane;
+use groundtruth::trace::TermSource;
+use groundtruth::world::World;
+
+use crate::paths::room;
+
+/// Products of about ten factors in another order.
+const ROUNDING: f64 = 1e-12;
+
+fn assert_near(found: Rgb, expected: Rgb, what: &str) {
+    let [found, expected] = [found, expected].map(Rgb::to_array);
+    for (found, expected) in found.into_iter().zip(expected) {
+        let off = (found - expected).abs();
+        assert!(off <= ROUNDING * expected.abs().max(1.0), "{what}: {found}, not {expected}");
+    }
+}
+
+fn small(name: &str, size: u32, samples: u32) -> Scene {
+    let mut scene = (gallery::find(name).expect("listed").build)();
+    scene.image.resize(size, size);
+    scene.image.samples = samples;
+    scene
+}
+
+/// Law: the means of both lists add up to the pixel, whatever tracer, filter, media and exposure time,
+/// also if one sample only is explained. Oracle: the pixel, rendered silently.
+#[test]
+fn the_means_add_up_to_the_pixel() {
+    let mut filtered = small("ch28/glass-sphere", 24, 16);
+    filtered.image.filter = Mitchell { b: 1.0 / 3.0, c: 1.0 / 3.0 }.into();
+    filtered.camera.exposure_time = 0.5;
+    filtered.camera.medium.absorption = Rgb::new(0.01, 0.02, 0.0);
+    for material in &mut filtered.materials {
+        if let Kind::Dielectric(glass) = &mut material.recipe {
+            glass.inside.absorption = Rgb::new(0.05, 0.0, 0.1);
+        }
+    }
+    let mut rows = 0;
+    for scene in [small("ch26/cornell-box", 24, 16), small("ch24/hall-of-mirrors", 24, 4), filtered]
+    {
+        let world = World::build(&scene).expect("gallery scenes are valid");
+        for pixel in (0..12).map(|i| [2 * i, (7 * i) % 24]) {
+            let explained = explain::pixel(&scene, &world, pixel, Some(0));
+            for (words, sources) in explained.sources.lists() {
+                let sum: Rgb = sources.iter().map(|source| source.mean).sum();
+                assert_near(sum, render::pixel(&world, pixel), words);
+                rows += sources.len();
+            }
+        }
+    }
+    assert!(rows > 100, "{rows}");
+}
+
+/// The names and means of a list, by name.
+fn named(sources: &[SourceExplanation]) -> Vec<(String, Rgb)> {
+    let mut named: Vec<_> = sources.iter().map(|row| (row.source.name(), row.mean)).collect();
+    named.sort_by(|a, b| a.0.cmp(&b.0));
+    named
+}
+
+/// Law: a light is counted at every hit or at the first, a lobe with what its rays meet or with all that
+/// comes along them. Oracle: the sums by hand, for a mirror that reflects a quarter of a wall; both
+/// reflect diffusely, and the wall shines.
+#[test]
+fn a_mirror_before_a_wall_is_divided_as_by_hand() {
+    let lens = Orthographic { zoom: 1.0 };
+    let camera = Viewpoint::new(Point::new(0.0, 0.0, 5.0), Point::ORIGIN, lens);
+    let mut scene = Scene::new("", Image::new(1, 1), camera);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
+    let phong = Phong { ka: 0.1, kd: 0.5, cd: Rgb::WHITE.into(), ..Phong::default() };
+    let matte = Some(Matte { ka: 0.4, kd: 0.8, cd: Rgb::WHITE.into() });
+    scene.materials = vec![
+        Material::new("mirror", Reflective { phong, kr: 0.25, cr: Rgb::WHITE.into() }),
+        Material::new("wall", Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) }),
+    ];
+    let facing = |normal: Vector, z| Plane { point: Point::new(0.0, 0.0, z), normal };
+    scene.objects = vec![
+        Object::new("mirror", "mirror", facing(Vector::Z, 0.0)),
+        Object::new("wall", "wall", facing(-Vector::Z, 10.0)),
+    ];
+    // irradiance π: a matte surface shows its reflectance
+    let towards = |direction| Directional { ls: PI, color: Rgb::WHITE, direction };
+    scene.lights = vec![
+        Light::new("ambient", Ambient { ls: 1.0, color: Rgb::WHITE }),
+        Light::new("above", towards(Vector::Z)).without_shadows(),
+        Light::new("below", towards(-Vector::Z)).without_shadows(),
+    ];
+    let world = World::build(&scene).expect("the scene is valid");
+    let sources = explain::pixel(&scene, &world, [0, 0], None).sources;
+    let by_entry = [
+        ("light \"above\"", 0.5),
+        ("light \"ambient\"", 0.1 + 0.25 * 0.4),
+        ("light \"below\"", 0.25 * 0.8),
+        ("perfect specular", 0.25 * 2.0),
+    ];
+    let by_first_hit = [
+        ("light \"above\"", 0.5),
+        ("light \"ambient\"", 0.1),
+        ("perfect specular", 0.25 * (0.4 + 0.8 + 2.0)),
+    ];
+    for (found, expected) in
+        [(sources.by_entry, &by_entry[..]), (sources.by_first_hit, &by_first_hit[..])]
+    {
+        let found = named(&found);
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for ((name, mean), (expected_name, expected_mean)) in found.into_iter().zip(expected) {
+            assert_eq!(name, *expected_name);
+            assert_near(mean, Rgb::grey(*expected_mean), &name);
+        }
+    }
+}
+
+/// All rays but shadow rays, each with the lobe that sent it.
+fn sent<'a>(
+    ray: &'a RayExplanation,
+    by: Option<&'static str>,
+) -> Vec<(&'a RayExplanation, Option<&'static str>)> {
+    let mut all = vec![(ray, by)];
+    for child in &ray.children {
+        let term = ray.terms.iter().find(|term| term.ray == Some(child.number));
+        if let Some(TermSource::Traced { lobe, .. }) = term.map(|term| &term.source) {
+            all.extend(sent(child, Some(lobe.name())));
+        }
+    }
+    all
+}
+
+/// What the terms of a sample's tree contribute to a source: by entry, and by the first hit.
+fn added(root: &RayExplanation, source: &Source<String>) -> [Rgb; 2] {
+    let enters = |term: &TermSource<String>, by: Option<&'static str>| match (term, by) {
+        (TermSource::Emission { .. } | TermSource::Background { .. }, Some(lobe)) => {
+            *source == Source::Lobe { lobe }
+        }
+        (TermSource::Emission { .. }, None) => *source == Source::Emission,
+        (TermSource::Background { .. }, None) => *source == Source::Background,
+        (TermSource::Direct { light, .. } | TermSource::Ambient { light, .. }, _) => {
+            *source == Source::Light { light: light.clone() }
+        }
+        (TermSource::Light { .. } | TermSource::Traced { .. }, _) => false,
+    };
+    let by_entry = sent(root, None).into_iter().flat_map(|(ray, by)| {
+        let terms = ray.terms.iter().filter(move |term| enters(&term.source, by));
+        terms.map(|term| term.contribution)
+    });
+    let at_first_hit = root.terms.iter().filter(|term| match &term.source {
+        TermSource::Traced { lobe, .. } => *source == Source::Lobe { lobe: lobe.name() },
+        other => enters(other, None),
+    });
+    [by_entry.sum(), at_first_hit.map(|term| term.contribution).sum()]
+}
+
+/// Law: of two samples `a` and `b` the mean is `(a + b)/2` and the standard deviation `|a − b|/√2`, for each
+/// source; the largest stands first. Oracle: both formulas, on what the terms of the samples' trees
+/// contribute.
+#[test]
+fn two_samples_deviate_by_their_difference() {
+    let mut glass = small("ch28/glass-sphere", 48, 2);
+    glass.camera.exposure_time = 2.0;
+    let mut seen = 0;
+    for (mut scene, pixel) in [(glass, [7, 20]), (room(0.5, 0.3, 2), [0, 0])] {
+        // no square is needed
+        scene.image.sampler = Some(Random {}.into());
+        let mut world = World::build(&scene).expect("the scene is valid");
+        for seed in 0..16 {
+            world.reseed(seed);
+            let explained = explain::pixel(&scene, &world, pixel, None);
+            let [a, b] = &explained.samples[..] else { panic!("two samples") };
+            let roots = [a, b].map(|sample| sample.ray.as_ref().expect("the camera sees all"));
+            let time = scene.camera.exposure_time;
+            for (which, (words, rows)) in explained.sources.lists().into_iter().enumerate() {
+                for row in rows {
+                    let [a, b] = roots.map(|root| time * added(root, &row.source)[which]);
+                    assert_near(row.mean, 0.5 * (a + b), words);
+                    let differences = (a + -1.0 * b).to_array();
+                    let expected = differences.map(|d| d.abs() / 2.0_f64.sqrt());
+                    let deviation = row.standard_deviation.expect("two samples");
+                    assert_near(deviation, expected.into(), words);
+                    seen += usize::from(deviation.average() > 1e-3);
+                }
+                let deviations = rows.iter().filter_map(|row| row.standard_deviation);
+                let sizes: Vec<f64> = deviations.map(Rgb::average).collect();
+                assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
+            }
+        }
+    }
+    assert!(seen > 40, "{seen}");
+}
+
+/// Law: a single sample has no deviation, and is divided all the same. Oracle: its sources.
+#[test]
+fn a_single_sample_has_no_deviation() {
+    let scene = small("ch28/glass-sphere", 24, 1);
+    let world = World::build(&scene).expect("gallery scenes are valid");
+    let explained = explain::pixel(&scene, &world, [10, 8], None);
+    let rows = &explained.sources.by_entry;
+    assert!(rows.len() > 2 && rows.iter().all(|row| row.standard_deviation.is_none()));
+    assert!(explained.text(0.01, false).contains("one sample"));
+}
