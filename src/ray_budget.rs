@@ -21,6 +21,18 @@ pub struct RaysPerSample {
     pub is_cut: bool,
 }
 
+/// A picture of more rays than this takes so long that one wants to know.
+const MANY: f64 = 1e9;
+
+impl RaysPerSample {
+    /// What to tell before so many samples are rendered, if they are many rays.
+    pub fn note(&self, samples: f64) -> Option<String> {
+        let about = if self.is_cut { "at least" } else { "about" };
+        let rays = self.mean * samples;
+        (rays > MANY).then(|| format!("this will take {about} {rays:.0e} rays"))
+    }
+}
+
 /// Counts the rays of samples, up to a number.
 #[derive(Debug)]
 pub struct RayCounter {
@@ -42,6 +54,11 @@ impl RayCounter {
     }
 
     /// What was counted.
+    pub fn rays(&self) -> u64 {
+        self.rays
+    }
+
+    /// The mean of the samples.
     pub fn estimate(&self) -> RaysPerSample {
         let mean = self.rays as f64 / f64::from(self.samples.max(1));
         RaysPerSample { mean, is_cut: self.is_full() }

@@ -71,6 +71,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         &["lights", "lobes", "materials", "math", "rgb", "samplers", "scene", "shapes", "world"],
     ),
     ("render", &["film", "math", "rgb", "samplers", "scene", "trace", "world"]),
+    ("ray_budget", &["math", "render", "rgb", "trace", "world"]),
     ("explain", &["lobes", "math", "render", "rgb", "scene", "shapes", "trace", "world"]),
     (
         "gallery",
@@ -105,6 +106,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "lobes",
             "materials",
             "math",
+            "ray_budget",
             "render",
             "rgb",
             "samplers",

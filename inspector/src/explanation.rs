@@ -6,10 +6,11 @@ use std::time::Duration;
 use eframe::egui::{self, CentralPanel, Frame, Key, Margin, Panel, ScrollArea, Ui};
 use groundtruth::explain::{self, PixelExplanation, RayExplanation, SampleExplanation};
 use groundtruth::film::Tone;
+use groundtruth::ray_budget::RayCounter;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use groundtruth::trace::RayCounts;
+use groundtruth::trace::Recorder;
 use groundtruth::world::World;
 
 use crate::pixel::{self, Order};
@@ -75,17 +76,17 @@ pub enum Below {
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
 fn answer(scene: &Scene, world: &World, question: Question) -> Answer {
-    let mut counts = RayCounts::default();
-    render::sample(world, question.pixel, question.sample, &mut counts);
-    let rays = counts.camera + counts.reflected + counts.transmitted + counts.shadow;
-    if rays > MOST_RAYS_OF_A_SAMPLE {
+    let mut counter = RayCounter::up_to(MOST_RAYS_OF_A_SAMPLE);
+    counter.count(|counter| render::sample(world, question.pixel, question.sample, counter));
+    if counter.is_full() {
         return Err(format!(
-            "sample {} has {rays} rays, more than can be shown; a smaller max_depth or fewer \
-             objects make a smaller tree",
+            "sample {} has more than {MOST_RAYS_OF_A_SAMPLE} rays, too many to be shown; a smaller \
+             max_depth or fewer objects make a smaller tree",
             question.sample
         ));
     }
-    let few = rays.saturating_mul(world.samples_per_pixel().into()) <= MOST_RAYS_OF_A_PIXEL;
+    let few =
+        counter.rays().saturating_mul(world.samples_per_pixel().into()) <= MOST_RAYS_OF_A_PIXEL;
     let only = if few { None } else { Some(question.sample) };
     Ok(Arc::new(explain::pixel(scene, world, question.pixel, only)))
 }

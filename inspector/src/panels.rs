@@ -168,6 +168,9 @@ fn progress(ui: &mut Ui, rendering: &Rendering) {
         Progress::Running(part, elapsed) => {
             ui.add(ProgressBar::new(part).desired_width(120.0).show_percentage());
             ui.label(format!("{:.1} s", elapsed.as_secs_f64()));
+            if let Some(note) = rendering.note() {
+                ui.weak("many rays").on_hover_text(note);
+            }
         }
         Progress::Done(took) => drop(ui.label(format!("rendered in {:.2} s", took.as_secs_f64()))),
         Progress::Stopped => {

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use eframe::egui;
 use groundtruth::gallery;
+use groundtruth::ray_budget::{self, MOST_COUNTED};
 use groundtruth::render::Canvas;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
@@ -205,6 +206,7 @@ pub struct Rendering {
     /// The picture so far.
     pub canvas: Arc<Canvas>,
     start: Instant,
+    note: Arc<OnceLock<Option<String>>>,
     took: Arc<OnceLock<Duration>>,
     thread: Option<JoinHandle<()>>,
 }
@@ -227,17 +229,26 @@ impl Rendering {
         let (scene, world) = (Arc::new(scene), Arc::new(world));
         let canvas = Arc::new(Canvas::new(&world));
         let (start, took) = (Instant::now(), Arc::new(OnceLock::new()));
+        let note = Arc::new(OnceLock::new());
         let work = {
             let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&world));
-            let (took, ctx) = (Arc::clone(&took), ctx.clone());
+            let (note, took, ctx) = (Arc::clone(&note), Arc::clone(&took), ctx.clone());
             move || {
+                let rays = ray_budget::measured(&world, MOST_COUNTED);
+                let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
+                let _ = note.set(rays.note(samples));
                 canvas.render(&world);
                 let _ = took.set(start.elapsed());
                 ctx.request_repaint();
             }
         };
         let thread = Builder::new().stack_size(STACK).spawn(work).ok();
-        Self { source, read, scene, world, canvas, start, took, thread }
+        Self { source, read, scene, world, canvas, start, note, took, thread }
+    }
+
+    /// What a person should know who waits for it: that it is many rays.
+    pub fn note(&self) -> Option<&str> {
+        self.note.get()?.as_deref()
     }
 
     /// How far it is.

@@ -44,9 +44,6 @@ enum Pair {
     TwoFiles,
 }
 
-/// A picture of more rays than this is announced before it begins.
-const MANY_RAYS: f64 = 1e9;
-
 /// How long an interrupted rendering may take to finish the pixels it is at.
 const PATIENCE: Duration = Duration::from_secs(1);
 
@@ -68,10 +65,7 @@ impl Render {
         trace::left_out(&world).iter().for_each(|note| eprintln!("note: {note}"));
         let rays = ray_budget::measured(&world, MOST_COUNTED);
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
-        if rays.mean * samples > MANY_RAYS {
-            let about = if rays.is_cut { "at least" } else { "about" };
-            eprintln!("note: this will take {about} {:.0e} rays", rays.mean * samples);
-        }
+        rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));
         let loaded = start.elapsed();
 
         let on_interrupt = Arc::clone(&canvas);
