@@ -15,23 +15,27 @@ use crate::textures::{Checker3d, Kind as TextureKind, Paint};
 
 pub const SCENES: List = &[
     ("ch27/common-set", || {
-        let about = "the common set of chapter 27: a glass sphere over a checker, before a red mirror sphere";
+        let about = "the common set of chapter 27: a glass sphere over a checker, before a red \
+                     mirror sphere";
         with_sphere(about, glass(1.5))
     }),
     ("ch27/from-above", || {
         let about =
-            "figure 27.12: the common set from above: the glass sphere is a magnifying lens";
+            "figure 27.12: from above: a dark spot of the ground, in the focus, fills the ball";
         let mut scene = with_sphere(about, glass(1.5));
         scene.camera.eye = point(2.0, 50.0, -3.0);
         scene.camera.lens = Pinhole { distance: 1800.0, zoom: 1.0 }.into();
         scene
     }),
     ("ch27/no-refraction", || {
-        let about = "figure 27.13: η = 1 bends nothing: a sphere that shows by its reflection only";
+        let about = "figure 27.13: η = 1 bends nothing: only its reflections show the sphere";
         with_sphere(about, glass(1.0))
     }),
     ("ch27/slight-refraction", || {
-        with_sphere("figure 27.14: η = 1.1 bends a little: upright in the middle", glass(1.1))
+        with_sphere(
+            "figure 27.14: η = 1.1: the near sphere upright, the ground upside down",
+            glass(1.1),
+        )
     }),
     ("ch27/mirror-ring", || {
         let about =
@@ -47,11 +51,10 @@ pub const SCENES: List = &[
     ("ch27/bowl", bowl),
     ("ch27/beveled-box", beveled_box),
     ("ch27/disks", || {
-        disks("figure 27.21: two disks, normals outward: glass between them, no shift", -Vector::Z)
+        disks("figure 27.21: two disks, normals outward: both together hardly darken", -Vector::Z)
     }),
     ("ch27/disks-same-normals", || {
-        let about =
-            "figure 27.26: both normals to the front: rays enter glass twice and never leave";
+        let about = "figure 27.26: both normals to the front: 1/η² darkens twice";
         disks(about, Vector::Z)
     }),
     ("ch27/far-sphere", || {
@@ -59,7 +62,7 @@ pub const SCENES: List = &[
         tinted_sphere(about, 20.0, 4500.0)
     }),
     ("ch27/near-sphere", || {
-        let about = "figure 27.23: with the eye close to it, the ball is still a lens that inverts";
+        let about = "figure 27.23: the eye close to it: upright in the middle, inverted around it";
         tinted_sphere(about, 1.25, 180.0)
     }),
     ("ch27/ellipsoid", || {
@@ -67,7 +70,7 @@ pub const SCENES: List = &[
     }),
     ("ch27/ellipsoid-of-air", || {
         with_ellipsoid(
-            "figure 27.28: the ellipsoid with η = 0.75: a mirror but for its middle",
+            "figure 27.28: the ellipsoid with η = 0.75: a mirror around its middle",
             0.75,
         )
     }),
@@ -78,17 +81,17 @@ pub const SCENES: List = &[
         common_set_of(about, "glass torus", transformed(torus, steps), glass(1.5))
     }),
     ("ch27/mesh", || {
-        let about = "as figure 27.30: a closed mesh of glass, a bumpy sphere of 9800 triangles";
-        let mesh =
-            TessellatedSphere { radius: 3.0, bumps: 0.05, ..TessellatedSphere::new(100, 50, true) };
+        let about = "as figure 27.30: a closed mesh of glass; each facet shows a piece";
+        let mesh = TessellatedSphere { radius: 3.0, ..TessellatedSphere::new(16, 8, false) };
         common_set_of(about, "glass mesh", transformed(mesh, vec![RAISED]), glass(1.5))
     }),
     ("ch27/ring-on-white", || {
-        let about = "figure 27.32: the ring alone on white: dark only where paths end in the glass";
+        let about = "figure 27.32: the ring on white, at depth 3: black where paths end in it";
         let mut scene = ring(about);
         scene.camera = from(point(0.0, 1.0, 4.0), point(0.0, 1.25, 0.0), 700.0);
         scene.background = Rgb::WHITE.into();
         scene.objects.truncate(1);
+        scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
         scene
     }),
 ];
@@ -127,13 +130,14 @@ fn common_set_of(about: &str, name: &str, shape: impl Into<Kind>, glass: Materia
     };
     add(&mut scene, "red sphere", sphere(point(4.0, 4.0, -6.0), 3.0), red);
     let checker = Checker3d { size: 4.0, color1: grey(0.75), color2: Rgb::WHITE };
-    let ground = Rectangle {
-        corner: point(-20.0, 0.0, -100.0),
-        a: vector(0.0, 0.0, 120.0),
-        b: vector(40.0, 0.0, 0.0),
-    };
-    add(&mut scene, "ground", ground, matte(0.5, 0.35, Paint(TextureKind::from(checker))));
+    add(&mut scene, "ground", rectangle(0.0), matte(0.5, 0.35, Paint(TextureKind::from(checker))));
     scene
+}
+
+/// The ground of the chapter's set, at this height.
+fn rectangle(y: f64) -> Rectangle {
+    let corner = point(-20.0, y, -100.0);
+    Rectangle { corner, a: 120.0 * Vector::Z, b: 40.0 * Vector::X }
 }
 
 /// The lights of the chapter's set; chapter 28 uses them again.
@@ -148,7 +152,7 @@ pub(super) fn lights() -> [Light; 4] {
 
 fn cylinder() -> Scene {
     let about =
-        "figure 27.19a: a solid cylinder of glass: its wall mirrors, its top shows the ground";
+        "figure 27.19a: a solid cylinder of glass; its top and bottom mirror what its wall shows";
     let solid = SolidCylinder { y0: 0.0, y1: 2.25, radius: 1.5, materials: Materials::new() };
     let mut scene = common_set_of(about, "glass cylinder", solid, glass(1.5));
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
@@ -228,12 +232,8 @@ fn tinted_sphere(about: &str, eye_z: f64, distance: f64) -> Scene {
     scene.lights.push(ambient(0.5));
     scene.lights.push(directional("sun", vector(1.0, 2.0, 1.0), 2.5));
     add(&mut scene, "glass ball", sphere(Point::ORIGIN, 1.0), tinted(1.5, rgb(0.47, 0.86, 0.74)));
-    add(
-        &mut scene,
-        "ground",
-        ground(-1.25),
-        matte(0.5, 0.5, checker3d(1.0, grey(0.4), Rgb::WHITE)),
-    );
+    let checker = checker3d(2.0, grey(0.4), Rgb::WHITE);
+    add(&mut scene, "ground", rectangle(-1.25), matte(0.5, 0.5, checker));
     scene
 }
 

@@ -118,7 +118,8 @@ pub fn concave_lens() -> Scene {
 
 /// Figure 28.20. Glass and lamp are the book's, ground and camera are ours.
 pub fn glass_box() -> Scene {
-    let about = "figure 28.20: a glass box, whose sides are mirrors seen from within";
+    let about =
+        "figure 28.20: a glass box, whose neighbouring faces are perfect mirrors from within";
     let stand = [point(4.0, 4.0, 7.0), point(0.0, -0.2, 0.0)];
     let mut scene = over_checker(about, stand, 1100.0, -1.01);
     scene.lights.push(point_light("lamp", point(10.0, 20.0, 20.0), 2.5));
@@ -133,10 +134,13 @@ pub fn ten_blocks() -> Scene {
     let about = "figure 28.22: ten blocks of glass, each longer by 1 and deeper in colour";
     const THICKNESS: f64 = 0.25;
     const GAP: f64 = 0.5;
-    let stand = [point(-6.4, 6.0, 20.0), point(-6.4, 1.6, 0.0)];
-    let mut scene = over_checker(about, stand, 1150.0, -0.01);
+    let stand = [point(-3.0, 5.5, 16.0), point(-6.4, 1.4, -2.0)];
+    let mut scene = pinhole(about, [600, 400], stand, 1100.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 15 });
+    scene.background = Rgb::WHITE.into();
+    scene.lights.push(ambient(0.5));
     scene.lights.push(directional("sun", vector(1.0, 3.0, 2.0), 2.5));
+    add(&mut scene, "ground", ground(-0.01), matte(0.5, 0.5, grey(0.8)));
     let cf = 1.75 * rgb(0.27, 0.49, 0.42);
     for j in 0..10 {
         let x = -10.0 + f64::from(j) * (THICKNESS + GAP);

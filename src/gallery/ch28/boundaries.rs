@@ -11,10 +11,10 @@ use crate::shapes::{
     BoundaryMaterials, FishBowl, GlassOfWater, Kind, OpenCylinder, PartSphere, Sphere,
 };
 
-/// Figure 28.7. Camera and height of the water are the book's; here the eye is in the water, and the
-/// things are ours.
+/// Figure 28.7. Camera and height of the water are the book's; that the eye is in the water, and what
+/// there is to see, are ours.
 pub fn snell_window() -> Scene {
-    let about = "figure 28.7: from under water all of the sky is in a disk; around it the bottom is mirrored";
+    let about = "figure 28.7: under water: all of the sky in a disk, the bottom mirrored around it";
     let lens = Fisheye { fov: 265.0, rectangular: true };
     let mut camera = Viewpoint::new(point(0.0, 0.1, 0.0), point(0.0, 10.0, 0.0), lens);
     let water = Medium::clear(1.33);
@@ -23,9 +23,9 @@ pub fn snell_window() -> Scene {
     let mut scene = Scene::new(about, Image { samples: 16, ..Image::new(400, 400) }, camera);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 4 });
     scene.background = rgb(0.6, 0.8, 1.0).into();
-    scene.lights.push(ambient(0.6));
-    scene.lights.push(directional("sun", vector(1.0, 3.0, 1.0), 2.0));
-    let bottom = matte(0.6, 0.4, checker3d(4.0, rgb(0.5, 0.4, 0.3), rgb(0.9, 0.85, 0.7)));
+    scene.lights.push(ambient(1.0));
+    scene.lights.push(directional("sun", vector(1.0, 3.0, 1.0), 4.0));
+    let bottom = matte(0.6, 0.4, checker3d(10.0, rgb(0.5, 0.4, 0.3), rgb(0.9, 0.85, 0.7)));
     add(&mut scene, "bottom", ground(0.0), bottom);
     add(&mut scene, "surface", ground(10.0), in_air(water));
     scene.materials[1].casts_shadows = false;
@@ -45,8 +45,8 @@ fn around(distance: f64, degrees: u32) -> impl Iterator<Item = Point> {
     })
 }
 
-/// Figures 28.15 with these indices on the outer side of the inner boundaries. The spheres, the light
-/// and the height of the checker are the book's; its colours and the camera are ours.
+/// Figures 28.15 with these indices on the outer side of the inner boundaries. Spheres, light and the
+/// height of the checker are the book's; its colours and the camera are ours.
 pub fn nested_spheres(about: &str, around_diamond: f64, around_water: f64) -> Scene {
     let center = point(0.5, 0.0, 0.5);
     let stand = [point(5.0, 8.0, 20.0), point(0.5, -0.5, 0.5)];
@@ -74,8 +74,9 @@ pub fn nested_spheres(about: &str, around_diamond: f64, around_water: f64) -> Sc
 
 /// Figure 28.34. Diamond, ring and exposure are the book's, the place of the eye is ours.
 pub fn in_a_diamond() -> Scene {
-    let about = "figure 28.34: from within a diamond the ring of spheres is bent and mirrored";
-    let stand = [point(0.0, 0.0, 2.5), Point::ORIGIN];
+    let about =
+        "figure 28.34: in a diamond: a ring of spheres outside, and its fainter reflections";
+    let stand = [point(0.0, 0.4, -2.0), point(0.0, 0.4, -30.0)];
     let mut scene = pinhole(about, [600, 400], stand, 300.0);
     let diamond = Medium::clear(2.42);
     scene.camera.medium = diamond;
@@ -130,8 +131,8 @@ pub fn glass_of_water() -> Scene {
     let mut scene = pinhole(about, [600, 600], stand, 2000.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
     scene.background = rgb(0.85, 0.9, 0.95).into();
-    scene.lights.push(ambient(0.5));
-    scene.lights.push(directional("sun", vector(1.0, 3.0, 2.0), 2.0));
+    scene.lights.push(ambient(0.7));
+    scene.lights.push(directional("sun", vector(1.0, 3.0, 2.0), 3.0));
     let glass = medium(1.5, rgb(0.65, 1.0, 0.75));
     let water = medium(1.33, rgb(1.0, 0.25, 1.0));
     let vessel = GlassOfWater { materials: boundary_materials(), ..GlassOfWater::default() };
@@ -156,16 +157,16 @@ const BUBBLES: [[f64; 3]; 6] = [
     [0.35, 0.1, 0.05],
 ];
 
-/// Figure 28.39 without the fish. The bowl is the book's; camera, ground, lights and the places of the
-/// bubbles are ours.
+/// Figure 28.39 without the fish. Bowl and media are the book's; camera, ground, lights and the places
+/// of the bubbles are ours.
 pub fn fish_bowl() -> Scene {
     let about = "as figure 28.39: a fish bowl of water with bubbles, which are dark-rimmed lenses";
     let stand = [point(0.0, 2.2, 8.0), point(0.0, -0.1, 0.0)];
-    let mut scene = pinhole(about, [600, 600], stand, 1800.0);
-    scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
+    let mut scene = pinhole(about, [400, 400], stand, 1200.0);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 8 });
     scene.background = rgb(0.85, 0.9, 0.95).into();
-    scene.lights.push(ambient(0.5));
-    scene.lights.push(directional("sun", vector(1.0, 3.0, 2.0), 2.0));
+    scene.lights.push(ambient(0.7));
+    scene.lights.push(directional("sun", vector(1.0, 3.0, 2.0), 3.0));
     let glass = medium(1.5, 2.0 * rgb(0.27, 0.49, 0.42));
     let water = medium(1.33, rgb(0.75, 1.0, 0.75));
     let vessel = FishBowl { materials: boundary_materials(), ..FishBowl::default() };

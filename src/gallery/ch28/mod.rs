@@ -8,6 +8,7 @@ use super::List;
 use super::parts::*;
 use crate::materials::{Dielectric, Medium};
 use crate::rgb::Rgb;
+use crate::scene::TransparentShadows::{Attenuated, Opaque};
 
 pub const SCENES: List = &[
     ("ch28/glass-sphere", bodies::glass_sphere),
@@ -36,16 +37,16 @@ pub const SCENES: List = &[
     ("ch28/fish-bowl", boundaries::fish_bowl),
     ("ch28/caustic", light::caustic),
     ("ch28/opaque-shadows", || {
-        light::shadows("tinted glass with the book's shadows: full and black", Opaque)
+        light::shadows(
+            "tinted filters and a ball, with the book's shadows: full and colourless",
+            Opaque,
+        )
     }),
     ("ch28/tinted-shadows", || {
-        let about =
-            "the same with shadow rays that go straight through glass: shadows of its colour";
+        let about = "the same where shadow rays go straight through glass: shadows in its colours";
         light::shadows(about, Attenuated)
     }),
 ];
-
-use crate::scene::TransparentShadows::{Attenuated, Opaque};
 
 /// A boundary with the chapter's highlights.
 fn dielectric(inside: Medium, outside: Medium) -> Dielectric {
