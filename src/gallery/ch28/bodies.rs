@@ -131,9 +131,9 @@ pub fn glass_box() -> Scene {
 
 /// Figure 28.22. The blocks are the book's, ground, light and camera are ours.
 pub fn ten_blocks() -> Scene {
-    let about = "figure 28.22: ten blocks of glass, each longer by 1 and deeper in colour";
     const THICKNESS: f64 = 0.25;
     const GAP: f64 = 0.5;
+    let about = "figure 28.22: ten blocks of glass, each longer by 1 and deeper in colour";
     let stand = [point(-3.0, 5.5, 16.0), point(-6.4, 1.4, -2.0)];
     let mut scene = pinhole(about, [600, 400], stand, 1100.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 15 });
