@@ -91,14 +91,14 @@ pub fn falling_sizes() -> Scene {
     scene
 }
 
-/// Over a checker, in the light of most scenes of this file.
+/// Over a checker of low `kd`, so that the lamp of figure 28.20 does not make it too bright.
 fn over_checker(about: &str, stand: [Point; 2], distance: f64, floor: f64) -> Scene {
     let mut scene = pinhole(about, [600, 400], stand, distance);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 8 });
     scene.background = rgb(0.7, 0.8, 0.95).into();
     scene.lights.push(ambient(0.5));
     let squares = checker3d(1.0, grey(0.4), Rgb::WHITE);
-    add(&mut scene, "ground", ground(floor), matte(0.5, 0.5, squares));
+    add(&mut scene, "ground", ground(floor), matte(0.5, 0.1, squares));
     scene
 }
 
@@ -108,7 +108,7 @@ pub fn concave_lens() -> Scene {
         "figure 28.11: a concave lens shows the checker smaller, darker where it is thicker";
     let stand = [point(0.0, 12.0, 14.0), Point::ORIGIN];
     let mut scene = over_checker(about, stand, 900.0, -3.0);
-    scene.lights.push(directional("sun", vector(1.0, 3.0, 1.0), 2.5));
+    scene.lights.push(directional("sun", vector(1.0, 3.0, 1.0), 12.5));
     let (radius, thickness, min_distance) = (4.0, 2.0, 0.35);
     let lens = ConcaveLens { radius, thickness, min_distance, materials: Materials::new() };
     add(&mut scene, "lens", lens, in_air(medium(1.5, rgb(0.0, 0.5, 0.5))));
@@ -122,7 +122,7 @@ pub fn glass_box() -> Scene {
         "figure 28.20: a glass box, whose neighbouring faces are perfect mirrors from within";
     let stand = [point(4.0, 4.0, 7.0), point(0.0, -0.2, 0.0)];
     let mut scene = over_checker(about, stand, 1100.0, -1.01);
-    scene.lights.push(point_light("lamp", point(10.0, 20.0, 20.0), 2.5));
+    scene.lights.push(point_light("lamp", point(10.0, 20.0, 20.0), 15.0));
     let green = in_air(medium(1.5, rgb(0.64, 0.98, 0.88)));
     let corners = boxed(point(-1.0, -1.0, -1.0), point(1.0, 1.0, 1.0));
     add(&mut scene, "box", corners, green);
