@@ -3,7 +3,7 @@
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::lights::{Ambient, AmbientOccluder, Directional, Point as PointLight};
 use crate::materials::{Matte, Phong, Reflective};
-use crate::math::{Point, Step, Vector};
+use crate::math::{Point, Step, Vector, ln};
 use crate::rgb::Rgb;
 use crate::scene::{Image, Light, Material, Object, Scene};
 use crate::shapes::{self, Plane, Sphere};
@@ -118,4 +118,11 @@ pub fn add(
 /// Cubes of two colours, through all of space.
 pub fn checker3d(size: f64, color1: Rgb, color2: Rgb) -> Paint {
     Paint(Checker3d { size, color1, color2 }.into())
+}
+
+/// The absorption of a medium of which a unit length filters light by the book's `cf`: `σ = −ln cf`.
+pub fn filter(cf: Rgb) -> Rgb {
+    /// Stands for the infinite absorption of a channel that is 0: files hold finite numbers.
+    const MOST: f64 = 100.0;
+    cf.map(|c| ln(1.0 / c).min(MOST))
 }

@@ -27,8 +27,9 @@ pub enum TransparentShadows {
     /// It ends: glass has a full shadow, as in the book.
     #[default]
     Opaque,
-    /// It goes straight on, and each surface counts what it transmits at that angle, each stretch what
-    /// its medium absorbs: an approximation, as light does not go straight. Path tracers do so only
+    /// It goes straight on, and each surface counts what it transmits at that angle (in the medium of the
+    /// smaller index), each stretch what its medium absorbs: an approximation, as light does not go
+    /// straight. Path tracers do so only
     /// for lights that their paths cannot meet.
     Attenuated,
 }

@@ -100,8 +100,8 @@ impl<R: Recorder> Tracing<'_, R> {
     }
 
     /// Follows a shadow ray straight through transparent surfaces, as an approximation: each lets
-    /// through what it transmits at the angle of the straight ray, and each stretch between two of
-    /// them what its medium does.
+    /// through what it transmits at the angle of the straight ray in the thinner of its media, and each
+    /// stretch between two of them what its medium does.
     fn straight_through(
         &self,
         mut origin: Point,
@@ -120,13 +120,13 @@ impl<R: Recorder> Tracing<'_, R> {
             };
             origin = hit.surface.leave(direction);
             if hit.casts_shadow() {
-                let point = ShadingPoint::new(&hit, -direction);
-                passed = passed * transmitted(&point);
+                passed = passed * transmitted(&hit, direction);
                 if passed.is_black() {
                     let blocked_by = Some(hit.object.place);
                     return Between { blocked_by, boundaries, passed, transmittance };
                 }
                 boundaries += 1;
+                let point = ShadingPoint::new(&hit, -direction);
                 medium = medium_towards(medium, &point, direction);
             }
         }
@@ -152,14 +152,19 @@ fn up_to(light: Point, origin: Point) -> Span {
     Span { min: 0.0, max: 1.0 - rounding }
 }
 
-/// The share of light that a surface lets through towards the viewer, without the `1/η²` of radiance;
-/// black if it is opaque.
-fn transmitted(point: &ShadingPoint<'_>) -> Rgb {
-    let Hit { material, surface, .. } = point.hit;
-    if !material.recipe.transmits() {
+/// The share of light that a surface lets through straight on, without the `1/η²` of radiance; black if it
+/// is opaque. The angle is taken on the side of the smaller index, as that of the light outside: within a
+/// pane the straight ray would be reflected totally where light passes.
+fn transmitted(hit: &Hit<'_>, direction: Vector) -> Rgb {
+    let recipe = &hit.material.recipe;
+    if !recipe.transmits() {
         return Rgb::BLACK;
     }
-    let mut response = Response::default();
-    material.recipe.respond(surface, point.cos_o, &mut response);
-    Optics::of(point, &response.lobes).map_or(Rgb::BLACK, |optics| optics.transmitted)
+    let sides = [-direction, direction].map(|wo| ShadingPoint::new(hit, wo));
+    let from_thinner = |point: &ShadingPoint<'_>| {
+        let mut response = Response::default();
+        recipe.respond(&hit.surface, point.cos_o, &mut response);
+        Optics::of(point, &response.lobes).filter(|optics| optics.eta >= 1.0)
+    };
+    sides.iter().find_map(from_thinner).map_or(Rgb::BLACK, |optics| optics.transmitted)
 }

@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 
 use groundtruth::materials::{Boundary, Dielectric, Medium};
-use groundtruth::math::{Pcg32, Point, Ray, Span, Vector, atan2, to_degrees};
+use groundtruth::math::{
+    Pcg32, Point, Ray, Span, Vector, atan2, cos, exp, power, sin, to_degrees, to_radians,
+};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Material, Object, Scene};
 use groundtruth::shapes::{BoundaryMaterials, FishBowl, GlassOfWater, Kind};
@@ -130,9 +132,9 @@ fn straight_down_a_glass_of_water_light_passes_three_boundaries() {
     *scene.tracer.max_depth().expect("whitted") = 3;
     let found = look(&built(&scene), Point::new(0.1, 5.0, 0.2), -Vector::Y).r;
     let transmitted = [0.020059, 0.003608, 0.04].iter().map(|r| 1.0 - r).product::<f64>();
-    let through = transmitted * (-(1.2 * 0.5 + 0.3 * 1.0_f64)).exp();
+    let through = transmitted * exp(-(1.2 * 0.5 + 0.3 * 1.0));
     // light from above by the level, and by the base through the water twice
-    let base = 0.003608 * (1.0 - 0.020059_f64).powi(2) * (-2.0 * 1.2 * 0.5_f64).exp();
+    let base = 0.003608 * power(1.0 - 0.020059, 2.0) * exp(-2.0 * 1.2 * 0.5);
     let expected = 0.020059 + base + through;
     assert!((found - expected).abs() < 1e-5, "{found} instead of {expected}");
 }
@@ -145,7 +147,7 @@ fn the_meniscus_touches_level_and_glass_without_an_angle() {
     /// As near the seams as the numbers of the book are exact.
     const NEAR: f64 = 1e-6;
     let world = built(&vessel(fish_bowl, [AIR, WATER, GLASS], Rgb::BLACK));
-    let (xc, yc, m, beta) = (0.901388, 0.3, 0.05, 18.408_f64.to_radians());
+    let (xc, yc, m, beta) = (0.901388, 0.3, 0.05, to_radians(18.408));
     let below = |x: f64| {
         let hit = world.hit(&ray(Point::new(x, 0.301, 0.0), -Vector::Y), Span::AHEAD);
         let hit = hit.expect("water is below");
@@ -158,7 +160,7 @@ fn the_meniscus_touches_level_and_glass_without_an_angle() {
     assert!((normal - Vector::Y).length() < 1e-4, "{normal:?}");
     // from the middle of the tube outward, at both sides of the line of contact
     let outward = |angle: f64| {
-        let direction = Vector::new(angle.cos(), angle.sin(), 0.0);
+        let direction = Vector::new(cos(angle), sin(angle), 0.0);
         let from = Point::new(xc, yc, 0.0);
         let hit = world.hit(&ray(from, direction), Span::AHEAD).expect("glass or water");
         assert!((hit.t - m).abs() < 1e-5, "at {} from the middle of the tube", hit.t);
