@@ -105,8 +105,14 @@ impl Sphere {
     /// from inside nothing is.
     fn hides(&self, from: Point, at: &Surface) -> bool {
         let (way, out) = (from - at.point, at.point - self.center);
-        way.dot(out) < -64.0 * UNIT_ROUNDOFF * way.length() * self.radius
-            && (from - self.center).length_squared() > self.radius * self.radius
+        way.dot(out) < -64.0 * UNIT_ROUNDOFF * way.length() * self.radius && self.is_outside(from)
+    }
+
+    /// Whether a point is outside by more than rounding. A point of the sphere is not: its inner side
+    /// sees all of the sphere, and its outer side nothing, whichever way it is sampled.
+    fn is_outside(&self, from: Point) -> bool {
+        let magnitude = from.to_vector().max_abs() + self.center.to_vector().max_abs();
+        from.distance(self.center) > self.radius + 64.0 * UNIT_ROUNDOFF * magnitude
     }
 }
 
@@ -137,7 +143,7 @@ impl BySolidAngle {
         let way = self.0.center - from;
         let sine = self.0.radius / way.length();
         // 1 − cosθ = sin²θ/(1 + cosθ), without cancellation for a far sphere
-        (sine < 1.0).then(|| {
+        self.0.is_outside(from).then(|| {
             let cosine = ((1.0 - sine) * (1.0 + sine)).sqrt();
             (way, sine * sine / (1.0 + cosine))
         })

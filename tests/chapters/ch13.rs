@@ -1,6 +1,6 @@
 //! Chapter 13: theoretical foundations.
 
-mod albedo;
+pub mod albedo;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -1,5 +1,7 @@
 //! Chapter 24: mirror reflection.
 
+mod pictures;
+
 use std::f64::consts::TAU;
 
 use groundtruth::lights::{Ambient, Directional, Point as Lamp};

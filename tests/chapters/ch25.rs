@@ -1,5 +1,7 @@
 //! Glossy reflection (Suffern, ch. 25).
 
+mod pictures;
+
 use groundtruth::lobes::{GlossyReflection, GlossyRule, Lobe};
 use groundtruth::materials::{Emissive, GlossyReflector, Matte, Phong, Reflective};
 use groundtruth::math::{Frame, Normal, Pcg32, Point, Vector, cos, power, sin};

@@ -1,5 +1,6 @@
 //! Chapter 27: simple transparency.
 
+mod pictures;
 mod ray_budget;
 
 use std::f64::consts::TAU;

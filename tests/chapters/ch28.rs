@@ -1,6 +1,7 @@
 //! Chapter 28: realistic transparency.
 
 pub mod fresnel;
+mod pictures;
 mod polarised;
 mod recorded_optics;
 mod shadows;

@@ -46,14 +46,26 @@ pub fn replicas<T>(scene: &Scene, of: impl Fn(&World) -> T) -> Vec<T> {
     (0..REPLICAS).map(&mut one).collect()
 }
 
+/// The mean of the values, and its standard error as estimated by them.
+pub fn mean_and_error(values: &[f64]) -> (f64, f64) {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let squares: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
+    (mean, (squares / (n - 1.0) / n).sqrt())
+}
+
+/// Fails if the mean of the values is known too badly for a test to mean much: its standard error is above
+/// `power` times the mean.
+pub fn assert_known(what: &str, values: &[f64], power: f64) {
+    let (mean, error) = mean_and_error(values);
+    assert!(error <= power * mean.abs(), "{what}: the mean {mean} is known to {error:e} only");
+}
+
 /// Fails if the mean of the values differs significantly from what is expected, as one of so many
 /// tests; or if it is known too badly to tell: its standard error is above `power` times the
 /// expected value.
 pub fn assert_mean(what: &str, values: &[f64], expected: f64, tests: usize, power: f64) {
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let squares: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
-    let error = (squares / (n - 1.0) / n).sqrt();
+    let (mean, error) = mean_and_error(values);
     let apart = (mean - expected).abs();
     if error <= ROUNDING * mean.abs() {
         assert!(

@@ -44,7 +44,7 @@ fn integral(rule: &[(f64, f64)], [a, b]: [f64; 2], f: impl Fn(f64) -> f64) -> f6
 /// cosα cosθ_o + sinα sinθ_o cosφ` is integrated by itself. Panels grow by factors of two from the
 /// width of the lobe, from `α_h` and from the end; where the arc begins to shrink, like a root, the
 /// variable is the root.
-fn albedo_about_the_mirror_direction(e: f64, cos_o: f64) -> f64 {
+pub fn albedo_about_the_mirror_direction(e: f64, cos_o: f64) -> f64 {
     let rule = gauss_legendre(24);
     let sin_o = ((1.0 - cos_o) * (1.0 + cos_o)).sqrt();
     let horizon = atan2(cos_o, sin_o);

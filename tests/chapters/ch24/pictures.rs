@@ -1,0 +1,125 @@
+//! Mirrors on whole pictures: what is seen in them is what stands in the unfolded room.
+
+use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::materials::Emissive;
+use groundtruth::math::{Point, Vector, exp, power};
+use groundtruth::render::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Image, Scene, Tracer, Whitted};
+use groundtruth::shapes::{Plane, Sphere};
+
+use super::mirror;
+use crate::ch14::stage::{built, close, counted, look, put};
+use crate::support::U;
+
+const KR: f64 = 0.8;
+const CR: Rgb = Rgb::new(1.0, 0.75, 0.5);
+
+/// Lamps of four colours, and where they stand.
+const LAMPS: [([f64; 3], f64, Rgb); 4] = [
+    ([0.2, 0.5, 0.3], 0.35, Rgb::new(1.0, 0.0, 0.0)),
+    ([-0.4, -0.2, 0.6], 0.3, Rgb::new(0.0, 1.0, 0.0)),
+    ([0.7, -0.5, -0.2], 0.25, Rgb::new(0.0, 0.0, 1.0)),
+    ([0.1, 0.1, -0.6], 0.2, Rgb::new(1.0, 1.0, 1.0)),
+];
+
+/// A picture of 32 by 32 pixels from this eye, of nothing yet.
+fn seen_from(eye: Point, look_at: Point) -> Scene {
+    let camera = Viewpoint::new(eye, look_at, Pinhole { distance: 1.0, zoom: 1.0 });
+    let image = Image { pixel_size: 0.05, ..Image::new(32, 32) };
+    let mut scene = Scene::new("", image, camera);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 40 });
+    scene
+}
+
+/// Adds the lamps as they stand in a room turned around this often along each axis, and over as many
+/// mirrors: each dims them by `k_r c_r`.
+fn hang(scene: &mut Scene, to_place: impl Fn(Point) -> Point, mirrors: u32) {
+    for (center, radius, color) in LAMPS {
+        let ball = Sphere { center: to_place(Point::from(center)), radius, inward: false };
+        let tint = CR.map(|cr| power(KR * cr, f64::from(mirrors)));
+        put(scene, ball, Emissive::new(2.0, tint * color));
+    }
+}
+
+/// Fails unless both pictures are the same up to rounding, and show each lamp more than once.
+fn assert_same_picture(mirrored: &Scene, unfolded: &Scene) {
+    let [seen, expected] = [mirrored, unfolded].map(|scene| render(&built(scene)));
+    let mut colors = std::collections::BTreeSet::new();
+    for (i, (seen, expected)) in seen.pixels().iter().zip(expected.pixels()).enumerate() {
+        let place = [i % 32, i / 32];
+        assert!(close(*seen, *expected, 256.0 * U), "{place:?}: {seen:?}, not {expected:?}");
+        colors.insert(expected.to_array().map(|c| (1e6 * c) as u64));
+    }
+    assert!(colors.len() > 8, "only {} images are seen", colors.len());
+}
+
+/// Law: three mirrors at right angles show the room seven times more, turned around along one, two and
+/// three axes, each image dimmed by as many mirrors. Oracle: a room without mirrors in which the
+/// lamps stand eight times.
+#[test]
+fn a_corner_of_mirrors_shows_eight_rooms() {
+    let empty = seen_from(Point::new(0.9, 0.8, 1.1), Point::new(-1.0, -1.0, -1.0));
+    let (mut mirrored, mut unfolded) = (empty.clone(), empty);
+    let corner = Point::new(-1.0, -1.0, -1.0);
+    for normal in [Vector::X, Vector::Y, Vector::Z] {
+        put(&mut mirrored, Plane { point: corner, normal }, mirror(KR, CR));
+    }
+    hang(&mut mirrored, |p| p, 0);
+    for images in 0..8_u32 {
+        let turn = |p: Point, axis: usize| match images >> axis & 1 {
+            0 => p.to_array()[axis],
+            _ => -2.0 - p.to_array()[axis],
+        };
+        let place = |p: Point| Point::new(turn(p, 0), turn(p, 1), turn(p, 2));
+        hang(&mut unfolded, place, images.count_ones());
+    }
+    assert_same_picture(&mirrored, &unfolded);
+}
+
+/// Law: two facing mirrors show a row of rooms without end, every second one turned around, the k-th dimmed
+/// k times. Oracle: the row of lamps without mirrors.
+#[test]
+fn facing_mirrors_show_a_row_of_rooms() {
+    let empty = seen_from(Point::new(0.5, 0.75, 0.9), Point::new(-1.0, -0.1, 0.1));
+    let (mut mirrored, mut unfolded) = (empty.clone(), empty);
+    for (x, normal) in [(-1.0, Vector::X), (1.0, -Vector::X)] {
+        put(&mut mirrored, Plane { point: Point::new(x, 0.0, 0.0), normal }, mirror(KR, CR));
+    }
+    hang(&mut mirrored, |p| p, 0);
+    for room in -20..=20_i32 {
+        let turned = |x: f64| if room % 2 == 0 { x } else { -x };
+        let place = |p: Point| p.with(0, 2.0 * f64::from(room) + turned(p.x()));
+        hang(&mut unfolded, place, room.unsigned_abs());
+    }
+    assert_same_picture(&mirrored, &unfolded);
+}
+
+/// Law: what dims light on its way does so on both sides of a mirror, each ray over its own length: the way
+/// over two mirrors counts `exp(−σ (d₁ + d₂ + d₃))`, and with depth to spare N mirrors cost N + 1 rays.
+/// Oracle: the way unfolded, by Pythagoras.
+#[test]
+fn an_absorbing_medium_counts_the_whole_way_over_mirrors() {
+    let sigma = Rgb::new(0.3, 0.1, 0.7);
+    let mut scene = seen_from(Point::ORIGIN, Point::new(0.0, 1.0, 0.0));
+    scene.camera.medium.absorption = sigma;
+    for (y, normal) in [(-1.0, Vector::Y), (1.0, -Vector::Y)] {
+        put(&mut scene, Plane { point: Point::new(0.0, y, 0.0), normal }, mirror(KR, CR));
+    }
+    let wall = Plane { point: Point::new(4.0, 0.0, 0.0), normal: -Vector::X };
+    put(&mut scene, wall, Emissive::new(1.0, Rgb::WHITE));
+    let world = built(&scene);
+    for mirrors in [0, 1, 2, 5_u32] {
+        let rise = 2.0 * f64::from(mirrors);
+        let direction = Vector::new(4.0, rise, 0.0);
+        let length = (16.0 + rise * rise).sqrt();
+        let channel =
+            |cr: f64, sigma: f64| power(KR * cr, f64::from(mirrors)) * exp(-sigma * length);
+        let expected =
+            Rgb::new(channel(CR.r, sigma.r), channel(CR.g, sigma.g), channel(CR.b, sigma.b));
+        let seen = look(&world, Point::ORIGIN, direction);
+        assert!(close(seen, expected, 128.0 * U), "{mirrors} mirrors: {seen:?}, not {expected:?}");
+        let counts = counted(&world, Point::ORIGIN, direction);
+        assert_eq!((counts.camera, counts.reflected), (1, u64::from(mirrors)));
+    }
+}

@@ -1,0 +1,85 @@
+//! The blur of glossy surfaces on whole pictures, against closed forms.
+
+use groundtruth::lights::Area;
+use groundtruth::lobes::GlossyRule;
+use groundtruth::materials::{Emissive, GlossyReflector};
+use groundtruth::math::{Point, Vector, cos, power, tan, to_radians};
+use groundtruth::render::{pixel, render};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
+use groundtruth::shapes::{Disk, Plane};
+
+use super::glossy;
+use crate::ch14::stage::{built, deep_stage, put, shine};
+use crate::replicas::{assert_mean, replicas, with_samples};
+
+/// So far away that all of the floor sees the lamp at the same angle, up to 1e-9.
+const FAR: f64 = 1e9;
+
+/// Straight down onto a glossy floor, straight above which a lamp of this angular radius shines; it does not
+/// hide the floor, as the eye is below it.
+fn under_a_moon(finish: GlossyReflector, degrees: f64, tracer: Tracer) -> Scene {
+    let mut scene = deep_stage(Rgb::BLACK, 1);
+    scene.tracer = tracer;
+    (scene.image.width, scene.image.height, scene.image.pixel_size) = (3, 2, 0.3);
+    scene.camera.eye = Point::new(0.0, 1.0, 0.0);
+    scene.camera.up = Vector::Z;
+    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, finish);
+    let radius = FAR * tan(to_radians(degrees));
+    let moon = Disk { center: Point::new(0.0, FAR, 0.0), normal: -Vector::Y, radius };
+    let moon = put(&mut scene, moon, Emissive::new(5.0, Rgb::WHITE));
+    shine(&mut scene, Area { object: moon.to_string(), sampling: None });
+    with_samples(scene, 256)
+}
+
+/// Law: a lamp of angular radius α in the mirror direction is seen, straight on, as `kr (1 − cos^(e+1) α)` of
+/// itself by the book's rule, and as `kr (1 − cos^(e+2) α)` by the normalised one, in every pixel and
+/// under every tracer that follows it. Oracle: the integral of the lobe over the cone; means of 24
+/// replicas.
+#[test]
+fn a_moon_is_blurred_as_the_integral_of_the_lobe_says() {
+    let depth = Depth { max_depth: 1 };
+    let followed = [
+        Tracer::Whitted(Whitted { max_depth: 1 }),
+        Tracer::PathTrace(depth),
+        Tracer::GlobalTrace(depth),
+        Tracer::Path(depth),
+    ];
+    for (exponent, degrees) in [(1.0, 40.0), (10.0, 20.0), (200.0, 5.0)] {
+        for (rule, more) in [(GlossyRule::Book, 1.0), (GlossyRule::Normalised, 2.0)] {
+            let missed = power(cos(to_radians(degrees)), exponent + more);
+            let expected = 5.0 * 0.8 * (1.0 - missed);
+            for tracer in followed {
+                let scene = under_a_moon(glossy(0.8, exponent, rule), degrees, tracer);
+                let found = replicas(&scene, |world| {
+                    let pixels: Vec<f64> = render(world).pixels().iter().map(|p| p.g).collect();
+                    pixels.iter().sum::<f64>() / pixels.len() as f64
+                });
+                let what = format!("{rule:?}, e = {exponent}, {}", tracer.name());
+                assert_mean(&what, &found, expected, 24, 0.02);
+            }
+        }
+    }
+}
+
+/// Law: no pixel of a glossy surface whose `kr` is at most 1 is brighter than the brightest thing around it, by
+/// the book's rule at any angle. Oracle: the lamp's radiance, each sample by itself; that some samples
+/// see the lamp.
+#[test]
+fn gloss_shows_nothing_brighter_than_what_it_mirrors() {
+    for exponent in [0.0, 1.0, 30.0] {
+        let brightest = [0.0, 1.0, 5.0, 30.0].map(|tilt| {
+            let whitted = Tracer::Whitted(Whitted { max_depth: 1 });
+            let mut scene = under_a_moon(glossy(1.0, exponent, GlossyRule::Book), 60.0, whitted);
+            scene.camera.eye = Point::new(tilt, 1.0, 0.3 * tilt);
+            scene.image.samples = 1;
+            (scene.image.width, scene.image.height) = (24, 24);
+            scene.image.pixel_size = 0.01;
+            let world = built(&scene);
+            (0..24 * 24).map(|i| pixel(&world, [i % 24, i / 24]).g).fold(0.0, f64::max)
+        });
+        let most = brightest.into_iter().fold(0.0, f64::max);
+        assert!(most <= 5.0 * (1.0 + 1e-12), "e = {exponent}: {brightest:?} are more than 5");
+        assert!(most > 4.99, "e = {exponent}: {brightest:?}: no sample sees the lamp");
+    }
+}

@@ -1,0 +1,99 @@
+//! Direct light, found in different ways: one picture.
+
+use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::lights::Area;
+use groundtruth::materials::{Emissive, Matte};
+use groundtruth::math::{Point, Vector};
+use groundtruth::render::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Image, Scene, Tracer};
+use groundtruth::shapes::{Plane, Rectangle, Sampling, Sphere};
+use groundtruth::verify::means;
+use groundtruth::verify::significance::sidak;
+
+use crate::ch14::stage::{put, shine};
+use crate::replicas::{LEVEL, REPLICAS, replicas, with_samples};
+
+const WIDTH: u32 = 6;
+const HEIGHT: u32 = 4;
+
+/// A ball and its half shadow on a floor, under a rectangle and a small ball that shine; the lamps are seen.
+fn lit(tracer: Tracer, sampling: Option<Sampling>) -> Scene {
+    let lens = Pinhole { distance: 4.0, zoom: 1.0 };
+    let camera = Viewpoint::new(Point::new(0.0, 6.0, 6.0), Point::new(0.2, 0.7, 0.0), lens);
+    let image = Image { pixel_size: 0.45, ..Image::new(WIDTH, HEIGHT) };
+    let mut scene = Scene { tracer, ..Scene::new("", image, camera) };
+    let white = Matte { ka: 0.0, kd: 0.8, cd: Rgb::new(1.0, 0.7, 0.4).into() };
+    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, white.clone());
+    put(
+        &mut scene,
+        Sphere { center: Point::new(0.3, 1.0, 0.0), radius: 0.8, inward: false },
+        white,
+    );
+    let lamps = [
+        put(
+            &mut scene,
+            Rectangle {
+                corner: Point::new(-1.5, 3.0, -1.0),
+                a: Vector::new(2.0, 0.3, 0.0),
+                b: Vector::new(0.0, 0.0, 1.5),
+            },
+            Emissive::new(3.0, Rgb::WHITE),
+        ),
+        put(
+            &mut scene,
+            Sphere { center: Point::new(1.6, 1.2, 0.8), radius: 0.4, inward: false },
+            Emissive::new(4.0, Rgb::new(0.5, 0.8, 1.0)),
+        ),
+    ];
+    for lamp in lamps {
+        shine(&mut scene, Area { object: lamp.to_string(), sampling });
+    }
+    with_samples(scene, 256)
+}
+
+/// Law: light straight from lamps is the same picture whether their surfaces are sampled by area or by
+/// solid angle, by ray casting or at the first hit of a path, or are met by what the surface scatters,
+/// or both at once, each weighed against the other. Oracle: each other; Welch's t over 24 replicas of
+/// each pixel, and of the sum of all, which is known to 1 %.
+#[test]
+fn direct_light_is_one_picture_in_all_ways() {
+    let deep = Depth { max_depth: 1 };
+    let (area, solid_angle) = (Some(Sampling::Area), Some(Sampling::SolidAngle));
+    let ways = [
+        ("by area", Tracer::RayCast, area),
+        ("by solid angle", Tracer::RayCast, solid_angle),
+        ("by area at the first hit", Tracer::GlobalTrace(deep), area),
+        ("by what is scattered", Tracer::PathTrace(deep), None),
+        ("by both, the lamp by area", Tracer::Path(deep), area),
+        ("by both, the lamp by solid angle", Tracer::Path(deep), solid_angle),
+    ];
+    let pictures = ways.map(|(_, tracer, sampling)| {
+        replicas(&lit(tracer, sampling), |world| render(world).pixels().to_vec())
+    });
+    let pixels = (WIDTH * HEIGHT) as usize;
+    let level = sidak(LEVEL, (ways.len() - 1) * 3 * (pixels + 1));
+    let agree = |what: &str, a: &[f64], b: &[f64]| {
+        let p = means::two_samples(a, b);
+        let [a, b] = [a, b].map(|values| values.iter().sum::<f64>() / REPLICAS as f64);
+        assert!(p > level, "{what}: {a} by area and {b}, p = {p:e}");
+    };
+    for (way, picture) in ways.iter().zip(&pictures).skip(1) {
+        for channel in 0..3 {
+            let values = |of: &[Vec<Rgb>], at: usize| -> Vec<f64> {
+                of.iter().map(|replica| replica[at].to_array()[channel]).collect()
+            };
+            let sums = |of: &[Vec<Rgb>]| -> Vec<f64> {
+                let sum = |replica: &Vec<Rgb>| replica.iter().map(|p| p.to_array()[channel]).sum();
+                of.iter().map(sum).collect()
+            };
+            for at in 0..pixels {
+                let what = format!("{}, pixel {at}, channel {channel}", way.0);
+                agree(&what, &values(&pictures[0], at), &values(picture, at));
+            }
+            let (first, sums) = (sums(&pictures[0]), sums(picture));
+            agree(&format!("{}, all pixels, channel {channel}", way.0), &first, &sums);
+            crate::replicas::assert_known(way.0, &sums, 0.01);
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Uniform light: what each material makes of it, under each tracer, and what a closed room adds up.
+
+use std::f64::consts::TAU;
+
+use groundtruth::lights::{Area, Environment};
+use groundtruth::materials::{
+    Dielectric, Emissive, GlossyReflector, Kind, Matte, Medium, Phong, Transparent,
+};
+use groundtruth::math::{Pcg32, Point, Step, Vector, exp, power};
+use groundtruth::render::sample;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Scene, Tracer};
+use groundtruth::shapes::{self, Box as Cuboid, Instance, SolidCylinder, Sphere, Torus};
+use groundtruth::textures::{Kind as Texture, Paint};
+use groundtruth::trace::RayCounts;
+
+use super::tracers;
+use crate::ch13::albedo::albedo_about_the_mirror_direction;
+use crate::ch14::stage::{built, put, shine, stage};
+use crate::ch28::fresnel;
+use crate::replicas::{assert_color, assert_mean, replicas, view, with_samples};
+
+/// How deep the tracers follow rays here: so little that what is cut off is seen.
+const DEPTH: u32 = 3;
+
+/// Of each of the 24 replicas.
+const SAMPLES: u32 = 256;
+
+/// Means are known to this share: most exactly, and a highlight alone so well.
+const POWER: f64 = 0.05;
+
+/// A ball of radius 1 in white light from all sides. The background is a light as well, so that tracers
+/// which sample lights meet it.
+fn in_white(recipe: impl Into<Kind>, mut tracer: Tracer) -> Scene {
+    if let Some(depth) = tracer.max_depth() {
+        *depth = DEPTH;
+    }
+    let mut scene = stage(Rgb::WHITE);
+    scene.tracer = tracer;
+    put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }, recipe);
+    shine(&mut scene, Environment {});
+    with_samples(scene, SAMPLES)
+}
+
+/// What each replica sees of the ball at a point where the angle to the normal has this cosine.
+fn seen(scene: &Scene, cosine: f64) -> Vec<Rgb> {
+    let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
+    replicas(scene, |world| view(world, Point::new(0.6 * sine, 0.8 * sine, 5.0), -Vector::Z))
+}
+
+fn plain(paint: &Paint) -> Rgb {
+    let Texture::Constant(constant) = &paint.0 else { panic!("{paint:?} is no plain colour") };
+    constant.color
+}
+
+fn matte(matte: &Matte) -> Rgb {
+    matte.kd * plain(&matte.cd)
+}
+
+/// The diffuse part and the highlight.
+fn phong(phong: &Phong, cosine: f64) -> Rgb {
+    let highlight = albedo_about_the_mirror_direction(phong.exponent, cosine);
+    phong.kd * plain(&phong.cd) + (phong.ks * highlight) * plain(&phong.cs)
+}
+
+fn glossy(glossy: &GlossyReflector, cosine: f64) -> Rgb {
+    let share = match glossy.rule {
+        groundtruth::lobes::GlossyRule::Book => 1.0,
+        groundtruth::lobes::GlossyRule::Normalised => {
+            (glossy.exponent + 2.0) / TAU
+                * albedo_about_the_mirror_direction(glossy.exponent, cosine)
+        }
+    };
+    (glossy.kr * share) * plain(&glossy.cr)
+}
+
+/// `r + t² (a + r a² + r² a³ + …)` of a ball that reflects r, lets through t, and dims light by a from side
+/// to side: as many terms as the depth allows.
+fn ball(r: f64, t: f64, a: f64) -> f64 {
+    let inner = |k: u32| t * t * power(r, f64::from(k - 1)) * power(a, f64::from(k));
+    r + (1..DEPTH).map(inner).sum::<f64>()
+}
+
+fn transparent(glass: &Transparent, cosine: f64) -> Rgb {
+    let sine_squared = (1.0 - cosine) * (1.0 + cosine);
+    if sine_squared > glass.eta * glass.eta {
+        return Rgb::WHITE; // total reflection, whatever k_r is
+    }
+    plain(&glass.cr).map(|cr| ball(glass.kr * cr, glass.kt, 1.0))
+}
+
+fn dielectric(glass: &Dielectric, cosine: f64) -> Rgb {
+    let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
+    let eta = glass.inside.eta / glass.outside.eta;
+    let r = fresnel::by_angles(sine, eta);
+    let chord = 2.0 * (1.0 - sine * sine / (eta * eta)).sqrt();
+    // what comes from infinitely far through an absorbing medium is black
+    let [outside, inside] = [glass.outside, glass.inside].map(|it| it.absorption.to_array());
+    Rgb::from(std::array::from_fn(|i| match outside[i] {
+        0.0 => ball(r, 1.0 - r, exp(-inside[i] * chord)),
+        _ => 0.0,
+    }))
+}
+
+/// What a ball of a material shows of white light from all sides: what it scatters, and what it mirrors and
+/// lets through, which ray casting leaves out.
+fn shown(kind: &Kind, cosine: f64) -> [Rgb; 2] {
+    match kind {
+        Kind::Matte(it) => [matte(it), Rgb::BLACK],
+        Kind::Phong(it) => [phong(it, cosine), Rgb::BLACK],
+        Kind::Emissive(it) => {
+            [it.ls * plain(&it.ce) + it.matte.as_ref().map_or(Rgb::BLACK, matte), Rgb::BLACK]
+        }
+        Kind::Reflective(it) => [phong(&it.phong, cosine), it.kr * plain(&it.cr)],
+        Kind::GlossyReflector(it) => [phong(&it.phong, cosine), glossy(it, cosine)],
+        Kind::Transparent(it) => [phong(&it.phong, cosine), transparent(it, cosine)],
+        Kind::Dielectric(it) => [phong(&it.phong, cosine), dielectric(it, cosine)],
+        Kind::Custom(_) => panic!("not in the list"),
+    }
+}
+
+/// The material with a highlight that is no needle, which too few samples would meet for a t test.
+fn widened(mut kind: Kind) -> Kind {
+    if let Kind::Transparent(Transparent { phong, .. })
+    | Kind::Dielectric(Dielectric { phong, .. }) = &mut kind
+    {
+        phong.exponent = phong.exponent.min(20.0);
+    }
+    kind
+}
+
+/// Law: in uniform light every material shows what its numbers say, under every tracer, seen straight on
+/// and askew: ρ if it is matte, and a ball of glass all but what is cut off with the depth. Oracle:
+/// closed forms of the numbers, Fresnel's equations in angles, quadrature of highlights; means of 24
+/// replicas.
+#[test]
+fn every_material_shows_its_albedo_under_every_tracer() {
+    let specimens = Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)());
+    let kinds: Vec<Kind> = specimens.map(widened).collect();
+    let cosines = [1.0, 0.4];
+    let tests = kinds.len() * Tracer::ALL.len() * cosines.len();
+    for (kind, cosine) in kinds.iter().flat_map(|kind| cosines.map(|cosine| (kind, cosine))) {
+        let [scattered, followed] = shown(kind, cosine);
+        for tracer in Tracer::ALL {
+            let followed = if tracer == Tracer::RayCast { Rgb::BLACK } else { followed };
+            let found = seen(&in_white(kind.clone(), tracer), cosine);
+            let what = format!("{kind:?} under {}, cosine {cosine}", tracer.name());
+            assert_color(&what, &found, scattered + followed, tests, POWER);
+        }
+    }
+}
+
+/// Law: the book's highlight is not normalised: with `k_s = 1`, `e = 1` a surface sends back 2π/3 = 2.09
+/// times the light that arrives, under every tracer. Oracle: `2π/(e + 2)`; that the lobe makes no claim.
+#[test]
+fn a_broad_highlight_sends_back_more_than_arrives() {
+    let highlight = Phong { ks: 1.0, exponent: 1.0, ..Phong::default() };
+    for tracer in Tracer::ALL {
+        let found = seen(&in_white(highlight.clone(), tracer), 1.0);
+        assert_color(tracer.name(), &found, Rgb::grey(TAU / 3.0), Tracer::ALL.len(), 0.01);
+    }
+    let lobe = groundtruth::lobes::GlossySpecular { reflectance: Rgb::WHITE, exponent: 1.0 };
+    assert!(!groundtruth::lobes::Lobe::from(lobe).claims().conserves_energy);
+}
+
+/// Law: inside a closed sphere that emits E and reflects ρ the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` by every
+/// path tracer, whether or not the wall is a light that is sampled: each edge counts once. Oracle: the
+/// series; means of 24 replicas.
+#[test]
+fn a_closed_sphere_sums_the_series_under_every_path_tracer() {
+    let mut random = Pcg32::new(26, 1);
+    for rho in [0.2, 0.5, 0.9] {
+        for n in [0, 1, 2, 5, 20] {
+            let expected = 2.0 * (1.0 - power(rho, f64::from(n + 1))) / (1.0 - rho);
+            for (tracer, is_lamp) in tracers(n).into_iter().flat_map(|t| [(t, false), (t, true)]) {
+                // few paths go on from dark walls, by roulette
+                let is_rare = rho < 0.5 && matches!(tracer, Tracer::Path(_));
+                let samples = if is_rare { 2048 } else { 64 };
+                let mut scene = with_samples(stage(Rgb::BLACK), samples);
+                scene.tracer = tracer;
+                let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
+                let matte = Some(Matte { ka: 0.0, kd: rho, cd: Rgb::WHITE.into() });
+                let wall =
+                    put(&mut scene, wall, Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) });
+                if is_lamp {
+                    shine(&mut scene, Area { object: wall.to_string(), sampling: None });
+                }
+                let mut c = || random.uniform() - 0.5;
+                let (eye, direction) = (Point::new(c(), c(), c()), Vector::new(c(), c(), c()));
+                let found = replicas(&scene, |world| view(world, eye, direction).g);
+                let what = format!("{}, ρ {rho}, depth {n}, sampled {is_lamp}", tracer.name());
+                assert_mean(&what, &found, expected, 90, 0.02);
+            }
+        }
+    }
+}
+
+/// Law: clear glass of any shape is invisible in uniform light to a path, whichever way it goes: its weights
+/// multiply to 1 on every path that ends outside, and few do not within depth 128. Oracle: the
+/// background; that the glass is met, on most samples more than twice.
+#[test]
+fn glass_of_any_shape_is_invisible_in_uniform_light() {
+    /// A dozen roundings at each of up to 128 surfaces.
+    const ROUNDING: f64 = 1536.0 * f64::EPSILON;
+    let turned =
+        |shape: shapes::Kind| Instance::new(shape, vec![Step::RotateX(25.0), Step::RotateY(40.0)]);
+    let solids: [shapes::Kind; 4] = [
+        Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }.into(),
+        Cuboid { min: Point::new(-0.8, -0.6, -0.5), max: Point::new(0.7, 0.8, 0.5) }.into(),
+        Torus { swept_radius: 0.7, tube_radius: 0.3, inward: false }.into(),
+        SolidCylinder { y0: -0.7, y1: 0.6, radius: 0.7, materials: Default::default() }.into(),
+    ];
+    let depth = Depth { max_depth: 128 };
+    for (solid, tracer) in
+        solids.iter().flat_map(|s| [(s, Tracer::PathTrace(depth)), (s, Tracer::Path(depth))])
+    {
+        let mut scene = with_samples(stage(Rgb::WHITE), 16);
+        scene.tracer = tracer;
+        (scene.image.width, scene.image.height, scene.image.pixel_size) = (24, 24, 0.1);
+        let clear = Dielectric { inside: Medium::clear(1.5), ..Dielectric::default() };
+        put(&mut scene, turned(solid.clone()), clear);
+        let (world, mut met, mut deep, mut cut) = (built(&scene), 0, 0, 0);
+        for (x, y, i) in (0..24 * 24 * 16).map(|i| (i % 24, i / 24 % 24, i / 24 / 24)) {
+            let mut counts = RayCounts::default();
+            let seen = sample(&world, [x, y], i, &mut counts).g;
+            let edges = counts.reflected + counts.transmitted;
+            met += u32::from(edges > 0);
+            deep += u32::from(edges > 2);
+            cut += u32::from(counts.too_deep > 0);
+            let off = (seen - 1.0).abs();
+            let what = format!("{solid:?}, {}, pixel {x}, {y}", tracer.name());
+            assert!(counts.too_deep > 0 || off < ROUNDING, "{what}: {seen} instead of 1");
+        }
+        assert!(met > 2000 && deep > 100, "{solid:?}: {met} samples meet it, {deep} stay inside");
+        assert!(50 * cut < met, "{solid:?}: {cut} of {met} paths are cut");
+    }
+}

@@ -1,0 +1,196 @@
+//! Paths: what they bring home, how well, and at what cost.
+
+use groundtruth::lights::{Area, Point as PointLight};
+use groundtruth::lobes::GlossyRule;
+use groundtruth::materials::{
+    Dielectric, Emissive, GlossyReflector, Matte, Medium, Phong, Reflective,
+};
+use groundtruth::math::{Point, Vector, power};
+use groundtruth::render::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::Random;
+use groundtruth::scene::{Depth, Scene, Tracer};
+use groundtruth::shapes::{Plane, Sphere};
+use groundtruth::verify::means;
+use groundtruth::verify::significance::sidak;
+use groundtruth::verify::slope::power_law;
+
+use super::{room, tracers};
+use crate::ch14::stage::{built, counted, look, put, shine, stage};
+use crate::replicas::{LEVEL, assert_mean, mean_and_error, replicas, view, with_samples};
+
+/// Law: a lamp at the centre of a matte sphere lights all of it by E = I/r²; with every reflection that adds
+/// `ρ E/π · ρᵏ`, so that in the end the wall absorbs what the lamp sends out (the integrating sphere).
+/// Oracle: the series for N edges.
+#[test]
+fn a_lamp_in_a_matte_sphere_is_an_integrating_sphere() {
+    for (rho, n) in [(0.5, 1), (0.5, 2), (0.8, 3), (0.8, 6), (0.9, 30)] {
+        let mut scene = with_samples(stage(Rgb::BLACK), 256);
+        scene.tracer = Tracer::Path(Depth { max_depth: n });
+        let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
+        put(&mut scene, wall, Matte { ka: 0.0, kd: rho, cd: Rgb::WHITE.into() });
+        let location = Point::ORIGIN;
+        shine(&mut scene, PointLight { ls: 9.0, color: Rgb::WHITE, location, attenuation: 2.0 });
+        let seen =
+            |world: &_| view(world, Point::new(0.3, 0.5, -0.4), Vector::new(1.0, 0.2, 0.3)).g;
+        let first = rho / std::f64::consts::PI;
+        let expected = first * (1.0 - power(rho, f64::from(n))) / (1.0 - rho);
+        let what = format!("ρ {rho}, depth {n}");
+        assert_mean(&what, &replicas(&scene, seen), expected, 5, 0.01);
+    }
+}
+
+/// The room with a mirror, a glass ball and a glossy one, all of which throw light on the floor.
+fn furnished_room() -> Scene {
+    let mut scene = room();
+    let mirror = Reflective { phong: Phong::default(), kr: 0.8, cr: Rgb::WHITE.into() };
+    let wall = Plane { point: Point::new(-2.0, 0.0, 0.0), normal: Vector::X };
+    put(&mut scene, wall, mirror);
+    let mut ball = |center: [f64; 3], recipe: groundtruth::materials::Kind| {
+        let ball = Sphere { center: Point::from(center), radius: 0.6, inward: false };
+        put(&mut scene, ball, recipe);
+    };
+    let inside = Medium { eta: 1.5, absorption: Rgb::new(0.3, 0.1, 0.5) };
+    ball([1.5, 0.6, 1.5], Dielectric { inside, ..Dielectric::default() }.into());
+    let phong = Phong { kd: 0.3, cd: Rgb::WHITE.into(), ..Phong::default() };
+    let (cr, rule) = (Rgb::WHITE.into(), GlossyRule::Normalised);
+    let glossy = GlossyReflector { phong, kr: 0.5, cr, exponent: 8.0, rule };
+    ball([2.6, 0.6, 0.2], glossy.into());
+    with_samples(scene, 256)
+}
+
+/// Law: the three path tracers have one mean where light comes over mirrors, through glass and from glossy
+/// surfaces too: lights that a single direction leads to count in full, those that could have been
+/// sampled once. Oracle: each other; Welch's t over 24 replicas.
+#[test]
+fn path_tracers_agree_over_mirrors_glass_and_gloss() {
+    let eye = Point::new(0.5, 2.0, 6.0);
+    // the floor under the glass, the glass, the glossy ball, the mirror, and the lamp in it
+    let targets =
+        [[1.2, 0.0, 1.4], [1.4, 0.7, 2.0], [2.5, 0.8, 0.6], [-2.0, 0.8, 0.5], [-5.5, 3.0, 0.5]];
+    let found = tracers(5).map(|tracer| {
+        let scene = Scene { tracer, ..furnished_room() };
+        replicas(&scene, |world| targets.map(|t| view(world, eye, Point::from(t) - eye).g))
+    });
+    for (i, target) in targets.iter().enumerate() {
+        let [path_trace, global_trace, path] =
+            [0, 1, 2].map(|t| found[t].iter().map(|seen| seen[i]).collect::<Vec<f64>>());
+        for (name, other) in [("path_trace", &path_trace), ("global_trace", &global_trace)] {
+            let p = means::two_samples(other, &path);
+            let [(a, e), (b, f)] = [other, &path].map(|values| mean_and_error(values));
+            assert!(
+                p > sidak(LEVEL, 2 * targets.len()),
+                "towards {target:?}: {name} finds {a} ± {e:e}, path {b} ± {f:e}, p = {p:e}"
+            );
+            assert!(e < 0.05 * a && f < 0.05 * b, "{name} towards {target:?}: ± {e:e}, ± {f:e}");
+        }
+    }
+}
+
+/// Law: radiance is linear in what lamps send out: twice as much is the same picture twice as bright, bit for
+/// bit, under every tracer; and chances do not depend on it. Oracle: the picture times two.
+#[test]
+fn twice_the_light_is_twice_the_picture() {
+    for tracer in Tracer::ALL {
+        let mut scene = Scene { tracer, ..furnished_room() };
+        scene.background = Rgb::BLACK.into();
+        scene.image.samples = 4;
+        (scene.image.width, scene.image.height, scene.image.pixel_size) = (8, 8, 0.6);
+        scene.camera.eye = Point::new(0.5, 6.0, 8.0);
+        let once = render(&built(&scene));
+        for material in &mut scene.materials {
+            if let groundtruth::materials::Kind::Emissive(lamp) = &mut material.recipe {
+                lamp.ls *= 2.0;
+            }
+        }
+        let twice = render(&built(&scene));
+        assert!(once.pixels().iter().any(|pixel| pixel.g > 0.0), "{} is black", tracer.name());
+        for (once, twice) in once.pixels().iter().zip(twice.pixels()) {
+            assert_eq!(2.0 * *once, *twice, "{}", tracer.name());
+        }
+    }
+}
+
+/// The room in the light of a small lamp alone.
+fn dim_room(tracer: Tracer) -> Scene {
+    let mut scene = stage(Rgb::BLACK);
+    scene.tracer = tracer;
+    let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
+    put(&mut scene, floor, Matte { ka: 0.0, kd: 0.8, cd: Rgb::WHITE.into() });
+    let lamp = Sphere { center: Point::new(0.0, 2.0, 0.0), radius: 0.25, inward: false };
+    let lamp = put(&mut scene, lamp, Emissive::new(50.0, Rgb::WHITE));
+    shine(&mut scene, Area { object: lamp.to_string(), sampling: None });
+    scene
+}
+
+fn floor_seen(world: &groundtruth::world::World) -> f64 {
+    view(world, Point::new(1.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0)).g
+}
+
+/// Law: a small lamp is found better by those who look for it: with as many samples the variance of
+/// `global_trace` and `path` is far below that of `path_trace`, which meets this lamp with one ray in 65. Oracle:
+/// `p (1 − p)/n` of a lamp met or missed, and Welch's t for the means.
+#[test]
+fn sampling_a_small_lamp_lowers_the_variance() {
+    let [met, first, path] = tracers(2).map(|tracer| {
+        let mut scene = with_samples(dim_room(tracer), 256);
+        scene.image.sampler = Some(Random {}.into());
+        replicas(&scene, floor_seen)
+    });
+    for (name, sampled) in [("global_trace", &first), ("path", &path)] {
+        let [(a, e), (b, f)] = [&met, sampled].map(|values| mean_and_error(values));
+        let p = means::two_samples(&met, sampled);
+        assert!(p > sidak(LEVEL, 2), "{name}: {b} ± {f:e}, path_trace {a} ± {e:e}, p = {p:e}");
+        assert!(e > 10.0 * f, "{name}: ± {f:e}, path_trace ± {e:e}");
+    }
+}
+
+/// Law: the error of independent paths falls as 1/√N, and its size is that of a lamp met or missed. Oracle: the
+/// slope −½ of standard deviations over replicas, and the binomial's at each N.
+#[test]
+fn the_error_of_paths_falls_as_the_root_of_their_number() {
+    const SEEDS: u64 = 128;
+    /// Five times the standard error `1/√(2n)` of a standard deviation.
+    const SPREAD: f64 = 0.32;
+    let deviations: Vec<(f64, f64)> = [64_u32, 144, 256, 576, 1024, 2304]
+        .into_iter()
+        .map(|n| {
+            let mut scene = with_samples(dim_room(Tracer::PathTrace(Depth { max_depth: 1 })), n);
+            scene.image.sampler = Some(Random {}.into());
+            let mut world = built(&scene);
+            let mut one = |seed| {
+                world.reseed(26_000 + seed);
+                floor_seen(&world)
+            };
+            let values: Vec<f64> = (0..SEEDS).map(&mut one).collect();
+            let (mean, error) = mean_and_error(&values);
+            // each path brings home ρ L with probability p, or nothing
+            let (p, found) = (mean / 40.0, error * (SEEDS as f64).sqrt());
+            let binomial = 40.0 * (p * (1.0 - p) / f64::from(n)).sqrt();
+            let off = (found / binomial - 1.0).abs();
+            assert!(off < SPREAD, "{n} samples: {found:e}, binomial {binomial:e}");
+            (f64::from(n), found)
+        })
+        .collect();
+    let law = power_law(&deviations, 0.999).expect("six points");
+    let [low, high] = law.interval;
+    assert!(low < -0.5 && -0.5 < high, "{law:?} of {deviations:?}");
+    assert!((law.exponent + 0.5).abs() < 0.1, "{law:?} of {deviations:?}");
+}
+
+/// Law: a mirror sends a path on without a draw, nor does it scatter about: N + 1 rays, and what it shows of
+/// uniform light is k_r, exactly. Oracle: counting; the product.
+#[test]
+fn a_path_over_mirrors_draws_nothing() {
+    for tracer in tracers(4) {
+        let mut scene = stage(Rgb::grey(2.0));
+        scene.tracer = tracer;
+        let mirror = Reflective { phong: Phong::default(), kr: 0.75, cr: Rgb::WHITE.into() };
+        let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+        put(&mut scene, ball, mirror);
+        let (eye, direction) = (Point::new(0.3, 0.1, 4.0), -Vector::Z);
+        assert_eq!(look(&built(&scene), eye, direction), Rgb::grey(1.5));
+        let counts = counted(&built(&scene), eye, direction);
+        assert_eq!((counts.camera, counts.reflected, counts.draws), (1, 1, 0), "{}", tracer.name());
+    }
+}
