@@ -242,7 +242,7 @@ fn no_shadow_ray_is_cast_for_what_no_picture_can_show() {
         let world = built(&scene);
         assert_eq!(counted(&world, eye, down).shadow, rays, "exponent {exponent}");
         let found = look(&world, eye, down).r;
-        let expected = if rays > 0 { 0.5_f64.powf(exponent) } else { 0.0 };
+        let expected = if rays > 0 { power(0.5, exponent) } else { 0.0 };
         assert!((found - expected).abs() <= 1e-12 * expected, "{found:e} for exponent {exponent}");
     }
 }

@@ -90,7 +90,8 @@ fn rays(seed: u64) -> impl Iterator<Item = Ray> {
 /// vessel; and each part is met.
 #[test]
 fn media_follow_one_another_along_every_ray() {
-    let vessels: [(fn(BoundaryMaterials) -> Kind, usize); 5] =
+    type Build = fn(BoundaryMaterials) -> Kind;
+    let vessels: [(Build, usize); 5] =
         [(glass_of_water, 8), (test_tube, 8), (fish_bowl, 7), (narrow_bowl, 7), (shallow_bowl, 6)];
     for (place, (shape, parts)) in vessels.into_iter().enumerate() {
         let world = built(&vessel(shape, [AIR, WATER, GLASS], Rgb::BLACK));
