@@ -116,7 +116,26 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         ],
     ),
     ("reference", &["scene"]),
-    ("report", &["accel", "film", "kinds", "math", "samplers", "shapes", "verify"]),
+    (
+        "report",
+        &[
+            "accel",
+            "film",
+            "gallery",
+            "kinds",
+            "lights",
+            "lobes",
+            "materials",
+            "math",
+            "render",
+            "rgb",
+            "samplers",
+            "scene",
+            "shapes",
+            "verify",
+            "world",
+        ],
+    ),
     (
         "verify",
         &[
