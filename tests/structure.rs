@@ -132,6 +132,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "samplers",
             "scene",
             "shapes",
+            "trace",
             "verify",
             "world",
         ],

@@ -110,7 +110,7 @@ impl Settings {
         samples: 64,
         pixels: 4,
         seeds: 4,
-        width: 16,
+        width: 12,
     };
 }
 

@@ -62,6 +62,19 @@ pub fn difference(a: &[f64], b: &[f64], confidence: f64) -> Option<[f64; 3]> {
     Some([apart, apart - half, apart + half])
 }
 
+/// The mean, and an interval that contains the true one with this probability (such as 0.95): Student's
+/// t of `n − 1` degrees, as for [`one_sample`]. `None` for fewer than two values, or one that is not
+/// finite.
+pub fn interval(values: &[f64], confidence: f64) -> Option<[f64; 3]> {
+    if values.iter().any(|x| !x.is_finite()) || values.len() < 2 {
+        return None;
+    }
+    let (mean, square) = mean_and_its_variance(values);
+    let student = StudentsT::new(0.0, 1.0, values.len() as f64 - 1.0).ok()?;
+    let half = student.inverse_cdf(0.5 + 0.5 * confidence) * square.sqrt();
+    Some([mean, mean - half, mean + half])
+}
+
 /// Welch's degrees of freedom for two means of these variances, from so many values each.
 fn freedom((v, m): (f64, usize), (w, n): (f64, usize)) -> f64 {
     let share = |square: f64, values: usize| square * square / (values as f64 - 1.0);
@@ -147,6 +160,11 @@ mod tests {
             let moved: Vec<f64> = b.iter().map(|x| x + end).collect();
             assert!((two_samples(&a, &moved) - (1.0 - c)).abs() < 1e-9);
         }
+        let [mean, low, high] = interval(&[1.0, 2.0, 3.0], c).expect("three values");
+        let half = (2.0 * c * c / (1.0 - c * c)).sqrt() / 3.0_f64.sqrt();
+        assert_eq!(mean, 2.0);
+        assert!((low - (2.0 - half)).abs() < 1e-9 && (high - (2.0 + half)).abs() < 1e-9);
+        assert_eq!(interval(&[1.0], c), None);
         assert_eq!(difference(&[1.0, 1.0], &[3.0, 3.0], c), Some([-2.0; 3]));
         assert_eq!(difference(&[1.0], &[3.0, 3.0], c), None);
     }

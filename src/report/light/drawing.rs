@@ -10,7 +10,7 @@ use crate::shapes::Sampling;
 use crate::verify::quantile;
 
 /// A choice is as good as the best if it takes no more than this times its time.
-const AS_GOOD: f64 = 1.2;
+const AS_GOOD: f64 = 1.5;
 
 pub fn page(data: &Data) -> String {
     let mut html = explanation(data);
@@ -26,8 +26,8 @@ fn explanation(data: &Data) -> String {
         "<p>Small pictures of each scene are made by every tracer and every way to sample its lamps, \
          with 1 to 1024 multi-jittered samples for each pixel and max_depth {depth}, and compared with \
          a picture of reference. The <em>relative error</em> is the root mean square over pixels and \
-         channels of what they are off, each in units of the brightness of its pixel (and 1 % of the \
-         picture's mean, so that black ones count); it is what the eye goes by. The plain root mean \
+         channels of what they are off, each in units of the brightness of its pixel (and a tenth of \
+         the picture's mean, so that black ones count); it is what the eye goes by. The plain root mean \
          square error is in the table behind a click: the brightest pixels, such as the edge of a lamp, \
          make most of it. The error of the reference is taken off, in squares; where the rest is \
          smaller than that, there is a dash. Noise alone is the <em>variance</em>, from one picture to \
@@ -114,21 +114,20 @@ fn pick(data: &Data) -> String {
         let of_tracer =
             |r: &&Record<'_>| r.choice.tracer == tracer && r.choice.choice != best.choice.choice;
         let other = records.iter().filter(of_tracer).min_by(by_worst)?;
-        Some(format!("{} up to {}", other.choice.choice, short(other.longest())))
+        Some(format!("{} {}", words(other.choice), short(other.longest())))
     });
-    let others = listed(&others.collect::<Vec<String>>());
+    let others = others.collect::<Vec<String>>().join("; ");
     let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
         let all = data.scenes.iter().flat_map(|scene| &scene.choices);
         let biases = all.filter(|c| c.tracer == tracer).filter_map(|c| c.bias.difference);
         let largest = biases.map(|[bias, ..]| bias.abs()).reduce(f64::max)?;
-        Some(format!("{tracer} (up to {} %)", short(100.0 * largest)))
+        Some(format!("{tracer} {} %", short(100.0 * largest)))
     });
     let missed = listed(&missed.collect::<Vec<String>>());
     format!(
-        "Choose {}: of the choices without bias it takes the least time for the same noise, or no more \
-         than {AS_GOOD} times that, in {} of {} scenes, and at most {} times the least in any, while \
-         others take as many times the least as {others}; do not choose {missed} where the mean \
-         brightness must be right.",
+        "Choose {}: of the choices without bias it takes the least time for the same noise, or at most \
+         {AS_GOOD} times that, in {} of {} scenes, and in none more than {} times the least (others in \
+         their worst scene: {others}); the mean of a picture is off by up to {missed}.",
         words(best.choice),
         best.wins(),
         data.scenes.len(),
@@ -140,8 +139,8 @@ fn pick(data: &Data) -> String {
 fn words(choice: &ChoiceData) -> String {
     match choice.sampling {
         None => choice.tracer.clone(),
-        Some(Sampling::Area) => format!("{}, lamps sampled by area", choice.tracer),
-        Some(Sampling::SolidAngle) => format!("{}, lamps sampled by solid angle", choice.tracer),
+        Some(Sampling::Area) => format!("{} with lamps by area", choice.tracer),
+        Some(Sampling::SolidAngle) => format!("{} with lamps by solid angle", choice.tracer),
     }
 }
 
@@ -227,7 +226,7 @@ fn pick_here(scene: &SceneData) -> String {
         slower.map(|c| format!("{} {} times", c.choice, short(times(c)))).collect();
     let slower = match slower.len() {
         0 => String::new(),
-        _ => format!("; as long for the same noise takes {}", listed(&slower)),
+        _ => format!("; the time for the same noise is {} as long", listed(&slower)),
     };
     let darker = |choice: &ChoiceData| {
         let [bias, ..] = choice.bias.difference?;
@@ -241,7 +240,7 @@ fn pick_here(scene: &SceneData) -> String {
         0 => String::new(),
         _ => format!("; in the mean, {}", listed(&biased)),
     };
-    format!("{}{beside}{slower}{biased}.", capital(&best.choice))
+    format!("the best is {}{beside}{slower}{biased}.", best.choice)
 }
 
 /// At most five choices are drawn: lamps by solid angle.
@@ -269,24 +268,21 @@ fn picture(scene: &SceneData, x: &str, along: impl Fn(&Level) -> f64) -> Plot {
 }
 
 fn equal_time(scene: &SceneData) -> String {
-    let brightnesses: Vec<f64> =
-        scene.reference.film.pixels().iter().map(|pixel| pixel.average()).collect();
+    let Some(truth) = scene.equal_time.crops.last() else { return String::new() };
+    let brightnesses: Vec<f64> = truth.film.pixels().iter().map(|pixel| pixel.average()).collect();
     let bright = quantile(&brightnesses, 0.9).filter(|b| *b > 0.0).unwrap_or(1.0);
     let tone = Tone { exposure: 0.7 / bright, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
     let image = |film: &Film, what: &str| {
         format!("<img alt=\"{}\" src=\"{}\"/>", escaped(what), data_uri(film, &tone))
     };
-    let r = &scene.reference;
     let mut html = format!(
-        "<p>About {} each, on one thread, and the reference:</p>\n<div class=\"crops\">\n",
+        "<p>About {} each, on one thread, and last what they should look like:</p>\n<div class=\"crops\">\n",
         time(scene.equal_time.seconds)
     );
     for crop in &scene.equal_time.crops {
         let words = format!("{}: {} samples, {}", crop.choice, crop.samples, time(crop.seconds));
         html += &figure(&image(&crop.film, &crop.choice), &words);
     }
-    let words = format!("the reference: {} samples", r.samples);
-    html += &figure(&image(&r.film, "the reference"), &words);
     html + "</div>\n"
 }
 

@@ -14,7 +14,7 @@ use crate::render;
 use crate::report::clock::{self, Time};
 use crate::report::{Interrupted, Settings, Watch};
 use crate::scene::{Depth, Scene, Tracer};
-use crate::verify::means::difference;
+use crate::verify::means::{difference, interval};
 use crate::verify::quantile;
 use crate::world::World;
 
@@ -145,15 +145,14 @@ impl Plan {
         let depth = |max_depth: u32| {
             let tracer = Tracer::Path(Depth { max_depth });
             let deep = scene(Choice { tracer, ..best });
-            Series::new(deep, few, many, seed(0, max_depth.into()))
+            // one seed for all: the same paths, cut off
+            Series::new(deep, few, many, seed(99, 0))
         };
         let by_rule = |tracer: Tracer| {
             let rules = [GlossyRule::Book, GlossyRule::Normalised].map(|rule| {
                 let mut scene = scene(Choice { tracer, ..best });
-                let which = 100 + u64::from(rule == GlossyRule::Normalised);
-                let known = u64::from(matches!(tracer, Tracer::Path(_)));
-                set_rule(&mut scene, rule)
-                    .then(|| Series::new(scene, few, many, seed(which, known)))
+                // one seed for both: the same directions, if they lie above the surface
+                set_rule(&mut scene, rule).then(|| Series::new(scene, few, many, seed(100, 0)))
             });
             let [Some(book), Some(normalised)] = rules else { return None };
             Some((tracer, [book, normalised]))
@@ -182,7 +181,7 @@ impl Plan {
 
 pub fn steps(settings: &Settings) -> u64 {
     let of = |(index, subject): (u64, &Subject)| {
-        let crops = subject.choices().len() as u64;
+        let crops = subject.choices().len() as u64 + 1;
         Plan::new(subject, index, settings).pictures() + crops
     };
     (0..).zip(&SUBJECTS).map(of).sum()
@@ -226,7 +225,7 @@ fn measure_scene(
             choice: choice.name(),
             tracer: choice.tracer.name().to_owned(),
             sampling: choice.sampling,
-            unbiased: subject.is_unbiased(choice.tracer),
+            unbiased: choice.is_unbiased(),
             bias: BiasData::new(choice.name(), &told, &truth),
             levels,
         });
@@ -237,7 +236,7 @@ fn measure_scene(
     let deepest = deepest.brightnesses();
     let of_depth = |(depth, pictures): (u32, &Pictures)| {
         let name = format!("path, max_depth {depth}");
-        BiasData::new(name, &pictures.brightnesses(), &deepest)
+        BiasData::paired(name, &pictures.brightnesses(), &deepest)
     };
     let depths = DEPTHS.into_iter().zip(others).map(of_depth).collect();
 
@@ -245,7 +244,7 @@ fn measure_scene(
     for (tracer, series) in plan.rules {
         let both = rendered(&series, watch)?;
         let name = format!("{}, normalised rule", tracer.name());
-        rules.push(BiasData::new(name, &both[1].brightnesses(), &both[0].brightnesses()));
+        rules.push(BiasData::paired(name, &both[1].brightnesses(), &both[0].brightnesses()));
     }
 
     let of_best = found.last().expect("every scene has choices");
@@ -262,7 +261,6 @@ fn measure_scene(
             mean: reference.mean,
             standard_error: own.radiance,
             relative_standard_error: own.relative,
-            film: reference.film,
         },
         choices: found,
         depths,
@@ -298,38 +296,55 @@ fn equal_time(
 ) -> Result<EqualTime, Interrupted> {
     /// Samples of the best.
     const SAMPLES: u32 = 16;
-    let samples = SAMPLES.min(settings.samples);
-    let seconds = f64::from(samples) * of_best.sample_seconds();
+    /// Of what they should look like.
+    const TRUE_SAMPLES: u32 = 256;
+    /// They have so many times the pixels of the others along each side.
+    const LARGER: u32 = 2;
+    let longer = f64::from(LARGER * LARGER);
+    let seconds = longer * f64::from(SAMPLES) * of_best.sample_seconds();
     let fits = |choice: &ChoiceData| {
         // a square: the sampler rounds up to one
-        let side = (seconds / choice.sample_seconds()).sqrt().round();
+        let side = (seconds / (longer * choice.sample_seconds())).sqrt().round();
         let side = if side.is_finite() { side.clamp(1.0, 32.0) as u32 } else { 1 };
         side * side
     };
-    let series: Vec<Series> = (0..)
-        .zip(subject.choices())
-        .zip(found)
-        .map(|((which, choice), found)| {
-            let seed = hash(&[settings.seed, index, u64::MAX, which]);
-            Series::new(subject.scene(choice, settings.width), fits(found), 1, seed)
-        })
-        .collect();
-    let pictures = rendered(&series, watch)?;
-    let crop = |((series, pictures), found): ((&Series, Pictures), &ChoiceData)| Crop {
-        choice: found.choice.clone(),
+    let one = |which: u64, choice: Choice, samples: u32| {
+        let seed = hash(&[settings.seed, index, u64::MAX, which]);
+        Series::new(subject.scene(choice, LARGER * settings.width), samples, 1, seed)
+    };
+    let choices = subject.choices();
+    // the last is the truth
+    let best = *choices.last().expect("every scene has choices");
+    let truth = one(u64::MAX, best, TRUE_SAMPLES.min(settings.samples));
+    let timed = (0..).zip(choices).zip(found);
+    let timed = timed.map(|((which, choice), found)| one(which, choice, fits(found)));
+    let series: Vec<Series> = timed.chain([truth]).collect();
+    let names = found.iter().map(|choice| choice.choice.clone()).chain(["many samples".to_owned()]);
+    let crop = |((series, pictures), choice): ((&Series, Pictures), String)| Crop {
+        choice,
         samples: series.scene.image.samples,
         film: pictures.films.into_iter().next().expect("one picture"),
         seconds: pictures.time.cpu,
     };
-    let crops = series.iter().zip(pictures).zip(found).map(crop).collect();
+    let pictures = rendered(&series, watch)?;
+    let crops = series.iter().zip(pictures).zip(names).map(crop).collect();
     Ok(EqualTime { seconds, crops })
 }
 
 impl BiasData {
-    /// The difference of these means of pictures, in units of the second.
+    /// The difference of the means of pictures, in units of the second.
     fn new(name: String, values: &[f64], truth: &[f64]) -> Self {
+        Self::relative(name, difference(values, truth, CONFIDENCE), truth)
+    }
+
+    /// The same for pictures in pairs of one seed, whose noise is about the same.
+    fn paired(name: String, values: &[f64], truth: &[f64]) -> Self {
+        let differences: Vec<f64> = values.iter().zip(truth).map(|(a, b)| a - b).collect();
+        Self::relative(name, interval(&differences, CONFIDENCE), truth)
+    }
+
+    fn relative(name: String, difference: Option<[f64; 3]>, truth: &[f64]) -> Self {
         let mean = truth.iter().sum::<f64>() / truth.len() as f64;
-        let interval = difference(values, truth, CONFIDENCE);
-        Self { name, difference: interval.map(|ends| ends.map(|end| end / mean)) }
+        Self { name, difference: difference.map(|ends| ends.map(|end| end / mean)) }
     }
 }

@@ -61,9 +61,6 @@ pub struct ReferenceData {
     pub standard_error: f64,
     /// The same, each relative to the brightness of its pixel.
     pub relative_standard_error: f64,
-    /// The picture.
-    #[serde(skip)]
-    pub film: Film,
 }
 
 /// One way to follow light.
@@ -120,14 +117,14 @@ pub struct BiasData {
 pub struct EqualTime {
     /// About the time of each, on one thread.
     pub seconds: f64,
-    /// One for each choice.
+    /// One for each choice, and one more by the last of them with many samples, which took longer.
     pub crops: Vec<Crop>,
 }
 
 /// A picture of equal time.
 #[derive(Clone, Debug, Serialize)]
 pub struct Crop {
-    /// Tracer and sampling of lamps.
+    /// Tracer and sampling of lamps, or that it is what the others should look like.
     pub choice: String,
     /// Samples for each pixel.
     pub samples: u32,

@@ -5,7 +5,7 @@ use crate::rgb::Rgb;
 
 /// How much of the picture's mean is added to a pixel's brightness where errors are relative, so that
 /// black pixels count too.
-const FLOOR: f64 = 0.01;
+const FLOOR: f64 = 0.1;
 
 /// The mean of pictures of one size, pixel by pixel.
 fn mean(films: &[Film]) -> Vec<Rgb> {
@@ -52,7 +52,7 @@ pub struct Reference {
 pub struct Squares {
     /// Of radiance.
     pub radiance: f64,
-    /// Each pixel's square over that of its brightness in the reference and 1 % of the picture's.
+    /// Each pixel's square over that of its brightness in the reference and a tenth of the picture's.
     pub relative: f64,
 }
 

@@ -10,6 +10,7 @@ use crate::rgb::Rgb;
 use crate::samplers::MultiJittered;
 use crate::scene::{Depth, Light, Scene, Tracer, Whitted};
 use crate::shapes::{Rectangle, Sampling};
+use crate::trace::Strategy;
 
 /// A scene to compare in.
 pub struct Subject {
@@ -21,8 +22,8 @@ pub struct Subject {
     pub scene: fn() -> Scene,
     /// Whether mirrors, gloss or glass are in it: without them `whitted` is `ray_cast`.
     pub has_mirrors: bool,
-    /// Whether all light comes from surfaces that paths can meet and lights' samples can choose from.
-    pub has_lamps: bool,
+    /// Its pictures have a side of this part of the others': for what takes long.
+    pub part: u32,
 }
 
 /// How deep every tracer follows light, and the picture of reference.
@@ -35,16 +36,15 @@ pub const SUBJECTS: [Subject; 5] = [
                 seen has bounced.",
         scene: || of_gallery("ch26/cornell-box"),
         has_mirrors: false,
-        has_lamps: true,
+        part: 1,
     },
     Subject {
         name: "glossy hall",
-        about: "The hall of mirrors, blurred with e = 25000 (figure 25.10), lit by four point lights \
-                without shadows, which no path can meet; the ambient light, a stand-in for light \
-                between surfaces, is only seen by ray_cast and whitted.",
-        scene: || of_gallery("ch25/glossy-hall"),
+        about: "The hall of mirrors, blurred with e = 25000 (figure 25.10), lit by four balls in the \
+                places of the book's point lights: light goes to and fro between mirrors.",
+        scene: glossy_hall,
         has_mirrors: true,
-        has_lamps: false,
+        part: 1,
     },
     Subject {
         name: "glass over checker",
@@ -52,7 +52,7 @@ pub const SUBJECTS: [Subject; 5] = [
                 only by paths that come upon the lamp.",
         scene: glass_over_checker,
         has_mirrors: true,
-        has_lamps: true,
+        part: 1,
     },
     Subject {
         name: "caustic ring",
@@ -60,15 +60,15 @@ pub const SUBJECTS: [Subject; 5] = [
                 paths that come upon the small lamp by way of the mirror find it.",
         scene: || of_gallery("ch26/half-cylinder-caustic"),
         has_mirrors: true,
-        has_lamps: true,
+        part: 1,
     },
     Subject {
         name: "many small lights",
-        about: "64 small lamps above matte balls: all of them are sampled at a hit, which takes long; \
-                a path that samples none seldom meets one.",
+        about: "36 small lamps above matte balls, out of view: all of them are sampled at a hit, which \
+                takes long; a path that samples none seldom meets one.",
         scene: many_small_lights,
         has_mirrors: false,
-        has_lamps: true,
+        part: 2,
     },
 ];
 
@@ -77,11 +77,16 @@ pub const SUBJECTS: [Subject; 5] = [
 pub struct Choice {
     /// Which rays are followed.
     pub tracer: Tracer,
-    /// How lamps are sampled; `None` where there are none, or they are not sampled.
+    /// How lamps are sampled; `None` if they are not.
     pub sampling: Option<Sampling>,
 }
 
 impl Choice {
+    /// Whether it finds all light, but for what lies beyond the depth: every lamp is a surface.
+    pub fn is_unbiased(self) -> bool {
+        Strategy::of(self.tracer).is_path()
+    }
+
     /// For people.
     pub fn name(self) -> String {
         let tracer = self.tracer.name();
@@ -97,8 +102,8 @@ impl Subject {
     /// Every way that applies, the least noisy one without bias last.
     pub fn choices(&self) -> Vec<Choice> {
         let of_tracer = |tracer: Tracer| {
-            let samplings = match (self.has_lamps, tracer) {
-                (false, _) | (_, Tracer::PathTrace(_)) => vec![None],
+            let samplings = match tracer {
+                Tracer::PathTrace(_) => vec![None],
                 _ => vec![Some(Sampling::Area), Some(Sampling::SolidAngle)],
             };
             samplings.into_iter().map(move |sampling| Choice { tracer, sampling })
@@ -111,27 +116,14 @@ impl Subject {
             Tracer::GlobalTrace(depth),
             Tracer::Path(depth),
         ];
-        let applies = |tracer: &Tracer| match tracer {
-            Tracer::Whitted(_) => self.has_mirrors,
-            Tracer::PathTrace(_) => self.has_lamps,
-            _ => true,
-        };
+        let applies = |tracer: &Tracer| self.has_mirrors || !matches!(tracer, Tracer::Whitted(_));
         tracers.into_iter().filter(applies).flat_map(of_tracer).collect()
     }
 
-    /// Whether a tracer finds all light, but for what lies beyond the depth.
-    pub fn is_unbiased(&self, tracer: Tracer) -> bool {
-        match tracer {
-            Tracer::RayCast | Tracer::Whitted(_) => false,
-            // what it samples at the first hit only must be found by chance from the others
-            Tracer::PathTrace(_) | Tracer::GlobalTrace(_) => self.has_lamps,
-            Tracer::Path(_) => true,
-        }
-    }
-
-    /// The scene as this choice renders it, so many pixels across.
+    /// The scene as this choice renders it, so many pixels across (or that part of them).
     pub fn scene(&self, choice: Choice, width: u32) -> Scene {
         let mut scene = (self.scene)();
+        let width = (width / self.part).max(1);
         let height = (width * scene.image.height).div_ceil(scene.image.width);
         scene.image.resize(width, height);
         scene.image.sampler = Some(MultiJittered {}.into());
@@ -161,6 +153,16 @@ fn of_gallery(name: &str) -> Scene {
     (gallery::find(name).expect("a scene of the gallery").build)()
 }
 
+/// The lights are balls, as no path meets a point.
+fn glossy_hall() -> Scene {
+    let mut scene = of_gallery("ch25/glossy-hall");
+    scene.lights.clear();
+    for (i, (x, z)) in [(9.0, 0.0), (-9.0, 0.0), (0.0, 9.0), (0.0, -9.0)].into_iter().enumerate() {
+        add_lamp(&mut scene, &format!("lamp {}", i + 1), sphere(point(x, 9.5, z), 1.0), 40.0);
+    }
+    scene
+}
+
 fn add_lamp(scene: &mut Scene, name: &str, shape: impl Into<crate::shapes::Kind>, ls: f64) {
     scene.lights.push(Light::new(name, Area { object: name.to_owned(), sampling: None }));
     add(scene, name, shape, Emissive::new(ls, Rgb::WHITE));
@@ -182,15 +184,15 @@ fn glass_over_checker() -> Scene {
 }
 
 fn many_small_lights() -> Scene {
-    const SIDE: u32 = 8;
-    let stand = [point(0.0, 6.0, 14.0), point(0.0, 0.6, 0.0)];
-    let mut scene = pinhole("64 small lamps above balls", [400, 300], stand, 560.0);
+    const SIDE: u32 = 6;
+    let stand = [point(0.0, 4.0, 14.0), point(0.0, 0.2, 1.0)];
+    let mut scene = pinhole("36 small lamps above balls", [400, 300], stand, 560.0);
     for i in 0..SIDE * SIDE {
-        let along = |k: u32| 1.6 * (f64::from(k) - 0.5 * f64::from(SIDE - 1));
+        let along = |k: u32| 2.0 * (f64::from(k) - 0.5 * f64::from(SIDE - 1));
         // of many heights, so that shadows are of many lengths
-        let height = 3.0 + 0.4 * f64::from(i % 5);
+        let height = 6.0 + 0.5 * f64::from(i % 5);
         let at = point(along(i % SIDE), height, along(i / SIDE));
-        add_lamp(&mut scene, &format!("lamp {}", i + 1), sphere(at, 0.1), 40.0);
+        add_lamp(&mut scene, &format!("lamp {}", i + 1), sphere(at, 0.1), 60.0);
     }
     for (i, (x, z)) in [(-3.0, 0.0), (0.0, -1.5), (2.6, 1.0), (-0.6, 2.6)].into_iter().enumerate() {
         let color = Rgb::new(0.9, 0.9 - 0.2 * i as f64, 0.3 + 0.2 * i as f64);
