@@ -99,7 +99,7 @@ impl Settings {
         samples: 4096,
         pixels: 64,
         seeds: 16,
-        width: 32,
+        width: 24,
     };
     /// A few seconds, to see what the report looks like; its numbers mean little.
     pub const QUICK: Self = Self {

@@ -33,7 +33,9 @@ fn explanation(data: &Data) -> String {
          smaller than that, there is a dash. Noise alone is the <em>variance</em>, from one picture to \
          the next of another seed; <em>efficiency</em> is 1/(variance × time), so that a choice of \
          twice the efficiency takes half the time for the same noise, and a choice with a bias may be \
-         efficient and wrong.</p>\n\
+         efficient and wrong. Where rare paths are very bright, as in caustics, few of them make the \
+         variance: there, ratios of efficiency below {AS_GOOD} mean little, and an interval may be too \
+         short.</p>\n\
          <p><em>Bias</em> is the difference of the mean radiances of whole pictures, with its interval \
          of 95 % confidence: light that is left out, or put in. path_trace, global_trace and path leave \
          nothing out but what lies beyond max_depth, if lamps are surfaces; ray_cast and whitted show \
@@ -114,20 +116,20 @@ fn pick(data: &Data) -> String {
         let of_tracer =
             |r: &&Record<'_>| r.choice.tracer == tracer && r.choice.choice != best.choice.choice;
         let other = records.iter().filter(of_tracer).min_by(by_worst)?;
-        Some(format!("{} {}", words(other.choice), short(other.longest())))
+        Some(format!("{} {} times", words(other.choice), short(other.longest())))
     });
     let others = others.collect::<Vec<String>>().join("; ");
     let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
         let all = data.scenes.iter().flat_map(|scene| &scene.choices);
         let biases = all.filter(|c| c.tracer == tracer).filter_map(|c| c.bias.difference);
         let largest = biases.map(|[bias, ..]| bias.abs()).reduce(f64::max)?;
-        Some(format!("{tracer} {} %", short(100.0 * largest)))
+        Some(format!("{} % with {tracer}", short(100.0 * largest)))
     });
     let missed = listed(&missed.collect::<Vec<String>>());
     format!(
         "Choose {}: of the choices without bias it takes the least time for the same noise, or at most \
-         {AS_GOOD} times that, in {} of {} scenes, and in none more than {} times the least (others in \
-         their worst scene: {others}); the mean of a picture is off by up to {missed}.",
+         {AS_GOOD} times that, in {} of {} scenes, and in none more than {} times the least (in their \
+         worst scene, others take: {others}); the mean of a picture is off by up to {missed}.",
         words(best.choice),
         best.wins(),
         data.scenes.len(),
@@ -223,10 +225,10 @@ fn pick_here(scene: &SceneData) -> String {
     };
     let slower = others.iter().filter(|choice| times(choice) > AS_GOOD);
     let slower: Vec<String> =
-        slower.map(|c| format!("{} {} times", c.choice, short(times(c)))).collect();
+        slower.map(|c| format!("{} takes {} times", c.choice, short(times(c)))).collect();
     let slower = match slower.len() {
         0 => String::new(),
-        _ => format!("; the time for the same noise is {} as long", listed(&slower)),
+        _ => format!("; for the same noise {} its time", listed(&slower)),
     };
     let darker = |choice: &ChoiceData| {
         let [bias, ..] = choice.bias.difference?;

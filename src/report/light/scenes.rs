@@ -92,8 +92,8 @@ impl Choice {
         let tracer = self.tracer.name();
         match self.sampling {
             None => tracer.to_owned(),
-            Some(Sampling::Area) => format!("{tracer}, area"),
-            Some(Sampling::SolidAngle) => format!("{tracer}, solid angle"),
+            Some(Sampling::Area) => format!("{tracer} (area)"),
+            Some(Sampling::SolidAngle) => format!("{tracer} (solid angle)"),
         }
     }
 }
