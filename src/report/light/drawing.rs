@@ -2,6 +2,7 @@
 
 use super::{BiasData, ChoiceData, Data, Level, SceneData};
 use crate::film::{Film, OutOfGamut, Tone, data_uri};
+use crate::math::{exp, ln};
 use crate::report::html::{
     Table, capital, escaped, figure, flagged, folded, listed, short, short_or_dash, time,
 };
@@ -75,6 +76,12 @@ impl Record<'_> {
         self.times.iter().flatten().copied().fold(0.0, f64::max)
     }
 
+    /// The geometric mean over the scenes where it applies and has no bias.
+    fn typical(&self) -> f64 {
+        let logs: Vec<f64> = self.times.iter().flatten().map(|times| ln(*times)).collect();
+        exp(logs.iter().sum::<f64>() / logs.len() as f64)
+    }
+
     fn applies_everywhere(&self) -> bool {
         self.times.iter().all(Option::is_some)
     }
@@ -103,22 +110,22 @@ fn records(data: &Data) -> Vec<Record<'_>> {
     all_choices(data).iter().map(record).filter(|r| r.times.iter().any(Option::is_some)).collect()
 }
 
-/// One sentence for all scenes: the choice whose worst case is best, what the others cost, and what
-/// those with a bias leave out.
+/// One sentence for all scenes: the choice without bias that takes least in the mean, what the others
+/// take, and what those with a bias leave out.
 fn pick(data: &Data) -> String {
     let records = records(data);
-    let by_worst = |a: &&Record<'_>, b: &&Record<'_>| a.longest().total_cmp(&b.longest());
+    let by_mean = |a: &&Record<'_>, b: &&Record<'_>| a.typical().total_cmp(&b.typical());
     let everywhere = records.iter().filter(|record| record.applies_everywhere());
-    let Some(best) = everywhere.min_by(by_worst) else {
+    let Some(best) = everywhere.min_by(by_mean) else {
         return "No choice is without bias in every scene.".to_owned();
     };
     let others = ["path_trace", "global_trace", "path"].into_iter().filter_map(|tracer| {
         let of_tracer =
             |r: &&Record<'_>| r.choice.tracer == tracer && r.choice.choice != best.choice.choice;
-        let other = records.iter().filter(of_tracer).min_by(by_worst)?;
-        Some(format!("{} {} times", words(other.choice), short(other.longest())))
+        let other = records.iter().filter(of_tracer).min_by(by_mean)?;
+        Some(format!("{} {} times", words(other.choice), short(other.typical())))
     });
-    let others = others.collect::<Vec<String>>().join("; ");
+    let others = listed(&others.collect::<Vec<String>>());
     let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
         let all = data.scenes.iter().flat_map(|scene| &scene.choices);
         let biases = all.filter(|c| c.tracer == tracer).filter_map(|c| c.bias.difference);
@@ -128,11 +135,12 @@ fn pick(data: &Data) -> String {
     let missed = listed(&missed.collect::<Vec<String>>());
     format!(
         "Choose {}: of the choices without bias it takes the least time for the same noise, or at most \
-         {AS_GOOD} times that, in {} of {} scenes, and in none more than {} times the least (in their \
-         worst scene, others take: {others}); the mean of a picture is off by up to {missed}.",
+         {AS_GOOD} times that, in {} of {} scenes, {} times the least in their geometric mean and {} \
+         times in the worst of them (in the mean {others}); a picture's mean is off by up to {missed}.",
         words(best.choice),
         best.wins(),
         data.scenes.len(),
+        short(best.typical()),
         short(best.longest()),
     )
 }
@@ -293,7 +301,9 @@ fn percent(bias: &BiasData) -> String {
     let Some(ends) = bias.difference else { return "–".to_owned() };
     let [value, low, high] = ends.map(|end| 100.0 * end);
     let digits = if high - low < 0.2 { 2 } else { 1 };
-    format!("{value:+.digits$} ({low:+.digits$} … {high:+.digits$})").replace('-', "−")
+    format!("{value:+.digits$} ({low:+.digits$} … {high:+.digits$})")
+        .replace('-', "−")
+        .replace(' ', "\u{a0}")
 }
 
 fn table(scene: &SceneData) -> Table {
@@ -311,7 +321,10 @@ fn table(scene: &SceneData) -> Table {
         cells.extend([
             flagged(time(choice.sample_seconds()), disturbed),
             short_or_dash(choice.efficiency()),
-            short_or_dash(times_longer(scene, choice)),
+            match choice.unbiased {
+                true => short_or_dash(times_longer(scene, choice)),
+                false => "biased".to_owned(),
+            },
             percent(&choice.bias),
         ]);
         cells
