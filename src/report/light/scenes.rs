@@ -32,8 +32,7 @@ pub const DEPTH: u32 = 10;
 pub const SUBJECTS: [Subject; 5] = [
     Subject {
         name: "Cornell box",
-        about: "Matte walls and blocks under a small lamp (figure 26.12), which light reaches by way of \
-                one another.",
+        about: "Matte walls and blocks under a small lamp (figure 26.12): light goes from wall to wall.",
         scene: || of_gallery("ch26/cornell-box"),
         has_mirrors: false,
         part: 1,
