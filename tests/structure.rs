@@ -118,7 +118,27 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         ],
     ),
     ("reference", &["scene"]),
-    ("report", &["accel", "film", "kinds", "math", "samplers", "shapes", "verify"]),
+    (
+        "report",
+        &[
+            "accel",
+            "film",
+            "gallery",
+            "kinds",
+            "lights",
+            "lobes",
+            "materials",
+            "math",
+            "render",
+            "rgb",
+            "samplers",
+            "scene",
+            "shapes",
+            "trace",
+            "verify",
+            "world",
+        ],
+    ),
     (
         "verify",
         &[

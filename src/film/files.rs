@@ -138,3 +138,44 @@ pub fn read_exr(path: &Path) -> Result<Film, ImageError> {
     .map(|image| image.layer_data.channel_data.pixels)
     .map_err(|e| ImageError::Unreadable { path: path.to_owned(), problem: e.to_string() })
 }
+
+/// A picture as shown by `tone`, as the address of an HTML image that needs no file: a PNG in base 64.
+pub fn data_uri(film: &Film, tone: &Tone) -> String {
+    let png = png(film, tone).expect("nothing fails that is written to memory");
+    format!("data:image/png;base64,{}", base64(&png))
+}
+
+/// RFC 4648, with padding.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for chunk in bytes.chunks(3) {
+        let byte = |i: usize| u32::from(chunk.get(i).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for i in 0..4 {
+            let digit = DIGITS[(bits >> (18 - 6 * i) & 63) as usize];
+            text.push(if i <= chunk.len() { digit.into() } else { '=' });
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base64_has_the_rfcs_examples() {
+        for (bytes, text) in [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+            ("foobar", "Zm9vYmFy"),
+        ] {
+            assert_eq!(base64(bytes.as_bytes()), text);
+        }
+    }
+}

@@ -5,7 +5,7 @@ mod tone;
 
 use crate::rgb::Rgb;
 
-pub use files::{ImageError, folder_of, read_exr, replace, writable, write};
+pub use files::{ImageError, data_uri, folder_of, read_exr, replace, writable, write};
 pub use tone::{OutOfGamut, Tone};
 
 /// A picture of linear radiance, row by row from the top left. Pixels that are not rendered yet are

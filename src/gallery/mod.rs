@@ -29,7 +29,7 @@ mod ch27;
 mod ch28;
 
 // shared by the chapters
-mod parts;
+pub(crate) mod parts;
 mod sets;
 mod shaded_sets;
 

@@ -34,6 +34,9 @@ figure { margin: 1.2em 0; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; }
 .pictures { display: flex; flex-wrap: wrap; gap: 0 1em; }
 .pictures figure { flex: 1 1 22em; }
+.crops { display: flex; flex-wrap: wrap; gap: 0 1em; }
+.crops figure { flex: 0 1 12em; margin: 0.3em 0; }
+.crops img { width: 100%; image-rendering: pixelated; }
 figcaption { font-size: 0.9em; max-width: 48em; color: #333; }
 @page { size: A4; margin: 14mm; }
 @media print {

@@ -9,6 +9,7 @@ mod clock;
 mod document;
 mod html;
 mod intersections;
+mod light;
 mod plot;
 mod provenance;
 mod samplers;
@@ -55,8 +56,12 @@ pub trait Findings: Send {
 }
 
 /// All pages, in their order.
-pub const PAGES: &[&dyn Page] =
-    &[&intersections::Intersections, &acceleration::Acceleration, &samplers::Samplers];
+pub const PAGES: &[&dyn Page] = &[
+    &intersections::Intersections,
+    &acceleration::Acceleration,
+    &samplers::Samplers,
+    &light::Light,
+];
 
 /// The page of this name.
 pub fn page(name: &str) -> Option<&'static dyn Page> {
@@ -74,12 +79,14 @@ pub struct Settings {
     pub objects: u32,
     /// Acceleration: pixels along each side of the picture.
     pub side: u32,
-    /// Samplers: the most samples for each pixel.
+    /// Samplers and light: the most samples for each pixel; light takes 1024 at most.
     pub samples: u32,
     /// Samplers: pixels, each with a function of its own.
     pub pixels: u32,
-    /// Samplers: seeds.
+    /// Samplers and light: seeds.
     pub seeds: u32,
+    /// Light: pixels across the pictures.
+    pub width: u32,
 }
 
 impl Settings {
@@ -92,10 +99,19 @@ impl Settings {
         samples: 4096,
         pixels: 64,
         seeds: 16,
+        width: 24,
     };
     /// A few seconds, to see what the report looks like; its numbers mean little.
-    pub const QUICK: Self =
-        Self { seed: 1, cases: 60, objects: 1000, side: 32, samples: 64, pixels: 4, seeds: 4 };
+    pub const QUICK: Self = Self {
+        seed: 1,
+        cases: 60,
+        objects: 1000,
+        side: 32,
+        samples: 64,
+        pixels: 4,
+        seeds: 4,
+        width: 12,
+    };
 }
 
 /// A finished report.

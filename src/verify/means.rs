@@ -43,9 +43,42 @@ pub fn two_samples(a: &[f64], b: &[f64]) -> f64 {
         return 1.0;
     }
     let ((mean_a, v), (mean_b, w)) = (mean_and_its_variance(a), mean_and_its_variance(b));
-    let share = |square: f64, values: &[f64]| square * square / (values.len() as f64 - 1.0);
-    let freedom = (v + w) * (v + w) / (share(v, a) + share(w, b));
-    two_sided(mean_a - mean_b, v + w, freedom)
+    two_sided(mean_a - mean_b, v + w, freedom((v, a.len()), (w, b.len())))
+}
+
+/// The difference `mean(a) − mean(b)`, and an interval that contains the true one with this probability
+/// (such as 0.95), whatever the variances (Welch 1947, as for [`two_samples`]). `None` with fewer than
+/// two values on a side, or a value that is not finite.
+pub fn difference(a: &[f64], b: &[f64], confidence: f64) -> Option<[f64; 3]> {
+    if a.iter().chain(b).any(|x| !x.is_finite()) || a.len() < 2 || b.len() < 2 {
+        return None;
+    }
+    let ((mean_a, v), (mean_b, w)) = (mean_and_its_variance(a), mean_and_its_variance(b));
+    let apart = mean_a - mean_b;
+    let half = match StudentsT::new(0.0, 1.0, freedom((v, a.len()), (w, b.len()))) {
+        Ok(student) => student.inverse_cdf(0.5 + 0.5 * confidence) * (v + w).sqrt(),
+        Err(_) => 0.0, // no variance
+    };
+    Some([apart, apart - half, apart + half])
+}
+
+/// The mean, and an interval that contains the true one with this probability (such as 0.95): Student's
+/// t of `n − 1` degrees, as for [`one_sample`]. `None` for fewer than two values, or one that is not
+/// finite.
+pub fn interval(values: &[f64], confidence: f64) -> Option<[f64; 3]> {
+    if values.iter().any(|x| !x.is_finite()) || values.len() < 2 {
+        return None;
+    }
+    let (mean, square) = mean_and_its_variance(values);
+    let student = StudentsT::new(0.0, 1.0, values.len() as f64 - 1.0).ok()?;
+    let half = student.inverse_cdf(0.5 + 0.5 * confidence) * square.sqrt();
+    Some([mean, mean - half, mean + half])
+}
+
+/// Welch's degrees of freedom for two means of these variances, from so many values each.
+fn freedom((v, m): (f64, usize), (w, n): (f64, usize)) -> f64 {
+    let share = |square: f64, values: usize| square * square / (values as f64 - 1.0);
+    (v + w) * (v + w) / (share(v, m) + share(w, n))
 }
 
 /// The mean, and the variance of one as estimated by its values; exactly none if they are the same.
@@ -108,6 +141,32 @@ mod tests {
             let moved: Vec<f64> = b.iter().map(|x| x + 1.1 * apart).collect();
             assert!(two_samples(&a, &moved) < LEVEL);
         }
+    }
+
+    /// Law: the interval of a difference ends where the test of equal means has the probability
+    /// 1 − confidence. Oracle: by hand, as above: two degrees, variance ½, `t = √2 c/√(1 − c²)` is the
+    /// quantile whose two sides leave 1 − c; and the test of means moved by the interval's end.
+    #[test]
+    fn the_interval_of_a_difference_is_that_found_by_hand() {
+        let c: f64 = 0.9;
+        let [apart, low, high] = difference(&[0.0, 1.0], &[2.0, 3.0], c).expect("two and two");
+        let half = (2.0 * c * c / (1.0 - c * c)).sqrt() * 0.5_f64.sqrt();
+        assert!((apart + 2.0).abs() < 1e-15, "{apart}");
+        assert!((low - (apart - half)).abs() < 1e-9 && (high - (apart + half)).abs() < 1e-9);
+        let random = &mut Pcg32::new(4, 6);
+        let (a, b) = (normals(5, 1.0, 3.0, random), normals(9, 1.5, 1.0, random));
+        let [_, low, high] = difference(&a, &b, c).expect("values");
+        for end in [low, high] {
+            let moved: Vec<f64> = b.iter().map(|x| x + end).collect();
+            assert!((two_samples(&a, &moved) - (1.0 - c)).abs() < 1e-9);
+        }
+        let [mean, low, high] = interval(&[1.0, 2.0, 3.0], c).expect("three values");
+        let half = (2.0 * c * c / (1.0 - c * c)).sqrt() / 3.0_f64.sqrt();
+        assert_eq!(mean, 2.0);
+        assert!((low - (2.0 - half)).abs() < 1e-9 && (high - (2.0 + half)).abs() < 1e-9);
+        assert_eq!(interval(&[1.0], c), None);
+        assert_eq!(difference(&[1.0, 1.0], &[3.0, 3.0], c), Some([-2.0; 3]));
+        assert_eq!(difference(&[1.0], &[3.0, 3.0], c), None);
     }
 
     #[test]

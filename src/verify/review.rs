@@ -1,11 +1,10 @@
 //! Golden images side by side: one HTML page that needs nothing beside it.
 
 use std::fmt::Write;
-use std::io::Cursor;
 
 use super::compare::{self, DRIFT, Difference};
 use super::golden::{Finding, Golden, Status};
-use crate::film::{Film, OutOfGamut, Tone};
+use crate::film::{Film, OutOfGamut, Tone, data_uri};
 use crate::rgb::Rgb;
 
 /// How many of the worst pixels are listed.
@@ -174,17 +173,11 @@ fn signed_difference(expected: &Film, got: &Film, worst: &[Difference]) -> (Film
 }
 
 fn figure(html: &mut String, title: &str, film: &Film, tone: &Tone) {
-    let bytes = film.pixels().iter().flat_map(|&pixel| tone.to_bytes(pixel)).collect();
-    let picture = image::RgbImage::from_raw(film.width(), film.height(), bytes)
-        .expect("three bytes for each pixel");
-    let mut png = Cursor::new(Vec::new());
-    let encoded = picture.write_to(&mut png, image::ImageFormat::Png);
-    encoded.expect("nothing fails that is written to memory");
-    let data = base64(png.get_ref());
+    let data = data_uri(film, tone);
     let title = escaped(title);
     let _ = writeln!(
         html,
-        "<figure><img alt=\"{title}\" src=\"data:image/png;base64,{data}\"><figcaption>{title}</figcaption></figure>"
+        "<figure><img alt=\"{title}\" src=\"{data}\"><figcaption>{title}</figcaption></figure>"
     );
 }
 
@@ -192,40 +185,10 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// RFC 4648, with padding.
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for chunk in bytes.chunks(3) {
-        let byte = |i: usize| u32::from(chunk.get(i).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for i in 0..4 {
-            let digit = DIGITS[(bits >> (18 - 6 * i) & 63) as usize];
-            text.push(if i <= chunk.len() { digit.into() } else { '=' });
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::verify::golden::{Goldens, Wishes};
-
-    #[test]
-    fn base64_has_the_rfcs_examples() {
-        for (bytes, text) in [
-            ("", ""),
-            ("f", "Zg=="),
-            ("fo", "Zm8="),
-            ("foo", "Zm9v"),
-            ("foob", "Zm9vYg=="),
-            ("fooba", "Zm9vYmE="),
-            ("foobar", "Zm9vYmFy"),
-        ] {
-            assert_eq!(base64(bytes.as_bytes()), text);
-        }
-    }
 
     /// A finding with three changed pixels.
     fn changed() -> Finding {

@@ -1,0 +1,214 @@
+//! The page of light.
+
+use std::collections::BTreeSet;
+
+use groundtruth::report::{self, Settings, Watch};
+use serde_json::Value;
+
+use super::{REPORT, SMALL, list, timeless};
+
+fn scenes() -> &'static [Value] {
+    list(&REPORT.json["pages"]["light"]["scenes"])
+}
+
+fn text(value: &Value) -> &str {
+    value.as_str().expect("a text")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// Value, lower and upper end of its interval.
+fn ends(value: &Value) -> [f64; 3] {
+    [0, 1, 2].map(|i| number(&value["difference"][i]))
+}
+
+/// Every scene and choice.
+fn choices() -> impl Iterator<Item = (&'static Value, &'static Value)> {
+    scenes().iter().flat_map(|scene| list(&scene["choices"]).iter().map(move |c| (scene, c)))
+}
+
+/// Law: five scenes, each with every tracer that applies and both ways to sample lamps, from 1 sample to
+/// the most, each level with two pictures or more; and depths, rules and pictures of equal time.
+#[test]
+fn every_scene_and_choice_is_there() {
+    let names: Vec<&str> = scenes().iter().map(|scene| text(&scene["scene"])).collect();
+    let expected =
+        ["Cornell box", "glossy hall", "glass over checker", "caustic ring", "many small lights"];
+    assert_eq!(names, expected);
+    for scene in scenes() {
+        let name = text(&scene["scene"]);
+        let found: BTreeSet<&str> =
+            list(&scene["choices"]).iter().map(|c| text(&c["choice"])).collect();
+        let mut wanted = BTreeSet::from(["path_trace"]);
+        wanted.extend(["ray_cast (area)", "ray_cast (solid angle)"]);
+        wanted.extend(["global_trace (area)", "global_trace (solid angle)"]);
+        wanted.extend(["path (area)", "path (solid angle)"]);
+        if !["Cornell box", "many small lights"].contains(&name) {
+            wanted.extend(["whitted (area)", "whitted (solid angle)"]);
+        }
+        assert_eq!(found, wanted, "{name}");
+        let rules = list(&scene["rules"]).len();
+        assert_eq!(rules, if name == "glossy hall" { 2 } else { 0 }, "{name}");
+        assert!(list(&scene["depths"]).len() >= 4, "{name}");
+        let crops = list(&scene["equal_time"]["crops"]);
+        assert_eq!(crops.len(), wanted.len() + 1, "{name}");
+    }
+    for (scene, choice) in choices() {
+        let levels = list(&choice["levels"]);
+        let samples: Vec<f64> = levels.iter().map(|level| number(&level["samples"])).collect();
+        let name = (&scene["scene"], &choice["choice"]);
+        assert_eq!(samples, [1.0, 4.0, 16.0, 64.0, 256.0, f64::from(SMALL.samples)], "{name:?}");
+        assert!(levels.iter().all(|level| level["pictures"].as_u64() >= Some(2)), "{name:?}");
+    }
+}
+
+/// Law: efficiency is 1/(variance · time). Oracle: the formula, from the numbers beside it.
+#[test]
+fn efficiency_is_one_over_variance_and_time() {
+    for (scene, choice) in choices() {
+        for level in list(&choice["levels"]) {
+            let (v, t) = (number(&level["relative_variance"]), number(&level["picture_seconds"]));
+            assert!(v >= 0.0 && t > 0.0, "{} {level}", scene["scene"]);
+            if v == 0.0 {
+                // all black: no path met a lamp
+                assert!(level["efficiency"].is_null(), "{} {level}", scene["scene"]);
+                continue;
+            }
+            let product = number(&level["efficiency"]) * v * t;
+            assert!((product - 1.0).abs() < 1e-12, "{} {level}: {product}", scene["scene"]);
+        }
+    }
+}
+
+/// Law: what is without bias has the mean of the reference; ray_cast is darker than it in every scene
+/// where light is carried on, as what it leaves out is not negative. Oracle: every strategy sums the same
+/// paths. The half of an interval of 95 % is about two standard errors; five are allowed for means of
+/// skewed values.
+#[test]
+fn choices_without_bias_have_the_mean_of_the_reference() {
+    for (scene, choice) in choices() {
+        let [value, low, high] = ends(&choice["bias"]);
+        let half = 0.5 * (high - low);
+        let name = (text(&scene["scene"]), text(&choice["choice"]));
+        assert!(half > 0.0 && half < 1.0, "{name:?}: {value} ± {half}");
+        let is_path = ["path_trace", "global_trace", "path"].contains(&text(&choice["tracer"]));
+        assert_eq!(choice["unbiased"], is_path, "{name:?}");
+        if is_path {
+            assert!(value.abs() < 2.5 * half, "{name:?}: {value} ± {half}");
+        }
+        let dark = ["glossy hall", "glass over checker"].contains(&name.0);
+        if text(&choice["tracer"]) == "ray_cast" && dark {
+            assert!(high < -0.1, "{name:?}: {value} ± {half}");
+        }
+    }
+}
+
+/// Law: a deeper limit leaves out less: the bias is never positive and falls with the depth, to nearly
+/// nothing at ten edges. Oracle: the paths of one seed are the same, and what a deeper limit adds is not
+/// negative.
+#[test]
+fn what_a_depth_limit_leaves_out_falls_with_the_depth() {
+    for scene in scenes() {
+        let biases: Vec<f64> = list(&scene["depths"]).iter().map(|b| ends(b)[0]).collect();
+        let name = text(&scene["scene"]);
+        assert!(biases.windows(2).all(|pair| pair[0] <= pair[1]), "{name}: {biases:?}");
+        let (first, last) = (biases[0], biases[biases.len() - 1]);
+        assert!(first < 0.0 && last <= 0.0 && last > -0.05, "{name}: {biases:?}");
+    }
+}
+
+/// Law: at depth 1 path shows direct light alone, so that its bias is that of ray_cast. Oracle: another
+/// tracer, in the scenes without mirrors, where the two strategies sum the same paths.
+#[test]
+fn a_path_of_depth_one_is_direct_light() {
+    for scene in scenes() {
+        let name = text(&scene["scene"]);
+        if !["Cornell box", "many small lights"].contains(&name) {
+            continue;
+        }
+        let one = list(&scene["depths"]).iter().find(|b| b["name"] == "path, max_depth 1");
+        let one = ends(one.expect("depth 1"));
+        let cast = list(&scene["choices"]).iter().find(|c| c["choice"] == "ray_cast (solid angle)");
+        let cast = ends(&cast.expect("it is there")["bias"]);
+        let half = |ends: [f64; 3]| 0.5 * (ends[2] - ends[1]);
+        let apart = (one[0] - cast[0]).abs();
+        assert!(apart < 2.0 * (half(one) + half(cast)), "{name}: {one:?} {cast:?}");
+        assert!(cast[2] < 0.0, "{name}: {cast:?}");
+    }
+}
+
+/// Law: the normalised rule of gloss is darker than the book's by the mean cosine, which is between 0 and
+/// 1 (f·cos/p is `k_r c_r cosθ (e + 2)/(e + 1)`), by the same light in both tracers' mirrors. Oracle: the
+/// two formulas.
+#[test]
+fn the_normalised_rule_is_darker() {
+    let hall = scenes().iter().find(|scene| scene["scene"] == "glossy hall").expect("the hall");
+    for rule in list(&hall["rules"]) {
+        let [value, _, high] = ends(rule);
+        assert!(high < 0.0 && value > -0.6, "{rule}");
+    }
+}
+
+/// Law: the error of what has no bias falls with more samples, of ray_cast it stays at its bias. Oracle:
+/// theory: 64 times the samples make an eighth of the error of independent ones; a third is asked for,
+/// as rare bright paths make errors uncertain.
+#[test]
+fn errors_without_bias_fall() {
+    let error = |choice: &Value, samples: u32| {
+        let levels = list(&choice["levels"]).iter();
+        let level = levels.clone().find(|level| level["samples"] == samples).expect("a level");
+        level["relative_rmse"].as_f64()
+    };
+    for scene in scenes() {
+        let of = |name: &str| {
+            let found = list(&scene["choices"]).iter().find(|c| c["choice"] == name);
+            found.expect("it is there")
+        };
+        let name = text(&scene["scene"]);
+        let path = of("path (solid angle)");
+        let (few, many) = (error(path, 4).expect("an error"), error(path, 256));
+        assert!(many.is_none_or(|many| many < few / 3.0), "{name}: {few} {many:?}");
+        if name != "caustic ring" {
+            let (few, many) =
+                (error(of("ray_cast (area)"), 256), error(of("ray_cast (area)"), 1024));
+            let ratio = many.expect("a bias") / few.expect("a bias");
+            assert!((ratio - 1.0).abs() < 0.2, "{name}: {few:?} {many:?}");
+        }
+    }
+}
+
+/// Law: everything but the times is the same on one thread and on two. Oracle: the other.
+#[test]
+fn light_is_the_same_on_one_thread_and_two() {
+    let tiny = Settings { samples: 4, seeds: 2, width: 4, ..SMALL };
+    let [one, two] = [1, 2].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        let page = report::page("light").expect("the page");
+        let run = || report::run(&[page], &tiny, &Watch::default()).expect("nobody interrupts");
+        let json = pool.install(run).json().expect("its data are JSON");
+        serde_json::from_str::<Value>(&json).expect("JSON")["pages"].clone()
+    });
+    assert!(timeless(&one) == timeless(&two));
+    let other = Settings { seed: 6, ..tiny };
+    let page = report::page("light").expect("the page");
+    let json = report::run(&[page], &other, &Watch::default()).expect("nobody interrupts").json();
+    let other: Value = serde_json::from_str(&json.expect("JSON")).expect("JSON");
+    assert!(timeless(&one) != timeless(&other["pages"]), "another seed is another report");
+}
+
+/// Law: every choice of every scene has a picture of equal time on the page, with its samples below.
+#[test]
+fn pictures_of_equal_time_stand_side_by_side() {
+    let (_, section) = REPORT.html.split_once("<section id=\"light\">").expect("the section");
+    let (section, _) = section.split_once("</section>").expect("it ends");
+    let crops: Vec<&Value> =
+        scenes().iter().flat_map(|scene| list(&scene["equal_time"]["crops"])).collect();
+    assert_eq!(section.matches("<img ").count(), crops.len());
+    assert_eq!(section.matches("src=\"data:image/png;base64,iVBOR").count(), crops.len());
+    for crop in crops {
+        let words = format!("{}: {} samples, ", text(&crop["choice"]), crop["samples"]);
+        assert!(section.contains(&words), "{words}");
+    }
+}
