@@ -132,7 +132,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[image]",
         "[imag]",
-        "scene.toml:7: imag: unknown field `imag`, expected one of `about`, `tracer`, `accel`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+        "scene.toml:7: imag: unknown field `imag`, expected one of `about`, `tracer`, `transparency`, `accel`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
     ),
     (
         "whitted",

@@ -3,7 +3,7 @@
 //! mostly are; what building refuses is no shape.
 
 use groundtruth::math::Vector;
-use groundtruth::shapes::{self, Kind, Materials, Term};
+use groundtruth::shapes::{self, BoundaryMaterials, Kind, Materials, Term};
 
 use super::input::{Input, Mode};
 
@@ -50,7 +50,7 @@ fn polar_angles(input: &mut Input<'_>) -> [f64; 2] {
 /// One of so many kinds of surfaces.
 const SURFACES: u8 = 10;
 /// One of so many kinds of solids.
-const SOLIDS: u8 = 10;
+const SOLIDS: u8 = 12;
 
 /// A surface, a solid, or something made of many.
 pub fn kind(input: &mut Input<'_>) -> Kind {
@@ -140,13 +140,43 @@ fn solid(choice: u8, input: &mut Input<'_>) -> Kind {
             shapes::BeveledBox { min, max: min + sides, bevel, materials }.into()
         }
         7 => shapes::BeveledCylinder { y0, y1, radius: outer_radius, bevel, materials }.into(),
-        8 => shapes::BeveledRing { y0, y1, inner_radius, outer_radius, bevel, materials }.into(),
+        8 => vessel_of_water(input),
+        9 => fish_bowl(input),
+        10 => shapes::BeveledRing { y0, y1, inner_radius, outer_radius, bevel, materials }.into(),
         _ => {
             let phi = azimuths(input);
             shapes::BeveledWedge { y0, y1, inner_radius, outer_radius, phi, bevel, materials }
                 .into()
         }
     }
+}
+
+fn vessel_of_water(input: &mut Input<'_>) -> Kind {
+    let [meniscus_radius, inner_radius] = sizes(input);
+    let [base_thickness, water_height] = sizes(input);
+    shapes::GlassOfWater {
+        height: water_height + meniscus_radius + size(input),
+        inner_radius,
+        wall_thickness: size(input),
+        base_thickness,
+        water_height,
+        meniscus_radius: 0.5 * meniscus_radius,
+        materials: BoundaryMaterials::default(),
+    }
+    .into()
+}
+
+fn fish_bowl(input: &mut Input<'_>) -> Kind {
+    let [meniscus_radius, inner_radius] = sizes(input);
+    shapes::FishBowl {
+        inner_radius,
+        glass_thickness: 0.25 * size(input),
+        water_depth: 0.5 * (size(input) + inner_radius),
+        meniscus_radius: 0.125 * meniscus_radius,
+        opening: degrees(input, 180),
+        materials: BoundaryMaterials::default(),
+    }
+    .into()
 }
 
 /// Few of them: a shape is built for every input.
