@@ -8,7 +8,8 @@ if [ "${1:-}" = cornell ]; then
     [ -d target/mitsuba ] || python3 -m venv target/mitsuba
     target/mitsuba/bin/pip install --quiet mitsuba numpy
     cargo build --release --bin groundtruth
-    exec target/mitsuba/bin/python benches/peers/cornell.py
+    shift
+    exec target/mitsuba/bin/python benches/peers/cornell.py "$@"
 fi
 folder=target/embree
 if [ ! -d "$folder" ]; then

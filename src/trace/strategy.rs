@@ -83,16 +83,23 @@ impl Strategy {
         matches!(self.scatter, Scatter::OneLobe | Scatter::OneLobeOrNone)
     }
 
-    /// Whether light of this kind never arrives, in words.
-    fn leaves_out(self, light: &dyn Light) -> Option<&'static str> {
-        if !self.is_path() {
-            None
-        } else if light.meets() == Meets::Ambient {
-            Some("ambient light stands for what paths find by themselves")
-        } else if self.direct == Direct::Never && light.object().is_none() && !light.is_sky() {
-            Some("no path can meet it, as it has no surface; `path` and `global_trace` sample it")
-        } else {
-            None
+    /// What is done with light of this kind instead of counting it at every hit, and why, in words.
+    fn leaves_out(self, light: &dyn Light) -> Option<[&'static str; 2]> {
+        let is_met = light.object().is_some() || light.is_sky();
+        match self.direct {
+            _ if !self.is_path() => None,
+            _ if light.meets() == Meets::Ambient => {
+                Some(["leaves out", "ambient light stands for what paths find by themselves"])
+            }
+            Direct::Never if !is_met => Some([
+                "leaves out",
+                "no path can meet it, as it has no surface; `path` and `global_trace` sample it",
+            ]),
+            Direct::FirstHit if !is_met => Some([
+                "counts at the first hit only",
+                "no path can meet it, as it has no surface; `path` samples it at every hit",
+            ]),
+            _ => None,
         }
     }
 
@@ -111,8 +118,8 @@ impl Strategy {
 pub fn left_out(world: &World) -> Vec<String> {
     let strategy = Strategy::of(world.tracer);
     let of = |light: &crate::world::PlacedLight| {
-        let why = strategy.leaves_out(&*light.light)?;
-        Some(format!("{} leaves out the light \"{}\": {why}", world.tracer.name(), light.name))
+        let [what, why] = strategy.leaves_out(&*light.light)?;
+        Some(format!("{} {what} the light \"{}\": {why}", world.tracer.name(), light.name))
     };
     world.lights.iter().filter_map(of).collect()
 }

@@ -6,7 +6,7 @@ mod furnace;
 mod paths;
 
 use groundtruth::gallery;
-use groundtruth::lights::{Ambient, Area};
+use groundtruth::lights::{Ambient, Area, Point as PointLight};
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::{Pcg32, Point, Vector, power};
 use groundtruth::render;
@@ -158,7 +158,8 @@ fn a_path_is_a_line() {
 }
 
 /// Law: ambient light is left out by paths, and they say so; path trace says that it does not see a
-/// point light. Oracle: the terms, and the words.
+/// point light, and global trace that it counts one at the first hit only. Oracle: the terms, and the
+/// words.
 #[test]
 fn what_is_left_out_is_said() {
     let mut scene = room();
@@ -180,6 +181,20 @@ fn what_is_left_out_is_said() {
     }
     scene.tracer = Tracer::RayCast;
     assert!(left_out(&built(&scene)).is_empty());
+    let location = Point::new(0.0, 5.0, 0.0);
+    let lamp = PointLight { ls: 1.0, color: Rgb::WHITE, location, attenuation: 0.0 };
+    let lamp = format!("the light \"{}\"", shine(&mut scene, lamp));
+    let words = [Some("leaves out"), Some("counts at the first hit only"), None];
+    for (tracer, words) in tracers(3).into_iter().zip(words) {
+        scene.tracer = tracer;
+        let notes = left_out(&built(&scene));
+        let said = notes.iter().find(|note| note.contains(&lamp)).map(String::as_str);
+        let is_right = said.is_some() == words.is_some();
+        assert!(
+            is_right && said.unwrap_or_default().contains(words.unwrap_or_default()),
+            "{said:?}"
+        );
+    }
 }
 
 /// Law: the floor of the Cornell box is redder beside the red wall than beside the green one. Oracle: the
