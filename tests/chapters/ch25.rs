@@ -191,8 +191,8 @@ fn a_large_exponent_is_a_mirror() {
     assert!(distances[0] > 0.3 && distances[5] < 1e-4, "{distances:?}");
 }
 
-/// Law: the exponent of the reflection does not change highlights, nor that of the highlights the
-/// reflection. Oracle: the same scene without the other.
+/// Law: highlights and reflection have an exponent each: neither changes the other. Oracle: the same
+/// scene without the other.
 #[test]
 fn highlight_and_reflection_have_exponents_of_their_own() {
     let highlight = Phong { ks: 0.5, exponent: 30.0, ..Phong::default() };

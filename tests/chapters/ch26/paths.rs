@@ -178,8 +178,8 @@ fn the_error_of_paths_falls_as_the_root_of_their_number() {
     assert!((law.exponent + 0.5).abs() < 0.1, "{law:?} of {deviations:?}");
 }
 
-/// Law: a mirror sends a path on without a draw, nor does it scatter about: N + 1 rays, and what it shows of
-/// uniform light is k_r, exactly. Oracle: counting; the product.
+/// Law: a path over mirrors is a line without draws: N + 1 rays, and uniform light counts k_r exactly.
+/// Oracle: counting; the product.
 #[test]
 fn a_path_over_mirrors_draws_nothing() {
     for tracer in tracers(4) {
