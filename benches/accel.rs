@@ -24,7 +24,7 @@ fn spheres(count: u32, method: Method) -> World {
     let view = Viewpoint::new(Point::new(0.0, 0.0, 4.0), Point::ORIGIN, lens);
     let mut scene = Scene::new("random spheres", Image::new(1, 1), view);
     scene.accel = method;
-    let matte = Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
+    let matte = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
     scene.materials.push(Material::new("clay", matte));
     let radius = groundtruth::math::power(0.1 / f64::from(count), 1.0 / 3.0);
     let mut random = Pcg32::new(2007, 0);

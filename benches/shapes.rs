@@ -1,11 +1,11 @@
 //! What does one ray cost that hits, and one that misses, for each shape?
 
 use std::hint::black_box;
-use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use groundtruth::accel::Method;
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector};
+use groundtruth::resources::Resources;
 use groundtruth::shapes::{Context, Kind, Shape};
 
 /// A ray that hits, found among some towards the middle of the shape, and one of the same
@@ -39,7 +39,7 @@ fn rays(shape: &dyn Shape) -> [Ray; 2] {
 }
 
 fn shapes(c: &mut Criterion) {
-    let mut context = Context::new(Path::new(""), Method::Bvh);
+    let mut context = Context::new(Resources::default(), Method::Bvh);
     for entry in Kind::ENTRIES {
         let specimen = &(entry.specimens)()[0];
         let shape = specimen.build(&mut context).expect("specimens are valid");

@@ -15,9 +15,11 @@ use crate::invalid::{Invalid, positive, shown};
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
+use crate::resources::Resources;
 use crate::samplers::{Draws, Kind as SamplerKind, MultiJittered, SampleSets};
 use crate::scene::{Image, Scene, SceneError, Tracer, Transparency};
 use crate::shapes::{Candidate, PartPath, Shape, Surface};
+use crate::textures::TexturePoint;
 
 /// The seed of a picture that names none.
 pub const DEFAULT_SEED: u64 = 1;
@@ -124,6 +126,11 @@ impl Hit<'_> {
         self.object.shape.path(&self.candidate)
     }
 
+    /// The point of the surface, for textures.
+    pub fn texture_point(&self) -> TexturePoint<'_> {
+        TexturePoint::of_hit(&self.surface, &*self.object.shape, &self.candidate)
+    }
+
     /// Whether the part that is hit stands in the way of light.
     pub fn casts_shadow(&self) -> bool {
         self.object.casts_shadows && self.material.casts_shadows
@@ -168,8 +175,9 @@ impl World {
         }
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
-        let materials = placed_materials(scene)?;
-        let mut objects = Objects(placed_objects(scene, folder, &materials)?);
+        let mut resources = Resources::new(folder);
+        let materials = placed_materials(scene, &mut resources)?;
+        let mut objects = Objects(placed_objects(scene, resources, &materials)?);
         let lights = placed_lights(scene, &materials, &mut objects.0)?;
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
         // a single object is tested, not searched for
@@ -211,8 +219,7 @@ impl World {
         let seen = Seen { objects: &self.objects, ray };
         let (index, candidate) = self.accel.nearest(&seen, ray, span)?;
         let object = &self.objects.0[index as usize];
-        let mut surface = object.shape.surface(ray, &candidate);
-        surface.leaf = candidate.leaf;
+        let surface = object.shape.surface(ray, &candidate);
         let front = surface.is_front(ray.direction);
         let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
         Some(Hit { t: candidate.t, object, material, surface, front, candidate })

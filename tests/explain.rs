@@ -41,7 +41,7 @@ fn nested_glass() -> RayExplanation {
     scene.materials = vec![
         Material::new("outer", glass(crown, Medium::default())),
         Material::new("inner", glass(water, crown)),
-        Material::new("chalk", Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }),
+        Material::new("chalk", Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }),
     ];
     let ball = |radius, z| Sphere { center: Point::new(0.0, 0.0, z), radius, inward: false };
     scene.objects = vec![

@@ -17,7 +17,7 @@ fn scene(objects: Vec<shapes::Kind>) -> Scene {
     let lens = Pinhole { distance: 40.0, zoom: 1.0 };
     let camera = Viewpoint::new(Point::new(0.0, 0.0, 5.0), Point::ORIGIN, lens);
     let mut scene = Scene::new("", Image::new(24, 24), camera);
-    let matte = Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
+    let matte = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
     scene.materials.push(Material::new("white", matte));
     for (i, shape) in objects.into_iter().enumerate() {
         scene.objects.push(Object::new(&format!("object {i}"), "white", shape));
@@ -81,9 +81,9 @@ fn an_invisible_ball_does_not_clear_the_fog() {
     scene.materials.push(Material::new("glow", glow));
     let invisible = Transparent {
         phong: groundtruth::materials::Phong::default(),
-        kr: 0.0,
+        kr: 0.0.into(),
         cr: Rgb::WHITE.into(),
-        kt: 1.0,
+        kt: 1.0.into(),
         eta: 1.0,
     };
     scene.materials[0].recipe = invisible.into();

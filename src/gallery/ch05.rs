@@ -42,7 +42,7 @@ fn under_a_lamp(about: &str, samples: u32, sampler: Option<Sampler>) -> Scene {
     scene.lights.push(Light::new("lamp light", Area { object: "lamp".to_owned(), sampling: None }));
     let chrome = Reflective {
         phong: phong(0.0, 0.1, Rgb::WHITE, 0.0, 1.0),
-        kr: 0.85,
+        kr: 0.85.into(),
         cr: Rgb::WHITE.into(),
     };
     add(&mut scene, "sphere", sphere(point(0.0, -2.0, 0.0), 0.5), chrome);

@@ -50,7 +50,7 @@ fn mirror() -> Scene {
     daylight(&mut scene);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });
     let silver = phong(0.0, 0.0, Rgb::BLACK, 0.0, 1.0);
-    let recipe = Reflective { phong: silver, kr: 0.9, cr: Rgb::WHITE.into() };
+    let recipe = Reflective { phong: silver, kr: 0.9.into(), cr: Rgb::WHITE.into() };
     let block = boxed(point(-8.0, 0.0, -2.0), point(9.0, 17.0, 0.0));
     add(&mut scene, "mirror block", block, recipe);
     let corners = [point(-16.0, 0.0, 44.0), point(-9.0, 10.0, 46.0)];

@@ -50,6 +50,6 @@ fn glossy_set() -> Scene {
             "box" => (0.5, 3.0),
             _ => return Matte { ka, kd, cd }.into(),
         };
-        Phong { ka, kd, cd, ks, exponent, ..Phong::default() }.into()
+        Phong { ka, kd, cd, ks: ks.into(), exponent: exponent.into(), ..Phong::default() }.into()
     })
 }

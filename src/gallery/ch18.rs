@@ -182,5 +182,6 @@ pub(super) fn plain(matte: Matte) -> MaterialKind {
 
 /// The red highlights of figure 18.11.
 fn glossy(Matte { ka, kd, cd }: Matte, exponent: f64) -> MaterialKind {
-    Phong { ka, kd, cd, ks: 1.0, cs: rgb(1.0, 0.0, 0.0).into(), exponent }.into()
+    Phong { ka, kd, cd, ks: 1.0.into(), cs: rgb(1.0, 0.0, 0.0).into(), exponent: exponent.into() }
+        .into()
 }

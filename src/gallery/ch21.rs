@@ -11,7 +11,7 @@ use crate::shapes::{
     Archway, BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Compound, Kind, Materials,
     Rosette, RoundRimmedBowl, SolidCylinder, TessellatedSphere, ThickRing, Torus,
 };
-use crate::textures::{Kind as TextureKind, Paint, RandomColors};
+use crate::textures::{Paint, RandomColors};
 
 pub const SCENES: List = &[
     ("ch21/many-meshes", many_meshes),
@@ -35,7 +35,7 @@ pub(super) fn stage(about: &str, eye: Point, look_at: Point, distance: f64) -> S
 }
 
 fn random_colors(seed: u64) -> Paint {
-    Paint(TextureKind::from(RandomColors { seed }))
+    Paint::from(RandomColors { seed })
 }
 
 fn many_meshes() -> Scene {

@@ -7,7 +7,7 @@ use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::{Point, Step, cbrt};
 use crate::scene::{Image, Material, Scene};
 use crate::shapes::{Compound, Instance, Kind, Part, RandomSpheres};
-use crate::textures::{Kind as TextureKind, Paint, RandomColors};
+use crate::textures::{Paint, RandomColors};
 
 pub const SCENES: List = &[
     ("ch22/thousand-spheres", || {
@@ -38,7 +38,7 @@ fn stage(
     let mut scene = Scene::new(about, Image::new(400, 400), camera);
     scene.lights.push(ambient(0.25));
     scene.lights.push(directional("light", vector(-10.0, 20.0, 20.0), 3.0).without_shadows());
-    let colors = Paint(TextureKind::from(RandomColors { seed: 15 }));
+    let colors = Paint::from(RandomColors { seed: 15 });
     let (object, material) = object("spheres", spheres, matte(0.25, 0.75, colors));
     scene.objects.push(object);
     scene.materials.push(material);

@@ -8,7 +8,7 @@ use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
 use crate::scene::{Image, Material, Object, Scene, Tracer, Whitted};
 use crate::shapes::{Disk, OpenCylinder, Rectangle};
-use crate::textures::{Kind as TextureKind, Paint, PlaneChecker};
+use crate::textures::{Paint, PlaneChecker};
 
 pub const SCENES: List = &[
     ("ch24/reflective-set-depth-0", || {
@@ -68,12 +68,12 @@ fn reflective_set(about: &str, max_depth: u32) -> Scene {
     add(object("box", slab, matte(0.15, 0.5, rgb(0.75, 1.0, 0.75))));
     let checker = PlaneChecker {
         size: 20.0,
-        color1: Rgb::WHITE,
-        color2: grey(0.75),
+        color1: Rgb::WHITE.into(),
+        color2: grey(0.75).into(),
         outline_width: 2.0,
-        outline_color: Rgb::BLACK,
+        outline_color: Rgb::BLACK.into(),
     };
-    add(object("ground", ground(0.0), matte(0.3, 0.9, Paint(TextureKind::from(checker)))));
+    add(object("ground", ground(0.0), matte(0.3, 0.9, Paint::from(checker))));
     for (name, y, normal) in
         [("cylinder top", 85.0, Vector::Y), ("cylinder bottom", 0.0, -Vector::Y)]
     {

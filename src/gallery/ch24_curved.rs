@@ -8,7 +8,7 @@ use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
 use crate::scene::{Image, Scene, Tracer, Whitted};
 use crate::shapes::{BeveledBox, Cone, Disk, Materials, OpenCylinder, Sphere, TessellatedSphere};
-use crate::textures::{Kind as TextureKind, Paint, PlaneChecker};
+use crate::textures::{Paint, PlaneChecker};
 
 pub const SCENES: List = &[
     ("ch24/seven-spheres", seven_spheres),
@@ -45,7 +45,13 @@ fn pure(kr: f64, cr: Rgb) -> Reflective {
 fn squares(size: f64, color1: Rgb, color2: Rgb) -> Paint {
     let outline_width = 0.1 * size;
     let outline_color = Rgb::BLACK;
-    Paint(TextureKind::from(PlaneChecker { size, color1, color2, outline_width, outline_color }))
+    Paint::from(PlaneChecker {
+        size,
+        color1: color1.into(),
+        color2: color2.into(),
+        outline_width,
+        outline_color: outline_color.into(),
+    })
 }
 
 /// The spheres are the book's; the view, the sky and the ground are ours (the book has a picture of a

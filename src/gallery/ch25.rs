@@ -27,7 +27,13 @@ pub const SCENES: List = &[
 ];
 
 fn glossy(phong: Phong, kr: f64, exponent: f64) -> GlossyReflector {
-    GlossyReflector { phong, kr, cr: Rgb::WHITE.into(), exponent, rule: GlossyRule::Book }
+    GlossyReflector {
+        phong,
+        kr: kr.into(),
+        cr: Rgb::WHITE.into(),
+        exponent: exponent.into(),
+        rule: GlossyRule::Book,
+    }
 }
 
 fn in_uniform_surroundings(about: &str, rule: GlossyRule) -> Scene {
@@ -75,8 +81,8 @@ fn glossy_hall() -> Scene {
             && material.name.ends_with("mirror")
         {
             let (phong, cr) = (mirror.phong.clone(), mirror.cr.clone());
-            let blurred = glossy(phong, mirror.kr, 25_000.0);
-            material.recipe = GlossyReflector { cr, ..blurred }.into();
+            let blurred = glossy(phong, 1.0, 25_000.0);
+            material.recipe = GlossyReflector { kr: mirror.kr.clone(), cr, ..blurred }.into();
         }
     }
     scene

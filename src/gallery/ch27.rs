@@ -11,7 +11,7 @@ use crate::shapes::{
     BeveledBox, Disk, FlatRimmedBowl, Kind, Materials, Rectangle, SolidCylinder, TessellatedSphere,
     ThickRing, Torus,
 };
-use crate::textures::{Checker3d, Kind as TextureKind, Paint};
+use crate::textures::{Checker3d, Paint};
 
 pub const SCENES: List = &[
     ("ch27/common-set", || {
@@ -102,7 +102,7 @@ const RAISED: Step = Step::Translate(Vector::new(0.0, 4.5, 0.0));
 /// The material of most figures; its highlights are those of Phong.
 fn glass(eta: f64) -> MaterialKind {
     let phong = phong(0.0, 0.0, Rgb::BLACK, 0.2, 2000.0);
-    Transparent { phong, kr: 0.1, cr: Rgb::WHITE.into(), kt: 0.9, eta }.into()
+    Transparent { phong, kr: 0.1.into(), cr: Rgb::WHITE.into(), kt: 0.9.into(), eta }.into()
 }
 
 fn from(eye: Point, look_at: Point, distance: f64) -> Viewpoint {
@@ -125,12 +125,12 @@ fn common_set_of(about: &str, name: &str, shape: impl Into<Kind>, glass: Materia
     add(&mut scene, name, shape, glass);
     let red = Reflective {
         phong: phong(0.3, 0.3, rgb(1.0, 0.0, 0.0), 0.2, 2000.0),
-        kr: 0.25,
+        kr: 0.25.into(),
         cr: Rgb::WHITE.into(),
     };
     add(&mut scene, "red sphere", sphere(point(4.0, 4.0, -6.0), 3.0), red);
-    let checker = Checker3d { size: 4.0, color1: grey(0.75), color2: Rgb::WHITE };
-    add(&mut scene, "ground", rectangle(0.0), matte(0.5, 0.35, Paint(TextureKind::from(checker))));
+    let checker = Checker3d { size: 4.0, color1: grey(0.75).into(), color2: Rgb::WHITE.into() };
+    add(&mut scene, "ground", rectangle(0.0), matte(0.5, 0.35, Paint::from(checker)));
     scene
 }
 

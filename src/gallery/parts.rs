@@ -48,16 +48,23 @@ pub fn ground(y: f64) -> Plane {
 }
 
 pub fn matte(ka: f64, kd: f64, cd: impl Into<Paint>) -> Matte {
-    Matte { ka, kd, cd: cd.into() }
+    Matte { ka: ka.into(), kd: kd.into(), cd: cd.into() }
 }
 
 pub fn phong(ka: f64, kd: f64, cd: impl Into<Paint>, ks: f64, exponent: f64) -> Phong {
-    Phong { ka, kd, cd: cd.into(), ks, exponent, ..Phong::default() }
+    Phong {
+        ka: ka.into(),
+        kd: kd.into(),
+        cd: cd.into(),
+        ks: ks.into(),
+        exponent: exponent.into(),
+        ..Phong::default()
+    }
 }
 
 /// A mirror of reflectance `kr · cr` over this base.
 pub fn mirror(phong: Phong, kr: f64, cr: Rgb) -> Reflective {
-    Reflective { phong, kr, cr: cr.into() }
+    Reflective { phong, kr: kr.into(), cr: cr.into() }
 }
 
 pub fn ambient(ls: f64) -> Light {
@@ -117,7 +124,7 @@ pub fn add(
 
 /// Cubes of two colours, through all of space.
 pub fn checker3d(size: f64, color1: Rgb, color2: Rgb) -> Paint {
-    Paint(Checker3d { size, color1, color2 }.into())
+    Checker3d { size, color1: color1.into(), color2: color2.into() }.into()
 }
 
 /// The absorption of a medium of which a unit length filters light by the book's `cf`: `σ = −ln cf`.

@@ -10,7 +10,8 @@ use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::rgb::Rgb;
-use crate::shapes::{SampledSurface, Sampling, Surface};
+use crate::shapes::{SampledSurface, Sampling, Shape, Surface};
+use crate::textures::TexturePoint;
 
 /// The light of an emissive object, whose surface is sampled: soft shadows. Its radiance is that of
 /// the object's material, on the side of the true normal. Switched off, the object is dark too.
@@ -35,6 +36,7 @@ const BY_SOLID_ANGLE: &str = "sphere and rectangle, and instances of them that k
 #[derive(Debug)]
 struct Lamp {
     object: String,
+    shape: Arc<dyn Shape>,
     surface: Box<dyn SampledSurface>,
     emission: Emission,
     two_sided: bool,
@@ -67,8 +69,8 @@ impl Specification for Area {
                 format!("the shape of `{name}` cannot be sampled{which}; these can: {can}");
             return Err(Invalid::field(field, problem));
         };
-        let (object, two_sided) = (name.clone(), object.two_sided);
-        Ok(Arc::new(Lamp { object, surface, emission, two_sided }))
+        let (shape, two_sided) = (Arc::clone(&object.shape), object.two_sided);
+        Ok(Arc::new(Lamp { object: name.clone(), shape, surface, emission, two_sided }))
     }
 
     fn scaled(&self, _: f64) -> Self {
@@ -89,6 +91,15 @@ impl Lamp {
         let cosine = if self.two_sided { cosine.abs() } else { cosine };
         (cosine > 0.0).then_some(cosine)
     }
+
+    /// The radiance of the point that was drawn for these two numbers.
+    fn radiance(&self, from: Place, u: [f64; 2], at: &Surface, cosine: f64) -> Rgb {
+        if self.emission.is_plain() {
+            return self.emission.radiance(&TexturePoint::new(at), cosine);
+        }
+        let hit = self.surface.candidate(from, u);
+        self.emission.radiance(&TexturePoint::of_hit(at, &*self.shape, &hit), cosine)
+    }
 }
 
 impl Light for Lamp {
@@ -108,7 +119,7 @@ impl Light for Lamp {
             direction,
             // where a ray would leave the lamp: so it does not shadow itself
             segment: Some(Segment::To(at.leave(-direction))),
-            radiance: self.emission.radiance(&at, cosine),
+            radiance: self.radiance(from.point, u[0], &at, cosine),
             blocked: Rgb::BLACK,
             pdf: Some(pdf),
         })

@@ -10,8 +10,9 @@ use super::{Boundary, Material, Medium, Response};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
+use crate::textures::TexturePoint;
 
 /// Glass, water: a boundary between two media, with Fresnel reflection and refraction, and absorption
 /// on either side. It needs `whitted` or a path tracer.
@@ -37,12 +38,12 @@ struct Built {
 
 impl Specification for Dielectric {
     type Built = Arc<dyn Material>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         let (inside, outside) = (self.inside.checked("inside")?, self.outside.checked("outside")?);
         Ok(Arc::new(Built {
-            phong: self.phong.check().map_err(|e| e.inside("phong"))?,
+            phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             eta: inside.eta / outside.eta,
             boundary: Boundary { inside, outside },
         }))
@@ -57,7 +58,7 @@ impl Specification for Dielectric {
     }
 
     fn specimens() -> Vec<Self> {
-        let phong = Phong { ks: 0.2, exponent: 2000.0, ..Phong::default() };
+        let phong = Phong { ks: 0.2.into(), exponent: 2000.0.into(), ..Phong::default() };
         let water = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) };
         let tinted = Medium { eta: 1.5, absorption: Rgb::new(0.5, 0.125, 0.25) };
         vec![
@@ -68,7 +69,7 @@ impl Specification for Dielectric {
 }
 
 impl Material for Built {
-    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.phong.respond(at, cos_o, response);
         response.lobes.push((FresnelReflector { eta: self.eta }.into(), NormalKind::Geometry));
         response.lobes.push((FresnelTransmitter { eta: self.eta }.into(), NormalKind::Geometry));

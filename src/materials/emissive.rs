@@ -8,11 +8,11 @@ use serde::{Deserialize, Serialize};
 use super::matte::{self, Matte};
 use super::{Material, Response};
 use crate::emission::Emission;
-use crate::invalid::{Invalid, not_negative};
+use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
-use crate::textures::Paint;
+use crate::textures::{Amount, Paint, TexturePoint};
 
 /// Radiance `ls · ce` in every direction on the outer side; black on the inner, unless the material is
 /// two-sided.
@@ -20,8 +20,8 @@ use crate::textures::Paint;
 #[serde(deny_unknown_fields)]
 pub struct Emissive {
     /// Multiplies the colour; not negative.
-    #[serde(default = "kinds::one")]
-    pub ls: f64,
+    #[serde(default = "Amount::one")]
+    pub ls: Amount,
     /// The colour of the light it sends out.
     #[serde(default = "kinds::white::<Paint>")]
     pub ce: Paint,
@@ -32,8 +32,8 @@ pub struct Emissive {
 
 impl Emissive {
     /// A surface that shines and reflects nothing.
-    pub fn new(ls: f64, ce: impl Into<Paint>) -> Self {
-        Self { ls, ce: ce.into(), matte: None }
+    pub fn new(ls: impl Into<Amount>, ce: impl Into<Paint>) -> Self {
+        Self { ls: ls.into(), ce: ce.into(), matte: None }
     }
 }
 
@@ -45,17 +45,19 @@ struct Shining {
 
 impl Specification for Emissive {
     type Built = Arc<dyn Material>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
-        let emission = Emission { ls: not_negative("ls", self.ls)?, ce: self.ce.build("ce")? };
-        let matte = self.matte.as_ref().map(Matte::check).transpose();
-        Ok(Arc::new(Shining { emission, matte: matte.map_err(|e| e.inside("matte"))? }))
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
+        let ls = self.ls.build("ls", resources)?;
+        let ce = self.ce.build("ce", resources)?;
+        let matte = self.matte.as_ref().map(|matte| matte.check(resources)).transpose();
+        let matte = matte.map_err(|e| e.inside("matte"))?;
+        Ok(Arc::new(Shining { emission: Emission { ls, ce }, matte }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
         let matte = self.matte.as_ref().map(|matte| matte.scaled(factor));
-        Self { ce: self.ce.scaled(factor), matte, ..*self }
+        Self { ls: self.ls.scaled(factor), ce: self.ce.scaled(factor), matte }
     }
 
     fn specimens() -> Vec<Self> {
@@ -66,7 +68,7 @@ impl Specification for Emissive {
 }
 
 impl Material for Shining {
-    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         if let Some(matte) = &self.matte {
             matte.respond(at, cos_o, response);
         }

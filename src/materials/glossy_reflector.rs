@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
 use super::{Material, Response};
-use crate::invalid::{Invalid, not_negative};
+use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
-use crate::textures::{Paint, Texture};
+use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A blurred mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path tracer, and
 /// some samples a pixel: each looks in one direction.
@@ -24,13 +24,13 @@ pub struct GlossyReflector {
     #[serde(default)]
     pub phong: Phong,
     /// The share of light that is reflected, from 0 to 1 mostly; not negative.
-    pub kr: f64,
+    pub kr: Amount,
     /// The colour of the reflection.
     #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
     /// The exponent `e` of the reflection, not negative: 10 blurs all but the nearest, 10000 hardly
     /// anything.
-    pub exponent: f64,
+    pub exponent: Amount,
     /// What a reflected ray counts; as in the book if left out.
     #[serde(default)]
     pub rule: GlossyRule,
@@ -39,44 +39,51 @@ pub struct GlossyReflector {
 #[derive(Debug)]
 struct BlurredMirror {
     phong: phong::Built,
-    kr: f64,
-    cr: Arc<dyn Texture>,
-    exponent: f64,
+    kr: Value,
+    cr: Color,
+    exponent: Value,
     rule: GlossyRule,
 }
 
 impl Specification for GlossyReflector {
     type Built = Arc<dyn Material>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(BlurredMirror {
-            phong: self.phong.check().map_err(|e| e.inside("phong"))?,
-            kr: not_negative("kr", self.kr)?,
-            cr: self.cr.build("cr")?,
-            exponent: not_negative("exponent", self.exponent)?,
+            phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
+            kr: self.kr.build("kr", resources)?,
+            cr: self.cr.build("cr", resources)?,
+            exponent: self.exponent.build("exponent", resources)?,
             rule: self.rule,
         }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { phong: self.phong.scaled(factor), cr: self.cr.scaled(factor), ..*self }
+        Self {
+            phong: self.phong.scaled(factor),
+            kr: self.kr.scaled(factor),
+            cr: self.cr.scaled(factor),
+            exponent: self.exponent.scaled(factor),
+            rule: self.rule,
+        }
     }
 
     fn specimens() -> Vec<Self> {
         let phong = Phong::specimens().remove(0);
         let cr = Rgb::new(0.9, 1.0, 0.9).into();
-        let book = Self { phong, kr: 0.75, cr, exponent: 100.0, rule: GlossyRule::Book };
+        let book =
+            Self { phong, kr: 0.75.into(), cr, exponent: 100.0.into(), rule: GlossyRule::Book };
         vec![Self { rule: GlossyRule::Normalised, ..book.clone() }, book]
     }
 }
 
 impl Material for BlurredMirror {
-    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.phong.respond(at, cos_o, response);
-        let reflectance = self.kr * self.cr.color(at);
+        let reflectance = self.kr.at(at) * self.cr.at(at);
         if !reflectance.is_black() {
-            let (exponent, rule) = (self.exponent, self.rule);
+            let (exponent, rule) = (self.exponent.at(at), self.rule);
             let lobe = GlossyReflection { reflectance, exponent, rule };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }

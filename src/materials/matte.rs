@@ -6,12 +6,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Material, Response};
-use crate::invalid::{Invalid, not_negative};
+use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{Lambertian, NormalKind};
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
-use crate::textures::{Paint, Texture};
+use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A perfectly diffuse surface; ambient and diffuse reflection share a colour.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -19,11 +19,11 @@ use crate::textures::{Paint, Texture};
 pub struct Matte {
     /// The share of ambient light that is reflected, mostly 0 to 1; not negative.
     #[serde(default)]
-    pub ka: f64,
+    pub ka: Amount,
     /// The share of the lights' light that is scattered, mostly 0 to 1; not negative. With 0 for
     /// both, nothing is seen of `cd`.
     #[serde(default)]
-    pub kd: f64,
+    pub kd: Amount,
     /// The colour of ambient and diffuse reflection, with channels from 0 to 1.
     pub cd: Paint,
 }
@@ -31,47 +31,48 @@ pub struct Matte {
 /// A matte surface ready to be asked.
 #[derive(Debug)]
 pub(super) struct Built {
-    ka: f64,
-    kd: f64,
-    cd: Arc<dyn Texture>,
+    ka: Value,
+    kd: Value,
+    cd: Color,
 }
 
 impl Matte {
-    pub(super) fn check(&self) -> Result<Built, Invalid> {
+    pub(super) fn check(&self, resources: &mut Resources) -> Result<Built, Invalid> {
         Ok(Built {
-            ka: not_negative("ka", self.ka)?,
-            kd: not_negative("kd", self.kd)?,
-            cd: self.cd.build("cd")?,
+            ka: self.ka.build("ka", resources)?,
+            kd: self.kd.build("kd", resources)?,
+            cd: self.cd.build("cd", resources)?,
         })
     }
 }
 
 impl Specification for Matte {
     type Built = Arc<dyn Material>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(self.check()?))
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
+        Ok(Arc::new(self.check(resources)?))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { cd: self.cd.scaled(factor), ..*self }
+        Self { ka: self.ka.scaled(factor), kd: self.kd.scaled(factor), cd: self.cd.scaled(factor) }
     }
 
     fn specimens() -> Vec<Self> {
-        vec![Self { ka: 0.25, kd: 0.75, cd: Rgb::new(1.0, 0.5, 0.25).into() }]
+        vec![Self { ka: 0.25.into(), kd: 0.75.into(), cd: Rgb::new(1.0, 0.5, 0.25).into() }]
     }
 }
 
 impl Material for Built {
-    fn respond(&self, at: &Surface, _: f64, response: &mut Response) {
-        if self.ka == 0.0 && self.kd == 0.0 {
+    fn respond(&self, at: &TexturePoint<'_>, _: f64, response: &mut Response) {
+        let (ka, kd) = (self.ka.at(at), self.kd.at(at));
+        if ka == 0.0 && kd == 0.0 {
             return;
         }
-        let cd = self.cd.color(at);
-        response.ambient = self.ka * cd;
-        if self.kd > 0.0 {
-            let lobe = Lambertian { reflectance: self.kd * cd };
+        let cd = self.cd.at(at);
+        response.ambient = ka * cd;
+        if kd > 0.0 {
+            let lobe = Lambertian { reflectance: kd * cd };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
     }

@@ -20,14 +20,15 @@ use serde::{Deserialize, Serialize};
 use crate::emission::Emission;
 use crate::invalid::{Invalid, positive};
 use crate::lobes::Lobes;
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
+use crate::textures::TexturePoint;
 
 /// What a surface is made of. Contract: `tests/contracts/material.rs`.
 pub trait Material: Debug + Send + Sync {
     /// Adds what the surface, seen under `cos_o = n·ω_o` (negative on the inner side), makes of the
     /// light that comes to it. Asked once for a hit, as textures may be costly.
-    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response);
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response);
 
     /// What it sends out by itself, if it shines.
     fn emission(&self) -> Option<&Emission> {
@@ -105,7 +106,7 @@ impl Medium {
 
 crate::kinds! {
     /// What a surface makes of light.
-    Kind builds dyn Material with ();
+    Kind builds dyn Material with Resources;
     ch14 matte::Matte,
     ch15 phong::Phong,
     ch24 reflective::Reflective,

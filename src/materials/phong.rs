@@ -5,37 +5,45 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Material, Response, matte};
-use crate::invalid::{Invalid, not_negative};
+use super::matte::{self, Matte};
+use super::{Material, Response};
+use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{GlossySpecular, NormalKind};
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
-use crate::textures::{Paint, Texture};
+use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// Ambient, diffuse and glossy specular reflection.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Phong {
     /// The share of ambient light that is reflected, mostly 0 to 1; not negative.
-    pub ka: f64,
+    pub ka: Amount,
     /// The share of the lights' light that is scattered, mostly 0 to 1; not negative. With 0 for
     /// both, nothing is seen of `cd`.
-    pub kd: f64,
+    pub kd: Amount,
     /// The colour of ambient and diffuse reflection, with channels from 0 to 1.
     pub cd: Paint,
     /// The strength of the highlight, mostly 0 to 1; not negative.
-    pub ks: f64,
+    pub ks: Amount,
     /// The colour of the highlight; white takes the colour of the light.
     pub cs: Paint,
     /// The exponent `e` of the highlight, not negative: 20 is wide, 2000 is small and sharp.
-    pub exponent: f64,
+    pub exponent: Amount,
 }
 
 impl Default for Phong {
     fn default() -> Self {
         let (cd, cs) = (Rgb::BLACK.into(), Rgb::WHITE.into());
-        Self { ka: 0.0, kd: 0.0, cd, ks: 0.0, cs, exponent: 1.0 }
+        Self {
+            ka: Amount::default(),
+            kd: Amount::default(),
+            cd,
+            ks: Amount::default(),
+            cs,
+            exponent: Amount::one(),
+        }
     }
 }
 
@@ -43,47 +51,56 @@ impl Default for Phong {
 #[derive(Debug)]
 pub(super) struct Built {
     matte: matte::Built,
-    ks: f64,
-    cs: Arc<dyn Texture>,
-    exponent: f64,
+    ks: Value,
+    cs: Color,
+    exponent: Value,
 }
 
 impl Phong {
-    pub(super) fn check(&self) -> Result<Built, Invalid> {
-        let matte = matte::Matte { ka: self.ka, kd: self.kd, cd: self.cd.clone() };
+    pub(super) fn check(&self, resources: &mut Resources) -> Result<Built, Invalid> {
+        let matte = Matte { ka: self.ka.clone(), kd: self.kd.clone(), cd: self.cd.clone() };
         Ok(Built {
-            matte: matte.check()?,
-            ks: not_negative("ks", self.ks)?,
-            cs: self.cs.build("cs")?,
-            exponent: not_negative("exponent", self.exponent)?,
+            matte: matte.check(resources)?,
+            ks: self.ks.build("ks", resources)?,
+            cs: self.cs.build("cs", resources)?,
+            exponent: self.exponent.build("exponent", resources)?,
         })
     }
 }
 
 impl Specification for Phong {
     type Built = Arc<dyn Material>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(self.check()?))
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
+        Ok(Arc::new(self.check(resources)?))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { cd: self.cd.scaled(factor), cs: self.cs.scaled(factor), ..*self }
+        Self {
+            ka: self.ka.scaled(factor),
+            kd: self.kd.scaled(factor),
+            cd: self.cd.scaled(factor),
+            ks: self.ks.scaled(factor),
+            cs: self.cs.scaled(factor),
+            exponent: self.exponent.scaled(factor),
+        }
     }
 
     fn specimens() -> Vec<Self> {
         let cd = Rgb::new(0.5, 0.6, 0.1).into();
-        vec![Self { ka: 0.25, kd: 0.5, cd, ks: 0.2, exponent: 20.0, ..Self::default() }]
+        let [ka, kd, ks, exponent] = [0.25, 0.5, 0.2, 20.0].map(Amount::from);
+        vec![Self { ka, kd, cd, ks, exponent, ..Self::default() }]
     }
 }
 
 impl Material for Built {
-    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.matte.respond(at, cos_o, response);
-        if self.ks > 0.0 {
-            let reflectance = self.ks * self.cs.color(at);
-            let lobe = GlossySpecular { reflectance, exponent: self.exponent };
+        let ks = self.ks.at(at);
+        if ks > 0.0 {
+            let reflectance = ks * self.cs.at(at);
+            let lobe = GlossySpecular { reflectance, exponent: self.exponent.at(at) };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
     }

@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
 use super::{Material, Response};
-use crate::invalid::{Invalid, not_negative};
+use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 use crate::lobes::{NormalKind, PerfectSpecular};
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
-use crate::textures::{Paint, Texture};
+use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path tracer.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -22,7 +22,7 @@ pub struct Reflective {
     #[serde(default)]
     pub phong: Phong,
     /// The share of light that is mirrored, from 0 to 1 mostly; not negative.
-    pub kr: f64,
+    pub kr: Amount,
     /// The colour of the mirror.
     #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
@@ -31,36 +31,40 @@ pub struct Reflective {
 #[derive(Debug)]
 struct Built {
     phong: phong::Built,
-    kr: f64,
-    cr: Arc<dyn Texture>,
+    kr: Value,
+    cr: Color,
 }
 
 impl Specification for Reflective {
     type Built = Arc<dyn Material>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(Built {
-            phong: self.phong.check().map_err(|e| e.inside("phong"))?,
-            kr: not_negative("kr", self.kr)?,
-            cr: self.cr.build("cr")?,
+            phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
+            kr: self.kr.build("kr", resources)?,
+            cr: self.cr.build("cr", resources)?,
         }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { phong: self.phong.scaled(factor), cr: self.cr.scaled(factor), ..*self }
+        Self {
+            phong: self.phong.scaled(factor),
+            kr: self.kr.scaled(factor),
+            cr: self.cr.scaled(factor),
+        }
     }
 
     fn specimens() -> Vec<Self> {
         let phong = Phong::specimens().remove(0);
-        vec![Self { phong, kr: 0.75, cr: Rgb::new(0.9, 1.0, 0.9).into() }]
+        vec![Self { phong, kr: 0.75.into(), cr: Rgb::new(0.9, 1.0, 0.9).into() }]
     }
 }
 
 impl Material for Built {
-    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.phong.respond(at, cos_o, response);
-        let reflectance = self.kr * self.cr.color(at);
+        let reflectance = self.kr.at(at) * self.cr.at(at);
         if !reflectance.is_black() {
             response.lobes.push((PerfectSpecular { reflectance }.into(), NormalKind::Shading));
         }

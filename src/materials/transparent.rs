@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
 use super::{Material, Response};
-use crate::invalid::{Invalid, not_negative, positive};
+use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
-use crate::textures::{Paint, Texture};
+use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A clear body that reflects `kr` and lets through `kt`, whatever the angle; on total internal
 /// reflection it reflects everything. It needs `whitted` or a path tracer. It says nothing of what
@@ -25,12 +25,12 @@ pub struct Transparent {
     pub phong: Phong,
     /// The share of light that is reflected, from 0 to 1 mostly; not negative.
     #[serde(default)]
-    pub kr: f64,
+    pub kr: Amount,
     /// The colour of the reflection.
     #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
     /// The share of light that is let through; not negative, and `kr + kt` should be 1.
-    pub kt: f64,
+    pub kt: Amount,
     /// The index of refraction inside over the one outside, `ior` in the book; positive. Glass is
     /// about 1.5, water 1.33.
     pub eta: f64,
@@ -39,51 +39,58 @@ pub struct Transparent {
 #[derive(Debug)]
 struct Built {
     phong: phong::Built,
-    kr: f64,
-    cr: Arc<dyn Texture>,
-    kt: f64,
+    kr: Value,
+    cr: Color,
+    kt: Value,
     eta: f64,
 }
 
 impl Specification for Transparent {
     type Built = Arc<dyn Material>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Material>, Invalid> {
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(Built {
-            phong: self.phong.check().map_err(|e| e.inside("phong"))?,
-            kr: not_negative("kr", self.kr)?,
-            cr: self.cr.build("cr")?,
-            kt: not_negative("kt", self.kt)?,
+            phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
+            kr: self.kr.build("kr", resources)?,
+            cr: self.cr.build("cr", resources)?,
+            kt: self.kt.build("kt", resources)?,
             eta: positive("eta", self.eta)?,
         }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { phong: self.phong.scaled(factor), cr: self.cr.scaled(factor), ..*self }
+        Self {
+            phong: self.phong.scaled(factor),
+            kr: self.kr.scaled(factor),
+            cr: self.cr.scaled(factor),
+            kt: self.kt.scaled(factor),
+            eta: self.eta,
+        }
     }
 
     fn specimens() -> Vec<Self> {
-        let phong = Phong { ks: 0.2, exponent: 2000.0, ..Phong::default() };
-        let glass = Self { phong, kr: 0.1, cr: Rgb::WHITE.into(), kt: 0.9, eta: 1.5 };
+        let phong = Phong { ks: 0.2.into(), exponent: 2000.0.into(), ..Phong::default() };
+        let glass = Self { phong, kr: 0.1.into(), cr: Rgb::WHITE.into(), kt: 0.9.into(), eta: 1.5 };
         vec![Self { eta: 0.75, ..glass.clone() }, glass]
     }
 }
 
 impl Material for Built {
-    fn respond(&self, at: &Surface, cos_o: f64, response: &mut Response) {
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.phong.respond(at, cos_o, response);
-        let transmitter = PerfectTransmitter { transmittance: self.kt, eta: self.eta };
+        let kt = self.kt.at(at);
+        let transmitter = PerfectTransmitter { transmittance: kt, eta: self.eta };
         // weight 1, not k_r: nothing passes that could make up for the rest
         let reflectance = if transmitter.reflects_totally(cos_o) {
             Rgb::WHITE
         } else {
-            self.kr * self.cr.color(at)
+            self.kr.at(at) * self.cr.at(at)
         };
         if !reflectance.is_black() {
             response.lobes.push((PerfectSpecular { reflectance }.into(), NormalKind::Geometry));
         }
-        if self.kt > 0.0 {
+        if kt > 0.0 {
             response.lobes.push((transmitter.into(), NormalKind::Geometry));
         }
     }

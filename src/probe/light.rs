@@ -10,6 +10,7 @@ use crate::background::Background;
 use crate::invalid::{Invalid, direction};
 use crate::lights::{Context, Kind, LampObject, LightContext, Meets, Segment};
 use crate::math::{Normal, Point, Vector};
+use crate::resources::Resources;
 use crate::{materials, shapes};
 
 #[derive(Deserialize)]
@@ -107,7 +108,8 @@ impl Light {
             let here = |_, e: Invalid| outer("shape", e);
             limits::buildable(std::iter::once(shape), here)?;
             let shape = shape.build(&mut shapes::Context::default());
-            let material = material.build(&mut ()).map_err(|e| outer("material", e))?;
+            let material =
+                material.build(&mut Resources::default()).map_err(|e| outer("material", e))?;
             let emission = material.emission().cloned();
             let shape = shape.map_err(|e| outer("shape", e))?;
             let object = LampObject { shape, emission, two_sided: *two_sided };

@@ -5,23 +5,36 @@ use serde::Deserialize;
 use super::numbers::{Triple, color};
 use crate::invalid::Invalid;
 use crate::math::{Normal, Point};
+use crate::resources::Resources;
 use crate::shapes::Surface;
-use crate::textures::Paint;
+use crate::textures::{Paint, TexturePoint};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Texture {
     texture: Paint,
     /// In the coordinates of the object.
+    #[serde(default = "origin")]
     point: Point,
+    /// The texture coordinates of the surface itself, as a mesh has them.
+    #[serde(default)]
+    uv: Option<[f64; 2]>,
+}
+
+fn origin() -> Point {
+    Point::ORIGIN
 }
 
 impl super::Question for Texture {
     type Answer = Triple;
 
     fn answer(&self) -> Result<Triple, Invalid> {
-        let texture = self.texture.build("texture")?;
-        // solid textures look at the local point alone
-        Ok(color(texture.color(&Surface::new(self.point, 0.0, Normal::Y))))
+        let texture = self.texture.build("texture", &mut Resources::default())?;
+        let surface = Surface::new(self.point, 0.0, Normal::Y);
+        let at = match self.uv {
+            Some(uv) => TexturePoint::with_uv(&surface, uv),
+            None => TexturePoint::new(&surface),
+        };
+        Ok(color(texture.at(&at)))
     }
 }

@@ -1,42 +1,69 @@
 //! What building a shape needs to know beside its data.
 
 use std::collections::{BTreeMap, HashMap};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use super::{Kind, Shape};
 use crate::accel;
 use crate::invalid::{Invalid, MAX_NESTING};
 use crate::math::Transform;
-use crate::mesh_file::{self, MeshData};
+use crate::mesh_file::MeshData;
+use crate::resources::Resources;
 
 /// More triangles in one scene would take gigabytes, up to 300 bytes each while trees are built.
 const MOST_TRIANGLES: u64 = 1 << 22;
 /// More parts of compounds in one scene would, too.
 const MOST_PARTS: u64 = 1 << 22;
-/// More bytes in its mesh files would, too: they are read whole.
-const MOST_BYTES: u64 = 1 << 28;
 
-/// Where files are found, what has been built already, and how much more may be: equal meshes and
+/// The files of the scene, what has been built already, and how much more may be: equal meshes and
 /// instances of one mesh file are built once and shared.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Context {
-    folder: PathBuf,
+    resources: Resources,
     accel: accel::Method,
-    materials: BTreeMap<String, PartMaterial>,
+    shared: HashMap<String, Arc<dyn Shape>>,
+    materials: Materials,
+    budget: Budget,
+    nesting: Nesting,
+}
+
+/// The materials that objects and parts may name, and those that were given to something.
+#[derive(Debug)]
+struct Materials {
+    known: BTreeMap<String, PartMaterial>,
     /// Whether parts without a material of their own cast shadows.
     inherited: bool,
     used: Vec<PartMaterial>,
     /// How many times a material that casts shadows was given to something.
     casting: u64,
-    meshes: HashMap<PathBuf, Arc<MeshData>>,
-    shared: HashMap<String, Arc<dyn Shape>>,
+}
+
+impl Default for Materials {
+    fn default() -> Self {
+        Self { known: BTreeMap::new(), inherited: true, used: Vec::new(), casting: 0 }
+    }
+}
+
+/// What has been built so far.
+#[derive(Debug, Default)]
+struct Budget {
     triangles: u64,
     parts: u64,
-    bytes: u64,
+}
+
+/// Where in other shapes the present one stands.
+#[derive(Debug)]
+struct Nesting {
     depth: usize,
-    /// What the instances around the present shape do to it, all together.
+    /// What the instances around it do to it, all together.
     around: Transform,
+}
+
+impl Default for Nesting {
+    fn default() -> Self {
+        Self { depth: 0, around: Transform::IDENTITY }
+    }
 }
 
 /// What a part of a compound needs to know of its material.
@@ -48,37 +75,16 @@ pub struct PartMaterial {
     pub casts_shadows: bool,
 }
 
-impl Default for Context {
-    fn default() -> Self {
-        Self {
-            folder: PathBuf::new(),
-            accel: accel::Method::default(),
-            materials: BTreeMap::new(),
-            inherited: true,
-            used: Vec::new(),
-            casting: 0,
-            meshes: HashMap::new(),
-            shared: HashMap::new(),
-            triangles: 0,
-            parts: 0,
-            bytes: 0,
-            depth: 0,
-            around: Transform::IDENTITY,
-        }
-    }
-}
-
 impl Context {
-    /// File names are relative to `folder`; meshes and compounds use `accel` unless they name
-    /// their own.
-    pub fn new(folder: &Path, accel: accel::Method) -> Self {
-        Self { folder: folder.to_owned(), accel, ..Self::default() }
+    /// Meshes and compounds use `accel` unless they name their own.
+    pub fn new(resources: Resources, accel: accel::Method) -> Self {
+        Self { resources, accel, ..Self::default() }
     }
 
     /// Objects and parts of compounds may name these materials.
     #[must_use]
-    pub fn with_materials(self, materials: BTreeMap<String, PartMaterial>) -> Self {
-        Self { materials, ..self }
+    pub fn with_materials(self, known: BTreeMap<String, PartMaterial>) -> Self {
+        Self { materials: Materials { known, ..Materials::default() }, ..self }
     }
 
     /// The material of this name.
@@ -86,8 +92,8 @@ impl Context {
     /// # Errors
     /// [`Invalid`] lists the names there are.
     pub fn material(&self, name: &str) -> Result<PartMaterial, Invalid> {
-        self.materials.get(name).copied().ok_or_else(|| {
-            let known: Vec<&str> = self.materials.keys().map(String::as_str).collect();
+        self.materials.known.get(name).copied().ok_or_else(|| {
+            let known: Vec<&str> = self.materials.known.keys().map(String::as_str).collect();
             let known = known.join(", ");
             Invalid::field("material", format!("no material `{name}`; defined are: {known}"))
         })
@@ -102,9 +108,9 @@ impl Context {
         shape: &Kind,
         material: PartMaterial,
     ) -> Result<(Arc<dyn Shape>, Vec<PartMaterial>), Invalid> {
-        self.used.clear();
+        self.materials.used.clear();
         let shape = self.within(Some(material), |context| shape.build(context))?;
-        Ok((shape, std::mem::take(&mut self.used)))
+        Ok((shape, std::mem::take(&mut self.materials.used)))
     }
 
     /// Builds the shape of a part of this material, and says whether anything in it casts shadows:
@@ -114,10 +120,10 @@ impl Context {
         shape: &Kind,
         material: Option<PartMaterial>,
     ) -> Result<(Arc<dyn Shape>, bool), Invalid> {
-        let before = self.casting;
+        let before = self.materials.casting;
         let built = self.nested(|context| context.within(material, |c| shape.build(c)))?;
-        let as_around = material.is_none() && self.inherited;
-        Ok((built, as_around || self.casting > before))
+        let as_around = material.is_none() && self.materials.inherited;
+        Ok((built, as_around || self.materials.casting > before))
     }
 
     /// Builds what stands inside a part of this material.
@@ -126,26 +132,26 @@ impl Context {
         material: Option<PartMaterial>,
         build: impl FnOnce(&mut Self) -> T,
     ) -> T {
-        let outer = self.inherited;
+        let outer = self.materials.inherited;
         if let Some(material) = material {
-            self.inherited = material.casts_shadows;
-            self.casting += u64::from(material.casts_shadows);
-            if !self.used.contains(&material) {
-                self.used.push(material);
+            self.materials.inherited = material.casts_shadows;
+            self.materials.casting += u64::from(material.casts_shadows);
+            if !self.materials.used.contains(&material) {
+                self.materials.used.push(material);
             }
         }
         let built = build(self);
-        self.inherited = outer;
+        self.materials.inherited = outer;
         built
     }
 
     /// Takes so many parts off the scene's budget.
     pub(super) fn take_parts(&mut self, count: u64) -> Result<(), Invalid> {
-        self.parts = self.parts.saturating_add(count);
-        if self.parts > MOST_PARTS {
+        self.budget.parts = self.budget.parts.saturating_add(count);
+        if self.budget.parts > MOST_PARTS {
             return Err(Invalid::new(format!(
                 "{} parts so far are too many; at most {MOST_PARTS} fit",
-                self.parts
+                self.budget.parts
             )));
         }
         Ok(())
@@ -158,43 +164,17 @@ impl Context {
 
     /// The contents of a mesh file, read once.
     pub(super) fn mesh(&mut self, file: &Path) -> Result<Arc<MeshData>, Invalid> {
-        let path = self.folder.join(file);
-        if let Some(known) = self.meshes.get(&path) {
-            return Ok(Arc::clone(known));
-        }
-        self.take_bytes(&path).map_err(|problem| Invalid::field("file", problem))?;
-        let mesh = mesh_file::read(&path).map_err(|e| Invalid::field("file", e.to_string()))?;
-        let mesh = Arc::new(mesh);
-        self.meshes.insert(path, Arc::clone(&mesh));
-        Ok(mesh)
-    }
-
-    /// Takes the size of a file off the budget; a file that cannot be looked at is left to the
-    /// reader.
-    fn take_bytes(&mut self, path: &Path) -> Result<(), String> {
-        let Ok(file) = std::fs::metadata(path) else { return Ok(()) };
-        if !file.is_file() {
-            return Err(format!("{}: not a file", path.display()));
-        }
-        self.bytes += file.len();
-        if self.bytes > MOST_BYTES {
-            let (path, size, all) = (path.display(), file.len(), self.bytes);
-            return Err(format!(
-                "{path}: {size} bytes, with the meshes before it {all}, are too many; \
-                 at most {MOST_BYTES} fit"
-            ));
-        }
-        Ok(())
+        self.resources.mesh(file)
     }
 
     /// Takes so many triangles off the scene's budget.
     pub(super) fn take_triangles(&mut self, count: u64) -> Result<(), Invalid> {
-        self.triangles += count;
-        if self.triangles > MOST_TRIANGLES {
+        self.budget.triangles += count;
+        if self.budget.triangles > MOST_TRIANGLES {
             return Err(Invalid::new(format!(
                 "{count} triangles, with the meshes before it {}, are too many; \
                  at most {MOST_TRIANGLES} fit",
-                self.triangles
+                self.budget.triangles
             )));
         }
         Ok(())
@@ -223,13 +203,13 @@ impl Context {
         transform: &Transform,
         build: impl FnOnce(&mut Self) -> Result<T, Invalid>,
     ) -> Result<T, Invalid> {
-        let around = self.around;
-        self.around = around.checked_after(transform).map_err(|singular| {
+        let around = self.nesting.around;
+        self.nesting.around = around.checked_after(transform).map_err(|singular| {
             let problem = format!("with the instances around it, {singular}");
             Invalid::field("transform", problem)
         })?;
         let built = self.nested(build).map_err(|e| e.inside("of"));
-        self.around = around;
+        self.nesting.around = around;
         built
     }
 
@@ -238,14 +218,14 @@ impl Context {
         &mut self,
         build: impl FnOnce(&mut Self) -> Result<T, Invalid>,
     ) -> Result<T, Invalid> {
-        if self.depth == MAX_NESTING {
+        if self.nesting.depth == MAX_NESTING {
             return Err(Invalid::new(format!(
                 "more than {MAX_NESTING} shapes are nested in one another; leave out a level, or combine transforms"
             )));
         }
-        self.depth += 1;
+        self.nesting.depth += 1;
         let built = build(self);
-        self.depth -= 1;
+        self.nesting.depth -= 1;
         built
     }
 }
@@ -266,7 +246,7 @@ mod tests {
         let [a, b, c] = [(5, 4), (5, 4), (4, 5)]
             .map(|(h, v)| sphere(h, v).build(&mut context).expect("a valid sphere"));
         assert!(Arc::ptr_eq(&a, &b) && !Arc::ptr_eq(&a, &c));
-        assert_eq!(context.triangles, 2 * 5 * 3 + 2 * 4 * 4);
+        assert_eq!(context.budget.triangles, 2 * 5 * 3 + 2 * 4 * 4);
     }
 
     /// Law: what would take gigabytes is refused before it is built, alone and together.
@@ -276,7 +256,8 @@ mod tests {
         let problem = sphere(4096, 4096).build(&mut context).expect_err("33 million").to_string();
         assert!(problem.starts_with("tessellated_sphere: 33546240 triangles"), "{problem}");
         assert!(problem.ends_with("are too many; at most 4194304 fit"), "{problem}");
-        let mut context = Context { triangles: MOST_TRIANGLES - 29, ..Context::default() };
+        let mut context = Context::default();
+        context.budget.triangles = MOST_TRIANGLES - 29;
         assert!(sphere(5, 4).build(&mut context).is_err(), "30 more than fit");
     }
 }

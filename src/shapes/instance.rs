@@ -261,6 +261,10 @@ impl SampledSurface for SampledInstance {
         (pdf > 0.0 && pdf.is_finite()).then_some((outer, pdf))
     }
 
+    fn candidate(&self, from: Point, u: [f64; 2]) -> Candidate {
+        self.shape.candidate(self.transform.inverse().point(from), u)
+    }
+
     fn pdf(&self, from: Point, at: &Surface) -> f64 {
         let back = self.transform.inverse();
         let (inner_from, point) = (back.point(from), back.point(at.point));

@@ -56,14 +56,12 @@ pub struct Surface {
     /// The material of that part of a compound, by its place in the scene; the object's own if
     /// `None`.
     pub material: Option<u32>,
-    /// As in [`Candidate`]; set for what the world hits.
-    pub leaf: u64,
 }
 
 impl Surface {
     /// A surface with one normal, in its own coordinates.
     pub fn new(point: Point, error: f64, normal: Normal) -> Self {
-        Self { point, error, normal, shading: normal, local: point, material: None, leaf: 0 }
+        Self { point, error, normal, shading: normal, local: point, material: None }
     }
 
     /// The same surface, its normals turned round if it is an inward one.

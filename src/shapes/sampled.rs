@@ -9,7 +9,7 @@ use std::fmt::Debug;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Surface;
+use super::{Candidate, Surface};
 use crate::math::Point;
 
 /// How points are drawn on a surface.
@@ -29,6 +29,12 @@ pub trait SampledSurface: Debug + Send + Sync {
     /// and finite. `None` for a point that is not seen, or edge-on.
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)>;
 
+    /// The hit of the shape that the point for these two numbers is, as far as its texture coordinates
+    /// need it. Asked only if the lamp's colour is a texture.
+    fn candidate(&self, _from: Point, _u: [f64; 2]) -> Candidate {
+        Candidate::at(0.0)
+    }
+
     /// The density with which [`SampledSurface::sample`] draws this point of the surface, per steradian.
     fn pdf(&self, from: Point, at: &Surface) -> f64;
 }
@@ -40,6 +46,11 @@ pub(super) trait EvenSurface: Debug + Send + Sync {
 
     /// A point for two numbers in `[0, 1)`; equal areas for equal areas of the square.
     fn point(&self, u: [f64; 2]) -> Surface;
+
+    /// As [`SampledSurface::candidate`].
+    fn candidate(&self, _u: [f64; 2]) -> Candidate {
+        Candidate::at(0.0)
+    }
 
     /// Whether the surface itself hides this point of it, as the far side of a sphere is hidden.
     fn is_hidden(&self, _from: Point, _at: &Surface) -> bool {
@@ -73,6 +84,10 @@ pub(super) struct ByArea<S>(pub S);
 impl<S: EvenSurface> SampledSurface for ByArea<S> {
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
         self.0.sample_by_area(from, u)
+    }
+
+    fn candidate(&self, _: Point, u: [f64; 2]) -> Candidate {
+        self.0.candidate(u)
     }
 
     fn pdf(&self, from: Point, at: &Surface) -> f64 {

@@ -317,6 +317,17 @@ impl SampledMesh {
         });
         Self { areas: areas.collect(), mesh }
     }
+
+    /// The triangle and the barycentric coordinates for two numbers.
+    fn drawn(&self, [u, v]: [f64; 2]) -> (usize, [f64; 2]) {
+        let wanted = u * self.area();
+        let last = self.areas.len() - 1;
+        let triangle = self.areas.partition_point(|&sum| sum <= wanted).min(last);
+        let before = if triangle == 0 { 0.0 } else { self.areas[triangle - 1] };
+        // where in its share u lies is a fresh number
+        let again = (wanted - before) / (self.areas[triangle] - before);
+        (triangle, maps::triangle([again.min(ONE_MINUS), v]))
+    }
 }
 
 impl EvenSurface for SampledMesh {
@@ -324,13 +335,13 @@ impl EvenSurface for SampledMesh {
         self.areas.last().copied().unwrap_or(0.0)
     }
 
-    fn point(&self, [u, v]: [f64; 2]) -> Surface {
-        let wanted = u * self.area();
-        let last = self.areas.len() - 1;
-        let triangle = self.areas.partition_point(|&sum| sum <= wanted).min(last);
-        let before = if triangle == 0 { 0.0 } else { self.areas[triangle - 1] };
-        // where in its share u lies is a fresh number
-        let again = (wanted - before) / (self.areas[triangle] - before);
-        self.mesh.surface_at(triangle, maps::triangle([again.min(ONE_MINUS), v]))
+    fn point(&self, u: [f64; 2]) -> Surface {
+        let (triangle, barycentric) = self.drawn(u);
+        self.mesh.surface_at(triangle, barycentric)
+    }
+
+    fn candidate(&self, u: [f64; 2]) -> Candidate {
+        let (triangle, parameters) = self.drawn(u);
+        Candidate { part: triangle as u32, parameters, ..Candidate::at(0.0) }
     }
 }

@@ -5,32 +5,32 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Texture;
+use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::floor;
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
 
 /// Cubes of alternating colours, in the local coordinates of the object. The cube of a point is
 /// `floor(x / size − 0.000187453738)` on each axis, so that its borders are a little beyond the
 /// multiples of the size: a face at a whole coordinate lies in one cube, whatever way it is rounded.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Checker3d {
     /// The side of a cube, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
     /// The colour of the cube at the origin.
-    #[serde(default = "kinds::white::<Rgb>")]
-    pub color1: Rgb,
+    #[serde(default = "kinds::white::<Paint>")]
+    pub color1: Paint,
     /// The colour of its neighbours.
     #[serde(default = "half_grey")]
-    pub color2: Rgb,
+    pub color2: Paint,
 }
 
-fn half_grey() -> Rgb {
-    Rgb::grey(0.5)
+fn half_grey() -> Paint {
+    Rgb::grey(0.5).into()
 }
 
 /// The book's odd offset, added before rounding down, so that a face that lies on a border of cubes has
@@ -38,31 +38,45 @@ fn half_grey() -> Rgb {
 /// scene.
 const OFFSET: f64 = -0.000_187_453_738;
 
+#[derive(Debug)]
+struct Built {
+    size: f64,
+    color1: Color,
+    color2: Color,
+}
+
 impl Specification for Checker3d {
     type Built = Arc<dyn Texture>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Texture>, Invalid> {
-        positive("size", self.size)?;
-        self.color1.checked("color1")?;
-        self.color2.checked("color2")?;
-        Ok(Arc::new(self.clone()))
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            size: positive("size", self.size)?,
+            color1: self.color1.build("color1", resources)?,
+            color2: self.color2.build("color2", resources)?,
+        }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self { size: factor * self.size, ..*self }
+        Self {
+            size: factor * self.size,
+            color1: self.color1.scaled(factor),
+            color2: self.color2.scaled(factor),
+        }
     }
 
     fn specimens() -> Vec<Self> {
-        vec![Self { size: 0.75, color1: Rgb::WHITE, color2: Rgb::new(0.1, 0.4, 0.8) }]
+        let [color1, color2] = [Rgb::WHITE, Rgb::new(0.1, 0.4, 0.8)].map(Paint::from);
+        let plain = Self { size: 0.75, color1, color2 };
+        vec![Self { size: 3.0, color2: plain.clone().into(), ..plain.clone() }, plain]
     }
 }
 
-impl Texture for Checker3d {
-    fn color(&self, at: &Surface) -> Rgb {
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let cell = |x: f64| floor(x / self.size + OFFSET);
         let parity: f64 = at.local.to_array().into_iter().map(cell).sum();
         // Euclidean: the remainder of a negative number is not negative
-        if parity.rem_euclid(2.0) == 0.0 { self.color1 } else { self.color2 }
+        if parity.rem_euclid(2.0) == 0.0 { self.color1.at(at) } else { self.color2.at(at) }
     }
 }

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Texture;
+use super::{Texture, TexturePoint};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
 
 /// The same colour everywhere.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -21,9 +21,9 @@ pub struct Constant {
 
 impl Specification for Constant {
     type Built = Arc<dyn Texture>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Texture>, Invalid> {
+    fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         self.color.checked("color")?;
         Ok(Arc::new(self.clone()))
     }
@@ -38,7 +38,7 @@ impl Specification for Constant {
 }
 
 impl Texture for Constant {
-    fn color(&self, _: &Surface) -> Rgb {
+    fn color(&self, _: &TexturePoint<'_>) -> Rgb {
         self.color
     }
 }

@@ -5,64 +5,83 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Texture;
+use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::Specification;
 use crate::math::floor;
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
 
 /// Squares of alternating colours in the local xz plane, with lines along their borders. For level
 /// surfaces: along y the colour does not change.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlaneChecker {
     /// The side of a square, in the unit of the scene; positive.
     pub size: f64,
     /// The colour of the square in the first quadrant at the origin.
-    pub color1: Rgb,
+    pub color1: Paint,
     /// The colour of its neighbours.
-    pub color2: Rgb,
+    pub color2: Paint,
     /// The full width of the lines, centred on the borders, in the unit of the scene; 0 for none.
     #[serde(default)]
     pub outline_width: f64,
     /// The colour of the lines.
-    #[serde(default)]
-    pub outline_color: Rgb,
+    #[serde(default = "black")]
+    pub outline_color: Paint,
+}
+
+fn black() -> Paint {
+    Rgb::BLACK.into()
+}
+
+#[derive(Debug)]
+struct Built {
+    size: f64,
+    color1: Color,
+    color2: Color,
+    outline_width: f64,
+    outline_color: Color,
 }
 
 impl Specification for PlaneChecker {
     type Built = Arc<dyn Texture>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Texture>, Invalid> {
-        positive("size", self.size)?;
-        not_negative("outline_width", self.outline_width)?;
-        self.color1.checked("color1")?;
-        self.color2.checked("color2")?;
-        self.outline_color.checked("outline_color")?;
-        Ok(Arc::new(self.clone()))
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            size: positive("size", self.size)?,
+            color1: self.color1.build("color1", resources)?,
+            color2: self.color2.build("color2", resources)?,
+            outline_width: not_negative("outline_width", self.outline_width)?,
+            outline_color: self.outline_color.build("outline_color", resources)?,
+        }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        let (size, outline_width) = (factor * self.size, factor * self.outline_width);
-        Self { size, outline_width, ..*self }
+        Self {
+            size: factor * self.size,
+            color1: self.color1.scaled(factor),
+            color2: self.color2.scaled(factor),
+            outline_width: factor * self.outline_width,
+            outline_color: self.outline_color.scaled(factor),
+        }
     }
 
     fn specimens() -> Vec<Self> {
         let outlined = Self {
             size: 0.5,
-            color1: Rgb::WHITE,
-            color2: Rgb::new(0.5, 0.75, 0.5),
+            color1: Rgb::WHITE.into(),
+            color2: Rgb::new(0.5, 0.75, 0.5).into(),
             outline_width: 0.0625,
-            outline_color: Rgb::BLACK,
+            outline_color: Rgb::BLACK.into(),
         };
-        vec![Self { outline_width: 0.0, ..outlined }, outlined]
+        vec![Self { outline_width: 0.0, ..outlined.clone() }, outlined]
     }
 }
 
-impl Texture for PlaneChecker {
-    fn color(&self, at: &Surface) -> Rgb {
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let [x, z] = [at.local.x() / self.size, at.local.z() / self.size];
         let half_line = 0.5 * self.outline_width / self.size;
         let on_line = |x: f64| {
@@ -70,11 +89,11 @@ impl Texture for PlaneChecker {
             fraction < half_line || fraction > 1.0 - half_line
         };
         if on_line(x) || on_line(z) {
-            self.outline_color
+            self.outline_color.at(at)
         } else if (floor(x) + floor(z)).rem_euclid(2.0) == 0.0 {
-            self.color1
+            self.color1.at(at)
         } else {
-            self.color2
+            self.color2.at(at)
         }
     }
 }

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Texture;
+use super::{Texture, TexturePoint};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Pcg32, hash};
+use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::shapes::Surface;
 
 /// A colour for each shape nested in a compound, lattice or set of random spheres, uniform in the
 /// cube of colours and the same wherever the shape is seen.
@@ -24,9 +24,9 @@ pub struct RandomColors {
 
 impl Specification for RandomColors {
     type Built = Arc<dyn Texture>;
-    type Context = ();
+    type Context = Resources;
 
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Texture>, Invalid> {
+    fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(self.clone()))
     }
 
@@ -40,8 +40,8 @@ impl Specification for RandomColors {
 }
 
 impl Texture for RandomColors {
-    fn color(&self, at: &Surface) -> Rgb {
-        let mut random = Pcg32::new(hash(&[self.seed, at.leaf]), 0);
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let mut random = Pcg32::new(hash(&[self.seed, at.leaf()]), 0);
         let mut channel = || random.uniform();
         Rgb::new(channel(), channel(), channel())
     }

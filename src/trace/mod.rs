@@ -124,7 +124,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let point = ShadingPoint::new(hit, -path.ray.direction);
         let material = &hit.material.recipe;
         if let Some(emission) = material.emission().filter(|_| hit.object.shines) {
-            let emitted = emission.radiance(&hit.surface, point.cos_o);
+            let emitted = emission.radiance(&hit.texture_point(), point.cos_o);
             let lamp_of = hit.object.lamp_of.map(|light| &self.world.lights[light as usize]);
             let to = Target::Surface(&hit.surface);
             let mis = lamp_of.and_then(|light| self.share(path, light, &to));
@@ -134,7 +134,7 @@ impl<R: Recorder> Tracing<'_, R> {
             }
         }
         let mut response = Response::default();
-        material.respond(&hit.surface, point.cos_o, &mut response);
+        material.respond(&hit.texture_point(), point.cos_o, &mut response);
         let bsdf = Bsdf::new(&response.lobes, point.normals, point.wo);
         self.recorder.surface(&point, &response.lobes);
 

@@ -163,7 +163,7 @@ fn transmitted(hit: &Hit<'_>, direction: Vector) -> Rgb {
     let sides = [-direction, direction].map(|wo| ShadingPoint::new(hit, wo));
     let from_thinner = |point: &ShadingPoint<'_>| {
         let mut response = Response::default();
-        recipe.respond(&hit.surface, point.cos_o, &mut response);
+        recipe.respond(&hit.texture_point(), point.cos_o, &mut response);
         Optics::of(point, &response.lobes).filter(|optics| optics.eta >= 1.0)
     };
     sides.iter().find_map(from_thinner).map_or(Rgb::BLACK, |optics| optics.transmitted)

@@ -1,12 +1,12 @@
 //! The lists of a scene checked and built: lights, materials, objects.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 
 use super::{PlacedLight, PlacedMaterial, PlacedObject};
 use crate::invalid::{Invalid, Key};
 use crate::lights::{self, LampObject};
+use crate::resources::Resources;
 use crate::scene::{self, Scene};
 use crate::shapes::{Context, PartMaterial};
 
@@ -89,11 +89,14 @@ fn lights_context(
     context
 }
 
-pub(super) fn placed_materials(scene: &Scene) -> Result<Vec<PlacedMaterial>, Invalid> {
+pub(super) fn placed_materials(
+    scene: &Scene,
+    resources: &mut Resources,
+) -> Result<Vec<PlacedMaterial>, Invalid> {
     unique("materials", scene.materials.iter().map(|material| material.name.as_str()))?;
-    let placed = |(index, material): (usize, &scene::Material)| {
+    let mut placed = |(index, material): (usize, &scene::Material)| {
         let here = item("materials", index, &material.name);
-        let recipe = material.recipe.build(&mut ()).map_err(|e| here(e.inside("recipe")))?;
+        let recipe = material.recipe.build(resources).map_err(|e| here(e.inside("recipe")))?;
         if material.two_sided && recipe.transmits() {
             let problem = "a transparent material must know its inside and cannot be two-sided";
             return Err(here(Invalid::field("two_sided", problem)));
@@ -102,12 +105,12 @@ pub(super) fn placed_materials(scene: &Scene) -> Result<Vec<PlacedMaterial>, Inv
         let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
         Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows })
     };
-    scene.materials.iter().enumerate().map(placed).collect()
+    scene.materials.iter().enumerate().map(&mut placed).collect()
 }
 
 pub(super) fn placed_objects(
     scene: &Scene,
-    folder: &Path,
+    resources: Resources,
     materials: &[PlacedMaterial],
 ) -> Result<Vec<PlacedObject>, Invalid> {
     let known: BTreeMap<String, PartMaterial> = materials
@@ -115,7 +118,7 @@ pub(super) fn placed_objects(
         .map(|m| (m.name.clone(), PartMaterial { place: m.place, casts_shadows: m.casts_shadows }))
         .collect();
     unique("objects", scene.objects.iter().map(|object| object.name.as_str()))?;
-    let mut context = Context::new(folder, scene.accel).with_materials(known);
+    let mut context = Context::new(resources, scene.accel).with_materials(known);
     let mut objects = Vec::new();
     for (index, object) in scene.objects.iter().enumerate() {
         let here = item("objects", index, &object.name);

@@ -233,7 +233,11 @@ fn a_convex_body_in_a_furnace_shines_with_its_albedo() {
     let ellipsoid = Instance::new(Shape::from(ball.clone()), shear);
     for shape in [Shape::from(ball), ellipsoid.into(), block.into()] {
         let mut scene = stage(Rgb::BLACK);
-        put(&mut scene, shape, Matte { ka: 0.0, kd: 0.5, cd: Rgb::new(1.0, 0.5, 0.2).into() });
+        put(
+            &mut scene,
+            shape,
+            Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::new(1.0, 0.5, 0.2).into() },
+        );
         for i in 0..FURNACE {
             let y = 1.0 - (2.0 * f64::from(i) + 1.0) / f64::from(FURNACE);
             let direction = at_angle(Normal::Y, y, f64::from(i) * 2.399_963_229_728_653);

@@ -28,7 +28,7 @@ fn lit_plane(normal: Normal, matte: Matte) -> Scene {
 }
 
 fn matte(ka: f64, kd: f64, cd: Rgb) -> Matte {
-    Matte { ka, kd, cd: cd.into() }
+    Matte { ka: ka.into(), kd: kd.into(), cd: cd.into() }
 }
 
 fn sun(ls: f64, color: Rgb, direction: Vector) -> Directional {

@@ -25,7 +25,14 @@ fn exponents() -> impl Strategy<Value = f64> {
 }
 
 fn phong(ka: f64, kd: f64, cd: Rgb, ks: f64, cs: Rgb, exponent: f64) -> Phong {
-    Phong { ka, kd, cd: cd.into(), ks, cs: cs.into(), exponent }
+    Phong {
+        ka: ka.into(),
+        kd: kd.into(),
+        cd: cd.into(),
+        ks: ks.into(),
+        cs: cs.into(),
+        exponent: exponent.into(),
+    }
 }
 
 /// A plane through the origin under one light, seen along `−to_eye`.
@@ -60,7 +67,7 @@ proptest! {
     #[test]
     fn phong_without_highlights_is_matte((n, wi) in normal_and_direction_above(), cd in color()) {
         let wo = at_angle(n, 0.3, 1.0);
-        let matte = Matte { ka: 0.3, kd: 0.6, cd: cd.into() };
+        let matte = Matte { ka: 0.3.into(), kd: 0.6.into(), cd: cd.into() };
         let plain = phong(0.3, 0.6, cd, 0.0, Rgb::WHITE, 7.0);
         prop_assert_eq!(plane_seen(n, plain, wi, wo), plane_seen(n, matte, wi, wo));
     }
@@ -234,7 +241,7 @@ fn a_highlight_in_a_picture_has_the_size_of_its_exponent() {
 fn no_shadow_ray_is_cast_for_what_no_picture_can_show() {
     for (exponent, rays) in [(1000.0, 0), (151.0, 0), (147.0, 1), (1.0, 1)] {
         let mut scene = stage(Rgb::BLACK);
-        let gloss = Phong { ks: 1.0, exponent, ..Phong::default() };
+        let gloss = Phong { ks: 1.0.into(), exponent: exponent.into(), ..Phong::default() };
         put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, gloss);
         shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::Y });
         let (eye, down) =

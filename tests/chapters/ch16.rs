@@ -21,7 +21,7 @@ use crate::ch14::stage::*;
 use crate::support::{U, camera_ray, laws, point, unit};
 
 fn white() -> Matte {
-    Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }
+    Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
 }
 
 fn sun(direction: Vector) -> Directional {

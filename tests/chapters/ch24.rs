@@ -21,13 +21,13 @@ const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
 
 /// A mirror over nothing.
 fn mirror(kr: f64, cr: Rgb) -> Reflective {
-    Reflective { phong: Phong::default(), kr, cr: cr.into() }
+    Reflective { phong: Phong::default(), kr: kr.into(), cr: cr.into() }
 }
 
 /// A mirror that glows: it makes `ka` of ambient light of strength 1.
 fn glowing(ka: f64, kr: f64, cr: Rgb) -> Reflective {
-    let phong = Phong { ka, cd: Rgb::WHITE.into(), ..Phong::default() };
-    Reflective { phong, kr, cr: cr.into() }
+    let phong = Phong { ka: ka.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
+    Reflective { phong, kr: kr.into(), cr: cr.into() }
 }
 
 fn ambient(scene: &mut Scene) {
@@ -166,7 +166,7 @@ proptest! {
         let spot = spot.with(1, 0.0);
         let mut scene = deep_stage(BACKGROUND, 3);
         let phong = Phong {
-            ka: 0.2, kd: 0.6, cd: Rgb::new(1.0, 0.5, 0.2).into(), ks: 0.3, exponent: 5.0,
+            ka: 0.2.into(), kd: 0.6.into(), cd: Rgb::new(1.0, 0.5, 0.2).into(), ks: 0.3.into(), exponent: 5.0.into(),
             ..Phong::default()
         };
         put(&mut scene, ball(Point::new(0.0, 2.0, 0.0), 1.5), phong.clone());
@@ -192,7 +192,7 @@ proptest! {
     #[test]
     fn without_depth_a_mirror_is_its_base((n, wo) in normal_and_direction_above(), sun in unit()) {
         let base = Phong {
-            ka: 0.2, kd: 0.6, cd: Rgb::new(1.0, 0.5, 0.2).into(), ks: 0.3, exponent: 5.0,
+            ka: 0.2.into(), kd: 0.6.into(), cd: Rgb::new(1.0, 0.5, 0.2).into(), ks: 0.3.into(), exponent: 5.0.into(),
             ..Phong::default()
         };
         let seen = |mirrored: bool, tracer: Tracer| {
@@ -289,7 +289,7 @@ fn a_mirror_throws_no_light() {
     put(
         &mut scene,
         Plane { point: Point::ORIGIN, normal: Vector::Y },
-        Matte { ka: 0.1, kd: 0.8, cd: Rgb::WHITE.into() },
+        Matte { ka: 0.1.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() },
     );
     let wall = Plane { point: Point::new(-3.0, 0.0, 0.0), normal: Vector::X };
     let wall = put(&mut scene, wall, mirror(1.0, Rgb::WHITE));

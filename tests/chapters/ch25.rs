@@ -23,7 +23,13 @@ const TESTS: usize = 40;
 const REPLICAS: u64 = 24;
 
 fn glossy(kr: f64, exponent: f64, rule: GlossyRule) -> GlossyReflector {
-    GlossyReflector { phong: Phong::default(), kr, cr: Rgb::WHITE.into(), exponent, rule }
+    GlossyReflector {
+        phong: Phong::default(),
+        kr: kr.into(),
+        cr: Rgb::WHITE.into(),
+        exponent: exponent.into(),
+        rule,
+    }
 }
 
 fn floor() -> Plane {
@@ -170,7 +176,7 @@ fn under_a_ball(finish: impl Into<groundtruth::materials::Kind>) -> Scene {
 /// Oracle: the mirror of chapter 24; the distance falls at each step.
 #[test]
 fn a_large_exponent_is_a_mirror() {
-    let mirror = Reflective { phong: Phong::default(), kr: 0.8, cr: Rgb::WHITE.into() };
+    let mirror = Reflective { phong: Phong::default(), kr: 0.8.into(), cr: Rgb::WHITE.into() };
     let mirrored = built(&under_a_ball(mirror));
     let rays = (0..60).map(|i| Vector::new(0.02 * f64::from(i) - 0.6, -0.45, -1.0));
     let distance = |exponent| {
@@ -195,7 +201,7 @@ fn a_large_exponent_is_a_mirror() {
 /// scene without the other.
 #[test]
 fn highlight_and_reflection_have_exponents_of_their_own() {
-    let highlight = Phong { ks: 0.5, exponent: 30.0, ..Phong::default() };
+    let highlight = Phong { ks: 0.5.into(), exponent: 30.0.into(), ..Phong::default() };
     let seen = |finish: GlossyReflector| {
         let mut scene = deep_stage(Rgb::BLACK, 1);
         put(&mut scene, floor(), finish);
@@ -209,7 +215,7 @@ fn highlight_and_reflection_have_exponents_of_their_own() {
         ..glossy(0.5, exponent, GlossyRule::Book)
     };
     // the surroundings are black: what is seen is the highlight
-    let alone = seen(GlossyReflector { kr: 0.0, ..with(1.0) });
+    let alone = seen(GlossyReflector { kr: 0.0.into(), ..with(1.0) });
     assert!(alone > 0.1, "{alone}");
     assert_eq!([seen(with(1.0)), seen(with(1e4))], [alone; 2]);
     let bright = |highlight_exponent| {
@@ -218,7 +224,7 @@ fn highlight_and_reflection_have_exponents_of_their_own() {
         put(&mut scene, floor(), GlossyReflector { phong, ..glossy(0.5, 10.0, GlossyRule::Book) });
         look(&built(&scene), Point::new(-1.0, 2.0, 0.1), Vector::new(1.0, -2.0, 0.0)).g
     };
-    assert!((bright(1.0) - 0.5).abs() < 1e-14 && bright(1.0) == bright(1e3));
+    assert!((bright(1.0.into()) - 0.5).abs() < 1e-14 && bright(1.0.into()) == bright(1e3.into()));
 }
 
 /// Law: a glossy hit casts one ray and draws one pair of numbers; ray casting neither. Oracle: counting.
@@ -243,7 +249,7 @@ fn other_lobes_do_not_move_the_reflection() {
         let tree = recorded(&built(&scene), Point::new(3.0, 1.0, 0.0), -Vector::Y);
         tree.nodes().last().expect("a reflected ray").ray
     };
-    assert_eq!(direction(0.0), direction(0.5));
+    assert_eq!(direction(0.0.into()), direction(0.5.into()));
 }
 
 /// Law: where only what shines is seen, Whitted's tracer and the three path tracers have one mean, by both
@@ -274,7 +280,7 @@ fn a_smooth_mirror_has_no_black_outline() {
     let mut scene = deep_stage(Rgb::new(0.2, 0.4, 0.6), 2);
     let vertices = [[-1.0, 0.0, -1.0], [0.0, 0.0, 1.0], [1.0, 0.0, -1.0]].map(Point::from);
     let normals = Some([Vector::new(-0.9, 0.5, 0.0); 3]);
-    let mirror = Reflective { phong: Phong::default(), kr: 1.0, cr: Rgb::WHITE.into() };
+    let mirror = Reflective { phong: Phong::default(), kr: 1.0.into(), cr: Rgb::WHITE.into() };
     put(&mut scene, Triangle { vertices, normals }, mirror);
     let seen = look(&built(&scene), Point::new(2.0, 0.4, 0.0), Vector::new(-2.0, -0.4, -0.1));
     assert_eq!(seen, Rgb::new(0.2, 0.4, 0.6));
@@ -288,7 +294,7 @@ fn nothing_is_reflected_of_nothing() {
     scene.tracer = Tracer::Path(Depth { max_depth: 5 });
     put(&mut scene, floor(), glossy(1.0, 5.0, GlossyRule::Normalised));
     let ball = Sphere { center: Point::new(0.0, 1.0, 0.0), radius: 1.0, inward: false };
-    put(&mut scene, ball, Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() });
+    put(&mut scene, ball, Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() });
     assert!(
         look(&built(&scene), Point::new(0.0, 3.0, 5.0), Vector::new(0.0, -3.0, -5.0)).is_black()
     );

@@ -36,9 +36,13 @@ fn tracers(max_depth: u32) -> [Tracer; 3] {
 fn room() -> Scene {
     let mut scene = stage(Rgb::new(0.1, 0.2, 0.3));
     let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
-    put(&mut scene, floor, Matte { ka: 0.0, kd: 0.8, cd: Rgb::new(0.9, 0.3, 0.2).into() });
+    put(
+        &mut scene,
+        floor,
+        Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::new(0.9, 0.3, 0.2).into() },
+    );
     let ball = Sphere { center: Point::new(0.0, 1.0, 0.0), radius: 1.0, inward: false };
-    put(&mut scene, ball, Matte { ka: 0.0, kd: 0.7, cd: Rgb::WHITE.into() });
+    put(&mut scene, ball, Matte { ka: 0.0.into(), kd: 0.7.into(), cd: Rgb::WHITE.into() });
     let lamp = Disk { center: Point::new(1.5, 3.0, 0.5), normal: -Vector::Y, radius: 0.8 };
     let lamp = put(&mut scene, lamp, Emissive::new(5.0, Rgb::WHITE));
     shine(&mut scene, Area { object: lamp.to_string(), sampling: None });
@@ -98,7 +102,7 @@ fn a_closed_sphere_that_emits_and_reflects_sums_the_series() {
             let mut scene = stage(Rgb::BLACK);
             scene.tracer = Tracer::PathTrace(Depth { max_depth: n });
             let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-            let matte = Some(Matte { ka: 0.0, kd: rho, cd: Rgb::WHITE.into() });
+            let matte = Some(Matte { ka: 0.0.into(), kd: rho.into(), cd: Rgb::WHITE.into() });
             put(&mut scene, wall, Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) });
             let expected = 2.0 * (1.0 - power(rho, f64::from(n + 1))) / (1.0 - rho);
             let mut c = || random.uniform() - 0.5;
@@ -118,7 +122,7 @@ fn roulette_keeps_the_mean() {
         scene.tracer = Tracer::Path(Depth { max_depth: 40 });
         scene.image.samples = 256;
         let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-        let matte = Some(Matte { ka: 0.0, kd: rho, cd: Rgb::WHITE.into() });
+        let matte = Some(Matte { ka: 0.0.into(), kd: rho.into(), cd: Rgb::WHITE.into() });
         put(&mut scene, wall, Emissive { matte, ..Emissive::new(1.0, Rgb::WHITE) });
         let expected = (1.0 - power(rho, 41.0)) / (1.0 - rho);
         let found = replicas(&scene, &[(Point::ORIGIN, Vector::X)]);
@@ -136,7 +140,7 @@ fn a_convex_body_in_uniform_light_shows_its_reflectance() {
     let mut scene = stage(Rgb::grey(2.0));
     scene.tracer = Tracer::PathTrace(Depth { max_depth: 5 });
     let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-    put(&mut scene, ball, Matte { ka: 0.0, kd: 0.3, cd: Rgb::WHITE.into() });
+    put(&mut scene, ball, Matte { ka: 0.0.into(), kd: 0.3.into(), cd: Rgb::WHITE.into() });
     let found = look(&built(&scene), Point::new(0.2, 0.3, 5.0), -Vector::Z);
     assert!((found.r - 0.6).abs() < 1e-15, "{} instead of 0.6", found.r);
 }
@@ -149,7 +153,7 @@ fn a_path_is_a_line() {
         let mut scene = stage(Rgb::BLACK);
         scene.tracer = Tracer::PathTrace(Depth { max_depth: n });
         let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-        put(&mut scene, wall, Matte { ka: 0.0, kd: 0.9, cd: Rgb::WHITE.into() });
+        put(&mut scene, wall, Matte { ka: 0.0.into(), kd: 0.9.into(), cd: Rgb::WHITE.into() });
         let counts = counted(&built(&scene), Point::ORIGIN, Vector::X);
         assert_eq!((counts.camera, counts.reflected), (1, u64::from(n) + 1), "depth {n}");
         assert_eq!((counts.shadow, counts.too_deep), (0, 1), "depth {n}");
@@ -166,7 +170,7 @@ fn what_is_left_out_is_said() {
     shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
     scene.materials.iter_mut().for_each(|material| {
         if let groundtruth::materials::Kind::Matte(matte) = &mut material.recipe {
-            matte.ka = 1.0;
+            matte.ka = 1.0.into();
         }
     });
     let below = (Point::new(3.0, 2.0, 0.0), Vector::new(0.0, -1.0, 0.1));

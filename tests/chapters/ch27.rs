@@ -26,7 +26,13 @@ const ROUNDING: f64 = 36.0 * U;
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
 
 fn glass(kr: f64, kt: f64, eta: f64) -> Transparent {
-    Transparent { phong: Phong::default(), kr, cr: Rgb::WHITE.into(), kt, eta }
+    Transparent {
+        phong: Phong::default(),
+        kr: kr.into(),
+        cr: Rgb::WHITE.into(),
+        kt: kt.into(),
+        eta,
+    }
 }
 
 fn ball() -> Sphere {
@@ -145,10 +151,10 @@ proptest! {
             _ => TessellatedSphere::new(7, 5, true).into(),
         };
         let clear = put(&mut scene, shape, glass(0.0, 1.0, 1.0));
-        let checker = Checker3d { size: 1.0, color1: Rgb::WHITE, color2: Rgb::new(0.2, 0.4, 0.1) };
-        let cd = Paint(Texture::from(checker));
+        let checker = Checker3d { size: 1.0, color1: Rgb::WHITE.into(), color2: Rgb::new(0.2, 0.4, 0.1).into() };
+        let cd = Paint::from(Texture::from(checker));
         let floor = Plane { point: Point::new(0.0, -2.0, 0.0), normal: Vector::Y };
-        put(&mut scene, floor, Matte { ka: 0.0, kd: 1.0, cd });
+        put(&mut scene, floor, Matte { ka: 0.0.into(), kd: 1.0.into(), cd });
         shine(&mut scene, Directional { ls: 3.0, color: Rgb::WHITE, direction: Vector::Y });
         scene.objects[clear].casts_shadows = false;
         let eye = Point::ORIGIN + 3.0 * to_eye;
@@ -295,7 +301,7 @@ fn glass_casts_no_more_rays_than_a_binary_tree() {
 fn glass_casts_a_full_shadow_unless_it_casts_none() {
     let mut scene = deep_stage(Rgb::BLACK, 5);
     let disk = Disk { center: Point::ORIGIN, normal: Vector::Y, radius: 5.0 };
-    put(&mut scene, disk, Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() });
+    put(&mut scene, disk, Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() });
     let above = Sphere { center: Point::new(0.0, 3.0, 0.0), radius: 1.0, inward: false };
     put(&mut scene, above, glass(0.1, 0.9, 1.5));
     shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::Y });

@@ -4,9 +4,11 @@ use groundtruth::lights::Ambient;
 use groundtruth::materials::Matte;
 use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, power_of_two};
 use groundtruth::render::pixel;
+use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Box as Cuboid, Instance, Kind as Shape, Plane, Sphere, Surface};
+use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Checker3d, Kind as Texture, Paint, PlaneChecker};
 use proptest::prelude::*;
 
@@ -21,17 +23,27 @@ const LINE: Rgb = Rgb::new(0.0, 1.0, 0.0);
 const OFFSET: f64 = 2e-4;
 
 fn solid(size: f64) -> Texture {
-    Checker3d { size, color1: ONE, color2: TWO }.into()
+    Checker3d { size, color1: ONE.into(), color2: TWO.into() }.into()
 }
 
 fn flat(size: f64, outline_width: f64) -> Texture {
-    PlaneChecker { size, color1: ONE, color2: TWO, outline_width, outline_color: LINE }.into()
+    PlaneChecker {
+        size,
+        color1: ONE.into(),
+        color2: TWO.into(),
+        outline_width,
+        outline_color: LINE.into(),
+    }
+    .into()
 }
 
 /// The colour at a local point; where it is in the world must not matter.
 fn at(texture: &Texture, local: Point) -> Rgb {
     let surface = Surface { local, ..Surface::new(Point::new(7.7, 8.8, 9.9), 0.0, Normal::Y) };
-    texture.build(&mut ()).expect("the texture is valid").color(&surface)
+    texture
+        .build(&mut Resources::default())
+        .expect("the texture is valid")
+        .color(&TexturePoint::new(&surface))
 }
 
 fn other(color: Rgb) -> Rgb {
@@ -62,7 +74,7 @@ fn even(coordinates: &[f64], size: f64) -> bool {
 }
 
 fn painted(scene: &mut Scene, shape: impl Into<Shape>, texture: Texture) {
-    put(scene, shape, Matte { ka: 1.0, kd: 0.0, cd: Paint(texture) });
+    put(scene, shape, Matte { ka: 1.0.into(), kd: 0.0.into(), cd: Paint::from(texture) });
 }
 
 /// A stage in ambient light of strength 1: what is seen is the texture.
@@ -167,14 +179,14 @@ proptest! {
         let seen = |cd: Paint| {
             let mut scene = gallery();
             let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
-            put(&mut scene, floor, Matte { ka: 0.5, kd: 0.5, cd });
+            put(&mut scene, floor, Matte { ka: 0.5.into(), kd: 0.5.into(), cd });
             let sun = groundtruth::lights::Directional {
                 ls: 2.0, color: Rgb::new(1.0, 0.5, 0.25), direction: Vector::new(1.0, 1.0, 0.0),
             };
             shine(&mut scene, sun);
             look(&built(&scene), p.with(1, 1.0), -Vector::Y)
         };
-        let textured = seen(Paint(solid(1.0)));
+        let textured = seen(Paint::from(solid(1.0)));
         let expected = if at(&solid(1.0), p.with(1, 0.0)) == ONE { ONE } else { TWO };
         prop_assert_eq!(textured, seen(expected.into()));
     }
@@ -215,13 +227,14 @@ const HALF_ERROR: f64 = 0.0056;
 /// standard deviations: significance 6e-7).
 #[test]
 fn each_colour_of_the_solid_checker_fills_one_half() {
-    let texture = solid(0.5).build(&mut ()).expect("valid");
+    let texture = solid(0.5).build(&mut Resources::default()).expect("valid");
     let mut random = Pcg32::new(30, 0);
     let (mut first, mut alternating) = (0, [0; 3]);
     for _ in 0..COUNTED {
         let mut c = || 8.0 * random.uniform() - 4.0;
         let local = Point::new(c(), c(), c());
-        let is_first = |local| texture.color(&Surface::new(local, 0.0, Normal::Y)) == ONE;
+        let is_first =
+            |local| texture.color(&TexturePoint::new(&Surface::new(local, 0.0, Normal::Y))) == ONE;
         first += u32::from(is_first(local));
         for (axis, count) in alternating.iter_mut().enumerate() {
             let beside = local.with(axis, local.along(axis) + 0.5);
@@ -243,13 +256,14 @@ fn each_colour_of_the_solid_checker_fills_one_half() {
 #[test]
 fn outlines_cover_their_share_of_the_plane() {
     for tenths in 0..=10_u32 {
-        let texture = flat(1.0, f64::from(tenths) / 10.0).build(&mut ()).expect("valid");
+        let texture =
+            flat(1.0, f64::from(tenths) / 10.0).build(&mut Resources::default()).expect("valid");
         let (mut counts, n) = ([0_u32; 3], 80);
         for i in 0..n * n {
             // 20 points for each square's side, halfway between the twentieths where lines end
             let c = |i: u32| (f64::from(i) + 0.5) / 20.0 - 2.0;
             let local = Point::new(c(i % n), 0.0, c(i / n));
-            let color = texture.color(&Surface::new(local, 0.0, Normal::Y));
+            let color = texture.color(&TexturePoint::new(&Surface::new(local, 0.0, Normal::Y)));
             counts[[LINE, ONE, TWO].iter().position(|&c| c == color).expect("one of three")] += 1;
         }
         let squares = 16 * 4 * (10 - tenths) * (10 - tenths);

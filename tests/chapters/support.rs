@@ -3,6 +3,7 @@
 use groundtruth::cameras::{View, ViewPlane};
 use groundtruth::math::{Normal, Point, Ray, Vector};
 use groundtruth::render;
+use groundtruth::textures::Amount;
 use groundtruth::world::World;
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
@@ -53,4 +54,10 @@ pub fn unit() -> impl Strategy<Value = Normal> {
 pub fn point(reach: f64) -> impl Strategy<Value = Point> {
     let c = move || -reach..reach;
     (c(), c(), c()).prop_map(|(x, y, z)| Point::new(x, y, z))
+}
+
+/// A number of a material that is no texture.
+pub fn number(amount: &Amount) -> f64 {
+    let Amount::Plain(value) = amount else { panic!("{amount:?} is no plain number") };
+    *value
 }

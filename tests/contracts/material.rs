@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use groundtruth::materials::{Boundary, Kind, Material, Medium, Response};
 use groundtruth::math::{Pcg32, power_of_two};
+use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
+use groundtruth::textures::TexturePoint;
 use libtest_mimic::Trial;
 
 use super::lobe::anywhere;
@@ -24,7 +26,7 @@ pub fn trials() -> Vec<Trial> {
 }
 
 fn built(kind: &Kind) -> Arc<dyn Material> {
-    kind.build(&mut ()).expect("specimens are valid")
+    kind.build(&mut Resources::default()).expect("specimens are valid")
 }
 
 const COSINES: [f64; 8] = [1.0, 0.7, 0.1, 1e-6, -1e-6, -0.1, -0.7, -1.0];
@@ -34,12 +36,14 @@ fn sound(color: Rgb) -> bool {
 }
 
 fn emitted(material: &dyn Material, at: &groundtruth::shapes::Surface, cos_o: f64) -> Rgb {
-    material.emission().map_or(Rgb::BLACK, |emission| emission.radiance(at, cos_o))
+    material
+        .emission()
+        .map_or(Rgb::BLACK, |emission| emission.radiance(&TexturePoint::new(at), cos_o))
 }
 
 fn response(material: &dyn Material, at: &groundtruth::shapes::Surface, cos_o: f64) -> Response {
     let mut response = Response::default();
-    material.respond(at, cos_o, &mut response);
+    material.respond(&TexturePoint::new(at), cos_o, &mut response);
     response
 }
 

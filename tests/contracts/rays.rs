@@ -1,15 +1,16 @@
 //! Rays at a shape: from far and near, from inside, along the axes, of any length.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use groundtruth::accel::Method;
 use groundtruth::math::{Aabb, Normal, Pcg32, Point, Ray, Span, Vector, power_of_two};
+use groundtruth::resources::Resources;
 use groundtruth::shapes::{Candidate, Context, Kind, Shape, Surface};
 
 /// The shape of a specimen.
 pub fn built(kind: &Kind) -> Arc<dyn Shape> {
-    kind.build(&mut Context::new(Path::new(""), Method::default())).expect("specimens are valid")
+    kind.build(&mut Context::new(Resources::default(), Method::default()))
+        .expect("specimens are valid")
 }
 
 /// A source of rays that mostly hit.

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use groundtruth::math::{Normal, Pcg32, Point, Vector, power_of_two};
+use groundtruth::resources::Resources;
 use groundtruth::shapes::Surface;
+use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Kind, Texture};
 use libtest_mimic::Trial;
 
@@ -21,7 +23,7 @@ pub fn trials() -> Vec<Trial> {
 }
 
 fn built(kind: &Kind) -> Arc<dyn Texture> {
-    kind.build(&mut ()).expect("specimens are valid")
+    kind.build(&mut Resources::default()).expect("specimens are valid")
 }
 
 /// Surfaces all over, among them points on the borders of cells and far away.
@@ -43,10 +45,10 @@ pub fn surfaces() -> impl Iterator<Item = Surface> {
 fn colours_are_reflectances(kind: &Kind) -> Holds {
     let texture = built(kind);
     for at in surfaces() {
-        let color = texture.color(&at);
+        let color = texture.color(&TexturePoint::new(&at));
         let fine = color.to_array().iter().all(|c| (0.0..=1.0).contains(c));
         ensure!(fine, "{:?}: {color:?}", at.local);
-        ensure!(texture.color(&at) == color, "{:?}: two answers", at.local);
+        ensure!(texture.color(&TexturePoint::new(&at)) == color, "{:?}: two answers", at.local);
     }
     Ok(())
 }
@@ -57,7 +59,8 @@ fn the_colour_moves_with_the_object(kind: &Kind) -> Holds {
     let texture = built(kind);
     for at in surfaces() {
         let moved = Surface { point: at.point + Vector::new(0.3, -7.0, 11.1), ..at };
-        let (here, there) = (texture.color(&at), texture.color(&moved));
+        let (here, there) =
+            (texture.color(&TexturePoint::new(&at)), texture.color(&TexturePoint::new(&moved)));
         ensure!(here == there, "{:?}: {here:?}, moved {there:?}", at.local);
     }
     Ok(())
@@ -77,7 +80,10 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
     for k in [1, -7, 30, -30] {
         let larger = built(&kind.scaled(power_of_two(k)));
         for at in surfaces() {
-            let (here, there) = (texture.color(&at), larger.color(&scaled(&at, power_of_two(k))));
+            let (here, there) = (
+                texture.color(&TexturePoint::new(&at)),
+                larger.color(&TexturePoint::new(&scaled(&at, power_of_two(k)))),
+            );
             ensure!(here == there, "{:?}, 2^{k}: {there:?}, not {here:?}", at.local);
         }
     }

@@ -36,7 +36,17 @@ pub fn room(kd: f64, ks: f64, samples: u32) -> Scene {
     let (cd, cs) = (Rgb::WHITE.into(), Rgb::WHITE.into());
     scene.materials = vec![
         Material::new("lamp", Emissive::new(2.0, Rgb::new(1.0, 0.5, 0.25))),
-        Material::new("wall", Phong { ka: 0.0, kd, cd, ks, cs, exponent: EXPONENT }),
+        Material::new(
+            "wall",
+            Phong {
+                ka: 0.0.into(),
+                kd: kd.into(),
+                cd,
+                ks: ks.into(),
+                cs,
+                exponent: EXPONENT.into(),
+            },
+        ),
     ];
     scene.objects = vec![
         Object::new("lamp", "lamp", lamp),

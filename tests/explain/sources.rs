@@ -82,10 +82,10 @@ fn a_mirror_before_a_wall_is_divided_as_by_hand() {
     let camera = Viewpoint::new(Point::new(0.0, 0.0, 5.0), Point::ORIGIN, lens);
     let mut scene = Scene::new("", Image::new(1, 1), camera);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
-    let phong = Phong { ka: 0.1, kd: 0.5, cd: Rgb::WHITE.into(), ..Phong::default() };
-    let matte = Some(Matte { ka: 0.4, kd: 0.8, cd: Rgb::WHITE.into() });
+    let phong = Phong { ka: 0.1.into(), kd: 0.5.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
+    let matte = Some(Matte { ka: 0.4.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() });
     scene.materials = vec![
-        Material::new("mirror", Reflective { phong, kr: 0.25, cr: Rgb::WHITE.into() }),
+        Material::new("mirror", Reflective { phong, kr: 0.25.into(), cr: Rgb::WHITE.into() }),
         Material::new("wall", Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) }),
     ];
     let facing = |normal: Vector, z| Plane { point: Point::new(0.0, 0.0, z), normal };

@@ -28,9 +28,9 @@ fn everything(lens: cameras::Kind) -> Scene {
     let mut scene = Scene::new("everything", Image { sampler, ..Image::new(4, 4) }, camera);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
     let recipes = specimens(materials::Kind::ENTRIES).into_iter();
-    let painted = specimens(textures::Kind::ENTRIES)
-        .into_iter()
-        .map(|texture| materials::Kind::from(Matte { ka: 0.5, kd: 0.5, cd: Paint(texture) }));
+    let painted = specimens(textures::Kind::ENTRIES).into_iter().map(|texture| {
+        materials::Kind::from(Matte { ka: 0.5.into(), kd: 0.5.into(), cd: Paint::from(texture) })
+    });
     for (i, recipe) in recipes.chain(painted).enumerate() {
         scene.materials.push(Material::new(&format!("material {i}"), recipe));
     }

@@ -47,7 +47,8 @@ fn scene(shape: Kind) -> Scene {
     let camera =
         Viewpoint::new(Point::new(0.0, 0.0, 5.0), Point::ORIGIN, Orthographic { zoom: 1.0 });
     let mut scene = Scene::new("nested", Image::new(2, 2), camera);
-    let matte = groundtruth::materials::Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
+    let matte =
+        groundtruth::materials::Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
     scene.materials.push(Material::new("chalk", matte));
     scene.objects.push(Object::new("ball", "chalk", shape));
     scene

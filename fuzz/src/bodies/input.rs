@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Vector};
+use groundtruth::resources::Resources;
 use groundtruth::shapes::{self, Context, Shape};
 
 /// How numbers are read.
@@ -170,6 +171,6 @@ impl<'a> Input<'a> {
             }
             _ => kind,
         };
-        kind.build(&mut Context::new(Path::new("no-such-folder"), Method::Bvh)).ok()
+        kind.build(&mut Context::new(Resources::new(Path::new("no-such-folder")), Method::Bvh)).ok()
     }
 }

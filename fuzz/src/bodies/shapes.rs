@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use groundtruth::accel::Method;
 use groundtruth::math::{Normal, Ray, Span, Vector};
+use groundtruth::resources::Resources;
 use groundtruth::shapes::{self, Candidate, Context, Kind, Shape};
 
 use super::exact::{self, Fraction, Side, Triple};
@@ -70,7 +71,9 @@ fn real<T: From<[f64; 3]>>(v: Triple) -> T {
 }
 
 fn built(kind: impl Into<Kind>) -> Option<Arc<dyn Shape>> {
-    kind.into().build(&mut Context::new(Path::new("no-such-folder"), Method::List)).ok()
+    kind.into()
+        .build(&mut Context::new(Resources::new(Path::new("no-such-folder")), Method::List))
+        .ok()
 }
 
 /// Each kind against exact arithmetic.

@@ -11,8 +11,8 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{self, Sampler};
 use groundtruth::scene::{Light, Material, Object, Scene};
-use groundtruth::shapes::{Sphere, Surface};
-use groundtruth::textures::{self, Paint, Texture};
+use groundtruth::shapes::Sphere;
+use groundtruth::textures::{self, Paint, Texture, TexturePoint};
 
 use crate::pictures::studio::{built, from_front};
 
@@ -20,7 +20,7 @@ use crate::pictures::studio::{built, from_front};
 struct Watched(AtomicU32);
 
 impl Texture for Watched {
-    fn color(&self, _: &Surface) -> Rgb {
+    fn color(&self, _: &TexturePoint<'_>) -> Rgb {
         self.0.fetch_add(1, Relaxed);
         Rgb::WHITE
     }
@@ -41,8 +41,8 @@ impl Sampler for Watched {
 fn look_ups(ka: f64, kd: f64, lights: &[&str]) -> u32 {
     let texture = Arc::new(Watched::default());
     let mut scene = from_front(3, 3, 1.0);
-    let cd = Paint(textures::Kind::Custom(Custom(Arc::<Watched>::clone(&texture))));
-    scene.materials.push(Material::new("watched", Matte { ka, kd, cd }));
+    let cd = Paint::from(textures::Kind::Custom(Custom(Arc::<Watched>::clone(&texture))));
+    scene.materials.push(Material::new("watched", Matte { ka: ka.into(), kd: kd.into(), cd }));
     let sphere = Sphere { center: Point::ORIGIN, radius: 5.0, inward: false };
     scene.objects.push(Object::new("sphere", "watched", sphere));
     for &name in lights {

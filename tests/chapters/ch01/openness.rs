@@ -15,7 +15,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{self, Sampler};
 use groundtruth::scene::{Light, Material, Object, Scene, to_toml};
 use groundtruth::shapes::{self, Candidate, Instance, Plane, Shape, Surface};
-use groundtruth::textures::{self, Paint, Texture};
+use groundtruth::textures::{self, Color, Paint, Texture, TexturePoint, Value};
 use groundtruth::trace::{Outcome, RayTree};
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
@@ -104,7 +104,10 @@ fn a_shape_defined_here_casts_shadows() {
     let mut scene = from_front(16, 16, 0.25);
     let sun = Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::new(0.0, 1.0, 1.0) };
     scene.lights.push(Light::new("sun", sun));
-    scene.materials.push(Material::new("white", Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }));
+    scene.materials.push(Material::new(
+        "white",
+        Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() },
+    ));
     let wall = Plane { point: Point::new(0.0, 0.0, -2.0), normal: Vector::Z };
     scene.objects.push(Object::new("wall", "white", wall));
     scene.objects.push(Object::new("tile", "white", tile()));
@@ -164,7 +167,7 @@ impl LightKind for RedSky {
 struct Glow(Emission);
 
 impl MaterialKind for Glow {
-    fn respond(&self, _: &Surface, _: f64, response: &mut Response) {
+    fn respond(&self, _: &TexturePoint<'_>, _: f64, response: &mut Response) {
         response.ambient = Rgb::grey(0.25);
     }
 
@@ -178,7 +181,7 @@ impl MaterialKind for Glow {
 struct Coordinates;
 
 impl Texture for Coordinates {
-    fn color(&self, at: &Surface) -> Rgb {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         Rgb::new(0.0, at.local.y(), 0.0)
     }
 }
@@ -191,8 +194,8 @@ fn all_my_own() -> Scene {
     let sky = lights::Kind::Custom(Custom(Arc::new(RedSky)));
     scene.lights.push(Light::new("sky", sky));
     let glow = materials::Kind::Custom(Custom(Arc::new(Glow(Emission {
-        ls: 1.0,
-        ce: Arc::new(Coordinates),
+        ls: Value::Plain(1.0),
+        ce: Color::Textured(Arc::new(Coordinates)),
     }))));
     scene.materials.push(Material::new("glow", glow));
     scene.objects.push(Object::new("tile", "glow", tile()));
@@ -227,12 +230,12 @@ fn export_of_a_users_own_kind_names_it() {
     let text = refusal(&scene);
     assert!(text.starts_with("materials[0] \"glow\", recipe: "), "{text}");
 
-    let texture = Paint(textures::Kind::Custom(Custom(Arc::new(Coordinates))));
-    scene.materials[0].recipe = Matte { ka: 1.0, kd: 1.0, cd: texture }.into();
+    let texture = Paint::from(textures::Kind::Custom(Custom(Arc::new(Coordinates))));
+    scene.materials[0].recipe = Matte { ka: 1.0.into(), kd: 1.0.into(), cd: texture }.into();
     let text = refusal(&scene);
     assert!(text.starts_with("materials[0] \"glow\", recipe: "), "{text}");
 
-    scene.materials[0].recipe = Matte { ka: 1.0, kd: 1.0, cd: RED.into() }.into();
+    scene.materials[0].recipe = Matte { ka: 1.0.into(), kd: 1.0.into(), cd: RED.into() }.into();
     let text = refusal(&scene);
     assert!(text.starts_with("camera.lens: "), "{text}");
 

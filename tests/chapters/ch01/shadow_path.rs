@@ -71,7 +71,10 @@ fn two_in_a_row() -> (Scene, [Arc<Watched>; 2]) {
     let lamp = PointLight { ls: 1.0, color: Rgb::WHITE, location: lamp, attenuation: 0.0 };
     scene.lights.push(Light::new("ambient", Ambient { ls: 1.0, color: Rgb::WHITE }));
     scene.lights.push(Light::new("lamp", lamp));
-    scene.materials.push(Material::new("grey", Matte { ka: 0.5, kd: 0.5, cd: Rgb::WHITE.into() }));
+    scene.materials.push(Material::new(
+        "grey",
+        Matte { ka: 0.5.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() },
+    ));
     let spheres = [watched(Point::ORIGIN), watched(Point::new(0.0, 0.0, -9.0))];
     for (i, sphere) in spheres.iter().enumerate() {
         let shape = shapes::Kind::Custom(Custom(Arc::<Watched>::clone(sphere)));

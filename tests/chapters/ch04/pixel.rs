@@ -9,8 +9,8 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{Jittered, Kind, MultiJittered, Random, Regular};
 use groundtruth::scene::{Material, Object, Scene};
-use groundtruth::shapes::{self, Plane, Surface};
-use groundtruth::textures::{self, Paint, Texture};
+use groundtruth::shapes::{self, Plane};
+use groundtruth::textures::{self, Paint, Texture, TexturePoint};
 use groundtruth::trace::RayCounts;
 use groundtruth::verify::means::one_sample;
 use groundtruth::verify::significance::sidak;
@@ -130,7 +130,7 @@ fn the_number_of_primary_rays_is_that_of_the_samples() {
 struct Sinusoid;
 
 impl Texture for Sinusoid {
-    fn color(&self, at: &Surface) -> Rgb {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let (x, y) = (at.local.x(), at.local.y());
         Rgb::grey(0.5 * (1.0 + sin(x * x * y * y)))
     }
@@ -141,7 +141,7 @@ fn sinusoid(width: u32) -> Scene {
     let mut scene = from_front(width, width, 10.83 / f64::from(width));
     scene.camera.eye = Point::new(10.83 / 2.0, 10.83 / 2.0, 10.0);
     scene.camera.look_at = scene.camera.eye - Vector::Z;
-    let paint = Paint(textures::Kind::Custom(Custom(Arc::new(Sinusoid))));
+    let paint = Paint::from(textures::Kind::Custom(Custom(Arc::new(Sinusoid))));
     scene.materials.push(Material::new("sinusoid", Emissive::new(1.0, paint)));
     scene.objects.push(Object::new(
         "wall",

@@ -151,7 +151,8 @@ fn a_mirrored_edge_is_sharp_at_the_length_of_the_whole_way() {
         let camera = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), lens);
         let mut scene = Scene::new("", Image::new(8, 8), camera);
         scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });
-        let mirror = Reflective { phong: Default::default(), kr: 1.0, cr: Rgb::WHITE.into() };
+        let mirror =
+            Reflective { phong: Default::default(), kr: 1.0.into(), cr: Rgb::WHITE.into() };
         scene.materials.push(Material::new("mirror", mirror));
         let square = |corner: Point, side: f64| Rectangle {
             corner,

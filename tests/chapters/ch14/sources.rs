@@ -20,7 +20,7 @@ const ROUNDING: f64 = 64.0 * U;
 /// A white plane in the light of one source.
 fn plane(normal: Normal, source: impl Into<Kind>) -> Scene {
     let mut scene = stage(Rgb::BLACK);
-    let white = Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
+    let white = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
     put(&mut scene, Plane { point: Point::ORIGIN, normal: normal.into() }, white);
     shine(&mut scene, source);
     scene
@@ -176,7 +176,7 @@ proptest! {
         let with = |share: f64, shadows: bool| {
             let mut scene = scene.clone();
             let center = Point::ORIGIN + 2.0 * share * towards;
-            let white = Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() };
+            let white = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
             put(&mut scene, Sphere { center, radius: 0.1, inward: false }, white);
             scene.lights[0].shadows = shadows;
             seen(&scene, Normal::Y)

@@ -29,7 +29,7 @@ fn water() -> Medium {
 }
 
 fn matte() -> Matte {
-    Matte { ka: 0.5, kd: 1.0, cd: Rgb::WHITE.into() }
+    Matte { ka: 0.5.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
 }
 
 /// A floor under water, the camera in it.
@@ -210,7 +210,7 @@ fn a_surface_inside_a_dielectric_is_lit_through_its_medium() {
 /// though the camera is said to be in something else. Oracle: the transmittances 1 and `exp(−σ d)`.
 #[test]
 fn a_highlight_on_a_boundary_comes_through_the_medium_outside() {
-    let phong = Phong { ks: 0.5, exponent: 4.0, ..Phong::default() };
+    let phong = Phong { ks: 0.5.into(), exponent: 4.0.into(), ..Phong::default() };
     for (outside, inside) in [(Medium::default(), water()), (water(), Medium::default())] {
         let mut scene = stage(Rgb::BLACK);
         scene.camera.medium = Medium { eta: 1.0, absorption: Rgb::new(0.0, 0.1, 0.2) };

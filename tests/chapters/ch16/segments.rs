@@ -14,7 +14,7 @@ use crate::ch14::stage::*;
 use crate::support::{U, laws, point, unit};
 
 fn white() -> Matte {
-    Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }
+    Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
 }
 
 fn lamp(location: Point) -> Lamp {

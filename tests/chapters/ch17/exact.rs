@@ -163,7 +163,7 @@ fn nothing_is_drawn_where_no_ambient_light_is_reflected() {
         [(0.0, CD, 0), (0.5, Rgb::BLACK, 0), (0.5, Rgb::new(0.0, 0.0, 1e-9), 1)]
     {
         let mut scene = floor(Vector::Y);
-        scene.materials[0].recipe = Matte { ka, kd: 0.5, cd: cd.into() }.into();
+        scene.materials[0].recipe = Matte { ka: ka.into(), kd: 0.5.into(), cd: cd.into() }.into();
         let counts = counted(&built(&scene), eye, -Vector::Y);
         let counted =
             RayCounts { camera: 1, shadow: expected, draws: expected, ..RayCounts::default() };

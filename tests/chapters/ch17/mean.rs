@@ -220,8 +220,8 @@ fn an_open_surface_blocks_directions_below_itself() {
 fn a_mirror_shows_the_same_occlusion() {
     let mut scene = floor(Vector::Y);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
-    let phong = Phong { ka: 0.0, kd: 0.0, ks: 0.0, ..Phong::default() };
-    let mirror = Reflective { phong, kr: 0.5, cr: Rgb::WHITE.into() };
+    let phong = Phong { ka: 0.0.into(), kd: 0.0.into(), ks: 0.0.into(), ..Phong::default() };
+    let mirror = Reflective { phong, kr: 0.5.into(), cr: Rgb::WHITE.into() };
     put(&mut scene, Plane { point: Point::new(2.0, 0.0, 0.0), normal: -Vector::X }, mirror);
     let scene = with_samples(scene, SAMPLES);
     let (eye, spot) = (Point::new(0.5, 1.0, 0.0), Point::new(1.0, 0.0, 0.3));

@@ -22,7 +22,7 @@ pub const MIN: f64 = 0.25;
 
 /// A surface that ambient light alone makes visible.
 pub fn chalk() -> Matte {
-    Matte { ka: KA, kd: 0.0, cd: CD.into() }
+    Matte { ka: KA.into(), kd: 0.0.into(), cd: CD.into() }
 }
 
 pub fn occluder() -> AmbientOccluder {

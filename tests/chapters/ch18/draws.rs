@@ -217,7 +217,7 @@ proptest! {
         target in point(0.5),
     ) {
         let mut scene = stage(Rgb::WHITE);
-        put(&mut scene, ball(Point::ORIGIN, 1.0), Matte { ka: 0.5, kd: 0.5, cd: Rgb::WHITE.into() });
+        put(&mut scene, ball(Point::ORIGIN, 1.0), Matte { ka: 0.5.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() });
         shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
         for (direction, near, shadows, enabled) in &directions {
             let (ls, color, towards) = (1.0, Rgb::WHITE, Vector::from(*direction));

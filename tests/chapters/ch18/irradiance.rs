@@ -163,7 +163,7 @@ fn sampling_by_solid_angle_varies_less_near_a_lamp() {
 /// only the reflected light, of what is there: none.
 #[test]
 fn an_emissive_surface_with_a_base_shines_and_reflects() {
-    let base = Matte { ka: 0.0, kd: 0.5, cd: Rgb::new(0.2, 0.4, 1.0).into() };
+    let base = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::new(0.2, 0.4, 1.0).into() };
     let own = Rgb::new(0.3, 0.1, 0.0);
     let mut scene = stage(Rgb::BLACK);
     let glow = Emissive { matte: Some(base), ..Emissive::new(2.0, own) };

@@ -171,7 +171,7 @@ fn a_lamp_that_is_off_is_dark_and_one_without_light_is_only_seen() {
 /// One light of each kind over a floor with things on it, and the lamps of the area lights.
 pub fn all_lights() -> Scene {
     let mut scene = stage(Rgb::new(0.2, 0.3, 0.5));
-    let matte = Matte { ka: 0.4, kd: 0.6, cd: Rgb::new(0.9, 0.6, 0.3).into() };
+    let matte = Matte { ka: 0.4.into(), kd: 0.6.into(), cd: Rgb::new(0.9, 0.6, 0.3).into() };
     put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, matte.clone());
     put(&mut scene, ball(Point::new(0.3, 0.7, 0.2), 0.5), matte);
     let center = Point::new(0.0, 3.0, 0.0);

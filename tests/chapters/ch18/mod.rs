@@ -28,7 +28,7 @@ pub const CE: Rgb = Rgb::new(1.0, 0.5, 0.25);
 
 /// A surface whose diffuse part alone is seen.
 pub fn white() -> Matte {
-    Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() }
+    Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
 }
 
 pub fn ball(center: Point, radius: f64) -> Sphere {

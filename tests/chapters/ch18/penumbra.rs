@@ -28,7 +28,7 @@ fn under_a_beam(half: f64) -> Scene {
     hang(&mut scene, lamp, Some(Sampling::Area));
     let beam =
         Cuboid { min: Point::new(-half, BEAM, -9.0), max: Point::new(half, BEAM + 1e-9, 9.0) };
-    put(&mut scene, beam, Matte { ka: 0.0, kd: 0.0, cd: Rgb::BLACK.into() });
+    put(&mut scene, beam, Matte { ka: 0.0.into(), kd: 0.0.into(), cd: Rgb::BLACK.into() });
     with_samples(scene, SAMPLES)
 }
 

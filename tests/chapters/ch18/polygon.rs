@@ -255,8 +255,8 @@ fn a_painted_lamp_gives_the_light_of_its_parts() {
     for sampling in [Sampling::Area, Sampling::SolidAngle] {
         let mut scene = floor(up());
         let lamp = hang(&mut scene, lamp_shape.clone(), Some(sampling));
-        let checker = Checker3d { size: SIZE, color1: red, color2: blue };
-        scene.materials[lamp].recipe = Emissive::new(LS, Paint(checker.into())).into();
+        let checker = Checker3d { size: SIZE, color1: red.into(), color2: blue.into() };
+        scene.materials[lamp].recipe = Emissive::new(LS, Paint::from(checker)).into();
         let values = seen(&scene, SAMPLES, spot, up());
         assert_color(&format!("{sampling:?}"), &values, expected, 2, POWER);
     }

@@ -35,7 +35,7 @@ proptest! {
         (cosine, phi) in (1e-3..1.0_f64, 0.0..TAU),
         pixel in [0..64_u32, 0..64_u32],
     ) {
-        let scene = with_samples(under_the_sky(n, Matte { ka: 0.0, kd, cd: cd.into() }), 16);
+        let scene = with_samples(under_the_sky(n, Matte { ka: 0.0.into(), kd: kd.into(), cd: cd.into() }), 16);
         let world = built(&scene);
         let to_eye = at_angle(n, cosine, phi);
         let ray = ray(Point::ORIGIN + 2.0 * to_eye, -to_eye);
@@ -63,7 +63,7 @@ fn a_wall_hides_its_share_of_the_sky() {
             a: 2.0 * long * Vector::Z,
             b: tall * Vector::Y,
         };
-        put(&mut scene, wall, Matte { ka: 0.0, kd: 0.0, cd: Rgb::BLACK.into() });
+        put(&mut scene, wall, Matte { ka: 0.0.into(), kd: 0.0.into(), cd: Rgb::BLACK.into() });
         let visible = 0.5 * (1.0 + 1.0 / (1.0 + tall * tall).sqrt());
         let values = seen(&scene, 1024, Point::ORIGIN, up());
         assert_color(&format!("wall of height {tall}"), &values, visible * SKY, 2, 2e-3);
@@ -78,12 +78,12 @@ fn the_highlight_of_the_sky_is_its_albedo() {
         let mut scene = under_the_sky(up(), white());
         let ks = 0.2;
         let phong = Phong {
-            ka: 0.0,
-            kd: 0.5,
+            ka: 0.0.into(),
+            kd: 0.5.into(),
             cd: Rgb::WHITE.into(),
-            ks,
+            ks: ks.into(),
             cs: Rgb::new(1.0, 0.5, 0.0).into(),
-            exponent,
+            exponent: exponent.into(),
         };
         scene.materials[0].recipe = phong.into();
         let scene = with_samples(scene, 1024);
@@ -109,7 +109,7 @@ fn multi_jittered_noise_falls_faster_than_random_noise() {
     const RATIO: f64 = 5.0 * 0.0442;
     let mut scene = under_the_sky(up(), white());
     let leaning = Plane { point: Point::new(1.0, 0.0, 0.0), normal: Vector::new(-1.0, 0.7, 0.3) };
-    put(&mut scene, leaning, Matte { ka: 0.0, kd: 0.0, cd: Rgb::BLACK.into() });
+    put(&mut scene, leaning, Matte { ka: 0.0.into(), kd: 0.0.into(), cd: Rgb::BLACK.into() });
     let variance = |sampler: Kind, samples: u32| {
         let mut scene = scene.clone();
         (scene.image.samples, scene.image.sampler) = (samples, Some(sampler));

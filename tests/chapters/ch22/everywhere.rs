@@ -1,10 +1,10 @@
 //! However its parts are searched, at every level, a shape is the same shape.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
+use groundtruth::resources::Resources;
 use groundtruth::shapes::{
     Box, Compound, Context, Disk, Instance, Kind, Lattice, Mesh, Part, Plane, RandomSpheres, Shape,
     Sphere, TessellatedSphere, Triangle,
@@ -37,7 +37,7 @@ fn searched(kind: &Kind, by: Option<Method>) -> Kind {
 }
 
 fn built(kind: &Kind, by: Option<Method>) -> Arc<dyn Shape> {
-    let mut context = Context::new(Path::new(""), by.unwrap_or_default());
+    let mut context = Context::new(Resources::default(), by.unwrap_or_default());
     searched(kind, by).build(&mut context).expect("valid")
 }
 

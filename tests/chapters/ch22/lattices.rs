@@ -4,9 +4,12 @@ use std::sync::Arc;
 
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
+use groundtruth::resources::Resources;
 use groundtruth::shapes::{
-    Box, Compound, Context, Instance, Kind, Lattice, Plane, RandomSpheres, Shape, Sphere, Surface,
+    Box, Candidate, Compound, Context, Instance, Kind, Lattice, Plane, RandomSpheres, Shape,
+    Sphere, Surface,
 };
+use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{self, RandomColors};
 use groundtruth::verify::Draw;
 
@@ -259,9 +262,10 @@ fn random_spheres_that_cannot_be_are_refused() {
 #[test]
 fn a_part_has_one_random_color_from_everywhere() {
     let shape = built(lattice(spheres(6, 0.3, 5), [2, 1, 2], Vector::new(8.0, 0.0, 8.0)));
-    let color = |seed, at: &Surface| {
-        let texture = textures::Kind::from(RandomColors { seed }).build(&mut ()).expect("valid");
-        texture.color(at).to_array()
+    let color = |seed, surface: &Surface, at: &Candidate| {
+        let texture = textures::Kind::from(RandomColors { seed });
+        let texture = texture.build(&mut Resources::default()).expect("valid");
+        texture.color(&TexturePoint::of_hit(surface, &*shape, at)).to_array()
     };
     let mut known: Vec<(Point, [f64; 3])> = Vec::new();
     let mut draw = Draw::new(2283);
@@ -272,11 +276,10 @@ fn a_part_has_one_random_color_from_everywhere() {
         let ray = Ray::new(ray.origin, target - ray.origin);
         let Some(at) = shape.hit(&ray, Span::AHEAD) else { continue };
         let surface = shape.surface(&ray, &at);
-        let surface = Surface { leaf: at.leaf, ..surface };
         let center = surface.point - 0.3 * Vector::from(surface.normal);
-        let here = color(1, &surface);
+        let here = color(1, &surface, &at);
         assert!(here.iter().all(|c| (0.0..1.0).contains(c)), "{here:?}");
-        assert_ne!(here, color(2, &surface));
+        assert_ne!(here, color(2, &surface, &at));
         match known.iter().find(|(place, _)| place.distance(center) < 1e-9) {
             Some((_, before)) => assert_eq!(here, *before),
             None => known.push((center, here)),

@@ -118,7 +118,14 @@ fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
         let mut scene = stage(Rgb::BLACK);
         let (kd, ks, exponent) = (draw.between(0.0, 1.0), draw.between(0.0, 1.0), 4.0);
         let (cd, cs) = (Rgb::WHITE.into(), Rgb::WHITE.into());
-        let phong = Phong { ka: 0.0, kd, cd, ks, cs, exponent };
+        let phong = Phong {
+            ka: 0.0.into(),
+            kd: kd.into(),
+            cd,
+            ks: ks.into(),
+            cs,
+            exponent: exponent.into(),
+        };
         put(&mut scene, TessellatedSphere::new(5, 4, true), phong);
         let sun: Vector = draw.direction().into();
         shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: sun });

@@ -23,7 +23,7 @@ fn lit(tracer: Tracer, sampling: Option<Sampling>) -> Scene {
     let camera = Viewpoint::new(Point::new(0.0, 6.0, 6.0), Point::new(0.2, 0.7, 0.0), lens);
     let image = Image { pixel_size: 0.45, ..Image::new(WIDTH, HEIGHT) };
     let mut scene = Scene { tracer, ..Scene::new("", image, camera) };
-    let white = Matte { ka: 0.0, kd: 0.8, cd: Rgb::new(1.0, 0.7, 0.4).into() };
+    let white = Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::new(1.0, 0.7, 0.4).into() };
     put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, white.clone());
     put(
         &mut scene,

@@ -11,7 +11,7 @@ use groundtruth::render::sample;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{self, Box as Cuboid, Instance, SolidCylinder, Sphere, Torus};
-use groundtruth::textures::{Kind as Texture, Paint};
+use groundtruth::textures::Paint;
 use groundtruth::trace::RayCounts;
 
 use super::tracers;
@@ -19,6 +19,7 @@ use crate::ch13::albedo::albedo_about_the_mirror_direction;
 use crate::ch14::stage::{built, put, shine, stage};
 use crate::ch28::fresnel;
 use crate::replicas::{assert_color, assert_mean, replicas, view, with_samples};
+use crate::support::number;
 
 /// How deep the tracers follow rays here: so little that what is cut off is seen.
 const DEPTH: u32 = 3;
@@ -49,29 +50,29 @@ fn seen(scene: &Scene, cosine: f64) -> Vec<Rgb> {
 }
 
 fn plain(paint: &Paint) -> Rgb {
-    let Texture::Constant(constant) = &paint.0 else { panic!("{paint:?} is no plain colour") };
-    constant.color
+    let Paint::Plain(color) = paint else { panic!("{paint:?} is no plain colour") };
+    *color
 }
 
 fn matte(matte: &Matte) -> Rgb {
-    matte.kd * plain(&matte.cd)
+    number(&matte.kd) * plain(&matte.cd)
 }
 
 /// The diffuse part and the highlight.
 fn phong(phong: &Phong, cosine: f64) -> Rgb {
-    let highlight = albedo_about_the_mirror_direction(phong.exponent, cosine);
-    phong.kd * plain(&phong.cd) + (phong.ks * highlight) * plain(&phong.cs)
+    let highlight = albedo_about_the_mirror_direction(number(&phong.exponent), cosine);
+    number(&phong.kd) * plain(&phong.cd) + (number(&phong.ks) * highlight) * plain(&phong.cs)
 }
 
 fn glossy(glossy: &GlossyReflector, cosine: f64) -> Rgb {
     let share = match glossy.rule {
         groundtruth::lobes::GlossyRule::Book => 1.0,
         groundtruth::lobes::GlossyRule::Normalised => {
-            (glossy.exponent + 2.0) / TAU
-                * albedo_about_the_mirror_direction(glossy.exponent, cosine)
+            (number(&glossy.exponent) + 2.0) / TAU
+                * albedo_about_the_mirror_direction(number(&glossy.exponent), cosine)
         }
     };
-    (glossy.kr * share) * plain(&glossy.cr)
+    (number(&glossy.kr) * share) * plain(&glossy.cr)
 }
 
 /// `r + t² (a + r a² + r² a³ + …)` of a ball that reflects r, lets through t, and dims light by a from side
@@ -86,7 +87,7 @@ fn transparent(glass: &Transparent, cosine: f64) -> Rgb {
     if sine_squared > glass.eta * glass.eta {
         return Rgb::WHITE; // total reflection, whatever k_r is
     }
-    plain(&glass.cr).map(|cr| ball(glass.kr * cr, glass.kt, 1.0))
+    plain(&glass.cr).map(|cr| ball(number(&glass.kr) * cr, number(&glass.kt), 1.0))
 }
 
 fn dielectric(glass: &Dielectric, cosine: f64) -> Rgb {
@@ -108,10 +109,11 @@ fn shown(kind: &Kind, cosine: f64) -> [Rgb; 2] {
     match kind {
         Kind::Matte(it) => [matte(it), Rgb::BLACK],
         Kind::Phong(it) => [phong(it, cosine), Rgb::BLACK],
-        Kind::Emissive(it) => {
-            [it.ls * plain(&it.ce) + it.matte.as_ref().map_or(Rgb::BLACK, matte), Rgb::BLACK]
-        }
-        Kind::Reflective(it) => [phong(&it.phong, cosine), it.kr * plain(&it.cr)],
+        Kind::Emissive(it) => [
+            number(&it.ls) * plain(&it.ce) + it.matte.as_ref().map_or(Rgb::BLACK, matte),
+            Rgb::BLACK,
+        ],
+        Kind::Reflective(it) => [phong(&it.phong, cosine), number(&it.kr) * plain(&it.cr)],
         Kind::GlossyReflector(it) => [phong(&it.phong, cosine), glossy(it, cosine)],
         Kind::Transparent(it) => [phong(&it.phong, cosine), transparent(it, cosine)],
         Kind::Dielectric(it) => [phong(&it.phong, cosine), dielectric(it, cosine)],
@@ -124,7 +126,7 @@ fn widened(mut kind: Kind) -> Kind {
     if let Kind::Transparent(Transparent { phong, .. })
     | Kind::Dielectric(Dielectric { phong, .. }) = &mut kind
     {
-        phong.exponent = phong.exponent.min(20.0);
+        phong.exponent = number(&phong.exponent).min(20.0).into();
     }
     kind
 }
@@ -154,7 +156,7 @@ fn every_material_shows_its_albedo_under_every_tracer() {
 /// times the light that arrives, under every tracer. Oracle: `2π/(e + 2)`; that the lobe makes no claim.
 #[test]
 fn a_broad_highlight_sends_back_more_than_arrives() {
-    let highlight = Phong { ks: 1.0, exponent: 1.0, ..Phong::default() };
+    let highlight = Phong { ks: 1.0.into(), exponent: 1.0.into(), ..Phong::default() };
     for tracer in Tracer::ALL {
         let found = seen(&in_white(highlight.clone(), tracer), 1.0);
         assert_color(tracer.name(), &found, Rgb::grey(TAU / 3.0), Tracer::ALL.len(), 0.01);
@@ -179,7 +181,7 @@ fn a_closed_sphere_sums_the_series_under_every_path_tracer() {
                 let mut scene = with_samples(stage(Rgb::BLACK), samples);
                 scene.tracer = tracer;
                 let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-                let matte = Some(Matte { ka: 0.0, kd: rho, cd: Rgb::WHITE.into() });
+                let matte = Some(Matte { ka: 0.0.into(), kd: rho.into(), cd: Rgb::WHITE.into() });
                 let wall =
                     put(&mut scene, wall, Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) });
                 if is_lamp {

@@ -18,6 +18,7 @@ use groundtruth::verify::slope::power_law;
 use super::{room, tracers};
 use crate::ch14::stage::{built, counted, look, put, shine, stage};
 use crate::replicas::{LEVEL, assert_mean, mean_and_error, replicas, view, with_samples};
+use crate::support::number;
 
 /// Law: a lamp at the centre of a matte sphere lights all of it by E = I/r²; with every reflection that adds
 /// `ρ E/π · ρᵏ`, so that in the end the wall absorbs what the lamp sends out (the integrating sphere).
@@ -28,7 +29,7 @@ fn a_lamp_in_a_matte_sphere_is_an_integrating_sphere() {
         let mut scene = with_samples(stage(Rgb::BLACK), 256);
         scene.tracer = Tracer::Path(Depth { max_depth: n });
         let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-        put(&mut scene, wall, Matte { ka: 0.0, kd: rho, cd: Rgb::WHITE.into() });
+        put(&mut scene, wall, Matte { ka: 0.0.into(), kd: rho.into(), cd: Rgb::WHITE.into() });
         let location = Point::ORIGIN;
         shine(&mut scene, PointLight { ls: 9.0, color: Rgb::WHITE, location, attenuation: 2.0 });
         let seen =
@@ -43,7 +44,7 @@ fn a_lamp_in_a_matte_sphere_is_an_integrating_sphere() {
 /// The room with a mirror, a glass ball and a glossy one, all of which throw light on the floor.
 fn furnished_room() -> Scene {
     let mut scene = room();
-    let mirror = Reflective { phong: Phong::default(), kr: 0.8, cr: Rgb::WHITE.into() };
+    let mirror = Reflective { phong: Phong::default(), kr: 0.8.into(), cr: Rgb::WHITE.into() };
     let wall = Plane { point: Point::new(-2.0, 0.0, 0.0), normal: Vector::X };
     put(&mut scene, wall, mirror);
     let mut ball = |center: [f64; 3], recipe: groundtruth::materials::Kind| {
@@ -52,9 +53,9 @@ fn furnished_room() -> Scene {
     };
     let inside = Medium { eta: 1.5, absorption: Rgb::new(0.3, 0.1, 0.5) };
     ball([1.5, 0.6, 1.5], Dielectric { inside, ..Dielectric::default() }.into());
-    let phong = Phong { kd: 0.3, cd: Rgb::WHITE.into(), ..Phong::default() };
+    let phong = Phong { kd: 0.3.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
     let (cr, rule) = (Rgb::WHITE.into(), GlossyRule::Normalised);
-    let glossy = GlossyReflector { phong, kr: 0.5, cr, exponent: 8.0, rule };
+    let glossy = GlossyReflector { phong, kr: 0.5.into(), cr, exponent: 8.0.into(), rule };
     ball([2.6, 0.6, 0.2], glossy.into());
     with_samples(scene, 256)
 }
@@ -100,7 +101,7 @@ fn twice_the_light_is_twice_the_picture() {
         let once = render(&built(&scene));
         for material in &mut scene.materials {
             if let groundtruth::materials::Kind::Emissive(lamp) = &mut material.recipe {
-                lamp.ls *= 2.0;
+                lamp.ls = (2.0 * number(&lamp.ls)).into();
             }
         }
         let twice = render(&built(&scene));
@@ -116,7 +117,7 @@ fn dim_room(tracer: Tracer) -> Scene {
     let mut scene = stage(Rgb::BLACK);
     scene.tracer = tracer;
     let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
-    put(&mut scene, floor, Matte { ka: 0.0, kd: 0.8, cd: Rgb::WHITE.into() });
+    put(&mut scene, floor, Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() });
     let lamp = Sphere { center: Point::new(0.0, 2.0, 0.0), radius: 0.25, inward: false };
     let lamp = put(&mut scene, lamp, Emissive::new(50.0, Rgb::WHITE));
     shine(&mut scene, Area { object: lamp.to_string(), sampling: None });
@@ -185,7 +186,7 @@ fn a_path_over_mirrors_draws_nothing() {
     for tracer in tracers(4) {
         let mut scene = stage(Rgb::grey(2.0));
         scene.tracer = tracer;
-        let mirror = Reflective { phong: Phong::default(), kr: 0.75, cr: Rgb::WHITE.into() };
+        let mirror = Reflective { phong: Phong::default(), kr: 0.75.into(), cr: Rgb::WHITE.into() };
         let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
         put(&mut scene, ball, mirror);
         let (eye, direction) = (Point::new(0.3, 0.1, 4.0), -Vector::Z);

@@ -14,8 +14,9 @@ use crate::support::U;
 
 /// Cubes in two colours that shine; no mirror image of themselves, as no border passes through the origin.
 fn checker(size: f64) -> Emissive {
-    let checker = Checker3d { size, color1: Rgb::WHITE, color2: Rgb::new(0.8, 0.3, 0.1) };
-    Emissive::new(1.0, Paint(Texture::from(checker)))
+    let checker =
+        Checker3d { size, color1: Rgb::WHITE.into(), color2: Rgb::new(0.8, 0.3, 0.1).into() };
+    Emissive::new(1.0, Paint::from(Texture::from(checker)))
 }
 
 fn picture(scene: &mut Scene, side: u32, pixel_size: f64) {

@@ -45,7 +45,7 @@ fn a_slab_at_depth_100_counts_as_a_line() {
 fn a_mirror_counts_as_a_line() {
     for n in [0, 1, 7] {
         let mut scene = picture(n);
-        let mirror = Reflective { phong: Phong::default(), kr: 0.9, cr: Rgb::WHITE.into() };
+        let mirror = Reflective { phong: Phong::default(), kr: 0.9.into(), cr: Rgb::WHITE.into() };
         put(&mut scene, Sphere { center: Point::ORIGIN, radius: 20.0, inward: true }, mirror);
         let estimate = measured(&built(&scene), MOST_COUNTED);
         assert_eq!((estimate.mean, estimate.is_cut), (f64::from(n + 2), false));

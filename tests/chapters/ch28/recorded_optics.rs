@@ -82,7 +82,7 @@ proptest! {
 /// everything beyond the critical angle of 41.8103°. Oracle: `k_r`, `k_t`, and arcsin 2/3 (ch. 27).
 #[test]
 fn a_transparent_surface_tells_its_constant_shares() {
-    let recipe = Transparent { kr: 0.1, kt: 0.9, ..transparent(1.5) };
+    let recipe = Transparent { kr: 0.1.into(), kt: 0.9.into(), ..transparent(1.5) };
     for (degrees, above, total) in
         [(30.0, true, false), (80.0, true, false), (41.81, false, false), (41.811, false, true)]
     {
@@ -100,7 +100,7 @@ fn a_transparent_surface_tells_its_constant_shares() {
 
 fn transparent(eta: f64) -> Transparent {
     let phong = materials::Phong::default();
-    Transparent { phong, kr: 0.0, cr: Rgb::WHITE.into(), kt: 0.0, eta }
+    Transparent { phong, kr: 0.0.into(), cr: Rgb::WHITE.into(), kt: 0.0.into(), eta }
 }
 
 /// Law: a matte term is told as reflectance, cosine and light: `ρ/π · cos θ · L`. Oracle: `k_d c_d`,
@@ -112,7 +112,7 @@ fn a_matte_term_is_reflectance_and_cosine_and_light() {
     put(
         &mut scene,
         Plane { point: Point::ORIGIN, normal: Vector::Y },
-        Matte { ka: 0.0, kd: 0.8, cd },
+        Matte { ka: 0.0.into(), kd: 0.8.into(), cd },
     );
     let direction = at_angle(Normal::Y, 0.5, 2.0);
     shine(&mut scene, lights::Directional { ls: 3.0, color: Rgb::WHITE, direction });

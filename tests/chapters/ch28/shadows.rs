@@ -19,7 +19,7 @@ fn under_glass(recipe: impl Into<groundtruth::materials::Kind>, thickness: f64) 
     let mut scene = deep_stage(Rgb::BLACK, 2);
     scene.transparency = STRAIGHT;
     let disk = Disk { center: Point::ORIGIN, normal: Vector::Y, radius: 50.0 };
-    put(&mut scene, disk, Matte { ka: 0.0, kd: 1.0, cd: Rgb::WHITE.into() });
+    put(&mut scene, disk, Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() });
     let (min, max) = (Point::new(-50.0, 1.0, -50.0), Point::new(50.0, 1.0 + thickness, 50.0));
     put(&mut scene, Cuboid { min, max }, recipe);
     scene
@@ -118,9 +118,9 @@ fn a_bubble_counts_as_a_ball() {
 fn simple_glass_counts_kt_for_each_surface() {
     let glass = Transparent {
         phong: Default::default(),
-        kr: 0.1,
+        kr: 0.1.into(),
         cr: Rgb::WHITE.into(),
-        kt: 0.9,
+        kt: 0.9.into(),
         eta: 1.5,
     };
     let mut scene = under_glass(glass.clone(), 0.5);
@@ -139,7 +139,8 @@ fn simple_glass_counts_kt_for_each_surface() {
     scene.objects[2].casts_shadows = false;
     assert!((share(&scene).r - 0.81).abs() < 1e-15);
     let above = Disk { center: Point::new(0.0, 9.0, 0.0), normal: Vector::Y, radius: 50.0 };
-    let opaque = put(&mut scene, above, Matte { ka: 0.0, kd: 0.5, cd: Rgb::WHITE.into() });
+    let opaque =
+        put(&mut scene, above, Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() });
     let tree = recorded(&built(&scene), Point::new(0.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0));
     let shadow = tree.nodes().last().expect("a shadow ray");
     assert_eq!(shadow.outcome, Outcome::Blocked { blocked_by: opaque as u32 });
@@ -155,9 +156,9 @@ fn simple_glass_counts_kt_for_each_surface() {
 fn paths_do_not_count_a_lamp_twice() {
     let glass = Transparent {
         phong: Default::default(),
-        kr: 0.1,
+        kr: 0.1.into(),
         cr: Rgb::WHITE.into(),
-        kt: 0.9,
+        kt: 0.9.into(),
         eta: 1.5,
     };
     for tracer in

@@ -14,6 +14,7 @@ use groundtruth::{lights, materials, shapes};
 
 use super::random_scenes::scene;
 use super::studio::{assert_same_bits, bits, built, pixels};
+use crate::support::number;
 
 fn same(color: Rgb) -> Rgb {
     color
@@ -146,7 +147,7 @@ fn scaled(scene: &mut Scene, which: usize, factor: f64) -> bool {
             let Some(Material { recipe: materials::Kind::Emissive(emissive), .. }) = lamp else {
                 return false;
             };
-            emissive.ls *= factor;
+            emissive.ls = (factor * number(&emissive.ls)).into();
         }
         _ => return false,
     }

@@ -85,8 +85,9 @@ fn furnace(emission: f64, kr: f64, max_depth: u32, eye: Point) -> Scene {
     let mut scene = Scene::new("", Image { pixel_size: 1.0, ..Image::new(3, 3) }, camera);
     scene.tracer = Tracer::Whitted(Whitted { max_depth });
     scene.lights.push(Light::new("ambient", Ambient { ls: emission, color: Rgb::WHITE }));
-    let phong = Phong { ka: 1.0, kd: 0.0, cd: Rgb::WHITE.into(), ..Phong::default() };
-    let mut mirror = Material::new("mirror", Reflective { phong, kr, cr: Rgb::WHITE.into() });
+    let phong = Phong { ka: 1.0.into(), kd: 0.0.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
+    let mut mirror =
+        Material::new("mirror", Reflective { phong, kr: kr.into(), cr: Rgb::WHITE.into() });
     mirror.two_sided = true;
     scene.materials.push(mirror);
     let shape = shapes::Kind::from(Sphere { center: Point::ORIGIN, radius: 2.0, inward: false });

@@ -59,20 +59,31 @@ impl Die<'_> {
         match self.below(3) {
             0 => {
                 let (size, color1, color2) = (self.within(0.1, 2.0), self.color(), self.color());
-                Paint(Checker3d { size, color1, color2 }.into())
+                Checker3d { size, color1: color1.into(), color2: color2.into() }.into()
             }
             _ => self.color().into(),
         }
     }
 
     fn matte(&mut self) -> Matte {
-        Matte { ka: self.random.uniform(), kd: self.random.uniform(), cd: self.paint() }
+        Matte {
+            ka: self.random.uniform().into(),
+            kd: self.random.uniform().into(),
+            cd: self.paint(),
+        }
     }
 
     fn phong(&mut self) -> Phong {
         let Matte { ka, kd, cd } = self.matte();
         let exponent = [0.0, 0.25, 1.0, 30.0, 5000.0][self.below(5)];
-        Phong { ka, kd, cd, ks: 0.5 * self.random.uniform(), cs: self.paint(), exponent }
+        Phong {
+            ka,
+            kd,
+            cd,
+            ks: (0.5 * self.random.uniform()).into(),
+            cs: self.paint(),
+            exponent: exponent.into(),
+        }
     }
 
     fn medium(&mut self) -> Medium {
@@ -86,19 +97,19 @@ impl Die<'_> {
         match self.below(7) {
             0 => self.matte().into(),
             1 => self.phong().into(),
-            2 => Reflective { phong: self.phong(), kr, cr: self.paint() }.into(),
+            2 => Reflective { phong: self.phong(), kr: kr.into(), cr: self.paint() }.into(),
             3 => {
                 let matte = if self.is() { Some(self.matte()) } else { None };
                 Emissive { matte, ..Emissive::new(2.0 * kr, self.paint()) }.into()
             }
             4 => {
                 let (phong, cr, eta) = (self.phong(), self.paint(), self.within(0.5, 2.5));
-                Transparent { phong, kr, cr, kt: 1.0 - kr, eta }.into()
+                Transparent { phong, kr: kr.into(), cr, kt: (1.0 - kr).into(), eta }.into()
             }
             5 => {
                 let (phong, cr, exponent) = (self.phong(), self.paint(), self.within(0.0, 200.0));
                 let rule = if self.is() { GlossyRule::Book } else { GlossyRule::Normalised };
-                GlossyReflector { phong, kr, cr, exponent, rule }.into()
+                GlossyReflector { phong, kr: kr.into(), cr, exponent: exponent.into(), rule }.into()
             }
             _ => {
                 let (inside, outside) = (self.medium(), self.medium());

@@ -1,0 +1,50 @@
+//! Images as textures and skies read them: from files, or drawn by a formula (Suffern, ch. 29).
+
+mod drawn;
+mod file;
+
+use crate::rgb::Rgb;
+
+pub use drawn::{Drawn, Picture};
+pub use file::{Encoding, ImageFileError, read};
+
+/// The colours of an image, linear, in single precision.
+#[derive(Debug)]
+pub struct Texels {
+    width: u32,
+    height: u32,
+    /// From the top row down, from left to right.
+    colors: Vec<[f32; 3]>,
+}
+
+impl Texels {
+    /// An image of these colours, from the top row down, from left to right.
+    ///
+    /// # Panics
+    /// If there are not `width · height` of them, or none.
+    pub fn new(width: u32, height: u32, colors: Vec<[f32; 3]>) -> Self {
+        assert_eq!(colors.len() as u64, u64::from(width) * u64::from(height), "a colour each");
+        assert!(!colors.is_empty(), "an image has at least one texel");
+        Self { width, height, colors }
+    }
+
+    /// Columns.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// The colour at a column from the left and a row from the bottom, as the book counts.
+    ///
+    /// # Panics
+    /// If the image has no such texel.
+    pub fn color(&self, column: u32, row: u32) -> Rgb {
+        let from_top = self.height - 1 - row;
+        let index = from_top as usize * self.width as usize + column as usize;
+        Rgb::from(self.colors[index].map(f64::from))
+    }
+}

@@ -1,0 +1,130 @@
+//! The files of a scene: read once, shared, and bounded together.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::images::{self, Drawn, Encoding, Texels};
+use crate::invalid::Invalid;
+use crate::mesh_file::{self, MeshData};
+
+/// More bytes in the mesh files of one scene would take gigabytes: they are read whole.
+const MOST_BYTES: u64 = 1 << 28;
+/// More texels in its images would, too: 12 bytes each.
+const MOST_TEXELS: u64 = 1 << 26;
+
+/// Where files are found, what has been read already, and how much more may be.
+#[derive(Debug, Default)]
+pub struct Resources {
+    folder: PathBuf,
+    meshes: HashMap<PathBuf, Arc<MeshData>>,
+    bytes: u64,
+    images: HashMap<(PathBuf, Option<Encoding>), Arc<Texels>>,
+    drawn: HashMap<Drawn, Arc<Texels>>,
+    texels: u64,
+}
+
+impl Resources {
+    /// File names are relative to `folder`.
+    pub fn new(folder: &Path) -> Self {
+        Self { folder: folder.to_owned(), ..Self::default() }
+    }
+
+    /// The contents of a mesh file.
+    ///
+    /// # Errors
+    /// [`Invalid`] of the field `file`.
+    pub fn mesh(&mut self, file: &Path) -> Result<Arc<MeshData>, Invalid> {
+        let path = self.folder.join(file);
+        if let Some(known) = self.meshes.get(&path) {
+            return Ok(Arc::clone(known));
+        }
+        self.take_bytes(&path).map_err(|problem| Invalid::field("file", problem))?;
+        let mesh = mesh_file::read(&path).map_err(|e| Invalid::field("file", e.to_string()))?;
+        let mesh = Arc::new(mesh);
+        self.meshes.insert(path, Arc::clone(&mesh));
+        Ok(mesh)
+    }
+
+    /// The texels of an image: of a file, or drawn.
+    ///
+    /// # Errors
+    /// [`Invalid`] names the field, also if there are both or none.
+    pub fn texels(
+        &mut self,
+        file: Option<&Path>,
+        drawn: Option<Drawn>,
+        encoding: Option<Encoding>,
+    ) -> Result<Arc<Texels>, Invalid> {
+        match (file, drawn) {
+            (Some(file), None) => self.image(file, encoding),
+            (None, Some(_)) if encoding.is_some() => {
+                let problem = "a drawn image is linear; the encoding of a file alone can be said";
+                Err(Invalid::field("encoding", problem))
+            }
+            (None, Some(drawn)) => self.drawn(drawn).map_err(|e| e.inside("drawn")),
+            (Some(_), Some(_)) => {
+                Err(Invalid::field("drawn", "there is a `file` too; leave out one of them"))
+            }
+            (None, None) => Err(Invalid::new("neither `file` nor `drawn`; an image needs one")),
+        }
+    }
+
+    /// The texels of an image file.
+    ///
+    /// # Errors
+    /// [`Invalid`] of the field `file`.
+    fn image(&mut self, file: &Path, encoding: Option<Encoding>) -> Result<Arc<Texels>, Invalid> {
+        let key = (self.folder.join(file), encoding);
+        if let Some(known) = self.images.get(&key) {
+            return Ok(Arc::clone(known));
+        }
+        let left = MOST_TEXELS - self.texels;
+        let texels = images::read(&key.0, encoding, left)
+            .map_err(|e| Invalid::field("file", e.to_string()))?;
+        self.texels += u64::from(texels.width()) * u64::from(texels.height());
+        let texels = Arc::new(texels);
+        self.images.insert(key, Arc::clone(&texels));
+        Ok(texels)
+    }
+
+    /// The texels of a drawn image.
+    ///
+    /// # Errors
+    /// [`Invalid`] if it has no texels, or too many.
+    fn drawn(&mut self, drawn: Drawn) -> Result<Arc<Texels>, Invalid> {
+        if let Some(known) = self.drawn.get(&drawn) {
+            return Ok(Arc::clone(known));
+        }
+        drawn.check()?;
+        self.texels += u64::from(drawn.width) * u64::from(drawn.height);
+        if self.texels > MOST_TEXELS {
+            let problem = format!(
+                "{} texels, with the images before it, are too many; at most {MOST_TEXELS} fit",
+                self.texels
+            );
+            return Err(Invalid::new(problem));
+        }
+        let texels = Arc::new(drawn.draw());
+        self.drawn.insert(drawn, Arc::clone(&texels));
+        Ok(texels)
+    }
+
+    /// Takes the size of a file off the budget; a file that cannot be looked at is left to the
+    /// reader.
+    fn take_bytes(&mut self, path: &Path) -> Result<(), String> {
+        let Ok(file) = std::fs::metadata(path) else { return Ok(()) };
+        if !file.is_file() {
+            return Err(format!("{}: not a file", path.display()));
+        }
+        self.bytes += file.len();
+        if self.bytes > MOST_BYTES {
+            let (path, size, all) = (path.display(), file.len(), self.bytes);
+            return Err(format!(
+                "{path}: {size} bytes, with the meshes before it {all}, are too many; \
+                 at most {MOST_BYTES} fit"
+            ));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,145 @@
+//! The image texture (Suffern, ch. 29).
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::sampling::Sampling;
+use super::{Filtering, Mapping, Rule, Texel, Texture, TexturePoint, Wrap};
+use crate::images::{Drawn, Encoding, Texels};
+use crate::invalid::{Invalid, length};
+use crate::kinds::{self, Specification};
+use crate::math::Point;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// An image laid on a surface: by a mapping of the local point, or by the texture coordinates of a mesh.
+/// u goes to the right in the image, v up.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Image {
+    /// The file, relative to the scene file: PNG, PPM, HDR or EXR. An alpha channel is left out. Either
+    /// this, or `drawn`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<PathBuf>,
+    /// In place of a file: an image drawn by a formula.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drawn: Option<Drawn>,
+    /// How the image is laid on the surface; if left out, by the surface's own texture coordinates, which
+    /// meshes may have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mapping: Option<Mapping>,
+    /// The length of 1 for the mapping: the radius of the cylinder, half the side of the rectangle;
+    /// positive.
+    #[serde(default = "kinds::one")]
+    pub unit: f64,
+    /// Which texels count; the nearest if left out, as in the book.
+    #[serde(default)]
+    pub filtering: Filtering,
+    /// How u is brought back to 0 … 1; if left out, as fits the mapping, and `repeat` without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wrap_u: Option<Wrap>,
+    /// The same for v.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wrap_v: Option<Wrap>,
+    /// Which part of the image a texel covers.
+    #[serde(default)]
+    pub rule: Rule,
+    /// What the numbers of a PNG or PPM file mean; `srgb` if left out. Those of HDR and EXR are linear.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub encoding: Option<Encoding>,
+}
+
+impl Image {
+    /// The image of a file, with this mapping or by the surface's own coordinates.
+    pub fn of_file(file: impl Into<PathBuf>, mapping: Option<Mapping>) -> Self {
+        Self { file: Some(file.into()), ..Self::empty(mapping) }
+    }
+
+    /// A drawn image, with this mapping or by the surface's own coordinates.
+    pub fn of_drawn(drawn: Drawn, mapping: Option<Mapping>) -> Self {
+        Self { drawn: Some(drawn), ..Self::empty(mapping) }
+    }
+
+    fn empty(mapping: Option<Mapping>) -> Self {
+        Self {
+            file: None,
+            drawn: None,
+            mapping,
+            unit: 1.0,
+            filtering: Filtering::Nearest,
+            wrap_u: None,
+            wrap_v: None,
+            rule: Rule::Even,
+            encoding: None,
+        }
+    }
+}
+
+#[derive(Debug)]
+struct ImageTexture {
+    texels: Arc<Texels>,
+    mapping: Option<Mapping>,
+    unit: f64,
+    sampling: Sampling,
+}
+
+impl Specification for Image {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let texels = resources.texels(self.file.as_deref(), self.drawn, self.encoding)?;
+        let [wrap_u, wrap_v] = self.mapping.map_or([Wrap::Repeat; 2], Mapping::wraps);
+        let wraps = [self.wrap_u.unwrap_or(wrap_u), self.wrap_v.unwrap_or(wrap_v)];
+        let (filtering, rule) = (self.filtering, self.rule);
+        Ok(Arc::new(ImageTexture {
+            texels,
+            mapping: self.mapping,
+            unit: length("unit", self.unit)?,
+            sampling: Sampling { filtering, rule, wraps },
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { unit: factor * self.unit, ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/globe.png");
+        let nearest = |mapping| Self::of_file(file, mapping);
+        let bilinear = Self {
+            filtering: Filtering::Bilinear,
+            wrap_u: Some(Wrap::Mirror),
+            rule: Rule::Book,
+            ..nearest(Some(Mapping::Square))
+        };
+        let of_mesh = nearest(None);
+        vec![nearest(Some(Mapping::Spherical)), bilinear, of_mesh]
+    }
+}
+
+impl ImageTexture {
+    fn uv(&self, at: &TexturePoint<'_>) -> [f64; 2] {
+        match self.mapping {
+            Some(mapping) => {
+                let local = at.local.to_array().map(|c| c / self.unit);
+                mapping.uv(Point::from(local))
+            }
+            // worlds are built of surfaces that have some only
+            None => at.uv().unwrap_or_default(),
+        }
+    }
+}
+
+impl Texture for ImageTexture {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        self.sampling.color(&self.texels, self.uv(at))
+    }
+
+    fn texel(&self, at: &TexturePoint<'_>) -> Option<Texel> {
+        Some(self.sampling.texel(&self.texels, self.uv(at)))
+    }
+}

@@ -1,0 +1,105 @@
+//! Colours of materials: plain or textured; as scenes say them, and built.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::{Kind, Texture, TexturePoint};
+use crate::invalid::Invalid;
+use crate::resources::Resources;
+use crate::rgb::{ColorOr, Colorful, Rgb};
+
+/// A colour of a material: in scene files `[r, g, b]`, one number for a grey, or a texture, as
+/// `{ checker3d = { size = 4.0 } }`.
+#[derive(Clone, Debug)]
+pub enum Paint {
+    /// One colour everywhere.
+    Plain(Rgb),
+    /// One that varies.
+    Textured(Box<Kind>),
+}
+
+/// A colour ready to be asked; a plain one looks nothing up.
+#[derive(Clone, Debug)]
+pub enum Color {
+    /// One colour everywhere.
+    Plain(Rgb),
+    /// One that varies.
+    Textured(Arc<dyn Texture>),
+}
+
+impl Color {
+    /// The colour at a point.
+    pub fn at(&self, at: &TexturePoint<'_>) -> Rgb {
+        match self {
+            Self::Plain(color) => *color,
+            Self::Textured(texture) => texture.color(at),
+        }
+    }
+}
+
+impl Paint {
+    /// Checks the data of the field of this name and builds the colour.
+    pub(crate) fn build(&self, field: &str, resources: &mut Resources) -> Result<Color, Invalid> {
+        match self {
+            Self::Plain(color) => color.checked(field).map(Color::Plain),
+            Self::Textured(kind) => {
+                kind.build(resources).map(Color::Textured).map_err(|e| e.inside(field))
+            }
+        }
+    }
+
+    /// The same paint with every length multiplied by `factor`.
+    pub fn scaled(&self, factor: f64) -> Self {
+        match self {
+            Self::Plain(color) => Self::Plain(*color),
+            Self::Textured(kind) => Self::Textured(Box::new(kind.scaled(factor))),
+        }
+    }
+}
+
+impl From<Rgb> for Paint {
+    fn from(color: Rgb) -> Self {
+        Self::Plain(color)
+    }
+}
+
+impl<T: Into<Kind>> From<T> for Paint {
+    fn from(texture: T) -> Self {
+        Self::Textured(Box::new(texture.into()))
+    }
+}
+
+impl Serialize for Paint {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Plain(color) => color.serialize(serializer),
+            Self::Textured(kind) => kind.serialize(serializer),
+        }
+    }
+}
+
+impl Colorful for Kind {
+    const NAME: &'static str = "a texture";
+}
+
+impl JsonSchema for Paint {
+    fn schema_name() -> Cow<'static, str> {
+        ColorOr::<Kind>::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        ColorOr::<Kind>::json_schema(generator)
+    }
+}
+
+impl<'de> Deserialize<'de> for Paint {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(match ColorOr::deserialize(deserializer)? {
+            ColorOr::Color(color) => Self::Plain(color),
+            ColorOr::Kind(kind) => Self::Textured(Box::new(kind)),
+        })
+    }
+}

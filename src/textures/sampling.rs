@@ -1,0 +1,145 @@
+//! From texture coordinates to texels (Suffern, ch. 29).
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Texel;
+use crate::images::Texels;
+use crate::math::floor;
+use crate::rgb::Rgb;
+
+/// Which texels count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(title = "filtering")]
+pub enum Filtering {
+    /// The one that the point is in: squares when seen from near.
+    #[default]
+    Nearest,
+    /// The four around the point, by their distance.
+    Bilinear,
+}
+
+/// Which part of an image a texel covers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(title = "rules for texels")]
+pub enum Rule {
+    /// `1/n` of it, each of the `n` alike: column `⌊n u⌋`.
+    #[default]
+    Even,
+    /// As in the book, `1/(n − 1)`, so that the last column and row are reached at 1 only: column
+    /// `⌊(n − 1) u⌋`.
+    Book,
+}
+
+/// How coordinates beyond 0 … 1 are brought back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(title = "wraps")]
+pub enum Wrap {
+    /// The image again and again.
+    Repeat,
+    /// The texels at the border go on.
+    Clamp,
+    /// The image and its mirror image in turn.
+    Mirror,
+}
+
+impl Wrap {
+    /// A coordinate from 0 to 1; those that are, stay.
+    fn coordinate(self, x: f64) -> f64 {
+        if (0.0..=1.0).contains(&x) {
+            return x;
+        }
+        match self {
+            Self::Repeat => x - floor(x),
+            Self::Clamp => x.clamp(0.0, 1.0),
+            Self::Mirror => 1.0 - (x.rem_euclid(2.0) - 1.0).abs(),
+        }
+    }
+
+    /// The index of the texel beside a border, which is at most one beyond.
+    fn index(self, i: f64, count: u32) -> u32 {
+        let last = count - 1;
+        match self {
+            Self::Repeat if i < 0.0 => last,
+            Self::Repeat if i > f64::from(last) => 0,
+            _ => (i.max(0.0) as u32).min(last),
+        }
+    }
+}
+
+/// How an image is read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sampling {
+    pub filtering: Filtering,
+    pub rule: Rule,
+    pub wraps: [Wrap; 2],
+}
+
+impl Sampling {
+    /// The colour at texture coordinates.
+    pub fn color(&self, texels: &Texels, uv: [f64; 2]) -> Rgb {
+        match self.filtering {
+            Filtering::Nearest => {
+                let [column, row] = self.nearest(texels, uv);
+                texels.color(column, row)
+            }
+            Filtering::Bilinear => self.bilinear(texels, uv),
+        }
+    }
+
+    /// Which texel is seen there, or counts most.
+    pub fn texel(&self, texels: &Texels, uv: [f64; 2]) -> Texel {
+        let [column, row] = match self.filtering {
+            Filtering::Nearest => self.nearest(texels, uv),
+            Filtering::Bilinear => {
+                let [x, y] = self.between_centers(texels, uv);
+                let nearest =
+                    |axis: usize, x: f64, count| self.wraps[axis].index(floor(x + 0.5), count);
+                [nearest(0, x, texels.width()), nearest(1, y, texels.height())]
+            }
+        };
+        Texel { uv, column, row }
+    }
+
+    fn nearest(&self, texels: &Texels, uv: [f64; 2]) -> [u32; 2] {
+        let index = |axis: usize, count: u32| {
+            let x = self.wraps[axis].coordinate(uv[axis]);
+            let last = count - 1;
+            let covered = if self.rule == Rule::Even { count } else { last };
+            ((f64::from(covered) * x) as u32).min(last)
+        };
+        [index(0, texels.width()), index(1, texels.height())]
+    }
+
+    /// Where the point is, counted in texels from the centre of the first.
+    fn between_centers(&self, texels: &Texels, uv: [f64; 2]) -> [f64; 2] {
+        let place = |axis: usize, count: u32| {
+            let x = self.wraps[axis].coordinate(uv[axis]);
+            match self.rule {
+                Rule::Even => f64::from(count) * x - 0.5,
+                Rule::Book => f64::from(count - 1) * x,
+            }
+        };
+        [place(0, texels.width()), place(1, texels.height())]
+    }
+
+    fn bilinear(&self, texels: &Texels, uv: [f64; 2]) -> Rgb {
+        let [x, y] = self.between_centers(texels, uv);
+        let [left, bottom] = [floor(x), floor(y)];
+        let column = |i: f64| self.wraps[0].index(i, texels.width());
+        let [column0, column1] = [column(left), column(left + 1.0)];
+        let along = |row: f64| {
+            let row = self.wraps[1].index(row, texels.height());
+            mix(texels.color(column0, row), texels.color(column1, row), x - left)
+        };
+        mix(along(bottom), along(bottom + 1.0), y - bottom)
+    }
+}
+
+/// `a + t (b − a)`: exactly `a` where the two are equal.
+fn mix(a: Rgb, b: Rgb, t: f64) -> Rgb {
+    a + t * (b + -1.0 * a)
+}
