@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Texels;
 use crate::invalid::Invalid;
-use crate::math::{Pcg32, Vector, cos, sin};
+use crate::math::{Pcg32, Vector, cos, floor, sin};
 use crate::rgb::Rgb;
 
 /// An image drawn by a formula.
@@ -29,6 +29,8 @@ pub struct Drawn {
 pub enum Picture {
     /// Lines every 1/24 of the width and 1/12 of the height; redder to the right, greener upward.
     UvGrid,
+    /// Eight by eight squares, black and white.
+    Checker,
     /// A made-up Earth: seas, land and ice, for the spherical mapping.
     Globe,
 }
@@ -62,6 +64,7 @@ impl Picture {
     fn color(self, u: f64, v: f64) -> Rgb {
         match self {
             Self::UvGrid => uv_grid(u, v),
+            Self::Checker => checker(u, v),
             Self::Globe => globe(u, v),
         }
     }
@@ -76,6 +79,11 @@ fn uv_grid(u: f64, v: f64) -> Rgb {
         return Rgb::BLACK;
     }
     Rgb::new(0.2 + 0.8 * u, 0.2 + 0.8 * v, 0.5)
+}
+
+fn checker(u: f64, v: f64) -> Rgb {
+    let is_even = (floor(8.0 * u) + floor(8.0 * v)).rem_euclid(2.0) == 0.0;
+    if is_even { Rgb::WHITE } else { Rgb::grey(0.02) }
 }
 
 /// Land where a sum of waves over the sphere is high, so that the image has no seam.
