@@ -26,7 +26,9 @@ pub const SCENES: List = &[
     ("ch29/billiard-ball", || {
         let about = "as figure 29.11: a billiard ball, Phong with k_s .25 and e = 500";
         let image = drawn(Picture::BilliardBall, 1024, 512, SPHERE);
-        on_sphere(about, phong(0.5, 0.8, image, 0.25, 500.0))
+        let mut scene = on_sphere(about, phong(0.5, 0.8, image, 0.25, 500.0));
+        scene.background = rgb(0.06, 0.2, 0.12).into();
+        scene
     }),
     ("ch29/earth", || {
         let about =
@@ -59,10 +61,10 @@ fn drawn(picture: Picture, width: u32, height: u32, mapping: Option<Mapping>) ->
 fn lace() -> Scene {
     let about =
         "as figure 29.4: lace on a rectangle three halves as long as wide, by the square mapping";
-    let mut scene = pinhole(about, [400, 400], [point(2.0, 4.0, 3.0), Point::ORIGIN], 550.0);
+    let mut scene = pinhole(about, [400, 400], [point(2.0, 4.0, 3.0), Point::ORIGIN], 680.0);
     scene.background = grey(0.3).into();
     scene.lights.push(ambient(0.4));
-    scene.lights.push(directional("light", vector(1.0, 2.0, 1.0), 2.0));
+    scene.lights.push(directional("light", vector(1.0, 2.0, 1.0), 3.0));
     let square =
         Rectangle { corner: point(-1.0, 0.0, -1.0), a: 2.0 * Vector::Z, b: 2.0 * Vector::X };
     let square = transformed(square, vec![Step::Scale(vector(1.0, 1.0, 1.5))]);
@@ -113,7 +115,7 @@ fn light_probe() -> Scene {
 fn near_earth(about: &str, filtering: Filtering) -> Scene {
     let image = Image { filtering, ..drawn(Picture::Globe, 64, 32, SPHERE) };
     let mut scene = on_sphere(about, matte(0.4, 1.0, image));
-    scene.camera.lens = Pinhole { distance: 4200.0, zoom: 1.0 }.into();
+    scene.camera.lens = Pinhole { distance: 2200.0, zoom: 1.0 }.into();
     scene.camera.look_at = point(0.3, 0.35, 0.8);
     scene
 }
@@ -178,7 +180,7 @@ fn sky_dome() -> Scene {
     let sky = Drawn { picture: Picture::SkyDome, width: 1024, height: 256 };
     let sky = background::Image {
         filtering: Filtering::Bilinear,
-        rotate_y: 120.0,
+        rotate_y: 260.0,
         ..background::Image::of_drawn(sky, Dome::Hemispherical)
     };
     scene.background = sky.into();

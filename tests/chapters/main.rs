@@ -38,5 +38,6 @@ mod ch25;
 mod ch26;
 mod ch27;
 mod ch28;
+mod ch29;
 mod ch30;
 mod pictures;

@@ -42,12 +42,12 @@ pub fn billiard_ball(u: f64, v: f64) -> Rgb {
     };
     let in_spot = x * x + y * y < 0.42 * 0.42;
     let in_digit = ring(0.125, 0.1) || ring(-0.115, 0.13);
-    if in_spot && !in_digit { Rgb::new(0.85, 0.82, 0.72) } else { Rgb::grey(0.015) }
+    if in_spot && !in_digit { Rgb::new(0.85, 0.82, 0.72) } else { Rgb::grey(0.03) }
 }
 
 /// Blue that pales towards the horizon, thin clouds, and the sun halfway up.
 pub fn sky_dome(u: f64, v: f64) -> Rgb {
-    const SUN: f64 = 300.0;
+    const SUN: f64 = 1500.0;
     /// Six times the true one, so that a small image shows it.
     const SUN_RADIUS: f64 = 0.028;
     let direction = spherical(TAU * u, 0.5 * PI * (1.0 - v));

@@ -39,7 +39,7 @@ pub enum Picture {
     BilliardBall,
     /// The label of a jar of orange jam, for the cylindrical mapping.
     Label,
-    /// A clear sky with a sun of radiance 300, for the hemispherical mapping.
+    /// A clear sky with a sun of radiance 1500, for the hemispherical mapping.
     SkyDome,
     /// A courtyard with lit windows under a bright sky: a light probe (angular map) with values above
     /// 1.

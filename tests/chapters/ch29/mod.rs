@@ -1,0 +1,3 @@
+//! Chapter 29: images as textures and as skies.
+
+mod sky;
