@@ -61,7 +61,7 @@ fn drawn(picture: Picture, width: u32, height: u32, mapping: Option<Mapping>) ->
 fn lace() -> Scene {
     let about =
         "as figure 29.4: lace on a rectangle three halves as long as wide, by the square mapping";
-    let mut scene = pinhole(about, [400, 400], [point(2.0, 4.0, 3.0), Point::ORIGIN], 680.0);
+    let mut scene = pinhole(about, [400, 400], [point(2.0, 4.0, 3.0), Point::ORIGIN], 600.0);
     scene.background = grey(0.3).into();
     scene.lights.push(ambient(0.4));
     scene.lights.push(directional("light", vector(1.0, 2.0, 1.0), 3.0));

@@ -65,29 +65,31 @@ pub fn country(u: f64, v: f64) -> Rgb {
 
 /// A red frame, an orange with its leaf, and lines of writing that cannot be read.
 pub fn label(u: f64, v: f64) -> Rgb {
-    // the front is at u = 0.72, which the turn by 100° of figure 29.26 brings before a viewer at +z
+    // in halves of the height, on the jar of figure 29.26; the front is at u = 0.72, which its turn by
+    // 100° brings before a viewer at +z
+    const AROUND: f64 = 14.5;
     let around = u + 0.78 - floor(u + 0.78);
-    let (x, y) = (4.0 * (around - 0.5), 2.0 * v - 1.0);
+    let (x, y) = (AROUND * (around - 0.5), 2.0 * v - 1.0);
     let disk = |cx: f64, cy: f64, rx: f64, ry: f64| {
         let (dx, dy) = ((x - cx) / rx, (y - cy) / ry);
         dx * dx + dy * dy < 1.0
     };
     let writing = |top: f64, height: f64, half_width: f64| {
-        let letter = floor((x + 2.0) / (0.45 * height));
-        let space = hash(&[letter as u64, top.to_bits()]).is_multiple_of(6);
-        let gap = (x + 2.0) / (0.45 * height) - letter < 0.25;
-        (top - height..top).contains(&y) && x.abs() < half_width && !space && !gap
+        let letters = (x + 8.0) / (0.8 * height);
+        let letter = floor(letters);
+        let is_space = hash(&[letter as u64, top.to_bits()]).is_multiple_of(6);
+        let is_gap = letters - letter < 0.25;
+        (top - height..top).contains(&y) && x.abs() < half_width && !is_space && !is_gap
     };
+    let line = 0.6 - 0.2 * floor((0.6 - y) / 0.2);
     match () {
         () if y.abs() > 0.92 => Rgb::new(0.55, 0.03, 0.02),
         () if y.abs() > 0.84 && y.abs() < 0.88 => Rgb::new(0.6, 0.4, 0.05),
-        () if disk(0.2, 0.42, 0.22, 0.12) => Rgb::new(0.05, 0.3, 0.04),
-        () if disk(0.0, 0.1, 0.36, 0.42) => Rgb::new(0.95, 0.35, 0.02),
-        () if writing(0.74, 0.16, 0.75) || writing(-0.42, 0.14, 0.6) => Rgb::new(0.35, 0.02, 0.02),
-        () if writing(-0.64, 0.08, 0.5) => Rgb::grey(0.1),
-        () if x.abs() > 1.1 && writing(0.6 - 0.2 * floor((0.6 - y) / 0.2), 0.1, 1.8) => {
-            Rgb::grey(0.15)
-        }
+        () if disk(0.3, 0.42, 0.26, 0.1) => Rgb::new(0.05, 0.3, 0.04),
+        () if disk(0.0, 0.05, 0.45, 0.45) => Rgb::new(0.95, 0.35, 0.02),
+        () if writing(0.76, 0.18, 2.4) || writing(-0.46, 0.16, 1.8) => Rgb::new(0.35, 0.02, 0.02),
+        () if writing(-0.68, 0.08, 1.5) => Rgb::grey(0.1),
+        () if x.abs() > 4.0 && writing(line, 0.1, 6.5) => Rgb::grey(0.15),
         () => Rgb::new(0.9, 0.83, 0.65),
     }
 }
