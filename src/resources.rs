@@ -22,6 +22,8 @@ pub struct Resources {
     images: HashMap<(PathBuf, Option<Encoding>), Arc<Texels>>,
     drawn: HashMap<Drawn, Arc<Texels>>,
     texels: u64,
+    /// How many images were laid by the surface's own texture coordinates.
+    uses_of_uv: u32,
 }
 
 impl Resources {
@@ -44,6 +46,16 @@ impl Resources {
         let mesh = Arc::new(mesh);
         self.meshes.insert(path, Arc::clone(&mesh));
         Ok(mesh)
+    }
+
+    /// How many images so far need the texture coordinates of the surface itself.
+    pub fn uses_of_uv(&self) -> u32 {
+        self.uses_of_uv
+    }
+
+    /// Remembers that an image needs them.
+    pub(crate) fn use_uv(&mut self) {
+        self.uses_of_uv += 1;
     }
 
     /// The texels of an image: of a file, or drawn.

@@ -83,6 +83,8 @@ pub struct PlacedMaterial {
     /// What it is made of.
     pub recipe: Arc<dyn Material>,
     casts_shadows: bool,
+    /// Whether it asks for the texture coordinates of the surface itself.
+    needs_uv: bool,
 }
 
 /// An object that is there.

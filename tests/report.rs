@@ -10,6 +10,8 @@ mod light;
 mod samplers;
 #[path = "report/textbook.rs"]
 mod textbook;
+#[path = "report/textures.rs"]
+mod textures;
 
 use std::process::Command;
 use std::sync::LazyLock;

@@ -3,7 +3,8 @@
 use eframe::egui::{Grid, RichText, Ui};
 use groundtruth::explain::{HitExplanation, RayExplanation, brief, percent, short, unblocked};
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::{Optics, Outcome, RayKind};
+use groundtruth::textures::Texel;
+use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
 
 use crate::tree::kind_color;
 
@@ -80,11 +81,22 @@ fn hit_fields(hit: &HitExplanation) -> Vec<(&'static str, String)> {
         ("shading normal", shading),
         ("angle of incidence", format!("{:?}°", hit.angle_of_incidence)),
     ]);
+    fields.extend(hit.textures.iter().map(|texture| ("texture", texture_text(texture))));
     fields.extend(hit.optics.as_ref().map_or(Vec::new(), optics_fields));
     if hit.is_switched_off {
         fields.push(("shines", "no: its area light is switched off".to_owned()));
     }
     fields
+}
+
+fn texture_text(texture: &RecordedTexture) -> String {
+    let color = format!("{} {}", texture.field, exact(texture.color.to_array()));
+    match texture.texel {
+        Some(Texel { uv: [u, v], column, row }) => {
+            format!("{color}, texel ({column}, {row}) at u {u:?}, v {v:?}")
+        }
+        None => color,
+    }
 }
 
 fn optics_fields(optics: &Optics) -> Vec<(&'static str, String)> {

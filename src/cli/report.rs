@@ -16,7 +16,7 @@ pub struct Report {
     /// The folder for index.html and report.json; made if it is not there
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Make this page only: intersections, acceleration, samplers or light (may be repeated)
+    /// Make this page only: intersections, acceleration, samplers, light or textures (may be repeated)
     #[arg(long, value_name = "PAGE")]
     only: Vec<String>,
     /// Measure little, in a few seconds, to see what a report looks like
@@ -28,7 +28,8 @@ pub struct Report {
     /// Acceleration: the most objects
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(100..=1_000_000))]
     objects: Option<u32>,
-    /// Samplers and light: the most samples for each pixel; light takes 1024 at most
+    /// Samplers, light and textures: the most samples for each pixel; light takes 1024 at most, textures 256,
+    /// and 16 times as many for their references
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=65536))]
     samples: Option<u32>,
     /// The seed of all random choices

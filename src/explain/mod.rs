@@ -14,7 +14,9 @@ use crate::render::{self, CameraSample};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
 use crate::shapes::PartPath;
-use crate::trace::{self, Optics, Outcome, RayKind, RayTree, RecordedHit, TermSource};
+use crate::trace::{
+    self, Optics, Outcome, RayKind, RayTree, RecordedHit, RecordedTexture, TermSource,
+};
 use crate::world::World;
 
 pub use outline::{Outline, Row};
@@ -145,6 +147,9 @@ pub struct HitExplanation {
     /// How light divides there, if the surface refracts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub optics: Option<Optics>,
+    /// What the textures of its material are there.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub textures: Vec<RecordedTexture>,
     /// Whether it is the lamp of an area light that is off, and so does not shine.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub is_switched_off: bool,
@@ -305,6 +310,7 @@ impl Explaining<'_> {
             front: hit.front,
             angle_of_incidence: hit.angle_of_incidence,
             optics: hit.optics,
+            textures: hit.textures,
             is_switched_off: !hit.shines,
         }
     }

@@ -8,7 +8,8 @@ use super::{
 };
 use crate::lobes::Lobe;
 use crate::rgb::Rgb;
-use crate::trace::{Optics, Outcome, RayKind, TermSource};
+use crate::textures::Texel;
+use crate::trace::{Optics, Outcome, RayKind, RecordedTexture, TermSource};
 
 /// A colour as `(0.12, 0.03, 0.03)`, a grey as `0.5`, shortened for people.
 pub fn short(color: Rgb) -> String {
@@ -104,11 +105,23 @@ impl HitExplanation {
         if self.shading_normal != self.normal {
             lines.push(format!("shading normal {:?}", self.shading_normal));
         }
+        lines.extend(self.textures.iter().map(RecordedTexture::to_string));
         lines.extend(self.optics.as_ref().map(Optics::to_string));
         if self.is_switched_off {
             lines.push("does not shine: its area light is switched off".to_owned());
         }
         lines
+    }
+}
+
+/// `cd (0.2, 0.4, 0.1), texel (12, 5) at u 0.1, v 0.22`: column and row, from the bottom left.
+impl fmt::Display for RecordedTexture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.field, short(self.color))?;
+        if let Some(Texel { uv: [u, v], column, row }) = self.texel {
+            write!(f, ", texel ({column}, {row}) at u {}, v {}", brief(u), brief(v))?;
+        }
+        Ok(())
     }
 }
 

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Boundary, Material, Medium, Response};
+use super::{Boundary, Material, Medium, Response, TexturedField, within};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
@@ -77,5 +77,9 @@ impl Material for Built {
 
     fn boundary(&self) -> Option<Boundary> {
         Some(self.boundary)
+    }
+
+    fn textures(&self) -> Vec<TexturedField<'_>> {
+        within("phong", &self.phong).collect()
     }
 }

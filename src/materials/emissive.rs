@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::matte::{self, Matte};
-use super::{Material, Response};
+use super::{Material, Response, TexturedField, textured, within};
 use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
@@ -76,5 +76,12 @@ impl Material for Shining {
 
     fn emission(&self) -> Option<&Emission> {
         Some(&self.emission)
+    }
+
+    fn textures(&self) -> Vec<TexturedField<'_>> {
+        let Emission { ls, ce } = &self.emission;
+        let mut all = textured([("ls", ls.texture()), ("ce", ce.texture())]);
+        all.extend(self.matte.iter().flat_map(|matte| within("matte", matte)));
+        all
     }
 }

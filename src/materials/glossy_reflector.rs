@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Material, Response};
+use super::{Material, Response, TexturedField, textured, within};
 use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
@@ -87,5 +87,13 @@ impl Material for BlurredMirror {
             let lobe = GlossyReflection { reflectance, exponent, rule };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
+    }
+
+    fn textures(&self) -> Vec<TexturedField<'_>> {
+        let Self { kr, cr, exponent, .. } = self;
+        let own = [("kr", kr.texture()), ("cr", cr.texture()), ("exponent", exponent.texture())];
+        let mut all = textured(own);
+        all.extend(within("phong", &self.phong));
+        all
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Material, Response};
+use super::{Material, Response, TexturedField, textured};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{Lambertian, NormalKind};
@@ -75,5 +75,10 @@ impl Material for Built {
             let lobe = Lambertian { reflectance: kd * cd };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
+    }
+
+    fn textures(&self) -> Vec<TexturedField<'_>> {
+        let Self { ka, kd, cd } = self;
+        textured([("ka", ka.texture()), ("kd", kd.texture()), ("cd", cd.texture())])
     }
 }

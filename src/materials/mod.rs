@@ -22,7 +22,7 @@ use crate::invalid::{Invalid, positive};
 use crate::lobes::Lobes;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::textures::TexturePoint;
+use crate::textures::{Texture, TexturePoint};
 
 /// What a surface is made of. Contract: `tests/contracts/material.rs`.
 pub trait Material: Debug + Send + Sync {
@@ -41,10 +41,32 @@ pub trait Material: Debug + Send + Sync {
         None
     }
 
+    /// Its textures, with the fields that they stand in, as in `phong.cd`. Asked only by those who want
+    /// to know why a point has its colour.
+    fn textures(&self) -> Vec<TexturedField<'_>> {
+        Vec::new()
+    }
+
     /// Whether light passes through, so that the surface must know its inside.
     fn transmits(&self) -> bool {
         self.boundary().is_some()
     }
+}
+
+/// A texture of a material, and the field it stands in.
+pub type TexturedField<'a> = (String, &'a dyn Texture);
+
+/// The textures among these fields.
+fn textured<'a>(
+    fields: impl IntoIterator<Item = (&'static str, Option<&'a dyn Texture>)>,
+) -> Vec<TexturedField<'a>> {
+    let some = |(name, texture): (&str, Option<_>)| Some((name.to_owned(), texture?));
+    fields.into_iter().filter_map(some).collect()
+}
+
+/// The textures of a material that stands in a field of another.
+fn within<'a>(field: &str, material: &'a dyn Material) -> impl Iterator<Item = TexturedField<'a>> {
+    material.textures().into_iter().map(move |(name, texture)| (format!("{field}.{name}"), texture))
 }
 
 /// What a surface makes of the light that comes to it.

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::matte::{self, Matte};
-use super::{Material, Response};
+use super::{Material, Response, TexturedField, textured};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{GlossySpecular, NormalKind};
@@ -103,5 +103,13 @@ impl Material for Built {
             let lobe = GlossySpecular { reflectance, exponent: self.exponent.at(at) };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
+    }
+
+    fn textures(&self) -> Vec<TexturedField<'_>> {
+        let Self { matte, ks, cs, exponent } = self;
+        let own = [("ks", ks.texture()), ("cs", cs.texture()), ("exponent", exponent.texture())];
+        let mut all = matte.textures();
+        all.extend(textured(own));
+        all
     }
 }

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Material, Response};
+use super::{Material, Response, TexturedField, textured, within};
 use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 use crate::lobes::{NormalKind, PerfectSpecular};
@@ -68,5 +68,11 @@ impl Material for Built {
         if !reflectance.is_black() {
             response.lobes.push((PerfectSpecular { reflectance }.into(), NormalKind::Shading));
         }
+    }
+
+    fn textures(&self) -> Vec<TexturedField<'_>> {
+        let mut all = textured([("kr", self.kr.texture()), ("cr", self.cr.texture())]);
+        all.extend(within("phong", &self.phong));
+        all
     }
 }

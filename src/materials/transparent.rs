@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Material, Response};
+use super::{Material, Response, TexturedField, textured, within};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
@@ -97,5 +97,13 @@ impl Material for Built {
 
     fn transmits(&self) -> bool {
         true
+    }
+
+    fn textures(&self) -> Vec<TexturedField<'_>> {
+        let Self { kr, cr, kt, .. } = self;
+        let own = [("kr", kr.texture()), ("cr", cr.texture()), ("kt", kt.texture())];
+        let mut all = textured(own);
+        all.extend(within("phong", &self.phong));
+        all
     }
 }

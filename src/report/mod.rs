@@ -10,9 +10,11 @@ mod document;
 mod html;
 mod intersections;
 mod light;
+mod picture;
 mod plot;
 mod provenance;
 mod samplers;
+mod textures;
 mod watch;
 
 use serde_json::{Value, json};
@@ -61,6 +63,7 @@ pub const PAGES: &[&dyn Page] = &[
     &acceleration::Acceleration,
     &samplers::Samplers,
     &light::Light,
+    &textures::Textures,
 ];
 
 /// The page of this name.
@@ -79,13 +82,14 @@ pub struct Settings {
     pub objects: u32,
     /// Acceleration: pixels along each side of the picture.
     pub side: u32,
-    /// Samplers and light: the most samples for each pixel; light takes 1024 at most.
+    /// Samplers, light and textures: the most samples for each pixel; light takes 1024 at most, textures
+    /// 256, and 16 times as many for their references.
     pub samples: u32,
     /// Samplers: pixels, each with a function of its own.
     pub pixels: u32,
-    /// Samplers and light: seeds.
+    /// Samplers, light and textures: seeds.
     pub seeds: u32,
-    /// Light: pixels across the pictures.
+    /// Light and textures: pixels across the pictures.
     pub width: u32,
 }
 

@@ -244,6 +244,10 @@ impl Shape for Assembly {
         self.parts[index].shape.uv(&within)
     }
 
+    fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
+        self.parts.iter().any(|part| part.shape.lacks_uv(part.material.map_or(needed, by), by))
+    }
+
     fn path(&self, at: &Candidate) -> PartPath {
         let (index, within) = self.within(at);
         let Part { name, shape, .. } = &self.parts[index];

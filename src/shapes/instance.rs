@@ -158,6 +158,10 @@ impl Shape for Placed {
         self.shape.uv(at)
     }
 
+    fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
+        self.shape.lacks_uv(needed, by)
+    }
+
     fn path(&self, at: &Candidate) -> PartPath {
         self.shape.path(at).inside(Level::Instance {})
     }

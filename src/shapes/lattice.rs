@@ -189,6 +189,10 @@ impl Shape for Built {
         self.shape.uv(&self.within(at).1)
     }
 
+    fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
+        self.shape.lacks_uv(needed, by)
+    }
+
     fn path(&self, at: &Candidate) -> PartPath {
         let (copy, within) = self.within(at);
         self.shape.path(&within).inside(Level::Copy(self.places.indices(copy)))

@@ -125,6 +125,13 @@ pub trait Shape: Debug + Send + Sync {
         None
     }
 
+    /// Whether a part of it has no texture coordinates although its material needs them: `needed` says so
+    /// of the material around it, `by` of the material at a place in the scene. Asked once, when a world
+    /// is built.
+    fn lacks_uv(&self, needed: bool, _by: &dyn Fn(u32) -> bool) -> bool {
+        needed
+    }
+
     /// Through which nested shapes the hit went, and which part of the innermost it is on. Asked for
     /// only where something looks at it.
     fn path(&self, _: &Candidate) -> PartPath {

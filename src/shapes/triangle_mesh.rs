@@ -272,6 +272,10 @@ impl Shape for AcceleratedMesh {
         Some([0, 1].map(|i| a[i] + beta * (b[i] - a[i]) + gamma * (c[i] - a[i])))
     }
 
+    fn lacks_uv(&self, needed: bool, _: &dyn Fn(u32) -> bool) -> bool {
+        needed && self.mesh.uvs.is_none()
+    }
+
     fn path(&self, at: &Candidate) -> PartPath {
         PartPath::to(Level::Triangle(self.mesh.number(at.part)))
     }

@@ -41,6 +41,14 @@ impl Value {
             Self::Textured(texture) => texture.color(at).r,
         }
     }
+
+    /// The texture, if it is one.
+    pub fn texture(&self) -> Option<&dyn Texture> {
+        match self {
+            Self::Plain(_) => None,
+            Self::Textured(texture) => Some(&**texture),
+        }
+    }
 }
 
 impl Amount {

@@ -92,6 +92,9 @@ impl Specification for Image {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let texels = resources.texels(self.file.as_deref(), self.drawn, self.encoding)?;
+        if self.mapping.is_none() {
+            resources.use_uv();
+        }
         let [wrap_u, wrap_v] = self.mapping.map_or([Wrap::Repeat; 2], Mapping::wraps);
         let wraps = [self.wrap_u.unwrap_or(wrap_u), self.wrap_v.unwrap_or(wrap_v)];
         let (filtering, rule) = (self.filtering, self.rule);

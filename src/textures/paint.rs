@@ -38,6 +38,14 @@ impl Color {
             Self::Textured(texture) => texture.color(at),
         }
     }
+
+    /// The texture, if it is one.
+    pub fn texture(&self) -> Option<&dyn Texture> {
+        match self {
+            Self::Plain(_) => None,
+            Self::Textured(texture) => Some(&**texture),
+        }
+    }
 }
 
 impl Paint {

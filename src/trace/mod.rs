@@ -28,7 +28,7 @@ pub use optics::Optics;
 pub use recorder::{Outcome, RayCounts, RayKind, Recorder, Term, TermSource};
 pub use shading_point::ShadingPoint;
 pub use strategy::{Direct, Lamps, Scatter, Strategy, left_out};
-pub use tree::{Node, RayTree, RecordedHit, RecordedTerm};
+pub use tree::{Node, RayTree, RecordedHit, RecordedTerm, RecordedTexture};
 
 /// The radiance that arrives at the origin of a ray from the camera. The direction must be unit:
 /// distances through media are counted in `t`.

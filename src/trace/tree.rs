@@ -1,11 +1,15 @@
 //! The recorder that keeps everything.
 
+use serde::Serialize;
+
 use super::recorder::{Outcome, RayKind, Recorder, Term, TermSource};
 use super::{Optics, ShadingPoint};
 use crate::lobes::Lobes;
+use crate::materials::TexturedField;
 use crate::math::{Normal, Point, Ray, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
 use crate::shapes::PartPath;
+use crate::textures::Texel;
 use crate::world::Hit;
 
 /// All rays of a sample, each after the one that sent it.
@@ -73,6 +77,20 @@ pub struct RecordedHit {
     pub optics: Option<Optics>,
     /// Whether the object may shine: not while it is the lamp of a light that is off.
     pub shines: bool,
+    /// What the textures of its material are there.
+    pub textures: Vec<RecordedTexture>,
+}
+
+/// What a texture of a material is at a hit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RecordedTexture {
+    /// The field of the material that it stands in.
+    pub field: String,
+    /// Its colour; a field that is a number takes the red channel.
+    pub color: Rgb,
+    /// Where in its image that is, if it has one.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub texel: Option<Texel>,
 }
 
 impl RecordedHit {
@@ -93,8 +111,19 @@ impl RecordedHit {
             angle_of_incidence: to_degrees(atan2(across, along)),
             optics: None,
             shines: hit.object.shines,
+            textures: recorded_textures(hit),
         }
     }
+}
+
+fn recorded_textures(hit: &Hit<'_>) -> Vec<RecordedTexture> {
+    let at = hit.texture_point();
+    let recorded = |(field, texture): TexturedField<'_>| RecordedTexture {
+        field,
+        color: texture.color(&at),
+        texel: texture.texel(&at),
+    };
+    hit.material.recipe.textures().into_iter().map(recorded).collect()
 }
 
 /// A term, and the ray it comes from.

@@ -99,6 +99,7 @@ pub(super) fn placed_materials(
     unique("materials", scene.materials.iter().map(|material| material.name.as_str()))?;
     let mut placed = |(index, material): (usize, &scene::Material)| {
         let here = item("materials", index, &material.name);
+        let uses_before = resources.uses_of_uv();
         let recipe = material.recipe.build(resources).map_err(|e| here(e.inside("recipe")))?;
         if material.two_sided && recipe.transmits() {
             let problem = "a transparent material must know its inside and cannot be two-sided";
@@ -106,7 +107,8 @@ pub(super) fn placed_materials(
         }
         let (name, place) = (material.name.clone(), index as u32);
         let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
-        Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows })
+        let needs_uv = resources.uses_of_uv() > uses_before;
+        Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows, needs_uv })
     };
     scene.materials.iter().enumerate().map(&mut placed).collect()
 }
@@ -130,6 +132,12 @@ pub(super) fn placed_objects(
         let (shape, made_of) = built?;
         if !object.enabled {
             continue;
+        }
+        let needs_uv = |place: u32| materials[place as usize].needs_uv;
+        if shape.lacks_uv(needs_uv(material.place), &needs_uv) {
+            let problem = "an image without `mapping` needs texture coordinates, which only a mesh with \
+                           `uvs` has, but this shape or a part of it has none: give the image a mapping";
+            return Err(here(Invalid::field("material", problem)));
         }
         objects.push(PlacedObject {
             name: object.name.clone(),

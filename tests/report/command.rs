@@ -27,7 +27,7 @@ const TINY: [&str; 7] = ["--quick", "--cases", "3", "--objects", "100", "--sampl
 #[test]
 fn a_report_is_two_files() {
     let folder = tempfile::tempdir().expect("a folder");
-    for only in ["intersections", "acceleration", "samplers", "light"] {
+    for only in ["intersections", "acceleration", "samplers", "light", "textures"] {
         let run = report(folder.path(), &[&["-o", "a/b", "--only", only][..], &TINY].concat());
         let stderr = String::from_utf8_lossy(&run.stderr).into_owned();
         assert_eq!(run.status.code(), Some(0), "{stderr}");
@@ -51,7 +51,7 @@ fn errors_are_said_at_once_and_leave_nothing() {
     for (arguments, error) in [
         (
             &["-o", "a", "--only", "intersection"][..],
-            "error: no page `intersection`; the pages are: intersections, acceleration, samplers, light",
+            "error: no page `intersection`; the pages are: intersections, acceleration, samplers, light, textures",
         ),
         (&["-o", "file"], "error: file: cannot be written: file is a file"),
         (&["-o", "file/a"], "error: file/a: cannot be written: file is a file"),

@@ -16,6 +16,11 @@ pub fn uv_grid(u: f64, v: f64) -> Rgb {
     Rgb::new(0.2 + 0.8 * u, 0.2 + 0.8 * v, 0.5)
 }
 
+pub fn checker(u: f64, v: f64) -> Rgb {
+    let is_even = (floor(8.0 * u) + floor(8.0 * v)).rem_euclid(2.0) == 0.0;
+    if is_even { Rgb::WHITE } else { Rgb::grey(0.02) }
+}
+
 /// Threads along curves of polar coordinates about the middle of each rosette, and along its diagonals.
 pub fn lace(u: f64, v: f64) -> Rgb {
     const ROSETTES: f64 = 4.0;

@@ -29,6 +29,8 @@ pub struct Drawn {
 pub enum Picture {
     /// Lines every 1/24 of the width and 1/12 of the height; redder to the right, greener upward.
     UvGrid,
+    /// Eight by eight squares, black and white.
+    Checker,
     /// A made-up Earth: seas, land and ice, for the spherical mapping.
     Globe,
     /// Four by four rosettes of pale thread on a dark ground.
@@ -75,6 +77,7 @@ impl Picture {
     fn color(self, u: f64, v: f64) -> Rgb {
         match self {
             Self::UvGrid => flat::uv_grid(u, v),
+            Self::Checker => flat::checker(u, v),
             Self::Globe => directions::globe(u, v),
             Self::Lace => flat::lace(u, v),
             Self::Country => flat::country(u, v),

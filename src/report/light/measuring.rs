@@ -10,8 +10,8 @@ use super::{BiasData, ChoiceData, Crop, Data, EqualTime, Level, ReferenceData, S
 use crate::film::Film;
 use crate::lobes::GlossyRule;
 use crate::math::hash;
-use crate::render;
 use crate::report::clock::{self, Time};
+use crate::report::picture::picture;
 use crate::report::{Interrupted, Settings, Watch};
 use crate::scene::{Depth, Scene, Tracer};
 use crate::verify::means::{difference, interval};
@@ -100,16 +100,6 @@ fn rendered(series: &[Series], watch: &Watch) -> Result<Vec<Pictures>, Interrupt
         Pictures { films, time: Time { cpu: median(|t| t.cpu), wall: median(|t| t.wall) } }
     };
     Ok(series.iter().map(of_series).collect())
-}
-
-/// A whole picture, on this thread alone.
-fn picture(world: &World) -> Film {
-    let [width, height] = world.picture_size();
-    let mut film = Film::new(width, height);
-    for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
-        film.set(pixel, render::pixel(world, pixel));
-    }
-    film
 }
 
 /// Everything that is rendered of a scene but for the pictures of equal time.

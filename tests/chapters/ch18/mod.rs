@@ -7,7 +7,7 @@ mod irradiance;
 mod jittered;
 pub mod lamps;
 mod penumbra;
-mod polygon;
+pub mod polygon;
 mod sky;
 
 use groundtruth::lights::Area;

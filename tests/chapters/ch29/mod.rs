@@ -1,3 +1,44 @@
-//! Chapter 29: images as textures and as skies.
+//! Chapter 29: images on surfaces, and as skies.
 
+mod mappings;
+mod materials;
 mod sky;
+mod texels;
+
+use std::io::Write;
+
+use groundtruth::math::{Normal, Point};
+use groundtruth::resources::Resources;
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::Surface;
+use groundtruth::textures::{Image, Kind, Mapping, TexturePoint};
+
+/// A linear image whose texel at a column from the left and a row from the bottom has this colour, in
+/// steps of 1/65535; the file is gone with the value.
+pub fn image_file(
+    [width, height]: [u32; 2],
+    color: impl Fn(u32, u32) -> [u16; 3],
+) -> tempfile::NamedTempFile {
+    let mut file = tempfile::Builder::new().suffix(".ppm").tempfile().expect("a temporary file");
+    let mut bytes = format!("P6\n{width} {height}\n65535\n").into_bytes();
+    for from_top in 0..height {
+        let row = height - 1 - from_top;
+        let texels = (0..width).flat_map(|column| color(column, row));
+        bytes.extend(texels.flat_map(u16::to_be_bytes));
+    }
+    file.write_all(&bytes).expect("room for a small file");
+    file
+}
+
+/// An image of that file by the surface's own texture coordinates, or a mapping.
+pub fn linear(file: &tempfile::NamedTempFile, mapping: Option<Mapping>) -> Image {
+    let encoding = Some(groundtruth::images::Encoding::Linear);
+    Image { encoding, ..Image::of_file(file.path(), mapping) }
+}
+
+/// The colours that an image has at texture coordinates.
+pub fn by_uv(image: &Image) -> impl Fn([f64; 2]) -> Rgb + use<> {
+    let texture = Kind::from(image.clone()).build(&mut Resources::default()).expect("an image");
+    let surface = Surface::new(Point::ORIGIN, 0.0, Normal::Y);
+    move |uv| texture.color(&TexturePoint::with_uv(&surface, uv))
+}

@@ -12,7 +12,7 @@ use groundtruth::scene::{Depth, Material, Scene, Tracer, from_toml, to_toml};
 use groundtruth::trace::RayTree;
 use groundtruth::{lights, materials, shapes};
 
-use super::random_scenes::scene;
+use super::random_scenes::{scene, textured_scene};
 use super::studio::{assert_same_bits, bits, built, pixels};
 use crate::support::number;
 
@@ -23,7 +23,7 @@ fn same(color: Rgb) -> Rgb {
 /// Fails if any pixel of the scene's picture is negative, infinite or no number, by its own tracer or by
 /// one that follows paths.
 fn assert_sound(number: u64) -> Film {
-    let scene = scene(number, &same);
+    let scene = any(number);
     let depth = Depth { max_depth: (number % 6) as u32 };
     let paths = [Tracer::PathTrace(depth), Tracer::GlobalTrace(depth), Tracer::Path(depth)];
     assert_sound_by(number, &Scene { tracer: paths[(number % 3) as usize], ..scene.clone() });
@@ -154,13 +154,18 @@ fn scaled(scene: &mut Scene, which: usize, factor: f64) -> bool {
     true
 }
 
+/// Every other scene has textures.
+fn any(number: u64) -> Scene {
+    if number.is_multiple_of(2) { textured_scene(number) } else { scene(number, &same) }
+}
+
 /// Law: no length is special: all lengths times a power of two give the same picture, and list, grid
 /// and bvh do. Written out and read again, it is the same too. Oracle: the scene as it is, bit for
 /// bit.
 #[test]
 fn scale_acceleration_and_export_do_not_matter() {
     for number in 0..SCENES {
-        let mut scene = scene(number, &same);
+        let mut scene = any(number);
         let original = render(&built(&scene));
         for k in [-30, -3, 30] {
             let scaled = render(&built(&scene.scaled(k)));
@@ -183,7 +188,7 @@ fn scale_acceleration_and_export_do_not_matter() {
 #[test]
 fn pictures_are_made_of_single_recorded_samples() {
     for number in 0..SCENES {
-        let world = built(&scene(number, &same));
+        let world = built(&any(number));
         let film = render(&world);
         for [x, y] in pixels(8, 8) {
             let at = [7 - x, 7 - y];

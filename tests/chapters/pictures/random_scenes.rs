@@ -14,12 +14,14 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers;
 use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::shapes::{self, Disk, Instance, Plane, Rectangle, Sphere, TessellatedSphere};
-use groundtruth::textures::{Checker3d, Paint};
+use groundtruth::textures::{self, Checker3d, Paint};
 
 /// A source of random choices, and what is done to every colour.
 struct Die<'a> {
     random: Pcg32,
     tint: &'a dyn Fn(Rgb) -> Rgb,
+    /// Whether colours may be textures of every kind, which pass through no tint.
+    textures: bool,
 }
 
 impl Die<'_> {
@@ -57,12 +59,24 @@ impl Die<'_> {
 
     fn paint(&mut self) -> Paint {
         match self.below(3) {
+            0 if self.textures => self.texture().into(),
             0 => {
                 let (size, color1, color2) = (self.within(0.1, 2.0), self.color(), self.color());
                 Checker3d { size, color1: color1.into(), color2: color2.into() }.into()
             }
             _ => self.color().into(),
         }
+    }
+
+    /// Any texture that suits every shape.
+    fn texture(&mut self) -> textures::Kind {
+        let suits = |kind: &textures::Kind| match kind {
+            textures::Kind::Image(image) => image.mapping.is_some(),
+            _ => true,
+        };
+        let specimens = textures::Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)());
+        let specimens: Vec<_> = specimens.filter(suits).collect();
+        specimens[self.below(specimens.len())].clone()
     }
 
     fn matte(&mut self) -> Matte {
@@ -181,7 +195,15 @@ impl Die<'_> {
 /// A valid scene of 8 × 8 pixels, the same for the same number: up to eight objects over a floor,
 /// lamps and other lights; each colour passes through `tint`.
 pub fn scene(number: u64, tint: &dyn Fn(Rgb) -> Rgb) -> Scene {
-    let mut die = Die { random: Pcg32::new(number, 26), tint };
+    drawn(&mut Die { random: Pcg32::new(number, 26), tint, textures: false })
+}
+
+/// The same with textures of every kind.
+pub fn textured_scene(number: u64) -> Scene {
+    drawn(&mut Die { random: Pcg32::new(number, 29), tint: &|color| color, textures: true })
+}
+
+fn drawn(die: &mut Die<'_>) -> Scene {
     let eye = 9.0 * die.direction().unit().expect("not zero");
     let mut camera =
         Viewpoint::new(Point::ORIGIN + eye, die.point(0.5), Pinhole { distance: 8.0, zoom: 1.0 });

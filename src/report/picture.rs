@@ -1,0 +1,15 @@
+//! Pictures whose time is measured.
+
+use crate::film::Film;
+use crate::render;
+use crate::world::World;
+
+/// A whole picture, on this thread alone.
+pub fn picture(world: &World) -> Film {
+    let [width, height] = world.picture_size();
+    let mut film = Film::new(width, height);
+    for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
+        film.set(pixel, render::pixel(world, pixel));
+    }
+    film
+}

@@ -1,0 +1,85 @@
+//! What is seen: images alone, that shine, so that nothing else errs.
+
+use crate::cameras::{Pinhole, Viewpoint};
+use crate::images::{Drawn, Picture};
+use crate::materials::Emissive;
+use crate::math::{Point, Step, Vector};
+use crate::rgb::Rgb;
+use crate::samplers::MultiJittered;
+use crate::scene::{self, Material, Object, Scene};
+use crate::shapes::{Instance, Kind as Shape, Plane, Sphere};
+use crate::textures::{Filtering, Image, Mapping, Wrap};
+
+/// A scene of the page.
+pub struct Subject {
+    pub name: &'static str,
+    pub about: &'static str,
+    /// How many moments of it are rendered.
+    pub moments: u32,
+    build: fn(Filtering, u32, u32) -> Scene,
+}
+
+pub const SUBJECTS: [Subject; 2] = [
+    Subject {
+        name: "checker to the horizon",
+        about: "A checker of 8 × 8 squares, an image of 64 × 64 texels, repeated to the horizon: texels \
+                are larger than pixels in front, and far smaller behind.",
+        moments: 1,
+        build: checker,
+    },
+    Subject {
+        name: "turning globe",
+        about: "A globe of 256 × 128 texels, turned by a little from picture to picture: an error here \
+                is a flicker in a film.",
+        moments: 4,
+        build: globe,
+    },
+];
+
+impl Subject {
+    /// The scene at a moment, so many pixels wide.
+    pub fn scene(&self, filtering: Filtering, width: u32, moment: u32) -> Scene {
+        (self.build)(filtering, width, moment)
+    }
+}
+
+/// A picture that shows one shape, which shines with an image.
+fn showing(
+    size: [u32; 2],
+    [eye, look_at]: [Point; 2],
+    distance: f64,
+    (shape, image): (Shape, Image),
+) -> Scene {
+    let mut picture = scene::Image::new(size[0], size[1]);
+    picture.pixel_size = 1.0 / f64::from(size[0]);
+    picture.sampler = Some(MultiJittered {}.into());
+    let camera = Viewpoint::new(eye, look_at, Pinhole { distance, zoom: 1.0 });
+    let mut scene = Scene::new("", picture, camera);
+    scene.background = Rgb::BLACK.into();
+    scene.materials.push(Material::new("image", Emissive::new(1.0, image)));
+    scene.objects.push(Object::new("shape", "image", shape));
+    scene
+}
+
+fn checker(filtering: Filtering, width: u32, _: u32) -> Scene {
+    let drawn = Drawn { picture: Picture::Checker, width: 64, height: 64 };
+    let image = Image {
+        filtering,
+        unit: 4.0,
+        wrap_u: Some(Wrap::Repeat),
+        wrap_v: Some(Wrap::Repeat),
+        ..Image::of_drawn(drawn, Some(Mapping::Square))
+    };
+    let plane = Plane { point: Point::ORIGIN, normal: Vector::Y };
+    let stand = [Point::new(0.3, 1.0, 5.0), Point::new(0.0, 0.6, 0.0)];
+    showing([width, width * 2 / 3], stand, 0.8, (plane.into(), image))
+}
+
+fn globe(filtering: Filtering, width: u32, moment: u32) -> Scene {
+    let drawn = Drawn { picture: Picture::Globe, width: 256, height: 128 };
+    let image = Image { filtering, ..Image::of_drawn(drawn, Some(Mapping::Spherical)) };
+    let sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+    let turned = Instance::new(sphere, vec![Step::RotateY(40.0 + 3.0 * f64::from(moment))]);
+    let stand = [Point::new(0.0, 0.8, 4.0), Point::ORIGIN];
+    showing([width, width], stand, 1.6, (turned.into(), image))
+}

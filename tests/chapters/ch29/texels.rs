@@ -1,0 +1,173 @@
+//! From texture coordinates to texels.
+
+use groundtruth::math::Pcg32;
+use groundtruth::rgb::Rgb;
+use groundtruth::textures::{Filtering, Image, Rule, Wrap};
+use proptest::prelude::*;
+
+use super::{by_uv, image_file, linear};
+use crate::support::laws;
+
+/// Texels are kept in single precision, and mixed three times.
+const SINGLE: f64 = 4.0 * f32::EPSILON as f64;
+
+const SIZE: [u32; 2] = [5, 4];
+
+/// Each texel says where it is: red counts columns, green rows.
+fn numbered() -> tempfile::NamedTempFile {
+    image_file(SIZE, |column, row| [column as u16, row as u16, 0])
+}
+
+/// The column and row of a texel of [`numbered`].
+fn place(color: Rgb) -> [u32; 2] {
+    [color.r, color.g].map(|c| (65535.0 * c).round() as u32)
+}
+
+/// An image of random colours.
+fn random_colors() -> (tempfile::NamedTempFile, impl Fn(u32, u32) -> Rgb) {
+    let color = |column: u32, row: u32| {
+        let mut random = Pcg32::new(u64::from(100 * row + column), 7);
+        [0; 3].map(|_| random.below(65536) as u16)
+    };
+    let exact = move |column, row| Rgb::from(color(column, row).map(|c| f64::from(c) / 65535.0));
+    (image_file(SIZE, color), exact)
+}
+
+fn filtered(file: &tempfile::NamedTempFile, filtering: Filtering, rule: Rule) -> Image {
+    Image { filtering, rule, ..linear(file, None) }
+}
+
+/// Law: by the even rule each texel covers 1/n of the image, and rows count from the bottom. Oracle: the
+/// borders k/n, from both sides.
+#[test]
+fn each_texel_covers_an_equal_part_by_the_even_rule() {
+    let file = numbered();
+    let color = by_uv(&filtered(&file, Filtering::Nearest, Rule::Even));
+    let inside = |k: u32, n: u32, fraction: f64| (f64::from(k) + fraction) / f64::from(n);
+    for column in 0..SIZE[0] {
+        for row in 0..SIZE[1] {
+            for fraction in [1e-9, 0.5, 1.0 - 1e-9] {
+                let uv = [inside(column, SIZE[0], fraction), inside(row, SIZE[1], fraction)];
+                assert_eq!(place(color(uv)), [column, row], "at {uv:?}");
+            }
+        }
+    }
+    assert_eq!(place(color([1.0, 1.0])), [4, 3], "the top right corner");
+    assert_eq!(place(color([0.0, 0.0])), [0, 0], "the bottom left corner");
+}
+
+/// Law: by the book's rule a texel covers 1/(n − 1), and the last column and row are reached at 1 only.
+/// Oracle: `trunc((n − 1) u)` by counting over 400 equal steps: 100 each for the first four of five.
+#[test]
+fn the_books_rule_reaches_the_last_texel_at_1_only() {
+    let file = numbered();
+    let color = by_uv(&filtered(&file, Filtering::Nearest, Rule::Book));
+    let mut counts = [0; 5];
+    for step in 0..400 {
+        let u = (f64::from(step) + 0.5) / 400.0;
+        counts[place(color([u, 0.0]))[0] as usize] += 1;
+    }
+    assert_eq!(counts, [100, 100, 100, 100, 0]);
+    assert_eq!(place(color([1.0, 1.0])), [4, 3]);
+    let below = 1.0 - f64::EPSILON / 2.0;
+    assert_eq!(place(color([below, below])), [3, 2]);
+}
+
+/// The value of the interpolant by the sum over all texels of their tents: `Σ Λ(x − i) Λ(y − j) c`, where
+/// x and y count from the centre of the first texel, and the image goes on by `beyond`.
+fn by_tents(
+    [x, y]: [f64; 2],
+    color: &impl Fn(u32, u32) -> Rgb,
+    beyond: impl Fn(i32, i32) -> u32,
+) -> Rgb {
+    let tent = |x: f64| (1.0 - x.abs()).max(0.0);
+    let [width, height] = SIZE.map(|n| n as i32);
+    let mut sum = Rgb::BLACK;
+    for j in -1..=height {
+        for i in -1..=width {
+            let weight = tent(x - f64::from(i)) * tent(y - f64::from(j));
+            sum += weight * color(beyond(i, width), beyond(j, height));
+        }
+    }
+    sum
+}
+
+fn assert_close(found: Rgb, expected: Rgb, what: &str) {
+    let apart = (found + -1.0 * expected).map(f64::abs).max();
+    assert!(apart <= SINGLE, "{what}: {found:?}, expected {expected:?}: {apart:e} apart");
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: bilinear look-up is the sum of tents around the centres of the texels, by either rule and at
+    /// every border; so it is exact at centres, keeps affine images and stays between its neighbours.
+    /// Oracle: that sum over all texels.
+    #[test]
+    fn bilinear_look_up_is_a_sum_of_tents((u, v) in (0.0..=1.0_f64, 0.0..=1.0_f64)) {
+        let (file, exact) = random_colors();
+        let [width, height] = SIZE.map(f64::from);
+        let even = [width * u - 0.5, height * v - 0.5];
+        let book = [(width - 1.0) * u, (height - 1.0) * v];
+        let clamped = |i: i32, n: i32| i.clamp(0, n - 1) as u32;
+        for (rule, place) in [(Rule::Even, even), (Rule::Book, book)] {
+            let image = filtered(&file, Filtering::Bilinear, rule);
+            let (wrap_u, wrap_v) = (Some(Wrap::Clamp), Some(Wrap::Clamp));
+            let color = by_uv(&Image { wrap_u, wrap_v, ..image });
+            let what = format!("{rule:?} at ({u}, {v})");
+            assert_close(color([u, v]), by_tents(place, &exact, clamped), &what);
+        }
+        let color = by_uv(&filtered(&file, Filtering::Bilinear, Rule::Even));
+        let repeated = by_tents(even, &exact, |i, n| i.rem_euclid(n) as u32);
+        assert_close(color([u, v]), repeated, &format!("repeated, at ({u}, {v})"));
+    }
+
+    /// Law: beyond 0 … 1 an image repeats with period 1, goes on with its border, or is mirrored with
+    /// period 2. Oracle: the colour of the coordinate brought back by hand.
+    #[test]
+    fn images_go_on_beyond_their_borders(
+        (u, v, turns) in (0.01..0.99_f64, 0.01..0.99_f64, -3..=3_i32),
+    ) {
+        let (file, _) = random_colors();
+        for filtering in [Filtering::Nearest, Filtering::Bilinear] {
+            let by = |wrap| {
+                let image = filtered(&file, filtering, Rule::Even);
+                by_uv(&Image { wrap_u: Some(wrap), wrap_v: Some(wrap), ..image })
+            };
+            let there = f64::from(turns) + u;
+            // u + k − k is u to a rounding of k: no border of texels is so near
+            prop_assume!(((5.0 * u).fract() - 0.5).abs() < 0.499);
+            let found = by(Wrap::Repeat)([there, v]);
+            assert_close(found, by(Wrap::Repeat)([u, v]), &format!("repeated at {there}"));
+            let mirrored = if turns.rem_euclid(2) == 0 { u } else { 1.0 - u };
+            let found = by(Wrap::Mirror)([there, v]);
+            assert_close(found, by(Wrap::Mirror)([mirrored, v]), &format!("mirrored at {there}"));
+            let clamped = if turns == 0 { u } else { f64::from(turns.signum().max(0)) };
+            let found = by(Wrap::Clamp)([there, v]);
+            assert_close(found, by(Wrap::Clamp)([clamped, v]), &format!("clamped at {there}"));
+        }
+    }
+
+    /// Law: whatever the coordinates are, some texel is found. Oracle: none is needed but the range of the
+    /// image's colours.
+    #[test]
+    fn every_coordinate_has_a_texel(uv in prop::array::uniform2(prop_oneof![
+        -1e18..1e18_f64,
+        Just(f64::MAX),
+        Just(-f64::MAX),
+        Just(1.0),
+        Just(-f64::MIN_POSITIVE),
+        Just(2.0),
+    ])) {
+        let file = numbered();
+        for filtering in [Filtering::Nearest, Filtering::Bilinear] {
+            for wrap in [Wrap::Repeat, Wrap::Clamp, Wrap::Mirror] {
+                let image = filtered(&file, filtering, Rule::Even);
+                let color = by_uv(&Image { wrap_u: Some(wrap), wrap_v: Some(wrap), ..image })(uv);
+                let [column, row] = [color.r, color.g].map(|c| 65535.0 * c);
+                let is_there = (0.0..4.1).contains(&column) && (0.0..3.1).contains(&row);
+                prop_assert!(is_there, "{wrap:?}, {filtering:?} at {uv:?}: column {column}, row {row}");
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The page of textures.
+
+use serde_json::Value;
+
+use super::{REPORT, list};
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// Every scene and look-up.
+fn choices() -> impl Iterator<Item = (&'static Value, &'static Value)> {
+    let scenes = list(&REPORT.json["pages"]["textures"]["scenes"]);
+    scenes.iter().flat_map(|scene| list(&scene["choices"]).iter().map(move |c| (scene, c)))
+}
+
+fn errors(choice: &Value) -> Vec<f64> {
+    list(&choice["levels"]).iter().map(|level| number(&level["rmse"])).collect()
+}
+
+/// Law: two scenes, each by both look-ups, from 1 to 256 samples.
+#[test]
+fn every_scene_and_look_up_is_there() {
+    let found: Vec<_> = choices()
+        .map(|(scene, choice)| (scene["scene"].as_str(), choice["filtering"].as_str()))
+        .collect();
+    let names = ["checker to the horizon", "turning globe"];
+    let filterings = ["nearest", "bilinear"];
+    let expected: Vec<_> =
+        names.iter().flat_map(|s| filterings.iter().map(|f| (Some(*s), Some(*f)))).collect();
+    assert_eq!(found, expected);
+    for (scene, choice) in choices() {
+        let samples: Vec<f64> =
+            list(&choice["levels"]).iter().map(|level| number(&level["samples"])).collect();
+        assert_eq!(samples, [1.0, 4.0, 16.0, 64.0, 256.0], "{}", scene["scene"]);
+    }
+}
+
+/// Law: the error falls with every step of four times the samples, at least as for independent ones, in
+/// proportion to `N^(−1/2)`, as multi-jittered ones are no worse; one sample of values within 0 and 1 errs
+/// by ½ at most in the mean. Oracle: the variance of a number within 0 and 1 is at most ¼. From few
+/// pictures the ratio of two errors is known to a quarter.
+#[test]
+fn errors_fall_as_samples_are_spent() {
+    for (scene, choice) in choices() {
+        let errors = errors(choice);
+        let name = (&scene["scene"], &choice["filtering"]);
+        assert!(errors[0] > 0.01 && errors[0] <= 0.5, "{name:?}, one sample: {}", errors[0]);
+        for pair in errors.windows(2) {
+            assert!(pair[1] <= 0.5 * 1.25 * pair[0], "{name:?}: {} then {}", pair[0], pair[1]);
+        }
+    }
+}
+
+/// Law: the variance of independent samples is that of the image within a pixel, so one sample's error is
+/// in the ratio of the two look-ups' contrast: bilinear look-up blurs, and errs no more. Oracle: the mean of
+/// four texels has a smaller variance than one of them.
+#[test]
+fn a_blurred_image_errs_no_more() {
+    let all: Vec<_> = choices().collect();
+    for pair in all.chunks(2) {
+        let [nearest, bilinear] = [0, 1].map(|i| errors(pair[i].1)[0]);
+        assert!(
+            bilinear <= 1.05 * nearest,
+            "{}: {bilinear} by bilinear, {nearest}",
+            pair[0].0["scene"]
+        );
+    }
+}
