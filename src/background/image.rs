@@ -20,7 +20,7 @@ use crate::textures::{Filtering, Mapping, Rule, Sampling};
 /// draws directions in proportion to the radiance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(example = Image::of_drawn(Drawn { picture: Picture::Globe, width: 256, height: 128 }, Dome::Spherical))]
+#[schemars(rename = "SkyByImage", example = Image::of_drawn(Drawn { picture: Picture::Globe, width: 256, height: 128 }, Dome::Spherical))]
 pub struct Image {
     /// The file, relative to the scene file: PNG, PPM, HDR or EXR. Either this, or `drawn`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
