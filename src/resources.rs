@@ -85,15 +85,17 @@ impl Resources {
     /// The texels of an image file.
     ///
     /// # Errors
-    /// [`Invalid`] of the field `file`.
+    /// [`Invalid`] of the field `file`, or `encoding`.
     fn image(&mut self, file: &Path, encoding: Option<Encoding>) -> Result<Arc<Texels>, Invalid> {
         let key = (self.folder.join(file), encoding);
         if let Some(known) = self.images.get(&key) {
             return Ok(Arc::clone(known));
         }
         let left = MOST_TEXELS - self.texels;
-        let texels = images::read(&key.0, encoding, left)
-            .map_err(|e| Invalid::field("file", e.to_string()))?;
+        let texels = images::read(&key.0, encoding, left).map_err(|e| {
+            let field = if e.wrong_encoding { "encoding" } else { "file" };
+            Invalid::field(field, e.to_string())
+        })?;
         self.texels += u64::from(texels.width()) * u64::from(texels.height());
         let texels = Arc::new(texels);
         self.images.insert(key, Arc::clone(&texels));

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use placing::{placed_lights, placed_materials, placed_objects};
 
 use crate::accel::{Accel, Method, Primitives};
-use crate::background::Background;
+use crate::background::Sky;
 use crate::cameras::View;
 use crate::filters::Filter;
 use crate::invalid::{Invalid, positive, shown};
@@ -39,7 +39,7 @@ pub struct World {
     /// The camera.
     pub view: View,
     /// What a ray sees that hits nothing.
-    pub background: Background,
+    pub background: Sky,
     /// How light is followed.
     pub tracer: Tracer,
     /// What the scene says of glass.
@@ -168,7 +168,8 @@ impl World {
         let samples = samples(&scene.image, seed).map_err(|e| e.inside("image"))?;
         let filter = scene.image.filter.build(&mut ());
         let filter = filter.map_err(|e| e.inside("filter").inside("image"))?;
-        scene.background.check()?;
+        let mut resources = Resources::new(folder);
+        let background = scene.background.build(&mut resources)?;
         let mut tracer = scene.tracer;
         if let Some(max_depth) = tracer.max_depth().filter(|max_depth| **max_depth > DEEPEST) {
             let problem = format!("found {max_depth}, but at most {DEEPEST} fits");
@@ -177,17 +178,16 @@ impl World {
         }
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
-        let mut resources = Resources::new(folder);
         let materials = placed_materials(scene, &mut resources)?;
         let mut objects = Objects(placed_objects(scene, resources, &materials)?);
-        let lights = placed_lights(scene, &materials, &mut objects.0)?;
+        let lights = placed_lights(scene, &background, &materials, &mut objects.0)?;
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
         // a single object is tested, not searched for
         let method = if bounds.len() == 1 { Method::List } else { scene.accel };
         Ok(Self {
             image: scene.image.clone(),
             view,
-            background: scene.background.clone(),
+            background,
             tracer: scene.tracer,
             transparency: scene.transparency,
             seed,

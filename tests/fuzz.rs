@@ -140,4 +140,4 @@ macro_rules! targets {
     };
 }
 
-targets!(bvh obj ply probe_line scene_file shapes transforms);
+targets!(bvh image obj ply probe_line scene_file shapes transforms);

@@ -29,7 +29,9 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("cameras", &["invalid", "kinds", "materials", "math"]),
     ("film", &["math", "rgb"]),
     ("filters", &["invalid", "kinds", "math"]),
-    ("background", &["invalid", "kinds", "math", "rgb"]),
+    ("background", &["images", "invalid", "kinds", "math", "resources", "rgb", "textures"]),
+    ("images", &["film", "invalid", "math", "rgb"]),
+    ("resources", &["images", "invalid", "mesh_file"]),
     (
         "scene",
         &[

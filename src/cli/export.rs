@@ -13,7 +13,7 @@ use super::{Answer, Outcome, print};
 pub struct Export {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The scene file to write, with mesh files named relative to its folder. If left out, the
+    /// The scene file to write, with the files it uses named relative to its folder. If left out, the
     /// scene goes to the standard output, with absolute names
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -27,7 +27,7 @@ impl Export {
         let (mut scene, _) = self.scene.load()?;
         if let Some(folder) = self.scene.folder() {
             let folder = self.seen_from_output(folder)?;
-            scene.objects.iter_mut().for_each(|object| object.shape.files_from(&folder));
+            scene = scene.files_from(&folder)?;
         }
         let text = scene::to_toml(&scene)?;
         let Some(output) = &self.output else { return print(&text) };

@@ -3,7 +3,7 @@
 use std::io::{BufWriter, Cursor, Write};
 use std::path::{Path, PathBuf};
 
-use exr::prelude::{Image as ExrImage, SpecificChannels, WritableImage};
+use exr::prelude::{Image as ExrImage, ReadChannels, ReadLayers, SpecificChannels, WritableImage};
 
 use super::{Film, Tone};
 use crate::rgb::Rgb;
@@ -128,15 +128,40 @@ fn exr(film: &Film) -> std::io::Result<Vec<u8>> {
 /// # Errors
 /// [`ImageError::Unreadable`].
 pub fn read_exr(path: &Path) -> Result<Film, ImageError> {
-    exr::prelude::read_first_rgba_layer_from_file(
-        path,
-        |size, _| Film::new(size.width() as u32, size.height() as u32),
-        |film: &mut Film, at, (r, g, b, _): (f32, f32, f32, f32)| {
-            film.set([at.x() as u32, at.y() as u32], Rgb::new(r.into(), g.into(), b.into()));
-        },
-    )
-    .map(|image| image.layer_data.channel_data.pixels)
-    .map_err(|e| ImageError::Unreadable { path: path.to_owned(), problem: e.to_string() })
+    let unreadable = |problem| ImageError::Unreadable { path: path.to_owned(), problem };
+    let bytes = std::fs::read(path).map_err(|e| unreadable(e.to_string()))?;
+    let film = decode_exr(
+        &bytes,
+        |[width, height]| Film::new(width, height),
+        |film: &mut Film, at, color| film.set(at, Rgb::from(color.map(f64::from))),
+    );
+    film.map_err(unreadable)
+}
+
+/// The first layer of the bytes of an EXR file that has channels R, G and B: `create` makes room for
+/// columns and rows, `set` puts a colour at a column and a row from the top.
+///
+/// # Errors
+/// What is wrong with them.
+pub(crate) fn decode_exr<P: 'static>(
+    bytes: &[u8],
+    create: impl Fn([u32; 2]) -> P + 'static,
+    set: impl Fn(&mut P, [u32; 2], [f32; 3]) + 'static,
+) -> Result<P, String> {
+    exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgba_channels(
+            move |size, _: &_| create([size.width() as u32, size.height() as u32]),
+            move |pixels: &mut P, at, (r, g, b, _): (f32, f32, f32, f32)| {
+                set(pixels, [at.x() as u32, at.y() as u32], [r, g, b]);
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .from_buffered(std::io::Cursor::new(bytes))
+        .map(|image| image.layer_data.channel_data.pixels)
+        .map_err(|e| e.to_string())
 }
 
 /// A picture as shown by `tone`, as the address of an HTML image that needs no file: a PNG in base 64.

@@ -5,6 +5,7 @@ mod tone;
 
 use crate::rgb::Rgb;
 
+pub(crate) use files::decode_exr;
 pub use files::{ImageError, data_uri, folder_of, read_exr, replace, writable, write};
 pub use tone::{OutOfGamut, Tone};
 

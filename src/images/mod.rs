@@ -6,7 +6,7 @@ mod file;
 use crate::rgb::Rgb;
 
 pub use drawn::{Drawn, Picture};
-pub use file::{Encoding, ImageFileError, read};
+pub use file::{Encoding, ImageFileError, decode, read};
 
 /// The colours of an image, linear, in single precision.
 #[derive(Debug)]

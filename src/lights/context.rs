@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::background::Background;
+use crate::background::Sky;
 use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::shapes::Shape;
@@ -16,7 +16,7 @@ pub struct Context {
     /// The names of those that are switched off.
     pub hidden: BTreeSet<String>,
     /// What rays see that hit nothing.
-    pub background: Background,
+    pub background: Sky,
 }
 
 /// An object as an area light sees it.

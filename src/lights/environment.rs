@@ -7,21 +7,30 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Context, Light, LightContext, LightSample, Segment, Target};
-use crate::background::Background;
+use crate::background::{Directions, ImageSky, Sky};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Frame, Ray, maps};
+use crate::math::{Frame, maps};
 use crate::rgb::Rgb;
 
-/// The light of the scene's `background`, from all sides. It has no radiance of its own, so that the
+/// The light of the scene's `background`, from all sides: directions are drawn by the cosine for a
+/// colour, in proportion to the radiance for an image. It has no radiance of its own, so that the
 /// sky is written once. Switched off, the sky is still seen. (The book's light has a material, and a huge sphere of it is the sky.)
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Environment {}
 
+/// A sky of one colour: what counts is the cosine.
 #[derive(Debug)]
-struct Sky {
-    background: Background,
+struct Uniform {
+    color: Rgb,
+}
+
+/// A sky by image: what counts is where it is bright.
+#[derive(Debug)]
+struct Imaged {
+    sky: Arc<ImageSky>,
+    directions: Directions,
 }
 
 impl Specification for Environment {
@@ -29,13 +38,18 @@ impl Specification for Environment {
     type Context = Context;
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        let background = context.background.clone();
-        if background.depends_on_origin() {
-            let problem =
-                "the background depends on where a ray starts, so it is no sky; a colour is one";
-            return Err(Invalid::new(problem));
+        match &context.background {
+            Sky::Color(color) => Ok(Arc::new(Uniform { color: *color })),
+            Sky::Image(sky) => {
+                let directions = Directions::new(sky);
+                Ok(Arc::new(Imaged { sky: Arc::clone(sky), directions }))
+            }
+            Sky::Sinusoid(_) => {
+                let problem = "the background depends on where a ray starts, so it is no sky; a \
+                               colour is one";
+                Err(Invalid::new(problem))
+            }
         }
-        Ok(Arc::new(Sky { background }))
     }
 
     fn scaled(&self, _: f64) -> Self {
@@ -47,7 +61,7 @@ impl Specification for Environment {
     }
 }
 
-impl Light for Sky {
+impl Light for Uniform {
     fn is_sky(&self) -> bool {
         true
     }
@@ -63,7 +77,7 @@ impl Light for Sky {
         (pdf > 0.0).then(|| LightSample {
             direction,
             segment: Some(Segment::Infinity),
-            radiance: self.background.radiance(&Ray::new(from.point, direction)),
+            radiance: self.color,
             blocked: Rgb::BLACK,
             pdf: Some(pdf),
         })
@@ -72,6 +86,36 @@ impl Light for Sky {
     fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64 {
         match to {
             Target::Infinity(direction) => from.normal.dot(*direction).max(0.0) / PI,
+            Target::Surface(_) => 0.0,
+        }
+    }
+}
+
+impl Light for Imaged {
+    fn is_sky(&self) -> bool {
+        true
+    }
+
+    fn draws(&self) -> usize {
+        1
+    }
+
+    /// From the whole sky, whatever the normal: the light may also come through the surface.
+    fn sample(&self, _: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
+        let direction = self.directions.sample(u[0])?;
+        let pdf = self.directions.pdf(direction);
+        (pdf > 0.0).then(|| LightSample {
+            direction,
+            segment: Some(Segment::Infinity),
+            radiance: self.sky.radiance(direction),
+            blocked: Rgb::BLACK,
+            pdf: Some(pdf),
+        })
+    }
+
+    fn pdf(&self, _: &LightContext, to: &Target<'_>) -> f64 {
+        match to {
+            Target::Infinity(direction) => self.directions.pdf(*direction),
             Target::Surface(_) => 0.0,
         }
     }

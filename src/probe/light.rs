@@ -101,7 +101,7 @@ impl super::Question for Light {
 impl Light {
     /// A scene of one object, the lamp.
     fn context(&self) -> Result<Context, Invalid> {
-        self.background.check()?;
+        let background = self.background.build(&mut Resources::default())?;
         let mut objects = BTreeMap::new();
         if let Some(Lamp { shape, material, two_sided }) = &self.lamp {
             let outer = |field: &str, e: Invalid| e.inside(field).inside("lamp");
@@ -115,6 +115,6 @@ impl Light {
             let object = LampObject { shape, emission, two_sided: *two_sided };
             objects.insert("lamp".to_owned(), object);
         }
-        Ok(Context { objects, background: self.background.clone(), ..Context::default() })
+        Ok(Context { objects, background, ..Context::default() })
     }
 }

@@ -92,7 +92,7 @@ pub fn to_toml(scene: &Scene) -> Result<String, SceneError> {
 }
 
 /// Whether nothing is of a user's own kind, which has no text.
-fn all_plain(scene: &Scene) -> Result<(), Invalid> {
+pub(super) fn all_plain(scene: &Scene) -> Result<(), Invalid> {
     for (i, object) in scene.objects.iter().enumerate() {
         plain(&object.shape, &["shape"], Some(("objects", i, &object.name)))?;
     }

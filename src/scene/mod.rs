@@ -3,6 +3,7 @@
 
 mod error;
 mod file;
+mod files;
 mod places;
 mod schema;
 mod tracer;

@@ -9,7 +9,6 @@
 //! contract tests.
 
 use std::fmt::Debug;
-use std::path::Path;
 use std::sync::Arc;
 
 use crate::invalid::{Invalid, LENGTHS, lengths, shown};
@@ -327,19 +326,4 @@ fn size_problem(bounds: Aabb) -> Option<String> {
         return None;
     };
     Some(format!("{found}, but {}", lengths()))
-}
-
-impl Kind {
-    /// Makes the names of its files, which are relative to `folder`, independent of it.
-    pub fn files_from(&mut self, folder: &Path) {
-        match self {
-            Kind::Mesh(Mesh { file: Some(file), .. }) => *file = folder.join(&*file),
-            Kind::Instance(instance) => instance.of.files_from(folder),
-            Kind::Lattice(lattice) => lattice.of.files_from(folder),
-            Kind::Compound(compound) => {
-                compound.parts.iter_mut().for_each(|part| part.shape.files_from(folder));
-            }
-            _ => {}
-        }
-    }
 }

@@ -23,6 +23,7 @@ pub use amount::{Amount, Value};
 pub use mapping::Mapping;
 pub use paint::{Color, Paint};
 pub use point::TexturePoint;
+pub(crate) use sampling::Sampling;
 pub use sampling::{Filtering, Rule, Wrap};
 
 /// A colour for each point of a surface. Contract: `tests/contracts/texture.rs`.

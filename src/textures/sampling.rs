@@ -60,7 +60,7 @@ impl Wrap {
     }
 
     /// The index of the texel beside a border, which is at most one beyond.
-    fn index(self, i: f64, count: u32) -> u32 {
+    pub(crate) fn index(self, i: f64, count: u32) -> u32 {
         let last = count - 1;
         match self {
             Self::Repeat if i < 0.0 => last,
@@ -72,7 +72,7 @@ impl Wrap {
 
 /// How an image is read.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sampling {
+pub(crate) struct Sampling {
     pub filtering: Filtering,
     pub rule: Rule,
     pub wraps: [Wrap; 2],

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{PlacedLight, PlacedMaterial, PlacedObject};
+use crate::background::Sky;
 use crate::invalid::{Invalid, Key};
 use crate::lights::{self, LampObject};
 use crate::resources::Resources;
@@ -30,11 +31,12 @@ fn unique<'a>(list: &str, names: impl Iterator<Item = &'a str>) -> Result<(), In
 
 pub(super) fn placed_lights(
     scene: &Scene,
+    background: &Sky,
     materials: &[PlacedMaterial],
     objects: &mut [PlacedObject],
 ) -> Result<Vec<PlacedLight>, Invalid> {
     unique("lights", scene.lights.iter().map(|light| light.name.as_str()))?;
-    let mut context = lights_context(scene, materials, objects);
+    let mut context = lights_context(scene, background, materials, objects);
     let mut lamps: BTreeMap<String, &str> = BTreeMap::new();
     let mut sky: Option<&str> = None;
     let mut lights = Vec::new();
@@ -72,11 +74,12 @@ pub(super) fn placed_lights(
 /// What area lights may name. Objects that are switched off have no shape here.
 fn lights_context(
     scene: &Scene,
+    background: &Sky,
     materials: &[PlacedMaterial],
     objects: &[PlacedObject],
 ) -> lights::Context {
     let mut context = lights::Context {
-        background: scene.background.clone(),
+        background: background.clone(),
         hidden: scene.objects.iter().filter(|o| !o.enabled).map(|o| o.name.clone()).collect(),
         ..lights::Context::default()
     };

@@ -4,14 +4,16 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use groundtruth::background::Background;
+use groundtruth::background::{self, Background, Dome, Sky};
 use groundtruth::cameras::{Orthographic, Viewpoint};
+use groundtruth::images::{Drawn, Picture};
 use groundtruth::lights::{Area, Kind, Light, LightContext, LightSample, Meets, Segment, Target};
 use groundtruth::materials::Emissive;
 use groundtruth::math::{Normal, Pcg32, Point, Ray, Span, Vector, power_of_two};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{self, Image, Material, Object, Scene};
 use groundtruth::shapes::{self, Sampling, Shape, Surface};
+use groundtruth::textures::Filtering;
 use groundtruth::world::World;
 use libtest_mimic::Trial;
 
@@ -40,7 +42,7 @@ pub struct Subject {
     pub light: Arc<dyn Light>,
     /// The shape of an area light's lamp.
     pub lamp: Option<Arc<dyn Shape>>,
-    pub background: Background,
+    pub sky: Sky,
 }
 
 /// What the lamps send out.
@@ -56,31 +58,55 @@ pub fn lamps(sampling: Sampling) -> Vec<shapes::Kind> {
     all.filter(can).collect()
 }
 
-/// The light in a scene of its own; an area light once for each lamp it can have.
+/// The light in a scene of its own; an area light once for each lamp it can have, an environment light
+/// once for each sort of sky.
 pub fn subjects(kind: &Kind) -> Vec<Subject> {
-    let Kind::Area(Area { sampling, .. }) = kind else {
-        return vec![subject(kind, None)];
-    };
-    let lamps = lamps(sampling.unwrap_or(Sampling::SolidAngle));
-    lamps.into_iter().map(|lamp| subject(kind, Some(lamp))).collect()
+    let plain = Background::from(Rgb::new(0.25, 0.5, 1.0));
+    match kind {
+        Kind::Area(Area { sampling, .. }) => {
+            let lamps = lamps(sampling.unwrap_or(Sampling::SolidAngle));
+            lamps.into_iter().map(|lamp| subject(kind, Some(lamp), plain.clone())).collect()
+        }
+        Kind::Environment(_) => {
+            let skies = [plain].into_iter().chain(image_skies());
+            skies.map(|sky| subject(kind, None, sky)).collect()
+        }
+        _ => vec![subject(kind, None, plain)],
+    }
 }
 
-fn subject(kind: &Kind, lamp: Option<shapes::Kind>) -> Subject {
+/// Small images, so that few borders of texels cross the cells of a quadrature.
+fn image_skies() -> impl Iterator<Item = Background> {
+    let sky = |picture, [width, height]: [u32; 2], dome, filtering| {
+        let drawn = Drawn { picture, width, height };
+        let image = background::Image::of_drawn(drawn, dome);
+        background::Image { filtering, ls: 1.5, rotate_y: 40.0, ..image }.into()
+    };
+    [
+        sky(Picture::Globe, [5, 4], Dome::Spherical, Filtering::Nearest),
+        sky(Picture::UvGrid, [5, 4], Dome::Hemispherical, Filtering::Bilinear),
+        sky(Picture::UvGrid, [7, 7], Dome::LightProbe, Filtering::Bilinear),
+    ]
+    .into_iter()
+}
+
+fn subject(kind: &Kind, lamp: Option<shapes::Kind>, background: Background) -> Subject {
     let camera =
         Viewpoint::new(Point::new(0.0, 0.0, 50.0), Point::ORIGIN, Orthographic { zoom: 1.0 });
     let mut scene = Scene::new("", Image::new(1, 1), camera);
-    scene.background = Rgb::new(0.25, 0.5, 1.0).into();
+    scene.background = background;
     scene.lights.push(scene::Light::new("light", kind.clone()));
     scene.materials.push(Material::new("glow", Emissive::new(1.0, EMITTED)));
-    let name = format!("{lamp:?}");
+    let name = format!("{lamp:?}, {:?}", scene.background);
     let built = lamp
         .as_ref()
         .map(|lamp| lamp.build(&mut shapes::Context::default()).expect("specimens are valid"));
     if let Some(lamp) = lamp {
         scene.objects.push(Object::new("lamp", "glow", lamp));
     }
-    let light = light_of(&scene);
-    Subject { name, background: scene.background.clone(), scene, light, lamp: built }
+    let world = World::build(&scene).expect("specimens are valid");
+    let light = Arc::clone(&world.lights[0].light);
+    Subject { name, sky: world.background, scene, light, lamp: built }
 }
 
 fn light_of(scene: &Scene) -> Arc<dyn Light> {

@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use groundtruth::lights::{Area, Kind, LightContext, LightSample, Target};
-use groundtruth::math::{Frame, Normal, Pcg32, Point, Vector, atan2, cos, sin};
-use groundtruth::rgb::Rgb;
+use groundtruth::math::{Frame, Normal, Pcg32, Point, Ray, Vector, atan2, cos, sin};
 use groundtruth::shapes::{self, Sampling};
 use groundtruth::verify::chi_square::goodness_of_fit;
 use groundtruth::verify::means;
@@ -188,7 +187,7 @@ pub fn the_mean_is_the_integral(kind: &Kind) -> Holds {
     for subject in subjects(kind).iter().filter(|subject| is_sampled(&*subject.light)) {
         for (stream, from) in (0..).zip(&places()) {
             let sent = |w: Vector| match &subject.lamp {
-                None => radiance_of_the_sky(subject),
+                None => radiance_of_the_sky(subject, w),
                 Some(lamp) => {
                     let facing = |at: &&_| faces(at, from.point);
                     let count = met(&**lamp, from.point, w).iter().filter(facing).count();
@@ -237,14 +236,11 @@ fn faces(at: &groundtruth::shapes::Surface, from: Point) -> bool {
     at.normal.dot(from - at.point) > 0.0
 }
 
-/// What the specimen sends from every direction, in green.
-fn radiance_of_the_sky(subject: &Subject) -> f64 {
+/// What the specimen sends from a direction, in green.
+fn radiance_of_the_sky(subject: &Subject, w: Vector) -> f64 {
     match &subject.scene.lights[0].source {
         Kind::AmbientOccluder(occluder) => occluder.ls * occluder.color.g,
-        Kind::Environment(_) => match &subject.background {
-            groundtruth::background::Background::Color(Rgb { g, .. }) => *g,
-            groundtruth::background::Background::Pattern(_) => f64::NAN,
-        },
+        Kind::Environment(_) => subject.sky.radiance(&Ray::new(Point::ORIGIN, w)).g,
         _ => f64::NAN,
     }
 }

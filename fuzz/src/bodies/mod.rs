@@ -6,6 +6,7 @@ pub(crate) mod input;
 pub(crate) mod kinds;
 
 pub mod bvh;
+pub mod image;
 pub mod obj;
 pub mod ply;
 pub mod probe_line;
@@ -19,6 +20,7 @@ pub type Target = (&'static str, fn(&[u8]));
 /// Every target.
 pub const TARGETS: &[Target] = &[
     ("bvh", bvh::run),
+    ("image", image::run),
     ("obj", obj::run),
     ("ply", ply::run),
     ("probe_line", probe_line::run),

@@ -1,7 +1,8 @@
-//! Chapter 29: images on surfaces.
+//! Chapter 29: images on surfaces, and as skies.
 
 mod mappings;
 mod materials;
+mod sky;
 mod texels;
 
 use std::io::Write;

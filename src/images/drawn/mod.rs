@@ -1,13 +1,13 @@
 //! Images drawn by a formula: the book's own belong to their owners, and a scene file stays small.
 
-use std::f64::consts::{PI, TAU};
+mod directions;
+mod flat;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Texels;
 use crate::invalid::Invalid;
-use crate::math::{Pcg32, Vector, cos, floor, sin};
 use crate::rgb::Rgb;
 
 /// An image drawn by a formula.
@@ -33,6 +33,19 @@ pub enum Picture {
     Checker,
     /// A made-up Earth: seas, land and ice, for the spherical mapping.
     Globe,
+    /// Four by four rosettes of pale thread on a dark ground.
+    Lace,
+    /// Fields, hills and a sky, all around: for the cylindrical mapping.
+    Country,
+    /// A black ball with an 8 on both sides, for the spherical mapping.
+    BilliardBall,
+    /// The label of a jar of orange jam, for the cylindrical mapping.
+    Label,
+    /// A clear sky with a sun of radiance 1500, for the hemispherical mapping.
+    SkyDome,
+    /// A courtyard with lit windows under a bright sky: a light probe (angular map) with values above
+    /// 1.
+    Courtyard,
 }
 
 impl Drawn {
@@ -63,47 +76,15 @@ impl Picture {
     /// The colour at texture coordinates from 0 to 1: u to the right, v up.
     fn color(self, u: f64, v: f64) -> Rgb {
         match self {
-            Self::UvGrid => uv_grid(u, v),
-            Self::Checker => checker(u, v),
-            Self::Globe => globe(u, v),
+            Self::UvGrid => flat::uv_grid(u, v),
+            Self::Checker => flat::checker(u, v),
+            Self::Globe => directions::globe(u, v),
+            Self::Lace => flat::lace(u, v),
+            Self::Country => flat::country(u, v),
+            Self::BilliardBall => directions::billiard_ball(u, v),
+            Self::Label => flat::label(u, v),
+            Self::SkyDome => directions::sky_dome(u, v),
+            Self::Courtyard => directions::courtyard(u, v),
         }
-    }
-}
-
-fn uv_grid(u: f64, v: f64) -> Rgb {
-    let is_line = |x: f64, width: f64| {
-        let beside = x - x.round();
-        beside.abs() < width
-    };
-    if is_line(24.0 * u, 0.08) || is_line(12.0 * v, 0.08) {
-        return Rgb::BLACK;
-    }
-    Rgb::new(0.2 + 0.8 * u, 0.2 + 0.8 * v, 0.5)
-}
-
-fn checker(u: f64, v: f64) -> Rgb {
-    let is_even = (floor(8.0 * u) + floor(8.0 * v)).rem_euclid(2.0) == 0.0;
-    if is_even { Rgb::WHITE } else { Rgb::grey(0.02) }
-}
-
-/// Land where a sum of waves over the sphere is high, so that the image has no seam.
-fn globe(u: f64, v: f64) -> Rgb {
-    let (phi, theta) = (TAU * u, PI * (1.0 - v));
-    let direction = Vector::new(sin(theta) * sin(phi), cos(theta), sin(theta) * cos(phi));
-    let mut random = Pcg32::new(29, 0);
-    let mut height = 0.0;
-    for wave in 0..24 {
-        let mut component = || 2.0 * random.uniform() - 1.0;
-        let frequency = 2.0 + 0.5 * f64::from(wave);
-        let along = frequency * Vector::new(component(), component(), component());
-        height += cos(along.dot(direction) + TAU * component()) / frequency;
-    }
-    let latitude = 2.0 * (v - 0.5).abs();
-    match height {
-        _ if latitude + 0.1 * height > 0.87 => Rgb::new(0.85, 0.9, 0.95),
-        h if h < 0.15 => Rgb::new(0.02, 0.08, 0.25 + 0.1 * h.max(-1.0)),
-        h if h < 0.25 => Rgb::new(0.6, 0.5, 0.25),
-        _ if latitude < 0.3 => Rgb::new(0.35, 0.3, 0.1),
-        _ => Rgb::new(0.08, 0.25, 0.06),
     }
 }

@@ -1,6 +1,10 @@
 //! What a ray sees that hits nothing.
 
+mod directions;
+mod image;
+
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -8,10 +12,14 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::invalid::{Invalid, positive};
 use crate::kinds;
 use crate::math::{Ray, sin};
+use crate::resources::Resources;
 use crate::rgb::{ColorOr, Colorful, Rgb};
 
+pub use directions::Directions;
+pub use image::{Dome, Image, ImageSky};
+
 /// A colour, in scene files `[r, g, b]` or one number for a grey; or a pattern, as
-/// `{ sinusoid = {} }`.
+/// `{ sinusoid = {} }` or `{ image = { file = "sky.hdr" } }`.
 #[derive(Clone, Debug)]
 pub enum Background {
     /// The same everywhere.
@@ -27,6 +35,19 @@ pub enum Background {
 pub enum Pattern {
     /// The waves of chapter 4 in the plane z = 0, which show what a sampler misses.
     Sinusoid(Sinusoid),
+    /// An image of the sky, all around.
+    Image(Image),
+}
+
+/// A background ready to be asked.
+#[derive(Clone, Debug)]
+pub enum Sky {
+    /// The same everywhere.
+    Color(Rgb),
+    /// See [`Sinusoid`].
+    Sinusoid(Sinusoid),
+    /// An image, by direction.
+    Image(Arc<ImageSky>),
 }
 
 /// The test function of chapter 4: the grey `(1 + sin(x² y²))/2` where the ray meets the plane
@@ -40,40 +61,42 @@ pub struct Sinusoid {
     pub unit: f64,
 }
 
-impl Background {
+impl Sky {
     /// What arrives along a ray that hits nothing.
     pub fn radiance(&self, ray: &Ray) -> Rgb {
         match self {
             Self::Color(color) => *color,
-            Self::Pattern(Pattern::Sinusoid(sinusoid)) => Rgb::grey(sinusoid.value(ray)),
+            Self::Sinusoid(sinusoid) => Rgb::grey(sinusoid.value(ray)),
+            Self::Image(image) => image.radiance(ray.direction),
         }
     }
+}
 
-    /// Whether it looks different from different places, as no sky does.
-    pub fn depends_on_origin(&self) -> bool {
+impl Background {
+    /// Checks the data and builds.
+    ///
+    /// # Errors
+    /// [`Invalid`] names the field that does not fit.
+    pub fn build(&self, resources: &mut Resources) -> Result<Sky, Invalid> {
         match self {
-            Self::Color(_) => false,
-            Self::Pattern(Pattern::Sinusoid(_)) => true,
-        }
-    }
-
-    /// Refuses colours and lengths that do not fit.
-    pub(crate) fn check(&self) -> Result<(), Invalid> {
-        match self {
-            Self::Color(color) => color.checked("background").map(drop),
+            Self::Color(color) => color.checked("background").map(Sky::Color),
             Self::Pattern(Pattern::Sinusoid(sinusoid)) => positive("unit", sinusoid.unit)
-                .map(drop)
+                .map(|_| Sky::Sinusoid(sinusoid.clone()))
                 .map_err(|e| e.inside("sinusoid").inside("background")),
+            Self::Pattern(Pattern::Image(image)) => image
+                .build(resources)
+                .map(|image| Sky::Image(Arc::new(image)))
+                .map_err(|e| e.inside("image").inside("background")),
         }
     }
 
-    /// The same with every length multiplied by `factor`.
+    /// The same with every length multiplied by `factor`; a sky has none.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         match self {
-            Self::Color(_) => self.clone(),
             Self::Pattern(Pattern::Sinusoid(Sinusoid { unit })) => {
                 Self::Pattern(Pattern::Sinusoid(Sinusoid { unit: factor * unit }))
             }
+            Self::Color(_) | Self::Pattern(Pattern::Image(_)) => self.clone(),
         }
     }
 }
@@ -97,6 +120,18 @@ impl Default for Background {
 impl From<Rgb> for Background {
     fn from(color: Rgb) -> Self {
         Self::Color(color)
+    }
+}
+
+impl From<Image> for Background {
+    fn from(image: Image) -> Self {
+        Self::Pattern(Pattern::Image(image))
+    }
+}
+
+impl Default for Sky {
+    fn default() -> Self {
+        Self::Color(Rgb::BLACK)
     }
 }
 

@@ -1,0 +1,474 @@
+//! Skies by image: what is seen, and what an environment light makes of it.
+
+use std::f64::consts::{PI, TAU};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use groundtruth::background::{Background, Directions, Dome, Image, ImageSky, Sky};
+use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::lights::Environment;
+use groundtruth::lobes::GlossyRule;
+use groundtruth::materials::{GlossyReflector, Kind as MaterialKind, Matte, Phong};
+use groundtruth::math::{Normal, Pcg32, Point, Ray, Step, Transform, Vector, cos, sin};
+use groundtruth::resources::Resources;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Scene, Tracer};
+use groundtruth::shapes::Plane;
+use groundtruth::textures::{Filtering, Mapping};
+use groundtruth::verify::chi_square::goodness_of_fit;
+use groundtruth::verify::means;
+use groundtruth::verify::significance::sidak;
+
+use crate::ch14::stage::{put, shine, stage};
+use crate::replicas::{
+    LEVEL, assert_color, assert_mean, mean_and_error, replicas, view, with_samples,
+};
+
+const DOMES: [Dome; 4] = [Dome::Spherical, Dome::Hemispherical, Dome::LightProbe, Dome::Panoramic];
+const FILTERINGS: [Filtering; 2] = [Filtering::Nearest, Filtering::Bilinear];
+
+/// EXR files keep radiance; a tone is for eyes.
+const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+
+/// Columns and rows of most skies here: few, so that each is hit often.
+const SIZE: [u32; 2] = [12, 8];
+
+/// Writes an image by the colours of its texels, rows counted from the bottom.
+fn written(name: &str, [width, height]: [u32; 2], color: impl Fn([u32; 2]) -> Rgb) -> PathBuf {
+    let mut picture = Film::new(width, height);
+    for row in 0..height {
+        for column in 0..width {
+            picture.set([column, height - 1 - row], color([column, row]));
+        }
+    }
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("ch29-{name}.exr"));
+    film::write(&picture, &PLAIN, &path).expect("the folder can be written to");
+    path
+}
+
+/// Values from 0 to 3 with a bright texel and black ones among them, exact in single precision.
+fn ragged([column, row]: [u32; 2]) -> Rgb {
+    let mut random = Pcg32::new(29, u64::from(1000 * row + column));
+    let mut channel = || f64::from(random.below(13)) / 4.0;
+    match [column, row] {
+        [3, 5] => Rgb::new(60.0, 50.0, 30.0),
+        _ if (column + row) % 3 == 0 => Rgb::BLACK,
+        _ => Rgb::new(channel(), channel(), channel()),
+    }
+}
+
+fn image(name: &str, dome: Dome, filtering: Filtering) -> Image {
+    Image { filtering, ..Image::of_file(written(name, SIZE, ragged), dome) }
+}
+
+fn sky(image: &Image) -> Arc<ImageSky> {
+    let built = Background::from(image.clone()).build(&mut Resources::default());
+    match built.expect("it is valid") {
+        Sky::Image(sky) => sky,
+        other => panic!("{other:?} is no image"),
+    }
+}
+
+/// Midpoints of equal parts of the sphere, in rings about the axis (1, 2, 3), which is no axis of any
+/// mapping; and their solid angle.
+fn all_around(rings: u32) -> (impl Iterator<Item = Vector>, f64) {
+    let axis = Normal::new(Vector::new(1.0, 2.0, 3.0)).expect("not zero");
+    let frame = groundtruth::math::Frame::around(axis);
+    let parts = 2 * rings;
+    let direction = move |i: u32| {
+        let z = (2.0 * f64::from(i / parts) + 1.0) / f64::from(rings) - 1.0;
+        let phi = TAU * (f64::from(i % parts) + 0.5) / f64::from(parts);
+        let r = (1.0 - z * z).sqrt();
+        frame.to_world(Vector::new(r * cos(phi), r * sin(phi), z))
+    };
+    ((0..rings * parts).map(direction), 4.0 * PI / f64::from(rings * parts))
+}
+
+fn random_direction(random: &mut Pcg32) -> Vector {
+    groundtruth::math::maps::sphere([random.uniform(), random.uniform()])
+}
+
+/// The texel of the nearest look-up in a direction, worked out here.
+fn texel(dome: Dome, direction: Vector) -> Option<[u32; 2]> {
+    if dome == Dome::Hemispherical && direction.y() < 0.0 {
+        return None;
+    }
+    let [u, v] = Mapping::from(dome).uv(Point::ORIGIN + direction);
+    let index = |x: f64, count: u32| ((x * f64::from(count)) as u32).min(count - 1);
+    Some([index(u, SIZE[0]), index(v, SIZE[1])])
+}
+
+/// Law: the colour seen in a direction is that of its texel, times `ls`; below the horizon of half a
+/// sky it is black. Oracle: the texel, worked out from the book's mapping.
+#[test]
+fn each_direction_shows_its_texel() {
+    for dome in DOMES {
+        let sky = sky(&Image { ls: 0.5, ..image("seen", dome, Filtering::Nearest) });
+        let mut random = Pcg32::new(29, 1);
+        for _ in 0..2000 {
+            let direction = random_direction(&mut random);
+            let expected = texel(dome, direction).map_or(Rgb::BLACK, |at| 0.5 * ragged(at));
+            let ray = 3.0 * direction;
+            assert_eq!(sky.radiance(ray), expected, "{dome:?} towards {direction:?}");
+        }
+    }
+}
+
+/// Law: `direction` and `uv` of a dome are inverse to each other, and directions are unit. Oracle: the
+/// round trip, from both sides.
+#[test]
+fn domes_have_inverses() {
+    /// Angles near the axis of a mapping are known to `√u` at worst: `acos` of a rounded cosine is
+    /// not used, so a few dozen roundings.
+    const ROUNDING: f64 = 1e-13;
+    let mut random = Pcg32::new(29, 2);
+    for dome in DOMES {
+        for _ in 0..2000 {
+            let direction = random_direction(&mut random);
+            if let Some(uv) = dome.uv(direction) {
+                let back = dome.direction(uv).expect("directions of the sky are on the image");
+                let apart = (back - direction).length();
+                assert!(apart < ROUNDING, "{dome:?}: {direction:?} comes back as {back:?}");
+            }
+            let uv = [random.uniform(), random.uniform()];
+            let Some(direction) = dome.direction(uv) else {
+                let outside = {
+                    let [x, y] = uv.map(|c| c - 0.5);
+                    x * x + y * y >= 0.25
+                };
+                let round = matches!(dome, Dome::LightProbe | Dome::Panoramic);
+                assert!(round && outside, "{dome:?}: nothing at {uv:?}");
+                continue;
+            };
+            assert!((direction.length() - 1.0).abs() < ROUNDING, "{dome:?}: {direction:?}");
+            let back = dome.uv(direction).expect("it came from the image");
+            let apart = [0, 1].map(|axis| (back[axis] - uv[axis]).abs());
+            assert!(apart.iter().all(|d| *d < 1e-9), "{dome:?}: {uv:?} comes back as {back:?}");
+        }
+    }
+}
+
+/// Law: `solid_angle` is how many steradians a small square of the image covers. Oracle: the area of
+/// the parallelogram that the differences of `direction` span.
+#[test]
+fn solid_angles_are_areas_of_small_squares() {
+    const STEP: f64 = 1e-5;
+    let mut random = Pcg32::new(29, 3);
+    for dome in DOMES {
+        for _ in 0..500 {
+            let [u, v] = [0.0; 2].map(|_: f64| 0.1 + 0.8 * random.uniform());
+            let at = |du: f64, dv: f64| dome.direction([u + du * STEP, v + dv * STEP]);
+            let corners = [at(1.0, 0.0), at(-1.0, 0.0), at(0.0, 1.0), at(0.0, -1.0), at(0.0, 0.0)];
+            let [Some(right), Some(left), Some(up), Some(down), Some(middle)] = corners else {
+                continue;
+            };
+            let area = (right - left).cross(up - down).length() / (4.0 * STEP * STEP);
+            let found = dome.solid_angle(middle);
+            // the error of the differences is of the second order
+            let close = (found - area).abs() < 1e-5 * (1.0 + area);
+            assert!(close, "{dome:?} at ({u}, {v}): {found}, by differences {area}");
+        }
+    }
+}
+
+/// Law: the density integrates to the share of the draws that give a direction: to 1 but for angular maps,
+/// whose texels at the rim are cut. Oracle: the midpoint rule over the sphere; counting.
+#[test]
+fn the_density_integrates_to_what_is_drawn() {
+    /// The density jumps at the borders of texels; the rule errs by a share of the points there.
+    const QUADRATURE: f64 = 4e-3;
+    for dome in DOMES {
+        for filtering in FILTERINGS {
+            let image = Image { rotate_y: 33.0, ..image("density", dome, filtering) };
+            let directions = Directions::new(&sky(&image));
+            let (all, part) = all_around(300);
+            let whole: f64 = all.map(|w| part * directions.pdf(w)).sum();
+            let mut random = Pcg32::new(29, 4);
+            let draws = 20_000;
+            let mut draw = || directions.sample([random.uniform(), random.uniform()]).is_some();
+            let drawn = (0..draws).filter(|_| draw()).count() as f64 / f64::from(draws);
+            let round = matches!(dome, Dome::LightProbe | Dome::Panoramic);
+            assert!(round || drawn == 1.0, "{dome:?}: {drawn} of the draws give a direction");
+            // and few are wasted at the rim
+            assert!(drawn > 0.8, "{dome:?}: only {drawn} of the draws give a direction");
+            let noise = 4.0 * (drawn * (1.0 - drawn) / f64::from(draws)).sqrt();
+            assert!(
+                (whole - drawn).abs() < QUADRATURE + noise,
+                "{dome:?}, {filtering:?}: the density adds up to {whole}, {drawn} were drawn"
+            );
+        }
+    }
+}
+
+/// Law: directions fall into the texels as the density says: χ² over the texels. Oracle: the integral of
+/// the density over each texel's directions, by the midpoint rule over the sphere.
+#[test]
+fn directions_follow_the_density() {
+    const DRAWS: u64 = 40_000;
+    for dome in DOMES {
+        for filtering in FILTERINGS {
+            let directions = Directions::new(&sky(&image("chi", dome, filtering)));
+            let index = |w: Vector| texel(dome, w).map(|[c, r]| (r * SIZE[0] + c) as usize);
+            let mut expected = vec![0.0; (SIZE[0] * SIZE[1]) as usize];
+            let (all, part) = all_around(500);
+            for w in all {
+                if let Some(i) = index(w) {
+                    expected[i] += part * directions.pdf(w);
+                }
+            }
+            let mut observed = vec![0_u64; expected.len()];
+            let mut random = Pcg32::new(29, 5);
+            for _ in 0..DRAWS {
+                let u = [random.uniform(), random.uniform()];
+                if let Some(w) = directions.sample(u) {
+                    observed[index(w).expect("it is in the sky")] += 1;
+                }
+            }
+            let total = observed.iter().sum::<u64>() as f64 / expected.iter().sum::<f64>();
+            expected.iter_mut().for_each(|e| *e *= total);
+            let p = goodness_of_fit(&observed, &expected);
+            assert!(p > sidak(1e-4, 8), "{dome:?}, {filtering:?}: p = {p:e}");
+        }
+    }
+}
+
+/// Law: within the nearest look-up directions are drawn in proportion to the radiance: `pdf/L`, L the mean
+/// of the channels, is the same everywhere but for the shape of texels; so the texels of a spherical
+/// sky get `L Ω`. Oracle: the closed form of Ω, `(cosθ₁ − cosθ₀) 2π/n`; χ².
+#[test]
+fn texels_are_drawn_by_radiance_times_solid_angle() {
+    const DRAWS: u64 = 100_000;
+    let directions = Directions::new(&sky(&image("share", Dome::Spherical, Filtering::Nearest)));
+    let [width, height] = SIZE;
+    let mut expected = Vec::new();
+    for row in 0..height {
+        let edge = |row: u32| -cos(PI * f64::from(row) / f64::from(height));
+        let omega = (edge(row + 1) - edge(row)) * TAU / f64::from(width);
+        expected.extend((0..width).map(|column| omega * ragged([column, row]).average()));
+    }
+    let whole: f64 = expected.iter().sum();
+    expected.iter_mut().for_each(|e| *e *= DRAWS as f64 / whole);
+    let mut observed = vec![0_u64; expected.len()];
+    let mut random = Pcg32::new(29, 6);
+    for _ in 0..DRAWS {
+        let w = directions.sample([random.uniform(), random.uniform()]).expect("it is not black");
+        let [column, row] = texel(Dome::Spherical, w).expect("it is all around");
+        observed[(row * width + column) as usize] += 1;
+    }
+    let p = goodness_of_fit(&observed, &expected);
+    assert!(p > 1e-4, "p = {p:e}");
+    let most = |counts: &[f64]| (0..counts.len()).max_by(|&a, &b| counts[a].total_cmp(&counts[b]));
+    let counts: Vec<f64> = observed.iter().map(|count| *count as f64).collect();
+    assert_eq!(most(&counts), Some((5 * width + 3) as usize), "the brightest texel is drawn most");
+}
+
+/// Law: the density is positive wherever the sky shines, also where a bilinear look-up brings light into
+/// a black texel. Oracle: the radiance itself.
+#[test]
+fn no_light_is_missed() {
+    for dome in DOMES {
+        for filtering in FILTERINGS {
+            let sky = sky(&image("positive", dome, filtering));
+            let directions = Directions::new(&sky);
+            let mut random = Pcg32::new(29, 7);
+            for _ in 0..20_000 {
+                let w = random_direction(&mut random);
+                let (seen, pdf) = (sky.radiance(w), directions.pdf(w));
+                assert!(pdf.is_finite() && pdf >= 0.0, "{dome:?} towards {w:?}: density {pdf}");
+                assert!(
+                    seen.is_black() || pdf > 0.0,
+                    "{dome:?}, {filtering:?}: {seen:?} is seen towards {w:?}, but never drawn"
+                );
+            }
+        }
+    }
+}
+
+/// Law: at the poles, on the rim and at the ends of the numbers all is finite; a black sky draws nothing.
+/// Oracle: the law itself.
+#[test]
+fn poles_rims_and_black_skies_are_harmless() {
+    let ends = [0.0, 0.5, groundtruth::math::ONE_MINUS];
+    for dome in DOMES {
+        let sky_at = sky(&image("ends", dome, Filtering::Bilinear));
+        let directions = Directions::new(&sky_at);
+        for axis in [Vector::X, Vector::Y, Vector::Z] {
+            for w in [axis, -axis] {
+                let pdf = directions.pdf(w);
+                assert!(pdf.is_finite() && pdf >= 0.0, "{dome:?} towards {w:?}: {pdf}");
+                assert!(sky_at.radiance(w).max().is_finite());
+            }
+        }
+        for u in ends.into_iter().flat_map(|u1| ends.map(|u2| [u1, u2])) {
+            if let Some(w) = directions.sample(u) {
+                assert!((w.length() - 1.0).abs() < 1e-14, "{dome:?}, {u:?}: {w:?}");
+            }
+        }
+        let black = written("black", SIZE, |_| Rgb::BLACK);
+        let black = Directions::new(&sky(&Image::of_file(black, dome)));
+        assert!(ends.iter().all(|&u| black.sample([u, u]).is_none()), "{dome:?}");
+        assert_eq!(black.pdf(Vector::X), 0.0);
+    }
+}
+
+/// Law: a sky turned by ψ shows towards `R_y(ψ) w` what the sky shows towards w, and draws it as often.
+/// Oracle: the same turn of an object; texel centres, so that rounding does not matter.
+#[test]
+fn skies_turn_as_objects_do() {
+    for (dome, degrees) in DOMES.into_iter().flat_map(|d| [90.0, 77.0, -200.0].map(|a| (d, a))) {
+        let plain = image("turned", dome, Filtering::Nearest);
+        let turned = sky(&Image { rotate_y: degrees, ..plain.clone() });
+        let plain = sky(&plain);
+        let turn = Transform::from_steps(&[Step::RotateY(degrees)]).expect("a turn");
+        let pdfs = [&plain, &turned].map(Directions::new);
+        for row in 0..SIZE[1] {
+            for column in 0..SIZE[0] {
+                let [u, v] = [0, 1]
+                    .map(|axis| (f64::from([column, row][axis]) + 0.4) / f64::from(SIZE[axis]));
+                let Some(w) = dome.direction([u, v]) else { continue };
+                let there = turn.vector(w);
+                assert_eq!(turned.radiance(there), plain.radiance(w), "{dome:?}, {degrees}°");
+                let [before, after] = [pdfs[0].pdf(w), pdfs[1].pdf(there)];
+                let close = (before - after).abs() <= 1e-9 * before;
+                assert!(close, "{dome:?}, {degrees}°: density {before} becomes {after}");
+            }
+        }
+    }
+}
+
+/// Law: a sky of one colour is that colour, bit for bit, whatever its mapping and filtering. Oracle: the
+/// colour.
+#[test]
+fn a_sky_of_one_colour_is_the_colour() {
+    // exact in single precision
+    let color = Rgb::new(0.75, 0.625, 1.5);
+    let file = written("even", SIZE, |_| color);
+    for dome in DOMES {
+        for filtering in FILTERINGS {
+            let image = Image { filtering, rotate_y: 20.0, ..Image::of_file(&file, dome) };
+            let sky = sky(&image);
+            let mut random = Pcg32::new(29, 8);
+            for _ in 0..1000 {
+                let mut w = random_direction(&mut random);
+                if dome == Dome::Hemispherical {
+                    w = Vector::new(w.x(), w.y().abs(), w.z());
+                }
+                let seen = Sky::Image(Arc::clone(&sky)).radiance(&Ray::new(Point::ORIGIN, w));
+                assert_eq!(seen, color, "{dome:?}, {filtering:?} towards {w:?}");
+            }
+        }
+    }
+}
+
+/// A plane of this normal under the sky.
+fn under(sky: Image, normal: Vector, recipe: impl Into<MaterialKind>) -> Scene {
+    let mut scene = stage(Rgb::BLACK);
+    scene.background = sky.into();
+    put(&mut scene, Plane { point: Point::ORIGIN, normal }, recipe);
+    shine(&mut scene, Environment {});
+    scene
+}
+
+fn matte() -> Matte {
+    Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() }
+}
+
+/// Every tracer that sees the sky's light on a matte surface.
+fn tracers() -> [Tracer; 4] {
+    let depth = Depth { max_depth: 1 };
+    [Tracer::RayCast, Tracer::PathTrace(depth), Tracer::GlobalTrace(depth), Tracer::Path(depth)]
+}
+
+/// Law: a matte plane under a sky has the radiance `ρ/π ∫ L cosθ dω`, under every tracer: with the light
+/// drawn, met, or both; also in the mean of one colour, `ρ L`. Oracle: the midpoint rule over all
+/// directions, of texels worked out here.
+#[test]
+fn every_strategy_finds_the_light_of_the_sky() {
+    let normal = Vector::new(0.3, 0.8, 0.4);
+    let n = Normal::new(normal).expect("not zero");
+    for dome in DOMES {
+        let (all, part) = all_around(400);
+        let light = |w: Vector| {
+            let seen = texel(dome, w).map_or(Rgb::BLACK, ragged);
+            part * n.dot(w).max(0.0) * seen
+        };
+        let expected = 0.8 / PI * all.map(light).sum::<Rgb>();
+        for tracer in tracers() {
+            let sky = image("light", dome, Filtering::Nearest);
+            let scene = Scene { tracer, ..with_samples(under(sky, normal, matte()), 1024) };
+            let eye = Point::ORIGIN + 2.0 * n;
+            let found = replicas(&scene, |world| view(world, eye, -1.0 * n));
+            assert_color(&format!("{dome:?}, {tracer:?}"), &found, expected, 16, 0.05);
+        }
+    }
+}
+
+/// Law: an image of one colour lights as the plain colour does: `ρ L`. Oracle: the product.
+#[test]
+fn a_sky_of_one_colour_lights_as_the_colour() {
+    let color = Rgb::new(0.75, 0.625, 1.5);
+    let file = written("even-light", SIZE, |_| color);
+    for tracer in tracers() {
+        let sky = Image::of_file(&file, Dome::Spherical);
+        let scene = Scene { tracer, ..with_samples(under(sky, Vector::Y, matte()), 256) };
+        let down = |world: &_| view(world, Point::new(0.0, 2.0, 0.0), -Vector::Y);
+        assert_color(&format!("{tracer:?}"), &replicas(&scene, down), 0.8 * color, 4, 0.01);
+    }
+}
+
+/// One texel of 64 × 32 is the sun.
+fn sunny() -> Image {
+    let file =
+        written(
+            "sun",
+            [64, 32],
+            |at| {
+                if at == [5, 22] { Rgb::grey(8192.0) } else { Rgb::grey(0.125) }
+            },
+        );
+    Image::of_file(file, Dome::Spherical)
+}
+
+/// Law: a tiny bright sun is no noise where it is drawn, and much where paths must come upon it; the mean
+/// is the same. Oracle: the sum of the closed forms: `∫ cosθ dω` of a texel is
+/// `(cos²θ₀ − cos²θ₁)/2 · 2π/n`.
+#[test]
+fn a_tiny_sun_converges() {
+    let edge = |row: f64| cos(PI * (1.0 - row / 32.0));
+    let sun = 0.5 * (edge(23.0) * edge(23.0) - edge(22.0) * edge(22.0)) * TAU / 64.0;
+    let expected = 0.8 / PI * (0.125 * PI + (8192.0 - 0.125) * sun);
+    let found = tracers().map(|tracer| {
+        let scene = Scene { tracer, ..with_samples(under(sunny(), Vector::Y, matte()), 256) };
+        replicas(&scene, |world| view(world, Point::new(0.0, 2.0, 0.0), -Vector::Y).g)
+    });
+    let [ray_cast, path_trace, global_trace, path] = &found;
+    for (name, values) in [("ray_cast", ray_cast), ("global", global_trace), ("path", path)] {
+        assert_mean(name, values, expected, 3, 2e-3);
+    }
+    let [(_, blind), (_, aware)] = [path_trace, path].map(|values| mean_and_error(values));
+    assert!(blind > 20.0 * aware, "the errors are {blind:e} without and {aware:e} with draws");
+}
+
+/// Law: on a sharp gloss, where the lobe's own draws are better than the light's, all path tracers have
+/// one mean. Oracle: each other, Welch's t.
+#[test]
+fn path_tracers_agree_on_gloss_under_a_sunny_sky() {
+    let phong = Phong { kd: 0.3.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
+    let (cr, rule) = (Rgb::WHITE.into(), GlossyRule::Normalised);
+    let gloss = GlossyReflector { phong, kr: 0.5.into(), cr, exponent: 60.0.into(), rule };
+    let sky = image("gloss", Dome::LightProbe, Filtering::Bilinear);
+    let found = [1, 2, 3].map(|i| {
+        let scene = under(sky.clone(), Vector::Y, gloss.clone());
+        let scene = Scene { tracer: tracers()[i], ..with_samples(scene, 1024) };
+        replicas(&scene, |world| {
+            view(world, Point::new(0.0, 1.0, 0.0), Vector::new(1.0, -1.0, 0.5)).g
+        })
+    });
+    let [path_trace, global_trace, path] = &found;
+    for (name, other) in [("path_trace", path_trace), ("global_trace", global_trace)] {
+        let p = means::two_samples(other, path);
+        let [(a, e), (b, f)] = [other, path].map(|values| mean_and_error(values));
+        assert!(p > sidak(LEVEL, 2), "{name} finds {a} ± {e:e}, path {b} ± {f:e}, p = {p:e}");
+        assert!(e < 0.05 * a && f < 0.05 * b, "{name}: ± {e:e}, ± {f:e}");
+    }
+}

@@ -1,0 +1,85 @@
+//! Image files: what is right loads with the right values, the rest is one clear error.
+//!
+//! The files are made here, byte by byte, after the formats' definitions.
+
+#[path = "image_file/exr.rs"]
+mod exr;
+#[path = "image_file/hdr.rs"]
+mod hdr;
+#[path = "image_file/png.rs"]
+mod png;
+#[path = "image_file/pnm.rs"]
+mod pnm;
+#[path = "image_file/scenes.rs"]
+mod scenes;
+
+use groundtruth::images::{Encoding, Texels, decode};
+use groundtruth::math::power;
+
+/// More texels than any image here should have.
+const MOST: u64 = 1 << 20;
+
+/// The texels of what should be an image, linear, from the top row down.
+fn linear(bytes: &[u8]) -> Vec<[f64; 3]> {
+    let texels = decode(bytes, Some(Encoding::Linear), MOST);
+    rows(&texels.unwrap_or_else(|e| panic!("it is refused: {e}")))
+}
+
+fn rows(texels: &Texels) -> Vec<[f64; 3]> {
+    let rows = (0..texels.height()).rev();
+    rows.flat_map(|row| (0..texels.width()).map(move |column| [column, row]))
+        .map(|[column, row]| texels.color(column, row).to_array())
+        .collect()
+}
+
+/// What is said of bytes that should be refused.
+fn refusal(bytes: &[u8]) -> String {
+    match decode(bytes, None, MOST) {
+        Ok(texels) => panic!("it loads as {} × {}", texels.width(), texels.height()),
+        Err(problem) => problem,
+    }
+}
+
+fn assert_refused(what: &str, bytes: &[u8], because: &str) {
+    let problem = refusal(bytes);
+    assert!(problem.contains(because), "{what}: `{problem}` does not say `{because}`");
+}
+
+/// The grey `v/max` in single precision, as texels are kept.
+fn grey(v: u32, max: u32) -> [f64; 3] {
+    [f64::from((f64::from(v) / f64::from(max)) as f32); 3]
+}
+
+/// Law: sRGB is the default, and its decoding inverts `1.055 L^(1/2.4) − 0.055`, `12.92 L` below 0.0031308
+/// (IEC 61966-2-1); with `encoding = "linear"` a sample is `v/255`. Oracle: the standard's encoding.
+#[test]
+fn srgb_is_decoded_unless_it_is_linear() {
+    let all: Vec<u8> = (0..=255).collect();
+    let bytes = [b"P5 256 1 255\n", &all[..]].concat();
+    for default in [None, Some(Encoding::Srgb)] {
+        let decoded = rows(&decode(&bytes, default, MOST).expect("it is right"));
+        for (v, color) in decoded.iter().enumerate() {
+            let l = color[0];
+            let encoded =
+                if l <= 0.0031308 { 12.92 * l } else { 1.055 * power(l, 1.0 / 2.4) - 0.055 };
+            // single precision, and the standard's two branches meet to some 1e-6 only
+            let apart = (255.0 * encoded - v as f64).abs();
+            assert!(apart < 1e-4, "{v} is decoded to {l}, which is encoded as {}", 255.0 * encoded);
+        }
+    }
+    for (v, color) in linear(&bytes).iter().enumerate() {
+        assert_eq!(*color, grey(v as u32, 255));
+    }
+}
+
+/// Law: what is no image of a known format is refused by its first bytes. Oracle: the text.
+#[test]
+fn other_formats_are_refused() {
+    assert_refused("nothing", b"", "the file is empty");
+    for (what, bytes) in
+        [("JPEG", &b"\xff\xd8\xff\xe0"[..]), ("text", b"hello"), ("GIF", b"GIF89a")]
+    {
+        assert_refused(what, bytes, "not those of a PNG, PPM, HDR or EXR file");
+    }
+    assert_refused("PAM", b"P7\nWIDTH 1\nHEIGHT 1\nDEPTH 1\nMAXVAL 1\nENDHDR\n\0", "not those of");
+}

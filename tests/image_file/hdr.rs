@@ -1,0 +1,135 @@
+//! Radiance HDR.
+
+use super::*;
+
+fn hdr(header: &str, scanlines: &[u8]) -> Vec<u8> {
+    [header.as_bytes(), scanlines].concat()
+}
+
+const HEADER: &str = "#?RADIANCE\n# by hand\nFORMAT=32-bit_rle_rgbe\n\n";
+
+fn sized(height: u32, width: u32, scanlines: &[u8]) -> Vec<u8> {
+    hdr(&format!("{HEADER}-Y {height} +X {width}\n"), scanlines)
+}
+
+/// `m · 2^(e − 136)`, Ward's definition, by repeated doubling.
+fn value([r, g, b, e]: [u8; 4]) -> [f64; 3] {
+    let steps = i32::from(e) - 136;
+    let factor = (0..steps.abs()).fold(1.0, |f, _| if steps > 0 { 2.0 * f } else { 0.5 * f });
+    let factor = if e == 0 { 0.0 } else { factor };
+    [r, g, b].map(|m| f64::from(m) * factor)
+}
+
+/// Law: texels have their mantissas times the power of two; also those of many exponents. Oracle: the
+/// definition.
+#[test]
+fn texels_are_mantissas_times_a_power_of_two() {
+    let texels =
+        [[128, 64, 0, 129], [255, 1, 3, 136], [200, 100, 50, 20], [0, 0, 0, 0], [9, 200, 7, 250]];
+    let file = sized(1, 5, texels.as_flattened());
+    assert_eq!(linear(&file), texels.map(value));
+    let rgbe = [b"#?RGBE", &file[10..]].concat();
+    assert_eq!(linear(&rgbe), texels.map(value), "the other signature");
+}
+
+/// Law: run lengths of the old form repeat the texel before, and those in a row count 256 times as much
+/// each. Oracle: the texels written out.
+#[test]
+fn old_run_lengths_load() {
+    let (a, b) = ([128, 64, 32, 130], [10, 20, 200, 128]);
+    let short = [a, [1, 1, 1, 3], b, [1, 1, 1, 1]];
+    let expected: Vec<_> = [a, a, a, a, b, b].map(value).to_vec();
+    assert_eq!(linear(&sized(1, 6, short.as_flattened())), expected);
+    let long = [a, [1, 1, 1, 2], [1, 1, 1, 1], b];
+    let found = linear(&sized(1, 260, long.as_flattened()));
+    assert!(found[..259].iter().all(|c| *c == value(a)), "1 + 2 + 256 of the first");
+    assert_eq!(found[259], value(b));
+}
+
+/// Law: run lengths of the new form are of the four components, one after the other: runs above 128, else
+/// literals. Oracle: the texels written out.
+#[test]
+fn new_run_lengths_load() {
+    let mut line = vec![2, 2, 0, 8];
+    line.extend([128 + 8, 200]); // red: a run
+    line.extend([8, 1, 2, 3, 4, 5, 6, 7, 8]); // green: literals
+    line.extend([128 + 5, 9, 3, 10, 11, 12]); // blue: both
+    line.extend([4, 129, 130, 131, 132, 128 + 4, 128]); // exponents
+    let blue = [9, 9, 9, 9, 9, 10, 11, 12];
+    let exponents = [129, 130, 131, 132, 128, 128, 128, 128];
+    let texel = |i: usize| value([200, i as u8 + 1, blue[i], exponents[i]]);
+    let row: Vec<_> = (0..8).map(texel).collect();
+    let two = sized(2, 8, &[line.clone(), line.clone()].concat());
+    assert_eq!(linear(&two), [row.clone(), row].concat());
+    for length in 4..two.len() {
+        refusal(&two[..length]);
+    }
+    assert_refused("more", &[&two[..], &[0]].concat(), "1 bytes are left after 8 × 2 texels");
+    let mut wrong = line.clone();
+    wrong[3] = 9;
+    assert_refused(
+        "its own length",
+        &sized(1, 8, &wrong),
+        "row 0 from the top, from 0: its length is not",
+    );
+    let mut wrong = line;
+    wrong[4] = 128 + 9;
+    assert_refused(
+        "too long a run",
+        &sized(1, 8, &wrong),
+        "row 0 from the top, from 0: it ends early",
+    );
+}
+
+/// Law: runs without a texel before, and more than fit, are refused, also so many in a row that their
+/// length is beyond any number. Oracle: the text.
+#[test]
+fn wrong_old_run_lengths_are_refused() {
+    let texel = [128, 64, 32, 130];
+    for scanline in [
+        vec![[1, 1, 1, 2]],
+        vec![texel, [1, 1, 1, 9]],
+        vec![texel, [1, 1, 1, 0], [1, 1, 1, 0], [1, 1, 1, 0], [1, 1, 1, 1]],
+        [vec![texel], vec![[1, 1, 1, 0]; 20]].concat(),
+    ] {
+        assert_refused(
+            "runs",
+            &sized(1, 6, scanline.as_flattened()),
+            "row 0 from the top, from 0: it ends",
+        );
+    }
+}
+
+/// Law: EXPOSURE and COLORCORR, which the values were multiplied by, are divided out, all of them. Oracle:
+/// the quotient.
+#[test]
+fn exposure_is_divided_out() {
+    let texel = [128, 64, 32, 130];
+    let lines = "EXPOSURE=2.0\nEXPOSURE= 4\nCOLORCORR=1 2 0.5\n";
+    let header = HEADER.replace("FORMAT", &format!("{lines}FORMAT"));
+    let file = hdr(&format!("{header}-Y 1 +X 1\n"), &texel);
+    let [r, g, b] = value(texel);
+    assert_eq!(linear(&file), [[r / 8.0, g / 16.0, b / 4.0]]);
+    let wrong = String::from_utf8_lossy(&file).replace("EXPOSURE= 4", "EXPOSURE= 0");
+    assert!(wrong.contains("= 0"), "the exposure is replaced");
+    let zero = HEADER.replace("FORMAT", "EXPOSURE=0\nFORMAT");
+    assert_refused("0", &hdr(&format!("{zero}-Y 1 +X 1\n"), &texel), "are finite and positive");
+}
+
+/// Law: orientations and colours that the decoder does not know are refused, and what is no header.
+/// Oracle: the text.
+#[test]
+fn other_forms_are_refused() {
+    let texel = [128, 64, 32, 130];
+    for size in ["+Y 1 +X 1", "-Y 1 -X 1", "+X 1 -Y 1", "-X 1 +Y 1"] {
+        assert_refused(size, &hdr(&format!("{HEADER}{size}\n"), &texel), "Orientation");
+    }
+    let xyz = HEADER.replace("rgbe", "xyze");
+    assert_refused("XYZ", &hdr(&format!("{xyz}-Y 1 +X 1\n"), &texel), "of a form that is not read");
+    assert_refused("signature", b"#?OTHER\n\n-Y 1 +X 1\nabcd", "neither with #?RADIANCE nor");
+    assert_refused("size", &sized(0, 5, b""), "5 × 0 texels");
+    for size in ["-Y 1000000000 +X 1", "-Y 4294967295 +X 4294967295"] {
+        let problem = refusal(&hdr(&format!("{HEADER}{size}\n"), &texel));
+        assert!(problem.contains("too many") || problem.contains("too large"), "{problem}");
+    }
+}

@@ -1,0 +1,175 @@
+//! PNG, written here: stored blocks, filter 0 (ISO/IEC 15948, RFC 1950, RFC 1951).
+
+use super::*;
+
+/// The CRC of ISO 3309, bit by bit.
+fn crc(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
+            if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 }
+        })
+    })
+}
+
+fn chunk(kind: &[u8; 4], data: &[u8]) -> Vec<u8> {
+    let all = [&kind[..], data].concat();
+    [&(data.len() as u32).to_be_bytes()[..], &all, &crc(&all).to_be_bytes()].concat()
+}
+
+/// A zlib stream of one stored block.
+fn zlib(data: &[u8]) -> Vec<u8> {
+    let sum = |a: u32, b: u32| (b % 65_521) << 16 | a % 65_521;
+    let (a, b) = data.iter().fold((1_u32, 0_u32), |(a, b), byte| {
+        let a = (a + u32::from(*byte)) % 65_521;
+        (a, (b + a) % 65_521)
+    });
+    let length = data.len() as u16;
+    let head = [&b"\x78\x01\x01"[..], &length.to_le_bytes(), &(!length).to_le_bytes()].concat();
+    [&head[..], data, &sum(a, b).to_be_bytes()].concat()
+}
+
+const GREY: u8 = 0;
+const RGB: u8 = 2;
+const PALETTE: u8 = 3;
+const GREY_ALPHA: u8 = 4;
+const RGBA: u8 = 6;
+
+struct Png<'a> {
+    size: [u32; 2],
+    depth: u8,
+    color: u8,
+    interlaced: bool,
+    /// Chunks before the data.
+    extra: Vec<Vec<u8>>,
+    /// Packed rows, without filter bytes.
+    rows: Vec<&'a [u8]>,
+}
+
+impl Png<'_> {
+    fn bytes(&self) -> Vec<u8> {
+        let [width, height] = self.size.map(u32::to_be_bytes);
+        let rest = [self.depth, self.color, 0, 0, u8::from(self.interlaced)];
+        let header = [&width[..], &height, &rest].concat();
+        let data: Vec<u8> = self.rows.iter().flat_map(|row| [&[0], *row].concat()).collect();
+        let mut bytes = b"\x89PNG\r\n\x1a\n".to_vec();
+        bytes.extend(chunk(b"IHDR", &header));
+        bytes.extend(self.extra.concat());
+        bytes.extend(chunk(b"IDAT", &zlib(&data)));
+        bytes.extend(chunk(b"IEND", b""));
+        bytes
+    }
+}
+
+/// One row of these packed samples.
+fn row(width: u32, depth: u8, color: u8, samples: &[u8]) -> Vec<u8> {
+    let (size, rows) = ([width, 1], vec![samples]);
+    Png { size, depth, color, interlaced: false, extra: Vec::new(), rows }.bytes()
+}
+
+/// Law: a grey sample of n bits is `v/(2ⁿ − 1)`. Oracle: the quotient, for every value of few bits.
+#[test]
+fn greys_of_any_depth_load() {
+    let all = |max: u32| (0..=max).map(|v| grey(v, max)).collect::<Vec<_>>();
+    assert_eq!(linear(&row(2, 1, GREY, &[0b0100_0000])), all(1));
+    assert_eq!(linear(&row(4, 2, GREY, &[0b0001_1011])), all(3));
+    let nibbles: Vec<u8> = (0..8).map(|i| 2 * i << 4 | (2 * i + 1)).collect();
+    assert_eq!(linear(&row(16, 4, GREY, &nibbles)), all(15));
+    let bytes: Vec<u8> = (0..=255).collect();
+    assert_eq!(linear(&row(256, 8, GREY, &bytes)), all(255));
+    let sixteen = [0_u16, 1, 255, 256, 40_000, 65_535];
+    let samples: Vec<u8> = sixteen.iter().flat_map(|v| v.to_be_bytes()).collect();
+    let expected: Vec<_> = sixteen.iter().map(|v| grey(u32::from(*v), 65_535)).collect();
+    assert_eq!(linear(&row(6, 16, GREY, &samples)), expected);
+}
+
+/// Law: colours have three samples, and alpha, if there is one, is left out. Oracle: the samples.
+#[test]
+fn colors_load_and_alpha_is_left_out() {
+    let of = |v: [u32; 3], max| v.map(|v| grey(v, max)[0]);
+    let two = [of([10, 20, 30], 255), of([40, 50, 255], 255)];
+    assert_eq!(linear(&row(2, 8, RGB, &[10, 20, 30, 40, 50, 255])), two);
+    assert_eq!(linear(&row(2, 8, RGBA, &[10, 20, 30, 0, 40, 50, 255, 99])), two);
+    assert_eq!(linear(&row(2, 8, GREY_ALPHA, &[7, 0, 9, 255])), [grey(7, 255), grey(9, 255)]);
+    let wide = [0x12, 0x34, 0x56, 0x78, 0x9a, 0xbc];
+    let expected = [of([0x1234, 0x5678, 0x9abc], 65_535)];
+    assert_eq!(linear(&row(1, 16, RGB, &wide)), expected);
+    assert_eq!(linear(&row(1, 16, RGBA, &[&wide[..], &[1, 2]].concat())), expected);
+    assert_eq!(linear(&row(1, 16, GREY_ALPHA, &wide[..4])), [grey(0x1234, 65_535)]);
+}
+
+/// Law: a palette gives its colours, with or without transparency. Oracle: the entries.
+#[test]
+fn palettes_load() {
+    let palette = chunk(b"PLTE", &[255, 0, 0, 0, 128, 0, 1, 2, 3]);
+    let expected =
+        [[1.0, 0.0, 0.0], [1, 2, 3].map(|v| grey(v, 255)[0]), [0.0, grey(128, 255)[0], 0.0]];
+    let transparency = chunk(b"tRNS", &[0, 100]);
+    for extra in [vec![palette.clone()], vec![palette, transparency]] {
+        for (depth, samples) in [(8, &[0_u8, 2, 1][..]), (2, &[0b0010_0100]), (4, &[0x02, 0x10])] {
+            let (color, interlaced) = (PALETTE, false);
+            let extra = extra.clone();
+            let rows = vec![samples];
+            let png = Png { size: [3, 1], depth, color, interlaced, extra, rows };
+            assert_eq!(linear(&png.bytes()), expected, "{depth} bits");
+        }
+    }
+}
+
+/// Law: an interlaced image (Adam7) is the same image. Oracle: the places of the seven passes in 3 × 3
+/// texels: 1, 4, 6 and 7 have rows of their own.
+#[test]
+fn interlaced_images_load() {
+    // 0 1 2
+    // 3 4 5
+    // 6 7 8
+    let rows = vec![&[0_u8][..], &[2], &[6, 8], &[1], &[7], &[3, 4, 5]];
+    let (size, depth, color) = ([3, 3], 8, GREY);
+    let png = Png { size, depth, color, interlaced: true, extra: Vec::new(), rows };
+    let expected: Vec<_> = (0..9).map(|v| grey(v, 255)).collect();
+    assert_eq!(linear(&png.bytes()), expected);
+}
+
+/// Law: with any single bit wrong, or cut off anywhere, a file is refused: every chunk has its checksum.
+/// Oracle: every bit and every prefix.
+#[test]
+fn every_damage_is_found() {
+    let text = chunk(b"tEXt", b"Comment\0by hand");
+    let rows = vec![&[1_u8, 2, 3][..], &[4, 5, 6]];
+    let (size, depth, color, interlaced) = ([3, 2], 8, GREY, false);
+    let whole = Png { size, depth, color, interlaced, extra: vec![text], rows }.bytes();
+    assert_eq!(linear(&whole).len(), 6);
+    for at in 0..whole.len() {
+        for bit in 0..8 {
+            let mut bytes = whole.clone();
+            bytes[at] ^= 1 << bit;
+            refusal(&bytes);
+        }
+        refusal(&whole[..at]);
+    }
+    let mut bytes = whole.clone();
+    let at = bytes.len() - 18;
+    bytes[at] ^= 1;
+    assert_refused("data", &bytes, "the chunk `IDAT` has a wrong checksum (CRC)");
+    assert_refused("cut", &whole[..whole.len() - 12], "the file ends before its last chunk");
+}
+
+/// Law: with right checksums but too few rows, or a size of 0, an image is refused. Oracle: the text.
+#[test]
+fn wrong_counts_are_refused() {
+    let png = |size, rows| {
+        let (depth, color, interlaced) = (8, GREY, false);
+        Png { size, depth, color, interlaced, extra: Vec::new(), rows }.bytes()
+    };
+    assert_refused("too few rows", &png([3, 2], vec![&[1, 2, 3]]), "damaged");
+    assert_refused("no columns", &png([0, 2], vec![]), "0 × 2 texels");
+}
+
+/// Law: claimed texels without number are refused by the header alone. Oracle: the text.
+#[test]
+fn huge_sizes_are_refused_at_once() {
+    for size in [[1_000_000_000, 1], [40_000, 40_000], [0x7fff_ffff; 2]] {
+        let (depth, color, interlaced, rows) = (16, RGBA, false, vec![]);
+        let png = Png { size, depth, color, interlaced, extra: Vec::new(), rows };
+        assert_refused("huge", &png.bytes(), "are too many; at most 1048576 more fit");
+    }
+}

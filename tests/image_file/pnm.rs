@@ -1,0 +1,90 @@
+//! PPM, PGM and PBM.
+
+use super::*;
+
+/// Law: a sample is `v/maxval`, for any maxval, one byte up to 255 and two above, binary or as text.
+/// Oracle: the quotient.
+#[test]
+fn samples_are_divided_by_maxval() {
+    for maxval in [1_u32, 3, 100, 254, 255, 256, 1000, 65_534, 65_535] {
+        let values = [0, 1, maxval / 2, maxval - 1, maxval, maxval / 3];
+        let expected: Vec<_> =
+            values.chunks(3).map(|c| [0, 1, 2].map(|i| grey(c[i], maxval)[0])).collect();
+        let text = values.map(|v| v.to_string()).join(" ");
+        let text = format!("P3\n2 1\n{maxval}\n{text}\n");
+        assert_eq!(linear(text.as_bytes()), expected, "text, maxval {maxval}");
+        let size = if maxval < 256 { 1 } else { 2 };
+        let samples = values.iter().flat_map(|v| v.to_be_bytes()[4 - size..].to_vec());
+        let mut binary = format!("P6\n2 1\n{maxval}\n").into_bytes();
+        binary.extend(samples);
+        assert_eq!(linear(&binary), expected, "binary, maxval {maxval}");
+    }
+}
+
+/// Law: rows come from the top, columns from the left; greys and bits (1 is black) are kept, rows of bits
+/// are padded to bytes. Oracle: the formats' definitions.
+#[test]
+fn greys_and_bits_load() {
+    let four = [0, 50, 100, 200].map(|v| grey(v, 200));
+    assert_eq!(linear(b"P2 2 2 200 0 50 100 200"), four);
+    assert_eq!(linear(b"P5 2 2 200\n\x00\x32\x64\xc8"), four);
+    let texels = decode(b"P2 2 2 200 0 50 100 200", Some(Encoding::Linear), MOST).expect("right");
+    assert_eq!(texels.color(1, 0).to_array(), grey(200, 200), "bottom right");
+    let bits = [1, 0, 1, 0, 0, 1].map(|v| grey(v, 1));
+    assert_eq!(linear(b"P1 3 2 0 1 0 1 1 0"), bits);
+    assert_eq!(linear(b"P1 3 2\n010\n110\n"), bits);
+    assert_eq!(linear(b"P4 3 2\n\x5f\xdf"), bits, "the five bits after a row do not count");
+}
+
+/// Law: comments and any white space may stand between the numbers of a header. Oracle: the same image
+/// without.
+#[test]
+fn comments_in_headers_are_skipped() {
+    let plain = linear(b"P6 1 2 255\n\x01\x02\x03\x04\x05\x06");
+    for header in [
+        "P6\n# made by hand\n1 2\n255\n",
+        "P6 #a\n1 #b\n2\n# c 7 7 7\n\n255\n",
+        "P6\t1\r\n2 \n 255 ",
+    ] {
+        let bytes = [header.as_bytes(), b"\x01\x02\x03\x04\x05\x06"].concat();
+        assert_eq!(linear(&bytes), plain, "{header:?}");
+    }
+}
+
+/// Law: what is cut off anywhere, or has too many bytes, is refused. Oracle: every prefix.
+#[test]
+fn wrong_lengths_are_refused() {
+    let binary = b"P6 2 2 255\nabcdefghijkl";
+    for length in 2..binary.len() {
+        refusal(&binary[..length]);
+    }
+    assert_refused("cut", &binary[..binary.len() - 1], "the file ends before its last texel");
+    let long = [&binary[..], b"m"].concat();
+    assert_refused("too long", &long, "1 bytes are left after 2 × 2 texels");
+    assert_refused("text", b"P3 1 1 255 1 2", "damaged");
+    assert_refused("text", b"P3 1 1 255 1 2 3 4", "are left after");
+    assert_eq!(linear(b"P3 1 1 255 1 2 3 \n\n").len(), 1, "white space may follow");
+}
+
+/// Law: samples above maxval, maxval 0 or above 65535, and sizes of 0 are refused. Oracle: the text.
+#[test]
+fn wrong_numbers_are_refused() {
+    assert_refused("text", b"P3 1 1 100 1 101 3", "found a sample of 101");
+    assert_refused("binary", b"P6 1 1 100\n\x01\x65\x03", "found a sample of 101");
+    assert_refused("two bytes", b"P5 1 1 300\n\x01\x2d", "found a sample of 301");
+    assert_refused("0", b"P6 1 1 0\n\x01\x65\x03", "MAXVAL is zero");
+    assert_refused("65536", b"P6 1 1 65536\n\x01\x65\x03", "MAXVAL exceeds");
+    assert_refused("no columns", b"P6 0 1 255\n", "0 × 1 texels; an image has at least one");
+    assert_refused("a letter", b"P3 1 1 255 a b c", "damaged");
+}
+
+/// Law: a file of claimed texels without number is refused by its header. Oracle: the text, and that it
+/// is no matter of memory.
+#[test]
+fn huge_sizes_are_refused_at_once() {
+    for size in ["1000000000 1", "40000 40000", "4294967295 4294967295", "1048577 1"] {
+        let problem = refusal(format!("P6 {size} 255\n").as_bytes());
+        assert!(problem.contains("too many") || problem.contains("too large"), "{problem}");
+    }
+    assert_refused("more than are left", b"P6 1048577 1 255\n", "at most 1048576 more fit");
+}

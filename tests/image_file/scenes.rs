@@ -1,0 +1,96 @@
+//! Images named by scene files: where errors are, and where files are found.
+
+use std::path::Path;
+
+use groundtruth::scene;
+
+fn folder(name: &str) -> tempfile::TempDir {
+    let folder = tempfile::Builder::new().prefix(name).tempdir_in(env!("CARGO_TARGET_TMPDIR"));
+    let folder = folder.expect("the folder can be made");
+    std::fs::write(folder.path().join("right.ppm"), b"P6 1 1 255\n\x80\x80\x80").expect("written");
+    std::fs::write(folder.path().join("cut.ppm"), b"P6 1 1 255\n\x80\x80").expect("written");
+    let hdr = b"#?RADIANCE\n\n-Y 1 +X 1\n\x80\x80\x80\x81";
+    std::fs::write(folder.path().join("light.hdr"), hdr).expect("written");
+    folder
+}
+
+/// A scene with this background and this colour of its only material.
+fn text(background: &str, color: &str) -> String {
+    format!(
+        "background = {background}\n\
+         [image]\nwidth = 1\nheight = 1\n\
+         [camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nlens = {{ pinhole = {{ distance = 1 }} }}\n\
+         [[materials]]\nname = \"m\"\n\
+         recipe = {{ matte = {{ kd = 1, cd = {color} }} }}\n\
+         [[objects]]\nname = \"o\"\nmaterial = \"m\"\nshape = {{ sphere = {{ center = [0, 0, 0], radius = 1 }} }}\n"
+    )
+}
+
+fn read(folder: &Path, background: &str, color: &str) -> Result<scene::Scene, String> {
+    let path = folder.join("scene.toml");
+    std::fs::write(&path, text(background, color)).expect("written");
+    scene::read(&path).map(|(scene, _)| scene).map_err(|e| e.to_string())
+}
+
+/// A texture inside a texture.
+fn nested(image: &str) -> String {
+    format!("{{ checker3d = {{ color2 = {{ image = {image} }} }} }}")
+}
+
+/// Law: an error of an image says file, line and field, what is wrong with which image, and what to do.
+/// Oracle: the text.
+#[test]
+fn errors_say_file_line_and_field() {
+    let folder = folder("errors");
+    let path = folder.path().join("scene.toml");
+    let spherical = |file: &str| format!("{{ file = \"{file}\", mapping = \"spherical\" }}");
+    let sky = |file: &str| format!("{{ image = {} }}", spherical(file));
+    for (background, color, line, expected) in [
+        (sky("cut.ppm"), "1".into(), 1, "background.image.file: "),
+        (sky("none.ppm"), "1".into(), 1, "background.image.file: "),
+        (
+            "0".into(),
+            nested(&spherical("cut.ppm")),
+            11,
+            "recipe.matte.cd.checker3d.color2.image.file: ",
+        ),
+    ] {
+        let error = read(folder.path(), &background, &color).expect_err("it is damaged");
+        let place = format!("{}:{line}: ", path.display());
+        assert!(error.starts_with(&place), "`{error}` does not begin with `{place}`");
+        assert!(error.contains(expected), "`{error}` does not say `{expected}`");
+    }
+    let error = read(folder.path(), &sky("cut.ppm"), "1").expect_err("it is damaged");
+    assert!(error.contains("cut.ppm: the file ends before its last texel"), "{error}");
+    let srgb = "{ image = { file = \"light.hdr\", encoding = \"srgb\" } }";
+    let error = read(folder.path(), srgb, "1").expect_err("HDR is linear");
+    assert!(error.contains("background.image.encoding: "), "{error}");
+    assert!(error.contains("light.hdr: the numbers of HDR and EXR files are linear"), "{error}");
+    let square = "{ image = { file = \"right.ppm\", mapping = \"square\" } }";
+    let error = read(folder.path(), square, "1").expect_err("a sky is round");
+    assert!(error.contains("`hemispherical`"), "`{error}` does not list the mappings");
+    let folder_itself = "{ image = { file = \".\" } }";
+    let error = read(folder.path(), folder_itself, "1").expect_err("it is a folder");
+    assert!(error.contains("not a file"), "{error}");
+}
+
+/// Law: names are relative to the scene file; made independent of its folder, the scene builds from
+/// anywhere, wherever the image stands: in the sky, or nested in a texture. Oracle: building it in
+/// another folder.
+#[test]
+fn names_are_relative_to_the_scene_until_they_are_made_independent() {
+    let folder = folder("relative");
+    let image = "{ file = \"right.ppm\", mapping = \"spherical\" }";
+    let scene = read(folder.path(), &format!("{{ image = {image} }}"), &nested(image));
+    let scene = scene.expect("both images are beside the scene");
+    let elsewhere = Path::new("/");
+    let build = |scene: &scene::Scene| groundtruth::world::World::build_in(scene, elsewhere);
+    assert!(build(&scene).is_err(), "there is no right.ppm in /");
+    let moved = scene.files_from(folder.path()).expect("it is plain");
+    build(&moved).expect("the names are whole");
+    // nothing else changes: with the folder taken out of the names, the text is the same
+    let text = |scene: &scene::Scene| scene::to_toml(scene).expect("it is plain");
+    let prefix = format!("{}/", folder.path().display());
+    assert_eq!(text(&moved).replace(&prefix, ""), text(&scene));
+    assert_eq!(text(&moved).matches(&prefix).count(), 2, "both are renamed");
+}
