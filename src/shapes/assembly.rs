@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface};
+use super::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
 use crate::math::{Aabb, Ray, Span};
@@ -242,6 +242,11 @@ impl Shape for Assembly {
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
         let (index, within) = self.within(at);
         self.parts[index].shape.uv(&within)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        let (index, within) = self.within(at);
+        self.parts[index].shape.facet(&within)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

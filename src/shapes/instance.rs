@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Candidate, Context, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
+    Candidate, Context, Facet, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
     normal_along,
 };
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths, shown};
@@ -156,6 +156,10 @@ impl Shape for Placed {
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
         self.shape.uv(at)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        self.shape.facet(at)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

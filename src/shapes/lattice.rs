@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::instance::surface_seen_through;
-use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface};
+use super::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, finite_vector};
 use crate::kinds::Specification;
@@ -187,6 +187,10 @@ impl Shape for Built {
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
         self.shape.uv(&self.within(at).1)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        self.shape.facet(&self.within(at).1)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

@@ -97,6 +97,15 @@ impl Surface {
     }
 }
 
+/// A triangle that is hit, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// Its corners, in the coordinates of the innermost shape.
+    pub corners: [Point; 3],
+    /// The barycentric coordinates β and γ of the point: the shares of the second and the third corner.
+    pub barycentric: [f64; 2],
+}
+
 /// Something a ray can hit.
 ///
 /// `t` depends on the ray and the shape alone, never on the span: accelerators rely on it to give
@@ -123,6 +132,11 @@ pub trait Shape: Debug + Send + Sync {
     /// The texture coordinates at a hit, if the surface has any. Asked for only where something
     /// looks at them.
     fn uv(&self, _: &Candidate) -> Option<[f64; 2]> {
+        None
+    }
+
+    /// The triangle that is hit, if it is one. Asked for only where something looks at it.
+    fn facet(&self, _: &Candidate) -> Option<Facet> {
         None
     }
 

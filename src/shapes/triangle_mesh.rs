@@ -7,7 +7,7 @@ use super::sampled::{ByArea, EvenSurface};
 use super::triangle_block::{Block, Blocks};
 use super::vertex_normals::{mean_normals, turn};
 use super::watertight::{self, ShearedRay};
-use super::{Candidate, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
+use super::{Candidate, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
 use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
 use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, exact_cross, maps};
 
@@ -270,6 +270,11 @@ impl Shape for AcceleratedMesh {
         let [a, b, c] = self.mesh.triangles[at.part as usize].map(|vertex| uvs[vertex as usize]);
         let [beta, gamma] = at.parameters;
         Some([0, 1].map(|i| a[i] + beta * (b[i] - a[i]) + gamma * (c[i] - a[i])))
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        let corners = self.mesh.corners(self.mesh.triangles[at.part as usize]);
+        Some(Facet { corners, barycentric: at.parameters })
     }
 
     fn path(&self, at: &Candidate) -> PartPath {
