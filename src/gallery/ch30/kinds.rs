@@ -73,7 +73,13 @@ pub fn checkers() -> Scene {
 
     let (a, b) = (2.0 * Vector::Z, 2.0 * Vector::X);
     let rectangle = Rectangle { corner: point(-1.0, 0.0, -1.0), a, b };
-    let checker = RectangleChecker { color2: gold, lines, ..RectangleChecker::default() };
+    let checker = RectangleChecker {
+        num_horizontal: 8,
+        num_vertical: 6,
+        color2: gold,
+        lines,
+        ..RectangleChecker::default()
+    };
     show(&mut scene, "rectangle", transformed(rectangle, steps(2.2, 0.01, 2.0)), checker);
     show(&mut scene, "ground", ground(0.0), grey(0.5));
     scene

@@ -80,7 +80,7 @@ pub fn cut_cube() -> Scene {
 pub fn row() -> Scene {
     let about =
         "figures 30.2 and 30.4: a solid checker cut by a sphere, cylinder, cone, box and plane";
-    let stand = [point(100.0, 100.0, 300.0), point(0.0, 0.4, 0.0)];
+    let stand = [point(100.0, 100.0, 300.0), point(0.0, 1.0, 0.0)];
     let mut scene = lit(pinhole(about, [880, 300], stand, 12_000.0));
     let paint = |color2: Rgb| checker3d(1.0, Rgb::WHITE, color2);
     // across the line of sight
@@ -100,7 +100,7 @@ pub fn row() -> Scene {
         show(&mut scene, name, moved(shape, by), paint(color2));
     }
     let grey = checker3d(1.0, grey(0.9), grey(0.4));
-    show(&mut scene, "plane", moved(ground(0.0), -1.75 * Vector::Y), grey);
+    show(&mut scene, "plane", ground(0.0), grey);
     scene
 }
 
