@@ -73,11 +73,13 @@ impl Specification for SphereMaterials {
 /// Refuses what belongs to a whole surface.
 fn of_a_checker(material: Arc<dyn Material>) -> Result<Arc<dyn Material>, Invalid> {
     if material.transmits() {
-        let problem = "a transparent material cannot be that of one checker: the media on both sides                        belong to the whole surface";
+        let problem = "a transparent material cannot be that of one checker: the media on both \
+                       sides belong to the whole surface";
         return Err(Invalid::new(problem));
     }
     if material.emission().is_some() {
-        let problem = "an emissive material cannot be that of one checker: a lamp has one emission; use                        `emissive` for the whole, with a `sphere_textures` as its `ce`";
+        let problem = "an emissive material cannot be that of one checker: a lamp has one \
+                       emission; use `emissive` for the whole, with a `sphere_textures` as its `ce`";
         return Err(Invalid::new(problem));
     }
     Ok(material)

@@ -58,11 +58,7 @@ impl Specification for Ramp {
             let problem = format!("found {}, but at least 2 are needed", self.colors.len());
             return Err(Invalid::field("colors", problem));
         }
-        let color = |(i, paint): (usize, &Paint)| {
-            let color = paint.build("", resources);
-            color.map_err(|e| e.inside(i).inside("colors"))
-        };
-        let colors = self.colors.iter().enumerate().map(color).collect::<Result<_, _>>()?;
+        let colors = Paint::build_list(&self.colors, "colors", resources)?;
         Ok(Arc::new(Built { axis: self.axis, from, to, colors, wrap: self.wrap }))
     }
 

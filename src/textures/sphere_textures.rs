@@ -44,11 +44,7 @@ impl Specification for SphereTextures {
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let cells = SphereCells::new(self.num_horizontal, self.num_vertical)?;
         cells.check_list("textures", self.textures.len())?;
-        let texture = |(i, paint): (usize, &Paint)| {
-            let color = paint.build("", resources);
-            color.map_err(|e| e.inside(i).inside("textures"))
-        };
-        let textures = self.textures.iter().enumerate().map(texture).collect::<Result<_, _>>()?;
+        let textures = Paint::build_list(&self.textures, "textures", resources)?;
         Ok(Arc::new(Built { cells, textures, lines: self.lines.build(resources)? }))
     }
 

@@ -190,7 +190,17 @@ fn textures_that_cannot_be_are_refused() {
         (ramp(0.0, 1.0, &[ONE]).into(), "ramp.colors: found 1, but at least 2 are needed"),
         (
             ramp(0.0, 1.0, &[ONE, Rgb::grey(-1.0)]).into(),
-            "ramp.colors[1]: found [-1.0, -1.0, -1.0], but finite numbers of at least 0 are needed",
+            "ramp.colors[1]: found [-1.0, -1.0, -1.0], but a colour of finite numbers of at least 0 is needed",
+        ),
+        (
+            SphereTextures {
+                num_horizontal: 2,
+                num_vertical: 1,
+                textures: vec![ONE.into(), Paint::from(Texture::from(stripes(0.0)))],
+                lines: Lines::default(),
+            }
+            .into(),
+            "sphere_textures.textures[1].stripes.size: found 0, but a positive, finite number is needed",
         ),
         (
             SphereChecker { num_horizontal: 0, ..sphere() }.into(),
