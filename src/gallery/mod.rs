@@ -28,6 +28,7 @@ mod ch26;
 mod ch27;
 mod ch28;
 mod ch29;
+mod ch30;
 
 // shared by the chapters
 pub(crate) mod parts;
@@ -74,6 +75,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch27::SCENES,
         ch28::SCENES,
         ch29::SCENES,
+        ch30::SCENES,
     ]
     .into_iter()
     .flatten()

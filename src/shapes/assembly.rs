@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface};
+use super::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
 use crate::math::{Aabb, Ray, Span};
@@ -246,6 +246,11 @@ impl Shape for Assembly {
 
     fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
         self.parts.iter().any(|part| part.shape.lacks_uv(part.material.map_or(needed, by), by))
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        let (index, within) = self.within(at);
+        self.parts[index].shape.facet(&within)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

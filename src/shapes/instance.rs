@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Candidate, Context, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
+    Candidate, Context, Facet, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
     normal_along,
 };
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths, shown};
@@ -160,6 +160,10 @@ impl Shape for Placed {
 
     fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
         self.shape.lacks_uv(needed, by)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        self.shape.facet(at)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

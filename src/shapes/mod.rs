@@ -96,6 +96,15 @@ impl Surface {
     }
 }
 
+/// A triangle that is hit, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// Its corners, in the coordinates of the innermost shape.
+    pub corners: [Point; 3],
+    /// The barycentric coordinates β and γ of the point: the shares of the second and the third corner.
+    pub barycentric: [f64; 2],
+}
+
 /// Something a ray can hit.
 ///
 /// `t` depends on the ray and the shape alone, never on the span: accelerators rely on it to give
@@ -130,6 +139,11 @@ pub trait Shape: Debug + Send + Sync {
     /// is built.
     fn lacks_uv(&self, needed: bool, _by: &dyn Fn(u32) -> bool) -> bool {
         needed
+    }
+
+    /// The triangle that is hit, if it is one. Asked for only where something looks at it.
+    fn facet(&self, _: &Candidate) -> Option<Facet> {
+        None
     }
 
     /// Through which nested shapes the hit went, and which part of the innermost it is on. Asked for

@@ -7,7 +7,7 @@ use super::sampled::{ByArea, EvenSurface};
 use super::triangle_block::{Block, Blocks};
 use super::vertex_normals::{mean_normals, turn};
 use super::watertight::{self, ShearedRay};
-use super::{Candidate, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
+use super::{Candidate, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
 use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
 use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, exact_cross, maps};
 
@@ -274,6 +274,11 @@ impl Shape for AcceleratedMesh {
 
     fn lacks_uv(&self, needed: bool, _: &dyn Fn(u32) -> bool) -> bool {
         needed && self.mesh.uvs.is_none()
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        let corners = self.mesh.corners(self.mesh.triangles[at.part as usize]);
+        Some(Facet { corners, barycentric: at.parameters })
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

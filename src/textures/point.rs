@@ -1,7 +1,7 @@
 //! Where textures are asked for their colours.
 
 use crate::math::Point;
-use crate::shapes::{Candidate, Shape, Surface};
+use crate::shapes::{Candidate, Facet, Shape, Surface};
 
 /// A point of a surface, with what textures may ask of it: a hit, or a point drawn on a lamp.
 #[derive(Clone, Copy, Debug)]
@@ -50,6 +50,14 @@ impl<'a> TexturePoint<'a> {
         match self.details {
             Details::Known(uv) => uv,
             Details::Of(shape, at) => shape.uv(at),
+        }
+    }
+
+    /// The triangle it is on, if it is on one.
+    pub fn facet(&self) -> Option<Facet> {
+        match self.details {
+            Details::Known(_) => None,
+            Details::Of(shape, at) => shape.facet(at),
         }
     }
 
