@@ -38,9 +38,9 @@ fn from_edges(p: Point, [a, b, c]: [Point; 3]) -> f64 {
 }
 
 fn mesh([a, b, c]: [Point; 3]) -> Mesh {
-    // a triangle elsewhere comes first
-    let far = 10.0 * Vector::Y;
-    let vertices = vec![a + far, b + far, c + far, a, b, c];
+    // another triangle, elsewhere, comes first
+    let far = a + 10.0 * Vector::Y;
+    let vertices = vec![far, far + Vector::X, far + 5.0 * Vector::Y, a, b, c];
     Mesh::of_lists(vertices, vec![[0, 1, 2], [3, 4, 5]])
 }
 
