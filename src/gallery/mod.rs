@@ -27,6 +27,7 @@ mod ch25;
 mod ch26;
 mod ch27;
 mod ch28;
+mod ch31;
 
 // shared by the chapters
 pub(crate) mod parts;
@@ -72,6 +73,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch26::SCENES,
         ch27::SCENES,
         ch28::SCENES,
+        ch31::SCENES,
     ]
     .into_iter()
     .flatten()

@@ -16,6 +16,7 @@ mod intersect;
 mod light;
 mod lobe;
 mod map;
+mod noise;
 mod occluded;
 mod project;
 mod radiance;
@@ -99,6 +100,7 @@ questions! {
     fresnel::Fresnel,
     light::Light,
     texture::Texture,
+    noise::Noise,
     transform::Transform,
     grid::Grid,
     radiance::Radiance,

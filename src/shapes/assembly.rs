@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
-use crate::math::{Aabb, Ray, Span};
+use crate::math::{Aabb, Ray, Span, Transform, Vector};
 
 /// Up to this many parts are tried one after the other unless the scene says how.
 const FEW: usize = 8;
@@ -242,6 +242,17 @@ impl Shape for Assembly {
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
         let (index, within) = self.within(at);
         self.parts[index].shape.uv(&within)
+    }
+
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        let (index, within) = self.within(at);
+        let moved = self.parts[index].shape.beside(&within, by);
+        Candidate { leaf: at.leaf, ..moved }
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        let (index, within) = self.within(at);
+        self.parts[index].shape.texture_space(&within)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

@@ -3,15 +3,25 @@
 
 mod checker3d;
 mod constant;
+mod fbm;
 mod image;
 mod plane_checker;
+mod ramp_fbm;
 mod random_colors;
+mod three_colors;
+mod turbulence;
+mod two_colors;
+mod wood;
+mod wrapped_fbm;
+mod wrapped_ramp;
 
 // shared by the kinds
 mod amount;
 mod mapping;
+mod noise_field;
 mod paint;
 mod point;
+mod ramp;
 mod sampling;
 
 use std::fmt::Debug;
@@ -23,6 +33,7 @@ pub use amount::{Amount, Value};
 pub use mapping::Mapping;
 pub use paint::{Color, Paint};
 pub use point::TexturePoint;
+pub use ramp::Ramp;
 pub use sampling::{Filtering, Rule, Wrap};
 
 /// A colour for each point of a surface. Contract: `tests/contracts/texture.rs`.
@@ -56,5 +67,13 @@ crate::kinds! {
     ch29 image::Image,
     ch30 checker3d::Checker3d,
     ch30 plane_checker::PlaneChecker,
+    ch31 fbm::Fbm,
+    ch31 turbulence::Turbulence,
+    ch31 wrapped_fbm::WrappedFbm,
+    ch31 two_colors::TwoColors,
+    ch31 three_colors::ThreeColors,
+    ch31 ramp_fbm::RampFbm,
+    ch31 wrapped_ramp::WrappedRamp,
+    ch31 wood::Wood,
     ch22 random_colors::RandomColors,
 }

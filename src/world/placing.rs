@@ -97,13 +97,15 @@ pub(super) fn placed_materials(
     let mut placed = |(index, material): (usize, &scene::Material)| {
         let here = item("materials", index, &material.name);
         let recipe = material.recipe.build(resources).map_err(|e| here(e.inside("recipe")))?;
+        let bump = material.bump.as_ref().map(|bump| bump.build(resources)).transpose();
+        let bump = bump.map_err(|e| here(e.inside("bump")))?;
         if material.two_sided && recipe.transmits() {
             let problem = "a transparent material must know its inside and cannot be two-sided";
             return Err(here(Invalid::field("two_sided", problem)));
         }
         let (name, place) = (material.name.clone(), index as u32);
         let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
-        Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows })
+        Ok(PlacedMaterial { name, place, two_sided, recipe, bump, casts_shadows })
     };
     scene.materials.iter().enumerate().map(&mut placed).collect()
 }
