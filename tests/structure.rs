@@ -14,12 +14,14 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("invalid", &["math"]),
     ("rgb", &["invalid", "math"]),
     ("kinds", &["invalid", "kinds", "rgb"]),
+    ("noise", &["invalid", "math", "samplers"]),
+    ("bumps", &["invalid", "kinds", "math", "noise", "resources", "textures"]),
     ("mesh_file", &[]),
     ("accel", &["math", "shapes"]),
     ("shapes", &["accel", "invalid", "kinds", "math", "mesh_file"]),
     ("samplers", &["invalid", "kinds", "math"]),
     ("lobes", &["invalid", "kinds", "math", "rgb", "samplers"]),
-    ("textures", &["invalid", "kinds", "math", "rgb", "shapes"]),
+    ("textures", &["images", "invalid", "kinds", "math", "noise", "resources", "rgb", "shapes"]),
     ("materials", &["emission", "invalid", "kinds", "lobes", "math", "rgb", "shapes", "textures"]),
     ("emission", &["rgb", "shapes", "textures"]),
     (
@@ -35,6 +37,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         &[
             "accel",
             "background",
+            "bumps",
             "cameras",
             "film",
             "filters",
@@ -54,16 +57,19 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         &[
             "accel",
             "background",
+            "bumps",
             "cameras",
             "filters",
             "invalid",
             "lights",
             "materials",
             "math",
+            "resources",
             "rgb",
             "samplers",
             "scene",
             "shapes",
+            "textures",
         ],
     ),
     (
@@ -78,6 +84,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         &[
             "accel",
             "background",
+            "bumps",
             "cameras",
             "film",
             "filters",
@@ -86,6 +93,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "lobes",
             "materials",
             "math",
+            "noise",
             "rgb",
             "samplers",
             "scene",
@@ -106,8 +114,10 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "lobes",
             "materials",
             "math",
+            "noise",
             "ray_budget",
             "render",
+            "resources",
             "rgb",
             "samplers",
             "scene",
@@ -161,8 +171,17 @@ const MAY_NAME: &[(&str, &[&str])] = &[
 ];
 
 /// The folders whose files are kinds of something.
-const KINDS: [&str; 8] =
-    ["shapes", "lobes", "materials", "lights", "samplers", "cameras", "textures", "filters"];
+const KINDS: [&str; 9] = [
+    "shapes",
+    "lobes",
+    "materials",
+    "lights",
+    "samplers",
+    "cameras",
+    "textures",
+    "filters",
+    "bumps",
+];
 
 fn sources() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")

@@ -106,8 +106,7 @@ impl Specification for ThreeColors {
 
     fn specimens() -> Vec<Self> {
         let noise = Noise { lacunarity: 4.0, ..Noise::of_octaves(4) };
-        let colors =
-            [Rgb::new(1.0, 0.75, 0.0), Rgb::new(0.5, 0.0, 0.5), Rgb::new(0.0, 0.6, 0.3)];
+        let colors = [Rgb::new(1.0, 0.75, 0.0), Rgb::new(0.5, 0.0, 0.5), Rgb::new(0.0, 0.6, 0.3)];
         vec![Self::new(noise, 0.75, 3.25, colors.map(Paint::from))]
     }
 }

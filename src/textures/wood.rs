@@ -56,8 +56,8 @@ impl Default for Wood {
         Self {
             noise: Noise { lacunarity: 4.0, ..Noise::of_octaves(2) },
             size: 1.0,
-            light: Rgb::new(0.6, 0.34, 0.14).into(),
-            dark: Rgb::new(0.2, 0.08, 0.03).into(),
+            light: Rgb::new(0.85, 0.55, 0.28).into(),
+            dark: Rgb::new(0.3, 0.12, 0.04).into(),
             ring_frequency: 4.0,
             ring_unevenness: 0.25,
             ring_noise: 0.02,

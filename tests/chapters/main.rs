@@ -39,4 +39,5 @@ mod ch26;
 mod ch27;
 mod ch28;
 mod ch30;
+mod ch31;
 mod pictures;

@@ -62,7 +62,7 @@ fn cut_cube(about: &str, paint: impl Into<Paint>) -> Scene {
 
 pub fn of_wood() -> Scene {
     let about = "the cut cube of figure 30.1 in wood: rings on top, grain along the sides";
-    cut_cube(about, Wood { size: 1.5, ..Wood::default() })
+    cut_cube(about, Wood::default())
 }
 
 pub fn of_sandstone() -> Scene {

@@ -47,9 +47,7 @@ pub fn four_sandstones() -> Scene {
         let noise = Noise::of_octaves(4);
         Paint::from(RampFbm { ramp, noise, size: 0.1, perturbation: 0.05 / 0.1 })
     });
-    let ball = || {
-        texture_stretched(sphere(Point::ORIGIN, 3.0), vector(1.0, 2.0, 1.0), 110.0)
-    };
+    let ball = || texture_stretched(sphere(Point::ORIGIN, 3.0), vector(1.0, 2.0, 1.0), 110.0);
     four(&mut scene, 3.0, ball, paints);
     scene
 }

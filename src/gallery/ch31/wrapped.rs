@@ -94,18 +94,12 @@ pub fn ramp() -> Scene {
         size: 1.5,
         expansion: 8.0,
     };
-    let bumpy = TessellatedSphere {
-        radius: 2.2,
-        bumps: 0.1,
-        ..TessellatedSphere::new(128, 64, true)
-    };
+    let bumpy =
+        TessellatedSphere { radius: 2.2, bumps: 0.1, ..TessellatedSphere::new(128, 64, true) };
     add(&mut scene, "pebble", moved(bumpy, vector(-2.9, 0.0, 0.0)), dull(agate.clone()));
     let ring = transformed(
         Torus { swept_radius: 1.7, tube_radius: 0.75, inward: false },
-        vec![
-            crate::math::Step::RotateX(50.0),
-            crate::math::Step::Translate(vector(2.9, 0.0, 0.0)),
-        ],
+        vec![crate::math::Step::RotateX(50.0), crate::math::Step::Translate(vector(2.9, 0.0, 0.0))],
     );
     add(&mut scene, "ring", ring, dull(agate));
     scene
