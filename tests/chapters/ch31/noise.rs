@@ -167,6 +167,20 @@ fn tables_are_made_of_their_seed() {
     assert!(fixed < 10, "{fixed} of 256 entries stay; 1 is expected");
 }
 
+/// Law: the tables are made as `docs/probe.md` says, so that others can make them too. Oracle: those words.
+#[test]
+fn tables_are_made_as_the_probes_page_says() {
+    let lattice = Lattice::new(253);
+    let mut random = Pcg32::new(253, 0);
+    assert!(lattice.values().iter().all(|&value| value == 1.0 - 2.0 * random.uniform()));
+    let mut permutation: Vec<u8> = (0..=255).collect();
+    let mut random = Pcg32::new(31, 0);
+    for last in (1..256).rev() {
+        permutation.swap(last, random.below(last as u32 + 1) as usize);
+    }
+    assert_eq!(permutation, lattice.permutation());
+}
+
 /// Law: the vectors are unit and evenly spread: of the 16 bands of equal height and the 16 sectors of
 /// equal angle each has 16, as multi-jittered samples do, and they add up to about nothing.
 #[test]
