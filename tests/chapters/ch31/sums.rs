@@ -1,6 +1,6 @@
 //! Octaves added up: fractal sum, turbulence, fBm, their bounds.
 
-use groundtruth::math::Point;
+use groundtruth::math::{Pcg32, Point};
 use groundtruth::noise::{MOST_OCTAVES, Noise};
 use proptest::prelude::*;
 
@@ -127,4 +127,27 @@ fn bad_noises_are_refused() {
         let problem = noise.build().expect_err("it is no noise").to_string();
         assert_eq!(problem, message);
     }
+}
+
+/// Law: a sum as large as it can be is 1 to the last bit, and one as small as it can be 0, for any gain and
+/// number of octaves. Oracle: points where cubic noise is clamped, with lacunarity 1, so that every octave is
+/// 1 there, or −1. (A bound by the closed form is off by roundings.)
+#[test]
+fn a_sum_at_its_bound_is_exactly_1_or_0() {
+    let one = built(Noise::default());
+    let mut random = Pcg32::new(31, 4);
+    let mut ends = [0, 0];
+    for _ in 0..30_000 {
+        let p = Point::from([(); 3].map(|()| 200.0 * random.uniform()));
+        let value = one.value(p);
+        if value.abs() < 1.0 {
+            continue;
+        }
+        let (gain, octaves) = (3.0 * random.uniform() + 0.01, 2 + random.below(30));
+        let noise = built(Noise { gain, lacunarity: 1.0, ..Noise::of_octaves(octaves) });
+        let expected = if value > 0.0 { 1.0 } else { 0.0 };
+        assert_eq!(noise.value_fbm(p), expected, "gain {gain}, {octaves} octaves at {p:?}");
+        ends[usize::from(value > 0.0)] += 1;
+    }
+    assert!(ends[0] > 10 && ends[1] > 10, "the bounds were met {ends:?} times");
 }
