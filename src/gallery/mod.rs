@@ -29,6 +29,7 @@ mod ch27;
 mod ch28;
 mod ch29;
 mod ch30;
+mod ch31;
 
 // shared by the chapters
 pub(crate) mod parts;
@@ -76,6 +77,7 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch28::SCENES,
         ch29::SCENES,
         ch30::SCENES,
+        ch31::SCENES,
     ]
     .into_iter()
     .flatten()

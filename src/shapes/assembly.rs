@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
-use crate::math::{Aabb, Ray, Span};
+use crate::math::{Aabb, Ray, Span, Transform, Vector};
 
 /// Up to this many parts are tried one after the other unless the scene says how.
 const FEW: usize = 8;
@@ -251,6 +251,17 @@ impl Shape for Assembly {
     fn facet(&self, at: &Candidate) -> Option<Facet> {
         let (index, within) = self.within(at);
         self.parts[index].shape.facet(&within)
+    }
+
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        let (index, within) = self.within(at);
+        let moved = self.parts[index].shape.beside(&within, by);
+        Candidate { leaf: at.leaf, ..moved }
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        let (index, within) = self.within(at);
+        self.parts[index].shape.texture_space(&within)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

@@ -166,6 +166,22 @@ impl Shape for Placed {
         self.shape.facet(at)
     }
 
+    /// With a texture that stays in place, what is local is this instance's outside.
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        if self.transform_texture {
+            return self.shape.beside(at, by);
+        }
+        let whole = self.transform.after(&self.shape.texture_space(at));
+        self.shape.beside(at, whole.inverse().vector(by))
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        match self.transform_texture {
+            true => self.transform.after(&self.shape.texture_space(at)),
+            false => Transform::IDENTITY,
+        }
+    }
+
     fn path(&self, at: &Candidate) -> PartPath {
         self.shape.path(at).inside(Level::Instance {})
     }

@@ -197,6 +197,17 @@ impl Shape for Built {
         self.shape.facet(&self.within(at).1)
     }
 
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        let moved = self.shape.beside(&self.within(at).1, by);
+        Candidate { leaf: at.leaf, ..moved }
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        let (copy, within) = self.within(at);
+        let place = Transform::translation(self.places.shift(copy));
+        place.after(&self.shape.texture_space(&within))
+    }
+
     fn path(&self, at: &Candidate) -> PartPath {
         let (copy, within) = self.within(at);
         self.shape.path(&within).inside(Level::Copy(self.places.indices(copy)))

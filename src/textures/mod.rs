@@ -6,21 +6,31 @@ mod cone_checker;
 mod constant;
 mod cylinder_checker;
 mod disk_checker;
+mod fbm;
 mod image;
 mod plane_checker;
 mod ramp;
+mod ramp_fbm;
 mod random_colors;
 mod rectangle_checker;
 mod sphere_checker;
 mod sphere_textures;
 mod stripes;
 mod texture_instance;
+mod three_colors;
+mod turbulence;
+mod two_colors;
 mod wireframe;
+mod wood;
+mod wrapped_fbm;
+mod wrapped_ramp;
 
 // shared by the kinds
 mod amount;
 mod cells;
+mod color_table;
 mod mapping;
+mod noise_field;
 mod paint;
 mod point;
 mod sampling;
@@ -33,6 +43,7 @@ use crate::rgb::Rgb;
 
 pub use amount::{Amount, Value};
 pub use cells::Lines;
+pub use color_table::ColorTable;
 pub use mapping::Mapping;
 pub use paint::{Color, Paint};
 pub use point::TexturePoint;
@@ -81,5 +92,13 @@ crate::kinds! {
     ch30 wireframe::Wireframe,
     ch30 sphere_textures::SphereTextures,
     ch30 texture_instance::TextureInstance,
+    ch31 fbm::Fbm,
+    ch31 turbulence::Turbulence,
+    ch31 wrapped_fbm::WrappedFbm,
+    ch31 two_colors::TwoColors,
+    ch31 three_colors::ThreeColors,
+    ch31 ramp_fbm::RampFbm,
+    ch31 wrapped_ramp::WrappedRamp,
+    ch31 wood::Wood,
     ch22 random_colors::RandomColors,
 }
