@@ -10,10 +10,11 @@
 //! can say.
 //!
 //! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
-//! lights, cameras, samplers, filters → lobes, textures → accel ⇄ shapes → math`.
+//! lights, cameras, samplers, filters, bumps → lobes, textures → noise, accel ⇄ shapes → math`.
 
 pub mod accel;
 pub mod background;
+pub mod bumps;
 pub mod cameras;
 pub mod emission;
 pub mod explain;
@@ -28,6 +29,7 @@ pub mod lobes;
 pub mod materials;
 pub mod math;
 pub mod mesh_file;
+pub mod noise;
 pub mod probe;
 pub mod ray_budget;
 pub mod reference;

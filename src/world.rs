@@ -1,5 +1,6 @@
 //! A scene checked and built: immutable, shared by all threads, ready to be traced.
 
+mod bumped;
 mod placing;
 
 use std::path::Path;
@@ -9,6 +10,7 @@ use placing::{placed_lights, placed_materials, placed_objects};
 
 use crate::accel::{Accel, Method, Primitives};
 use crate::background::Sky;
+use crate::bumps::Bump;
 use crate::cameras::View;
 use crate::filters::Filter;
 use crate::invalid::{Invalid, positive, shown};
@@ -82,6 +84,8 @@ pub struct PlacedMaterial {
     pub two_sided: bool,
     /// What it is made of.
     pub recipe: Arc<dyn Material>,
+    /// What turns its normals, if anything does.
+    pub bump: Option<Arc<dyn Bump>>,
     casts_shadows: bool,
     /// Whether it asks for the texture coordinates of the surface itself.
     needs_uv: bool,

@@ -174,7 +174,7 @@ const ERRORS: &[(&[&str], &str)] = &[
         &["list", "ch99"],
         "error: no scenes of a chapter `ch99`; the chapters are: ch03, ch04, ch05, ch06, ch08, ch09, \
          ch10, ch11, ch12, ch14, ch15, ch16, ch17, ch18, ch19, ch20, ch21, ch22, ch23, ch24, ch25, ch26, \
-         ch27, ch28, ch29",
+         ch27, ch28, ch29, ch30, ch31",
     ),
     (
         &["export", "ch03/single-sphere", "-o", "no/a.toml"],

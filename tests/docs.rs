@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use groundtruth::{cameras, filters, lights, lobes, materials, samplers, shapes, textures};
+use groundtruth::{bumps, cameras, filters, lights, lobes, materials, samplers, shapes, textures};
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -70,6 +70,7 @@ fn every_kind_is_in_the_map_of_the_book() {
     lobes::Lobe::ENTRIES.iter().for_each(|e| check("lobes", e.module));
     materials::Kind::ENTRIES.iter().for_each(|e| check("materials", e.module));
     textures::Kind::ENTRIES.iter().for_each(|e| check("textures", e.module));
+    bumps::Kind::ENTRIES.iter().for_each(|e| check("bumps", e.module));
 }
 
 #[test]

@@ -10,7 +10,7 @@ use groundtruth::scene::Scene;
 use groundtruth::scene::vocabulary::Definition;
 use groundtruth::textures;
 use groundtruth::{
-    cameras, filters, gallery, lights, materials, reference, samplers, scene, shapes,
+    bumps, cameras, filters, gallery, lights, materials, reference, samplers, scene, shapes,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -53,6 +53,7 @@ fn for_each_specimen(mut check: impl FnMut(&'static str, Value, &dyn Fn(Value) -
     list("CameraKind", cameras::Kind::ENTRIES, &mut check);
     list("SamplerKind", samplers::Kind::ENTRIES, &mut check);
     list("FilterKind", filters::Kind::ENTRIES, &mut check);
+    list("BumpKind", bumps::Kind::ENTRIES, &mut check);
 }
 
 fn validator(definition: Option<&str>) -> jsonschema::Validator {

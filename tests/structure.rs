@@ -14,12 +14,14 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("invalid", &["math"]),
     ("rgb", &["invalid", "math"]),
     ("kinds", &["invalid", "kinds", "rgb"]),
+    ("noise", &["invalid", "math", "samplers"]),
+    ("bumps", &["invalid", "kinds", "math", "noise", "resources", "textures"]),
     ("mesh_file", &[]),
     ("accel", &["math", "shapes"]),
     ("shapes", &["accel", "invalid", "kinds", "math", "mesh_file"]),
     ("samplers", &["invalid", "kinds", "math"]),
     ("lobes", &["invalid", "kinds", "math", "rgb", "samplers"]),
-    ("textures", &["invalid", "kinds", "math", "rgb", "shapes"]),
+    ("textures", &["images", "invalid", "kinds", "math", "noise", "resources", "rgb", "shapes"]),
     ("materials", &["emission", "invalid", "kinds", "lobes", "math", "rgb", "shapes", "textures"]),
     ("emission", &["rgb", "shapes", "textures"]),
     (
@@ -37,6 +39,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         &[
             "accel",
             "background",
+            "bumps",
             "cameras",
             "film",
             "filters",
@@ -56,16 +59,19 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         &[
             "accel",
             "background",
+            "bumps",
             "cameras",
             "filters",
             "invalid",
             "lights",
             "materials",
             "math",
+            "resources",
             "rgb",
             "samplers",
             "scene",
             "shapes",
+            "textures",
         ],
     ),
     (
@@ -80,6 +86,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         &[
             "accel",
             "background",
+            "bumps",
             "cameras",
             "film",
             "filters",
@@ -88,6 +95,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "lobes",
             "materials",
             "math",
+            "noise",
             "rgb",
             "samplers",
             "scene",
@@ -108,8 +116,10 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "lobes",
             "materials",
             "math",
+            "noise",
             "ray_budget",
             "render",
+            "resources",
             "rgb",
             "samplers",
             "scene",
@@ -163,8 +173,17 @@ const MAY_NAME: &[(&str, &[&str])] = &[
 ];
 
 /// The folders whose files are kinds of something.
-const KINDS: [&str; 8] =
-    ["shapes", "lobes", "materials", "lights", "samplers", "cameras", "textures", "filters"];
+const KINDS: [&str; 9] = [
+    "shapes",
+    "lobes",
+    "materials",
+    "lights",
+    "samplers",
+    "cameras",
+    "textures",
+    "filters",
+    "bumps",
+];
 
 fn sources() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")

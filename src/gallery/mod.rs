@@ -28,6 +28,8 @@ mod ch26;
 mod ch27;
 mod ch28;
 mod ch29;
+mod ch30;
+mod ch31;
 
 // shared by the chapters
 pub(crate) mod parts;
@@ -74,6 +76,8 @@ pub fn scenes() -> impl Iterator<Item = Entry> {
         ch27::SCENES,
         ch28::SCENES,
         ch29::SCENES,
+        ch30::SCENES,
+        ch31::SCENES,
     ]
     .into_iter()
     .flatten()

@@ -9,6 +9,7 @@ mod glossy_reflector;
 mod matte;
 mod phong;
 mod reflective;
+mod sphere_materials;
 mod transparent;
 
 use std::fmt::Debug;
@@ -136,4 +137,5 @@ crate::kinds! {
     ch25 glossy_reflector::GlossyReflector,
     ch27 transparent::Transparent,
     ch28 dielectric::Dielectric,
+    ch30 sphere_materials::SphereMaterials,
 }

@@ -17,6 +17,7 @@ mod light;
 mod lobe;
 mod map;
 mod mapping;
+mod noise;
 mod occluded;
 mod project;
 mod radiance;
@@ -101,6 +102,7 @@ questions! {
     light::Light,
     texture::Texture,
     mapping::Mapping,
+    noise::Noise,
     transform::Transform,
     grid::Grid,
     radiance::Radiance,

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use crate::background::Background;
 use crate::cameras::{ViewPlane, Viewpoint};
 use crate::film::OutOfGamut;
-use crate::{accel, filters, kinds, lights, materials, samplers, shapes};
+use crate::{accel, bumps, filters, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
 pub use file::{Source, from_toml, open, read, to_toml};
@@ -127,6 +127,10 @@ pub struct Material {
     pub casts_shadows: bool,
     /// What kind of material it is.
     pub recipe: materials::Kind,
+    /// What turns its normals, so that it looks rough. Refraction and the mirrors of glass go by the
+    /// true normal, as on smooth meshes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bump: Option<bumps::Kind>,
 }
 
 /// An object and its switches.
@@ -196,7 +200,7 @@ impl Material {
     /// A one-sided material.
     pub fn new(name: &str, recipe: impl Into<materials::Kind>) -> Self {
         let (name, recipe) = (name.to_owned(), recipe.into());
-        Self { name, two_sided: false, casts_shadows: true, recipe }
+        Self { name, two_sided: false, casts_shadows: true, recipe, bump: None }
     }
 }
 
@@ -239,6 +243,7 @@ impl Scene {
         }
         for material in &mut scene.materials {
             material.recipe = material.recipe.scaled(factor);
+            material.bump = material.bump.as_ref().map(|bump| bump.scaled(factor));
         }
         for object in &mut scene.objects {
             object.shape = object.shape.scaled(factor);

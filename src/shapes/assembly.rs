@@ -8,10 +8,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface};
+use super::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
-use crate::math::{Aabb, Ray, Span};
+use crate::math::{Aabb, Ray, Span, Transform, Vector};
 
 /// Up to this many parts are tried one after the other unless the scene says how.
 const FEW: usize = 8;
@@ -246,6 +246,22 @@ impl Shape for Assembly {
 
     fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
         self.parts.iter().any(|part| part.shape.lacks_uv(part.material.map_or(needed, by), by))
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        let (index, within) = self.within(at);
+        self.parts[index].shape.facet(&within)
+    }
+
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        let (index, within) = self.within(at);
+        let moved = self.parts[index].shape.beside(&within, by);
+        Candidate { leaf: at.leaf, ..moved }
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        let (index, within) = self.within(at);
+        self.parts[index].shape.texture_space(&within)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

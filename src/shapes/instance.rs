@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Candidate, Context, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
+    Candidate, Context, Facet, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
     normal_along,
 };
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths, shown};
@@ -160,6 +160,26 @@ impl Shape for Placed {
 
     fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
         self.shape.lacks_uv(needed, by)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        self.shape.facet(at)
+    }
+
+    /// With a texture that stays in place, what is local is this instance's outside.
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        if self.transform_texture {
+            return self.shape.beside(at, by);
+        }
+        let whole = self.transform.after(&self.shape.texture_space(at));
+        self.shape.beside(at, whole.inverse().vector(by))
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        match self.transform_texture {
+            true => self.transform.after(&self.shape.texture_space(at)),
+            false => Transform::IDENTITY,
+        }
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::instance::surface_seen_through;
-use super::{Candidate, Context, Kind, Level, PartPath, Shape, Surface};
+use super::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, finite_vector};
 use crate::kinds::Specification;
@@ -191,6 +191,21 @@ impl Shape for Built {
 
     fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
         self.shape.lacks_uv(needed, by)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        self.shape.facet(&self.within(at).1)
+    }
+
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        let moved = self.shape.beside(&self.within(at).1, by);
+        Candidate { leaf: at.leaf, ..moved }
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        let (copy, within) = self.within(at);
+        let place = Transform::translation(self.places.shift(copy));
+        place.after(&self.shape.texture_space(&within))
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

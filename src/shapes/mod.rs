@@ -12,7 +12,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use crate::invalid::{Invalid, LENGTHS, lengths, shown};
-use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector};
 
 /// A hit that may turn out not to be the nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,6 +96,15 @@ impl Surface {
     }
 }
 
+/// A triangle that is hit, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// Its corners, in the coordinates of the innermost shape.
+    pub corners: [Point; 3],
+    /// The barycentric coordinates β and γ of the point: the shares of the second and the third corner.
+    pub barycentric: [f64; 2],
+}
+
 /// Something a ray can hit.
 ///
 /// `t` depends on the ray and the shape alone, never on the span: accelerators rely on it to give
@@ -130,6 +139,24 @@ pub trait Shape: Debug + Send + Sync {
     /// is built.
     fn lacks_uv(&self, needed: bool, _by: &dyn Fn(u32) -> bool) -> bool {
         needed
+    }
+
+    /// The triangle that is hit, if it is one. Asked for only where something looks at it.
+    fn facet(&self, _: &Candidate) -> Option<Facet> {
+        None
+    }
+
+    /// The hit moved by a short vector along the surface, in the coordinates of [`Surface::local`], for
+    /// [`Shape::uv`] there; shapes without texture coordinates leave it where it is. Asked for only
+    /// where a slope is measured.
+    fn beside(&self, at: &Candidate, _: Vector) -> Candidate {
+        *at
+    }
+
+    /// The map from the coordinates of [`Surface::local`] to those of [`Surface::point`] at a hit. Asked
+    /// for only where a bump turns the normal.
+    fn texture_space(&self, _: &Candidate) -> Transform {
+        Transform::IDENTITY
     }
 
     /// Through which nested shapes the hit went, and which part of the innermost it is on. Asked for

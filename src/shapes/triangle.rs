@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::sampled::{ByArea, EvenSurface};
 use super::{
-    Candidate, Context, SampledSurface, Sampling, Shape, Surface, size_problem, watertight,
+    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, size_problem, watertight,
 };
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
@@ -100,6 +100,10 @@ impl Shape for Built {
 
     fn surface(&self, _: &Ray, at: &Candidate) -> Surface {
         self.surface_at(at.parameters)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        Some(Facet { corners: self.vertices, barycentric: at.parameters })
     }
 
     fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {

@@ -7,9 +7,9 @@ use super::sampled::{ByArea, EvenSurface};
 use super::triangle_block::{Block, Blocks};
 use super::vertex_normals::{mean_normals, turn};
 use super::watertight::{self, ShearedRay};
-use super::{Candidate, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
+use super::{Candidate, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
 use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
-use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, exact_cross, maps};
+use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, Vector, exact_cross, maps};
 
 /// Triangles on shared vertices. Triangles of area zero are left out: no ray meets them.
 #[derive(Clone, Debug)]
@@ -274,6 +274,22 @@ impl Shape for AcceleratedMesh {
 
     fn lacks_uv(&self, needed: bool, _: &dyn Fn(u32) -> bool) -> bool {
         needed && self.mesh.uvs.is_none()
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        let corners = self.mesh.corners(self.mesh.triangles[at.part as usize]);
+        Some(Facet { corners, barycentric: at.parameters })
+    }
+
+    /// The barycentric coordinates are linear in the plane of the triangle, also beyond its edges:
+    /// `by = β (b − a) + γ (c − a)`, solved with the normal `N = (b − a) × (c − a)`.
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        let [a, b, c] = self.mesh.corners(self.mesh.triangles[at.part as usize]);
+        let normal = exact_cross(a, b, c);
+        let [beta, gamma] = at.parameters;
+        let square = normal.length_squared();
+        let moved = [by.cross(c - a), (b - a).cross(by)].map(|part| part.dot(normal) / square);
+        Candidate { parameters: [beta + moved[0], gamma + moved[1]], ..*at }
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

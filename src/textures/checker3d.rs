@@ -5,6 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::cells::{self, OFFSET, is_even};
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
@@ -25,18 +26,9 @@ pub struct Checker3d {
     #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
     /// The colour of its neighbours.
-    #[serde(default = "half_grey")]
+    #[serde(default = "cells::half_grey")]
     pub color2: Paint,
 }
-
-fn half_grey() -> Paint {
-    Rgb::grey(0.5).into()
-}
-
-/// The book's odd offset, added before rounding down, so that a face that lies on a border of cubes has
-/// one colour. Here it is a fraction of the size: the book's absolute one would not scale with the
-/// scene.
-const OFFSET: f64 = -0.000_187_453_738;
 
 #[derive(Debug)]
 struct Built {
@@ -75,8 +67,7 @@ impl Specification for Checker3d {
 impl Texture for Built {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let cell = |x: f64| floor(x / self.size + OFFSET);
-        let parity: f64 = at.local.to_array().into_iter().map(cell).sum();
-        // Euclidean: the remainder of a negative number is not negative
-        if parity.rem_euclid(2.0) == 0.0 { self.color1.at(at) } else { self.color2.at(at) }
+        let sum = at.local.to_array().into_iter().map(cell).sum();
+        if is_even(sum) { self.color1.at(at) } else { self.color2.at(at) }
     }
 }

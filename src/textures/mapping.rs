@@ -57,18 +57,18 @@ impl Mapping {
 }
 
 /// The angle from +z towards +x about the y axis, from 0 to 1 for a whole turn.
-fn around(x: f64, z: f64) -> f64 {
+pub(super) fn around(x: f64, z: f64) -> f64 {
     let phi = atan2(x, z);
     (if phi < 0.0 { phi + TAU } else { phi }) / TAU
 }
 
 /// The angle to an axis, `acos` of the book, of any radius: `atan2` needs no clamp and is exact beside
 /// the axis.
-fn from_axis(a: f64, b: f64, along: f64) -> f64 {
+pub(super) fn from_axis(a: f64, b: f64, along: f64) -> f64 {
     atan2(distance(a, b), along)
 }
 
-fn distance(a: f64, b: f64) -> f64 {
+pub(super) fn distance(a: f64, b: f64) -> f64 {
     (a * a + b * b).sqrt()
 }
 

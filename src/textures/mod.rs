@@ -2,17 +2,39 @@
 //! material may be one.
 
 mod checker3d;
+mod cone_checker;
 mod constant;
+mod cylinder_checker;
+mod disk_checker;
+mod fbm;
 mod image;
 mod plane_checker;
+mod ramp;
+mod ramp_fbm;
 mod random_colors;
+mod rectangle_checker;
+mod sphere_checker;
+mod sphere_textures;
+mod stripes;
+mod texture_instance;
+mod three_colors;
+mod turbulence;
+mod two_colors;
+mod wireframe;
+mod wood;
+mod wrapped_fbm;
+mod wrapped_ramp;
 
 // shared by the kinds
 mod amount;
+mod cells;
+mod color_table;
 mod mapping;
+mod noise_field;
 mod paint;
 mod point;
 mod sampling;
+mod sphere_cells;
 
 use std::fmt::Debug;
 
@@ -20,11 +42,14 @@ use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 pub use amount::{Amount, Value};
+pub use cells::Lines;
+pub use color_table::ColorTable;
 pub use mapping::Mapping;
 pub use paint::{Color, Paint};
 pub use point::TexturePoint;
 pub(crate) use sampling::Sampling;
 pub use sampling::{Filtering, Rule, Wrap};
+pub(crate) use sphere_cells::SphereCells;
 
 /// A colour for each point of a surface. Contract: `tests/contracts/texture.rs`.
 pub trait Texture: Debug + Send + Sync {
@@ -57,5 +82,23 @@ crate::kinds! {
     ch29 image::Image,
     ch30 checker3d::Checker3d,
     ch30 plane_checker::PlaneChecker,
+    ch30 sphere_checker::SphereChecker,
+    ch30 cylinder_checker::CylinderChecker,
+    ch30 cone_checker::ConeChecker,
+    ch30 disk_checker::DiskChecker,
+    ch30 rectangle_checker::RectangleChecker,
+    ch30 stripes::Stripes,
+    ch30 ramp::Ramp,
+    ch30 wireframe::Wireframe,
+    ch30 sphere_textures::SphereTextures,
+    ch30 texture_instance::TextureInstance,
+    ch31 fbm::Fbm,
+    ch31 turbulence::Turbulence,
+    ch31 wrapped_fbm::WrappedFbm,
+    ch31 two_colors::TwoColors,
+    ch31 three_colors::ThreeColors,
+    ch31 ramp_fbm::RampFbm,
+    ch31 wrapped_ramp::WrappedRamp,
+    ch31 wood::Wood,
     ch22 random_colors::RandomColors,
 }

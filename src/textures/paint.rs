@@ -59,6 +59,21 @@ impl Paint {
         }
     }
 
+    /// Checks the colours of the list of this name and builds them.
+    pub(super) fn build_list(
+        paints: &[Self],
+        field: &str,
+        resources: &mut Resources,
+    ) -> Result<Vec<Color>, Invalid> {
+        let build = |(index, paint): (usize, &Self)| {
+            paint.build(field, resources).map_err(|mut e| {
+                e.path.insert(1, index.into()); // after the name of the list
+                e
+            })
+        };
+        paints.iter().enumerate().map(build).collect()
+    }
+
     /// The same paint with every length multiplied by `factor`.
     pub fn scaled(&self, factor: f64) -> Self {
         match self {

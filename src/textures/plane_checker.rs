@@ -5,10 +5,10 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Color, Paint, Texture, TexturePoint};
+use super::cells::{BuiltLines, Cell, Checkers};
+use super::{Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::Specification;
-use crate::math::floor;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
@@ -38,10 +38,7 @@ fn black() -> Paint {
 #[derive(Debug)]
 struct Built {
     size: f64,
-    color1: Color,
-    color2: Color,
-    outline_width: f64,
-    outline_color: Color,
+    checkers: Checkers,
 }
 
 impl Specification for PlaneChecker {
@@ -49,13 +46,13 @@ impl Specification for PlaneChecker {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
-            size: positive("size", self.size)?,
-            color1: self.color1.build("color1", resources)?,
-            color2: self.color2.build("color2", resources)?,
-            outline_width: not_negative("outline_width", self.outline_width)?,
-            outline_color: self.outline_color.build("outline_color", resources)?,
-        }))
+        let size = positive("size", self.size)?;
+        let colors =
+            [self.color1.build("color1", resources)?, self.color2.build("color2", resources)?];
+        let half_line = 0.5 * not_negative("outline_width", self.outline_width)? / size;
+        let color = self.outline_color.build("outline_color", resources)?;
+        let lines = BuiltLines { half_widths: [half_line; 2], color };
+        Ok(Arc::new(Built { size, checkers: Checkers { colors, lines } }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -82,18 +79,7 @@ impl Specification for PlaneChecker {
 
 impl Texture for Built {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
-        let [x, z] = [at.local.x() / self.size, at.local.z() / self.size];
-        let half_line = 0.5 * self.outline_width / self.size;
-        let on_line = |x: f64| {
-            let fraction = x - floor(x);
-            fraction < half_line || fraction > 1.0 - half_line
-        };
-        if on_line(x) || on_line(z) {
-            self.outline_color.at(at)
-        } else if (floor(x) + floor(z)).rem_euclid(2.0) == 0.0 {
-            self.color1.at(at)
-        } else {
-            self.color2.at(at)
-        }
+        let cells = [at.local.x(), at.local.z()].map(|x| Cell::at(x / self.size));
+        self.checkers.color(cells, at)
     }
 }

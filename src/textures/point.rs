@@ -1,7 +1,7 @@
 //! Where textures are asked for their colours.
 
-use crate::math::Point;
-use crate::shapes::{Candidate, Shape, Surface};
+use crate::math::{Point, Vector};
+use crate::shapes::{Candidate, Facet, Shape, Surface};
 
 /// A point of a surface, with what textures may ask of it: a hit, or a point drawn on a lamp.
 #[derive(Clone, Copy, Debug)]
@@ -19,8 +19,8 @@ pub struct TexturePoint<'a> {
 enum Details<'a> {
     /// Texture coordinates that are known, if there are any.
     Known(Option<[f64; 2]>),
-    /// Those of a shape at this hit.
-    Of(&'a dyn Shape, &'a Candidate),
+    /// Those of a shape at this hit, or beside it by this vector in local coordinates.
+    Of(&'a dyn Shape, &'a Candidate, Vector),
 }
 
 impl<'a> TexturePoint<'a> {
@@ -36,7 +36,7 @@ impl<'a> TexturePoint<'a> {
 
     /// The hit of a shape.
     pub fn of_hit(surface: &'a Surface, shape: &'a dyn Shape, at: &'a Candidate) -> Self {
-        Self { details: Details::Of(shape, at), ..Self::new(surface) }
+        Self { details: Details::Of(shape, at, Vector::ZERO), ..Self::new(surface) }
     }
 
     /// The same point for a texture that is moved against its object.
@@ -45,11 +45,31 @@ impl<'a> TexturePoint<'a> {
         Self { local, ..self }
     }
 
+    /// A point beside this one on the surface, for slopes: by a short vector in the surface's local
+    /// coordinates.
+    #[must_use]
+    pub fn beside(self, by: Vector) -> Self {
+        let details = match self.details {
+            Details::Of(shape, at, so_far) => Details::Of(shape, at, so_far + by),
+            known @ Details::Known(_) => known,
+        };
+        Self { local: self.local + by, details, ..self }
+    }
+
     /// The texture coordinates of the shape itself, if it has any, as meshes have.
     pub fn uv(&self) -> Option<[f64; 2]> {
         match self.details {
             Details::Known(uv) => uv,
-            Details::Of(shape, at) => shape.uv(at),
+            Details::Of(shape, at, Vector::ZERO) => shape.uv(at),
+            Details::Of(shape, at, by) => shape.uv(&shape.beside(at, by)),
+        }
+    }
+
+    /// The triangle it is on, if it is on one.
+    pub fn facet(&self) -> Option<Facet> {
+        match self.details {
+            Details::Known(_) => None,
+            Details::Of(shape, at, _) => shape.facet(at),
         }
     }
 
@@ -57,7 +77,7 @@ impl<'a> TexturePoint<'a> {
     pub fn leaf(&self) -> u64 {
         match self.details {
             Details::Known(_) => 0,
-            Details::Of(_, at) => at.leaf,
+            Details::Of(_, at, _) => at.leaf,
         }
     }
 }

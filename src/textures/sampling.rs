@@ -48,7 +48,7 @@ pub enum Wrap {
 
 impl Wrap {
     /// A coordinate from 0 to 1; those that are, stay.
-    fn coordinate(self, x: f64) -> f64 {
+    pub(super) fn coordinate(self, x: f64) -> f64 {
         if (0.0..=1.0).contains(&x) {
             return x;
         }

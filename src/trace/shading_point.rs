@@ -23,7 +23,7 @@ impl<'a> ShadingPoint<'a> {
         let cos_o = hit.surface.normal.dot(wo);
         let turn = |n: Normal| if turned { -n } else { n };
         let normals =
-            Normals { shading: turn(hit.surface.shading), geometry: turn(hit.surface.normal) };
+            Normals { shading: turn(hit.shading_normal()), geometry: turn(hit.surface.normal) };
         Self { hit, wo, cos_o: if turned { -cos_o } else { cos_o }, normals }
     }
 

@@ -106,7 +106,7 @@ impl RecordedHit {
             point: surface.point,
             error: surface.error,
             normal: surface.normal,
-            shading: surface.shading,
+            shading: hit.shading_normal(),
             front: hit.front,
             angle_of_incidence: to_degrees(atan2(across, along)),
             optics: None,

@@ -101,6 +101,8 @@ pub(super) fn placed_materials(
         let here = item("materials", index, &material.name);
         let uses_before = resources.uses_of_uv();
         let recipe = material.recipe.build(resources).map_err(|e| here(e.inside("recipe")))?;
+        let bump = material.bump.as_ref().map(|bump| bump.build(resources)).transpose();
+        let bump = bump.map_err(|e| here(e.inside("bump")))?;
         if material.two_sided && recipe.transmits() {
             let problem = "a transparent material must know its inside and cannot be two-sided";
             return Err(here(Invalid::field("two_sided", problem)));
@@ -108,7 +110,7 @@ pub(super) fn placed_materials(
         let (name, place) = (material.name.clone(), index as u32);
         let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
         let needs_uv = resources.uses_of_uv() > uses_before;
-        Ok(PlacedMaterial { name, place, two_sided, recipe, casts_shadows, needs_uv })
+        Ok(PlacedMaterial { name, place, two_sided, recipe, bump, casts_shadows, needs_uv })
     };
     scene.materials.iter().enumerate().map(&mut placed).collect()
 }

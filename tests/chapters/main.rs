@@ -40,4 +40,5 @@ mod ch27;
 mod ch28;
 mod ch29;
 mod ch30;
+mod ch31;
 mod pictures;

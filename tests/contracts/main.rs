@@ -4,6 +4,7 @@
 //! `ch24::golden::hall_of_mirrors`. So a new kind is under contract as soon as it has an entry, and
 //! `cargo test ch19` runs the contracts of chapter 19 beside its own laws.
 
+mod bump;
 mod camera;
 mod filter;
 mod golden;
@@ -76,6 +77,7 @@ fn main() {
     all.extend(light::trials());
     all.extend(texture::trials());
     all.extend(material::trials());
+    all.extend(bump::trials());
     all.extend(golden::trials());
     all.sort_by(|a, b| a.name().cmp(b.name()));
     libtest_mimic::run(&arguments, all).exit();

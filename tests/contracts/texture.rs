@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use groundtruth::math::{Normal, Pcg32, Point, Vector, power_of_two};
+use groundtruth::math::{Normal, Pcg32, Point, Ray, Span, Vector, power_of_two};
 use groundtruth::resources::Resources;
-use groundtruth::shapes::Surface;
+use groundtruth::shapes::{self, Context, Shape, Surface};
 use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Kind, Texture};
 use libtest_mimic::Trial;
@@ -18,6 +18,7 @@ pub fn trials() -> Vec<Trial> {
             ("colours_are_reflectances", colours_are_reflectances),
             ("the_colour_moves_with_the_object", the_colour_moves_with_the_object),
             ("scaling_by_a_power_of_two_keeps_every_bit", scaling_keeps_every_bit),
+            ("scaling_keeps_every_bit_on_meshes", scaling_keeps_every_bit_on_meshes),
         ],
     )
 }
@@ -85,6 +86,38 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
                 larger.color(&TexturePoint::new(&scaled(&at, power_of_two(k)))),
             );
             ensure!(here == there, "{:?}, 2^{k}: {there:?}, not {here:?}", at.local);
+        }
+    }
+    Ok(())
+}
+
+/// An octahedron with texture coordinates.
+fn octahedron(factor: f64) -> Arc<dyn Shape> {
+    let mesh = shapes::Kind::ENTRIES.iter().find(|entry| entry.module == "mesh");
+    let octahedron = (mesh.expect("there are meshes").specimens)().pop().expect("the last one");
+    octahedron.scaled(factor).build(&mut Context::default()).expect("specimens are valid")
+}
+
+/// Law: the same at hits of a mesh, where textures may ask for triangles and texture coordinates.
+fn scaling_keeps_every_bit_on_meshes(kind: &Kind) -> Holds {
+    let (texture, mesh) = (built(kind), octahedron(1.0));
+    for k in [1, -7, 30, -30] {
+        let factor = power_of_two(k);
+        let (larger, larger_mesh) = (built(&kind.scaled(factor)), octahedron(factor));
+        let mut random = Pcg32::new(30, 6);
+        for _ in 0..500 {
+            let mut c = || 2.0 * random.uniform() - 1.0;
+            let (from, way) =
+                (Point::new(0.1 * c(), 0.1 * c(), 0.1 * c()), Vector::new(c(), c(), c()));
+            let color = |texture: &Arc<dyn Texture>, mesh: &Arc<dyn Shape>, ray: &Ray| {
+                let hit = mesh.hit(ray, Span::AHEAD).expect("from within");
+                let surface = mesh.surface(ray, &hit);
+                texture.color(&TexturePoint::of_hit(&surface, &**mesh, &hit))
+            };
+            let here = color(&texture, &mesh, &Ray::new(from, way));
+            let ray = Ray::new(from.scaled(factor), factor * way);
+            let there = color(&larger, &larger_mesh, &ray);
+            ensure!(here == there, "from {from:?} along {way:?}, 2^{k}: {there:?}, not {here:?}");
         }
     }
     Ok(())

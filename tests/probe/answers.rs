@@ -265,6 +265,26 @@ proptest! {
         prop_assert_eq!(color(cell), color(diagonal));
     }
 
+    /// Law: noise has the period 256; of one octave fBm is `(value + 1)/2` and turbulence `|value|`.
+    #[test]
+    fn noise_repeats_and_its_sums_are_related(
+        eighths in prop::array::uniform3(-4096..4096_i32), axis in 0_usize..3, octaves in 1..4_u32
+    ) {
+        let point = eighths.map(|e| f64::from(e) / 8.0);
+        let at = |octaves: u32, point: [f64; 3]| {
+            let noise = json!({"octaves": octaves, "interpolation": "linear", "seed": 5});
+            ask(&json!({"noise": {"noise": noise, "point": point}}))
+        };
+        let mut there = point;
+        there[axis] -= 256.0;
+        prop_assert_eq!(at(octaves, point), at(octaves, there));
+        let one = at(1, point);
+        let [value, fbm, turbulence] =
+            ["value", "fbm", "turbulence"].map(|name| one[name].as_f64().expect("a number"));
+        prop_assert_eq!([fbm, turbulence], [(value + 1.0) / 2.0, value.abs()]);
+        prop_assert_eq!(numbers(&one["vector"]), numbers(&one["vector_fbm"]));
+    }
+
     /// Law: a rotation about z and a move are `[c −s 0 x; s c 0 y; 0 0 1 z]`, and the inverse
     /// undoes the matrix. Oracle: the textbook's matrix, and a product written out here.
     #[test]

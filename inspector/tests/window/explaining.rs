@@ -4,6 +4,7 @@ use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Stereo, Viewing};
 use groundtruth::explain::RayExplanation;
+use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;
@@ -231,6 +232,28 @@ fn a_click_on_a_ray_shows_its_details() {
         assert!(window.query_all_by_label(&name).next().is_some(), "{name}");
         assert!(window.query_all_by_label(&factors).next().is_some(), "{factors}");
     }
+}
+
+/// Law: what a texture is at a hit stands among the ray's numbers: field, colour, texel and coordinates,
+/// with every digit. Oracle: the library's explanation.
+#[test]
+fn the_texture_of_a_hit_is_among_the_numbers() {
+    let mut scene = (gallery::find("ch29/earth").expect("in the gallery").build)();
+    scene.image.resize(48, 48);
+    scene.image.samples = 1;
+    let mut window = open(scene.clone());
+    settle(&mut window);
+    click(&mut window, [24, 24]);
+    let root = ray_of(&scene, [24, 24], 0);
+    let hit = root.outcome.hit().expect("the middle of the globe");
+    let [texture] = &hit.textures[..] else { panic!("one texture, not {:?}", hit.textures) };
+    let texel = texture.texel.expect("of an image");
+    let ([r, g, b], [u, v]) = (texture.color.to_array(), texel.uv);
+    let expected = format!(
+        "cd ({r:?}, {g:?}, {b:?}), texel ({}, {}) at u {u:?}, v {v:?}",
+        texel.column, texel.row
+    );
+    assert!(window.query_all_by_label(&expected).next().is_some(), "not shown: {expected}");
 }
 
 /// Law: the hits on the way to a ray are marked where the camera sees them: that of the camera's ray

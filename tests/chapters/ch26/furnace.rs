@@ -117,6 +117,8 @@ fn shown(kind: &Kind, cosine: f64) -> [Rgb; 2] {
         Kind::GlossyReflector(it) => [phong(&it.phong, cosine), glossy(it, cosine)],
         Kind::Transparent(it) => [phong(&it.phong, cosine), transparent(it, cosine)],
         Kind::Dielectric(it) => [phong(&it.phong, cosine), dielectric(it, cosine)],
+        // the specimen shows its second row straight on, and its first from 53° on
+        Kind::SphereMaterials(it) => shown(&it.materials[usize::from(cosine > 0.8)], cosine),
         Kind::Custom(_) => panic!("not in the list"),
     }
 }

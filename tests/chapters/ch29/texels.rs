@@ -122,6 +122,18 @@ proptest! {
         assert_close(color([u, v]), repeated, &format!("repeated, at ({u}, {v})"));
     }
 
+    /// Law: an image of one colour has it everywhere, to the last bit. Oracle: the colour of its nearest
+    /// texel.
+    #[test]
+    fn one_colour_is_everywhere_the_same((u, v) in (-2.0..3.0_f64, -2.0..3.0_f64)) {
+        let file = image_file([3, 2], |_, _| [0x9a57, 0x3111, 0x5bcd]);
+        for rule in [Rule::Even, Rule::Book] {
+            let expected = by_uv(&filtered(&file, Filtering::Nearest, rule))([0.5, 0.5]);
+            let found = by_uv(&filtered(&file, Filtering::Bilinear, rule))([u, v]);
+            prop_assert_eq!(found, expected, "{:?} at ({}, {})", rule, u, v);
+        }
+    }
+
     /// Law: beyond 0 … 1 an image repeats with period 1, goes on with its border, or is mirrored with
     /// period 2. Oracle: the colour of the coordinate brought back by hand.
     #[test]

@@ -7,7 +7,8 @@ use groundtruth::lights::{
 };
 use groundtruth::lobes::GlossyRule;
 use groundtruth::materials::{
-    self, Dielectric, Emissive, GlossyReflector, Matte, Medium, Phong, Reflective, Transparent,
+    self, Dielectric, Emissive, GlossyReflector, Matte, Medium, Phong, Reflective, SphereMaterials,
+    Transparent,
 };
 use groundtruth::math::{Pcg32, Point, Step, Vector, power};
 use groundtruth::rgb::Rgb;
@@ -108,7 +109,7 @@ impl Die<'_> {
 
     fn material(&mut self) -> materials::Kind {
         let kr = self.random.uniform();
-        match self.below(7) {
+        match self.below(8) {
             0 => self.matte().into(),
             1 => self.phong().into(),
             2 => Reflective { phong: self.phong(), kr: kr.into(), cr: self.paint() }.into(),
@@ -125,9 +126,14 @@ impl Die<'_> {
                 let rule = if self.is() { GlossyRule::Book } else { GlossyRule::Normalised };
                 GlossyReflector { phong, kr: kr.into(), cr, exponent: exponent.into(), rule }.into()
             }
-            _ => {
+            6 => {
                 let (inside, outside) = (self.medium(), self.medium());
                 Dielectric { phong: self.phong(), inside, outside }.into()
+            }
+            _ => {
+                let mirror = Reflective { phong: self.phong(), kr: kr.into(), cr: self.paint() };
+                let materials = vec![self.matte().into(), mirror.into()];
+                SphereMaterials { num_horizontal: 5, num_vertical: 3, materials }.into()
             }
         }
     }

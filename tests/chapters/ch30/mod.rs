@@ -1,5 +1,11 @@
 //! Chapter 30: procedural textures.
 
+mod checkers;
+mod instances;
+mod layers;
+mod materials;
+mod wires;
+
 use groundtruth::lights::Ambient;
 use groundtruth::materials::Matte;
 use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, power_of_two};
@@ -13,7 +19,7 @@ use groundtruth::textures::{Checker3d, Kind as Texture, Paint, PlaneChecker};
 use proptest::prelude::*;
 
 use crate::ch14::stage::*;
-use crate::support::{camera_ray, laws, point, unit};
+use crate::support::{U, camera_ray, laws, point, unit};
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);

@@ -1,0 +1,96 @@
+//! Bumps by a height above the surface (Blinn 1978).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Bump;
+use crate::invalid::{Invalid, finite, length};
+use crate::kinds::{self, Specification};
+use crate::math::{Frame, Normal, Vector, power_of_two};
+use crate::resources::Resources;
+use crate::textures::{Kind, Texture, TexturePoint};
+
+/// The normals of the surface that a texture would make of this one, if its red channel were how high
+/// each point is lifted along the normal: `n' = n − ∇ₛh`, normalised, with the gradient along the
+/// surface. The texture may be a solid one or an image; of an image `bilinear` is wanted, as the nearest
+/// texels make steps.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Height {
+    /// The texture whose red channel is the height.
+    pub texture: Kind,
+    /// How high red 1 is, in the unit of the scene; negative for a dent.
+    #[serde(default = "kinds::one")]
+    pub height: f64,
+    /// Slopes are measured between points so far to either side, in the unit of the scene: a small part
+    /// of the texture's details; positive. 2⁻¹⁰ if left out.
+    #[serde(default = "short")]
+    pub step: f64,
+}
+
+fn short() -> f64 {
+    power_of_two(-10)
+}
+
+impl Height {
+    /// Red 1 lifted so high; details must be much longer than 0.001.
+    pub fn new(texture: impl Into<Kind>, height: f64) -> Self {
+        Self { texture: texture.into(), height, step: short() }
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    texture: Arc<dyn Texture>,
+    height: f64,
+    step: f64,
+}
+
+impl Specification for Height {
+    type Built = Arc<dyn Bump>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Bump>, Invalid> {
+        Ok(Arc::new(Built {
+            texture: self.texture.build(resources).map_err(|e| e.inside("texture"))?,
+            height: finite("height", self.height)?,
+            step: length("step", self.step)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let (height, step) = (factor * self.height, factor * self.step);
+        Self { texture: self.texture.scaled(factor), height, step }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let noise = crate::noise::Noise::of_octaves(4);
+        let hills = crate::textures::Fbm::new(noise, 0.5);
+        let globe = crate::textures::Image {
+            filtering: crate::textures::Filtering::Bilinear,
+            ..crate::textures::Image::of_file(
+                concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/globe.png"),
+                Some(crate::textures::Mapping::Spherical),
+            )
+        };
+        vec![Self::new(hills, 0.25), Self::new(globe, -0.1)]
+    }
+}
+
+impl Built {
+    /// `∂h/∂t`, by central differences.
+    fn slope(&self, at: &TexturePoint<'_>, t: Vector) -> f64 {
+        let h = |by: f64| self.texture.color(&at.beside(by * t)).r;
+        self.height * (h(self.step) - h(-self.step)) / (2.0 * self.step)
+    }
+}
+
+impl Bump for Built {
+    fn turned(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
+        let Frame { u, v, .. } = Frame::around(n);
+        let gradient = self.slope(at, u) * u + self.slope(at, v) * v;
+        Vector::from(n) - gradient
+    }
+}

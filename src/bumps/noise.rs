@@ -1,0 +1,68 @@
+//! Bumps of noise (Suffern, ch. 31): the book's `FBMBump`.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Bump;
+use crate::invalid::{Invalid, finite, length};
+use crate::kinds::{self, Specification};
+use crate::math::{Normal, Point, Vector};
+use crate::noise::{self, LatticeNoise};
+use crate::resources::Resources;
+use crate::textures::TexturePoint;
+
+/// `n' = n + a · fBm(p)`, normalised: a random vector is added to the normal. There is no surface with
+/// these normals; it looks rough all the same.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "NoiseBump")]
+pub struct Noise {
+    /// The noise.
+    #[serde(default)]
+    pub noise: noise::Noise,
+    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    #[serde(default = "kinds::one")]
+    pub size: f64,
+    /// How much of the noise is added to the normal, whose length is 1: the book's perturbation `a`.
+    pub perturbation: f64,
+}
+
+#[derive(Debug)]
+struct Built {
+    noise: LatticeNoise,
+    size: f64,
+    perturbation: f64,
+}
+
+impl Specification for Noise {
+    type Built = Arc<dyn Bump>;
+    type Context = Resources;
+
+    fn build(&self, _: &mut Resources) -> Result<Arc<dyn Bump>, Invalid> {
+        Ok(Arc::new(Built {
+            noise: self.noise.build().map_err(|e| e.inside("noise"))?,
+            size: length("size", self.size)?,
+            perturbation: finite("perturbation", self.perturbation)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { size: factor * self.size, ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let fine = Self { noise: noise::Noise::of_octaves(6), size: 0.25, perturbation: 0.5 };
+        let linear =
+            noise::Noise { interpolation: noise::Interpolation::Linear, ..noise::Noise::default() };
+        vec![fine, Self { noise: linear, size: 1.0, perturbation: 3.0 }]
+    }
+}
+
+impl Bump for Built {
+    fn turned(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
+        let p = Point::from(at.local.to_array().map(|c| c / self.size));
+        n + self.perturbation * self.noise.vector_fbm(p)
+    }
+}

@@ -1,0 +1,29 @@
+//! Bump mapping.
+
+use super::super::parts::*;
+use super::{WALL, lit_stage};
+use crate::bumps::{self, Height};
+use crate::math::Point;
+use crate::noise::Noise;
+use crate::scene::Scene;
+use crate::textures::Fbm;
+
+fn bumped_sphere(about: &str, bump: impl Into<bumps::Kind>) -> Scene {
+    let mut scene = lit_stage(about, 9500.0);
+    scene.background = WALL.into();
+    let orange = phong(0.4, 0.6, rgb(1.0, 0.5, 0.1), 0.2, 20.0);
+    add(&mut scene, "sphere", sphere(Point::ORIGIN, 3.0), orange);
+    scene.materials[0].bump = Some(bump.into());
+    scene
+}
+
+pub fn by_noise() -> Scene {
+    let about = "a smooth sphere whose normals are turned by noise: it looks rough, like an orange";
+    let noise = Noise::of_octaves(1);
+    bumped_sphere(about, bumps::Noise { noise, size: 0.15, perturbation: 0.25 })
+}
+
+pub fn by_height() -> Scene {
+    let about = "a smooth sphere lit as if noise of six octaves lifted it: hills and valleys";
+    bumped_sphere(about, Height::new(Fbm::new(Noise::of_octaves(6), 1.0), 0.5))
+}

@@ -1,0 +1,117 @@
+//! Chapter 31: noise-based textures.
+//!
+//! Noises, octaves and the numbers of textures are the book's; ramps, lights and where its bunnies stood
+//! are ours.
+
+mod bumped;
+mod cut_cube;
+mod marble;
+mod planes;
+mod wrapped;
+
+use super::List;
+use super::parts::*;
+use crate::math::{Point, Step, Vector};
+use crate::noise::{Interpolation, Noise};
+use crate::rgb::Rgb;
+use crate::scene::Scene;
+use crate::shapes::{self, Instance};
+use crate::textures::{ColorTable, Paint};
+
+pub const SCENES: List = &[
+    ("ch31/linear-noise", || {
+        let about = "figure 31.18: one octave of linear noise: the planes of the lattice show";
+        planes::noise(about, Noise { interpolation: Interpolation::Linear, ..Noise::default() })
+    }),
+    ("ch31/cubic-noise", || {
+        planes::noise("figure 31.18: one octave of cubic noise: smooth", Noise::default())
+    }),
+    ("ch31/fbm", || planes::noise("figure 31.21: eight octaves", Noise::of_octaves(8))),
+    ("ch31/turbulence", planes::turbulence),
+    ("ch31/gain-2", || {
+        let about = "figure 31.25: gain 2, six octaves: the finest is the strongest";
+        planes::noise(about, Noise { gain: 2.0, ..Noise::of_octaves(6) })
+    }),
+    ("ch31/lacunarity-8", || {
+        let about = "figure 31.26: lacunarity 8, six octaves: large and fine patches, none between";
+        planes::noise(about, Noise { lacunarity: 8.0, ..Noise::of_octaves(6) })
+    }),
+    ("ch31/turbulent-sphere", planes::turbulent_sphere),
+    ("ch31/wrapped-a", wrapped::a),
+    ("ch31/wrapped-b", wrapped::b),
+    ("ch31/wrapped-c", wrapped::c),
+    ("ch31/marble-layers", || {
+        marble::sphere_of("figure 31.32: a = 0: layers across the y axis", 0.0)
+    }),
+    ("ch31/marble-30", || {
+        marble::sphere_of("figure 31.33: a = 30: nothing is left of the layers", 30.0)
+    }),
+    ("ch31/marble", marble::four_marbles),
+    ("ch31/sandstone", marble::four_sandstones),
+    ("ch31/colors", wrapped::two_and_three_colors),
+    ("ch31/nested-noises", wrapped::nested_noises),
+    ("ch31/sandstone-cube", cut_cube::of_sandstone),
+    ("ch31/wooden-cube", cut_cube::of_wood),
+    ("ch31/wrapped-ramp", wrapped::ramp),
+    ("ch31/noise-bump", bumped::by_noise),
+    ("ch31/height-bump", bumped::by_height),
+];
+
+/// Looks along −z from far away; `distance` is that of the view plane of a picture 600 pixels wide.
+fn from_the_front(about: &str, distance: f64) -> Scene {
+    let stand = [point(0.0, 0.0, 100.0), Point::ORIGIN];
+    pinhole(about, [600, 600], stand, distance)
+}
+
+/// The same with a lamp from above on the right.
+fn lit_stage(about: &str, distance: f64) -> Scene {
+    let mut scene = from_the_front(about, distance);
+    scene.lights.push(ambient(0.4));
+    scene.lights.push(directional("sun", vector(1.0, 1.0, 1.5), 2.5));
+    scene
+}
+
+/// A shape that keeps its form while its texture is stretched by these factors and then turned about the
+/// z axis: an instance that leaves the texture behind, in one that takes it along.
+fn texture_stretched(shape: impl Into<shapes::Kind>, by: Vector, degrees: f64) -> shapes::Kind {
+    let back = Vector::from(by.to_array().map(|factor| 1.0 / factor));
+    let undone = vec![Step::RotateZ(-degrees), Step::Scale(back)];
+    let inner = Instance { transform_texture: false, ..Instance::new(shape, undone) };
+    transformed(inner, vec![Step::Scale(by), Step::RotateZ(degrees)])
+}
+
+fn blue_ramp() -> ColorTable {
+    ColorTable::mixed([
+        rgb(0.02, 0.04, 0.12),
+        rgb(0.1, 0.2, 0.45),
+        rgb(0.35, 0.45, 0.7),
+        rgb(0.9, 0.9, 0.95),
+    ])
+}
+
+fn sand_ramp() -> ColorTable {
+    ColorTable::mixed([
+        rgb(0.75, 0.5, 0.3),
+        rgb(0.55, 0.25, 0.1),
+        rgb(0.8, 0.6, 0.4),
+        rgb(0.35, 0.14, 0.06),
+        rgb(0.85, 0.7, 0.5),
+    ])
+}
+
+/// A dull surface of a paint.
+fn dull(paint: impl Into<Paint>) -> crate::materials::Matte {
+    matte(0.5, 0.75, paint)
+}
+
+/// Four spheres of these paints.
+fn four(scene: &mut Scene, radius: f64, shape: impl Fn() -> shapes::Kind, paints: [Paint; 4]) {
+    let places = [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    for (i, (paint, (x, y))) in (1..).zip(paints.into_iter().zip(places)) {
+        let place = 1.05 * radius * vector(x, y, 0.0);
+        add(scene, &format!("sphere {i}"), moved(shape(), place), dull(paint));
+    }
+}
+
+/// The background of the chapter's objects.
+const WALL: Rgb = Rgb::grey(0.1);

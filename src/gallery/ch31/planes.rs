@@ -1,0 +1,38 @@
+//! Noise itself, on a plane before the camera.
+
+use super::super::parts::*;
+use super::{WALL, dull, from_the_front, lit_stage};
+use crate::math::{Point, Vector};
+use crate::noise::Noise;
+use crate::scene::Scene;
+use crate::shapes::Plane;
+use crate::textures::{Fbm, Paint, Turbulence};
+
+/// Ten cells of a lattice across, in ambient light: what is seen is the texture.
+fn plane(about: &str, paint: impl Into<Paint>) -> Scene {
+    let mut scene = from_the_front(about, 6000.0);
+    scene.lights.push(ambient(1.0));
+    // between two planes of the lattice: on one, noise of one octave would be that of two dimensions
+    let wall = Plane { point: point(0.0, 0.0, -0.3), normal: Vector::Z };
+    add(&mut scene, "plane", wall, matte(1.0, 0.0, paint));
+    scene
+}
+
+pub fn noise(about: &str, noise: Noise) -> Scene {
+    plane(about, Fbm::new(noise, 1.0))
+}
+
+pub fn turbulence() -> Scene {
+    let about = "figure 31.23: turbulence of eight octaves: dark creases where noise is 0";
+    plane(about, Turbulence::new(Noise::of_octaves(8), 1.0))
+}
+
+pub fn turbulent_sphere() -> Scene {
+    let about = "figure 31.28: a sphere of turbulence, eight octaves, up to 1.2";
+    let mut scene = lit_stage(about, 9500.0);
+    scene.background = WALL.into();
+    let color = rgb(1.0, 0.7, 0.0).into();
+    let fire = Turbulence { max: 1.2, color, ..Turbulence::new(Noise::of_octaves(8), 1.0) };
+    add(&mut scene, "sphere", sphere(Point::ORIGIN, 3.0), dull(fire));
+    scene
+}

@@ -1,0 +1,93 @@
+//! A material for each checker of a sphere (Suffern, ch. 30).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Kind, Material, Matte, Phong, Response};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::resources::Resources;
+use crate::textures::{SphereCells, TexturePoint};
+
+/// A material for each of the checkers of a sphere, which are those of the texture `sphere_checker`: about the
+/// origin of its own coordinates, of any radius. Materials that transmit light do not fit, as media belong
+/// to the whole surface; nor do emissive ones, as a lamp has one emission.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SphereMaterials {
+    /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
+    #[serde(default = "twenty")]
+    pub num_horizontal: u32,
+    /// How many there are from the north pole, on the y axis, to the south pole; at least 1.
+    #[serde(default = "ten")]
+    pub num_vertical: u32,
+    /// The materials: row by row from the north pole, in each row from the +z axis on. If there are fewer
+    /// than checkers, they begin again.
+    pub materials: Vec<Kind>,
+}
+
+fn twenty() -> u32 {
+    20
+}
+
+fn ten() -> u32 {
+    10
+}
+
+#[derive(Debug)]
+struct Built {
+    cells: SphereCells,
+    materials: Vec<Arc<dyn Material>>,
+}
+
+impl Specification for SphereMaterials {
+    type Built = Arc<dyn Material>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
+        let cells = SphereCells::new(self.num_horizontal, self.num_vertical)?;
+        cells.check_list("materials", self.materials.len())?;
+        let material = |(i, kind): (usize, &Kind)| {
+            let built = kind.build(resources).and_then(of_a_checker);
+            built.map_err(|e| e.inside(i).inside("materials"))
+        };
+        let materials =
+            self.materials.iter().enumerate().map(material).collect::<Result<_, _>>()?;
+        Ok(Arc::new(Built { cells, materials }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let materials = self.materials.iter().map(|material| material.scaled(factor)).collect();
+        Self { materials, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let (matte, phong) = (Matte::specimens().remove(0), Phong::specimens().remove(0));
+        let materials = vec![matte.into(), phong.into()];
+        vec![Self { num_horizontal: 5, num_vertical: 3, materials }]
+    }
+}
+
+/// Refuses what belongs to a whole surface.
+fn of_a_checker(material: Arc<dyn Material>) -> Result<Arc<dyn Material>, Invalid> {
+    if material.transmits() {
+        let problem = "a transparent material cannot be that of one checker: the media on both \
+                       sides belong to the whole surface";
+        return Err(Invalid::new(problem));
+    }
+    if material.emission().is_some() {
+        let problem = "an emissive material cannot be that of one checker: a lamp has one \
+                       emission; use `emissive` for the whole, with a `sphere_textures` as its `ce`";
+        return Err(Invalid::new(problem));
+    }
+    Ok(material)
+}
+
+impl Material for Built {
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
+        let turn = self.cells.index(at.local) % self.materials.len() as u64;
+        self.materials[turn as usize].respond(at, cos_o, response);
+    }
+}

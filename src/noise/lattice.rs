@@ -1,0 +1,84 @@
+//! What stands at the points of the lattice: tables, looked up by a permutation (Peachey's method).
+
+use crate::math::{Pcg32, Vector, cos, floor, sin};
+use crate::samplers::{MultiJittered, Sampler};
+
+/// The entries of each table; the lattice repeats after as many points.
+const TABLE_SIZE: usize = 256;
+
+/// The place of a lattice point in its period: its coordinates modulo 256.
+pub type Knot = [u8; 3];
+
+/// A number and a unit vector for each point of whole coordinates.
+#[derive(Clone, Debug)]
+pub struct Lattice {
+    permutation: [u8; TABLE_SIZE],
+    values: [f64; TABLE_SIZE],
+    vectors: [Vector; TABLE_SIZE],
+}
+
+impl Lattice {
+    /// The tables of a seed. The permutation is always the same.
+    pub fn new(seed: u64) -> Self {
+        let mut permutation: [u8; TABLE_SIZE] = std::array::from_fn(|i| i as u8);
+        Pcg32::new(31, 0).shuffle(&mut permutation);
+        let mut random = Pcg32::new(seed, 0);
+        let values = std::array::from_fn(|_| 1.0 - 2.0 * random.uniform());
+        let samples = MultiJittered {}.fill(TABLE_SIZE as u32, &mut Pcg32::new(seed, 1));
+        let vectors = std::array::from_fn(|i| on_sphere(samples[i]));
+        Self { permutation, values, vectors }
+    }
+
+    /// The permutation of 0 … 255.
+    pub fn permutation(&self) -> &[u8; TABLE_SIZE] {
+        &self.permutation
+    }
+
+    /// The numbers, uniform between −1 and 1.
+    pub fn values(&self) -> &[f64; TABLE_SIZE] {
+        &self.values
+    }
+
+    /// The unit vectors, evenly spread over the sphere.
+    pub fn vectors(&self) -> &[Vector; TABLE_SIZE] {
+        &self.vectors
+    }
+
+    /// The number at a point of the lattice.
+    pub fn value(&self, knot: Knot) -> f64 {
+        self.values[self.index(knot)]
+    }
+
+    /// The vector at a point of the lattice.
+    pub fn vector(&self, knot: Knot) -> Vector {
+        self.vectors[self.index(knot)]
+    }
+
+    /// `PERM(ix + PERM(iy + PERM(iz)))`, the sums modulo 256.
+    fn index(&self, [ix, iy, iz]: Knot) -> usize {
+        let perm = |i: u8| self.permutation[usize::from(i)];
+        usize::from(perm(ix.wrapping_add(perm(iy.wrapping_add(perm(iz))))))
+    }
+}
+
+/// The point of the unit sphere for a point of the unit square; areas keep their ratios.
+fn on_sphere([r1, r2]: [f64; 2]) -> Vector {
+    let z = 1.0 - 2.0 * r1;
+    let r = (1.0 - z * z).sqrt();
+    let phi = std::f64::consts::TAU * r2;
+    Vector::new(r * cos(phi), r * sin(phi), z)
+}
+
+/// The lattice plane at or below a coordinate, modulo 256, and how far above it the coordinate is, in
+/// `[0, 1)`.
+pub fn cell(x: f64) -> (u8, f64) {
+    /// From here on numbers are multiples of 256.
+    const WHOLE_PERIODS: f64 = (1_u64 << 60) as f64;
+    // also where a coordinate has overflowed
+    if !(x.abs() < WHOLE_PERIODS) {
+        return (0, 0.0);
+    }
+    let plane = floor(x);
+    // the lowest byte of the two's complement is the remainder, for negative numbers too
+    (plane as i64 as u8, x - plane)
+}

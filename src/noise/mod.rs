@@ -1,0 +1,200 @@
+//! Lattice noise and its sums (Suffern, ch. 31): the book's `LatticeNoise`.
+//!
+//! Random numbers and unit vectors stand at the points of whole coordinates; between them they are
+//! interpolated, linearly or by cubics. The edge of a cell is 1 here; textures divide by their size.
+
+mod cubic;
+mod lattice;
+mod linear;
+
+use std::ops::{Add, Mul};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, positive, shown};
+use crate::math::{Point, Vector};
+
+pub use lattice::Lattice;
+
+/// More octaves change nothing that could be seen: the last of these has 2³¹ times the frequency of the
+/// first.
+pub const MOST_OCTAVES: u32 = 32;
+
+/// A noise and how its octaves are added up.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Noise {
+    /// What is between the lattice points.
+    pub interpolation: Interpolation,
+    /// How many noises of rising frequency are added up; from 1 to 32.
+    pub octaves: u32,
+    /// The amplitude of an octave over that of the one before it; positive. fBm alone has it: fractal
+    /// sum and turbulence have 1/2.
+    pub gain: f64,
+    /// The frequency of an octave over that of the one before it; positive. fBm alone has it: fractal
+    /// sum and turbulence have 2.
+    pub lacunarity: f64,
+    /// Chooses the numbers at the lattice points.
+    pub seed: u64,
+}
+
+/// How noise goes on between the points of its lattice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(title = "interpolations")]
+pub enum Interpolation {
+    /// Linear along each axis, of the 8 corners of the cell: continuous, but the planes of the lattice
+    /// show.
+    Linear,
+    /// Cubic along each axis, of 64 points: smooth.
+    #[default]
+    Cubic,
+}
+
+impl Default for Noise {
+    /// The book's: one octave, lacunarity 2, gain 1/2, seed 253.
+    fn default() -> Self {
+        let interpolation = Interpolation::default();
+        Self { interpolation, octaves: 1, gain: 0.5, lacunarity: 2.0, seed: 253 }
+    }
+}
+
+impl Noise {
+    /// So many octaves, the rest as in the book.
+    pub fn of_octaves(octaves: u32) -> Self {
+        Self { octaves, ..Self::default() }
+    }
+
+    /// Checks the data and fills the tables.
+    ///
+    /// # Errors
+    /// [`Invalid`] names the field that does not fit.
+    pub fn build(&self) -> Result<LatticeNoise, Invalid> {
+        let Self { interpolation, octaves, gain, lacunarity, seed } = *self;
+        if !(1..=MOST_OCTAVES).contains(&octaves) {
+            let problem = format!("found {octaves}, but 1 to {MOST_OCTAVES} fit");
+            return Err(Invalid::field("octaves", problem));
+        }
+        for (field, factor) in [("gain", gain), ("lacunarity", lacunarity)] {
+            positive(field, factor)?;
+            if !bound(factor, octaves).is_finite() {
+                let found = shown(factor);
+                let problem =
+                    format!("found {found}, but its powers overflow with {octaves} octaves");
+                return Err(Invalid::field(field, problem));
+            }
+        }
+        Ok(LatticeNoise {
+            interpolation,
+            lattice: Lattice::new(seed),
+            octaves,
+            gain,
+            lacunarity,
+            fbm_max: bound(gain, octaves),
+            half_max: bound(0.5, octaves),
+        })
+    }
+}
+
+/// `Σ gainʲ` over the octaves: no sum of noises, which are between −1 and 1, is larger.
+///
+/// It is `(1 − gainⁿ)/(1 − gain)`, or `n` for gain 1. Added up one by one as the noises are, it is a
+/// bound to the last bit: roundings keep order.
+fn bound(gain: f64, octaves: u32) -> f64 {
+    sum(octaves, gain, 1.0, |_| 1.0)
+}
+
+/// `Σ gainʲ noise(lacunarityʲ)`, for `j` from 0 below the number of octaves.
+fn sum<T>(octaves: u32, gain: f64, lacunarity: f64, noise: impl Fn(f64) -> T) -> T
+where
+    T: Add<Output = T>,
+    f64: Mul<T, Output = T>,
+{
+    let mut sum = noise(1.0);
+    let (mut amplitude, mut frequency) = (1.0, 1.0);
+    for _ in 1..octaves {
+        amplitude *= gain;
+        frequency *= lacunarity;
+        sum = sum + amplitude * noise(frequency);
+    }
+    sum
+}
+
+/// Noise ready to be asked. It has the period 256 along each axis.
+#[derive(Clone, Debug)]
+pub struct LatticeNoise {
+    interpolation: Interpolation,
+    lattice: Lattice,
+    octaves: u32,
+    gain: f64,
+    lacunarity: f64,
+    /// The largest sum of fBm; the smallest is its negative.
+    fbm_max: f64,
+    /// The same for a gain of 1/2: of fractal sum and turbulence, whatever the gain of fBm.
+    half_max: f64,
+}
+
+impl LatticeNoise {
+    /// What stands at the lattice points.
+    pub fn lattice(&self) -> &Lattice {
+        &self.lattice
+    }
+
+    /// One octave, from −1 to 1.
+    pub fn value(&self, p: Point) -> f64 {
+        match self.interpolation {
+            Interpolation::Linear => linear::noise(p, |corner| self.lattice.value(corner)),
+            // cubics overshoot
+            Interpolation::Cubic => {
+                cubic::noise(p, |knot| self.lattice.value(knot)).clamp(-1.0, 1.0)
+            }
+        }
+    }
+
+    /// One octave of vectors; each component from −1 to 1.
+    pub fn vector(&self, p: Point) -> Vector {
+        match self.interpolation {
+            Interpolation::Linear => linear::noise(p, |corner| self.lattice.vector(corner)),
+            Interpolation::Cubic => {
+                let overshot = cubic::noise(p, |knot| self.lattice.vector(knot));
+                Vector::from(overshot.to_array().map(|c| c.clamp(-1.0, 1.0)))
+            }
+        }
+    }
+
+    /// `Σ 2⁻ʲ noise(2ʲ p)`, brought from its bounds to 0 … 1.
+    pub fn value_fractal_sum(&self, p: Point) -> f64 {
+        let sum = sum(self.octaves, 0.5, 2.0, |frequency| self.value(p.scaled(frequency)));
+        between(-self.half_max, self.half_max, sum)
+    }
+
+    /// `Σ 2⁻ʲ noise(2ʲ p)` of vectors, not brought to a range.
+    pub fn vector_fractal_sum(&self, p: Point) -> Vector {
+        sum(self.octaves, 0.5, 2.0, |frequency| self.vector(p.scaled(frequency)))
+    }
+
+    /// `Σ 2⁻ʲ |noise(2ʲ p)|`, brought from its bounds to 0 … 1.
+    pub fn value_turbulence(&self, p: Point) -> f64 {
+        let sum = sum(self.octaves, 0.5, 2.0, |frequency| self.value(p.scaled(frequency)).abs());
+        between(0.0, self.half_max, sum)
+    }
+
+    /// Fractional Brownian motion: `Σ gainʲ noise(lacunarityʲ p)`, brought from its bounds to 0 … 1.
+    pub fn value_fbm(&self, p: Point) -> f64 {
+        let noise = |frequency| self.value(p.scaled(frequency));
+        let sum = sum(self.octaves, self.gain, self.lacunarity, noise);
+        between(-self.fbm_max, self.fbm_max, sum)
+    }
+
+    /// `Σ gainʲ noise(lacunarityʲ p)` of vectors, not brought to a range.
+    pub fn vector_fbm(&self, p: Point) -> Vector {
+        let noise = |frequency| self.vector(p.scaled(frequency));
+        sum(self.octaves, self.gain, self.lacunarity, noise)
+    }
+}
+
+/// Where between the bounds a sum is, from 0 to 1.
+fn between(min: f64, max: f64, sum: f64) -> f64 {
+    (sum - min) / (max - min)
+}

@@ -1,0 +1,101 @@
+//! The checker of a cylinder, with lines (Suffern, ch. 30).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::cells::{self, Cell, Checkers};
+use super::mapping::around;
+use super::{Lines, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, length};
+use crate::kinds::{self, Specification};
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// Checkers on the open cylinder about the y axis with y from −1 to 1 and any radius: by the azimuth φ and by
+/// the height `y/2 + 1/2`. Beyond its ends the rows go on. With an odd num_horizontal, two neighbours
+/// at φ = 0 are alike.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CylinderChecker {
+    /// The length of 1: half the height of the cylinder; positive.
+    #[serde(default = "kinds::one")]
+    pub unit: f64,
+    /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
+    #[serde(default = "cells::twenty")]
+    pub num_horizontal: u32,
+    /// How many there are from y = −1 to y = 1; at least 1.
+    #[serde(default = "cells::ten")]
+    pub num_vertical: u32,
+    /// The colour of the first checker, at the lower end and at φ = 0.
+    #[serde(default = "kinds::white::<Paint>")]
+    pub color1: Paint,
+    /// The colour of its neighbours.
+    #[serde(default = "cells::half_grey")]
+    pub color2: Paint,
+    /// Lines along the borders; at each end of the cylinder is half a line. None if left out.
+    #[serde(default)]
+    pub lines: Lines,
+}
+
+/// The book's numbers of checkers, white and grey.
+impl Default for CylinderChecker {
+    fn default() -> Self {
+        Self {
+            unit: 1.0,
+            num_horizontal: cells::twenty(),
+            num_vertical: cells::ten(),
+            color1: Rgb::WHITE.into(),
+            color2: cells::half_grey(),
+            lines: Lines::default(),
+        }
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    unit: f64,
+    columns: f64,
+    rows: f64,
+    checkers: Checkers,
+}
+
+impl Specification for CylinderChecker {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let colors = [&self.color1, &self.color2];
+        Ok(Arc::new(Built {
+            unit: length("unit", self.unit)?,
+            columns: cells::count("num_horizontal", self.num_horizontal)?,
+            rows: cells::count("num_vertical", self.num_vertical)?,
+            checkers: Checkers::build(colors, &self.lines, resources)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            unit: factor * self.unit,
+            color1: self.color1.scaled(factor),
+            color2: self.color2.scaled(factor),
+            lines: self.lines.scaled(factor),
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let lines = Lines { horizontal: 0.1, vertical: 0.05, ..Lines::default() };
+        vec![Self { lines, unit: 1.5, ..Self::default() }, Self::default()]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let [x, y, z] = at.local.to_array().map(|c| c / self.unit);
+        let column = Cell::of_range(around(x, z), self.columns);
+        let row = Cell::at(self.rows * (0.5 * y + 0.5));
+        self.checkers.color([column, row], at)
+    }
+}

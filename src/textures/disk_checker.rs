@@ -1,0 +1,102 @@
+//! The checker of a disk, with lines (Suffern, ch. 30).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::cells::{self, Cell, Checkers};
+use super::mapping::{around, distance};
+use super::{Lines, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, length};
+use crate::kinds::{self, Specification};
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// Checkers on the disk of radius 1 about the y axis: by the azimuth φ, and in rings of the width
+/// 1/num_radial. Beyond its rim the rings go on; along y the colour does not change. With an odd
+/// num_angular, two neighbours at φ = 0 are alike.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DiskChecker {
+    /// The length of 1: the radius of the disk; positive.
+    #[serde(default = "kinds::one")]
+    pub unit: f64,
+    /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
+    #[serde(default = "cells::twenty")]
+    pub num_angular: u32,
+    /// How many there are from the middle to the rim; at least 1.
+    #[serde(default = "cells::ten")]
+    pub num_radial: u32,
+    /// The colour of the first checker, in the middle and at φ = 0.
+    #[serde(default = "kinds::white::<Paint>")]
+    pub color1: Paint,
+    /// The colour of its neighbours.
+    #[serde(default = "cells::half_grey")]
+    pub color2: Paint,
+    /// Lines along the borders: the horizontal ones are circles, the vertical ones run outward. The middle and
+    /// the rim have half a line. None if left out.
+    #[serde(default)]
+    pub lines: Lines,
+}
+
+/// The book's numbers of checkers, white and grey.
+impl Default for DiskChecker {
+    fn default() -> Self {
+        Self {
+            unit: 1.0,
+            num_angular: cells::twenty(),
+            num_radial: cells::ten(),
+            color1: Rgb::WHITE.into(),
+            color2: cells::half_grey(),
+            lines: Lines::default(),
+        }
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    unit: f64,
+    columns: f64,
+    rows: f64,
+    checkers: Checkers,
+}
+
+impl Specification for DiskChecker {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let colors = [&self.color1, &self.color2];
+        Ok(Arc::new(Built {
+            unit: length("unit", self.unit)?,
+            columns: cells::count("num_angular", self.num_angular)?,
+            rows: cells::count("num_radial", self.num_radial)?,
+            checkers: Checkers::build(colors, &self.lines, resources)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            unit: factor * self.unit,
+            color1: self.color1.scaled(factor),
+            color2: self.color2.scaled(factor),
+            lines: self.lines.scaled(factor),
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let lines = Lines { horizontal: 0.1, vertical: 0.05, ..Lines::default() };
+        vec![Self { lines, unit: 1.5, ..Self::default() }, Self::default()]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let [x, _, z] = at.local.to_array().map(|c| c / self.unit);
+        let column = Cell::of_range(around(x, z), self.columns);
+        let row = Cell::at(self.rows * distance(x, z));
+        self.checkers.color([column, row], at)
+    }
+}

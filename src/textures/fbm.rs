@@ -1,0 +1,86 @@
+//! The fBm texture (Suffern, ch. 31): the book's `FBmTexture`.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::noise_field::{NoiseField, Range};
+use super::{Color, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, finite};
+use crate::kinds::{self, Specification};
+use crate::noise::Noise;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// Fractional Brownian motion as brightness: `min + (max − min) fBm` times a colour. Where that number
+/// is not from 0 to 1 the texture is red, as in the book, so that min and max can be found by eye.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fbm {
+    /// The noise.
+    #[serde(default)]
+    pub noise: Noise,
+    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    #[serde(default = "kinds::one")]
+    pub size: f64,
+    /// The brightness for an fBm of 0; of any sign.
+    #[serde(default)]
+    pub min: f64,
+    /// The brightness for an fBm of 1; of any sign.
+    #[serde(default = "kinds::one")]
+    pub max: f64,
+    /// The colour of brightness 1.
+    #[serde(default = "kinds::white::<Paint>")]
+    pub color: Paint,
+}
+
+impl Fbm {
+    /// From black to white, in cells of this size.
+    pub fn new(noise: Noise, size: f64) -> Self {
+        Self { noise, size, min: 0.0, max: 1.0, color: Rgb::WHITE.into() }
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    field: NoiseField,
+    range: Range,
+    color: Color,
+}
+
+impl Specification for Fbm {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            field: NoiseField::build(&self.noise, self.size)?,
+            range: Range { min: finite("min", self.min)?, max: finite("max", self.max)? },
+            color: self.color.build("color", resources)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { size: factor * self.size, color: self.color.scaled(factor), ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let clouds = Self {
+            color: Rgb::new(0.5, 0.75, 1.0).into(),
+            ..Self::new(Noise::of_octaves(6), 0.75)
+        };
+        let noise = Noise { gain: 2.0, lacunarity: 3.7, ..Noise::of_octaves(4) };
+        vec![clouds.clone(), Self { noise, min: -0.5, max: 1.5, color: clouds.into(), size: 1.0 }]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let value = self.range.scaled(self.field.fbm(at));
+        if !(0.0..=1.0).contains(&value) {
+            return Rgb::new(1.0, 0.0, 0.0);
+        }
+        value * self.color.at(at)
+    }
+}

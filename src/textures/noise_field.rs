@@ -1,0 +1,55 @@
+//! A noise in the coordinates of a texture (Suffern, ch. 31): what the noise textures share.
+
+use super::TexturePoint;
+use crate::invalid::{Invalid, length, not_negative};
+use crate::math::{Point, floor};
+use crate::noise::{LatticeNoise, Noise};
+
+/// Noise whose cells have edges of this length.
+#[derive(Debug)]
+pub(super) struct NoiseField {
+    pub noise: LatticeNoise,
+    size: f64,
+}
+
+impl NoiseField {
+    /// Checks the fields `noise` and `size` of a texture.
+    pub fn build(noise: &Noise, size: f64) -> Result<Self, Invalid> {
+        let noise = noise.build().map_err(|e| e.inside("noise"))?;
+        Ok(Self { noise, size: length("size", size)? })
+    }
+
+    /// The point, measured in cells.
+    pub fn point(&self, at: &TexturePoint<'_>) -> Point {
+        Point::from(at.local.to_array().map(|c| c / self.size))
+    }
+
+    /// Fractional Brownian motion, from 0 to 1.
+    pub fn fbm(&self, at: &TexturePoint<'_>) -> f64 {
+        self.noise.value_fbm(self.point(at))
+    }
+}
+
+/// The values that stand for 0 and 1 of a noise.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Range {
+    pub min: f64,
+    pub max: f64,
+}
+
+impl Range {
+    /// Checks the fields `min` and `max` of a texture.
+    pub fn build(min: f64, max: f64) -> Result<Self, Invalid> {
+        Ok(Self { min: not_negative("min", min)?, max: not_negative("max", max)? })
+    }
+
+    /// `min + (max − min) value`.
+    pub fn scaled(self, value: f64) -> f64 {
+        self.min + (self.max - self.min) * value
+    }
+}
+
+/// The part of a noise after the whole number, in `[0, 1)`: noise over 1 starts again at 0.
+pub(super) fn wrapped(noise: f64) -> f64 {
+    noise - floor(noise)
+}

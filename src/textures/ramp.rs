@@ -1,0 +1,95 @@
+//! The ramp: colours that pass into one another along an axis (Suffern, ch. 30).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Color, Paint, Texture, TexturePoint, Wrap};
+use crate::invalid::{Invalid, LENGTHS, finite, lengths, shown};
+use crate::kinds::Specification;
+use crate::math::{Axis, floor};
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// Colours at equal distances along an axis of the object's own coordinates, and what is between them in
+/// proportion.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ramp {
+    /// The axis along which the colours change.
+    pub axis: Axis,
+    /// Where on the axis the first colour is, in the unit of the scene.
+    pub from: f64,
+    /// Where the last colour is; elsewhere than the first.
+    pub to: f64,
+    /// The colours, two or more.
+    pub colors: Vec<Paint>,
+    /// How it goes on beyond its ends; if left out, with the colours there.
+    #[serde(default = "clamp")]
+    pub wrap: Wrap,
+}
+
+fn clamp() -> Wrap {
+    Wrap::Clamp
+}
+
+#[derive(Debug)]
+struct Built {
+    axis: Axis,
+    from: f64,
+    to: f64,
+    colors: Vec<Color>,
+    wrap: Wrap,
+}
+
+impl Specification for Ramp {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let (from, to) = (finite("from", self.from)?, finite("to", self.to)?);
+        if !LENGTHS.contains(&(to - from).abs()) {
+            let apart = shown((to - from).abs());
+            let problem = format!("found {apart} between `from` and it, but {}", lengths());
+            return Err(Invalid::field("to", problem));
+        }
+        if self.colors.len() < 2 {
+            let problem = format!("found {}, but at least 2 are needed", self.colors.len());
+            return Err(Invalid::field("colors", problem));
+        }
+        let colors = Paint::build_list(&self.colors, "colors", resources)?;
+        Ok(Arc::new(Built { axis: self.axis, from, to, colors, wrap: self.wrap }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            from: factor * self.from,
+            to: factor * self.to,
+            colors: self.colors.iter().map(|color| color.scaled(factor)).collect(),
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let colors = [Rgb::new(0.75, 0.25, 0.0), Rgb::WHITE, Rgb::new(0.0, 0.5, 1.0)];
+        let colors = colors.map(Paint::from).to_vec();
+        let along_y = Self { axis: Axis::Y, from: -1.0, to: 2.0, colors, wrap: Wrap::Clamp };
+        let again =
+            Self { axis: Axis::X, from: 0.5, to: -0.25, wrap: Wrap::Repeat, ..along_y.clone() };
+        vec![along_y, again]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let x = at.local.along(self.axis as usize);
+        let last = self.colors.len() - 1;
+        let s = last as f64 * self.wrap.coordinate((x - self.from) / (self.to - self.from));
+        let before = floor(s);
+        let i = before as usize;
+        let [a, b] = [i, (i + 1).min(last)].map(|i| self.colors[i].at(at).to_array());
+        // this way round two equal colours have nothing else between them, to the last bit
+        Rgb::from([0, 1, 2].map(|c: usize| a[c] + (s - before) * (b[c] - a[c])))
+    }
+}

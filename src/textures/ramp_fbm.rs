@@ -1,0 +1,86 @@
+//! Marble and sandstone (Suffern, ch. 31): the book's `RampFBmTexture`.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::color_table::{ColorTable, Columns};
+use super::noise_field::NoiseField;
+use super::{Texture, TexturePoint};
+use crate::invalid::{Invalid, finite};
+use crate::kinds::{self, Specification};
+use crate::math::sin;
+use crate::noise::Noise;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// Layers across the y axis, disturbed by noise: the colour of a ramp at `(1 + sin(y + a fBm))/2`. With
+/// a large `a`, the perturbation, it is marble, with a small one and many octaves sandstone. Layers are
+/// 2π sizes high.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RampFbm {
+    /// The colours.
+    pub ramp: ColorTable,
+    /// The noise.
+    #[serde(default)]
+    pub noise: Noise,
+    /// The edge of a cell of the noise's lattice, and the unit of y, in the unit of the scene; positive.
+    #[serde(default = "kinds::one")]
+    pub size: f64,
+    /// The book's perturbation `a`, in sizes: how far the noise moves the layers.
+    #[serde(default = "three")]
+    pub perturbation: f64,
+}
+
+fn three() -> f64 {
+    3.0
+}
+
+#[derive(Debug)]
+struct Built {
+    columns: Columns,
+    field: NoiseField,
+    perturbation: f64,
+}
+
+impl Specification for RampFbm {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            columns: self.ramp.build("ramp")?,
+            field: NoiseField::build(&self.noise, self.size)?,
+            perturbation: finite("perturbation", self.perturbation)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { size: factor * self.size, ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let colors = [Rgb::new(0.9, 0.9, 1.0), Rgb::new(0.1, 0.2, 0.5), Rgb::new(0.6, 0.7, 0.9)];
+        let marble = Self {
+            ramp: ColorTable::mixed(colors),
+            noise: Noise::of_octaves(4),
+            size: 0.5,
+            perturbation: 8.0,
+        };
+        let rule = super::Rule::Book;
+        let ramp = ColorTable { rule, columns: None, ..marble.ramp.clone() };
+        vec![marble.clone(), Self { ramp, perturbation: 0.05, ..marble }]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let p = self.field.point(at);
+        let noise = self.field.noise.value_fbm(p);
+        let y = p.y() + self.perturbation * noise;
+        let u = (1.0 + sin(y)) / 2.0;
+        self.columns.color(u)
+    }
+}

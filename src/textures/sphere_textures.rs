@@ -1,0 +1,75 @@
+//! A texture for each checker of a sphere (Suffern, ch. 30).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::cells::{self, BuiltLines};
+use super::{Checker3d, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// The checkers of `sphere_checker`, each with a colour or texture of its own.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SphereTextures {
+    /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
+    #[serde(default = "cells::twenty")]
+    pub num_horizontal: u32,
+    /// How many there are from the north pole, on the y axis, to the south pole; at least 1.
+    #[serde(default = "cells::ten")]
+    pub num_vertical: u32,
+    /// The textures: row by row from the north pole, in each row from the +z axis on. If there are fewer
+    /// than checkers, they begin again.
+    pub textures: Vec<Paint>,
+    /// Lines along the borders; none if left out.
+    #[serde(default)]
+    pub lines: Lines,
+}
+
+#[derive(Debug)]
+struct Built {
+    cells: SphereCells,
+    textures: Vec<Color>,
+    lines: BuiltLines,
+}
+
+impl Specification for SphereTextures {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let cells = SphereCells::new(self.num_horizontal, self.num_vertical)?;
+        cells.check_list("textures", self.textures.len())?;
+        let textures = Paint::build_list(&self.textures, "textures", resources)?;
+        Ok(Arc::new(Built { cells, textures, lines: self.lines.build(resources)? }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            textures: self.textures.iter().map(|texture| texture.scaled(factor)).collect(),
+            lines: self.lines.scaled(factor),
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let plain = [Rgb::WHITE, Rgb::new(0.75, 0.25, 0.25), Rgb::BLACK].map(Paint::from);
+        let checker = Checker3d::specimens().remove(0);
+        let textures = plain.into_iter().chain([checker.into()]).collect();
+        let lines = Lines { horizontal: 0.25, vertical: 0.125, ..Lines::default() };
+        vec![Self { num_horizontal: 5, num_vertical: 4, textures, lines }]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        self.lines.color(self.cells.cell(at.local), at).unwrap_or_else(|| {
+            let turn = self.cells.index(at.local) % self.textures.len() as u64;
+            self.textures[turn as usize].at(at)
+        })
+    }
+}

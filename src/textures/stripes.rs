@@ -1,0 +1,79 @@
+//! Stripes (Suffern, ch. 30).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::cells::{self, OFFSET, is_even};
+use super::{Color, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, positive};
+use crate::kinds::{self, Specification};
+use crate::math::{Axis, floor};
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// Layers of two colours in turn, all through the object, across an axis of its own coordinates. Their
+/// borders are a little beyond the multiples of the size, as those of `checker3d`, so that a face at a
+/// whole coordinate lies in one layer.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Stripes {
+    /// The axis along which the colours change.
+    pub axis: Axis,
+    /// The width of a stripe, in the unit of the scene; positive.
+    #[serde(default = "kinds::one")]
+    pub size: f64,
+    /// The colour of the stripe from 0 to the size.
+    #[serde(default = "kinds::white::<Paint>")]
+    pub color1: Paint,
+    /// The colour of its neighbours.
+    #[serde(default = "cells::half_grey")]
+    pub color2: Paint,
+}
+
+#[derive(Debug)]
+struct Built {
+    axis: Axis,
+    size: f64,
+    color1: Color,
+    color2: Color,
+}
+
+impl Specification for Stripes {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            axis: self.axis,
+            size: positive("size", self.size)?,
+            color1: self.color1.build("color1", resources)?,
+            color2: self.color2.build("color2", resources)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            axis: self.axis,
+            size: factor * self.size,
+            color1: self.color1.scaled(factor),
+            color2: self.color2.scaled(factor),
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let [color1, color2] = [Rgb::new(0.5, 0.25, 0.0), Rgb::WHITE].map(Paint::from);
+        let across_y = Self { axis: Axis::Y, size: 0.375, color1, color2 };
+        let nested =
+            Self { axis: Axis::Z, size: 2.0, color1: across_y.clone().into(), ..across_y.clone() };
+        vec![across_y, nested]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let x = at.local.along(self.axis as usize);
+        if is_even(floor(x / self.size + OFFSET)) { self.color1.at(at) } else { self.color2.at(at) }
+    }
+}

@@ -1,0 +1,86 @@
+//! The instance of a texture, the book's `TInstance` (Suffern, ch. 30): a texture seen through a
+//! transformation.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Checker3d, Color, Paint, Texel, Texture, TexturePoint};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Step, Transform, Vector};
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+use crate::shapes::transform_of;
+
+/// A texture moved, turned, stretched or sheared against its object: the colour at a local point p is that of
+/// the texture at M⁻¹p. What belongs to the surface itself stays as it is: the texture coordinates and the
+/// triangles of a mesh.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TextureInstance {
+    /// What is transformed; it may be an instance itself, whose steps come first.
+    pub of: Paint,
+    /// The steps, in the order in which they are applied, about the origin of the object's own coordinates.
+    pub transform: Vec<Step>,
+}
+
+impl TextureInstance {
+    /// A texture after these steps.
+    pub fn new(of: impl Into<Paint>, transform: Vec<Step>) -> Self {
+        Self { of: of.into(), transform }
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    of: Color,
+    transform: Transform,
+}
+
+impl Specification for TextureInstance {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let transform = transform_of("transform", &self.transform)?;
+        Ok(Arc::new(Built { of: self.of.build("of", resources)?, transform }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let transform = self.transform.iter().map(|step| step.scaled(factor)).collect();
+        Self { of: self.of.scaled(factor), transform }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let checker = Checker3d::specimens().remove(0);
+        let steps = vec![
+            Step::Scale(Vector::new(2.0, 1.0, 0.5)),
+            Step::RotateZ(30.0),
+            Step::Shear([0.5, 0.0, 0.0, 0.25, 0.0, 0.0]),
+            Step::Translate(Vector::new(0.25, -1.5, 3.0)),
+        ];
+        let moved = Self::new(checker, steps);
+        vec![Self::new(moved.clone(), vec![Step::RotateX(-45.0)]), moved]
+    }
+}
+
+impl Built {
+    fn inside<'a>(&self, at: &TexturePoint<'a>) -> TexturePoint<'a> {
+        at.moved_to(self.transform.inverse().point(at.local))
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        self.of.at(&self.inside(at))
+    }
+
+    fn texel(&self, at: &TexturePoint<'_>) -> Option<Texel> {
+        match &self.of {
+            Color::Plain(_) => None,
+            Color::Textured(texture) => texture.texel(&self.inside(at)),
+        }
+    }
+}

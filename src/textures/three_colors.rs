@@ -1,0 +1,125 @@
+//! Wrapped noise of three colours (Suffern, ch. 31): the book's `WrappedThreeColors`.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::noise_field::{NoiseField, Range, wrapped};
+use super::{Color, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, finite, positive};
+use crate::kinds::{self, Specification};
+use crate::math::lists;
+use crate::noise::Noise;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// As `wrapped_fbm`, with three colours between two thresholds of `expansion · fBm`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ThreeColors {
+    /// The noise.
+    #[serde(default)]
+    pub noise: Noise,
+    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    #[serde(default = "kinds::one")]
+    pub size: f64,
+    /// The book's expansion number: the noise goes from 0 to it; positive.
+    #[serde(default = "three")]
+    pub expansion: f64,
+    /// Where the second and the third colour begin; the second is not below the first.
+    #[serde(default = "thresholds", deserialize_with = "lists::exactly")]
+    pub thresholds: [f64; 2],
+    /// The brightness above a line; not negative.
+    #[serde(default)]
+    pub min: f64,
+    /// The brightness below it; not negative.
+    #[serde(default = "kinds::one")]
+    pub max: f64,
+    /// The colour where the noise is below both thresholds.
+    pub color1: Paint,
+    /// The colour where it is between them.
+    pub color2: Paint,
+    /// The colour elsewhere.
+    pub color3: Paint,
+}
+
+fn three() -> f64 {
+    3.0
+}
+
+fn thresholds() -> [f64; 2] {
+    [1.35, 2.0]
+}
+
+impl ThreeColors {
+    /// Three colours, each from black, in cells of this size.
+    pub fn new(noise: Noise, size: f64, expansion: f64, colors: [Paint; 3]) -> Self {
+        let [color1, color2, color3] = colors;
+        let thresholds = thresholds();
+        Self { noise, size, expansion, thresholds, min: 0.0, max: 1.0, color1, color2, color3 }
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    field: NoiseField,
+    expansion: f64,
+    thresholds: [f64; 2],
+    range: Range,
+    colors: [Color; 3],
+}
+
+impl Specification for ThreeColors {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let [first, second] = self.thresholds;
+        finite("thresholds", first).and(finite("thresholds", second))?;
+        if second < first {
+            let problem = format!("found {:?}, but the second is not below", self.thresholds);
+            return Err(Invalid::field("thresholds", problem + " the first"));
+        }
+        Ok(Arc::new(Built {
+            field: NoiseField::build(&self.noise, self.size)?,
+            expansion: positive("expansion", self.expansion)?,
+            thresholds: self.thresholds,
+            range: Range::build(self.min, self.max)?,
+            colors: [
+                self.color1.build("color1", resources)?,
+                self.color2.build("color2", resources)?,
+                self.color3.build("color3", resources)?,
+            ],
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            size: factor * self.size,
+            color1: self.color1.scaled(factor),
+            color2: self.color2.scaled(factor),
+            color3: self.color3.scaled(factor),
+            ..self.clone()
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let noise = Noise { lacunarity: 4.0, ..Noise::of_octaves(4) };
+        let colors = [Rgb::new(1.0, 0.75, 0.0), Rgb::new(0.5, 0.0, 0.5), Rgb::new(0.0, 0.6, 0.3)];
+        vec![Self::new(noise, 0.75, 3.25, colors.map(Paint::from))]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let noise = self.expansion * self.field.fbm(at);
+        let [color1, color2, color3] = &self.colors;
+        let color = match noise {
+            _ if noise < self.thresholds[0] => color1,
+            _ if noise < self.thresholds[1] => color2,
+            _ => color3,
+        };
+        self.range.scaled(wrapped(noise)) * color.at(at)
+    }
+}

@@ -1,0 +1,80 @@
+//! The turbulence texture (Suffern, ch. 31): the book's `TurbulenceTexture`.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::noise_field::{NoiseField, Range};
+use super::{Color, Paint, Texture, TexturePoint};
+use crate::invalid::Invalid;
+use crate::kinds::{self, Specification};
+use crate::noise::Noise;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// Turbulence as brightness: `min + (max − min) turbulence` times a colour. It has dark veins where the
+/// noise changes its sign.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Turbulence {
+    /// The noise; gain and lacunarity do not matter.
+    #[serde(default)]
+    pub noise: Noise,
+    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    #[serde(default = "kinds::one")]
+    pub size: f64,
+    /// The brightness for a turbulence of 0; not negative.
+    #[serde(default)]
+    pub min: f64,
+    /// The brightness for a turbulence of 1; not negative. It may be above 1, as few points have much
+    /// turbulence.
+    #[serde(default = "kinds::one")]
+    pub max: f64,
+    /// The colour of brightness 1.
+    #[serde(default = "kinds::white::<Paint>")]
+    pub color: Paint,
+}
+
+impl Turbulence {
+    /// From black to white, in cells of this size.
+    pub fn new(noise: Noise, size: f64) -> Self {
+        Self { noise, size, min: 0.0, max: 1.0, color: Rgb::WHITE.into() }
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    field: NoiseField,
+    range: Range,
+    color: Color,
+}
+
+impl Specification for Turbulence {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            field: NoiseField::build(&self.noise, self.size)?,
+            range: Range::build(self.min, self.max)?,
+            color: self.color.build("color", resources)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { size: factor * self.size, color: self.color.scaled(factor), ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let color = Rgb::new(1.0, 0.7, 0.0).into();
+        vec![Self { color, ..Self::new(Noise::of_octaves(8), 2.0) }]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let value = self.range.scaled(self.field.noise.value_turbulence(self.field.point(at)));
+        value * self.color.at(at)
+    }
+}

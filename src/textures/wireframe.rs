@@ -1,0 +1,88 @@
+//! The wireframe: the edges of triangles (Suffern, ch. 30).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Color, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, not_negative};
+use crate::kinds::{self, Specification};
+use crate::math::exact_cross;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+use crate::shapes::Facet;
+
+/// Lines along the edges of the triangles of a mesh. Shapes without triangles have the colour between
+/// them. It belongs to the triangles: it moves and stretches with them in instances, and instances of
+/// textures do not move it.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wireframe {
+    /// The full width of a line, one half of it on each of the two triangles, in the unit of the mesh; not
+    /// negative.
+    pub line_width: f64,
+    /// The colour of the lines.
+    #[serde(default = "black")]
+    pub line_color: Paint,
+    /// The colour between them.
+    #[serde(default = "kinds::white::<Paint>")]
+    pub color: Paint,
+}
+
+fn black() -> Paint {
+    Rgb::BLACK.into()
+}
+
+#[derive(Debug)]
+struct Built {
+    line_width: f64,
+    line_color: Color,
+    color: Color,
+}
+
+impl Specification for Wireframe {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            line_width: not_negative("line_width", self.line_width)?,
+            line_color: self.line_color.build("line_color", resources)?,
+            color: self.color.build("color", resources)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            line_width: factor * self.line_width,
+            line_color: self.line_color.scaled(factor),
+            color: self.color.scaled(factor),
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let color = Rgb::new(1.0, 0.75, 0.25).into();
+        vec![Self { line_width: 0.02, line_color: black(), color }]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let on_line = |facet: &Facet| from_edges(facet) < 0.5 * self.line_width;
+        let color =
+            if at.facet().as_ref().is_some_and(on_line) { &self.line_color } else { &self.color };
+        color.at(at)
+    }
+}
+
+/// The distance of the point from the nearest edge: from the edge opposite to a corner it is the corner's
+/// barycentric coordinate times the height of the triangle there, twice its area over the edge.
+fn from_edges(facet: &Facet) -> f64 {
+    let ([a, b, c], [beta, gamma]) = (facet.corners, facet.barycentric);
+    let shares = [1.0 - beta - gamma, beta, gamma];
+    let twice_area = exact_cross(a, b, c).length();
+    let lengths = [b.distance(c), c.distance(a), a.distance(b)];
+    let distances = [0, 1, 2].map(|i: usize| shares[i] * twice_area / lengths[i]);
+    distances.into_iter().fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,199 @@
+//! Wood (Suffern, ch. 31).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::noise_field::NoiseField;
+use super::{Color, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, within};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector, floor};
+use crate::noise::{LatticeNoise, Noise};
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// A trunk along the y axis: rings of light and dark wood, uneven and wobbling, with grain along the
+/// trunk. Lengths and frequencies are counted in sizes.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Wood {
+    /// The noise.
+    pub noise: Noise,
+    /// The unit of all frequencies and distances, in the unit of the scene; positive.
+    pub size: f64,
+    /// The colour between rings and grains.
+    pub light: Paint,
+    /// The colour of rings and grains.
+    pub dark: Paint,
+    /// Rings per unit length.
+    pub ring_frequency: f64,
+    /// How much rings differ in width, as a share of a ring.
+    pub ring_unevenness: f64,
+    /// How far fine noise moves the rings.
+    pub ring_noise: f64,
+    /// The frequency of that noise.
+    pub ring_noise_frequency: f64,
+    /// How far the axis of the trunk wanders.
+    pub trunk_wobble: f64,
+    /// The frequency with which it does, along y.
+    pub trunk_wobble_frequency: f64,
+    /// How much rings are no circles, in rings.
+    pub angular_wobble: f64,
+    /// The frequency of that, around the trunk.
+    pub angular_wobble_frequency: f64,
+    /// Grains per unit length across the trunk; along it they are 20 times as long.
+    pub grain_frequency: f64,
+    /// How dark grains are, from 0 to 1.
+    pub grainy: f64,
+    /// How dark rings are, from 0 to 1.
+    pub ringy: f64,
+}
+
+impl Default for Wood {
+    fn default() -> Self {
+        Self {
+            noise: Noise { lacunarity: 4.0, ..Noise::of_octaves(2) },
+            size: 1.0,
+            light: Rgb::new(0.85, 0.55, 0.28).into(),
+            dark: Rgb::new(0.3, 0.12, 0.04).into(),
+            ring_frequency: 4.0,
+            ring_unevenness: 0.25,
+            ring_noise: 0.02,
+            ring_noise_frequency: 1.0,
+            trunk_wobble: 0.15,
+            trunk_wobble_frequency: 0.025,
+            angular_wobble: 0.5,
+            angular_wobble_frequency: 1.0,
+            grain_frequency: 25.0,
+            grainy: 0.5,
+            ringy: 0.5,
+        }
+    }
+}
+
+impl Wood {
+    fn check(&self) -> Result<(), Invalid> {
+        /// Far more than any tree has; their products with coordinates do not overflow.
+        const MOST: f64 = 1e9;
+        for (field, value) in [
+            ("ring_frequency", self.ring_frequency),
+            ("ring_unevenness", self.ring_unevenness),
+            ("ring_noise", self.ring_noise),
+            ("ring_noise_frequency", self.ring_noise_frequency),
+            ("trunk_wobble", self.trunk_wobble),
+            ("trunk_wobble_frequency", self.trunk_wobble_frequency),
+            ("angular_wobble", self.angular_wobble),
+            ("angular_wobble_frequency", self.angular_wobble_frequency),
+            ("grain_frequency", self.grain_frequency),
+        ] {
+            within(field, value, -MOST..=MOST)?;
+        }
+        for (field, share) in [("grainy", self.grainy), ("ringy", self.ringy)] {
+            within(field, share, 0.0..=1.0)?;
+        }
+        Ok(())
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    data: Wood,
+    field: NoiseField,
+    light: Color,
+    dark: Color,
+}
+
+impl Specification for Wood {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        self.check()?;
+        Ok(Arc::new(Built {
+            data: self.clone(),
+            field: NoiseField::build(&self.noise, self.size)?,
+            light: self.light.build("light", resources)?,
+            dark: self.dark.build("dark", resources)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            size: factor * self.size,
+            light: self.light.scaled(factor),
+            dark: self.dark.scaled(factor),
+            ..self.clone()
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { size: 0.5, ..Self::default() }]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let (wood, noise) = (&self.data, &self.field.noise);
+        let p = wood.bent(noise, self.field.point(at));
+        let in_ring = wood.in_ring(noise, p);
+        let (in_ring, grain) = wood.grain(noise, p, in_ring);
+        let dark = lerp(grain, wood.ringy * in_ring, 1.0);
+        (1.0 - dark) * self.light.at(at) + dark * self.dark.at(at)
+    }
+}
+
+impl Wood {
+    /// The point in a trunk that is straight and whose rings are smooth.
+    fn bent(&self, noise: &LatticeNoise, p: Point) -> Point {
+        let q = p + self.ring_noise * noise.vector_fbm(p.scaled(self.ring_noise_frequency));
+        let along = Point::new(0.0, 0.0, q.y() * self.trunk_wobble_frequency);
+        let w = self.trunk_wobble * noise.vector(along);
+        q + Vector::new(w.x(), 0.0, w.z())
+    }
+
+    /// How much of the dark part of a ring is at a point, from 0 to 1.
+    fn in_ring(&self, noise: &LatticeNoise, p: Point) -> f64 {
+        let [x, y, z] = p.to_array();
+        let mut r = self.ring_frequency * (x * x + z * z).sqrt();
+        let around = Point::new(x, 0.1 * y, z).scaled(self.angular_wobble_frequency);
+        r += self.angular_wobble * smooth_step(0.0, 5.0, r) * noise.value(around);
+        r += self.ring_unevenness * noise.value(Point::new(r, r, r));
+        smooth_pulse([0.1, 0.55, 0.7, 0.95], r - floor(r))
+    }
+
+    /// What grain leaves of the ring, and how much grain there is, from 0 to 1. It is added up from
+    /// coarse to fine.
+    fn grain(&self, noise: &LatticeNoise, p: Point, in_ring: f64) -> (f64, f64) {
+        let [x, y, z] = p.to_array();
+        let f = self.grain_frequency;
+        let g0 = Point::new(f * x, 0.05 * f * y, f * z);
+        let grain_of = |dp: f64, g0: Point, in_ring: f64| {
+            let valid = 1.0 - smooth_step(0.2, 0.6, dp);
+            let g = valid * noise.value(g0) * (0.3 + 0.7 * in_ring);
+            let g = (0.8 - g).clamp(0.0, 1.0);
+            (valid, self.grainy * smooth_step(0.5, 1.0, g * g))
+        };
+        let (valid, coarse) = grain_of(0.2, g0, in_ring);
+        let in_ring = in_ring * (1.0 - 0.4 * valid);
+        let (_, fine) = grain_of(0.4, g0.scaled(2.0), in_ring);
+        (in_ring, 0.5 * coarse.max(fine))
+    }
+}
+
+/// 0 below `a`, 1 from `b` on, a cubic between: no kink anywhere.
+fn smooth_step(a: f64, b: f64, x: f64) -> f64 {
+    let y = ((x - a) / (b - a)).clamp(0.0, 1.0);
+    y * y * (3.0 - 2.0 * y)
+}
+
+/// 1 from `b` to `c`, 0 outside `a … d`.
+fn smooth_pulse([a, b, c, d]: [f64; 4], x: f64) -> f64 {
+    smooth_step(a, b, x) - smooth_step(c, d, x)
+}
+
+/// `a + t (b − a)`.
+fn lerp(t: f64, a: f64, b: f64) -> f64 {
+    a + t * (b - a)
+}

@@ -1,0 +1,88 @@
+//! The wrapped fBm texture (Suffern, ch. 31): the book's `WrappedFBmTexture`.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::noise_field::{NoiseField, Range, wrapped};
+use super::{Color, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, positive};
+use crate::kinds::{self, Specification};
+use crate::noise::Noise;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// `noise = expansion · fBm`, of which the part after the whole number is the brightness: it falls from
+/// `max` to `min` along lines where the noise is a whole number.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrappedFbm {
+    /// The noise.
+    #[serde(default)]
+    pub noise: Noise,
+    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    #[serde(default = "kinds::one")]
+    pub size: f64,
+    /// The book's expansion number: the noise goes from 0 to it; positive.
+    #[serde(default = "two")]
+    pub expansion: f64,
+    /// The brightness above a line; not negative.
+    #[serde(default)]
+    pub min: f64,
+    /// The brightness below it; not negative.
+    #[serde(default = "kinds::one")]
+    pub max: f64,
+    /// The colour of brightness 1.
+    #[serde(default = "kinds::white::<Paint>")]
+    pub color: Paint,
+}
+
+fn two() -> f64 {
+    2.0
+}
+
+impl WrappedFbm {
+    /// From black to white, in cells of this size.
+    pub fn new(noise: Noise, size: f64, expansion: f64) -> Self {
+        Self { noise, size, expansion, min: 0.0, max: 1.0, color: Rgb::WHITE.into() }
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    field: NoiseField,
+    expansion: f64,
+    range: Range,
+    color: Color,
+}
+
+impl Specification for WrappedFbm {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            field: NoiseField::build(&self.noise, self.size)?,
+            expansion: positive("expansion", self.expansion)?,
+            range: Range::build(self.min, self.max)?,
+            color: self.color.build("color", resources)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { size: factor * self.size, color: self.color.scaled(factor), ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let noise = Noise { lacunarity: 4.0, ..Noise::of_octaves(2) };
+        vec![Self::new(noise, 1.0, 10.0)]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let value = wrapped(self.expansion * self.field.fbm(at));
+        self.range.scaled(value) * self.color.at(at)
+    }
+}

@@ -1,0 +1,76 @@
+//! Wrapped noise with the colours of a ramp (Suffern, ch. 31): the book's `WrappedRamp`.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::color_table::{ColorTable, Columns};
+use super::noise_field::{NoiseField, wrapped};
+use super::{Texture, TexturePoint};
+use crate::invalid::{Invalid, positive};
+use crate::kinds::{self, Specification};
+use crate::noise::Noise;
+use crate::resources::Resources;
+use crate::rgb::Rgb;
+
+/// The colour of a ramp at the part of `expansion · fBm` after the whole number.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrappedRamp {
+    /// The colours.
+    pub ramp: ColorTable,
+    /// The noise.
+    #[serde(default)]
+    pub noise: Noise,
+    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    #[serde(default = "kinds::one")]
+    pub size: f64,
+    /// The book's expansion number: the noise goes from 0 to it; positive.
+    #[serde(default = "two")]
+    pub expansion: f64,
+}
+
+fn two() -> f64 {
+    2.0
+}
+
+#[derive(Debug)]
+struct Built {
+    columns: Columns,
+    field: NoiseField,
+    expansion: f64,
+}
+
+impl Specification for WrappedRamp {
+    type Built = Arc<dyn Texture>;
+    type Context = Resources;
+
+    fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        Ok(Arc::new(Built {
+            columns: self.ramp.build("ramp")?,
+            field: NoiseField::build(&self.noise, self.size)?,
+            expansion: positive("expansion", self.expansion)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { size: factor * self.size, ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let colors = [Rgb::new(0.9, 0.8, 0.6), Rgb::new(0.5, 0.2, 0.1), Rgb::new(0.9, 0.6, 0.3)];
+        vec![Self {
+            ramp: ColorTable::mixed(colors),
+            noise: Noise::of_octaves(3),
+            size: 1.0,
+            expansion: 8.0,
+        }]
+    }
+}
+
+impl Texture for Built {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        self.columns.color(wrapped(self.expansion * self.field.fbm(at)))
+    }
+}

@@ -1,0 +1,28 @@
+//! Normals of bumped surfaces.
+
+use super::Hit;
+use crate::math::Normal;
+
+impl Hit<'_> {
+    /// The normal for shading: that of the surface, turned by the material's bump. Unit, and if it is
+    /// turned, on the side of the true normal.
+    pub fn shading_normal(&self) -> Normal {
+        let Some(bump) = &self.material.bump else { return self.surface.shading };
+        let space = self.object.shape.texture_space(&self.candidate);
+        let turned = Normal::new(space.inverse().covector(self.surface.shading))
+            .and_then(|local| Normal::new(bump.turned(&self.texture_point(), local)))
+            .and_then(|local| Normal::new(space.covector(local)));
+        raised(turned.unwrap_or(self.surface.shading), self.surface.normal)
+    }
+}
+
+/// The normal itself, or if it is below the true surface, or almost, turned up to just above it.
+fn raised(n: Normal, geometry: Normal) -> Normal {
+    /// A cosine: less is seen by grazing light alone.
+    const LEAST: f64 = 1.0 / 64.0;
+    let cosine = n.dot(geometry);
+    if cosine >= LEAST {
+        return n;
+    }
+    Normal::new(n + (LEAST - cosine) * geometry).unwrap_or(geometry)
+}

@@ -1,0 +1,331 @@
+//! Checkers on curved and on flat shapes: cells, lines, seams and poles.
+
+use std::f64::consts::{PI, TAU};
+
+use groundtruth::math::{cos, sin};
+use groundtruth::textures::{
+    ConeChecker, CylinderChecker, DiskChecker, Lines, RectangleChecker, SphereChecker,
+    SphereTextures,
+};
+
+use super::*;
+
+/// How far from a border a point is, as a share of a checker, so that no rounding of angles counts.
+const CLEAR: f64 = 1e-9;
+
+fn lines([horizontal, vertical]: [f64; 2]) -> Lines {
+    Lines { horizontal, vertical, color: LINE.into() }
+}
+
+/// A point of a unit sphere.
+fn on_sphere(phi: f64, theta: f64) -> Point {
+    Point::new(sin(theta) * sin(phi), cos(theta), sin(theta) * cos(phi))
+}
+
+/// The generic shapes that have checkers.
+#[derive(Clone, Copy, Debug)]
+enum Generic {
+    Sphere,
+    Cylinder,
+    Cone,
+    Disk,
+    Rectangle,
+}
+
+use Generic::{Cone, Cylinder, Disk, Rectangle, Sphere};
+
+const ALL: [Generic; 5] = [Sphere, Cylinder, Cone, Disk, Rectangle];
+
+impl Generic {
+    /// The checker with so many columns and rows, where 1 is `unit` long.
+    fn checker(self, [columns, rows]: [u32; 2], unit: f64, widths: [f64; 2]) -> Texture {
+        let (color1, color2, lines) = (ONE.into(), TWO.into(), lines(widths));
+        let (num_horizontal, num_vertical) = (columns, rows);
+        match self {
+            Sphere => SphereChecker { num_horizontal, num_vertical, color1, color2, lines }.into(),
+            Cylinder => {
+                CylinderChecker { unit, num_horizontal, num_vertical, color1, color2, lines }.into()
+            }
+            Cone => {
+                ConeChecker { unit, num_horizontal, num_vertical, color1, color2, lines }.into()
+            }
+            Disk => {
+                let (num_angular, num_radial) = (columns, rows);
+                DiskChecker { unit, num_angular, num_radial, color1, color2, lines }.into()
+            }
+            Rectangle => {
+                RectangleChecker { unit, num_horizontal, num_vertical, color1, color2, lines }
+                    .into()
+            }
+        }
+    }
+
+    /// The point at shares s and t of the columns and rows, from 0 to 1 on the generic shape: the
+    /// parametrisation that the texture inverts.
+    fn point(self, s: f64, t: f64) -> Point {
+        let phi = TAU * s;
+        let around = |rho: f64, y: f64| Point::new(rho * sin(phi), y, rho * cos(phi));
+        match self {
+            Sphere => on_sphere(phi, PI * t),
+            Cylinder => around(1.0, 2.0 * t - 1.0),
+            Cone => around(1.0 - t, 2.0 * t),
+            Disk => around(t, 0.0),
+            Rectangle => Point::new(2.0 * s - 1.0, 0.0, 2.0 * t - 1.0),
+        }
+    }
+
+    /// The rows that may be asked of n: cylinders and rectangles go on in both directions.
+    fn rows(self, n: u32) -> std::ops::Range<i64> {
+        match self {
+            Cylinder | Rectangle => -30..30,
+            Sphere | Disk | Cone => 0..i64::from(n),
+        }
+    }
+
+    /// The share of the shape's surface between two shares of its rows.
+    fn area(self, [from, to]: [f64; 2]) -> f64 {
+        match self {
+            Sphere => 0.5 * (cos(PI * from) - cos(PI * to)),
+            Cylinder | Rectangle => to - from,
+            Disk => to * to - from * from,
+            Cone => (1.0 - from) * (1.0 - from) - (1.0 - to) * (1.0 - to),
+        }
+    }
+
+    /// The share of rows at a point drawn evenly on the surface, for u from 0 to 1: areas inverted.
+    fn row_of(self, u: f64) -> f64 {
+        match self {
+            Sphere => groundtruth::math::acos(1.0 - 2.0 * u) / PI,
+            Cylinder | Rectangle => u,
+            Disk => u.sqrt(),
+            Cone => 1.0 - u.sqrt(),
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: at a share s of column i and t of row j a checker shows the line if s or t is within half the
+    /// line's width of 0 or 1 (vertical lines border columns, horizontal ones rows), and else the first
+    /// colour if i + j is even; also in negative rows, and for any unit. Oracle: the parametrisation of
+    /// each shape, which makes the point of i, j, s and t with sines and cosines.
+    #[test]
+    fn checkers_show_cells_and_lines(
+        which in 0..5_usize,
+        (columns, rows) in (1..30_u32, 1..30_u32),
+        (i, j) in (any::<prop::sample::Index>(), any::<prop::sample::Index>()),
+        (s, t) in (0.0..1.0_f64, 0.0..1.0_f64),
+        widths in prop_oneof![Just([0.0; 2]), (0.0..1.0_f64, 0.0..1.0_f64).prop_map(|(h, v)| [h, v])],
+        unit in prop_oneof![Just(1.0), 1e-3..1e3_f64],
+    ) {
+        let generic = ALL[which];
+        let range = generic.rows(rows);
+        let j = range.start + j.index((range.end - range.start) as usize) as i64;
+        let i = i.index(columns as usize) as i64;
+        let [half_h, half_v] = widths.map(|width| 0.5 * width);
+        let to_border = |x: f64| x.min(1.0 - x);
+        let clear = |x: f64, half: f64| {
+            to_border(x) > CLEAR && (to_border(x) - half).abs() > CLEAR
+        };
+        prop_assume!(clear(s, half_v) && clear(t, half_h));
+        let expected = match to_border(s) < half_v || to_border(t) < half_h {
+            true => LINE,
+            false if (i + j) % 2 == 0 => ONE,
+            false => TWO,
+        };
+        let share = |i: i64, s: f64, n: u32| (i as f64 + s) / f64::from(n);
+        let point = generic.point(share(i, s, columns), share(j, t, rows));
+        let found = at(&generic.checker([columns, rows], unit, widths), point.scaled(unit));
+        prop_assert!(
+            found == expected,
+            "{generic:?} of {columns} × {rows}, cell {i}, {j} at {s}, {t}: {found:?}, expected {expected:?}"
+        );
+    }
+
+    /// Law: a checker of a sphere is the same on spheres of all sizes, that of a disk or a rectangle at all
+    /// heights, and that of a cylinder at all radii. Oracle: the colour before.
+    #[test]
+    fn what_does_not_matter_does_not_matter(
+        (s, t) in (0.0..1.0_f64, 0.0..1.0_f64),
+        k in -100.0..100.0_f64,
+    ) {
+        let clear = |x: f64| (0.01..0.99).contains(&(12.0 * x).rem_euclid(1.0));
+        prop_assume!(clear(s) && clear(t));
+        let factor = groundtruth::math::power(2.0, k.abs() / 4.0);
+        for generic in ALL {
+            let checker = generic.checker([12, 12], 1.0, [0.01; 2]);
+            let p = generic.point(s, t);
+            let moved = match generic {
+                Sphere => p.scaled(factor),
+                Cylinder => Point::new(factor * p.x(), p.y(), factor * p.z()),
+                Cone => Point::new(factor * p.x(), p.y(), factor * p.z()),
+                Disk | Rectangle => p.with(1, k),
+            };
+            prop_assert_eq!(at(&checker, moved), at(&checker, p), "{:?}", generic);
+        }
+    }
+
+    /// Law: of the textures of a sphere, the checker in column i and row j has the one with the number
+    /// `j n_h + i`, counted round the list; lines are over all. Oracle: the parametrisation of the
+    /// sphere.
+    #[test]
+    fn each_checker_of_a_sphere_has_its_texture(
+        (columns, rows) in (1..12_u32, 1..12_u32),
+        length in any::<prop::sample::Index>(),
+        (i, j) in (any::<prop::sample::Index>(), any::<prop::sample::Index>()),
+        (s, t) in (0.01..0.99_f64, 0.01..0.99_f64),
+    ) {
+        let length = 1 + length.index((columns * rows) as usize);
+        let (i, j) = (i.index(columns as usize), j.index(rows as usize));
+        let texture = numbered([columns, rows], length, [0.1, 0.3]);
+        let share = |i: usize, s: f64, n: u32| (i as f64 + s) / f64::from(n);
+        let p = Sphere.point(share(i, s, columns), share(j, t, rows));
+        let on_line = !(0.15..0.85).contains(&s) || !(0.05..0.95).contains(&t);
+        prop_assume!([s - 0.15, s - 0.85, t - 0.05, t - 0.95].iter().all(|x| x.abs() > CLEAR));
+        let turn = (j * columns as usize + i) % length;
+        let expected = if on_line { LINE } else { Rgb::grey(turn as f64 / 1024.0) };
+        prop_assert_eq!(at(&texture, p), expected, "column {}, row {}, {} textures", i, j, length);
+    }
+}
+
+/// Greys that say their number.
+fn numbered([num_horizontal, num_vertical]: [u32; 2], length: usize, widths: [f64; 2]) -> Texture {
+    let textures = (0..length).map(|n| Rgb::grey(n as f64 / 1024.0).into()).collect();
+    SphereTextures { num_horizontal, num_vertical, textures, lines: lines(widths) }.into()
+}
+
+/// Points counted; five standard deviations of a share are at most this.
+const POINTS: u32 = 40_000;
+const FIVE_SIGMA: f64 = 5.0 * 0.5 / 200.0;
+
+/// Law: lines of widths h and v leave `(1 − v) Σ A_j` of the surface, where `A_j` is the share of its area
+/// between `j + h/2` and `j + 1 − h/2` rows, and for an even number of columns the two colours share that
+/// equally. Oracle: closed forms of the areas of zones, rings and bands, by counting points drawn evenly
+/// on each surface (15 shares, five standard deviations: significance 1e-5).
+#[test]
+fn lines_cover_their_share_of_each_surface() {
+    let mut random = Pcg32::new(30, 2);
+    let ([columns, rows], [h, v]) = ([6, 5], [0.25, 0.125]);
+    for generic in ALL {
+        let texture = generic.checker([columns, rows], 1.0, [h, v]);
+        let texture = texture.build(&mut Resources::default()).expect("valid");
+        let mut counts = [0_u32; 3];
+        for _ in 0..POINTS {
+            let local = generic.point(random.uniform(), generic.row_of(random.uniform()));
+            let color = texture.color(&TexturePoint::new(&Surface::new(local, 0.0, Normal::Y)));
+            counts[[LINE, ONE, TWO].iter().position(|&c| c == color).expect("one of three")] += 1;
+        }
+        let row = |j: u32, t: f64| (f64::from(j) + t) / f64::from(rows);
+        let of_row = |j| generic.area([row(j, 0.5 * h), row(j, 1.0 - 0.5 * h)]);
+        let left = (1.0 - v) * (0..rows).map(of_row).sum::<f64>();
+        for (count, expected) in counts.into_iter().zip([1.0 - left, 0.5 * left, 0.5 * left]) {
+            let share = f64::from(count) / f64::from(POINTS);
+            assert!(
+                (share - expected).abs() < FIVE_SIGMA,
+                "{generic:?}: {share} of the surface, expected {expected}, of line, first, second: {counts:?}"
+            );
+        }
+    }
+}
+
+/// Law: a sphere has `n_h n_v` regions of one colour if n_h is even: its seam is a border as all others;
+/// with an odd n_h > 1 the two at the seam are one, so there are `(n_h − 1) n_v`. Oracle: points on a fine
+/// grid around the whole sphere, joined with their neighbours of the same colour.
+#[test]
+fn a_sphere_has_as_many_regions_as_checkers() {
+    /// Points across a checker.
+    const FINE: usize = 3;
+    for [columns, rows] in [[2, 1], [2, 2], [8, 5], [20, 10], [3, 4], [7, 3], [1, 4]] {
+        let texture = Sphere.checker([columns, rows], 1.0, [0.0; 2]);
+        let texture = texture.build(&mut Resources::default()).expect("valid");
+        let (width, height) = (FINE * columns as usize, FINE * rows as usize);
+        let color = |n: usize| {
+            let share = |i: usize, n: usize| (i as f64 + 0.5) / n as f64;
+            let p = Sphere.point(share(n % width, width), share(n / width, height));
+            texture.color(&TexturePoint::new(&Surface::new(p, 0.0, Normal::Y)))
+        };
+        let colors: Vec<Rgb> = (0..width * height).map(color).collect();
+        let mut regions = 0;
+        let mut seen = vec![false; colors.len()];
+        for start in 0..colors.len() {
+            let mut waiting = if seen[start] { vec![] } else { vec![start] };
+            regions += waiting.len();
+            while let Some(n) = waiting.pop() {
+                if std::mem::replace(&mut seen[n], true) {
+                    continue;
+                }
+                let (x, y) = (n % width, n / width);
+                let beside = [y * width + (x + 1) % width, y * width + (x + width - 1) % width];
+                let above = (y > 0).then(|| n - width);
+                let below = (y + 1 < height).then(|| n + width);
+                let all = beside.into_iter().chain(above).chain(below);
+                waiting.extend(all.filter(|&m| colors[m] == colors[n] && !seen[m]));
+            }
+        }
+        let different = if columns % 2 == 0 || columns == 1 { columns } else { columns - 1 };
+        let expected = (different * rows) as usize;
+        assert_eq!(regions, expected, "regions of a sphere of {columns} × {rows} checkers");
+    }
+}
+
+/// Law: beside the seam is the last column, however close to it, and the poles are in the first and the
+/// last row: no point belongs to a checker that is not there; rows have as many borders as there are
+/// rows, less one. Oracle: one grey for each checker, read back.
+#[test]
+fn seam_and_poles_belong_to_checkers_that_are_there() {
+    for columns in 1..25_u32 {
+        for rows in 1..12_u32 {
+            let number = (columns * rows) as usize;
+            let texture = numbered([columns, rows], number, [0.0; 2]);
+            let cell = |p: Point| (1024.0 * at(&texture, p).r) as u32;
+            let equator = |x: f64, z: f64| cell(Point::new(x, 0.3, z)) % columns;
+            for beside in [1e-300, 1e-20, 1e-17, 3e-16, 1e-12] {
+                assert_eq!(
+                    equator(-beside, 1.0),
+                    columns - 1,
+                    "{columns} columns, {beside} before +z"
+                );
+                assert_eq!(equator(beside, 1.0), 0, "{columns} columns, {beside} past +z");
+            }
+            assert_eq!(equator(0.0, 1.0), 0, "the +z axis is in the first of {columns} columns");
+            for tilt in [0.0, 1e-300, -1e-17, 1e-9] {
+                let [north, south] =
+                    [1.0, -1.0].map(|y| cell(Point::new(tilt, y, -tilt)) / columns);
+                assert_eq!([north, south], [0, rows - 1], "poles of {rows} rows, tilt {tilt}");
+            }
+        }
+    }
+    // a line covers the poles, a vertical one the seam on both sides
+    let outlined = Sphere.checker([20, 10], 1.0, [0.1, 0.1]);
+    for p in
+        [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [1e-9, 0.3, 1.0], [-1e-9, 0.3, 1.0], [0.0, 0.3, 1.0]]
+    {
+        assert_eq!(at(&outlined, Point::from(p)), LINE, "{p:?}");
+    }
+}
+
+/// Law: with the defaults a sphere, cylinder, cone and disk have the book's 20 checkers around and 10 along;
+/// white and half grey, without lines. Oracle: changes of colour counted along a circle and a
+/// meridian.
+#[test]
+fn the_defaults_are_the_books() {
+    let defaults: [Texture; 5] = [
+        SphereChecker::default().into(),
+        CylinderChecker::default().into(),
+        ConeChecker::default().into(),
+        DiskChecker::default().into(),
+        RectangleChecker::default().into(),
+    ];
+    for (generic, texture) in ALL.into_iter().zip(defaults) {
+        let changes = |point: &dyn Fn(f64) -> Point| {
+            let colors: Vec<Rgb> =
+                (0..500).map(|i| at(&texture, point((f64::from(i) + 0.5) / 500.0))).collect();
+            assert!(colors.iter().all(|&c| [Rgb::WHITE, Rgb::grey(0.5)].contains(&c)));
+            colors.windows(2).filter(|pair| pair[0] != pair[1]).count()
+        };
+        assert_eq!(changes(&|s| generic.point(s, 0.63)), 19, "{generic:?}: borders of columns");
+        assert_eq!(changes(&|t| generic.point(0.63, t)), 9, "{generic:?}: borders of rows");
+        assert_eq!(at(&texture, generic.point(0.02, 0.03)), Rgb::WHITE, "{generic:?}: first");
+    }
+}

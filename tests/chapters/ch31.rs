@@ -1,0 +1,10 @@
+//! Chapter 31: noise-based textures.
+
+mod bumps;
+mod furnace;
+mod noise;
+mod oracle;
+mod statistics;
+mod sums;
+mod textures;
+mod wood;

@@ -1,0 +1,153 @@
+//! Octaves added up: fractal sum, turbulence, fBm, their bounds.
+
+use groundtruth::math::{Pcg32, Point};
+use groundtruth::noise::{MOST_OCTAVES, Noise};
+use proptest::prelude::*;
+
+use super::oracle::{self, built};
+use crate::support::{laws, point};
+
+/// A coordinate of 20 times 5⁵ is rounded to 7e-12; noise is at most 7 times as steep, its sum as the
+/// gain says, which the bound divides out.
+const ROUNDING: f64 = 1e-9;
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: fBm, fractal sum and turbulence, and the sums of vectors, are what their formulas say, for
+    /// any gain and lacunarity; the last two have a gain of 1/2 and a lacunarity of 2 whatever fBm has.
+    /// Oracle: explicit sums of the second implementation, the bounds in closed form.
+    #[test]
+    fn octaves_add_up_as_the_formulas_say(p in point(20.0), noise in oracle::noises()) {
+        let it = built(noise);
+        let lattice = it.lattice();
+        let half = oracle::bound(0.5, noise.octaves);
+        let sum = |f: &dyn Fn(f64) -> f64| oracle::sum(&noise, (0.5, 2.0), lattice, p, f);
+        for (name, found, expected) in [
+            ("fBm", it.value_fbm(p), oracle::fbm(&noise, lattice, p)),
+            ("fractal sum", it.value_fractal_sum(p), (sum(&|n| n) + half) / (2.0 * half)),
+            ("turbulence", it.value_turbulence(p), sum(&f64::abs) / half),
+        ] {
+            let off = (found - expected).abs();
+            prop_assert!(off < ROUNDING, "{} is {}, expected {}", name, found, expected);
+        }
+        let halved = Noise { gain: 0.5, lacunarity: 2.0, ..noise };
+        for (name, found, noise) in [
+            ("vector fBm", it.vector_fbm(p), noise),
+            ("vector fractal sum", it.vector_fractal_sum(p), halved),
+        ] {
+            let expected = oracle::vector_fbm(&noise, lattice, p);
+            let off = (found - expected).length() / oracle::bound(noise.gain, noise.octaves);
+            prop_assert!(off < ROUNDING, "{} is {:?}, expected {:?}", name, found, expected);
+        }
+    }
+
+    /// Law: fBm, fractal sum and turbulence are from 0 to 1, to the last bit, for any number of octaves
+    /// and any gain and lacunarity, near and far.
+    #[test]
+    fn sums_are_from_0_to_1(
+        p in prop_oneof![point(10.0), point(1e6), point(1e300)],
+        octaves in 1..=MOST_OCTAVES,
+        exponents in (-3.0..3.0_f64, -3.0..3.0_f64),
+    ) {
+        let [gain, lacunarity] =
+            [exponents.0, exponents.1].map(|e| groundtruth::math::power(10.0, e));
+        let noise = built(Noise { gain, lacunarity, ..Noise::of_octaves(octaves) });
+        for value in [noise.value_fbm(p), noise.value_fractal_sum(p), noise.value_turbulence(p)] {
+            prop_assert!((0.0..=1.0).contains(&value), "{} for {:?}", value, noise);
+        }
+    }
+
+    /// Law: with gain 1/2 and lacunarity 2 fBm is the fractal sum, bit for bit; of one octave it is
+    /// `(noise + 1)/2`, whatever the gain; and a gain towards 0 leaves one octave. Oracle: the other.
+    #[test]
+    fn sums_meet_where_their_formulas_do(p in point(50.0), noise in oracle::noises()) {
+        let half = built(Noise { gain: 0.5, lacunarity: 2.0, ..noise });
+        prop_assert_eq!(half.value_fbm(p), half.value_fractal_sum(p));
+        let one = built(Noise { octaves: 1, ..noise });
+        prop_assert_eq!(one.value_fbm(p), (one.value(p) + 1.0) / 2.0);
+        prop_assert_eq!(one.value_turbulence(p), one.value(p).abs());
+        prop_assert_eq!(one.vector_fbm(p), one.vector(p));
+        let faint = built(Noise { gain: 1e-12, ..noise });
+        let off = (faint.value_fbm(p) - one.value_fbm(p)).abs();
+        prop_assert!(off < 4e-12, "{} apart", off);
+    }
+}
+
+/// Law: the bounds of fBm are 1, 1.5, 1.875, 1.96875, 1.9921875 for 1, 2, 4, 6, 8 octaves of gain 1/2, and
+/// 63 for 6 of gain 2; n for gain 1. Oracle: those numbers; at whole points, where lacunarity 2 stays on the
+/// lattice, the sum is one of table entries.
+#[test]
+fn bounds_are_the_books() {
+    for (gain, octaves, max) in [
+        (0.5, 1, 1.0),
+        (0.5, 2, 1.5),
+        (0.5, 4, 1.875),
+        (0.5, 6, 1.968_75),
+        (0.5, 8, 1.992_187_5),
+        (2.0, 6, 63.0),
+        (1.0, 5, 5.0),
+    ] {
+        let noise = built(Noise { gain, ..Noise::of_octaves(octaves) });
+        let lattice = noise.lattice();
+        for i in 1..50 {
+            let octave = |j: u32| {
+                let knot = [3 * i, -i, 7].map(|c: i64| c << j);
+                oracle::power(gain, j) * lattice.values()[oracle::index(lattice, knot)]
+            };
+            let sum: f64 = (0..octaves).map(octave).sum();
+            let found = noise.value_fbm(Point::new(3.0 * i as f64, -i as f64, 7.0));
+            let expected = (sum + max) / (2.0 * max);
+            assert!((found - expected).abs() < 1e-15, "{found}, expected {expected}");
+        }
+    }
+}
+
+/// Law: what no noise can be is refused, and the field named.
+#[test]
+fn bad_noises_are_refused() {
+    let good = Noise::default();
+    let few = "found 0, but 1 to 32 fit";
+    for (noise, message) in [
+        (Noise { octaves: 0, ..good }, format!("octaves: {few}")),
+        (Noise { octaves: 33, ..good }, "octaves: found 33, but 1 to 32 fit".to_owned()),
+        (
+            Noise { gain: 0.0, ..good },
+            "gain: found 0, but a positive, finite number is needed".to_owned(),
+        ),
+        (
+            Noise { lacunarity: f64::NAN, ..good },
+            "lacunarity: found NaN, but a positive, finite number is needed".to_owned(),
+        ),
+        (
+            Noise { gain: 1e20, octaves: 20, ..good },
+            "gain: found 1e20, but its powers overflow with 20 octaves".to_owned(),
+        ),
+    ] {
+        let problem = noise.build().expect_err("it is no noise").to_string();
+        assert_eq!(problem, message);
+    }
+}
+
+/// Law: a sum as large as it can be is 1 to the last bit, and one as small as it can be 0, for any gain and
+/// number of octaves. Oracle: points where cubic noise is clamped, with lacunarity 1, so that every octave is
+/// 1 there, or −1. (A bound by the closed form is off by roundings.)
+#[test]
+fn a_sum_at_its_bound_is_exactly_1_or_0() {
+    let one = built(Noise::default());
+    let mut random = Pcg32::new(31, 4);
+    let mut ends = [0, 0];
+    for _ in 0..30_000 {
+        let p = Point::from([(); 3].map(|()| 200.0 * random.uniform()));
+        let value = one.value(p);
+        if value.abs() < 1.0 {
+            continue;
+        }
+        let (gain, octaves) = (3.0 * random.uniform() + 0.01, 2 + random.below(30));
+        let noise = built(Noise { gain, lacunarity: 1.0, ..Noise::of_octaves(octaves) });
+        let expected = if value > 0.0 { 1.0 } else { 0.0 };
+        assert_eq!(noise.value_fbm(p), expected, "gain {gain}, {octaves} octaves at {p:?}");
+        ends[usize::from(value > 0.0)] += 1;
+    }
+    assert!(ends[0] > 10 && ends[1] > 10, "the bounds were met {ends:?} times");
+}
