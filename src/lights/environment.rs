@@ -74,7 +74,7 @@ impl Light for Uniform {
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
         let direction = Frame::around(from.normal).to_world(maps::hemisphere(u[0], 1.0));
         let pdf = from.normal.dot(direction) / PI;
-        (pdf > 0.0).then(|| LightSample {
+        (pdf > 0.0).then_some(LightSample {
             direction,
             segment: Some(Segment::Infinity),
             radiance: self.color,
