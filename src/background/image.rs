@@ -20,7 +20,7 @@ use crate::textures::{Filtering, Mapping, Rule, Sampling};
 /// draws directions in proportion to the radiance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "SkyByImage", example = Image::of_drawn(Drawn { picture: Picture::Globe, width: 256, height: 128 }, Dome::Spherical))]
+#[schemars(rename = "SkyByImage", example = example())]
 pub struct Image {
     /// The file, relative to the scene file: PNG, PPM, HDR or EXR. Either this, or `drawn`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -43,6 +43,10 @@ pub struct Image {
     /// How far the sky is turned about the y axis, in degrees, as the step `rotate_y` turns an object.
     #[serde(default)]
     pub rotate_y: f64,
+}
+
+fn example() -> Image {
+    Image::of_drawn(Drawn { picture: Picture::Globe, width: 256, height: 128 }, Dome::Spherical)
 }
 
 /// Where in the image of a sky a direction is found: the mapping of chapter 29 on a sphere around the

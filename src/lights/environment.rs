@@ -15,7 +15,8 @@ use crate::rgb::Rgb;
 
 /// The light of the scene's `background`, from all sides: directions are drawn by the cosine for a
 /// colour, in proportion to the radiance for an image. It has no radiance of its own, so that the
-/// sky is written once. Switched off, the sky is still seen. (The book's light has a material, and a huge sphere of it is the sky.)
+/// sky is written once. Switched off, the sky is still seen. (The book's light has a material, and a huge
+/// sphere of it is the sky.)
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Environment {}
@@ -74,7 +75,7 @@ impl Light for Uniform {
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
         let direction = Frame::around(from.normal).to_world(maps::hemisphere(u[0], 1.0));
         let pdf = from.normal.dot(direction) / PI;
-        (pdf > 0.0).then(|| LightSample {
+        (pdf > 0.0).then_some(LightSample {
             direction,
             segment: Some(Segment::Infinity),
             radiance: self.color,

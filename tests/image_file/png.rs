@@ -18,7 +18,7 @@ fn chunk(kind: &[u8; 4], data: &[u8]) -> Vec<u8> {
 
 /// A zlib stream of one stored block.
 fn zlib(data: &[u8]) -> Vec<u8> {
-    let sum = |a: u32, b: u32| (b % 65_521) << 16 | a % 65_521;
+    let sum = |a: u32, b: u32| ((b % 65_521) << 16) | (a % 65_521);
     let (a, b) = data.iter().fold((1_u32, 0_u32), |(a, b), byte| {
         let a = (a + u32::from(*byte)) % 65_521;
         (a, (b + a) % 65_521)
@@ -72,7 +72,7 @@ fn greys_of_any_depth_load() {
     let all = |max: u32| (0..=max).map(|v| grey(v, max)).collect::<Vec<_>>();
     assert_eq!(linear(&row(2, 1, GREY, &[0b0100_0000])), all(1));
     assert_eq!(linear(&row(4, 2, GREY, &[0b0001_1011])), all(3));
-    let nibbles: Vec<u8> = (0..8).map(|i| 2 * i << 4 | (2 * i + 1)).collect();
+    let nibbles: Vec<u8> = (0..8).map(|i| ((2 * i) << 4) | (2 * i + 1)).collect();
     assert_eq!(linear(&row(16, 4, GREY, &nibbles)), all(15));
     let bytes: Vec<u8> = (0..=255).collect();
     assert_eq!(linear(&row(256, 8, GREY, &bytes)), all(255));

@@ -213,7 +213,7 @@ fn colors(
         let mut next = || values.next().expect("texels have all their channels");
         let first = first?;
         colors.push(if channels < 3 { [first; 3] } else { [first, next()?, next()?] });
-        if channels % 2 == 0 {
+        if channels.is_multiple_of(2) {
             next()?;
         }
     }

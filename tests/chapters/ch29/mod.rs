@@ -3,6 +3,7 @@
 mod mappings;
 mod materials;
 mod sky;
+mod sky_light;
 mod texels;
 
 use std::io::Write;

@@ -1,0 +1,134 @@
+//! The light of skies by image, under every tracer.
+
+use std::f64::consts::{PI, TAU};
+
+use groundtruth::background::{Dome, Image};
+use groundtruth::lights::Environment;
+use groundtruth::lobes::GlossyRule;
+use groundtruth::materials::{GlossyReflector, Kind as MaterialKind, Matte, Phong};
+use groundtruth::math::{Normal, Point, Vector, cos};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Depth, Scene, Tracer};
+use groundtruth::shapes::Plane;
+use groundtruth::textures::Filtering;
+use groundtruth::verify::means;
+use groundtruth::verify::significance::sidak;
+
+use super::sky::{DOMES, SIZE, all_around, image, ragged, texel, written};
+use crate::ch14::stage::{put, shine, stage};
+use crate::replicas::{
+    LEVEL, assert_color, assert_mean, mean_and_error, replicas, view, with_samples,
+};
+
+/// A plane of this normal under the sky.
+fn under(sky: Image, normal: Vector, recipe: impl Into<MaterialKind>) -> Scene {
+    let mut scene = stage(Rgb::BLACK);
+    scene.background = sky.into();
+    put(&mut scene, Plane { point: Point::ORIGIN, normal }, recipe);
+    shine(&mut scene, Environment {});
+    scene
+}
+
+fn matte() -> Matte {
+    Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() }
+}
+
+/// Every tracer that sees the sky's light on a matte surface.
+fn tracers() -> [Tracer; 4] {
+    let depth = Depth { max_depth: 1 };
+    [Tracer::RayCast, Tracer::PathTrace(depth), Tracer::GlobalTrace(depth), Tracer::Path(depth)]
+}
+
+/// Law: a matte plane under a sky has the radiance `ρ/π ∫ L cosθ dω`, under every tracer: with the light
+/// drawn, met, or both; also in the mean of one colour, `ρ L`. Oracle: the midpoint rule over all
+/// directions, of texels worked out here.
+#[test]
+fn every_strategy_finds_the_light_of_the_sky() {
+    let normal = Vector::new(0.3, 0.8, 0.4);
+    let n = Normal::new(normal).expect("not zero");
+    for dome in DOMES {
+        let (all, part) = all_around(400);
+        let light = |w: Vector| {
+            let seen = texel(dome, w).map_or(Rgb::BLACK, ragged);
+            part * n.dot(w).max(0.0) * seen
+        };
+        let expected = 0.8 / PI * all.map(light).sum::<Rgb>();
+        for tracer in tracers() {
+            let sky = image("light", dome, Filtering::Nearest);
+            let scene = Scene { tracer, ..with_samples(under(sky, normal, matte()), 1024) };
+            let eye = Point::ORIGIN + 2.0 * n;
+            let found = replicas(&scene, |world| view(world, eye, -1.0 * n));
+            assert_color(&format!("{dome:?}, {tracer:?}"), &found, expected, 16, 0.05);
+        }
+    }
+}
+
+/// Law: an image of one colour lights as the plain colour does: `ρ L`. Oracle: the product.
+#[test]
+fn a_sky_of_one_colour_lights_as_the_colour() {
+    let color = Rgb::new(0.75, 0.625, 1.5);
+    let file = written("even-light", SIZE, |_| color);
+    for tracer in tracers() {
+        let sky = Image::of_file(&file, Dome::Spherical);
+        let scene = Scene { tracer, ..with_samples(under(sky, Vector::Y, matte()), 256) };
+        let down = |world: &_| view(world, Point::new(0.0, 2.0, 0.0), -Vector::Y);
+        assert_color(&format!("{tracer:?}"), &replicas(&scene, down), 0.8 * color, 4, 0.01);
+    }
+}
+
+/// One texel of 64 × 32 is the sun.
+fn sunny() -> Image {
+    let file =
+        written(
+            "sun",
+            [64, 32],
+            |at| {
+                if at == [5, 22] { Rgb::grey(8192.0) } else { Rgb::grey(0.125) }
+            },
+        );
+    Image::of_file(file, Dome::Spherical)
+}
+
+/// Law: a tiny bright sun is no noise where it is drawn, and much where paths must come upon it; the mean
+/// is the same. Oracle: the sum of the closed forms: `∫ cosθ dω` of a texel is
+/// `(cos²θ₀ − cos²θ₁)/2 · 2π/n`.
+#[test]
+fn a_tiny_sun_converges() {
+    let edge = |row: f64| cos(PI * (1.0 - row / 32.0));
+    let sun = 0.5 * (edge(23.0) * edge(23.0) - edge(22.0) * edge(22.0)) * TAU / 64.0;
+    let expected = 0.8 / PI * (0.125 * PI + (8192.0 - 0.125) * sun);
+    let found = tracers().map(|tracer| {
+        let scene = Scene { tracer, ..with_samples(under(sunny(), Vector::Y, matte()), 256) };
+        replicas(&scene, |world| view(world, Point::new(0.0, 2.0, 0.0), -Vector::Y).g)
+    });
+    let [ray_cast, path_trace, global_trace, path] = &found;
+    for (name, values) in [("ray_cast", ray_cast), ("global", global_trace), ("path", path)] {
+        assert_mean(name, values, expected, 3, 2e-3);
+    }
+    let [(_, blind), (_, aware)] = [path_trace, path].map(|values| mean_and_error(values));
+    assert!(blind > 20.0 * aware, "the errors are {blind:e} without and {aware:e} with draws");
+}
+
+/// Law: on a sharp gloss, where the lobe's own draws are better than the light's, all path tracers have
+/// one mean. Oracle: each other, Welch's t.
+#[test]
+fn path_tracers_agree_on_gloss_under_a_sunny_sky() {
+    let phong = Phong { kd: 0.3.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
+    let (cr, rule) = (Rgb::WHITE.into(), GlossyRule::Normalised);
+    let gloss = GlossyReflector { phong, kr: 0.5.into(), cr, exponent: 60.0.into(), rule };
+    let sky = image("gloss", Dome::LightProbe, Filtering::Bilinear);
+    let found = [1, 2, 3].map(|i| {
+        let scene = under(sky.clone(), Vector::Y, gloss.clone());
+        let scene = Scene { tracer: tracers()[i], ..with_samples(scene, 1024) };
+        replicas(&scene, |world| {
+            view(world, Point::new(0.0, 1.0, 0.0), Vector::new(1.0, -1.0, 0.5)).g
+        })
+    });
+    let [path_trace, global_trace, path] = &found;
+    for (name, other) in [("path_trace", path_trace), ("global_trace", global_trace)] {
+        let p = means::two_samples(other, path);
+        let [(a, e), (b, f)] = [other, path].map(|values| mean_and_error(values));
+        assert!(p > sidak(LEVEL, 2), "{name} finds {a} ± {e:e}, path {b} ± {f:e}, p = {p:e}");
+        assert!(e < 0.05 * a && f < 0.05 * b, "{name}: ± {e:e}, ± {f:e}");
+    }
+}
