@@ -10,7 +10,8 @@
 //! can say.
 //!
 //! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
-//! lights, cameras, samplers, filters, bumps → lobes, textures → noise, accel ⇄ shapes → math`.
+//! lights, cameras, samplers, filters, bumps → lobes, textures → noise, accel ⇄ shapes → resources →
+//! images → math`.
 
 pub mod accel;
 pub mod background;

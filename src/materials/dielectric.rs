@@ -79,7 +79,7 @@ impl Material for Built {
         Some(self.boundary)
     }
 
-    fn textures(&self) -> Vec<TexturedField<'_>> {
-        within("phong", &self.phong).collect()
+    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
+        within("phong", &self.phong, at).collect()
     }
 }

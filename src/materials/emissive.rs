@@ -78,10 +78,10 @@ impl Material for Shining {
         Some(&self.emission)
     }
 
-    fn textures(&self) -> Vec<TexturedField<'_>> {
+    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let Emission { ls, ce } = &self.emission;
         let mut all = textured([("ls", ls.texture()), ("ce", ce.texture())]);
-        all.extend(self.matte.iter().flat_map(|matte| within("matte", matte)));
+        all.extend(self.matte.iter().flat_map(|matte| within("matte", matte, at)));
         all
     }
 }

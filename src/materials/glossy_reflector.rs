@@ -89,11 +89,11 @@ impl Material for BlurredMirror {
         }
     }
 
-    fn textures(&self) -> Vec<TexturedField<'_>> {
+    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let Self { kr, cr, exponent, .. } = self;
         let own = [("kr", kr.texture()), ("cr", cr.texture()), ("exponent", exponent.texture())];
         let mut all = textured(own);
-        all.extend(within("phong", &self.phong));
+        all.extend(within("phong", &self.phong, at));
         all
     }
 }

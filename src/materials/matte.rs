@@ -77,7 +77,7 @@ impl Material for Built {
         }
     }
 
-    fn textures(&self) -> Vec<TexturedField<'_>> {
+    fn textures(&self, _: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let Self { ka, kd, cd } = self;
         textured([("ka", ka.texture()), ("kd", kd.texture()), ("cd", cd.texture())])
     }

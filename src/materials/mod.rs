@@ -42,9 +42,9 @@ pub trait Material: Debug + Send + Sync {
         None
     }
 
-    /// Its textures, with the fields that they stand in, as in `phong.cd`. Asked only by those who want
-    /// to know why a point has its colour.
-    fn textures(&self) -> Vec<TexturedField<'_>> {
+    /// The textures that count at a point, with the fields that they stand in, as in `phong.cd`. Asked
+    /// only by those who want to know why a point has its colour.
+    fn textures(&self, _at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         Vec::new()
     }
 
@@ -66,8 +66,15 @@ fn textured<'a>(
 }
 
 /// The textures of a material that stands in a field of another.
-fn within<'a>(field: &str, material: &'a dyn Material) -> impl Iterator<Item = TexturedField<'a>> {
-    material.textures().into_iter().map(move |(name, texture)| (format!("{field}.{name}"), texture))
+fn within<'a>(
+    field: &str,
+    material: &'a dyn Material,
+    at: &TexturePoint<'_>,
+) -> impl Iterator<Item = TexturedField<'a>> {
+    material
+        .textures(at)
+        .into_iter()
+        .map(move |(name, texture)| (format!("{field}.{name}"), texture))
 }
 
 /// What a surface makes of the light that comes to it.

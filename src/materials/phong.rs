@@ -105,10 +105,10 @@ impl Material for Built {
         }
     }
 
-    fn textures(&self) -> Vec<TexturedField<'_>> {
+    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let Self { matte, ks, cs, exponent } = self;
         let own = [("ks", ks.texture()), ("cs", cs.texture()), ("exponent", exponent.texture())];
-        let mut all = matte.textures();
+        let mut all = matte.textures(at);
         all.extend(textured(own));
         all
     }

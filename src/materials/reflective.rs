@@ -70,9 +70,9 @@ impl Material for Built {
         }
     }
 
-    fn textures(&self) -> Vec<TexturedField<'_>> {
+    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let mut all = textured([("kr", self.kr.texture()), ("cr", self.cr.texture())]);
-        all.extend(within("phong", &self.phong));
+        all.extend(within("phong", &self.phong, at));
         all
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Kind, Material, Matte, Phong, Response};
+use super::{Kind, Material, Matte, Phong, Response, TexturedField, within};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::resources::Resources;
@@ -85,9 +85,20 @@ fn of_a_checker(material: Arc<dyn Material>) -> Result<Arc<dyn Material>, Invali
     Ok(material)
 }
 
+impl Built {
+    /// The place in the list of the material of a point.
+    fn turn(&self, at: &TexturePoint<'_>) -> usize {
+        (self.cells.index(at.local) % self.materials.len() as u64) as usize
+    }
+}
+
 impl Material for Built {
     fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
-        let turn = self.cells.index(at.local) % self.materials.len() as u64;
-        self.materials[turn as usize].respond(at, cos_o, response);
+        self.materials[self.turn(at)].respond(at, cos_o, response);
+    }
+
+    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
+        let turn = self.turn(at);
+        within(&format!("materials[{turn}]"), &*self.materials[turn], at).collect()
     }
 }

@@ -99,11 +99,11 @@ impl Material for Built {
         true
     }
 
-    fn textures(&self) -> Vec<TexturedField<'_>> {
+    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let Self { kr, cr, kt, .. } = self;
         let own = [("kr", kr.texture()), ("cr", cr.texture()), ("kt", kt.texture())];
         let mut all = textured(own);
-        all.extend(within("phong", &self.phong));
+        all.extend(within("phong", &self.phong, at));
         all
     }
 }

@@ -123,7 +123,7 @@ fn recorded_textures(hit: &Hit<'_>) -> Vec<RecordedTexture> {
         color: texture.color(&at),
         texel: texture.texel(&at),
     };
-    hit.material.recipe.textures().into_iter().map(recorded).collect()
+    hit.material.recipe.textures(&at).into_iter().map(recorded).collect()
 }
 
 /// A term, and the ray it comes from.

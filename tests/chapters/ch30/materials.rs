@@ -13,6 +13,7 @@ use groundtruth::textures::{
 };
 
 use super::*;
+use crate::ch14::stage::recorded;
 
 fn plain(cd: Rgb) -> Matte {
     Matte { ka: 0.5.into(), kd: 0.75.into(), cd: cd.into() }
@@ -109,6 +110,26 @@ fn spheres_of_materials_may_be_nested() {
         let alone = built(&ball_of(plain(color).into(), &[]));
         assert_eq!(found, look(&alone, Point::ORIGIN + 5.0 * way, -way), "towards {way:?}");
     }
+}
+
+/// Law: of a sphere of materials the ray tree names the textures of the checker that is hit alone, with the
+/// material's place in the list. Oracle: three checkers around, by hand.
+#[test]
+fn the_tree_names_the_textures_of_the_checker_that_is_hit() {
+    let textured = |size| Recipe::from(Matte { cd: Paint::from(solid(size)), ..plain(ONE) });
+    let materials = vec![textured(0.1), plain(TWO).into(), textured(0.2)];
+    let recipe = SphereMaterials { num_horizontal: 3, num_vertical: 1, materials };
+    let world = built(&ball_of(recipe.into(), &[]));
+    let fields = |phi: f64| -> Vec<String> {
+        let out = Vector::new(sin(phi), 0.0, cos(phi));
+        let tree = recorded(&world, Point::ORIGIN + 3.0 * out, -out);
+        let hit = tree.root().outcome.hit().expect("the ball is hit");
+        hit.textures.iter().map(|texture| texture.field.clone()).collect()
+    };
+    // thirds of a turn, from +z towards +x
+    assert_eq!(fields(1.0), ["materials[0].cd"]);
+    assert_eq!(fields(3.0), [""; 0]);
+    assert_eq!(fields(5.0), ["materials[2].cd"]);
 }
 
 fn problem_of(recipe: impl Into<Recipe>) -> String {
