@@ -273,3 +273,28 @@ fn textures_that_cannot_be_are_refused() {
         assert_eq!(error.to_string(), expected);
     }
 }
+
+/// Law: scaled by a power of two, a sphere of materials responds at scaled points as before: the textures of
+/// its materials are scaled with it. Oracle: the response before, bit for bit.
+#[test]
+fn the_textures_of_materials_of_spheres_are_scaled() {
+    let recipe =
+        Recipe::from(SphereMaterials { num_horizontal: 5, num_vertical: 1, materials: opaque() });
+    let response = |recipe: &Recipe, local: Point| {
+        let material = recipe.build(&mut Resources::default()).expect("valid");
+        let mut response = groundtruth::materials::Response::default();
+        let surface = Surface::new(local, 0.0, Normal::Y);
+        material.respond(&TexturePoint::new(&surface), 1.0, &mut response);
+        response
+    };
+    let mut random = Pcg32::new(30, 7);
+    for k in [1, -7, 30] {
+        let larger = recipe.scaled(power_of_two(k));
+        for _ in 0..300 {
+            let mut c = || 2.0 * random.uniform() - 1.0;
+            let local = Point::new(c(), c(), c());
+            let found = response(&larger, local.scaled(power_of_two(k)));
+            assert_eq!(found, response(&recipe, local), "2^{k} at {local:?}");
+        }
+    }
+}
