@@ -74,8 +74,8 @@ fn on_sphere([r1, r2]: [f64; 2]) -> Vector {
 pub fn cell(x: f64) -> (u8, f64) {
     /// From here on numbers are multiples of 256.
     const WHOLE_PERIODS: f64 = (1_u64 << 60) as f64;
-    // also where a coordinate has overflowed
-    if !(x.abs() < WHOLE_PERIODS) {
+    // also where a coordinate has overflowed, or is no number
+    if !(-WHOLE_PERIODS..WHOLE_PERIODS).contains(&x) {
         return (0, 0.0);
     }
     let plane = floor(x);

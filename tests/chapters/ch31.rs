@@ -1,5 +1,6 @@
 //! Chapter 31: noise-based textures.
 
+mod bump_cases;
 mod bumps;
 mod furnace;
 mod noise;

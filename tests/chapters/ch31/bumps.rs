@@ -1,24 +1,17 @@
 //! Bumps: where they turn normals to.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
-
 use groundtruth::bumps::{self, Height, Kind as Bump};
 use groundtruth::images::{Drawn, Picture};
-use groundtruth::kinds::Custom;
 use groundtruth::lobes::{Lobes, Normals};
 use groundtruth::materials::Matte;
-use groundtruth::math::{
-    Aabb, Normal, Pcg32, Point, Ray, Span, Step, Transform, Vector, power_of_two,
-};
+use groundtruth::math::{Normal, Point, Ray, Step, Transform, Vector};
 use groundtruth::noise::Noise;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{
-    self, Candidate, Compound, Context, Instance, Lattice, Mesh, Part, Plane, Shape, Sphere,
-    Surface, TessellatedSphere,
+    self, Compound, Instance, Lattice, Mesh, Part, Plane, Sphere, Surface, TessellatedSphere,
 };
-use groundtruth::textures::{Constant, Fbm, Filtering, Image};
+use groundtruth::textures::{Fbm, Filtering, Image};
 use groundtruth::trace::{Outcome, RayKind, Recorder, ShadingPoint, Term, radiance};
 use groundtruth::world::World;
 use proptest::prelude::*;
@@ -27,12 +20,12 @@ use super::oracle::{self, built as noise};
 use crate::ch14::stage::{built, put, ray, stage};
 use crate::support::{laws, point, unit};
 
-fn white() -> Matte {
+pub fn white() -> Matte {
     Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
 }
 
 /// A matte object of this shape with this bump.
-fn bumped(shape: impl Into<shapes::Kind>, bump: impl Into<Bump>) -> Scene {
+pub fn bumped(shape: impl Into<shapes::Kind>, bump: impl Into<Bump>) -> Scene {
     let mut scene = stage(Rgb::WHITE);
     put(&mut scene, shape, white());
     scene.materials[0].bump = Some(bump.into());
@@ -58,18 +51,18 @@ impl Recorder for Heard {
 }
 
 /// What a ray meets, and with which normals it is shaded.
-fn met(world: &World, origin: Point, direction: Vector) -> Option<(Surface, Normals)> {
+pub fn met(world: &World, origin: Point, direction: Vector) -> Option<(Surface, Normals)> {
     let mut heard = Heard::default();
     radiance(world, &ray(origin, direction), world.draws([0, 0], 0), &mut heard);
     Some((heard.at?, heard.normals?))
 }
 
-fn ball(radius: f64) -> Sphere {
+pub fn ball(radius: f64) -> Sphere {
     Sphere { center: Point::ORIGIN, radius, inward: false }
 }
 
 /// How far two unit vectors are apart.
-fn apart(a: impl Into<Vector>, b: impl Into<Vector>) -> f64 {
+pub fn apart(a: impl Into<Vector>, b: impl Into<Vector>) -> f64 {
     (a.into() - b.into()).length()
 }
 
@@ -283,119 +276,5 @@ proptest! {
         let off = apart(normals.shading, expected);
         // texels are single precision: two neighbours, 0.8/480 apart, to 6e-8
         prop_assert!(off < 1e-3, "{:?}, expected {:?}", normals.shading, expected);
-    }
-}
-
-/// Law: bumps turn with their object. Oracle: the turned normal of the object that is not turned.
-#[test]
-fn bumps_turn_with_their_object() {
-    let data = Noise::of_octaves(3);
-    for bump in [
-        Bump::from(bumps::Noise { noise: data, size: 0.3, perturbation: 0.5 }),
-        Height::new(Fbm::new(data, 0.3), 0.2).into(),
-    ] {
-        let steps = vec![Step::RotateY(70.0), Step::RotateX(-25.0)];
-        let turn = Transform::from_steps(&steps).expect("a rotation");
-        let still = built(&bumped(ball(1.0), bump.clone()));
-        let turned = built(&bumped(Instance::new(ball(1.0), steps), bump));
-        let mut random = Pcg32::new(31, 3);
-        for _ in 0..50 {
-            let direction = Vector::from([(); 3].map(|()| random.uniform() - 0.5));
-            let n = |world: &World, d: Vector| {
-                met(world, Point::ORIGIN + 9.0 * d, -d).expect("it is hit").1.shading
-            };
-            let (here, there) = (n(&still, direction), n(&turned, turn.vector(direction)));
-            let off = apart(there, turn.vector(here.into()));
-            assert!(off < 1e-9, "{off} apart");
-        }
-    }
-}
-
-/// Law: a bump that is flat leaves every normal, but for rounding.
-#[test]
-fn flat_bumps_change_nothing() {
-    let smooth: shapes::Kind = TessellatedSphere::new(12, 6, true).into();
-    let flat = Height::new(Constant { color: Rgb::WHITE }, 5.0);
-    let none = bumps::Noise { noise: Noise::default(), size: 1.0, perturbation: 0.0 };
-    for bump in [Bump::from(flat), none.into()] {
-        let world = built(&bumped(smooth.clone(), bump));
-        for i in 0..20 {
-            let direction = Vector::new(0.3 * f64::from(i) - 3.0, 1.0, 0.5);
-            let found = met(&world, Point::ORIGIN + 9.0 * direction, -direction);
-            let (at, normals) = found.expect("it is hit");
-            let off = apart(normals.shading, at.shading);
-            assert!(off < 4.0 * power_of_two(-53), "{off} apart");
-        }
-    }
-}
-
-/// A shape that counts how often it is asked where its textures live.
-#[derive(Debug)]
-struct Counted {
-    shape: Arc<dyn Shape>,
-    asked: Arc<AtomicU32>,
-}
-
-impl Shape for Counted {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.shape.hit(ray, span)
-    }
-
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.shape.surface(ray, at)
-    }
-
-    fn texture_space(&self, at: &Candidate) -> Transform {
-        self.asked.fetch_add(1, Ordering::Relaxed);
-        self.shape.texture_space(at)
-    }
-
-    fn bounds(&self) -> Aabb {
-        self.shape.bounds()
-    }
-}
-
-/// Law: a surface without a bump pays nothing: its shape is not asked where textures live; one with a
-/// bump is, once for a hit.
-#[test]
-fn only_bumped_surfaces_ask_for_texture_space() {
-    let shape = shapes::Kind::from(ball(1.0)).build(&mut Context::default()).expect("a sphere");
-    let asked = Arc::new(AtomicU32::new(0));
-    let counted = Counted { shape, asked: Arc::clone(&asked) };
-    let mut scene = stage(Rgb::WHITE);
-    put(&mut scene, shapes::Kind::Custom(Custom(Arc::new(counted))), white());
-    let looked = |scene: &Scene| {
-        met(&built(scene), Point::new(0.0, 0.0, 5.0), -Vector::Z).expect("it is hit").1
-    };
-    let smooth = looked(&scene);
-    assert_eq!((asked.load(Ordering::Relaxed), smooth.shading), (0, smooth.geometry));
-    scene.materials[0].bump =
-        Some(bumps::Noise { noise: Noise::default(), size: 1.0, perturbation: 1.0 }.into());
-    let rough = looked(&scene);
-    assert_eq!(asked.load(Ordering::Relaxed), 1);
-    assert_ne!(rough.shading, rough.geometry);
-}
-
-/// Law: what no bump can be is refused where it stands.
-#[test]
-fn bad_bumps_are_refused() {
-    let good = Height::new(Fbm::new(Noise::default(), 1.0), 1.0);
-    for (bump, message) in [
-        (
-            Bump::from(bumps::Noise { noise: Noise::default(), size: -1.0, perturbation: 1.0 }),
-            "bump.noise.size: found -1",
-        ),
-        (
-            bumps::Noise { noise: Noise::default(), size: 1.0, perturbation: f64::NAN }.into(),
-            "bump.noise.perturbation: found NaN",
-        ),
-        (Height { step: 0.0, ..good.clone() }.into(), "bump.height.step: found 0"),
-        (
-            Height { texture: Fbm::new(Noise::of_octaves(40), 1.0).into(), ..good }.into(),
-            "bump.height.texture.fbm.noise.octaves: found 40",
-        ),
-    ] {
-        let problem = World::build(&bumped(ball(1.0), bump)).expect_err("no bump").to_string();
-        assert!(problem.contains(message), "{problem}, expected {message}");
     }
 }
