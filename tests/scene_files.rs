@@ -107,7 +107,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[1, 0, 0]",
         "{ checker4d = { size = 1 } }",
-        "scene.toml:23: materials[0] \"red\", recipe.matte.cd.checker4d: unknown variant `checker4d`, expected one of `constant`, `checker3d`, …",
+        "scene.toml:23: materials[0] \"red\", recipe.matte.cd.checker4d: unknown variant `checker4d`, expected one of `constant`, `image`, `checker3d`, …",
     ),
     (
         "cd = [1, 0, 0]\n",

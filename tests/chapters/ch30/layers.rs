@@ -19,7 +19,7 @@ fn ramp(axis: usize, [from, to]: [f64; 2], colors: &[Rgb], wrap: Wrap) -> Textur
 /// Where between 0 and 1 a coordinate beyond them is taken to be: by steps of a whole period, one by one.
 fn brought_back(mut x: f64, wrap: Wrap) -> f64 {
     match wrap {
-        Wrap::Clamp => x.max(0.0).min(1.0),
+        Wrap::Clamp => x.clamp(0.0, 1.0),
         Wrap::Repeat => {
             while x < 0.0 {
                 x += 1.0;
