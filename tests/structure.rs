@@ -104,6 +104,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "cameras",
             "film",
             "filters",
+            "images",
             "kinds",
             "lights",
             "lobes",
