@@ -22,7 +22,10 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("samplers", &["invalid", "kinds", "math"]),
     ("lobes", &["invalid", "kinds", "math", "rgb", "samplers"]),
     ("textures", &["images", "invalid", "kinds", "math", "noise", "resources", "rgb", "shapes"]),
-    ("materials", &["emission", "invalid", "kinds", "lobes", "math", "resources", "rgb", "textures"]),
+    (
+        "materials",
+        &["emission", "invalid", "kinds", "lobes", "math", "resources", "rgb", "textures"],
+    ),
     ("emission", &["rgb", "textures"]),
     (
         "lights",

@@ -9,7 +9,7 @@ use super::{Kind, Material, Matte, Phong, Response, TexturedField, within};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::resources::Resources;
-use crate::textures::{SphereCells, TexturePoint};
+use crate::textures::{self, SphereCells, TexturePoint};
 
 /// A material for each of the checkers of a sphere, which are those of the texture `sphere_checker`: about the
 /// origin of its own coordinates, of any radius. Materials that transmit light do not fit, as media belong
@@ -18,22 +18,14 @@ use crate::textures::{SphereCells, TexturePoint};
 #[serde(deny_unknown_fields)]
 pub struct SphereMaterials {
     /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
-    #[serde(default = "twenty")]
+    #[serde(default = "textures::twenty")]
     pub num_horizontal: u32,
     /// How many there are from the north pole, on the y axis, to the south pole; at least 1.
-    #[serde(default = "ten")]
+    #[serde(default = "textures::ten")]
     pub num_vertical: u32,
     /// The materials: row by row from the north pole, in each row from the +z axis on. If there are fewer
     /// than checkers, they begin again.
     pub materials: Vec<Kind>,
-}
-
-fn twenty() -> u32 {
-    20
-}
-
-fn ten() -> u32 {
-    10
 }
 
 #[derive(Debug)]

@@ -147,11 +147,11 @@ pub(super) fn half_grey() -> Paint {
 }
 
 /// The book's numbers of checkers, the defaults of scene files.
-pub(super) fn twenty() -> u32 {
+pub(crate) fn twenty() -> u32 {
     20
 }
 
 /// See [`twenty`].
-pub(super) fn ten() -> u32 {
+pub(crate) fn ten() -> u32 {
     10
 }

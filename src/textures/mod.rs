@@ -43,6 +43,7 @@ use crate::rgb::Rgb;
 
 pub use amount::{Amount, Value};
 pub use cells::Lines;
+pub(crate) use cells::{ten, twenty};
 pub use color_table::ColorTable;
 pub use mapping::Mapping;
 pub use paint::{Color, Paint};

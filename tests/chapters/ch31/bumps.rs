@@ -242,7 +242,8 @@ proptest! {
             1 => (placed.into(), steps),
             2 => (Instance { transform_texture: false, ..placed }.into(), steps),
             3 => {
-                let elsewhere = Sphere { center: Point::new(0.0, 90.0, 0.0), radius: 1.0, inward: false };
+                let far = Step::Translate(Vector::new(0.0, 90.0, 0.0));
+                let elsewhere = Instance::new(mesh, vec![far]);
                 let parts = vec![Part::new(elsewhere), Part::new(placed)];
                 (Compound { accel: None, parts }.into(), steps)
             }
