@@ -114,10 +114,10 @@ impl HitExplanation {
     }
 }
 
-/// `cd (0.2, 0.4, 0.1), texel (12, 5) at u 0.1, v 0.22`: column and row, from the bottom left.
+/// `texture of cd: (0.2, 0.4, 0.1), texel (12, 5) at u 0.1, v 0.22`: column and row, from the bottom left.
 impl fmt::Display for RecordedTexture {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.field, short(self.color))?;
+        write!(f, "texture of {}: {}", self.field, short(self.color))?;
         if let Some(Texel { uv: [u, v], column, row }) = self.texel {
             write!(f, ", texel ({column}, {row}) at u {}, v {}", brief(u), brief(v))?;
         }
