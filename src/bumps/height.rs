@@ -15,7 +15,7 @@ use crate::textures::{Kind, Texture, TexturePoint};
 /// The normals of the surface that a texture would make of this one, if its red channel were how high
 /// each point is lifted along the normal: `n' = n − ∇ₛh`, normalised, with the gradient along the
 /// surface. The texture may be a solid one or an image; of an image `bilinear` is wanted, as the nearest
-/// texels make steps.
+/// texels make steps, and `encoding = "linear"` if its numbers are heights.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Height {
@@ -25,19 +25,14 @@ pub struct Height {
     #[serde(default = "kinds::one")]
     pub height: f64,
     /// Slopes are measured between points so far to either side, in the unit of the scene: a small part
-    /// of the texture's details; positive. 2⁻¹⁰ if left out.
-    #[serde(default = "short")]
+    /// of the texture's details; positive.
     pub step: f64,
 }
 
-fn short() -> f64 {
-    power_of_two(-10)
-}
-
 impl Height {
-    /// Red 1 lifted so high; details must be much longer than 0.001.
+    /// Red 1 lifted so high, with a step of 2⁻¹⁰: details must be much longer.
     pub fn new(texture: impl Into<Kind>, height: f64) -> Self {
-        Self { texture: texture.into(), height, step: short() }
+        Self { texture: texture.into(), height, step: power_of_two(-10) }
     }
 }
 
@@ -82,7 +77,7 @@ impl Specification for Height {
 impl Built {
     /// `∂h/∂t`, by central differences.
     fn slope(&self, at: &TexturePoint<'_>, t: Vector) -> f64 {
-        let h = |by: f64| self.texture.color(&at.beside(by * t)).r;
+        let h = |by: f64| self.texture.number(&at.beside(by * t));
         self.height * (h(self.step) - h(-self.step)) / (2.0 * self.step)
     }
 }

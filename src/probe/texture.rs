@@ -29,7 +29,12 @@ impl super::Question for Texture {
     type Answer = Triple;
 
     fn answer(&self) -> Result<Triple, Invalid> {
-        let texture = self.texture.build("texture", &mut Resources::default())?;
+        let mut resources = Resources::default();
+        let texture = self.texture.build("texture", &mut resources)?;
+        if self.uv.is_none() && resources.uses_of_uv() > 0 {
+            let problem = "an image without `mapping` needs the texture coordinates of a surface";
+            return Err(Invalid::field("uv", problem));
+        }
         let surface = Surface::new(self.point, 0.0, Normal::Y);
         let at = match self.uv {
             Some(uv) => TexturePoint::with_uv(&surface, uv),

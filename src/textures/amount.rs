@@ -38,7 +38,7 @@ impl Value {
     pub fn at(&self, at: &TexturePoint<'_>) -> f64 {
         match self {
             Self::Plain(value) => *value,
-            Self::Textured(texture) => texture.color(at).r,
+            Self::Textured(texture) => texture.number(at),
         }
     }
 
@@ -103,7 +103,7 @@ impl JsonSchema for Amount {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         json_schema!({
             "description": "A number of at least 0, or a texture as `{ kind = { … } }`, whose red \
-                channel it is.",
+                channel it is; an image of numbers says `encoding = \"linear\"`.",
             "anyOf": [{ "type": "number", "minimum": 0 }, generator.subschema_for::<Kind>()],
         })
     }

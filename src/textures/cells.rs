@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Color, Paint, TexturePoint};
+use super::{Color, Paint};
 use crate::invalid::{Invalid, within};
 use crate::math::floor;
 use crate::resources::Resources;
@@ -97,10 +97,10 @@ pub struct BuiltLines {
 
 impl BuiltLines {
     /// The colour of the line that a point of this column and row is on, if it is on one.
-    pub fn color(&self, [column, row]: [Cell; 2], at: &TexturePoint<'_>) -> Option<Rgb> {
+    pub fn on(&self, [column, row]: [Cell; 2]) -> Option<&Color> {
         let [beside_columns, beside_rows] = self.half_widths;
         let on_line = column.is_near_border(beside_columns) || row.is_near_border(beside_rows);
-        on_line.then(|| self.color.at(at))
+        on_line.then_some(&self.color)
     }
 }
 
@@ -125,11 +125,10 @@ impl Checkers {
     }
 
     /// The colour at a point of this column and row.
-    pub fn color(&self, cells @ [column, row]: [Cell; 2], at: &TexturePoint<'_>) -> Rgb {
+    pub fn color(&self, cells @ [column, row]: [Cell; 2]) -> &Color {
         let [even, odd] = &self.colors;
-        self.lines.color(cells, at).unwrap_or_else(|| {
-            if is_even(column.index + row.index) { even.at(at) } else { odd.at(at) }
-        })
+        let in_cell = || if is_even(column.index + row.index) { even } else { odd };
+        self.lines.on(cells).unwrap_or_else(in_cell)
     }
 }
 

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, OFFSET, is_even};
-use super::{Color, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::floor;
@@ -64,10 +64,10 @@ impl Specification for Checker3d {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let cell = |x: f64| floor(x / self.size + OFFSET);
         let sum = at.local.to_array().into_iter().map(cell).sum();
-        if is_even(sum) { self.color1.at(at) } else { self.color2.at(at) }
+        if is_even(sum) { &self.color1 } else { &self.color2 }
     }
 }

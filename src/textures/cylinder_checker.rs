@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
 use super::mapping::around;
-use super::{Lines, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::resources::Resources;
@@ -91,11 +91,11 @@ impl Specification for CylinderChecker {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let [x, y, z] = at.local.to_array().map(|c| c / self.unit);
         let column = Cell::of_range(around(x, z), self.columns);
         let row = Cell::at(self.rows * (0.5 * y + 0.5));
-        self.checkers.color([column, row], at)
+        self.checkers.color([column, row])
     }
 }

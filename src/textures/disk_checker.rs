@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
 use super::mapping::{around, distance};
-use super::{Lines, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::resources::Resources;
@@ -92,11 +92,11 @@ impl Specification for DiskChecker {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let [x, _, z] = at.local.to_array().map(|c| c / self.unit);
         let column = Cell::of_range(around(x, z), self.columns);
         let row = Cell::at(self.rows * distance(x, z));
-        self.checkers.color([column, row], at)
+        self.checkers.color([column, row])
     }
 }

@@ -75,12 +75,23 @@ impl Specification for Fbm {
     }
 }
 
+impl Built {
+    fn value(&self, at: &TexturePoint<'_>) -> f64 {
+        self.range.scaled(self.field.fbm(at))
+    }
+}
+
 impl Texture for Built {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
-        let value = self.range.scaled(self.field.fbm(at));
+        let value = self.value(at);
         if !(0.0..=1.0).contains(&value) {
             return Rgb::new(1.0, 0.0, 0.0);
         }
         value * self.color.at(at)
+    }
+
+    /// Without the red, which warns of colours only.
+    fn number(&self, at: &TexturePoint<'_>) -> f64 {
+        self.value(at) * self.color.number(at)
     }
 }

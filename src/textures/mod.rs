@@ -57,10 +57,35 @@ pub trait Texture: Debug + Send + Sync {
     /// The colour at a point; solid textures look at the local point.
     fn color(&self, at: &TexturePoint<'_>) -> Rgb;
 
+    /// The number there, for a field that is no colour: the red channel.
+    fn number(&self, at: &TexturePoint<'_>) -> f64 {
+        self.color(at).r
+    }
+
     /// What of an image is seen at a point, for those who ask why it has its colour; `None` for
     /// textures without images.
     fn texel(&self, _at: &TexturePoint<'_>) -> Option<Texel> {
         None
+    }
+}
+
+/// A texture that has one of several colours at each point.
+trait Chooser: Debug + Send + Sync {
+    /// The colour at a point.
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color;
+}
+
+impl<T: Chooser> Texture for T {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        self.chosen(at).at(at)
+    }
+
+    fn number(&self, at: &TexturePoint<'_>) -> f64 {
+        self.chosen(at).number(at)
+    }
+
+    fn texel(&self, at: &TexturePoint<'_>) -> Option<Texel> {
+        self.chosen(at).texel(at)
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{Kind, Texture, TexturePoint};
+use super::{Kind, Texel, Texture, TexturePoint};
 use crate::invalid::Invalid;
 use crate::resources::Resources;
 use crate::rgb::{ColorOr, Colorful, Rgb};
@@ -37,6 +37,19 @@ impl Color {
             Self::Plain(color) => *color,
             Self::Textured(texture) => texture.color(at),
         }
+    }
+
+    /// Its red channel, or the number of its texture.
+    pub(super) fn number(&self, at: &TexturePoint<'_>) -> f64 {
+        match self {
+            Self::Plain(color) => color.r,
+            Self::Textured(texture) => texture.number(at),
+        }
+    }
+
+    /// What of an image is seen at a point.
+    pub(super) fn texel(&self, at: &TexturePoint<'_>) -> Option<Texel> {
+        self.texture()?.texel(at)
     }
 
     /// The texture, if it is one.

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{BuiltLines, Cell, Checkers};
-use super::{Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::Specification;
 use crate::resources::Resources;
@@ -77,9 +77,9 @@ impl Specification for PlaneChecker {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let cells = [at.local.x(), at.local.z()].map(|x| Cell::at(x / self.size));
-        self.checkers.color(cells, at)
+        self.checkers.color(cells)
     }
 }

@@ -69,7 +69,8 @@ impl<'a> TexturePoint<'a> {
     pub fn facet(&self) -> Option<Facet> {
         match self.details {
             Details::Known(_) => None,
-            Details::Of(shape, at, _) => shape.facet(at),
+            Details::Of(shape, at, Vector::ZERO) => shape.facet(at),
+            Details::Of(shape, at, by) => shape.facet(&shape.beside(at, by)),
         }
     }
 

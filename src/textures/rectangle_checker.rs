@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
-use super::{Lines, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::resources::Resources;
@@ -90,11 +90,11 @@ impl Specification for RectangleChecker {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let [x, _, z] = at.local.to_array().map(|c| c / self.unit);
         let column = Cell::at(self.columns * (0.5 * x + 0.5));
         let row = Cell::at(self.rows * (0.5 * z + 0.5));
-        self.checkers.color([column, row], at)
+        self.checkers.color([column, row])
     }
 }

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Checkers};
-use super::{Lines, Paint, SphereCells, Texture, TexturePoint};
+use super::{Chooser, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
 use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 use crate::resources::Resources;
@@ -81,8 +81,8 @@ impl Specification for SphereChecker {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
-        self.checkers.color(self.cells.cell(at.local), at)
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
+        self.checkers.color(self.cells.cell(at.local))
     }
 }

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, BuiltLines};
-use super::{Checker3d, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
+use super::{Checker3d, Chooser, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::resources::Resources;
@@ -65,11 +65,11 @@ impl Specification for SphereTextures {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
-        self.lines.color(self.cells.cell(at.local), at).unwrap_or_else(|| {
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
+        self.lines.on(self.cells.cell(at.local)).unwrap_or_else(|| {
             let turn = self.cells.index(at.local) % self.textures.len() as u64;
-            self.textures[turn as usize].at(at)
+            &self.textures[turn as usize]
         })
     }
 }

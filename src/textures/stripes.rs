@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, OFFSET, is_even};
-use super::{Color, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Axis, floor};
@@ -71,9 +71,9 @@ impl Specification for Stripes {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let x = at.local.along(self.axis as usize);
-        if is_even(floor(x / self.size + OFFSET)) { self.color1.at(at) } else { self.color2.at(at) }
+        if is_even(floor(x / self.size + OFFSET)) { &self.color1 } else { &self.color2 }
     }
 }

@@ -77,10 +77,11 @@ impl Texture for Built {
         self.of.at(&self.inside(at))
     }
 
+    fn number(&self, at: &TexturePoint<'_>) -> f64 {
+        self.of.number(&self.inside(at))
+    }
+
     fn texel(&self, at: &TexturePoint<'_>) -> Option<Texel> {
-        match &self.of {
-            Color::Plain(_) => None,
-            Color::Textured(texture) => texture.texel(&self.inside(at)),
-        }
+        self.of.texel(&self.inside(at))
     }
 }

@@ -78,8 +78,9 @@ impl Specification for ThreeColors {
         let [first, second] = self.thresholds;
         finite("thresholds", first).and(finite("thresholds", second))?;
         if second < first {
-            let problem = format!("found {:?}, but the second is not below", self.thresholds);
-            return Err(Invalid::field("thresholds", problem + " the first"));
+            let found = self.thresholds;
+            let problem = format!("found {found:?}, but the second has to be at least the first");
+            return Err(Invalid::field("thresholds", problem));
         }
         Ok(Arc::new(Built {
             field: NoiseField::build(&self.noise, self.size)?,

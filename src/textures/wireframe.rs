@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Color, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Specification};
 use crate::math::exact_cross;
@@ -67,12 +67,10 @@ impl Specification for Wireframe {
     }
 }
 
-impl Texture for Built {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+impl Chooser for Built {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let on_line = |facet: &Facet| from_edges(facet) < 0.5 * self.line_width;
-        let color =
-            if at.facet().as_ref().is_some_and(on_line) { &self.line_color } else { &self.color };
-        color.at(at)
+        if at.facet().as_ref().is_some_and(on_line) { &self.line_color } else { &self.color }
     }
 }
 

@@ -29,7 +29,7 @@ fn the_examples_of_the_document_are_true() {
         assert_eq!(Some(probe::answer(question).as_str()), expected, "{question}");
         count += 1;
     }
-    assert_eq!(count, 64, "examples in docs/probe.md");
+    assert_eq!(count, 65, "examples in docs/probe.md");
 }
 
 fn any_finite() -> impl Strategy<Value = f64> {

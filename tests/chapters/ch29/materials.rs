@@ -291,12 +291,14 @@ fn a_lamp_with_an_image_gives_the_light_of_its_parts() {
 }
 
 /// Law: the explanation of a hit names each textured field with its colour, texel and coordinates, also
-/// those of a base material. Oracle: the texel in the middle of the image, by its number.
+/// those of a base material and of an image within another texture. Oracle: the texel in the middle of the image, by its number.
 #[test]
 fn the_explanation_shows_field_texel_and_colour() {
     let file = image_file([9, 5], |column, row| [column as u16, row as u16, 0]);
     let image = linear(&file, None);
-    let phong = Phong { kd: 0.5.into(), cd: image.clone().into(), ..Phong::default() };
+    // the middle is in the cube (−1, −1, −1), which has the second colour
+    let checker = Checker3d { size: 9.0, color1: Rgb::WHITE.into(), color2: image.clone().into() };
+    let phong = Phong { kd: 0.5.into(), cd: checker.into(), ..Phong::default() };
     let mut scene = deep_stage(Rgb::BLACK, 2);
     put(&mut scene, square(1.0), Reflective { phong, kr: image.into(), cr: Rgb::WHITE.into() });
     let explained = explain::sample(&scene, &built(&scene), [0, 0], 0);

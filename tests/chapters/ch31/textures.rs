@@ -8,8 +8,8 @@ use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::Surface;
 use groundtruth::textures::{
-    ColorTable, Fbm, Kind, RampFbm, Rule, TexturePoint, ThreeColors, Turbulence, TwoColors,
-    WrappedFbm, WrappedRamp,
+    ColorTable, Fbm, Kind, RampFbm, Rule, Stripes, TextureInstance, TexturePoint, ThreeColors,
+    Turbulence, TwoColors, WrappedFbm, WrappedRamp,
 };
 use proptest::prelude::*;
 
@@ -48,6 +48,26 @@ fn is_beside(x: f64, borders: impl IntoIterator<Item = f64>) -> bool {
 
 proptest! {
     #![proptest_config(laws())]
+
+    /// Law: as a number, which may be above 1, fBm is `min + (max − min) noise` and never the warning red, also
+    /// where the texture is moved or chosen by another. Oracle: the second implementation.
+    #[test]
+    fn as_a_number_noise_is_not_red(p in point(5.0), size in 0.3..3.0_f64) {
+        let data = Noise::of_octaves(3);
+        let plain = Fbm { min: 20.0, max: 2000.0, ..Fbm::new(data, size) };
+        let number = |texture: Kind| {
+            let surface = Surface::new(p, 0.0, Normal::Y);
+            let texture = texture.build(&mut Resources::default()).expect("the texture is valid");
+            texture.number(&TexturePoint::new(&surface))
+        };
+        let expected = 20.0 + 1980.0 * fbm(&built(&data), &data, p, size);
+        let (axis, color1) = (groundtruth::math::Axis::X, plain.clone().into());
+        let chosen = Stripes { axis, size: 1.0, color2: plain.clone().into(), color1 };
+        for texture in [plain.clone().into(), TextureInstance::new(plain, vec![]).into(), chosen.into()] {
+            let found = number(texture);
+            prop_assert!((found - expected).abs() < 2000.0 * ROUNDING, "{found}, expected {expected}");
+        }
+    }
 
     /// Law: fBm and turbulence textures are `min + (max − min) noise` times the colour, in local
     /// coordinates divided by the size; fBm is red where that is not from 0 to 1. Oracle: the second
@@ -244,7 +264,7 @@ fn bad_textures_are_refused() {
         (WrappedFbm { min: -0.1, ..wrapped }.into(), "wrapped_fbm.min: found -0.1"),
         (
             ThreeColors { thresholds: [2.0, 1.0], ..three }.into(),
-            "three_colors.thresholds: found [2.0, 1.0], but the second is not below the first",
+            "three_colors.thresholds: found [2.0, 1.0], but the second has to be at least the first",
         ),
     ] {
         let problem = texture.build(&mut Resources::default()).expect_err("it is no texture");
