@@ -60,7 +60,7 @@ proptest! {
             let texture = texture.build(&mut Resources::default()).expect("the texture is valid");
             texture.number(&TexturePoint::new(&surface))
         };
-        let expected = 20.0 + 1980.0 * fbm(&built(&data), &data, p, size);
+        let expected = 20.0 + 1980.0 * fbm(&built(data), &data, p, size);
         let (axis, color1) = (groundtruth::math::Axis::X, plain.clone().into());
         let chosen = Stripes { axis, size: 1.0, color2: plain.clone().into(), color1 };
         for texture in [plain.clone().into(), TextureInstance::new(plain, vec![]).into(), chosen.into()] {
