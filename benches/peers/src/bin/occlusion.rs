@@ -33,7 +33,7 @@ fn world(vertices: &[Point], triangles: &[[u32; 3]]) -> World {
     let image = Image { samples: SAMPLES, ..Image::new(SIDE, SIDE) };
     let mut scene = Scene::new("", image, camera);
     scene.lights.push(Light::new("sky", AmbientOccluder::default()));
-    scene.materials.push(Material::new("chalk", Matte { ka: 1.0, kd: 0.0, cd: Rgb::WHITE.into() }));
+    scene.materials.push(Material::new("chalk", Matte { ka: 1.0.into(), kd: 0.0.into(), cd: Rgb::WHITE.into() }));
     let mesh = Mesh::of_lists(vertices.to_vec(), triangles.to_vec());
     scene.objects.push(Object::new("mesh", "chalk", mesh));
     World::build(&scene).expect("the scene is valid")
