@@ -12,8 +12,8 @@ use crate::resources::Resources;
 use crate::textures::{self, SphereCells, TexturePoint};
 
 /// A material for each of the checkers of a sphere, which are those of the texture `sphere_checker`: about the
-/// origin of its own coordinates, of any radius. Materials that transmit light do not fit, as media belong
-/// to the whole surface; nor do emissive ones, as a lamp has one emission.
+/// origin of its own coordinates, of any radius. Transparent materials are refused: the media on both sides
+/// belong to the whole surface. Emissive ones are refused, too: a lamp has one emission.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereMaterials {

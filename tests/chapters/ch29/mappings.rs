@@ -126,6 +126,7 @@ fn a_light_probe_is_mapped_by_the_angle_to_its_axis() {
             let found = from_middle(mapping, x, y, 0.0);
             assert!((found - 0.25).abs() < ROUNDING, "{mapping:?}, φ = {phi}: {found}, not 0.25");
         }
+        // 1e-9 of π is 3e-10 of the angle, half of that from the rim
         let near_rim = from_middle(Mapping::LightProbe, 1e-9 * x, 1e-9 * y, -1.0);
         assert!((near_rim - 0.5).abs() < 1e-9, "beside −z: {near_rim}, not 0.5");
     }

@@ -110,6 +110,9 @@ fn each_direction_shows_its_texel() {
 fn domes_have_inverses() {
     /// `atan2` keeps small angles exact: a few dozen roundings.
     const ROUNDING: f64 = 1e-13;
+    /// Beside a pole or the middle u and v lose what a direction's rounding is over its distance from
+    /// there, which among some thousand places is 1e-4 or more.
+    const BESIDE_POLES: f64 = 1e-9;
     let mut random = Pcg32::new(29, 2);
     for dome in DOMES {
         for _ in 0..2000 {
@@ -132,7 +135,10 @@ fn domes_have_inverses() {
             assert!((direction.length() - 1.0).abs() < ROUNDING, "{dome:?}: {direction:?}");
             let back = dome.uv(direction).expect("it came from the image");
             let apart = [0, 1].map(|axis| (back[axis] - uv[axis]).abs());
-            assert!(apart.iter().all(|d| *d < 1e-9), "{dome:?}: {uv:?} comes back as {back:?}");
+            assert!(
+                apart.iter().all(|d| *d < BESIDE_POLES),
+                "{dome:?}: {uv:?} comes back as {back:?}"
+            );
         }
     }
 }
@@ -142,6 +148,8 @@ fn domes_have_inverses() {
 #[test]
 fn solid_angles_are_areas_of_small_squares() {
     const STEP: f64 = 1e-5;
+    /// Differences err by the square of the step and by rounding over the step, both far less.
+    const OF_DIFFERENCES: f64 = 1e-5;
     let mut random = Pcg32::new(29, 3);
     for dome in DOMES {
         for _ in 0..500 {
@@ -153,8 +161,7 @@ fn solid_angles_are_areas_of_small_squares() {
             };
             let area = (right - left).cross(up - down).length() / (4.0 * STEP * STEP);
             let found = dome.solid_angle(middle);
-            // the error of the differences is of the second order
-            let close = (found - area).abs() < 1e-5 * (1.0 + area);
+            let close = (found - area).abs() < OF_DIFFERENCES * (1.0 + area);
             assert!(close, "{dome:?} at ({u}, {v}): {found}, by differences {area}");
         }
     }
@@ -304,6 +311,8 @@ fn poles_rims_and_black_skies_are_harmless() {
 /// Oracle: the same turn of an object; texel centres, so that rounding does not matter.
 #[test]
 fn skies_turn_as_objects_do() {
+    /// The turn rounds the direction, and beside a pole its density changes with that over the distance.
+    const ROUNDING: f64 = 1e-9;
     for (dome, degrees) in DOMES.into_iter().flat_map(|d| [90.0, 77.0, -200.0].map(|a| (d, a))) {
         let plain = image("turned", dome, Filtering::Nearest);
         let turned = sky(&Image { rotate_y: degrees, ..plain.clone() });
@@ -318,7 +327,7 @@ fn skies_turn_as_objects_do() {
                 let there = turn.vector(w);
                 assert_eq!(turned.radiance(there), plain.radiance(w), "{dome:?}, {degrees}°");
                 let [before, after] = [pdfs[0].pdf(w), pdfs[1].pdf(there)];
-                let close = (before - after).abs() <= 1e-9 * before;
+                let close = (before - after).abs() <= ROUNDING * before;
                 assert!(close, "{dome:?}, {degrees}°: density {before} becomes {after}");
             }
         }
