@@ -215,7 +215,9 @@ pub(crate) fn plain_words(message: &str) -> String {
         }
     }
     if message.contains("recursion limit") || message.contains("max recursion depth") {
-        return format!("nested too deeply (of shapes, at most {MAX_NESTING} fit in one another)");
+        return format!(
+            "nested too deeply (at most 80 tables and lists fit in one another, and {MAX_NESTING} shapes)"
+        );
     }
     if message.starts_with("wanted exactly 1 element") {
         return "exactly one kind is needed here, as `kind = { … }`".to_owned();

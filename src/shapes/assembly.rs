@@ -244,8 +244,10 @@ impl Shape for Assembly {
         self.parts[index].shape.uv(&within)
     }
 
-    fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
-        self.parts.iter().any(|part| part.shape.lacks_uv(part.material.map_or(needed, by), by))
+    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
+        self.parts
+            .iter()
+            .find_map(|part| part.shape.material_without_uv(part.material.unwrap_or(own), needs_uv))
     }
 
     fn facet(&self, at: &Candidate) -> Option<Facet> {

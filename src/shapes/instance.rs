@@ -158,8 +158,8 @@ impl Shape for Placed {
         self.shape.uv(at)
     }
 
-    fn lacks_uv(&self, needed: bool, by: &dyn Fn(u32) -> bool) -> bool {
-        self.shape.lacks_uv(needed, by)
+    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
+        self.shape.material_without_uv(own, needs_uv)
     }
 
     fn facet(&self, at: &Candidate) -> Option<Facet> {

@@ -134,11 +134,10 @@ pub trait Shape: Debug + Send + Sync {
         None
     }
 
-    /// Whether a part of it has no texture coordinates although its material needs them: `needed` says so
-    /// of the material around it, `by` of the material at a place in the scene. Asked once, when a world
-    /// is built.
-    fn lacks_uv(&self, needed: bool, _by: &dyn Fn(u32) -> bool) -> bool {
-        needed
+    /// A material (its index in the scene) that needs texture coordinates where the shape has none, if
+    /// there is one. `own` is the material of parts that name none. Asked once, when a world is built.
+    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
+        needs_uv(own).then_some(own)
     }
 
     /// The triangle that is hit, if it is one. Asked for only where something looks at it.

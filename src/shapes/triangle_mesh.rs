@@ -272,8 +272,8 @@ impl Shape for AcceleratedMesh {
         Some([0, 1].map(|i| a[i] + beta * (b[i] - a[i]) + gamma * (c[i] - a[i])))
     }
 
-    fn lacks_uv(&self, needed: bool, _: &dyn Fn(u32) -> bool) -> bool {
-        needed && self.mesh.uvs.is_none()
+    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
+        (self.mesh.uvs.is_none() && needs_uv(own)).then_some(own)
     }
 
     fn facet(&self, at: &Candidate) -> Option<Facet> {

@@ -136,10 +136,13 @@ pub(super) fn placed_objects(
             continue;
         }
         let needs_uv = |place: u32| materials[place as usize].needs_uv;
-        if shape.lacks_uv(needs_uv(material.place), &needs_uv) {
-            let problem = "an image without `mapping` needs texture coordinates, which only a mesh with \
-                           `uvs` has, but this shape or a part of it has none: give the image a mapping";
-            return Err(here(Invalid::field("material", problem)));
+        if let Some(place) = shape.material_without_uv(material.place, &needs_uv) {
+            let name = &materials[place as usize].name;
+            let problem = format!(
+                "its material `{name}` has an image without `mapping`, which needs texture coordinates, \
+                 but only meshes with `uvs` have these: give the image a mapping"
+            );
+            return Err(here(Invalid::field("shape", problem)));
         }
         objects.push(PlacedObject {
             name: object.name.clone(),

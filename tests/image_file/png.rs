@@ -153,6 +153,46 @@ fn every_damage_is_found() {
     assert_refused("cut", &whole[..whole.len() - 12], "the file ends before its last chunk");
 }
 
+/// Law: the checksum of the uncompressed data counts, and so do bytes after the last chunk. Oracle: the
+/// text.
+#[test]
+fn what_other_checksums_do_not_tell_is_refused() {
+    let mut data = zlib(&[0, 1, 2, 3]);
+    let header = [0, 0, 0, 3, 0, 0, 0, 1, 8, GREY, 0, 0, 0];
+    let file = |data: &[u8]| {
+        let chunks = [chunk(b"IHDR", &header), chunk(b"IDAT", data), chunk(b"IEND", b"")];
+        [&b"\x89PNG\r\n\x1a\n"[..], &chunks.concat()].concat()
+    };
+    let whole = file(&data);
+    assert_eq!(linear(&whole).len(), 3);
+    assert_refused("more", &[&whole[..], b"more"].concat(), "4 bytes follow its last chunk");
+    *data.last_mut().expect("a checksum") ^= 1;
+    assert_refused("checksum", &file(&data), "its data have a wrong checksum");
+    data.pop();
+    assert_refused("no end", &file(&data), "its data have a wrong checksum, or no end");
+}
+
+/// Law: samples beyond the palette are refused by the place of the first, and bits after the last sample of
+/// a row mean nothing, interlaced or not. Oracle: a palette of two colours, and samples by hand.
+#[test]
+fn samples_beyond_the_palette_are_refused() {
+    let png = |interlaced, rows| {
+        let extra = vec![chunk(b"PLTE", &[255, 0, 0, 0, 128, 0])];
+        Png { size: [3, 2], depth: 2, color: PALETTE, interlaced, extra, rows }.bytes()
+    };
+    let (red, green) = ([1.0, 0.0, 0.0], [0.0, grey(128, 255)[0], 0.0]);
+    let rows = vec![&[0b0001_0011_u8][..], &[0b0100_0111]];
+    assert_eq!(linear(&png(false, rows)), [red, green, red, green, red, green]);
+    // passes 1, 4, 6 and 7
+    let passes = vec![&[0b0011_1111_u8][..], &[0b0011_1111], &[0b0111_1111], &[0b0100_0111]];
+    assert_eq!(linear(&png(true, passes)), [red, green, red, green, red, green]);
+    let beyond = "the texel in column 1, row 1, both from 0, has color 2 of a palette of 2";
+    let rows = vec![&[0b0001_0000_u8][..], &[0b0110_0100]];
+    assert_refused("beyond", &png(false, rows), beyond);
+    let passes = vec![&[0_u8][..], &[0], &[0], &[0b0010_0000]];
+    assert_refused("interlaced", &png(true, passes), beyond);
+}
+
 /// Law: with right checksums but too few rows, or a size of 0, an image is refused. Oracle: the text.
 #[test]
 fn wrong_counts_are_refused() {
@@ -161,6 +201,10 @@ fn wrong_counts_are_refused() {
         Png { size, depth, color, interlaced, extra: Vec::new(), rows }.bytes()
     };
     assert_refused("too few rows", &png([3, 2], vec![&[1, 2, 3]]), "damaged");
+    let rows = vec![&[1_u8, 2, 3][..], &[4, 5, 6]];
+    assert_eq!(linear(&png([3, 2], rows.clone())).len(), 6);
+    let more = "its data go on after the last row, of 4 bytes in all";
+    assert_refused("too many rows", &png([3, 1], rows), more);
     assert_refused("no columns", &png([0, 2], vec![]), "0 × 2 texels");
 }
 

@@ -98,7 +98,8 @@ fn a_depth_of_a_million_is_refused() {
 #[test]
 fn text_nested_ten_thousand_times_is_refused() {
     const DEEP: usize = 10_000;
-    let problem = "nested too deeply (of shapes, at most 16 fit in one another)";
+    let problem =
+        "nested too deeply (at most 80 tables and lists fit in one another, and 16 shapes)";
     let shape = "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n";
     let ball = "{ sphere = { center = [0, 0, 0], radius = 1 } }";
 

@@ -1,8 +1,10 @@
 //! PNG (W3C, *Portable Network Graphics*): 1 to 16 bits; grey, colour or palette; interlaced or not.
 
-use std::io::Cursor;
+use std::io::{Cursor, Read};
 
+use flate2::read::ZlibDecoder;
 use image::codecs::png::PngDecoder;
+use png::{ColorType, Decoder, Reader};
 
 use super::{Encoding, Problem, check_size, damaged, integers, limits, samples};
 use crate::images::Texels;
@@ -14,43 +16,106 @@ pub fn decode(
     encoding: Option<Encoding>,
     most_texels: u64,
 ) -> Result<Texels, Problem> {
-    let size = checked_chunks(bytes)?;
-    check_size(size.map(u64::from), most_texels)?;
-    let [width, height] = size.map(u64::from);
+    let chunks = checked_chunks(bytes)?;
+    let [width, height] = size(&chunks)?.map(u64::from);
+    check_size([width, height], most_texels)?;
     // four channels of two bytes
     let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits(8 * width * height));
     let image = samples(decoder.map_err(damaged)?)?;
+    check_data(bytes, &chunks).map_err(|e| format!("it is damaged: {e}"))?;
     let is_8_bit = image.color().bytes_per_pixel() == image.color().channel_count();
     integers(image, if is_8_bit { 255 } else { u16::MAX }, encoding)
 }
 
-/// Width and height, if every chunk up to the last is whole and has its checksum. (The decoder skips
-/// damaged chunks that it does not need, and stops at the last texel.)
-fn checked_chunks(bytes: &[u8]) -> Result<[u32; 2], Problem> {
-    /// After the signature: length, type, width and height of the first chunk.
-    const HEADER: std::ops::Range<usize> = 8..24;
+struct Chunk<'a> {
+    kind: &'a [u8],
+    data: &'a [u8],
+}
+
+/// All chunks, if each is whole and has its checksum. (The decoder skips damaged chunks that it does not
+/// need, and stops at the last texel.)
+fn checked_chunks(bytes: &[u8]) -> Result<Vec<Chunk<'_>>, Problem> {
     let ends = || "the file ends before its last chunk; it is damaged".to_owned();
-    let mut header = bytes.get(HEADER).ok_or_else(ends)?;
-    if !header.starts_with(b"\0\0\0\rIHDR") {
-        return Err("a PNG file begins with its header (IHDR); this one is damaged".to_owned());
-    }
-    header = &header[8..];
-    let number = |bytes: &[u8]| bytes.iter().fold(0, |n: u32, byte| n << 8 | u32::from(*byte));
-    let size = [number(&header[..4]), number(&header[4..])];
-    let mut rest = &bytes[8..];
-    loop {
-        let (length, chunk) = rest.split_at_checked(4).ok_or_else(ends)?;
-        let length = number(length) as usize;
-        // type and data, then the checksum of both
-        let (data, after) = chunk.split_at_checked(length.saturating_add(4)).ok_or_else(ends)?;
-        let (sum, after) = after.split_at_checked(4).ok_or_else(ends)?;
-        let kind = String::from_utf8_lossy(&data[..4]);
-        if crc32fast::hash(data) != number(sum) {
+    let mut chunks: Vec<Chunk<'_>> = Vec::new();
+    let mut rest = bytes.get(8..).ok_or_else(ends)?; // after the signature
+    while chunks.last().is_none_or(|last| last.kind != b"IEND") {
+        let (length, chunk) = rest.split_first_chunk().ok_or_else(ends)?;
+        let length = u32::from_be_bytes(*length) as usize;
+        // kind and data, then the checksum of both
+        let (chunk, after) = chunk.split_at_checked(length.saturating_add(4)).ok_or_else(ends)?;
+        let (sum, after) = after.split_first_chunk().ok_or_else(ends)?;
+        let (kind, data) = chunk.split_at(4);
+        if crc32fast::hash(chunk) != u32::from_be_bytes(*sum) {
+            let kind = String::from_utf8_lossy(kind);
             return Err(format!("the chunk `{kind}` has a wrong checksum (CRC); it is damaged"));
         }
-        if kind == "IEND" {
-            return Ok(size);
-        }
+        chunks.push(Chunk { kind, data });
         rest = after;
     }
+    if !rest.is_empty() {
+        return Err(format!("{} bytes follow its last chunk; it is damaged", rest.len()));
+    }
+    Ok(chunks)
+}
+
+/// Width and height, of the first chunk.
+fn size(chunks: &[Chunk<'_>]) -> Result<[u32; 2], Problem> {
+    match (chunks[0].kind, chunks[0].data) {
+        (b"IHDR", &[a, b, c, d, e, f, g, h, ..]) => {
+            Ok([u32::from_be_bytes([a, b, c, d]), u32::from_be_bytes([e, f, g, h])])
+        }
+        _ => Err("a PNG file begins with its header (IHDR); this one is damaged".to_owned()),
+    }
+}
+
+/// Refuses what the decoder lets pass: it stops at the last texel, leaves out the checksum of the data,
+/// and takes samples beyond the palette as black.
+fn check_data(bytes: &[u8], chunks: &[Chunk<'_>]) -> Result<(), Problem> {
+    let reader = || Decoder::new(Cursor::new(bytes)).read_info().map_err(|e| e.to_string());
+    let data = chunks.iter().filter(|chunk| chunk.kind == b"IDAT");
+    let data: Vec<u8> = data.flat_map(|chunk| chunk.data).copied().collect();
+    check_length(&data, row_bytes(reader()?)?)?;
+    check_palette(reader()?)
+}
+
+/// The bytes of all rows, interlaced or not, each with one that tells its filter.
+fn row_bytes(mut reader: Reader<Cursor<&[u8]>>) -> Result<u64, Problem> {
+    let mut bytes = 0;
+    while let Some(row) = reader.next_row().map_err(|e| e.to_string())? {
+        bytes += 1 + row.data().len() as u64;
+    }
+    Ok(bytes)
+}
+
+/// Refuses compressed data of another length, or with a wrong checksum (Adler-32).
+fn check_length(data: &[u8], expected: u64) -> Result<(), Problem> {
+    let mut inflated = ZlibDecoder::new(data).take(expected + 1);
+    let found = std::io::copy(&mut inflated, &mut std::io::sink());
+    match found.map_err(|e| format!("its data have a wrong checksum, or no end ({e})"))? {
+        found if found == expected => Ok(()),
+        _ => Err(format!("its data go on after the last row, of {expected} bytes in all")),
+    }
+}
+
+fn check_palette(mut reader: Reader<Cursor<&[u8]>>) -> Result<(), Problem> {
+    let info = reader.info();
+    let (ColorType::Indexed, Some(palette)) = (info.color_type, &info.palette) else {
+        return Ok(());
+    };
+    let (entries, width, bits) = (palette.len() / 3, info.width as usize, info.bit_depth as usize);
+    let row_length = info.raw_row_length() - 1; // without the filter's byte
+    let mut packed = vec![0; row_length * info.height as usize];
+    reader.next_frame(&mut packed).map_err(|e| e.to_string())?;
+    for (y, row) in packed.chunks(row_length).enumerate() {
+        for x in 0..width {
+            let index = row[x * bits / 8] << (x * bits % 8) >> (8 - bits);
+            if usize::from(index) >= entries {
+                return Err(format!(
+                    "the texel in column {x}, row {y}, both from 0, has color {index} of a palette of \
+                     {entries}"
+                ));
+            }
+        }
+    }
+    Ok(())
 }

@@ -129,8 +129,8 @@ impl Shape for Counted {
         self.shape.uv(at)
     }
 
-    fn lacks_uv(&self, _: bool, _: &dyn Fn(u32) -> bool) -> bool {
-        false
+    fn material_without_uv(&self, _: u32, _: &dyn Fn(u32) -> bool) -> Option<u32> {
+        None
     }
 
     fn bounds(&self) -> Aabb {
@@ -185,8 +185,7 @@ fn a_shape_without_texture_coordinates_is_refused() {
     let plain = Mesh { uvs: None, ..square(1.0) };
     for shape in [UNIT.into(), plain.clone().into(), moved(UNIT.into())] {
         let problem = scene(shape).expect_err("no coordinates").to_string();
-        let start =
-            "objects[0] \"0\", material: an image without `mapping` needs texture coordinates";
+        let start = "objects[0] \"0\", shape: its material `0` has an image without `mapping`";
         assert!(problem.starts_with(start), "{problem}");
     }
     let beside = |ball: Part| {
@@ -194,6 +193,16 @@ fn a_shape_without_texture_coordinates_is_refused() {
     };
     assert!(beside(Part::new(UNIT).of_material("1")).is_ok(), "a ball of plain material");
     assert!(beside(Part::new(UNIT)).is_err(), "a ball of the image's material");
+
+    // the material of a part is named, and not the object's
+    let mut scene = stage(Rgb::BLACK);
+    let parts = vec![Part::new(square(1.0)), Part::new(UNIT).of_material("1")];
+    let paint = |cd: Paint| Matte { ka: 1.0.into(), kd: 1.0.into(), cd };
+    put(&mut scene, Compound { accel: None, parts }, paint(Rgb::WHITE.into()));
+    put(&mut scene, UNIT, paint(linear(&file, None).into()));
+    let problem = World::build(&scene).expect_err("no coordinates").to_string();
+    let start = "objects[0] \"0\", shape: its material `1` has an image without `mapping`";
+    assert!(problem.starts_with(start), "{problem}");
 }
 
 /// A texture alone, lit from all sides.
