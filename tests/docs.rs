@@ -59,8 +59,9 @@ fn every_kind_is_in_the_map_of_the_book() {
     let map = fs::read_to_string(root().join("docs/book.md")).expect("the map is there");
     let linked = links(&map);
     let check = |folder: &str, module: &str| {
-        let file = format!("../src/{folder}/{module}.rs");
-        assert!(linked.contains(&file), "docs/book.md has no link to {file}");
+        let (folder, file) = (format!("../src/{folder}/"), format!("/{module}.rs"));
+        let is_its = |link: &String| link.starts_with(&folder) && link.ends_with(&file);
+        assert!(linked.iter().any(is_its), "docs/book.md has no link to {folder}…{file}");
     };
     shapes::Kind::ENTRIES.iter().for_each(|e| check("shapes", e.module));
     samplers::Kind::ENTRIES.iter().for_each(|e| check("samplers", e.module));

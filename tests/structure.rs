@@ -364,15 +364,21 @@ fn entries(folder: &str) -> BTreeMap<String, String> {
     entries
 }
 
-/// The modules of a folder's block `// shared by the kinds`, which ends with an empty line.
+/// The modules of the blocks `// shared by the kinds` of a folder and its folders, each of which ends with
+/// an empty line.
 fn shared(folder: &str) -> BTreeSet<String> {
-    let text = read(&sources().join(folder).join("mod.rs"));
-    let block = text.split_once("// shared by the kinds\n").map_or("", |(_, rest)| rest);
-    let lines = block.lines().take_while(|line| !line.trim().is_empty());
-    lines
-        .filter_map(|line| line.trim_start_matches("pub ").strip_prefix("mod "))
-        .map(|module| module.trim_end_matches(';').to_owned())
-        .collect()
+    let mut modules = BTreeSet::new();
+    for path in rust_files(&sources().join(folder)).iter().filter(|path| path.ends_with("mod.rs")) {
+        let text = read(path);
+        let block = text.split_once("// shared by the kinds\n").map_or("", |(_, rest)| rest);
+        let lines = block.lines().take_while(|line| !line.trim().is_empty());
+        modules.extend(
+            lines
+                .filter_map(|line| line.trim_start_matches("pub ").strip_prefix("mod "))
+                .map(|module| module.trim_end_matches(';').to_owned()),
+        );
+    }
+    modules
 }
 
 #[test]

@@ -16,7 +16,7 @@
 //! triangle's plane may meet it anywhere).
 //!
 //! **Why no method can skip a hit that another counts.** All ask this rule, in the same `f64`
-//! operations, before a hit counts, or know that it would say yes (`shapes/triangle_block.rs`). A
+//! operations, before a hit counts, or know that it would say yes (`shapes/meshes/triangle_block.rs`). A
 //! method may skip a primitive only because
 //! - the ray has no part in the frame ([`Frame::ray`] is `None`): the same for all methods;
 //! - the ray does not cross a box that contains the primitive's, or crosses it beyond the best hit

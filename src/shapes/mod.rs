@@ -212,72 +212,33 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 }
 
 // shared by the kinds
-mod angles;
-mod assembly;
-mod boundaries;
 mod context;
-mod edges;
-mod lanes;
-mod mesh_lists;
-mod part_path;
 mod sampled;
-mod shoulder;
-mod spherical_cap;
-mod spherical_rectangle;
-mod triangle_block;
-mod triangle_mesh;
-mod vertex_normals;
-mod watertight;
-mod wedge_parts;
 
-mod algebraic;
-mod annulus;
-mod archway;
-mod beveled_box;
-mod beveled_cylinder;
-mod beveled_ring;
-mod beveled_wedge;
-mod compound;
-mod concave_lens;
-mod cone;
-mod cuboid;
-mod cut_face;
-mod disk;
-mod fish_bowl;
-mod flat_rimmed_bowl;
-mod glass_of_water;
-mod instance;
-mod lattice;
-mod mesh;
-mod open_cylinder;
-mod paraboloid;
-mod part_annulus;
-mod part_cylinder;
-mod part_sphere;
-mod part_torus;
-mod plane;
-mod random_spheres;
-mod rectangle;
-mod rosette;
-mod round_rimmed_bowl;
-mod solid_cone;
-mod solid_cylinder;
-mod sphere;
-mod tessellated_sphere;
-mod thick_ring;
-mod torus;
-mod triangle;
+mod beveled;
+mod composite;
+mod meshes;
+mod part;
+mod plain;
+mod solid;
 
-pub use algebraic::Term;
-pub use assembly::Materials;
-pub use boundaries::BoundaryMaterials;
-pub use compound::Part;
+use beveled::*;
+use composite::*;
+use meshes::*;
+use part::*;
+use plain::*;
+use solid::*;
+
+pub use composite::assembly::Materials;
+pub use composite::compound::Part;
+pub use composite::part_path::{Face, Level, PartPath};
 pub use context::{Context, PartMaterial};
-pub use part_path::{Face, Level, PartPath};
+pub use plain::algebraic::Term;
 pub use sampled::{SampledSurface, Sampling};
+pub use solid::boundaries::BoundaryMaterials;
 
-pub(crate) use instance::transform_of;
-pub use triangle_mesh::{AcceleratedMesh, TriangleMesh};
+pub(crate) use composite::instance::transform_of;
+pub use meshes::triangle_mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
     /// The surface of an object. Lengths are in the unit of the scene.

@@ -1,0 +1,99 @@
+//! The beveled ring (Suffern, ch. 21).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::edges::{Named, check_bevel, extended, inset, moved, overlap, rounding, tube};
+use crate::invalid::{Invalid, length};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector};
+use crate::shapes::composite::assembly::{Materials, smooth_solid};
+use crate::shapes::part::angles::full_turn;
+use crate::shapes::plain::annulus::radii;
+use crate::shapes::{Annulus, Context, OpenCylinder, Shape};
+
+/// A thick ring with round edges, as the parts `bottom`, `top`, `inner_wall`, `outer_wall` and four
+/// `edges`; normals point out of the ring.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BeveledRing {
+    /// The height of the bottom.
+    pub y0: f64,
+    /// The height of the top, above `y0`.
+    pub y1: f64,
+    /// The radius of the hole; positive.
+    pub inner_radius: f64,
+    /// The outer radius, above `inner_radius`.
+    pub outer_radius: f64,
+    /// The radius of the edges: at most half of the height and of the distance between the radii.
+    pub bevel: f64,
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+impl Specification for BeveledRing {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let Self { y0, y1, inner_radius, outer_radius, bevel, .. } = *self;
+        length("inner_radius", inner_radius)?;
+        radii(inner_radius, outer_radius)?;
+        let outer_wall = OpenCylinder { y0, y1, radius: outer_radius, inward: false }.checked()?;
+        let extents =
+            [("height", [y0, y1]), ("distance between the radii", [inner_radius, outer_radius])];
+        let largest = y0.abs().max(y1.abs()).max(outer_radius);
+        check_bevel(bevel, largest, &extents)?;
+        let [low, high] = inset([y0, y1], bevel);
+        let over = overlap(largest, bevel);
+        let [near, far] = inset([inner_radius, outer_radius], bevel);
+        let mut parts: Vec<Named> = Vec::new();
+        if near < far {
+            for (name, y, normal) in [("bottom", y0, -Vector::Y), ("top", y1, Vector::Y)] {
+                let center = Point::new(0.0, y, 0.0);
+                let [inner_radius, outer_radius] = extended([near, far], over);
+                let flat = Annulus { center, normal, inner_radius, outer_radius };
+                parts.push((name, flat.into()));
+            }
+        }
+        if low < high {
+            let [y0, y1] = extended([low, high], over);
+            let outer_wall = OpenCylinder { y0, y1, ..outer_wall };
+            let inner_wall =
+                OpenCylinder { radius: inner_radius, inward: true, ..outer_wall.clone() };
+            parts.push(("inner_wall", inner_wall.into()));
+            parts.push(("outer_wall", outer_wall.into()));
+        }
+        for (swept, y, theta) in [
+            (far, high, [0.0, 90.0]),
+            (near, high, [90.0, 180.0]),
+            (near, low, [180.0, 270.0]),
+            (far, low, [270.0, 360.0]),
+        ] {
+            let edge = tube(swept, bevel, full_turn(), theta);
+            parts.push(("edges", moved(edge, y * Vector::Y)));
+        }
+        smooth_solid(&parts, &self.materials, None, rounding(largest), context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let lengths = [self.y0, self.y1, self.inner_radius, self.outer_radius, self.bevel];
+        let [y0, y1, inner_radius, outer_radius, bevel] = lengths.map(|length| factor * length);
+        Self { y0, y1, inner_radius, outer_radius, bevel, materials: self.materials.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let ring = |[y0, y1]: [f64; 2], [inner_radius, outer_radius]: [f64; 2], bevel| Self {
+            y0,
+            y1,
+            inner_radius,
+            outer_radius,
+            bevel,
+            materials: Materials::new(),
+        };
+        vec![ring([-0.25, 0.25], [0.5, 1.0], 0.0625), ring([0.5, 2.0], [0.75, 1.25], 0.25)]
+    }
+}

@@ -1,0 +1,111 @@
+//! The compound (Suffern, ch. 19): any shapes as one; with `accel = "grid"` the book's `Grid` (ch. 22).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::assembly::{Assembly, PartData};
+use crate::accel::Method;
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Point, Vector};
+use crate::shapes::{Context, Disk, Kind, OpenCylinder, Shape, Sphere};
+
+/// Shapes that are hit, transformed and searched as one; they may be compounds themselves.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Compound {
+    /// How rays find its parts. If left out: as the scene, but up to eight parts one by one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<Method>,
+    /// The parts; of two hit at the same distance, the first is seen.
+    pub parts: Vec<Part>,
+}
+
+/// A part of a compound.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// What people call it; it need not be unique.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// The name of its material; the compound's if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
+    /// What it is.
+    pub shape: Kind,
+}
+
+impl Part {
+    /// A part without a name, of the compound's material.
+    pub fn new(shape: impl Into<Kind>) -> Self {
+        Self { name: String::new(), material: None, shape: shape.into() }
+    }
+
+    /// The same part of a material of its own.
+    #[must_use]
+    pub fn of_material(self, material: &str) -> Self {
+        Self { material: Some(material.to_owned()), ..self }
+    }
+}
+
+impl Compound {
+    /// These shapes, of one material.
+    pub fn of<S: Into<Kind>>(shapes: impl IntoIterator<Item = S>) -> Self {
+        Self { accel: None, parts: shapes.into_iter().map(Part::new).collect() }
+    }
+
+    /// Whether every part is hit inside its own box only, however far a ray comes from. What is
+    /// pressed flat in an instance need not be; of shapes of a user's own nothing is known.
+    fn is_hit_in_boxes(&self) -> bool {
+        fn in_box(shape: &Kind) -> bool {
+            match shape {
+                Kind::Instance(_) | Kind::Custom(_) => false,
+                Kind::Lattice(lattice) => in_box(&lattice.of),
+                Kind::Compound(compound) => compound.is_hit_in_boxes(),
+                _ => true,
+            }
+        }
+        self.parts.iter().all(|part| in_box(&part.shape))
+    }
+}
+
+impl Specification for Compound {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        if self.parts.is_empty() {
+            return Err(Invalid::field("parts", "found none, but a compound has at least one"));
+        }
+        let parts = self.parts.iter().map(|part| PartData {
+            name: &part.name,
+            material: part.material.as_deref(),
+            shape: &part.shape,
+        });
+        let assembly = Assembly::build("parts", parts, self.accel, context)?;
+        Ok(Arc::new(if self.is_hit_in_boxes() {
+            assembly.in_turn_if_few(self.accel)
+        } else {
+            assembly
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let scaled = |part: &Part| Part { shape: part.shape.scaled(factor), ..part.clone() };
+        Self { parts: self.parts.iter().map(scaled).collect(), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let ball =
+            |x, radius| Sphere { center: Point::new(x, 0.25 * x, 1.0), radius, inward: false };
+        let lid = |y, normal| Disk { center: Point::new(0.0, y, 0.0), normal, radius: 0.5 };
+        let wall = OpenCylinder { y0: -0.5, y1: 0.75, radius: 0.5, inward: false };
+        let can =
+            Self::of([Kind::from(wall), lid(-0.5, -Vector::Y).into(), lid(0.75, Vector::Y).into()]);
+        let row = Self::of((0..10).map(|i| ball(-1.0 + 0.25 * f64::from(i), 0.1)));
+        let nested = Self::of([Kind::from(can.clone()), row.clone().into(), ball(2.0, 0.3).into()]);
+        vec![can, row, nested]
+    }
+}

@@ -1,0 +1,301 @@
+//! Instances (Suffern, ch. 21): a shape seen through a transformation.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths, shown};
+use crate::kinds::{self, Specification};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
+use crate::shapes::{
+    Candidate, Context, Facet, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
+    normal_along,
+};
+
+/// A shape transformed by a list of steps, first to last.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Instance {
+    /// What is transformed; it may be an instance itself.
+    pub of: Box<Kind>,
+    /// The steps, in the order in which they are applied, about the origin of coordinates.
+    pub transform: Vec<Step>,
+    /// Whether the texture moves with the shape. If not, it is looked up where the ray hits this
+    /// instance, as if the shape had been made that way (the book's `transform_the_texture`).
+    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
+    #[schemars(extend("default" = true))]
+    pub transform_texture: bool,
+}
+
+/// A shape and where it stands.
+#[derive(Debug)]
+struct Placed {
+    shape: Arc<dyn Shape>,
+    transform: Transform,
+    transform_texture: bool,
+}
+
+impl Instance {
+    /// A shape after these steps; the texture moves with it.
+    pub fn new(of: impl Into<Kind>, transform: Vec<Step>) -> Self {
+        Self { of: Box::new(of.into()), transform, transform_texture: true }
+    }
+}
+
+impl Specification for Instance {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let transform = transform_of("transform", &self.transform)?;
+        let shape = context.transformed(&transform, |context| self.of.build(context))?;
+        if shape.bounds().is_bounded() && !transform.bounds(&shape.bounds()).is_bounded() {
+            let problem = format!("found coordinates beyond any number, but {}", lengths());
+            return Err(Invalid::field("transform", problem));
+        }
+        let transform_texture = self.transform_texture;
+        Ok(Arc::new(Placed { shape, transform, transform_texture }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let transform = self.transform.iter().map(|step| step.scaled(factor)).collect();
+        Self { of: Box::new(self.of.scaled(factor)), transform, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let sphere = crate::shapes::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+        let ellipsoid = Self::new(
+            sphere,
+            vec![
+                Step::Scale(Vector::new(2.0, 3.0, 1.0)),
+                Step::RotateX(-45.0),
+                Step::Translate(Vector::Y),
+            ],
+        );
+        let block = crate::shapes::Box {
+            min: Point::new(-1.0, -0.5, -1.0),
+            max: Point::new(0.5, 1.0, 1.0),
+        };
+        let sheared = Self::new(
+            block,
+            vec![Step::Shear([0.5, 0.0, 0.0, 0.25, 0.0, 0.0]), Step::Reflect(crate::math::Axis::X)],
+        );
+        let nested = Self {
+            transform_texture: false,
+            ..Self::new(
+                ellipsoid.clone(),
+                vec![Step::RotateZ(30.0), Step::Scale(Vector::new(0.5, 0.25, 1.0))],
+            )
+        };
+        vec![ellipsoid, sheared, nested]
+    }
+}
+
+/// The steps of the field of this name as one transformation.
+pub(crate) fn transform_of(field: &str, steps: &[Step]) -> Result<Transform, Invalid> {
+    for (index, step) in steps.iter().enumerate() {
+        check(step).map_err(|e| e.inside(index).inside(field))?;
+    }
+    Transform::from_steps(steps).map_err(|singular| Invalid::field(field, singular.to_string()))
+}
+
+/// Refuses what no scale or angle can be. A zero factor is left to the condition number.
+fn check(step: &Step) -> Result<(), Invalid> {
+    match step {
+        Step::Translate(by) => finite_vector("translate", *by).map(drop),
+        Step::Scale(factors) => finite_vector("scale", *factors).map(drop),
+        Step::RotateX(degrees) => finite("rotate_x", *degrees).map(drop),
+        Step::RotateY(degrees) => finite("rotate_y", *degrees).map(drop),
+        Step::RotateZ(degrees) => finite("rotate_z", *degrees).map(drop),
+        Step::RotateAbout { point, direction: along, degrees } => finite_point("point", *point)
+            .and(direction("direction", *along))
+            .and(finite("degrees", *degrees).map(drop))
+            .map_err(|e| e.inside("rotate_about")),
+        Step::Reflect(_) => Ok(()),
+        Step::Shear(factors) if factors.iter().all(|f| f.is_finite()) => Ok(()),
+        Step::Shear(factors) => {
+            let problem = format!("found {factors:?}, but six finite numbers are needed");
+            Err(Invalid::field("shear", problem))
+        }
+        Step::Matrix(rows) => check_matrix(rows).map_err(|e| e.inside("matrix")),
+    }
+}
+
+/// Refuses entries that are not finite, and a last row of no affine map.
+fn check_matrix(rows: &[[f64; 4]; 4]) -> Result<(), Invalid> {
+    const LAST: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
+    for (i, row) in rows.iter().enumerate() {
+        for (j, &entry) in row.iter().enumerate() {
+            let problem = if !entry.is_finite() {
+                format!("found {entry}, but a finite number is needed")
+            } else if i == 3 && entry != LAST[j] {
+                let found = shown(entry);
+                format!("found {found}, but the last of the four rows has to be [0, 0, 0, 1]")
+            } else {
+                continue;
+            };
+            return Err(Invalid::new(problem).inside(j).inside(i));
+        }
+    }
+    Ok(())
+}
+
+impl Shape for Placed {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.shape.hit(&self.transform.ray_back(ray), span)
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.shape.shadow_hit(&self.transform.ray_back(ray), span)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let surface = surface_seen_through(&self.transform, &*self.shape, ray, at);
+        let local = if self.transform_texture { surface.local } else { surface.point };
+        Surface { local, ..surface }
+    }
+
+    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+        self.shape.uv(at)
+    }
+
+    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
+        self.shape.material_without_uv(own, needs_uv)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        self.shape.facet(at)
+    }
+
+    /// With a texture that stays in place, what is local is this instance's outside.
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        if self.transform_texture {
+            return self.shape.beside(at, by);
+        }
+        let whole = self.transform.after(&self.shape.texture_space(at));
+        self.shape.beside(at, whole.inverse().vector(by))
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        match self.transform_texture {
+            true => self.transform.after(&self.shape.texture_space(at)),
+            false => Transform::IDENTITY,
+        }
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        self.shape.path(at).inside(Level::Instance {})
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.shape.roots(&self.transform.ray_back(ray), span)
+    }
+
+    /// By solid angle only where angles stay as they are.
+    fn sampled(&self, sampling: Sampling) -> Option<std::boxed::Box<dyn SampledSurface>> {
+        if sampling == Sampling::SolidAngle && !self.transform.is_similarity() {
+            return None;
+        }
+        let Self { transform, transform_texture, .. } = *self;
+        let shape = self.shape.sampled(sampling)?;
+        Some(std::boxed::Box::new(SampledInstance { shape, transform, transform_texture }))
+    }
+
+    fn bounds(&self) -> Aabb {
+        bounds_seen_through(&self.transform, &self.shape.bounds())
+    }
+
+    fn leaves(&self) -> u64 {
+        self.shape.leaves()
+    }
+}
+
+/// The surface of a shape at a hit of the ray, outside.
+pub(in crate::shapes) fn surface_seen_through(
+    transform: &Transform,
+    shape: &dyn Shape,
+    ray: &Ray,
+    at: &Candidate,
+) -> Surface {
+    let inner = shape.surface(&transform.ray_back(ray), at);
+    moved_out(transform, inner, ray)
+}
+
+/// A surface in inner coordinates, outside; the ray meets it.
+fn moved_out(transform: &Transform, inner: Surface, ray: &Ray) -> Surface {
+    let point = transform.point(inner.point);
+    let outer = |n: Normal| normal_along(transform.covector(n), ray);
+    let normal = outer(inner.normal);
+    // how much longer a step along the normal is outside than inside
+    let stretch = 1.0 / transform.covector(inner.normal).length();
+    // by how much the point misses itself when it is moved back, as the next ray's origin will
+    // be; and the rounding of that
+    let back = transform.inverse();
+    let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
+    let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
+    let error = stretch * (inner.error + drift + 12.0 * UNIT_ROUNDOFF * rounding);
+    Surface { point, error, normal, shading: outer(inner.shading), ..inner }
+}
+
+/// The box around a transformed box, grown by what rounding can move a hit on its way into the
+/// inner coordinates and back: where large translations cancel, that is more than a few u of the
+/// outer coordinates.
+pub(in crate::shapes) fn bounds_seen_through(transform: &Transform, inner: &Aabb) -> Aabb {
+    let outer = transform.bounds(inner);
+    if !outer.is_bounded() {
+        return outer;
+    }
+    let back = transform.inverse();
+    let moved = |corner: Point| {
+        let rounding = back.magnitude(transform.point(corner));
+        transform.magnitude(corner) + transform.stretch(rounding)
+    };
+    let worst = inner.corners().map(moved).into_iter().fold(Vector::ZERO, Vector::max);
+    let pad = 16.0 * UNIT_ROUNDOFF * worst;
+    Aabb { min: outer.min - pad, max: outer.max + pad }
+}
+
+/// The points of a sampled shape, outside.
+#[derive(Debug)]
+struct SampledInstance {
+    shape: std::boxed::Box<dyn SampledSurface>,
+    transform: Transform,
+    transform_texture: bool,
+}
+
+impl SampledInstance {
+    /// The inner solid angle that is seen as one steradian outside, around the direction of an inner
+    /// point: `|M v|³/|det M|` for the unit vector `v` towards it.
+    fn solid_angle_ratio(&self, inner_from: Point, inner_point: Point) -> f64 {
+        let way = inner_point - inner_from;
+        let stretch = self.transform.vector(way).length() / way.length();
+        stretch * stretch * stretch / self.transform.determinant().abs()
+    }
+}
+
+impl SampledSurface for SampledInstance {
+    fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
+        let inner_from = self.transform.inverse().point(from);
+        let (inner, pdf) = self.shape.sample(inner_from, u)?;
+        let pdf = pdf * self.solid_angle_ratio(inner_from, inner.point);
+        let ray = Ray::new(from, self.transform.point(inner.point) - from);
+        let mut outer = moved_out(&self.transform, inner, &ray);
+        if !self.transform_texture {
+            outer.local = outer.point;
+        }
+        (pdf > 0.0 && pdf.is_finite()).then_some((outer, pdf))
+    }
+
+    fn candidate(&self, from: Point, u: [f64; 2]) -> Candidate {
+        self.shape.candidate(self.transform.inverse().point(from), u)
+    }
+
+    fn pdf(&self, from: Point, at: &Surface) -> f64 {
+        let back = self.transform.inverse();
+        let (inner_from, point) = (back.point(from), back.point(at.point));
+        let normal = Normal::new(back.covector(at.normal)).unwrap_or(at.normal);
+        let inner = Surface { point, normal, ..*at };
+        self.shape.pdf(inner_from, &inner) * self.solid_angle_ratio(inner_from, point)
+    }
+}

@@ -1,0 +1,238 @@
+//! The lattice: copies of one shape in rows, columns and layers, as in the grids of instances of
+//! Suffern, ch. 22 and 23.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::instance::surface_seen_through;
+use crate::accel::{Accel, Method, Primitives};
+use crate::invalid::{Invalid, finite_vector};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, lists};
+use crate::shapes::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
+
+/// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
+/// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Lattice {
+    /// What is copied; the first copy stands where it is.
+    pub of: Box<Kind>,
+    /// How many copies there are along x, y and z, each at least 1.
+    #[serde(deserialize_with = "lists::exactly")]
+    pub counts: [u32; 3],
+    /// How far it is from one copy to the next along x, y and z.
+    pub spacing: Vector,
+    /// How rays find the copies; as the scene if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<Method>,
+}
+
+#[derive(Debug)]
+struct Places {
+    counts: [u32; 3],
+    spacing: Vector,
+}
+
+#[derive(Debug)]
+struct Built {
+    shape: Arc<dyn Shape>,
+    inner: Aabb,
+    leaves: u64,
+    places: Places,
+    accel: Accel,
+    bounds: Aabb,
+}
+
+impl Specification for Lattice {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let spacing = finite_vector("spacing", self.spacing)?;
+        if self.counts.contains(&0) {
+            let problem = format!("found {:?}, but each must be at least 1", self.counts);
+            return Err(Invalid::field("counts", problem));
+        }
+        let copies = self.counts.iter().fold(1_u64, |n, &count| n.saturating_mul(count.into()));
+        context.take_parts(copies).map_err(|e| e.inside("counts"))?;
+        let shape = context.nested(|context| self.of.build(context)).map_err(|e| e.inside("of"))?;
+        if !shape.bounds().is_bounded() {
+            return Err(Invalid::field("of", "an unbounded shape cannot be copied side by side"));
+        }
+        let leaves = shape.leaves();
+        if leaves.checked_mul(copies).is_none() {
+            let problem = "more than 2⁶⁴ shapes are nested here; leave out a level";
+            return Err(Invalid::field("counts", problem));
+        }
+        let places = Places { counts: self.counts, spacing };
+        let inner = shape.bounds();
+        let copies = 0..copies as u32;
+        let bounds: Vec<Aabb> = copies.map(|copy| places.bounds(copy, &inner)).collect();
+        Ok(Arc::new(Built {
+            accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
+            bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
+            shape,
+            inner,
+            leaves,
+            places,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let of = Box::new(self.of.scaled(factor));
+        Self { of, spacing: factor * self.spacing, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let ball = crate::shapes::Sphere { center: Point::ORIGIN, radius: 0.25, inward: false };
+        let row = Self {
+            of: Box::new(ball.into()),
+            counts: [3, 1, 2],
+            spacing: Vector::new(0.75, 0.0, -1.0),
+            accel: None,
+        };
+        let nested = Self {
+            of: Box::new(row.clone().into()),
+            counts: [1, 4, 1],
+            spacing: Vector::new(0.0, 0.625, 0.0),
+            accel: None,
+        };
+        vec![row, nested]
+    }
+}
+
+impl Places {
+    /// Where in the lattice the copy of this number is; the first index runs fastest.
+    fn indices(&self, copy: u32) -> [u32; 3] {
+        let [columns, rows, _] = self.counts;
+        [copy % columns, copy / columns % rows, copy / columns / rows]
+    }
+
+    /// By how much the copy of this number is moved.
+    fn shift(&self, copy: u32) -> Vector {
+        let [i, j, k] = self.indices(copy).map(f64::from);
+        let [x, y, z] = self.spacing.to_array();
+        Vector::new(i * x, j * y, k * z)
+    }
+
+    /// The ray as the copy sees it where it was copied from.
+    fn ray_back(&self, copy: u32, ray: &Ray) -> Ray {
+        Ray::new(ray.origin - self.shift(copy), ray.direction)
+    }
+
+    /// What [`super::instance::bounds_seen_through`] says of a translation, in a tenth of its time: the
+    /// sizes of both corners' coordinates, here and there, bound the roundings.
+    fn bounds(&self, copy: u32, inner: &Aabb) -> Aabb {
+        let shift = self.shift(copy);
+        let sizes = |corner: Point| {
+            let there = (corner + shift).to_vector();
+            corner.to_vector().abs() + shift.abs() + (there.abs() + shift.abs())
+        };
+        let pad = 16.0 * UNIT_ROUNDOFF * sizes(inner.min).max(sizes(inner.max));
+        Aabb { min: inner.min + shift - pad, max: inner.max + shift + pad }
+    }
+
+    fn number(&self) -> u32 {
+        self.counts.iter().product()
+    }
+}
+
+/// The copies as one ray sees them.
+struct Seen<'a> {
+    lattice: &'a Built,
+    ray: &'a Ray,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, copy: u32, span: Span) -> Option<Candidate> {
+        self.lattice.shape.hit(&self.lattice.places.ray_back(copy, self.ray), span)
+    }
+
+    fn shadow_hit(&self, copy: u32, span: Span) -> Option<Candidate> {
+        let ray = self.lattice.places.ray_back(copy, self.ray);
+        self.lattice.shape.shadow_hit(&ray, span).map(Candidate::at)
+    }
+
+    fn bounds(&self, copy: u32) -> Aabb {
+        self.lattice.places.bounds(copy, &self.lattice.inner)
+    }
+}
+
+impl Built {
+    /// The number of the copy that is hit, and the hit as the copied shape sees it.
+    fn within(&self, at: &Candidate) -> (u32, Candidate) {
+        let (copy, leaf) = (at.leaf / self.leaves, at.leaf % self.leaves);
+        (copy as u32, Candidate { leaf, ..*at })
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let (copy, at) = self.accel.nearest(&Seen { lattice: self, ray }, ray, span)?;
+        Some(Candidate { leaf: u64::from(copy) * self.leaves + at.leaf, ..at })
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.accel.any(&Seen { lattice: self, ray }, ray, span).map(|(_, at)| at.t)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let (copy, within) = self.within(at);
+        let place = Transform::translation(self.places.shift(copy));
+        surface_seen_through(&place, &*self.shape, ray, &within)
+    }
+
+    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+        self.shape.uv(&self.within(at).1)
+    }
+
+    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
+        self.shape.material_without_uv(own, needs_uv)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        self.shape.facet(&self.within(at).1)
+    }
+
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        let moved = self.shape.beside(&self.within(at).1, by);
+        Candidate { leaf: at.leaf, ..moved }
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        let (copy, within) = self.within(at);
+        let place = Transform::translation(self.places.shift(copy));
+        place.after(&self.shape.texture_space(&within))
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        let (copy, within) = self.within(at);
+        self.shape.path(&within).inside(Level::Copy(self.places.indices(copy)))
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        let mut roots = Vec::new();
+        let seen = Seen { lattice: self, ray };
+        for copy in 0..self.places.number() {
+            // what `hit` does not count is no root
+            let Some(counts) = self.accel.counting(&seen.bounds(copy), ray) else { continue };
+            let within = self.shape.roots(&self.places.ray_back(copy, ray), span).into_iter();
+            let first = u64::from(copy) * self.leaves;
+            let within = within.filter(|at| counts(at.t));
+            roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
+        }
+        roots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        roots
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn leaves(&self) -> u64 {
+        u64::from(self.places.number()) * self.leaves
+    }
+}

@@ -1,0 +1,138 @@
+//! Random spheres (Suffern, ch. 22): the scene on which acceleration is measured.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::accel::{Accel, Method, Primitives};
+use crate::invalid::{Invalid, length};
+use crate::kinds::{self, Specification};
+use crate::math::{Aabb, Pcg32, Point, Ray, Span};
+use crate::shapes::{Candidate, Context, Level, PartPath, Shape, Sphere, Surface};
+
+/// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RandomSpheres {
+    /// How many spheres there are; at least 1.
+    pub count: u32,
+    /// The radius of each sphere; positive. The book's is `(0.75 · volume / (π · count))^(1/3)` with a volume of 0.1.
+    pub radius: f64,
+    /// Half the side of the cube of centres; positive.
+    #[serde(default = "kinds::one")]
+    pub half_side: f64,
+    /// Chooses the places: another seed, other places.
+    #[serde(default)]
+    pub seed: u64,
+    /// How rays find the spheres; as the scene if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<Method>,
+}
+
+#[derive(Debug)]
+struct Built {
+    spheres: Vec<Sphere>,
+    accel: Accel,
+    bounds: Aabb,
+}
+
+impl Specification for RandomSpheres {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        length("radius", self.radius)?;
+        length("half_side", self.half_side)?;
+        if self.count == 0 {
+            return Err(Invalid::field("count", "found 0, but at least one sphere is needed"));
+        }
+        context.take_parts(self.count.into()).map_err(|e| e.inside("count"))?;
+        let spheres = self.spheres();
+        let bounds: Vec<Aabb> = spheres.iter().map(Sphere::bounds).collect();
+        Ok(Arc::new(Built {
+            accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
+            bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
+            spheres,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { radius: factor * self.radius, half_side: factor * self.half_side, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let spheres = |count, radius| Self { count, radius, half_side: 1.0, seed: 15, accel: None };
+        // few and far between: laws on solids need spheres that do not overlap
+        vec![spheres(1, 0.3), spheres(12, 0.05)]
+    }
+}
+
+impl RandomSpheres {
+    /// The spheres, in order.
+    pub fn spheres(&self) -> Vec<Sphere> {
+        let mut random = Pcg32::new(self.seed, 0);
+        let mut place = || self.half_side * (2.0 * random.uniform() - 1.0);
+        let mut sphere = |_| {
+            let center = Point::new(place(), place(), place());
+            Sphere { center, radius: self.radius, inward: false }
+        };
+        (0..self.count).map(&mut sphere).collect()
+    }
+}
+
+/// The spheres as one ray sees them.
+struct Seen<'a> {
+    spheres: &'a [Sphere],
+    ray: &'a Ray,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let hit = self.spheres[index as usize].hit(self.ray, span)?;
+        Some(Candidate { leaf: index.into(), ..hit })
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.spheres[index as usize].bounds()
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let seen = Seen { spheres: &self.spheres, ray };
+        self.accel.hit_counted(&seen, ray, span, &mut ())
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        let seen = Seen { spheres: &self.spheres, ray };
+        self.accel.any(&seen, ray, span).map(|(_, at)| at.t)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.spheres[at.leaf as usize].surface(ray, at)
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        PartPath::to(Level::Sphere(at.leaf as u32))
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        let mut roots = Vec::new();
+        for (index, sphere) in (0..).zip(&self.spheres) {
+            let Some(counts) = self.accel.counting(&sphere.bounds(), ray) else { continue };
+            let within = sphere.roots(ray, span).into_iter().filter(|at| counts(at.t));
+            roots.extend(within.map(|at| Candidate { leaf: index, ..at }));
+        }
+        roots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        roots
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn leaves(&self) -> u64 {
+        self.spheres.len() as u64
+    }
+}

@@ -1,0 +1,184 @@
+//! Triangle meshes (Suffern, ch. 23), of a file or of lists in the scene.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::vertex_normals::{are_opposed, mean_normals, turn};
+use crate::accel;
+use crate::invalid::{Invalid, positive};
+use crate::kinds::{self, Specification};
+use crate::math::{Aabb, Normal, Point, Vector, lists};
+use crate::mesh_file::MeshData;
+use crate::shapes::{Context, Shape, TriangleMesh, mesh_lists, size_problem};
+
+/// The triangles of a PLY or OBJ file, or of lists that stand in the scene. A triangle's outside is
+/// from where its corners are seen counter-clockwise; but if there are vertex normals, and they are on
+/// the other side of most of its area, all triangles are turned.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// The file, relative to the scene file; it ends in `.ply` or `.obj`. Either this, or `vertices`
+    /// and `triangles`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<PathBuf>,
+    /// In place of a file: the points that triangles share, as `[x, y, z]`; finite.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertices: Option<Vec<Point>>,
+    /// In place of a file: three indices into `vertices`, counted from 0, for each triangle; at least
+    /// one triangle.
+    #[serde(
+        default,
+        deserialize_with = "lists::of_rows_if_any",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub triangles: Option<Vec<[u32; 3]>>,
+    /// In place of a file, if wanted: one normal for each vertex, of any length; one of zero stands
+    /// for the mean of the faces around the vertex.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub normals: Option<Vec<Vector>>,
+    /// In place of a file, if wanted: texture coordinates `[u, v]` for each vertex; finite.
+    #[serde(
+        default,
+        deserialize_with = "lists::of_rows_if_any",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub uvs: Option<Vec<[f64; 2]>>,
+    /// Multiplies the coordinates; positive. To move or turn the mesh, wrap it in an `instance`.
+    #[serde(default = "kinds::one")]
+    pub scale: f64,
+    /// Whether shading uses normals interpolated between the vertices, so that edges do not show:
+    /// those given, or the book's mean of the adjacent faces' normals where there is none or a
+    /// zero.
+    #[serde(default)]
+    pub smooth: bool,
+    /// Whether all normals are turned around, for files wound clockwise or with normals that point
+    /// inward.
+    #[serde(default)]
+    pub reverse_normals: bool,
+    /// How rays find its triangles; as the scene if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<accel::Method>,
+}
+
+impl Specification for Mesh {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        if let Some(file) = &self.file {
+            mesh_lists::check_absent(self)?;
+            return context.shared(self, |context| {
+                let data = context.mesh(file)?;
+                self.build_of(&data, "file", context)
+            });
+        }
+        self.build_of(&mesh_lists::data(self)?, "triangles", context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { scale: factor * self.scale, ..self.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let knot = Self::of_file(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply"));
+        vec![knot.clone(), Self { smooth: true, ..knot }, octahedron()]
+    }
+}
+
+impl Mesh {
+    /// The mesh of a file, flat.
+    pub fn of_file(file: impl Into<PathBuf>) -> Self {
+        Self { file: Some(file.into()), ..Self::EMPTY }
+    }
+
+    /// The mesh of these lists, flat.
+    pub fn of_lists(vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Self {
+        Self { vertices: Some(vertices), triangles: Some(triangles), ..Self::EMPTY }
+    }
+
+    const EMPTY: Self = Self {
+        file: None,
+        vertices: None,
+        triangles: None,
+        normals: None,
+        uvs: None,
+        scale: 1.0,
+        smooth: false,
+        reverse_normals: false,
+        accel: None,
+    };
+
+    /// The mesh of these data; `field` is where they come from.
+    fn build_of(
+        &self,
+        data: &MeshData,
+        field: &str,
+        context: &mut Context,
+    ) -> Result<Arc<dyn Shape>, Invalid> {
+        let scale = positive("scale", self.scale)?;
+        context.take_triangles(data.triangles.len() as u64).map_err(|e| e.inside(field))?;
+        let vertices: Vec<_> =
+            data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
+        let normals: Option<Vec<_>> = data
+            .normals
+            .as_ref()
+            .map(|normals| normals.iter().map(|&normal| Normal::new(normal.into())).collect());
+        let mut triangles = data.triangles.clone();
+        if normals.as_ref().is_some_and(|normals| are_opposed(&vertices, &triangles, normals)) {
+            turn(&mut triangles);
+        }
+        let shading = self.smooth.then(|| {
+            let mut means = means_at_positions(&vertices, &triangles, data);
+            for (mean, normal) in means.iter_mut().zip(normals.into_iter().flatten()) {
+                *mean = normal.unwrap_or(*mean);
+            }
+            means
+        });
+        let size_problem = size_problem(Aabb::around(vertices.iter().copied()));
+        let mut mesh = TriangleMesh::new(vertices, triangles);
+        if mesh.triangles().is_empty() {
+            let flat = "found only triangles of area zero, which no ray can hit";
+            return Err(Invalid::field(field, size_problem.unwrap_or_else(|| flat.into())));
+        }
+        if let Some(normals) = shading {
+            mesh = mesh.with_normals(normals);
+        }
+        if let Some(uvs) = &data.uvs {
+            mesh = mesh.with_uvs(uvs.clone());
+        }
+        if self.reverse_normals {
+            mesh.reverse();
+        }
+        Ok(Arc::new(mesh.accelerated(self.accel.unwrap_or(context.accel()))))
+    }
+}
+
+/// An octahedron as lists, of which only the poles have normals.
+fn octahedron() -> Mesh {
+    let vertices = [Vector::Z, Vector::X, -Vector::Z, -Vector::X, Vector::Y, -Vector::Y];
+    let around = [[0, 1], [1, 2], [2, 3], [3, 0]];
+    let triangles = around.iter().flat_map(|&[a, b]| [[a, b, 4], [b, a, 5]]).collect();
+    let normals = vertices.iter().map(|v| Vector::new(0.0, 2.0 * v.y(), 0.0)).collect();
+    let uvs = vertices.iter().map(|v| [v.x(), v.y()]).collect();
+    Mesh {
+        normals: Some(normals),
+        uvs: Some(uvs),
+        smooth: true,
+        ..Mesh::of_lists(vertices.map(|v| Point::ORIGIN + v).into(), triangles)
+    }
+}
+
+/// The means of all faces at a position, also where they have different texture coordinates there, or
+/// where only some have a normal.
+fn means_at_positions(vertices: &[Point], triangles: &[[u32; 3]], data: &MeshData) -> Vec<Normal> {
+    let first = &data.first_at;
+    if first.is_empty() {
+        return mean_normals(vertices, triangles, &data.faces);
+    }
+    let at_first: Vec<_> = triangles.iter().map(|t| t.map(|i| first[i as usize])).collect();
+    let means = mean_normals(vertices, &at_first, &data.faces);
+    first.iter().map(|&i| means[i as usize]).collect()
+}

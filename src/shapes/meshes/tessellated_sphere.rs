@@ -1,0 +1,138 @@
+//! The tessellated sphere (Suffern, ch. 23), flat or smooth.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::accel::Method;
+use crate::invalid::{Invalid, length};
+use crate::kinds::{self, Specification};
+use crate::math::{Normal, Point, cos, sin};
+use crate::shapes::{Context, Shape, TriangleMesh};
+
+/// A sphere about the origin made of `2 h (v − 1)` triangles, perhaps with bumps.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TessellatedSphere {
+    /// How many steps there are around the y axis: from 3 to 4096.
+    pub horizontal: u32,
+    /// How many steps there are from pole to pole: from 2 to 4096.
+    pub vertical: u32,
+    /// The radius; positive.
+    #[serde(default = "kinds::one")]
+    pub radius: f64,
+    /// Whether shading uses normals interpolated between the corners, so that edges do not show.
+    #[serde(default)]
+    pub smooth: bool,
+    /// The height of bumps, as a share of the radius below 1: a surface as uneven as a scanned one.
+    /// A vertex at azimuth φ and polar angle θ is moved out by
+    /// `bumps (2/3 sin 9φ sin 7θ + 1/3 sin 31θ)`.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(extend("default" = 0.0))]
+    pub bumps: f64,
+    /// How rays find its triangles; as the scene if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accel: Option<Method>,
+}
+
+fn is_zero(height: &f64) -> bool {
+    *height == 0.0
+}
+
+impl Specification for TessellatedSphere {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        for (field, value, least) in
+            [("horizontal", self.horizontal, 3), ("vertical", self.vertical, 2)]
+        {
+            if !(least..=4096).contains(&value) {
+                let problem = format!("found {value}, but {least} to 4096 steps are needed");
+                return Err(Invalid::field(field, problem));
+            }
+        }
+        length("radius", self.radius)?;
+        if !(0.0..1.0).contains(&self.bumps) {
+            let problem = format!("found {}, but a number from 0 to below 1 is needed", self.bumps);
+            return Err(Invalid::field("bumps", problem));
+        }
+        context.shared(self, |context| {
+            context.take_triangles(self.triangles())?;
+            Ok(Arc::new(self.mesh().accelerated(self.accel.unwrap_or(context.accel()))))
+        })
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { radius: factor * self.radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self::new(3, 2, false),
+            Self { radius: 0.75, ..Self::new(10, 5, true) },
+            Self { bumps: 0.15, ..Self::new(24, 12, true) },
+        ]
+    }
+}
+
+impl TessellatedSphere {
+    /// A unit sphere of so many steps.
+    pub fn new(horizontal: u32, vertical: u32, smooth: bool) -> Self {
+        Self { horizontal, vertical, radius: 1.0, smooth, bumps: 0.0, accel: None }
+    }
+
+    /// The vertex at azimuth `phi` and polar angle `theta`.
+    fn vertex(&self, phi: f64, theta: f64) -> Point {
+        let (sines, rings) = (sin(9.0 * phi) * sin(7.0 * theta), sin(31.0 * theta));
+        let r = self.radius * (1.0 + self.bumps * ((2.0 * sines + rings) / 3.0));
+        let (x, y, z) = (sin(phi) * sin(theta), cos(theta), cos(phi) * sin(theta));
+        Point::new(r * x, r * y, r * z)
+    }
+
+    fn triangles(&self) -> u64 {
+        2 * u64::from(self.horizontal) * (u64::from(self.vertical) - 1)
+    }
+
+    /// The triangles: fans at the poles, two for each field between them, wound so that normals
+    /// point outward.
+    pub fn mesh(&self) -> TriangleMesh {
+        let (h, v) = (self.horizontal, self.vertical);
+        let r = self.radius;
+        let mut vertices = vec![Point::new(0.0, r, 0.0)];
+        for k in 1..v {
+            let theta = PI * f64::from(k) / f64::from(v);
+            for j in 0..h {
+                let phi = 2.0 * PI * f64::from(j) / f64::from(h);
+                vertices.push(self.vertex(phi, theta));
+            }
+        }
+        vertices.push(Point::new(0.0, -r, 0.0));
+
+        let bottom = vertices.len() as u32 - 1;
+        let on_ring = |j: u32, k: u32| 1 + (k - 1) * h + j % h;
+        let mut triangles = Vec::with_capacity(self.triangles() as usize);
+        triangles.extend((0..h).map(|j| [0, on_ring(j, 1), on_ring(j + 1, 1)]));
+        for k in 1..v - 1 {
+            for j in 0..h {
+                let [a, b] = [on_ring(j, k), on_ring(j + 1, k)];
+                let [c, d] = [on_ring(j, k + 1), on_ring(j + 1, k + 1)];
+                triangles.extend([[a, c, d], [a, d, b]]);
+            }
+        }
+        triangles.extend((0..h).map(|j| [bottom, on_ring(j + 1, v - 1), on_ring(j, v - 1)]));
+
+        let mesh = TriangleMesh::new(vertices, triangles);
+        if !self.smooth {
+            return mesh;
+        }
+        let radial = |p: &Point| Normal::new(p.to_vector()).expect("vertices are on the sphere");
+        let normals = match self.bumps {
+            0.0 => mesh.vertices().iter().map(radial).collect(),
+            _ => mesh.mean_normals(),
+        };
+        mesh.with_normals(normals)
+    }
+}

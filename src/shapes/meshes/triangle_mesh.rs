@@ -1,0 +1,367 @@
+//! Triangles on shared vertices (Suffern, ch. 23), searched by an acceleration of their own.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::triangle_block::{Block, Blocks};
+use super::vertex_normals::{mean_normals, turn};
+use super::watertight::{self, ShearedRay};
+use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
+use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, Vector, exact_cross, maps};
+use crate::shapes::sampled::{ByArea, EvenSurface};
+use crate::shapes::{Candidate, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
+
+/// Triangles on shared vertices. Triangles of area zero are left out: no ray meets them.
+#[derive(Clone, Debug)]
+pub struct TriangleMesh {
+    vertices: Vec<Point>,
+    normals: Option<Vec<Normal>>,
+    uvs: Option<Vec<[f64; 2]>>,
+    triangles: Vec<[u32; 3]>,
+    /// The index of each in the list it comes from, where some of that were left out; else empty.
+    numbers: Vec<u32>,
+}
+
+impl TriangleMesh {
+    /// A flat mesh. Indices must be below the number of vertices.
+    pub fn new(vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Self {
+        let mut mesh = Self { vertices, normals: None, uvs: None, triangles, numbers: Vec::new() };
+        let has_area = |t: [u32; 3]| watertight::normal(mesh.corners(t)).is_some();
+        if mesh.triangles.iter().all(|&t| has_area(t)) {
+            return mesh;
+        }
+        let numbered = (0..).zip(&mesh.triangles).filter(|(_, t)| has_area(**t));
+        (mesh.numbers, mesh.triangles) = numbered.map(|(number, &t)| (number, t)).unzip();
+        mesh
+    }
+
+    /// The same mesh shaded smoothly with these vertex normals, one for each vertex.
+    pub fn with_normals(self, normals: Vec<Normal>) -> Self {
+        Self { normals: Some(normals), ..self }
+    }
+
+    /// The same mesh with these texture coordinates, one pair for each vertex.
+    pub fn with_uvs(self, uvs: Vec<[f64; 2]>) -> Self {
+        Self { uvs: Some(uvs), ..self }
+    }
+
+    /// For each vertex the normalised sum of the normals of its triangles, unweighted as in the book;
+    /// (0, 1, 0) where the sum is zero.
+    pub fn mean_normals(&self) -> Vec<Normal> {
+        mean_normals(&self.vertices, &self.triangles, &[])
+    }
+
+    /// Turns all normals around.
+    pub fn reverse(&mut self) {
+        turn(&mut self.triangles);
+        for normal in self.normals.iter_mut().flatten() {
+            *normal = -*normal;
+        }
+    }
+
+    /// The corners that triangles share.
+    pub fn vertices(&self) -> &[Point] {
+        &self.vertices
+    }
+
+    /// One normal for each vertex, on a smooth mesh.
+    pub fn normals(&self) -> Option<&[Normal]> {
+        self.normals.as_deref()
+    }
+
+    /// The triangles, as places in [`TriangleMesh::vertices`].
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Ready for rays.
+    pub fn accelerated(self, method: accel::Method) -> AcceleratedMesh {
+        self.accelerated_for(method, Kernel::best())
+    }
+
+    /// The same for another kernel than the best.
+    pub fn accelerated_for(self, method: accel::Method, kernel: Kernel) -> AcceleratedMesh {
+        let bounds: Vec<Aabb> =
+            self.triangles.iter().map(|&t| watertight::bounds(self.corners(t))).collect();
+        let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        if kernel == Kernel::PLAIN {
+            let accel = Accel::build_for(method, &bounds, &OneByOne, kernel);
+            let mesh = Arc::new(self);
+            return AcceleratedMesh { accel, blocks: Vec::new(), bounds: whole, mesh };
+        }
+        let together = self.triangles_on_places();
+        let accel = Accel::build_for(method, &bounds, &Blocks(&together), kernel);
+        let block = |&leaf: &[u32; 8]| Block::new(leaf, &together, &self.vertices);
+        let blocks = accel.leaves().iter().map(block).collect();
+        AcceleratedMesh { accel, blocks, bounds: whole, mesh: Arc::new(self) }
+    }
+
+    /// The triangles with the first vertex in each place instead of others there, which have normals or
+    /// uv of their own, or belong to one triangle only: so more triangles share corners in a block.
+    fn triangles_on_places(&self) -> Vec<[u32; 3]> {
+        let mut known = HashMap::with_capacity(self.vertices.len());
+        let first: Vec<u32> = (0..)
+            .zip(&self.vertices)
+            .map(|(index, place)| *known.entry(place.to_array().map(f64::to_bits)).or_insert(index))
+            .collect();
+        self.triangles.iter().map(|t| t.map(|vertex| first[vertex as usize])).collect()
+    }
+
+    /// The index of a triangle in the list from which the mesh was made.
+    fn number(&self, triangle: u32) -> u32 {
+        self.numbers.get(triangle as usize).copied().unwrap_or(triangle)
+    }
+
+    fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
+        triangle.map(|vertex| self.vertices[vertex as usize])
+    }
+
+    /// The surface of a triangle at these barycentric coordinates.
+    fn surface_at(&self, triangle: usize, [beta, gamma]: [f64; 2]) -> Surface {
+        let triangle = self.triangles[triangle];
+        let corners = self.corners(triangle);
+        let normal = watertight::normal(corners).expect("triangles of area zero were left out");
+        let (point, error) = watertight::point_on(corners, [beta, gamma], normal);
+        let mut surface = Surface::new(point, error, normal);
+        if let Some(normals) = &self.normals {
+            let [n0, n1, n2] = triangle.map(|vertex| normals[vertex as usize]);
+            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
+            // between normals that differ much it may be on the other side, where all light is lost
+            let seen = |shading: &Normal| shading.dot(normal) > 0.0;
+            surface.shading = Normal::new(mean).filter(seen).unwrap_or(normal);
+        }
+        surface
+    }
+}
+
+/// A mesh ready for rays.
+#[derive(Debug)]
+pub struct AcceleratedMesh {
+    mesh: Arc<TriangleMesh>,
+    accel: Accel,
+    /// What the leaves of a bvh hold; empty if triangles are tested one by one.
+    blocks: Vec<Block>,
+    bounds: Aabb,
+}
+
+/// The triangles as one ray sees them.
+struct Seen<'a> {
+    mesh: &'a TriangleMesh,
+    blocks: &'a [Block],
+    ray: ShearedRay,
+}
+
+/// One of them, with its corners at hand.
+struct Member<'a> {
+    index: u32,
+    corners: [Point; 3],
+    ray: &'a ShearedRay,
+}
+
+impl Primitives for Seen<'_> {
+    const SIFTS: bool = true;
+
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        self.one(index).hit(span)
+    }
+
+    fn bounds(&self, index: u32) -> Aabb {
+        self.one(index).bounds()
+    }
+
+    #[inline(always)]
+    fn place(&self, leaf: u32) -> *const u8 {
+        self.blocks.as_ptr().wrapping_add(leaf as usize).cast()
+    }
+
+    #[inline(always)]
+    fn sift(&self, kernel: Kernel, leaf: u32, span: Span, sifted: &mut Sifted) {
+        // no closure: it would not be compiled for the kernel's instructions
+        match self.blocks.get(leaf as usize) {
+            Some(block) => block.sift(kernel, &self.ray, span, sifted),
+            None => (sifted.sure, sifted.open) = (0, u8::MAX),
+        }
+    }
+
+    #[inline(always)]
+    fn member(
+        &self,
+        leaf: u32,
+        slot: usize,
+        index: impl FnOnce() -> Option<u32>,
+    ) -> Option<impl accel::Member> {
+        match self.blocks.get(leaf as usize) {
+            Some(block) => {
+                let (index, corners) = (block.indices[slot % 8], block.triangle(slot));
+                Some(Member { index, corners, ray: &self.ray })
+            }
+            None => index().map(|index| self.one(index)),
+        }
+    }
+}
+
+impl Seen<'_> {
+    fn one(&self, index: u32) -> Member<'_> {
+        let corners = self.mesh.corners(self.mesh.triangles[index as usize]);
+        Member { index, corners, ray: &self.ray }
+    }
+}
+
+impl accel::Member for Member<'_> {
+    fn index(&self) -> u32 {
+        self.index
+    }
+
+    #[cold] // blocks find nearly all hits; what is seldom run must not take registers from that
+    fn hit(&self, span: Span) -> Option<Candidate> {
+        let meeting = self.ray.meet(&self.corners)?;
+        span.contains(meeting.t).then_some(Candidate {
+            part: self.index,
+            parameters: meeting.barycentric,
+            ..Candidate::at(meeting.t)
+        })
+    }
+
+    fn shadow_hit(&self, span: Span) -> Option<Candidate> {
+        self.hit(span)
+    }
+
+    fn bounds(&self) -> Aabb {
+        watertight::bounds(self.corners)
+    }
+}
+
+impl AcceleratedMesh {
+    fn seen(&self, ray: &Ray) -> Seen<'_> {
+        Seen { mesh: &self.mesh, blocks: &self.blocks, ray: ShearedRay::new(ray) }
+    }
+
+    /// The first hit, and what it costs.
+    pub fn hit_counted(
+        &self,
+        ray: &Ray,
+        span: Span,
+        counter: &mut impl Counter,
+    ) -> Option<Candidate> {
+        self.accel.hit_counted(&self.seen(ray), ray, span, counter)
+    }
+
+    /// What the structure takes, without vertices and triangles.
+    pub fn memory_bytes(&self) -> usize {
+        self.accel.memory_bytes() + size_of_val(&*self.blocks)
+    }
+}
+
+impl Shape for AcceleratedMesh {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.hit_counted(ray, span, &mut ())
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.accel.any(&self.seen(ray), ray, span).map(|(_, candidate)| candidate.t)
+    }
+
+    fn surface(&self, _: &Ray, at: &Candidate) -> Surface {
+        self.mesh.surface_at(at.part as usize, at.parameters)
+    }
+
+    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+        let uvs = self.mesh.uvs.as_ref()?;
+        let [a, b, c] = self.mesh.triangles[at.part as usize].map(|vertex| uvs[vertex as usize]);
+        let [beta, gamma] = at.parameters;
+        Some([0, 1].map(|i| a[i] + beta * (b[i] - a[i]) + gamma * (c[i] - a[i])))
+    }
+
+    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
+        (self.mesh.uvs.is_none() && needs_uv(own)).then_some(own)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        let corners = self.mesh.corners(self.mesh.triangles[at.part as usize]);
+        Some(Facet { corners, barycentric: at.parameters })
+    }
+
+    /// The barycentric coordinates are linear in the plane of the triangle, also beyond its edges:
+    /// `by = β (b − a) + γ (c − a)`, solved with the normal `N = (b − a) × (c − a)`.
+    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+        let [a, b, c] = self.mesh.corners(self.mesh.triangles[at.part as usize]);
+        let normal = exact_cross(a, b, c);
+        let [beta, gamma] = at.parameters;
+        let square = normal.length_squared();
+        let moved = [by.cross(c - a), (b - a).cross(by)].map(|part| part.dot(normal) / square);
+        Candidate { parameters: [beta + moved[0], gamma + moved[1]], ..*at }
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        PartPath::to(Level::Triangle(self.mesh.number(at.part)))
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        let seen = self.seen(ray);
+        let hit = |index: u32| {
+            let counts = self.accel.counting(&seen.bounds(index), ray)?;
+            seen.hit(index, span).filter(|at| counts(at.t))
+        };
+        let all = 0..self.mesh.triangles.len() as u32;
+        let mut roots: Vec<_> = all.filter_map(hit).collect();
+        roots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        roots
+    }
+
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        let has_area = !self.mesh.triangles.is_empty();
+        let by_area = has_area && sampling == Sampling::Area;
+        by_area.then(|| Box::new(ByArea(SampledMesh::new(&self.mesh))) as _)
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+}
+
+/// A mesh on which points are drawn: first a triangle, as often as it is large, then a point of it.
+#[derive(Debug)]
+struct SampledMesh {
+    mesh: Arc<TriangleMesh>,
+    /// The areas of the triangles up to each, itself included.
+    areas: Vec<f64>,
+}
+
+impl SampledMesh {
+    fn new(mesh: &Arc<TriangleMesh>) -> Self {
+        let mesh = Arc::clone(mesh);
+        let areas = mesh.triangles.iter().scan(0.0, |sum, &triangle| {
+            let [a, b, c] = mesh.corners(triangle);
+            *sum += 0.5 * exact_cross(a, b, c).length();
+            Some(*sum)
+        });
+        Self { areas: areas.collect(), mesh }
+    }
+
+    /// The triangle and the barycentric coordinates for two numbers.
+    fn drawn(&self, [u, v]: [f64; 2]) -> (usize, [f64; 2]) {
+        let wanted = u * self.area();
+        let last = self.areas.len() - 1;
+        let triangle = self.areas.partition_point(|&sum| sum <= wanted).min(last);
+        let before = if triangle == 0 { 0.0 } else { self.areas[triangle - 1] };
+        // where in its share u lies is a fresh number
+        let again = (wanted - before) / (self.areas[triangle] - before);
+        (triangle, maps::triangle([again.min(ONE_MINUS), v]))
+    }
+}
+
+impl EvenSurface for SampledMesh {
+    fn area(&self) -> f64 {
+        self.areas.last().copied().unwrap_or(0.0)
+    }
+
+    fn point(&self, u: [f64; 2]) -> Surface {
+        let (triangle, barycentric) = self.drawn(u);
+        self.mesh.surface_at(triangle, barycentric)
+    }
+
+    fn candidate(&self, u: [f64; 2]) -> Candidate {
+        let (triangle, parameters) = self.drawn(u);
+        Candidate { part: triangle as u32, parameters, ..Candidate::at(0.0) }
+    }
+}

@@ -1,0 +1,115 @@
+//! The part annulus (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::angles::{Angles, full_turn};
+use crate::invalid::{Invalid, direction, finite_point};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
+use crate::shapes::plain::annulus::{between, radii};
+use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
+
+/// The part of a level annulus within a range of azimuths.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartAnnulus {
+    /// The centre.
+    pub center: Point,
+    /// Upward or downward, as azimuths are about the y axis; need not be unit.
+    #[serde(default = "upward")]
+    pub normal: Vector,
+    /// The radius of the hole; not negative.
+    pub inner_radius: f64,
+    /// The outer radius, above `inner_radius`.
+    pub outer_radius: f64,
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
+    /// through 360 where the first is larger.
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    pub phi: [f64; 2],
+}
+
+fn upward() -> Vector {
+    Vector::Y
+}
+
+#[derive(Debug)]
+struct Built {
+    center: Point,
+    normal: Normal,
+    radii: [f64; 2],
+    phi: Angles,
+}
+
+impl Specification for PartAnnulus {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        Ok(Arc::new(Built {
+            center: finite_point("center", self.center)?,
+            normal: vertical(self.normal)?,
+            radii: radii(self.inner_radius, self.outer_radius)?,
+            phi: Angles::new("phi", self.phi)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            center: self.center.scaled(factor),
+            inner_radius: factor * self.inner_radius,
+            outer_radius: factor * self.outer_radius,
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let part = |center, normal, radii: [f64; 2], phi| Self {
+            center,
+            normal,
+            inner_radius: radii[0],
+            outer_radius: radii[1],
+            phi,
+        };
+        vec![
+            part(Point::ORIGIN, Vector::Y, [0.5, 1.0], [0.0, 90.0]),
+            part(Point::new(0.5, -0.25, 1.0), -2.0 * Vector::Y, [0.0, 0.75], [300.0, 130.0]),
+        ]
+    }
+}
+
+/// The field `normal`, if it is along the y axis.
+fn vertical(normal: Vector) -> Result<Normal, Invalid> {
+    let [x, y, z] = direction("normal", normal)?.to_array();
+    if x != 0.0 || z != 0.0 {
+        let found = normal.to_array();
+        let problem = format!(
+            "found {found:?}, but a part annulus is level: [0, 1, 0] or [0, -1, 0]; an instance tilts it"
+        );
+        return Err(Invalid::field("normal", problem));
+    }
+    Ok(if y > 0.0 { Normal::Y } else { -Normal::Y })
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let t = plane_distance(ray, self.center, self.normal);
+        if !span.contains(t) {
+            return None;
+        }
+        let from_center = (ray.at(t) - self.center).across_y();
+        let hit = between(self.radii, from_center) && self.phi.has_azimuth_of(from_center);
+        hit.then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), self.center, self.normal)
+    }
+
+    fn bounds(&self) -> Aabb {
+        let [min, max] = self.phi.bounds(self.radii[0], self.radii[1]);
+        Aabb { min: self.center + min, max: self.center + max }
+    }
+}

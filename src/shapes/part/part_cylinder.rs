@@ -1,0 +1,89 @@
+//! The part cylinder, convex and concave (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::angles::{Angles, full_turn};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Aabb, Point, Ray, Span, lists};
+use crate::shapes::{Candidate, Context, OpenCylinder, Shape, Surface, all_of, first_of};
+
+/// The part of an open cylinder within a range of azimuths.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartCylinder {
+    /// The lower end.
+    pub y0: f64,
+    /// The upper end, above `y0`.
+    pub y1: f64,
+    /// The radius; positive.
+    pub radius: f64,
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
+    /// through 360 where the first is larger.
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    pub phi: [f64; 2],
+    /// Whether the normal points inward: the book's concave part cylinder.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
+}
+
+#[derive(Debug)]
+struct Built {
+    whole: OpenCylinder,
+    phi: Angles,
+}
+
+impl Specification for PartCylinder {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let Self { y0, y1, radius, phi, inward } = *self;
+        let whole = OpenCylinder { y0, y1, radius, inward }.checked()?;
+        Ok(Arc::new(Built { whole, phi: Angles::new("phi", phi)? }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { y0: factor * self.y0, y1: factor * self.y1, radius: factor * self.radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let part = |y0, y1, radius, phi, inward| Self { y0, y1, radius, phi, inward };
+        vec![
+            part(-1.0, 1.0, 1.0, [90.0, 270.0], false),
+            part(0.25, 0.5, 0.375, [300.0, 20.0], true),
+        ]
+    }
+}
+
+impl Built {
+    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
+        |t| {
+            let in_range = self.phi.has_azimuth_of(ray.at(t).to_vector());
+            in_range && self.whole.is_between_ends(ray, t)
+        }
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        first_of(self.whole.distances(ray)?, span, self.has(ray))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.whole.surface(ray, at)
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        all_of(self.whole.distances(ray), span, self.has(ray))
+    }
+
+    fn bounds(&self) -> Aabb {
+        let OpenCylinder { y0, y1, radius, .. } = self.whole;
+        let [min, max] = self.phi.bounds(radius, radius);
+        Aabb { min: Point::new(min.x(), y0, min.z()), max: Point::new(max.x(), y1, max.z()) }
+    }
+}

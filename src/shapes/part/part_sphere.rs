@@ -1,0 +1,127 @@
+//! The part sphere, convex and concave (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::angles::{Angles, full_turn};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
+use crate::shapes::{Candidate, Context, Shape, Sphere, Surface, all_of, first_of};
+
+/// The part of a sphere within a range of azimuths φ and one of polar angles θ.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartSphere {
+    /// The centre.
+    pub center: Point,
+    /// The radius; positive.
+    pub radius: f64,
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
+    /// through 360 where the first is larger.
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    pub phi: [f64; 2],
+    /// From the first polar angle down to the second, in degrees from +y: `[0, 90]` is the upper
+    /// hemisphere.
+    #[serde(deserialize_with = "lists::exactly", default = "pole_to_pole")]
+    pub theta: [f64; 2],
+    /// Whether the normal points to the centre: the book's concave part sphere.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
+}
+
+fn pole_to_pole() -> [f64; 2] {
+    [0.0, 180.0]
+}
+
+#[derive(Debug)]
+struct Built {
+    whole: Sphere,
+    phi: Angles,
+    /// `(sin θ, cos θ)` of the upper and the lower end.
+    theta: [[f64; 2]; 2],
+}
+
+impl Specification for PartSphere {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let Self { center, radius, phi, theta, inward } = *self;
+        let whole = Sphere { center, radius, inward }.checked()?;
+        let phi = Angles::new("phi", phi)?;
+        let [from, to] = theta;
+        let ordered = 0.0 <= from && from < to && to <= 180.0;
+        if !ordered {
+            let problem =
+                format!("found {theta:?}, but two ascending angles from 0 to 180 are needed");
+            return Err(Invalid::field("theta", problem));
+        }
+        Ok(Arc::new(Built { whole, phi, theta: theta.map(|a| [sin_degrees(a), cos_degrees(a)]) }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { center: self.center.scaled(factor), radius: factor * self.radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self {
+                center: Point::ORIGIN,
+                radius: 1.0,
+                phi: [30.0, 250.0],
+                theta: [40.0, 120.0],
+                inward: false,
+            },
+            Self {
+                center: Point::new(0.5, -0.75, 0.25),
+                radius: 0.5,
+                phi: full_turn(),
+                theta: [90.0, 180.0],
+                inward: true,
+            },
+        ]
+    }
+}
+
+impl Built {
+    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
+        |t| self.contains(ray.at(t) - self.whole.center)
+    }
+
+    /// The polar angle, too, is told by cross products, in the half-plane of ρ and y: a test of the
+    /// height alone would round it near the poles, where the height hardly changes.
+    fn contains(&self, v: Vector) -> bool {
+        let (y, rho) = (v.y(), v.across_y().length());
+        let [[s0, c0], [s1, c1]] = self.theta;
+        let below_start = rho * c0 - y * s0 >= 0.0; // sin(θ − θ₀)
+        let above_end = y * s1 - rho * c1 >= 0.0; // sin(θ₁ − θ)
+        below_start && above_end && self.phi.has_azimuth_of(v)
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        first_of(self.whole.distances(ray)?, span, self.has(ray))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.whole.surface(ray, at)
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        all_of(self.whole.distances(ray), span, self.has(ray))
+    }
+
+    fn bounds(&self) -> Aabb {
+        let [[s0, c0], [s1, c1]] = self.theta;
+        let r = self.whole.radius;
+        let across_equator = c0 >= 0.0 && c1 <= 0.0;
+        let far = if across_equator { r } else { r * s0.max(s1) };
+        let [min, max] = self.phi.bounds(r * s0.min(s1), far);
+        let center = self.whole.center;
+        Aabb { min: center + min + r * c1 * Vector::Y, max: center + max + r * c0 * Vector::Y }
+    }
+}

@@ -1,0 +1,121 @@
+//! The part torus (Suffern, ch. 19): a torus of which a range of azimuth and a range around the tube
+//! are left.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::angles::{Angles, full_turn};
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
+use crate::shapes::plain::torus::{Torus, from_axis};
+use crate::shapes::{Candidate, Context, Shape, Surface};
+
+/// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the tube
+/// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first end is the
+/// larger goes on through 360°.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartTorus {
+    /// The radius of the circle in the middle of the tube, the book's `a`; positive.
+    pub swept_radius: f64,
+    /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
+    pub tube_radius: f64,
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
+    /// through 360 where the first is larger.
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    pub phi: [f64; 2],
+    /// From the first angle around the tube up to the second, in degrees from its outermost line
+    /// upward.
+    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    pub theta: [f64; 2],
+    /// Whether the normal points into the tube instead.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
+}
+
+#[derive(Debug)]
+struct Built {
+    torus: Torus,
+    phi: Angles,
+    theta: Angles,
+    /// Its bounds, grown by more than rounding can move a hit.
+    padded: Aabb,
+}
+
+impl Specification for PartTorus {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let &Self { swept_radius, tube_radius, inward, .. } = self;
+        let torus = Torus { swept_radius, tube_radius, inward };
+        torus.check()?;
+        let (phi, theta) = (Angles::new("phi", self.phi)?, Angles::new("theta", self.theta)?);
+        let padded = bounds(&torus, &phi, &theta).padded();
+        Ok(Arc::new(Built { torus, phi, theta, padded }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let [swept_radius, tube_radius] = [self.swept_radius, self.tube_radius].map(|r| factor * r);
+        Self { swept_radius, tube_radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let quarter = Self {
+            swept_radius: 2.0,
+            tube_radius: 0.5,
+            phi: [30.0, 300.0],
+            theta: [270.0, 135.0],
+            inward: false,
+        };
+        let bowl = Self {
+            swept_radius: 1.0,
+            tube_radius: 0.75,
+            phi: [350.0, 100.0],
+            theta: [0.0, 180.0],
+            inward: true,
+        };
+        vec![quarter, bowl]
+    }
+}
+
+impl Built {
+    /// Every hit of the whole torus is asked for its angles: when the near one is in no range, a
+    /// far one may be.
+    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
+        self.torus.hits(ray, span, &self.padded, |p: Vector| {
+            self.phi.has_azimuth_of(p)
+                && self.theta.contains([from_axis(p) - self.torus.swept_radius, p.y()])
+        })
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.hits(ray, span).next()
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.torus.surface_at(ray, at)
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.hits(ray, span).collect()
+    }
+
+    fn bounds(&self) -> Aabb {
+        bounds(&self.torus, &self.phi, &self.theta)
+    }
+}
+
+/// Around the ring that the part of the tube sweeps, cut to the azimuths.
+fn bounds(torus: &Torus, phi: &Angles, theta: &Angles) -> Aabb {
+    let (a, b) = (torus.swept_radius, torus.tube_radius);
+    let tube = theta.extremes().map(|[cos, sin]| [a + b * cos, b * sin]);
+    let [[near, low], [far, high]] = tube;
+    let [min, max] = phi.bounds(near, far);
+    Aabb { min: Point::new(min.x(), low, min.z()), max: Point::new(max.x(), high, max.z()) }
+}

@@ -1,0 +1,371 @@
+//! The algebraic surface (implicit surfaces: Suffern, ch. 19): where a polynomial of the user's own in
+//! x, y, z is zero, inside a box.
+//!
+//! Along the ray the polynomial is one in `s`, where `s` runs from −1 to 1 over the chord of the
+//! box: near the middle of the chord, not at the ray's origin, its coefficients keep their digits.
+//! They only say *where to look*: between the roots of its derivative it is monotone. The signs
+//! there, and the roots between, are those of the polynomial in x, y, z itself.
+
+use std::sync::Arc;
+
+use arrayvec::ArrayVec;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, finite, shown};
+use crate::kinds::Specification;
+use crate::math::polynomial::{MAX_DEGREE, roots_between};
+use crate::math::{
+    Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root, lists, power,
+};
+use crate::shapes::{Box, Candidate, Context, Shape, Surface, normal_along};
+
+/// `coefficient · xⁱ yʲ zᵏ` for powers `[i, j, k]`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Term {
+    /// The number before the powers; finite.
+    pub coefficient: f64,
+    /// The powers of x, y and z: whole numbers whose sum is at most 16.
+    #[serde(deserialize_with = "lists::exactly")]
+    pub powers: [u32; 3],
+}
+
+/// The points inside a box where the sum of the terms is zero; the normal points to where it is
+/// positive. The degree is that of the textbooks' surfaces and more: up to 16.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Algebraic {
+    /// The terms of the sum; at least one is not a constant.
+    pub terms: Vec<Term>,
+    /// The corner of the box with the smallest coordinates.
+    pub min: Point,
+    /// The corner of the box with the largest coordinates.
+    pub max: Point,
+}
+
+/// `x⁰, x¹, … x¹⁶` for each coordinate.
+type Powers = [[f64; MAX_DEGREE + 1]; 3];
+
+/// At a point: the sum of the terms, its gradient, and the sum of the terms' magnitudes.
+struct Values {
+    value: f64,
+    gradient: Vector,
+    magnitude: f64,
+}
+
+/// The part of a ray inside the box, from `s = −1` to `s = 1`.
+struct Chord {
+    /// Its middle, and from there to its end.
+    m: Vector,
+    h: Vector,
+    /// The same as parameters of the ray.
+    middle: f64,
+    half: f64,
+}
+
+impl Chord {
+    fn new(ray: &Ray, [enter, leave]: [f64; 2]) -> Option<Self> {
+        let (middle, half) = (0.5 * enter + 0.5 * leave, 0.5 * leave - 0.5 * enter);
+        let finite = middle.is_finite() && half.is_finite();
+        let m = ray.at(middle).to_vector();
+        finite.then(|| Self { m, h: half * ray.direction, middle, half })
+    }
+
+    fn at(&self, s: f64) -> Vector {
+        self.m + s * self.h
+    }
+
+    /// Ascends with `s`.
+    fn t(&self, s: f64) -> f64 {
+        self.middle + s * self.half
+    }
+}
+
+#[derive(Debug)]
+struct Built {
+    terms: Vec<Term>,
+    degree: usize,
+    domain: Box,
+}
+
+impl Specification for Algebraic {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        for (index, term) in self.terms.iter().enumerate() {
+            term.check().map_err(|e| e.inside(index).inside("terms"))?;
+        }
+        let terms = gathered(&self.terms);
+        let degree = terms.iter().map(Term::degree).max().unwrap_or(0) as usize;
+        if degree == 0 {
+            let found = match terms.as_slice() {
+                [] if self.terms.is_empty() => "found no terms",
+                [] => "found nothing but zero",
+                _ => "found a constant",
+            };
+            let problem =
+                format!("{found}, but a term with a power of x, y or z that is not 0 is needed");
+            return Err(Invalid::field("terms", problem));
+        }
+        let domain = Box { min: self.min, max: self.max };
+        domain.build(context)?;
+        check_size(&terms, degree, domain.bounds())?;
+        Ok(Arc::new(Built { terms, degree, domain }))
+    }
+
+    /// A surface `factor` times as large is zero where the old one was at `p / factor`.
+    fn scaled(&self, factor: f64) -> Self {
+        let scaled = |term: &Term| Term {
+            coefficient: term.coefficient * power(1.0 / factor, f64::from(term.degree())),
+            ..*term
+        };
+        Self {
+            terms: self.terms.iter().map(scaled).collect(),
+            min: self.min.scaled(factor),
+            max: self.max.scaled(factor),
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let cube = |half: f64| (Point::new(-half, -half, -half), Point::new(half, half, half));
+        let term = |coefficient, powers| Term { coefficient, powers };
+        let each_axis = |coefficient, power| {
+            (0..3).map(move |axis| {
+                term(coefficient, std::array::from_fn(|i| if i == axis { power } else { 0 }))
+            })
+        };
+        let constant = |coefficient| std::iter::once(term(coefficient, [0; 3]));
+        let (min, max) = cube(3.0);
+        // x⁴ + y⁴ + z⁴ − 5 (x² + y² + z²) + 11.8: Goursat's tangle
+        let tangle = each_axis(1.0, 4).chain(each_axis(-5.0, 2)).chain(constant(11.8)).collect();
+        // x⁸ + y⁸ + z⁸ = 1: a box with round edges
+        let (small, large) = cube(1.25);
+        let round_box = each_axis(1.0, 8).chain(constant(-1.0)).collect();
+        // x² y − y z² + x z = 1/4: open, it ends at the box
+        let saddle = vec![
+            term(1.0, [2, 1, 0]),
+            term(-1.0, [0, 1, 2]),
+            term(1.0, [1, 0, 1]),
+            term(-0.25, [0; 3]),
+        ];
+        vec![
+            Self { terms: tangle, min, max },
+            Self { terms: round_box, min: small, max: large },
+            Self { terms: saddle, min: small, max: large },
+        ]
+    }
+}
+
+/// The terms with like ones as one, in the order of the first of each, without those that are zero.
+fn gathered(terms: &[Term]) -> Vec<Term> {
+    let mut gathered: Vec<Term> = Vec::new();
+    for term in terms {
+        match gathered.iter_mut().find(|like| like.powers == term.powers) {
+            Some(like) => like.coefficient += term.coefficient,
+            None => gathered.push(term.clone()),
+        }
+    }
+    gathered.retain(|term| term.coefficient != 0.0);
+    gathered
+}
+
+/// Refuses polynomials whose terms leave the range of `f64` in the box: the largest product of
+/// coordinates, or the largest term, whose gradient is squared.
+fn check_size(terms: &[Term], degree: usize, bounds: Aabb) -> Result<(), Invalid> {
+    let size = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
+    let product = power(size, degree as f64);
+    let term = |t: &Term| t.coefficient.abs() * power(size, f64::from(t.degree()));
+    let largest = terms.iter().map(term).fold(0.0, f64::max);
+    let [products, values] = [1e-250..1e250, 1e-100..1e100];
+    if products.contains(&product) && values.contains(&largest) {
+        return Ok(());
+    }
+    let [size, largest] = [size, largest].map(shown);
+    let problem = format!(
+        "of degree {degree} in coordinates up to {size} found a largest term of {largest}, but only \
+         products of coordinates from {:e} to {:e} and terms from {:e} to {:e} are supported",
+        products.start, products.end, values.start, values.end
+    );
+    Err(Invalid::field("terms", problem))
+}
+
+impl Term {
+    fn degree(&self) -> u32 {
+        self.powers.iter().fold(0, |sum, &power| sum.saturating_add(power))
+    }
+
+    fn check(&self) -> Result<(), Invalid> {
+        finite("coefficient", self.coefficient)?;
+        if self.degree() as usize <= MAX_DEGREE {
+            return Ok(());
+        }
+        let powers = self.powers;
+        let problem = format!("found {powers:?}, but a sum of at most {MAX_DEGREE} is needed");
+        Err(Invalid::field("powers", problem))
+    }
+}
+
+impl Built {
+    fn powers(&self, p: Vector) -> Powers {
+        p.to_array().map(|x| {
+            let mut powers = [1.0; MAX_DEGREE + 1];
+            for i in 1..=self.degree {
+                powers[i] = powers[i - 1] * x;
+            }
+            powers
+        })
+    }
+
+    fn values(&self, p: Vector) -> Values {
+        let table = self.powers(p);
+        let mut sums = Values { value: 0.0, gradient: Vector::ZERO, magnitude: 0.0 };
+        for Term { coefficient, powers } in &self.terms {
+            let [i, j, k] = powers.map(|power| power as usize);
+            let [x, y, z] = &table;
+            let product = coefficient * (x[i] * y[j] * z[k]);
+            sums.value += product;
+            sums.magnitude += product.abs();
+            let slope = |axis: usize, own: usize, others: f64| {
+                if own == 0 { 0.0 } else { own as f64 * table[axis][own - 1] * others }
+            };
+            let gradient = Vector::new(
+                slope(0, i, y[j] * z[k]),
+                slope(1, j, x[i] * z[k]),
+                slope(2, k, x[i] * y[j]),
+            );
+            sums.gradient += *coefficient * gradient;
+        }
+        sums
+    }
+
+    /// The coefficients of the polynomial in `s` at `m + s·h`: each term a product of linear ones.
+    fn along(&self, chord: &Chord) -> [f64; MAX_DEGREE + 1] {
+        let mut sum = [0.0; MAX_DEGREE + 1];
+        for Term { coefficient, powers } in &self.terms {
+            let mut product = [0.0; MAX_DEGREE + 1];
+            product[0] = *coefficient;
+            let mut degree = 0;
+            for (axis, &power) in powers.iter().enumerate() {
+                let (at, rate) = (chord.m.along(axis), chord.h.along(axis));
+                for _ in 0..power {
+                    degree += 1;
+                    for i in (1..=degree).rev() {
+                        product[i] = product[i] * at + product[i - 1] * rate;
+                    }
+                    product[0] *= at;
+                }
+            }
+            for (total, part) in sum.iter_mut().zip(&product[..=degree]) {
+                *total += part;
+            }
+        }
+        sum
+    }
+
+    /// Around each hit, a place where the polynomial is negative and one where it is positive, or twice
+    /// the place where it is zero; ascending. None of a line that lies in the surface.
+    fn brackets(&self, chord: &Chord) -> ArrayVec<[f64; 2], MAX_DEGREE> {
+        let coefficients = self.along(chord);
+        let slopes: [f64; MAX_DEGREE] =
+            std::array::from_fn(|i| (i + 1) as f64 * coefficients[i + 1]);
+        let stationary = roots_between(&slopes, -1.0, 1.0);
+        let mut brackets = ArrayVec::new();
+        // −1, 0 or 1: zero is neither, so that f and −f have the same roots
+        let sign = |s: f64| {
+            let value = self.values(chord.at(s)).value;
+            if value == 0.0 { 0.0 } else { value.signum() }
+        };
+        let mut left = (-1.0, sign(-1.0));
+        let mut in_surface = left.1 == 0.0;
+        for s in stationary.into_iter().chain([1.0]) {
+            let here = (s, sign(s));
+            // there are no more than the degree, as stationary points are one less
+            if left.1 == 0.0 && here.1 != 0.0 {
+                let _ = brackets.try_push([left.0; 2]);
+            } else if left.1 * here.1 < 0.0 {
+                let bracket = if here.1 < 0.0 { [s, left.0] } else { [left.0, s] };
+                let _ = brackets.try_push(bracket);
+            }
+            left = here;
+            in_surface &= left.1 == 0.0;
+        }
+        if left.1 == 0.0 && !in_surface {
+            let _ = brackets.try_push([left.0; 2]);
+        }
+        brackets
+    }
+
+    fn solve(&self, chord: &Chord, bracket: [f64; 2]) -> f64 {
+        let f = |s: f64| {
+            let Values { value, gradient, .. } = self.values(chord.at(s));
+            [value, gradient.dot(chord.h)]
+        };
+        let tolerance = Tolerance { value: 0.0, step: UNIT_ROUNDOFF };
+        bracketed_root(f, bracket, 0.5 * (bracket[0] + bracket[1]), tolerance)
+    }
+
+    /// The hits inside the span, ascending.
+    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
+        let chord = self.domain.chord(ray).and_then(|ends| Chord::new(ray, ends));
+        let brackets = chord.as_ref().map(|chord| self.brackets(chord)).unwrap_or_default();
+        brackets.into_iter().filter_map(move |bracket| {
+            let chord = chord.as_ref()?;
+            let [first, last] = [bracket[0].min(bracket[1]), bracket[0].max(bracket[1])];
+            if chord.t(last) <= span.min || chord.t(first) >= span.max {
+                return None;
+            }
+            let t = chord.t(self.solve(chord, bracket));
+            span.contains(t).then(|| Candidate::at(t))
+        })
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.hits(ray, span).next()
+    }
+
+    /// One step of Newton's method along the gradient moves the point onto the surface; not where the
+    /// gradient is nothing but rounding, as where sheets meet.
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let size = self.domain.min.to_vector().abs().max(self.domain.max.to_vector().abs());
+        // half of the digits are all that a root has where the gradient vanishes
+        let most = UNIT_ROUNDOFF.sqrt() * size.max_abs();
+        // every term: a rounding for each factor, each of a coordinate that is some roundings off,
+        // and one for each sum
+        let roundings = (8 * self.degree + self.terms.len() + 8) as f64;
+        let noise = |values: &Values| {
+            roundings * UNIT_ROUNDOFF * values.magnitude / values.gradient.length()
+        };
+        let raw = ray.at(at.t);
+        let there = self.values(raw.to_vector());
+        let step = if noise(&there) < most {
+            (there.value / there.gradient.length_squared()) * there.gradient
+        } else {
+            Vector::ZERO
+        };
+        let point = raw - step;
+        let here = self.values(point.to_vector());
+        let own = 12.0 * UNIT_ROUNDOFF * size.max_abs();
+        let error = own
+            + if noise(&here) < most {
+                // a step leaves the more of a multiple root, at most `degree` times the next step
+                let left = self.degree as f64 * here.value.abs() / here.gradient.length();
+                noise(&here) + left
+            } else {
+                let far = ray.origin.to_vector().max_abs() + (at.t * ray.direction).max_abs();
+                most + 8.0 * UNIT_ROUNDOFF * far
+            };
+        Surface::new(point, error, normal_along(here.gradient, ray))
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.hits(ray, span).collect()
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.domain.bounds()
+    }
+}

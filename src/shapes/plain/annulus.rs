@@ -1,0 +1,104 @@
+//! The annulus (Suffern, ch. 19): a disk with a hole.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, direction, finite_point, length, not_negative, shown};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
+
+/// The points of a plane from `inner_radius` to `outer_radius` away from `center`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Annulus {
+    /// The centre.
+    pub center: Point,
+    /// Perpendicular to the annulus; not zero, need not be unit.
+    pub normal: Vector,
+    /// The radius of the hole; not negative.
+    pub inner_radius: f64,
+    /// The outer radius, above `inner_radius`.
+    pub outer_radius: f64,
+}
+
+/// An annulus ready for rays.
+#[derive(Debug)]
+struct Built {
+    center: Point,
+    normal: Normal,
+    radii: [f64; 2],
+}
+
+impl Specification for Annulus {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        Ok(Arc::new(Built {
+            center: finite_point("center", self.center)?,
+            normal: direction("normal", self.normal)?,
+            radii: radii(self.inner_radius, self.outer_radius)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            center: self.center.scaled(factor),
+            inner_radius: factor * self.inner_radius,
+            outer_radius: factor * self.outer_radius,
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { center: Point::ORIGIN, normal: Vector::Y, inner_radius: 0.5, outer_radius: 1.0 },
+            Self {
+                center: Point::new(0.5, 0.25, -0.5),
+                normal: Vector::new(-1.0, 2.0, 3.0),
+                inner_radius: 0.25,
+                outer_radius: 0.375,
+            },
+        ]
+    }
+}
+
+/// The fields `inner_radius` and `outer_radius`, if they are in order.
+pub fn radii(inner: f64, outer: f64) -> Result<[f64; 2], Invalid> {
+    not_negative("inner_radius", inner)?;
+    length("outer_radius", outer)?;
+    if inner >= outer {
+        let (inner, outer) = (shown(inner), shown(outer));
+        let problem = format!("found {outer}, but it must be above inner_radius, {inner}");
+        return Err(Invalid::field("outer_radius", problem));
+    }
+    Ok([inner, outer])
+}
+
+/// Whether a point so far from the centre is between the radii, both included.
+pub fn between([inner, outer]: [f64; 2], from_center: Vector) -> bool {
+    (inner * inner..=outer * outer).contains(&from_center.length_squared())
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let t = plane_distance(ray, self.center, self.normal);
+        let hit = span.contains(t) && between(self.radii, ray.at(t) - self.center);
+        hit.then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), self.center, self.normal)
+    }
+
+    fn bounds(&self) -> Aabb {
+        // along an axis it reaches r sin of the angle between axis and normal
+        let [x, y, z] = self.normal.to_array();
+        let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
+        let half = self.radii[1] * Vector::new(sine(y, z), sine(z, x), sine(x, y));
+        Aabb { min: self.center - half, max: self.center + half }
+    }
+}

@@ -1,0 +1,130 @@
+//! The box with faces along the axes (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, finite_point};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF};
+use crate::shapes::{Candidate, Context, Face, Level, PartPath, Shape, Surface};
+
+/// The surface of the box between two corners; normals point outward.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Box {
+    /// The corner with the smallest coordinates.
+    pub min: Point,
+    /// The corner with the largest coordinates, each above that of `min`.
+    pub max: Point,
+}
+
+impl Specification for Box {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let (min, max) = (finite_point("min", self.min)?, finite_point("max", self.max)?);
+        if (0..3).any(|axis| min.along(axis) >= max.along(axis)) {
+            let (min, max) = (min.to_array(), max.to_array());
+            return Err(Invalid::field(
+                "max",
+                format!("found {max:?}, but each coordinate must be above that of min, {min:?}"),
+            ));
+        }
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { min: self.min.scaled(factor), max: self.max.scaled(factor) }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, 1.0, 1.0) },
+            Self { min: Point::new(-0.5, 0.25, -2.0), max: Point::new(1.5, 0.5, -1.0) },
+        ]
+    }
+}
+
+impl Box {
+    /// Where the line enters and leaves each of the three slabs. A ray in the plane of a face (NaN,
+    /// from `0/0`) is inside that slab: [`Box::within`] passes over it.
+    ///
+    /// Divisions, not products with a reciprocal: a quotient is monotone, so that a segment that
+    /// ends in front of a face does not reach it by rounding.
+    fn slabs(&self, ray: &Ray) -> [[f64; 3]; 2] {
+        let slab = |axis: usize| {
+            let (o, d) = (ray.origin.along(axis), ray.direction.along(axis));
+            let low = (self.min.along(axis) - o) / d;
+            let high = (self.max.along(axis) - o) / d;
+            if d.is_sign_negative() { (high, low) } else { (low, high) }
+        };
+        let (x, y, z) = (slab(0), slab(1), slab(2));
+        [[x.0, y.0, z.0], [x.1, y.1, z.1]]
+    }
+
+    /// The part of the line that is in all slabs.
+    fn within([enter, leave]: &[[f64; 3]; 2]) -> Option<[f64; 2]> {
+        let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
+        for (&enter, &leave) in enter.iter().zip(leave) {
+            first = if enter > first { enter } else { first };
+            last = if leave < last { leave } else { last };
+        }
+        (first <= last).then_some([first, last])
+    }
+
+    /// Where the line enters and leaves the box.
+    pub(in crate::shapes) fn chord(&self, ray: &Ray) -> Option<[f64; 2]> {
+        Self::within(&self.slabs(ray))
+    }
+
+    /// The hit at `t`, where the line enters one of these slabs, or leaves it if `far`. Faces are
+    /// numbered `2·axis`, and one more on the side of `max`.
+    fn face(slabs: &[f64; 3], t: f64, far: bool, ray: &Ray) -> Candidate {
+        let axis = if slabs[0] == t { 0 } else { 2 - usize::from(slabs[1] == t) };
+        let is_max = far != ray.direction.along(axis).is_sign_negative();
+        Candidate { part: 2 * axis as u32 + u32::from(is_max), ..Candidate::at(t) }
+    }
+}
+
+impl Shape for Box {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let slabs = self.slabs(ray);
+        let [first, last] = Self::within(&slabs)?;
+        if span.contains(first) {
+            return Some(Self::face(&slabs[0], first, false, ray));
+        }
+        span.contains(last).then(|| Self::face(&slabs[1], last, true, ray))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let axis = at.part as usize / 2;
+        let outward = [Normal::X, Normal::Y, Normal::Z][axis];
+        let (face, normal) = match at.part % 2 {
+            0 => (self.min.along(axis), -outward),
+            _ => (self.max.along(axis), outward),
+        };
+        let point = ray.at(at.t).with(axis, face);
+        Surface::new(point, 4.0 * UNIT_ROUNDOFF * face.abs(), normal)
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        let faces = [Face::MinX, Face::MaxX, Face::MinY, Face::MaxY, Face::MinZ, Face::MaxZ];
+        PartPath::to(Level::Face(faces[at.part as usize]))
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        let slabs = self.slabs(ray);
+        let Some([first, last]) = Self::within(&slabs) else { return Vec::new() };
+        let mut faces =
+            vec![Self::face(&slabs[0], first, false, ray), Self::face(&slabs[1], last, true, ray)];
+        faces.retain(|face| span.contains(face.t));
+        faces
+    }
+
+    fn bounds(&self) -> Aabb {
+        Aabb { min: self.min, max: self.max }
+    }
+}

@@ -1,0 +1,72 @@
+//! The cut face (Suffern, ch. 19): a square with a round hole.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, length, shown};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span};
+use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
+
+/// The points of the plane y = 0 with `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`; the normal is
+/// (0, 1, 0).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CutFace {
+    /// The side of the square; positive.
+    pub size: f64,
+    /// The radius of the hole: positive, and less than from the middle to a corner. Where it is more than half
+    /// of `size`, four corners are left.
+    pub radius: f64,
+}
+
+impl Specification for CutFace {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let size = length("size", self.size)?;
+        let radius = length("radius", self.radius)?;
+        let to_corner = size * std::f64::consts::FRAC_1_SQRT_2;
+        if radius >= to_corner {
+            let (radius, size, most) = (shown(radius), shown(size), shown(to_corner));
+            let problem = format!(
+                "found {radius}, but it must be less than {most}: nothing is left of size {size}"
+            );
+            return Err(Invalid::field("radius", problem));
+        }
+        Ok(Arc::new(self.clone()))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { size: factor * self.size, radius: factor * self.radius }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![Self { size: 2.0, radius: 0.75 }, Self { size: 1.0, radius: 0.6 }]
+    }
+}
+
+impl Shape for CutFace {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let t = plane_distance(ray, Point::ORIGIN, Normal::Y);
+        if !span.contains(t) {
+            return None;
+        }
+        let p = ray.at(t).to_vector().across_y();
+        let in_square = p.max_abs() <= 0.5 * self.size;
+        let in_hole = p.length_squared() < self.radius * self.radius;
+        (in_square && !in_hole).then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), Point::ORIGIN, Normal::Y)
+    }
+
+    fn bounds(&self) -> Aabb {
+        let half = 0.5 * self.size;
+        Aabb { min: Point::new(-half, 0.0, -half), max: Point::new(half, 0.0, half) }
+    }
+}

@@ -1,0 +1,99 @@
+//! The disk (Suffern, ch. 19).
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, direction, finite_point, length};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Frame, Normal, Point, Ray, Span, Vector, maps};
+use crate::shapes::sampled::{ByArea, EvenSurface};
+use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
+
+/// The points of a plane within `radius` of `center`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Disk {
+    /// The centre.
+    pub center: Point,
+    /// Perpendicular to the disk; not zero, need not be unit.
+    pub normal: Vector,
+    /// The radius; positive.
+    pub radius: f64,
+}
+
+#[derive(Clone, Debug)]
+struct Built {
+    center: Point,
+    normal: Normal,
+    radius: f64,
+}
+
+impl Specification for Disk {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        Ok(Arc::new(Built {
+            center: finite_point("center", self.center)?,
+            normal: direction("normal", self.normal)?,
+            radius: length("radius", self.radius)?,
+        }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { center: self.center.scaled(factor), radius: factor * self.radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { center: Point::ORIGIN, normal: Vector::Y, radius: 1.0 },
+            Self {
+                center: Point::new(0.5, 0.25, -0.5),
+                normal: Vector::new(1.0, 2.0, -3.0),
+                radius: 0.75,
+            },
+        ]
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let t = plane_distance(ray, self.center, self.normal);
+        if !span.contains(t) {
+            return None;
+        }
+        let within = ray.at(t).distance_squared(self.center) <= self.radius * self.radius;
+        within.then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), self.center, self.normal)
+    }
+
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        (sampling == Sampling::Area).then(|| Box::new(ByArea(self.clone())) as _)
+    }
+
+    fn bounds(&self) -> Aabb {
+        // along an axis the disk reaches r sin of the angle between axis and normal
+        let [x, y, z] = self.normal.to_array();
+        let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
+        let half = self.radius * Vector::new(sine(y, z), sine(z, x), sine(x, y));
+        Aabb { min: self.center - half, max: self.center + half }
+    }
+}
+
+impl EvenSurface for Built {
+    fn area(&self) -> f64 {
+        PI * self.radius * self.radius
+    }
+
+    fn point(&self, u: [f64; 2]) -> Surface {
+        let [x, y] = maps::disk(u);
+        let from_center = Frame::around(self.normal).to_world(Vector::new(x, y, 0.0));
+        Surface::flat(self.center + self.radius * from_center, self.center, self.normal)
+    }
+}

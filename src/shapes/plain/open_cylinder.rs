@@ -1,0 +1,95 @@
+//! The open cylinder (Suffern, ch. 19): a wall without end caps.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, finite, length};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, circle_roots};
+use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
+
+/// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OpenCylinder {
+    /// The lower end.
+    pub y0: f64,
+    /// The upper end, above `y0`.
+    pub y1: f64,
+    /// The radius; positive.
+    pub radius: f64,
+    /// Whether the normal points to the axis: the book's concave open cylinder.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
+}
+
+impl Specification for OpenCylinder {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        Ok(Arc::new(self.checked()?))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { y0: factor * self.y0, y1: factor * self.y1, radius: factor * self.radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { y0: -1.0, y1: 1.0, radius: 1.0, inward: false },
+            Self { y0: 0.25, y1: 0.5, radius: 0.375, inward: true },
+        ]
+    }
+}
+
+impl OpenCylinder {
+    /// A copy whose numbers are fit for use.
+    pub(in crate::shapes) fn checked(&self) -> Result<Self, Invalid> {
+        let (y0, y1) = (finite("y0", self.y0)?, finite("y1", self.y1)?);
+        if y0 >= y1 {
+            return Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")));
+        }
+        length("radius", self.radius)?;
+        Ok(self.clone())
+    }
+
+    /// Where the line meets the endless cylinder, ascending.
+    #[inline(always)] // as the roots it calls
+    pub(in crate::shapes) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let ([ox, _, oz], [dx, _, dz]) = (ray.origin.to_array(), ray.direction.to_array());
+        circle_roots([ox, oz], [dx, dz], self.radius)
+    }
+
+    /// Whether the ray is between the ends.
+    pub(in crate::shapes) fn is_between_ends(&self, ray: &Ray, t: f64) -> bool {
+        let y = ray.origin.y() + t * ray.direction.y();
+        self.y0 <= y && y <= self.y1
+    }
+}
+
+impl Shape for OpenCylinder {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        first_of(self.distances(ray)?, span, |t| self.is_between_ends(ray, t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let raw = ray.at(at.t);
+        let flat_ray = Ray::new(ray.origin, ray.direction.across_y());
+        let normal = normal_along(raw.to_vector().across_y(), &flat_ray);
+        let r = self.radius * normal;
+        let point = Point::new(r.x(), raw.y(), r.z());
+        Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal).turned(self.inward)
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        all_of(self.distances(ray), span, |t| self.is_between_ends(ray, t))
+    }
+
+    fn bounds(&self) -> Aabb {
+        let r = self.radius;
+        Aabb { min: Point::new(-r, self.y0, -r), max: Point::new(r, self.y1, r) }
+    }
+}

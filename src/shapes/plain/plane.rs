@@ -1,0 +1,63 @@
+//! The infinite plane (Suffern, ch. 3).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, direction, finite_point};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
+
+/// All points `p` with `(p − point)·normal = 0`; the normal need not be unit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plane {
+    /// A point of the plane.
+    pub point: Point,
+    /// Perpendicular to the plane; not zero, need not be unit.
+    pub normal: Vector,
+}
+
+#[derive(Debug)]
+struct Built {
+    point: Point,
+    normal: Normal,
+}
+
+impl Specification for Plane {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let point = finite_point("point", self.point)?;
+        Ok(Arc::new(Built { point, normal: direction("normal", self.normal)? }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { point: self.point.scaled(factor), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { point: Point::ORIGIN, normal: Vector::Y },
+            Self { point: Point::new(0.5, -0.25, 0.75), normal: Vector::new(-1.0, 2.0, 3.0) },
+        ]
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let t = plane_distance(ray, self.point, self.normal);
+        span.contains(t).then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), self.point, self.normal)
+    }
+
+    fn bounds(&self) -> Aabb {
+        Aabb::EVERYTHING
+    }
+}

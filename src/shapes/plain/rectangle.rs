@@ -1,0 +1,148 @@
+//! The rectangle (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::spherical_rectangle::SphericalRectangle;
+use crate::invalid::{Invalid, finite_point, finite_vector};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross};
+use crate::shapes::sampled::{ByArea, EvenSurface};
+use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
+
+/// The rectangle from `corner` along `a` and `b`; its normal is `a × b` normalised.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rectangle {
+    /// A corner, `p0` in the book.
+    pub corner: Point,
+    /// One side, as a vector from `corner`; not zero.
+    pub a: Vector,
+    /// The other side, as a vector from `corner`; perpendicular to `a`, not zero.
+    pub b: Vector,
+}
+
+#[derive(Clone, Debug)]
+struct Built {
+    data: Rectangle,
+    normal: Normal,
+    /// `|a|²` and `|b|²`.
+    squared: [f64; 2],
+}
+
+/// How far from perpendicular the sides may be, as the cosine between them: more than the rounding
+/// of typed numbers, less than anyone could see.
+const SKEW: f64 = 1e-9;
+
+impl Specification for Rectangle {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        finite_point("corner", self.corner)?;
+        let (a, b) = (finite_vector("a", self.a)?, finite_vector("b", self.b)?);
+        let zero = Point::ORIGIN;
+        let normal = Normal::new(exact_cross(zero, zero + a, zero + b)).ok_or_else(|| {
+            Invalid::field(
+                "b",
+                format!("found {:?}, but the sides must span an area", b.to_array()),
+            )
+        })?;
+        let cosine = a.dot(b) / (a.length() * b.length());
+        if cosine.abs() > SKEW {
+            let (a, b) = (a.to_array(), b.to_array());
+            return Err(Invalid::field(
+                "b",
+                format!("found {b:?}, but it must be perpendicular to a, {a:?}"),
+            ));
+        }
+        let squared = [a.length_squared(), b.length_squared()];
+        Ok(Arc::new(Built { data: self.clone(), normal, squared }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { corner: self.corner.scaled(factor), a: factor * self.a, b: factor * self.b }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self {
+                corner: Point::new(-1.0, 0.0, -1.0),
+                a: Vector::new(0.0, 0.0, 2.0),
+                b: Vector::new(2.0, 0.0, 0.0),
+            },
+            Self {
+                corner: Point::new(-0.5, 0.25, 0.5),
+                a: Vector::new(1.0, 2.0, 2.0),
+                b: Vector::new(0.5, -0.5, 0.25),
+            },
+        ]
+    }
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let Rectangle { corner, a, b } = self.data;
+        let t = plane_distance(ray, corner, self.normal);
+        if !span.contains(t) {
+            return None;
+        }
+        let d = ray.at(t) - corner;
+        let [a_squared, b_squared] = self.squared;
+        let (along_a, along_b) = (d.dot(a), d.dot(b));
+        let inside_a = 0.0 <= along_a && along_a <= a_squared;
+        let inside_b = 0.0 <= along_b && along_b <= b_squared;
+        (inside_a && inside_b).then(|| Candidate::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        Surface::flat(ray.at(at.t), self.data.corner, self.normal)
+    }
+
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        Some(match sampling {
+            Sampling::Area => Box::new(ByArea(self.clone())),
+            Sampling::SolidAngle => Box::new(BySolidAngle(self.clone())),
+        })
+    }
+
+    fn bounds(&self) -> Aabb {
+        let Rectangle { corner, a, b } = self.data;
+        Aabb::around([corner, corner + a, corner + b, corner + (a + b)])
+    }
+}
+
+impl EvenSurface for Built {
+    fn area(&self) -> f64 {
+        let [a_squared, b_squared] = self.squared;
+        a_squared.sqrt() * b_squared.sqrt()
+    }
+
+    fn point(&self, [u, v]: [f64; 2]) -> Surface {
+        let Rectangle { corner, a, b } = self.data;
+        Surface::flat(corner + (u * a + v * b), corner, self.normal)
+    }
+}
+
+/// A rectangle that is sampled evenly by solid angle; by area where it looks small.
+#[derive(Debug)]
+struct BySolidAngle(Built);
+
+impl SampledSurface for BySolidAngle {
+    fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
+        let Some(seen) = SphericalRectangle::seen_from(from, &self.0.data) else {
+            return self.0.sample_by_area(from, u);
+        };
+        let at = Surface::flat(seen.point(u), self.0.data.corner, self.0.normal);
+        Some((at, 1.0 / seen.solid_angle))
+    }
+
+    fn pdf(&self, from: Point, at: &Surface) -> f64 {
+        match SphericalRectangle::seen_from(from, &self.0.data) {
+            Some(seen) => 1.0 / seen.solid_angle,
+            None => self.0.pdf_by_area(from, at),
+        }
+    }
+}

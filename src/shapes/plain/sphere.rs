@@ -1,0 +1,191 @@
+//! The sphere (Suffern, ch. 3).
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, finite_point, length};
+use crate::kinds::Specification;
+use crate::math::{
+    Aabb, Frame, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, maps, perpendicular_roots,
+};
+use crate::shapes::sampled::{ByArea, EvenSurface};
+use crate::shapes::{
+    Candidate, Context, SampledSurface, Sampling, Shape, Surface, all_of, first_of, normal_along,
+};
+
+/// All points `p` with `|p − center| = radius`; the normal points outward, or to the centre.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sphere {
+    /// The centre.
+    pub center: Point,
+    /// The radius; positive.
+    pub radius: f64,
+    /// Whether the normal points to the centre: the book's concave sphere.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inward: bool,
+}
+
+impl Specification for Sphere {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        Ok(Arc::new(self.checked()?))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { center: self.center.scaled(factor), radius: factor * self.radius, ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        vec![
+            Self { center: Point::ORIGIN, radius: 1.0, inward: false },
+            Self { center: Point::new(0.5, -0.75, 0.25), radius: 0.3, inward: false },
+        ]
+    }
+}
+
+impl Sphere {
+    /// A copy whose numbers are fit for use.
+    pub(in crate::shapes) fn checked(&self) -> Result<Self, Invalid> {
+        finite_point("center", self.center)?;
+        length("radius", self.radius)?;
+        Ok(self.clone())
+    }
+
+    /// The surface where its outward normal is this.
+    fn surface_along(&self, normal: Normal) -> Surface {
+        let point = self.center + self.radius * normal;
+        // the sum above, and the next ray's difference from the centre and its |f| − r
+        let magnitude = point.to_vector().abs() + self.center.to_vector().abs();
+        let error = 4.0 * UNIT_ROUNDOFF * magnitude.dot(Vector::from(normal).abs())
+            + 8.0 * UNIT_ROUNDOFF * self.radius;
+        Surface::new(point, error, normal).turned(self.inward)
+    }
+
+    /// Where the line meets it, ascending.
+    #[inline(always)] // as the roots it calls
+    pub(in crate::shapes) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
+        perpendicular_roots(ray.origin - self.center, ray.direction, self.radius)
+    }
+}
+
+impl Shape for Sphere {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        first_of(self.distances(ray)?, span, |_| true)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        self.surface_along(normal_along(ray.at(at.t) - self.center, ray))
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        all_of(self.distances(ray), span, |_| true)
+    }
+
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        Some(match sampling {
+            Sampling::Area => Box::new(ByArea(self.clone())),
+            Sampling::SolidAngle => Box::new(BySolidAngle(self.clone())),
+        })
+    }
+
+    fn bounds(&self) -> Aabb {
+        let r = self.radius * Vector::new(1.0, 1.0, 1.0);
+        Aabb { min: self.center - r, max: self.center + r }
+    }
+}
+
+impl Sphere {
+    /// Whether the sphere itself hides this point of it from `from`. The silhouette is not hidden, and
+    /// from inside nothing is.
+    fn hides(&self, from: Point, at: &Surface) -> bool {
+        let (way, out) = (from - at.point, at.point - self.center);
+        way.dot(out) < -64.0 * UNIT_ROUNDOFF * way.length() * self.radius && self.is_outside(from)
+    }
+
+    /// Whether a point is outside by more than rounding. A point of the sphere is not: its inner side
+    /// sees all of the sphere, and its outer side nothing, whichever way it is sampled.
+    fn is_outside(&self, from: Point) -> bool {
+        let magnitude = from.to_vector().max_abs() + self.center.to_vector().max_abs();
+        from.distance(self.center) > self.radius + 64.0 * UNIT_ROUNDOFF * magnitude
+    }
+}
+
+impl EvenSurface for Sphere {
+    /// From outside only the near side is seen, also of a sphere that casts no shadow.
+    fn is_hidden(&self, from: Point, at: &Surface) -> bool {
+        self.hides(from, at)
+    }
+
+    fn area(&self) -> f64 {
+        4.0 * PI * self.radius * self.radius
+    }
+
+    fn point(&self, u: [f64; 2]) -> Surface {
+        let normal = Normal::new(maps::sphere(u)).unwrap_or(Normal::Z);
+        self.surface_along(normal)
+    }
+}
+
+/// A sphere whose visible part is sampled evenly by solid angle, the cone in which it is seen from
+/// outside; from inside, where all of it is seen, by area.
+#[derive(Debug)]
+struct BySolidAngle(Sphere);
+
+impl BySolidAngle {
+    /// From outside: the way to the centre, and `1 − cosθ` of the half-angle θ of the cone.
+    fn cone(&self, from: Point) -> Option<(Vector, f64)> {
+        let way = self.0.center - from;
+        let sine = self.0.radius / way.length();
+        // 1 − cosθ = sin²θ/(1 + cosθ), without cancellation for a far sphere
+        self.0.is_outside(from).then(|| {
+            let cosine = ((1.0 - sine) * (1.0 + sine)).sqrt();
+            (way, sine * sine / (1.0 + cosine))
+        })
+    }
+}
+
+/// A point of the unit disk nearer to its rim than this is moved inwards by as much: on the silhouette
+/// itself, rounding would put it now before and now behind the sphere.
+const RIM: f64 = 1.0 - 1e-12;
+
+impl SampledSurface for BySolidAngle {
+    /// The disk map keeps areas, and so does the map of disk to cap `1 − cosθ = ρ² (1 − cosθ_max)`.
+    /// The normal follows from the angle α at the centre: `sin(α + θ) = (d/r) sinθ`, and
+    /// `α = (α + θ) − θ`; no difference of long distances is formed.
+    fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
+        let Some((way, opening)) = self.cone(from) else {
+            return self.0.sample_by_area(from, u);
+        };
+        let [mut x, mut y] = maps::disk(u);
+        if x * x + y * y > RIM {
+            (x, y) = (RIM * x, RIM * y);
+        }
+        let rho_squared = x * x + y * y;
+        let cos_theta = 1.0 - rho_squared * opening;
+        // of α + θ, its sine over ρ; the sine of θ over ρ
+        let sine = ((1.0 + cos_theta) / (2.0 - opening)).sqrt();
+        let cosine = (1.0 - rho_squared) * (2.0 - opening * (1.0 + rho_squared));
+        let cosine = (cosine / (2.0 - opening)).sqrt();
+        let sin_theta = (opening * (1.0 + cos_theta)).sqrt();
+        let cos_alpha = cosine * cos_theta + rho_squared * sine * sin_theta;
+        let sin_alpha = sine * cos_theta - cosine * sin_theta;
+        let frame = Frame::around(Normal::new(way)?);
+        let normal = frame.to_world(Vector::new(sin_alpha * x, sin_alpha * y, -cos_alpha));
+        let at = self.0.surface_along(Normal::new(normal)?);
+        Some((at, 1.0 / (2.0 * PI * opening)))
+    }
+
+    fn pdf(&self, from: Point, at: &Surface) -> f64 {
+        match self.cone(from) {
+            Some(_) if self.0.hides(from, at) => 0.0,
+            Some((_, opening)) => 1.0 / (2.0 * PI * opening),
+            None => self.0.pdf_by_area(from, at),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The triangle (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, direction, finite_point};
+use crate::kinds::Specification;
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, maps};
+use crate::shapes::sampled::{ByArea, EvenSurface};
+use crate::shapes::{
+    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, size_problem, watertight,
+};
+
+/// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
+/// interpolated.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Triangle {
+    /// The corners, not on one line.
+    #[serde(deserialize_with = "lists::exactly")]
+    pub vertices: [Point; 3],
+    /// A normal for each corner, of any length: shading uses the one between them (the book's
+    /// smooth triangle, ch. 23).
+    #[serde(
+        default,
+        deserialize_with = "lists::exactly_if_any",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub normals: Option<[Vector; 3]>,
+}
+
+#[derive(Clone, Debug)]
+struct Built {
+    vertices: [Point; 3],
+    normal: Normal,
+    normals: Option<[Normal; 3]>,
+}
+
+impl Specification for Triangle {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        for (i, &vertex) in self.vertices.iter().enumerate() {
+            finite_point("", vertex)
+                .map_err(|e| Invalid::new(e.problem).inside(i).inside("vertices"))?;
+        }
+        let normal = watertight::normal(self.vertices).ok_or_else(|| {
+            let found = self.vertices.map(Point::to_array);
+            let problem = size_problem(Aabb::around(self.vertices)).unwrap_or_else(|| {
+                format!("found {found:?}, a triangle of area zero, but its corners must not be on one line")
+            });
+            Invalid::field("vertices", problem)
+        })?;
+        let normals = self.normals.map(|normals| vertex_normals(normals, normal)).transpose()?;
+        Ok(Arc::new(Built { vertices: self.vertices, normal, normals }))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self { vertices: self.vertices.map(|v| v.scaled(factor)), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let triangle =
+            |corners: [[f64; 3]; 3]| Self { vertices: corners.map(Point::from), normals: None };
+        let flat = triangle([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]]);
+        let slanted = triangle([[-1.1, -0.85, 0.8], [1.2, 0.1, 0.2], [-0.4, 0.5, -0.3]]);
+        let normals = [[-1.0, -0.5, 2.0], [0.5, 0.0, 1.0], [0.0, 0.25, 0.5]].map(Vector::from);
+        let smooth = Self { normals: Some(normals), ..flat.clone() };
+        vec![flat, slanted, smooth]
+    }
+}
+
+/// The normals of the corners, each on the side of the triangle's own.
+fn vertex_normals(normals: [Vector; 3], normal: Normal) -> Result<[Normal; 3], Invalid> {
+    let mut units = [normal; 3];
+    for (i, &given) in normals.iter().enumerate() {
+        let inside = |e: Invalid| Invalid::new(e.problem).inside(i).inside("normals");
+        units[i] = direction("", given).map_err(inside)?;
+        if units[i].dot(normal) <= 0.0 {
+            let (given, normal) = (given.to_array(), normal.to_array());
+            let problem = format!(
+                "found {given:?}, but a vector on the side of the triangle's normal, {normal:?}, \
+                 is needed; the order of its corners decides which side that is"
+            );
+            return Err(inside(Invalid::new(problem)));
+        }
+    }
+    Ok(units)
+}
+
+impl Shape for Built {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let meeting = watertight::ShearedRay::meet_once(ray, &self.vertices)?;
+        span.contains(meeting.t)
+            .then_some(Candidate { parameters: meeting.barycentric, ..Candidate::at(meeting.t) })
+    }
+
+    fn surface(&self, _: &Ray, at: &Candidate) -> Surface {
+        self.surface_at(at.parameters)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        Some(Facet { corners: self.vertices, barycentric: at.parameters })
+    }
+
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        (sampling == Sampling::Area).then(|| Box::new(ByArea(self.clone())) as _)
+    }
+
+    fn bounds(&self) -> Aabb {
+        watertight::bounds(self.vertices)
+    }
+}
+
+impl Built {
+    /// The surface at these barycentric coordinates.
+    fn surface_at(&self, [beta, gamma]: [f64; 2]) -> Surface {
+        let (point, error) = watertight::point_on(self.vertices, [beta, gamma], self.normal);
+        let mut surface = Surface::new(point, error, self.normal);
+        if let Some([n0, n1, n2]) = self.normals {
+            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
+            surface.shading = Normal::new(mean).unwrap_or(self.normal);
+        }
+        surface
+    }
+}
+
+impl EvenSurface for Built {
+    fn area(&self) -> f64 {
+        let [a, b, c] = self.vertices;
+        0.5 * exact_cross(a, b, c).length()
+    }
+
+    fn point(&self, u: [f64; 2]) -> Surface {
+        self.surface_at(maps::triangle(u))
+    }
+}

@@ -1,0 +1,93 @@
+//! The concave lens (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::spherical_cap::SphericalCap;
+use crate::invalid::{Invalid, length, shown};
+use crate::kinds::{Custom, Specification};
+use crate::math::UNIT_ROUNDOFF;
+use crate::shapes::composite::assembly::{Materials, solid};
+use crate::shapes::{Context, Kind, OpenCylinder, Shape};
+
+/// A disk about the y axis with a spherical hollow in each side, as the parts `top`, `bottom` and
+/// `wall`; normals point out of the glass.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ConcaveLens {
+    /// The radius of the rim; positive.
+    pub radius: f64,
+    /// The thickness at the rim; the lens reaches half of it above and below the plane y = 0. At most
+    /// `min_distance + 2 radius`: no hollow is deeper than half a sphere.
+    pub thickness: f64,
+    /// From hollow to hollow, on the axis: positive and less than `thickness`.
+    pub min_distance: f64,
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+impl ConcaveLens {
+    fn checked(&self) -> Result<(), Invalid> {
+        length("radius", self.radius)?;
+        length("thickness", self.thickness)?;
+        length("min_distance", self.min_distance)?;
+        if self.min_distance >= self.thickness {
+            let [found, most] = [self.min_distance, self.thickness].map(shown);
+            let problem = format!("found {found}, but it must be less than the thickness, {most}");
+            return Err(Invalid::field("min_distance", problem));
+        }
+        // as deep as the radius is a hemisphere, also where the thickness of one was rounded
+        let rounding = (4.0 * UNIT_ROUNDOFF * self.thickness).min(1e-6 * self.radius);
+        if 0.5 * (self.thickness - self.min_distance) > self.radius + rounding {
+            let [found, most] = [self.thickness, self.min_distance + 2.0 * self.radius].map(shown);
+            let problem = format!(
+                "found {found}, but it must be at most {most}: hollows deeper than the radius would \
+                 be wider inside than at the rim"
+            );
+            return Err(Invalid::field("thickness", problem));
+        }
+        Ok(())
+    }
+
+    /// Of each hollow.
+    fn depth(&self) -> f64 {
+        (0.5 * (self.thickness - self.min_distance)).min(self.radius)
+    }
+}
+
+impl Specification for ConcaveLens {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        self.checked()?;
+        let half = 0.5 * self.thickness;
+        let heights = [0.5 * self.min_distance, half];
+        let hollow = |mirrored| {
+            let cap = SphericalCap::new(heights, self.depth(), self.radius, mirrored);
+            Kind::Custom(Custom(Arc::new(cap) as Arc<_>))
+        };
+        let wall = OpenCylinder { y0: -half, y1: half, radius: self.radius, inward: false };
+        let parts = [("top", hollow(false)), ("bottom", hollow(true)), ("wall", wall.into())];
+        solid(&parts, &self.materials, context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let lengths = [self.radius, self.thickness, self.min_distance];
+        let [radius, thickness, min_distance] = lengths.map(|length| factor * length);
+        Self { radius, thickness, min_distance, materials: self.materials.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let lens = |radius, thickness, min_distance| Self {
+            radius,
+            thickness,
+            min_distance,
+            materials: Materials::new(),
+        };
+        vec![lens(4.0, 2.0, 0.35), lens(0.5, 1.25, 0.25)]
+    }
+}

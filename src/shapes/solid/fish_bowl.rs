@@ -1,0 +1,146 @@
+//! The fish bowl (Suffern, ch. 28).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::boundaries::{BoundaryMaterials, meniscus};
+use super::flat_rimmed_bowl::polar_angle;
+use crate::invalid::{Invalid, length, shown};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
+use crate::shapes::beveled::edges::{moved, tube};
+use crate::shapes::part::angles::full_turn;
+use crate::shapes::{Context, Disk, Kind, PartSphere, Shape};
+
+/// A spherical bowl about the origin with a rounded rim, and water in it that curves up to the glass.
+/// Its parts are one surface for each boundary: `outside`, `inside` and `rim` between glass and air,
+/// `level`, `meniscus` and `upper meniscus` between water and air, `wall` between water and glass.
+/// Water that does not fill half the bowl has no upper meniscus. Each boundary wants a material of
+/// its own, a dielectric.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct FishBowl {
+    /// The radius of the inside.
+    pub inner_radius: f64,
+    /// The thickness of the glass.
+    pub glass_thickness: f64,
+    /// The depth of the water in the middle; above 0, and its meniscus is below the rim.
+    pub water_depth: f64,
+    /// The radius of the meniscus.
+    pub meniscus_radius: f64,
+    /// The angle at which the opening is seen across from the origin, in degrees above 0 and below 360.
+    pub opening: f64,
+    /// The names of the materials of the boundaries.
+    #[serde(skip_serializing_if = "BoundaryMaterials::is_empty")]
+    pub materials: BoundaryMaterials,
+}
+
+/// The book's numbers.
+impl Default for FishBowl {
+    fn default() -> Self {
+        Self {
+            inner_radius: 1.0,
+            glass_thickness: 0.1,
+            water_depth: 1.25,
+            meniscus_radius: 0.05,
+            opening: 90.0,
+            materials: BoundaryMaterials::default(),
+        }
+    }
+}
+
+/// Where the meniscus is.
+struct Meniscus {
+    /// The radius of the circle in the middle of its tube, `x_c`.
+    swept: f64,
+    /// The height of that circle, `y_c`.
+    height: f64,
+    /// The angle of the line of contact above the horizontal, β, in degrees.
+    beta: f64,
+}
+
+impl FishBowl {
+    /// The tube of radius m touches the level, at the height h, and the sphere from inside: the middle
+    /// of the tube is at the height h + m and at the distance R − m from the origin.
+    fn meniscus(&self) -> Result<Meniscus, Invalid> {
+        let (r, m) = (self.inner_radius, self.meniscus_radius);
+        let h = self.water_depth - r;
+        let height = h + m;
+        // R(R − 2m) − h(h + 2m) as a product
+        let swept = ((r - m - height) * (r - m + height)).sqrt();
+        if swept > m && self.water_depth > 0.0 {
+            return Ok(Meniscus { swept, height, beta: to_degrees(atan2(height, swept)) });
+        }
+        let (found, depth) = (shown(m), shown(self.water_depth));
+        let problem =
+            format!("found {found}, but at the water depth {depth} no such meniscus fits the bowl");
+        Err(Invalid::field("meniscus_radius", problem))
+    }
+}
+
+impl Specification for FishBowl {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    /// The rim is half a tube between the spheres, at the polar angle α/2: the half that is turned to the
+    /// opening, from 90° − α/2 around the tube. (The book has α/2, which is the same at 90° only.)
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let r = length("inner_radius", self.inner_radius)?;
+        let g = length("glass_thickness", self.glass_thickness)?;
+        let m = length("meniscus_radius", self.meniscus_radius)?;
+        length("water_depth", self.water_depth)?;
+        let alpha = polar_angle(self.opening)?;
+        let Meniscus { swept, height, beta } = self.meniscus()?;
+        let contact = 90.0 - beta;
+        if contact <= alpha {
+            let found = shown(self.water_depth);
+            let problem = format!("found {found}, but the water would touch the rim");
+            return Err(Invalid::field("water_depth", problem));
+        }
+        let (middle, thin) = (r + 0.5 * g, 0.5 * g);
+        let rim_swept = middle * sin_degrees(alpha);
+        if rim_swept <= thin {
+            let found = shown(self.opening);
+            let problem = format!("found {found}, but so thick a rim would close the bowl");
+            return Err(Invalid::field("opening", problem));
+        }
+        let from = if alpha <= 90.0 { 90.0 - alpha } else { 450.0 - alpha };
+        let rim = tube(rim_swept, thin, full_turn(), [from, 270.0 - alpha]);
+        let sphere = |radius, theta, inward| {
+            let (center, phi) = (Point::ORIGIN, full_turn());
+            Kind::from(PartSphere { center, radius, phi, theta, inward })
+        };
+        let glass_air = [
+            ("outside", sphere(r + g, [alpha, 180.0], false)),
+            ("inside", sphere(r, [alpha, contact], true)),
+            ("rim", moved(rim, middle * cos_degrees(alpha) * Vector::Y)),
+        ];
+        let center = Point::new(0.0, height - m, 0.0);
+        let level = Disk { center, normal: Vector::Y, radius: swept };
+        let lower = meniscus(swept, m, height, [270.0, 360.0 + beta.min(0.0)]);
+        let mut water_air = vec![("level", level.into()), ("meniscus", lower)];
+        if beta > 0.0 {
+            water_air.push(("upper meniscus", meniscus(swept, m, height, [0.0, beta])));
+        }
+        let water_glass = [("wall", sphere(r, [contact, 180.0], false))];
+        self.materials.build(&glass_air, &water_air, &water_glass, context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self {
+            inner_radius: factor * self.inner_radius,
+            glass_thickness: factor * self.glass_thickness,
+            water_depth: factor * self.water_depth,
+            meniscus_radius: factor * self.meniscus_radius,
+            materials: self.materials.clone(),
+            ..*self
+        }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let shallow = Self { water_depth: 0.6, opening: 200.0, ..Self::default() };
+        vec![Self::default(), shallow]
+    }
+}

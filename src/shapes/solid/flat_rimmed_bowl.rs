@@ -1,0 +1,98 @@
+//! The flat-rimmed bowl (Suffern, ch. 19).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, length, shown};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
+use crate::shapes::composite::assembly::{Materials, solid};
+use crate::shapes::part::angles::full_turn;
+use crate::shapes::plain::annulus::radii;
+use crate::shapes::{Annulus, Context, Kind, PartSphere, Shape};
+
+/// The points between two spheres about the origin, up to a level cut, as the parts `outside`,
+/// `inside` and `rim`; normals point out of the bowl, those of its inside to the origin.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlatRimmedBowl {
+    /// The radius of the inside; positive.
+    pub inner_radius: f64,
+    /// The radius of the outside, above `inner_radius`.
+    pub outer_radius: f64,
+    /// The angle at which the rim of the inside is seen across from the origin, in degrees above 0 and
+    /// below 360: 180 for the book's hemispherical bowl, less for one that narrows towards its rim.
+    #[serde(default = "hemisphere")]
+    pub opening: f64,
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+/// The opening of a bowl that is half a sphere.
+pub fn hemisphere() -> f64 {
+    180.0
+}
+
+/// The polar angle of a bowl's rim.
+pub fn polar_angle(opening: f64) -> Result<f64, Invalid> {
+    if opening > 0.0 && opening < 360.0 {
+        return Ok(0.5 * opening);
+    }
+    let found = shown(opening);
+    let problem = format!("found {found}, but degrees above 0 and below 360 are needed");
+    Err(Invalid::field("opening", problem))
+}
+
+/// The spheres of a bowl, from these polar angles down.
+pub fn shells(
+    [inner, outer]: [f64; 2],
+    [inner_rim, outer_rim]: [f64; 2],
+) -> [(&'static str, Kind); 2] {
+    let below = |radius, theta, inward| {
+        let (center, phi) = (Point::ORIGIN, full_turn());
+        Kind::from(PartSphere { center, radius, phi, theta: [theta, 180.0], inward })
+    };
+    [("outside", below(outer, outer_rim, false)), ("inside", below(inner, inner_rim, true))]
+}
+
+impl Specification for FlatRimmedBowl {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        length("inner_radius", self.inner_radius)?;
+        let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;
+        let theta = polar_angle(self.opening)?;
+        // the cut: at this height, from the inner sphere to the outer one
+        let height = inner * cos_degrees(theta);
+        let rim = [inner * sin_degrees(theta), ((outer - height) * (outer + height)).sqrt()];
+        let outer_theta = to_degrees(atan2(rim[1], height));
+        let [outside, inside] = shells([inner, outer], [theta, outer_theta]);
+        let rim = Annulus {
+            center: Point::new(0.0, height, 0.0),
+            normal: Vector::Y,
+            inner_radius: rim[0],
+            outer_radius: rim[1],
+        };
+        solid(&[outside, inside, ("rim", rim.into())], &self.materials, context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let [inner_radius, outer_radius] =
+            [self.inner_radius, self.outer_radius].map(|radius| factor * radius);
+        Self { inner_radius, outer_radius, materials: self.materials.clone(), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let bowl = |inner_radius, outer_radius, opening| Self {
+            inner_radius,
+            outer_radius,
+            opening,
+            materials: Materials::new(),
+        };
+        vec![bowl(0.9, 1.0, 180.0), bowl(0.5, 0.75, 120.0), bowl(1.5, 2.0, 250.0)]
+    }
+}

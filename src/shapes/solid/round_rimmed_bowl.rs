@@ -1,0 +1,86 @@
+//! The round-rimmed bowl (Suffern, ch. 19 and 21).
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
+use crate::invalid::{Invalid, length, shown};
+use crate::kinds::Specification;
+use crate::math::{Vector, cos_degrees, sin_degrees, to_degrees};
+use crate::shapes::beveled::edges::{moved, overlap, rounding, tube};
+use crate::shapes::composite::assembly::{Materials, smooth_solid};
+use crate::shapes::part::angles::full_turn;
+use crate::shapes::plain::annulus::radii;
+use crate::shapes::{Context, Shape};
+
+/// The points between two spheres about the origin, ended by half a torus that touches both, as the
+/// parts `outside`, `inside` and `rim`; normals point out of the bowl, those of its inside to the
+/// origin.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RoundRimmedBowl {
+    /// The radius of the inside; positive.
+    pub inner_radius: f64,
+    /// The radius of the outside, above `inner_radius`.
+    pub outer_radius: f64,
+    /// The angle at which the middle of the rim is seen across from the origin, in degrees above 0 and
+    /// below 360: 180 for a hemispherical bowl, 120 for figure 21.16, which narrows towards its rim.
+    #[serde(default = "hemisphere")]
+    pub opening: f64,
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+impl Specification for RoundRimmedBowl {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    /// With θ the polar angle of the rim, the tube's middle is half-way between the spheres at
+    /// `(sin θ, cos θ)`. The tube touches them in that direction and, on the other side, in the
+    /// opposite one; between, its half turned to the opening is the rim.
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        length("inner_radius", self.inner_radius)?;
+        let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;
+        let theta = polar_angle(self.opening)?;
+        let (middle, thin) = (0.5 * (inner + outer), 0.5 * (outer - inner));
+        let swept = middle * sin_degrees(theta);
+        if swept <= thin {
+            let found = shown(self.opening);
+            let problem = format!("found {found}, but so thick a rim would close the bowl");
+            return Err(Invalid::field("opening", problem));
+        }
+        let from = if theta <= 90.0 { 90.0 - theta } else { 450.0 - theta };
+        let half = tube(swept, thin, full_turn(), [from, 270.0 - theta]);
+        let rim = moved(half, middle * cos_degrees(theta) * Vector::Y);
+        // the spheres reach a little into the rim
+        let [from_inner, from_outer] =
+            [inner, outer].map(|radius| theta - to_degrees(overlap(outer, thin) / radius));
+        let [outside, inside] = shells([inner, outer], [from_inner.max(0.0), from_outer.max(0.0)]);
+        smooth_solid(
+            &[outside, inside, ("rim", rim)],
+            &self.materials,
+            None,
+            rounding(outer),
+            context,
+        )
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let [inner_radius, outer_radius] =
+            [self.inner_radius, self.outer_radius].map(|radius| factor * radius);
+        Self { inner_radius, outer_radius, materials: self.materials.clone(), ..*self }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let bowl = |inner_radius, outer_radius, opening| Self {
+            inner_radius,
+            outer_radius,
+            opening,
+            materials: Materials::new(),
+        };
+        vec![bowl(0.9, 1.0, 180.0), bowl(1.0, 1.2, 120.0), bowl(1.5, 2.0, 250.0)]
+    }
+}

@@ -1,0 +1,50 @@
+//! The solid cone (Suffern, ch. 19): a wall and a base.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Point, Vector};
+use crate::shapes::composite::assembly::{Materials, solid};
+use crate::shapes::{Cone, Context, Disk, Kind, Shape};
+
+/// The points with `√(x² + z²) ≤ radius (1 − y/height)` and `y ≥ 0`, as the parts `base` and
+/// `wall`; normals point outward.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolidCone {
+    /// The height of the apex above the base, which is in the plane y = 0; positive.
+    pub height: f64,
+    /// The radius of the base; positive.
+    pub radius: f64,
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+impl Specification for SolidCone {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let Self { height, radius, .. } = *self;
+        let wall = Cone { height, radius, inward: false };
+        wall.build(context)?; // names the field that does not fit
+        let base = Disk { center: Point::ORIGIN, normal: -Vector::Y, radius };
+        let parts = [("base", Kind::from(base)), ("wall", Kind::from(wall))];
+        solid(&parts, &self.materials, context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let [height, radius] = [self.height, self.radius].map(|length| factor * length);
+        Self { height, radius, materials: self.materials.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let cone = |height, radius| Self { height, radius, materials: Materials::new() };
+        vec![cone(2.0, 1.0), cone(0.25, 0.75)]
+    }
+}

@@ -1,0 +1,57 @@
+//! The solid cylinder (Suffern, ch. 19): a wall and two caps.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::Invalid;
+use crate::kinds::Specification;
+use crate::math::{Point, Vector};
+use crate::shapes::composite::assembly::{Materials, solid};
+use crate::shapes::{Context, Disk, Kind, OpenCylinder, Shape};
+
+/// The points with `x² + z² ≤ radius²` and `y0 ≤ y ≤ y1`, as the parts `bottom`, `top` and `wall`;
+/// normals point outward.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolidCylinder {
+    /// The height of the bottom.
+    pub y0: f64,
+    /// The height of the top, above `y0`.
+    pub y1: f64,
+    /// The radius; positive.
+    pub radius: f64,
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+impl Specification for SolidCylinder {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let Self { y0, y1, radius, .. } = *self;
+        let wall = OpenCylinder { y0, y1, radius, inward: false };
+        wall.build(context)?; // names the field that does not fit
+        let cap = |y, normal| Disk { center: Point::new(0.0, y, 0.0), normal, radius };
+        let parts = [
+            ("bottom", Kind::from(cap(y0, -Vector::Y))),
+            ("top", Kind::from(cap(y1, Vector::Y))),
+            ("wall", Kind::from(wall)),
+        ];
+        solid(&parts, &self.materials, context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let Self { y0, y1, radius, ref materials } = *self;
+        let [y0, y1, radius] = [y0, y1, radius].map(|length| factor * length);
+        Self { y0, y1, radius, materials: materials.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let cylinder = |y0, y1, radius| Self { y0, y1, radius, materials: Materials::new() };
+        vec![cylinder(-1.0, 1.0, 1.0), cylinder(0.25, 0.5, 0.75)]
+    }
+}

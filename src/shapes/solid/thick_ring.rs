@@ -1,0 +1,73 @@
+//! The thick ring (Suffern, ch. 19): a solid cylinder with a hole.
+
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::invalid::{Invalid, length};
+use crate::kinds::Specification;
+use crate::math::{Point, Vector};
+use crate::shapes::composite::assembly::{Materials, solid};
+use crate::shapes::plain::annulus::radii;
+use crate::shapes::{Annulus, Context, Kind, OpenCylinder, Shape};
+
+/// The points from `inner_radius` to `outer_radius` away from the y axis with `y0 ≤ y ≤ y1`, as the
+/// parts `bottom`, `top`, `inner_wall` and `outer_wall`; normals point out of the ring, those of
+/// the inner wall to the axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ThickRing {
+    /// The height of the bottom.
+    pub y0: f64,
+    /// The height of the top, above `y0`.
+    pub y1: f64,
+    /// The radius of the hole; positive.
+    pub inner_radius: f64,
+    /// The outer radius, above `inner_radius`.
+    pub outer_radius: f64,
+    /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
+    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    pub materials: Materials,
+}
+
+impl Specification for ThickRing {
+    type Built = Arc<dyn Shape>;
+    type Context = Context;
+
+    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+        let Self { y0, y1, inner_radius, outer_radius, .. } = *self;
+        length("inner_radius", inner_radius)?;
+        radii(inner_radius, outer_radius)?;
+        let wall = |radius, inward| OpenCylinder { y0, y1, radius, inward };
+        wall(outer_radius, false).checked()?; // names the height that does not fit
+        let side = |y, normal| {
+            let center = Point::new(0.0, y, 0.0);
+            Kind::from(Annulus { center, normal, inner_radius, outer_radius })
+        };
+        let parts = [
+            ("bottom", side(y0, -Vector::Y)),
+            ("top", side(y1, Vector::Y)),
+            ("inner_wall", wall(inner_radius, true).into()),
+            ("outer_wall", wall(outer_radius, false).into()),
+        ];
+        solid(&parts, &self.materials, context)
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let lengths = [self.y0, self.y1, self.inner_radius, self.outer_radius];
+        let [y0, y1, inner_radius, outer_radius] = lengths.map(|length| factor * length);
+        Self { y0, y1, inner_radius, outer_radius, materials: self.materials.clone() }
+    }
+
+    fn specimens() -> Vec<Self> {
+        let ring = |[y0, y1]: [f64; 2], [inner_radius, outer_radius]: [f64; 2]| Self {
+            y0,
+            y1,
+            inner_radius,
+            outer_radius,
+            materials: Materials::new(),
+        };
+        vec![ring([-0.25, 0.25], [0.5, 1.0]), ring([0.5, 2.0], [0.75, 0.875])]
+    }
+}
