@@ -70,7 +70,7 @@ mod x86 {
     use std::arch::x86_64::*;
     use std::ops::{Add, Div, Mul, Sub};
 
-    use crate::shapes::{Eight, Lanes};
+    use super::{Eight, Lanes};
 
     /// Needs AVX2.
     #[derive(Clone, Copy)]
