@@ -10,13 +10,14 @@
 //! can say.
 //!
 //! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
-//! lights, cameras, samplers, filters, bumps → lobes, textures → noise, accel ⇄ shapes → resources →
-//! images → math`.
+//! lights, cameras, samplers, filters, bumps → lobes, textures → noise, shapes → mesh_bvh →
+//! accel → candidate, resources → images → math`.
 
 pub mod accel;
 pub mod background;
 pub mod bumps;
 pub mod cameras;
+pub mod candidate;
 pub mod emission;
 pub mod explain;
 pub mod film;
@@ -29,6 +30,8 @@ pub mod lights;
 pub mod lobes;
 pub mod materials;
 pub mod math;
+pub mod medium;
+pub mod mesh_bvh;
 pub mod mesh_file;
 pub mod noise;
 pub mod probe;

@@ -31,13 +31,18 @@ fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
 /// Two nested glass spheres over a matte one, seen off their axis: a tree of many rays of which few
 /// carry light.
 fn nested_glass() -> RayExplanation {
+    nested_glass_of(Rgb::BLACK)
+}
+
+/// The same of glass with this absorption per unit length.
+fn nested_glass_of(absorption: Rgb) -> RayExplanation {
     let lens = Orthographic { zoom: 1.0 };
     let camera = Viewpoint::new(Point::new(0.3, 0.2, 10.0), Point::new(0.3, 0.2, 0.0), lens);
     let mut scene = Scene::new("", Image::new(1, 1), camera);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 7 });
     scene.background = Rgb::new(0.2, 0.4, 0.8).into();
     let glass = |inside, outside| Dielectric { inside, outside, ..Dielectric::default() };
-    let (water, crown) = (Medium::clear(1.33), Medium::clear(1.52));
+    let [water, crown] = [1.33, 1.52].map(|eta| Medium { eta, absorption });
     scene.materials = vec![
         Material::new("outer", glass(crown, Medium::default())),
         Material::new("inner", glass(water, crown)),
@@ -102,6 +107,27 @@ fn shares_add_up() {
         let children: f64 = ray.children.iter().map(|child| child.share).sum();
         let own = ray.own_contribution.average() / root.contribution.average();
         assert!((children + own - ray.share).abs() < 1e-12, "ray {}: {children} {own}", ray.number);
+    }
+}
+
+/// Law: what the rays contribute of their own adds up to the sample, in each channel, also through tinted
+/// glass: a ray contributes what is left of its light behind all media before it. Oracle: the sum.
+#[test]
+fn contributions_add_up_through_a_tinted_medium() {
+    let root = nested_glass_of(Rgb::new(0.3, 0.05, 0.7));
+    let clear = nested_glass();
+    let ratio = root.contribution.b / clear.contribution.b;
+    assert!(ratio < 0.8, "the glass is tinted, but {ratio} of the blue light is left");
+    let sum = all(&root).into_iter().fold(Rgb::BLACK, |sum, ray| sum + ray.own_contribution);
+    let whole = root.contribution;
+    for (name, sum, whole) in
+        [("red", sum.r, whole.r), ("green", sum.g, whole.g), ("blue", sum.b, whole.b)]
+    {
+        let off = (sum - whole).abs() / whole;
+        assert!(
+            off < 1e-12,
+            "{name}: the rays contribute {sum}, the sample is {whole}, off {off:e}"
+        );
     }
 }
 

@@ -12,7 +12,7 @@ mod too_deep;
 
 use std::path::Path;
 
-use groundtruth::scene;
+use groundtruth::world;
 
 /// A scene that is right.
 const SCENE: &str = r#"about = "x"
@@ -50,7 +50,7 @@ radius = 1
 
 /// The error of a scene text in `scene.toml`, without where to read about it.
 fn error_of(text: &str) -> String {
-    match scene::from_toml(text, Path::new("scene.toml")) {
+    match world::from_toml(text, Path::new("scene.toml")) {
         Err(error) => error.to_string().split("; see `").next().unwrap_or_default().to_owned(),
         Ok(_) => panic!("this scene is read without an error:\n{text}"),
     }
@@ -64,7 +64,7 @@ fn with(part: &str, replacement: &str) -> String {
 
 #[test]
 fn the_scene_they_are_made_of_is_right() {
-    scene::from_toml(SCENE, Path::new("scene.toml")).expect("it is right");
+    world::from_toml(SCENE, Path::new("scene.toml")).expect("it is right");
 }
 
 /// What is replaced, by what, and the error.

@@ -10,7 +10,7 @@ use groundtruth::scene::Scene;
 use groundtruth::scene::vocabulary::Definition;
 use groundtruth::textures;
 use groundtruth::{
-    bumps, cameras, filters, gallery, lights, materials, reference, samplers, scene, shapes,
+    bumps, cameras, filters, gallery, lights, materials, reference, samplers, scene, shapes, world,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -209,7 +209,7 @@ fn every_example_of_the_page_is_part_of_a_scene_that_is_read() {
             }
         }
         let text = toml::to_string(&whole).expect("it can be written");
-        let read = scene::from_toml(&text, &Path::new(ROOT).join("scenes/example.toml"));
+        let read = world::from_toml(&text, &Path::new(ROOT).join("scenes/example.toml"));
         if let Err(error) = read {
             panic!("{error}\n{example}");
         }
@@ -269,7 +269,7 @@ fn an_error_about_a_field_or_kind_says_where_to_read_about_it() {
     for (part, replacement, end) in POINTERS {
         assert!(first.contains(part), "{part} is in the scene");
         let text = first.replacen(part, replacement, 1);
-        let error = match scene::from_toml(&text, Path::new("first.toml")) {
+        let error = match world::from_toml(&text, Path::new("first.toml")) {
             Err(error) => error.to_string(),
             Ok(_) => panic!("{part} -> {replacement} is read"),
         };
@@ -277,7 +277,7 @@ fn an_error_about_a_field_or_kind_says_where_to_read_about_it() {
         let topic = error.split("groundtruth kinds ").nth(1).and_then(|it| it.split('`').next());
         assert!(reference::about(topic.expect("it names one")).is_ok(), "{error}");
     }
-    let not_toml = scene::from_toml("[image", Path::new("x.toml")).expect_err("it is not TOML");
+    let not_toml = world::from_toml("[image", Path::new("x.toml")).expect_err("it is not TOML");
     assert!(!not_toml.to_string().contains("kinds"), "{not_toml}");
 }
 

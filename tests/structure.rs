@@ -6,9 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The modules each module may name beside itself. Arrows run one way, but for `accel ⇄ shapes` (a
-/// mesh has an acceleration of its own) and `scene ⇄ world` (reading a scene file checks it by building
-/// its world).
+/// The modules each module may name beside itself. Arrows run one way.
 const MAY_NAME: &[(&str, &[&str])] = &[
     ("math", &[]),
     ("invalid", &["math"]),
@@ -17,21 +15,37 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("noise", &["invalid", "math", "samplers"]),
     ("bumps", &["invalid", "kinds", "math", "noise", "resources", "textures"]),
     ("mesh_file", &[]),
-    ("accel", &["math", "shapes"]),
-    ("shapes", &["accel", "invalid", "kinds", "math", "mesh_file", "resources"]),
+    ("candidate", &[]),
+    ("accel", &["candidate", "math"]),
+    ("mesh_bvh", &["accel", "candidate", "math"]),
+    (
+        "shapes",
+        &["accel", "candidate", "invalid", "kinds", "math", "mesh_bvh", "mesh_file", "resources"],
+    ),
     ("samplers", &["invalid", "kinds", "math"]),
     ("lobes", &["invalid", "kinds", "math", "rgb", "samplers"]),
     ("textures", &["images", "invalid", "kinds", "math", "noise", "resources", "rgb", "shapes"]),
     (
         "materials",
-        &["emission", "invalid", "kinds", "lobes", "math", "resources", "rgb", "textures"],
+        &[
+            "emission",
+            "invalid",
+            "kinds",
+            "lobes",
+            "math",
+            "medium",
+            "resources",
+            "rgb",
+            "textures",
+        ],
     ),
     ("emission", &["rgb", "textures"]),
+    ("medium", &["invalid", "kinds", "rgb"]),
     (
         "lights",
         &["background", "emission", "invalid", "kinds", "math", "rgb", "shapes", "textures"],
     ),
-    ("cameras", &["invalid", "kinds", "materials", "math"]),
+    ("cameras", &["invalid", "kinds", "math", "medium"]),
     ("film", &["math", "rgb"]),
     ("filters", &["invalid", "kinds", "math"]),
     ("background", &["images", "invalid", "kinds", "math", "resources", "rgb", "textures"]),
@@ -54,7 +68,6 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "rgb",
             "samplers",
             "shapes",
-            "world",
         ],
     ),
     (

@@ -150,7 +150,7 @@ impl Source {
                 let (read, text) = scene::open(path).map_err(|error| error.to_string())?;
                 watch.add_meshes(&read, self.folder());
                 let scene = change(read.clone())?;
-                let world = text.build(&scene, seed);
+                let world = World::of_source(&scene, &text, seed);
                 (read, scene, world)
             }
         };

@@ -1,13 +1,11 @@
 //! A regular grid to look at: its cells, what is in them, and which of them a ray visits.
 
-use super::frame::Frame;
 use super::grid::Grid;
 use crate::math::{Aabb, Ray, Span};
 
 /// The grid that finds the objects in boxes (Suffern, ch. 22), apart from any search.
 #[derive(Debug)]
 pub struct Cells {
-    frame: Frame,
     grid: Grid,
     bounds: Aabb,
 }
@@ -16,11 +14,10 @@ impl Cells {
     /// The grid over these boxes, which must be bounded, with so many cells on each axis for each cube
     /// root of a box; fewer if the boxes overlap so many that memory would run out.
     pub fn of(bounds: &[Aabb], multiplier: f64) -> Self {
-        let frame = Frame::around(bounds);
         let all = Vec::from_iter(0..bounds.len() as u32);
-        let grid = Grid::build_with(&frame, bounds, &all, multiplier);
+        let grid = Grid::build_with(bounds, &all, multiplier);
         let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
-        Self { frame, grid, bounds: whole }
+        Self { grid, bounds: whole }
     }
 
     /// The box around all boxes, which the cells divide.
@@ -42,17 +39,12 @@ impl Cells {
     /// The cells that the ray visits in the span if it hits nothing, in their order; `None` for one
     /// that comes from so far away that every object is tested instead.
     pub fn visited(&self, ray: &Ray, span: Span) -> Option<Vec<[usize; 3]>> {
-        let Some(ray) = self.frame.ray(ray) else { return Some(Vec::new()) };
-        let walk = self.grid.walk(&ray, span)?;
-        let end = ray.last(span.max);
         let [nx, ny, _] = self.resolution();
-        let mut visited = Vec::new();
-        for (cell, leaves) in walk {
-            visited.push([cell % nx, cell / nx % ny, cell / nx / ny]);
-            if end < leaves {
-                break;
-            }
-        }
-        Some(visited)
+        let place = |cell: usize| [cell % nx, cell / nx % ny, cell / nx / ny];
+        let walk = self.grid.walk(ray, span)?;
+        // the first cell that is left beyond the span is the last
+        let last = walk.iter().position(|(_, leaves)| span.max < *leaves);
+        let visited = walk.into_iter().take(last.map_or(usize::MAX, |last| last + 1));
+        Some(visited.map(|(cell, _)| place(cell)).collect())
     }
 }

@@ -8,25 +8,24 @@
 //! the next cell begins beyond it. And planes of cells are worked out from their number, not added
 //! up, so that errors do not grow along the way.
 //!
-//! No hit that counts is lost: a hit lies in its primitive's box grown by the ray's slack
-//! (`frame.rs`), the box that is sorted into cells is grown by [`PAD`], and the walk passes the cell
-//! of every point of the ray but for rounding, which is far less than their difference. A ray from
-//! so far away that its slack is not less than that tests every primitive.
+//! No hit is lost: a hit lies in its primitive's box grown by the ray's slack ([`BoxRay`]), the box that
+//! is sorted into cells is grown by [`PAD`], and the walk passes the cell of every point of the ray but
+//! for rounding, which is far less than their difference. A ray from so far away that its slack is not
+//! less than that tests every primitive.
 
 use std::ops::Range;
 
-use super::frame::{Frame, FrameRay};
-use super::search::Search;
-use crate::math::{Aabb, Span, Vector, cbrt};
+use super::Counter;
+use crate::math::{Aabb, BoxRay, Ray, Span, Vector, cbrt};
 
 /// Cells on each axis for each cube root of a primitive: the book's `multiplier`.
 const MULTIPLIER: f64 = 2.0;
 /// By how much boxes are grown, in cells.
 const PAD: f64 = 1.0 / 64.0;
-/// … but not by less than this: four times the slack of a ray that comes from near.
+/// … but not by less than this part of the longest extent, or of the coordinates.
 const LEAST_PAD: f64 = 1.0 / (1 << 20) as f64;
-/// In the frame, whose box is about 1 long.
-const LEAST_EXTENT: f64 = 1.0 / (1 << 14) as f64;
+/// The least extent that is divided, in terms of the coordinates.
+const LEAST_EXTENT: f64 = 1.0 / (1 << 30) as f64;
 /// How many primitives a walk remembers, so as not to test them again in the next cell: without that
 /// a ray that misses tests most of them three times, and three times three in a grid in a grid
 /// (Shevtsov, Soupikov & Kapustin, "Ray-Triangle Intersection Algorithm for Modern CPU
@@ -61,18 +60,13 @@ struct Cells {
 
 impl Grid {
     /// Over these primitives, whose boxes are `bounds`.
-    pub(super) fn build(frame: &Frame, bounds: &[Aabb], which: &[u32]) -> Self {
-        Self::build_with(frame, bounds, which, MULTIPLIER)
+    pub(super) fn build(bounds: &[Aabb], which: &[u32]) -> Self {
+        Self::build_with(bounds, which, MULTIPLIER)
     }
 
     /// The same with so many cells on each axis for each cube root of a primitive, or fewer.
-    pub(super) fn build_with(
-        frame: &Frame,
-        bounds: &[Aabb],
-        which: &[u32],
-        mut multiplier: f64,
-    ) -> Self {
-        let boxes: Vec<Aabb> = which.iter().map(|&i| frame.boxed(&bounds[i as usize])).collect();
+    pub(super) fn build_with(bounds: &[Aabb], which: &[u32], mut multiplier: f64) -> Self {
+        let boxes: Vec<Aabb> = which.iter().map(|&i| bounds[i as usize]).collect();
         let most = (MOST_ENTRIES * boxes.len()).max(FEW_ENTRIES);
         let cells = loop {
             let cells = Cells::of(&boxes, multiplier);
@@ -102,34 +96,49 @@ impl Grid {
         Self { all: which.to_vec(), cells, starts, entries }
     }
 
-    /// Tests what is in the cells along the ray.
-    #[inline(never)]
-    pub(super) fn search(&self, search: &mut impl Search) {
-        let Some(ray) = search.enter() else { return };
-        let Some(walk) = self.walk(&ray, search.span()) else {
-            self.all.iter().any(|&index| search.consider(index));
+    /// Tests what is in the cells along the ray. See [`super::Accel::visit`].
+    #[inline(always)]
+    pub(super) fn visit(
+        &self,
+        ray: &Ray,
+        box_ray: &BoxRay,
+        span: Span,
+        counter: &mut impl Counter,
+        mut test: impl FnMut(u32) -> f64,
+    ) {
+        let Some(walk) = Walk::new(&self.cells, ray, box_ray, span) else {
+            for &index in &self.all {
+                counter.test();
+                if test(index) == f64::NEG_INFINITY {
+                    return;
+                }
+            }
             return;
         };
         let mut tested = [u32::MAX; MAILBOXES];
-        for (cell, end) in walk {
-            search.step();
-            let done = self.cell(cell).iter().any(|&index| {
-                let last = std::mem::replace(&mut tested[index as usize % MAILBOXES], index);
-                last != index && search.consider(index)
-            });
-            if done || ray.last(search.end()) < end {
+        let mut end = span.max;
+        for (cell, leaves) in walk {
+            counter.step();
+            for &index in self.cell(cell) {
+                if std::mem::replace(&mut tested[index as usize % MAILBOXES], index) != index {
+                    counter.test();
+                    end = test(index);
+                    if end == f64::NEG_INFINITY {
+                        return;
+                    }
+                }
+            }
+            if end < leaves {
                 return;
             }
         }
     }
 
-    /// The cells along the ray, each with where the ray leaves it; `None` for a ray from too far away.
-    pub(super) fn walk<'a>(
-        &'a self,
-        ray: &'a FrameRay,
-        span: Span,
-    ) -> Option<impl Iterator<Item = (usize, f64)>> {
-        Walk::new(&self.cells, ray, span.min)
+    /// The cells along the ray, each with the `t` at which the ray leaves it; `None` for a ray from too
+    /// far away.
+    pub(super) fn walk(&self, ray: &Ray, span: Span) -> Option<Vec<(usize, f64)>> {
+        let box_ray = BoxRay::new(ray, self.cells.bounds.largest_coordinate());
+        Some(Walk::new(&self.cells, ray, &box_ray, span)?.collect())
     }
 
     /// Cells on each axis.
@@ -151,13 +160,14 @@ impl Cells {
     fn of(boxes: &[Aabb], multiplier: f64) -> Self {
         let whole = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         let n = boxes.len().max(1) as f64;
-        let w = thickened(whole.extent(), n);
+        let largest = whole.largest_coordinate();
+        let w = thickened(whole.extent(), LEAST_EXTENT * largest, n);
         let s = cbrt(w[0] * w[1] * w[2] / n);
         let counts = w.map(|w| (multiplier * w / s) as usize + 1);
         let side = |extent: f64, i: usize| extent / counts[i] as f64;
         let longest = (0..3).map(|i| side(w[i], i)).fold(0.0, f64::max);
         let sides = std::array::from_fn(|i| side(whole.extent().along(i), i));
-        let pad = (PAD * longest).max(LEAST_PAD);
+        let pad = (PAD * longest).max(LEAST_PAD * whole.extent().max_abs());
         Self { bounds: whole, counts, sides, pad }
     }
 
@@ -197,21 +207,21 @@ impl Cells {
 
 /// Extents without a flat one, for which the formula gives any number of cells: a sheet is taken to
 /// be as thick as each primitive's share of it is wide, a line as its share is long.
-fn thickened(extent: Vector, n: f64) -> [f64; 3] {
+fn thickened(extent: Vector, least: f64, n: f64) -> [f64; 3] {
     let mut w = extent.to_array();
     let mut by_length = [0, 1, 2];
     by_length.sort_by(|&i, &j| w[j].total_cmp(&w[i]));
     let [long, middle, short] = by_length;
-    w[long] = w[long].max(LEAST_EXTENT);
+    w[long] = w[long].max(least);
     w[middle] = w[middle].max(w[long] / n);
     w[short] = w[short].max((w[long] * w[middle] / n).sqrt());
     w
 }
 
-/// The cells along a ray, each with the distance at which the ray leaves it.
+/// The cells along a ray, each with the `t` at which the ray leaves it.
 struct Walk<'a> {
     cells: &'a Cells,
-    origin: [f64; 3],
+    ray: &'a Ray,
     /// One over the direction.
     inverse: [f64; 3],
     place: [usize; 3],
@@ -223,19 +233,17 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    /// From `t` on; `None` for a ray whose slack is too large, or whose numbers overflow.
-    fn new(cells: &'a Cells, ray: &'a FrameRay, t: f64) -> Option<Self> {
-        let sound = 2.0 * ray.slack(&cells.bounds) <= cells.pad;
-        let (near, far) = ray.crossing(&cells.bounds);
-        let start = near.max(ray.moved(t));
+    /// `None` for a ray whose slack is too large, or whose numbers overflow.
+    fn new(cells: &'a Cells, ray: &'a Ray, box_ray: &BoxRay, span: Span) -> Option<Self> {
+        let (start, far) = box_ray.crossing(&cells.bounds, span.min, f64::INFINITY);
         let inside = start <= far;
-        if !sound || inside && !start.is_finite() {
+        if 2.0 * box_ray.slack() > cells.pad || inside && !start.is_finite() {
             return None;
         }
-        let (origin, inverse) = (ray.origin.to_array(), ray.inverse());
-        let mut walk = Self { cells, origin, inverse, place: [0; 3], next: [0.0; 3], far, inside };
+        let inverse = box_ray.inverse();
+        let mut walk = Self { cells, ray, inverse, place: [0; 3], next: [0.0; 3], far, inside };
         for axis in 0..3 {
-            let x = walk.origin[axis] + start * ray.direction.along(axis);
+            let x = ray.origin.along(axis) + start * ray.direction.along(axis);
             walk.place[axis] = cells.along(axis, x);
             walk.next[axis] = walk.end(axis);
         }
@@ -253,7 +261,7 @@ impl<'a> Walk<'a> {
         if k == 0 || k == self.cells.counts[axis] || self.inverse[axis].is_infinite() {
             return f64::INFINITY;
         }
-        (self.cells.border(axis, k) - self.origin[axis]) * self.inverse[axis]
+        (self.cells.border(axis, k) - self.ray.origin.along(axis)) * self.inverse[axis]
     }
 }
 

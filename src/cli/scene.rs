@@ -48,7 +48,7 @@ impl SceneArguments {
         let changed = scene.tracer.change(self.tracer, self.max_depth);
         changed.map_err(|problem| format!("--max-depth: {problem}"))?;
         let build = |scene: &Scene| match &source {
-            Some(source) => source.build(scene, self.seed),
+            Some(source) => World::of_source(scene, source, self.seed),
             None => World::build_seeded(scene, Path::new(""), self.seed),
         };
         let world = build(&scene).map_err(|error| match (error, self.size) {

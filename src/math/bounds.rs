@@ -1,6 +1,6 @@
 //! Axis-aligned boxes.
 
-use super::UNIT_ROUNDOFF;
+use super::box_ray::BoxRay;
 use super::ray::Ray;
 use super::vectors::{Point, Vector};
 
@@ -47,22 +47,16 @@ impl Aabb {
     }
 
     /// Whether the ray may meet the box at `start`, which may be −∞, or beyond: always where it does, and
-    /// also where it misses by no more than some roundings.
-    ///
-    /// Each end of a slab is wrong by up to γ₃ of itself, so the exit is moved on by more than twice
-    /// that (Ize, "Robust BVH Ray Traversal", JCGT 2013). A ray in the plane of a face (NaN, from
-    /// `0·∞`) is inside that slab.
+    /// also where it misses by some roundings (see [`BoxRay`]).
     pub fn may_meet(&self, ray: &Ray, start: f64) -> bool {
-        let (mut enter, mut leave) = (start, f64::INFINITY);
-        for axis in 0..3 {
-            let (o, inverse) = (ray.origin.along(axis), 1.0 / ray.direction.along(axis));
-            let low = (self.min.along(axis) - o) * inverse;
-            let high = (self.max.along(axis) - o) * inverse;
-            let (near, far) = if inverse < 0.0 { (high, low) } else { (low, high) };
-            enter = if near > enter { near } else { enter };
-            leave = if far < leave { far } else { leave };
-        }
-        enter <= leave + 8.0 * UNIT_ROUNDOFF * leave.abs()
+        let box_ray = BoxRay::new(ray, self.largest_coordinate());
+        let (enter, leave) = box_ray.crossing(self, start, f64::INFINITY);
+        enter <= leave && self.min.x() <= self.max.x()
+    }
+
+    /// The largest size of a coordinate.
+    pub fn largest_coordinate(&self) -> f64 {
+        self.min.to_vector().max_abs().max(self.max.to_vector().max_abs())
     }
 
     /// Diagonal.
@@ -90,7 +84,7 @@ impl Aabb {
     /// The box grown by far more than the rounding of its own corners can move a hit: 2⁻³⁰ of its
     /// largest coordinate.
     pub fn padded(self) -> Self {
-        let largest = self.min.to_vector().max_abs().max(self.max.to_vector().max_abs());
+        let largest = self.largest_coordinate();
         if !largest.is_finite() {
             return self;
         }

@@ -6,6 +6,7 @@
 //! multiplies every result by one.
 
 mod bounds;
+mod box_ray;
 mod exact;
 mod frame;
 mod functions;
@@ -21,6 +22,7 @@ mod transform;
 mod vectors;
 
 pub use bounds::Aabb;
+pub use box_ray::BoxRay;
 pub(crate) use exact::difference_of_products;
 pub use exact::exact_cross;
 pub use frame::Frame;

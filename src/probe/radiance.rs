@@ -12,9 +12,9 @@ use super::{camera_ray, limits};
 use crate::invalid::{Invalid, Key};
 use crate::math::Ray;
 use crate::rgb::Rgb;
-use crate::scene::{self, Scene, SceneError};
+use crate::scene::{Scene, SceneError};
 use crate::trace::Recorder;
-use crate::world::{DEFAULT_SEED, World};
+use crate::world::{self, DEFAULT_SEED, World};
 use crate::{gallery, render, trace};
 
 #[derive(Deserialize)]
@@ -183,7 +183,7 @@ fn named(name: &str) -> Result<(Scene, &Path), Invalid> {
     if path.extension().is_none() && !path.exists() {
         return Err(Invalid::new(gallery::unknown(name)));
     }
-    let (scene, _) = scene::read(path).map_err(invalid)?;
+    let (scene, _) = world::read(path).map_err(invalid)?;
     Ok((scene, path.parent().unwrap_or(Path::new(""))))
 }
 

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use super::error::Place;
 use super::{Scene, SceneError, places};
 use crate::invalid::{Invalid, Key};
-use crate::world::{DEFAULT_SEED, World};
 
 /// Larger files are no scenes: large things are procedural kinds or mesh files.
 const LARGEST_FILE: u64 = 8 << 20;
@@ -24,29 +23,17 @@ impl Source {
         self.path.parent().unwrap_or(Path::new(""))
     }
 
-    /// Builds the scene of this text, perhaps changed since.
-    ///
-    /// # Errors
-    /// [`SceneError`] with file, line, object and field.
-    pub fn build(&self, scene: &Scene, seed: u64) -> Result<World, SceneError> {
-        World::build_seeded(scene, self.folder(), seed).map_err(|error| match error {
+    /// An error of a scene of this text, with file and line.
+    #[must_use]
+    pub fn located(&self, error: SceneError) -> SceneError {
+        match error {
             SceneError::Invalid { invalid, .. } => {
                 let line = places::line_of(&self.text, &invalid.path);
                 SceneError::Invalid { place: Place::line(&self.path, line), invalid }
             }
             other => other,
-        })
+        }
     }
-}
-
-/// Reads a scene file and builds its world; files it names are relative to it.
-///
-/// # Errors
-/// [`SceneError`] with file, line, object and field.
-pub fn read(path: &Path) -> Result<(Scene, World), SceneError> {
-    let (scene, source) = open(path)?;
-    let world = source.build(&scene, DEFAULT_SEED)?;
-    Ok((scene, world))
 }
 
 /// Reads a scene file without building it.
@@ -66,17 +53,11 @@ pub fn open(path: &Path) -> Result<(Scene, Source), SceneError> {
     parse(text, path)
 }
 
-/// The scene in a text, and its world; `path` is for error messages and for files it names.
+/// The scene in a text; `path` is for error messages and for files it names.
 ///
 /// # Errors
-/// As [`read`].
-pub fn from_toml(text: &str, path: &Path) -> Result<(Scene, World), SceneError> {
-    let (scene, source) = parse(text.to_owned(), path)?;
-    let world = source.build(&scene, DEFAULT_SEED)?;
-    Ok((scene, world))
-}
-
-fn parse(text: String, path: &Path) -> Result<(Scene, Source), SceneError> {
+/// [`SceneError`] with file, line and field.
+pub fn parse(text: String, path: &Path) -> Result<(Scene, Source), SceneError> {
     let scene: Scene = toml::from_str(&text).map_err(|e| places::unreadable(&text, path, &e))?;
     Ok((scene, Source { text, path: path.to_owned() }))
 }

@@ -19,7 +19,7 @@ use crate::film::OutOfGamut;
 use crate::{accel, bumps, filters, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
-pub use file::{Source, from_toml, open, read, to_toml};
+pub use file::{Source, open, parse, to_toml};
 pub use schema::schema;
 pub use tracer::{Depth, Tracer, Whitted};
 pub use transparency::{Transparency, TransparentShadows};

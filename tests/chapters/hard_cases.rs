@@ -9,7 +9,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use groundtruth::accel::{Accel, Method, Primitives};
-use groundtruth::math::{Aabb, Ray, Span, Vector};
+use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::shapes::{self, Candidate};
 use groundtruth::verify::against::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
 pub use groundtruth::verify::against::{Pair, instanced, pair};
@@ -238,9 +238,6 @@ fn through_accelerator(shape: &dyn shapes::Shape, ray: &Ray, span: Span) -> Opti
     impl Primitives for Alone<'_> {
         fn hit(&self, _: u32, span: Span) -> Option<Candidate> {
             self.0.hit(self.1, span)
-        }
-        fn bounds(&self, _: u32) -> Aabb {
-            self.0.bounds()
         }
     }
     let accel = Accel::build(Method::List, &[shape.bounds()]);

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use groundtruth::scene;
+use groundtruth::world;
 
 fn folder(name: &str) -> tempfile::TempDir {
     let folder = tempfile::Builder::new().prefix(name).tempdir_in(env!("CARGO_TARGET_TMPDIR"));
@@ -29,7 +30,7 @@ fn text(background: &str, color: &str) -> String {
 fn read(folder: &Path, background: &str, color: &str) -> Result<scene::Scene, String> {
     let path = folder.join("scene.toml");
     std::fs::write(&path, text(background, color)).expect("written");
-    scene::read(&path).map(|(scene, _)| scene).map_err(|e| e.to_string())
+    world::read(&path).map(|(scene, _)| scene).map_err(|e| e.to_string())
 }
 
 /// A texture inside a texture.

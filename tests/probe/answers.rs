@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use groundtruth::math::{Vector, cos, sin};
+use groundtruth::verify::Draw;
 use proptest::prelude::*;
 use serde_json::json;
 
@@ -337,6 +338,17 @@ fn unit_vectors_are_left_alone() {
     };
     assert_eq!(mirror(wo), [-0.6, 0.0, 0.8]);
     assert_eq!(mirror([3.0, 0.0, 4.0]), [-0.6, 0.0, 0.8]);
+    // others are unit up to rounding only; to make one unit again could change its last bits
+    let mut draw = Draw::new(20_241);
+    for _ in 0..100 {
+        let [x, y, z] = Vector::from(draw.direction()).to_array();
+        let wo = [x, y, z.abs()];
+        assert_eq!(mirror(wo), [-x, -y, z.abs()], "unit: {wo:?}");
+        let found = mirror(wo.map(|c| 3.0 * c));
+        let off =
+            (Vector::new(found[0], found[1], found[2]) - Vector::new(-x, -y, z.abs())).length();
+        assert!(off < 4.0 * f64::EPSILON, "three times as long: {wo:?}, off by {off:e}");
+    }
 }
 
 /// Law: a draw is the place in the pixel that the renderer uses, up to the rounding of the film.

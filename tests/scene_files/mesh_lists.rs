@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use groundtruth::math::Point;
-use groundtruth::scene::{self, from_toml, to_toml};
+use groundtruth::scene::{self, to_toml};
 use groundtruth::shapes::{Kind, Mesh};
+use groundtruth::world::from_toml;
 
 use super::{error_of, with};
 

@@ -7,9 +7,10 @@ use groundtruth::kinds::Entry;
 use groundtruth::materials::{Emissive, Matte, Medium};
 use groundtruth::math::{Axis, Point, Step, Vector};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{self, Image, Light, Material, Object, Scene, Tracer, Whitted};
+use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Instance, Sphere};
 use groundtruth::textures::Paint;
+use groundtruth::world;
 use groundtruth::{cameras, lights, materials, samplers, shapes, textures};
 use toml::Value;
 
@@ -103,7 +104,7 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
     for (i, lens) in specimens(cameras::Kind::ENTRIES).into_iter().enumerate() {
         let whole = Value::try_from(everything(lens)).expect("it can be written");
         let text = toml::to_string(&whole).expect("it can be written");
-        scene::from_toml(&text, Path::new("scene.toml")).expect("it is right");
+        world::from_toml(&text, Path::new("scene.toml")).expect("it is right");
         let mut places = Vec::new();
         leaves(&whole, &mut Vec::new(), &mut places);
         // the rest is the same for every lens
@@ -115,7 +116,7 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
                 let mut wrong = whole.clone();
                 *at(&mut wrong, place) = Value::Float(value);
                 let text = toml::to_string(&wrong).expect("it can be written");
-                let error = scene::from_toml(&text, Path::new("scene.toml"))
+                let error = world::from_toml(&text, Path::new("scene.toml"))
                     .err()
                     .unwrap_or_else(|| panic!("{place:?} may be {word}"))
                     .to_string();

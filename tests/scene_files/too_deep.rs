@@ -6,9 +6,9 @@ use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::invalid::MAX_NESTING;
 use groundtruth::math::{Point, Step, Vector};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted, from_toml, to_toml};
+use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted, to_toml};
 use groundtruth::shapes::{Compound, Instance, Kind, Lattice, Mesh, Part, Sphere};
-use groundtruth::world::World;
+use groundtruth::world::{World, from_toml};
 
 use super::{error_of, with};
 

@@ -13,7 +13,8 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use glam::Vec3A;
-use groundtruth::accel::{Kernel, Method};
+use groundtruth::accel::Method;
+use groundtruth::mesh_bvh::Kernel;
 use groundtruth::math::{Point, Ray, Span};
 use groundtruth::shapes::{Shape, TriangleMesh};
 use obvhs::cwbvh::builder::build_cwbvh_from_tris;

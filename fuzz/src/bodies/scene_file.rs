@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use groundtruth::ray_budget::RayCounter;
-use groundtruth::scene::{from_toml, to_toml};
+use groundtruth::scene::to_toml;
 use groundtruth::trace::Recorder;
+use groundtruth::world::from_toml;
 use groundtruth::{render, trace};
 
 /// Pixels that are looked at in each world.

@@ -18,7 +18,7 @@ fn inspector(arguments: &[&str]) -> Output {
 #[test]
 fn a_bad_scene_is_told_before_there_is_a_window() {
     let missing = "no-such-folder/scene.toml";
-    let error = groundtruth::scene::read(missing.as_ref()).expect_err("it is not there");
+    let error = groundtruth::world::read(missing.as_ref()).expect_err("it is not there");
     for (name, expected) in [
         (missing, error.to_string()),
         ("ch99/nothing", groundtruth::gallery::unknown("ch99/nothing")),

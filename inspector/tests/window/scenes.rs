@@ -74,7 +74,7 @@ fn a_bad_scene_file_shows_its_error_and_keeps_the_old_scene() {
     std::fs::write(&file, "about = \"no camera\"\nimage = { width = 0, height = 3 }\n")
         .expect("writable");
     for path in [file, folder.path().join("missing.toml")] {
-        let error = groundtruth::scene::read(&path).expect_err("it is bad").to_string();
+        let error = groundtruth::world::read(&path).expect_err("it is bad").to_string();
         type_into(&mut window, "File", &path.display().to_string());
         assert!(window.query_by_label(&error).is_some(), "{error}");
         assert_eq!(window.state().rendering.source.name(), "ch28/glass-sphere");

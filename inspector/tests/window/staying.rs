@@ -74,7 +74,7 @@ fn a_broken_file_keeps_the_picture_until_it_is_mended() {
     let mut window = window_on(&path);
     let before = window.state().rendering.canvas.film();
     std::fs::write(&path, "about = \n").expect("writable");
-    let error = groundtruth::scene::read(&path).expect_err("it is broken").to_string();
+    let error = groundtruth::world::read(&path).expect_err("it is broken").to_string();
     wait_until(&mut window, |window| window.state().message.is_some());
     assert_eq!(window.state().message, Some((error, true)));
     assert_eq!(window.state().rendering.canvas.film(), before);

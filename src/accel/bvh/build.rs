@@ -1,27 +1,22 @@
-//! The binary tree: boxes split by the surface-area heuristic, down to single primitives.
+//! How the tree is built: primitives are split by the surface-area heuristic, down to single ones.
 //!
 //! Source: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007), for the
 //! binned build. The build is parallel and deterministic: the two halves do not know each other.
 
-/// A box in the frame, in single precision, rounded outward.
-#[derive(Clone, Copy, Debug)]
-pub struct Box32 {
-    pub min: [f32; 3],
-    pub max: [f32; 3],
-}
+use crate::math::Aabb;
 
 /// A primitive while the tree is being built.
 #[derive(Clone, Copy)]
 pub struct Item {
-    pub bounds: Box32,
+    pub bounds: Aabb,
     pub index: u32,
 }
 
-/// A node of the binary tree, which has `count` primitives and `2·count − 1` nodes, in depth-first
-/// order: the left half follows its parent, and the right half follows that.
-#[derive(Clone, Copy)]
-pub struct Binary {
-    pub bounds: Box32,
+/// A node of a binary tree over `count` primitives, which has `2·count − 1` nodes in depth-first order:
+/// the left half follows its parent, and the right half follows that.
+#[derive(Clone, Copy, Debug)]
+pub struct Node {
+    pub bounds: Aabb,
     pub count: u32,
 }
 
@@ -34,48 +29,29 @@ pub const DEEPEST: usize = SAH_DEPTH + 32;
 /// Below this many primitives a thread of its own is not worth starting.
 const PARALLEL: usize = 4096;
 
-impl Box32 {
-    pub const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
-
-    fn union(self, other: Self) -> Self {
-        let (a, b) = (self, other);
-        Self {
-            min: [0, 1, 2].map(|i| if a.min[i] < b.min[i] { a.min[i] } else { b.min[i] }),
-            max: [0, 1, 2].map(|i| if a.max[i] > b.max[i] { a.max[i] } else { b.max[i] }),
-        }
-    }
-
-    pub fn longest_side(&self) -> f32 {
-        (0..3).map(|i| self.max[i] - self.min[i]).fold(0.0, f32::max)
-    }
-
-    /// Half the surface area.
-    pub fn half_area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|i| self.max[i] - self.min[i]);
-        x * y + y * z + z * x
-    }
-}
-
 impl Item {
     /// Twice the centre along an axis.
-    fn center(&self, axis: usize) -> f32 {
-        self.bounds.min[axis] + self.bounds.max[axis]
+    fn center(&self, axis: usize) -> f64 {
+        self.bounds.min.along(axis) + self.bounds.max.along(axis)
     }
 }
 
-/// The tree over `items` (at least one), which it puts in the order of the tree's leaves.
-pub fn binary_tree(items: &mut [Item]) -> Vec<Binary> {
-    let nowhere = Binary { bounds: Box32::EMPTY, count: 0 };
+/// The tree over `items`, which it puts in the order of the tree's leaves; no nodes if there are none.
+pub fn binary_tree(items: &mut [Item]) -> Vec<Node> {
+    if items.is_empty() {
+        return Vec::new();
+    }
+    let nowhere = Node { bounds: Aabb::EMPTY, count: 0 };
     let mut tree = vec![nowhere; 2 * items.len() - 1];
     subtree(items, &mut tree, 0);
     tree
 }
 
-fn subtree(items: &mut [Item], tree: &mut [Binary], depth: usize) {
+fn subtree(items: &mut [Item], tree: &mut [Node], depth: usize) {
     let count = items.len();
-    let bounds = items.iter().fold(Box32::EMPTY, |all, item| all.union(item.bounds));
+    let bounds = items.iter().fold(Aabb::EMPTY, |all, item| all.union(item.bounds));
     let (root, below) = tree.split_first_mut().expect("a tree has a root");
-    *root = Binary { bounds, count: count as u32 };
+    *root = Node { bounds, count: count as u32 };
     if count == 1 {
         return;
     }
@@ -113,8 +89,8 @@ fn partition(items: &mut [Item], is_low: impl Fn(&Item) -> bool) -> usize {
 /// A split between two bins of an axis.
 struct Plane {
     axis: usize,
-    start: f32,
-    bins_per_length: f32,
+    start: f64,
+    bins_per_length: f64,
     first_high: usize,
 }
 
@@ -126,22 +102,22 @@ impl Plane {
 }
 
 /// Some primitives, and the box around them.
-type Bin = (u32, Box32);
+type Bin = (u32, Aabb);
 
 /// The split of the least expected cost over all axes; `None` if all centres are in one place.
 fn cheapest_plane(items: &[Item]) -> Option<Plane> {
-    let mut best: Option<(f32, Plane)> = None;
+    let mut best: Option<(f64, Plane)> = None;
     for axis in 0..3 {
         let (low, high) = items
             .iter()
             .map(|item| item.center(axis))
-            .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)));
-        let bins_per_length = BINS as f32 / (high - low);
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)));
+        let bins_per_length = BINS as f64 / (high - low);
         if !(high > low && bins_per_length.is_finite()) {
             continue;
         }
         let mut plane = Plane { axis, start: low, bins_per_length, first_high: 0 };
-        let mut bins = [(0, Box32::EMPTY); BINS];
+        let mut bins = [(0, Aabb::EMPTY); BINS];
         for item in items {
             let (count, bounds) = &mut bins[plane.bin(item)];
             *count += 1;
@@ -158,18 +134,18 @@ fn cheapest_plane(items: &[Item]) -> Option<Plane> {
 
 /// The border between two bins with the least sum of area × count, and that sum. The first and the
 /// last bin are not empty, so neither half is.
-fn cheapest_border(bins: &[Bin; BINS]) -> (f32, usize) {
+fn cheapest_border(bins: &[Bin; BINS]) -> (f64, usize) {
     let add = |a: Bin, b: Bin| (a.0 + b.0, a.1.union(b.1));
     let weight =
-        |(count, bounds): Bin| if count == 0 { 0.0 } else { count as f32 * bounds.half_area() };
+        |(count, bounds): Bin| if count == 0 { 0.0 } else { count as f64 * bounds.half_area() };
     let mut above = [0.0; BINS];
-    let mut so_far = (0, Box32::EMPTY);
+    let mut so_far = (0, Aabb::EMPTY);
     for i in (1..BINS).rev() {
         so_far = add(so_far, bins[i]);
         above[i] = weight(so_far);
     }
-    let mut so_far = (0, Box32::EMPTY);
-    let mut least = (f32::INFINITY, 1);
+    let mut so_far = (0, Aabb::EMPTY);
+    let mut least = (f64::INFINITY, 1);
     for border in 1..BINS {
         so_far = add(so_far, bins[border - 1]);
         let cost = weight(so_far) + above[border];

@@ -1,121 +1,85 @@
-//! The bounding volume hierarchy: a tree of boxes, sixteen to a node, tested at once.
-//!
-//! [`build`] makes a binary tree by the surface-area heuristic, [`collapse`] chooses from it the
-//! nodes and leaves of least expected cost, [`node`] tests sixteen boxes in single precision, and
-//! [`traverse`] walks from the root to the leaves, the nearest first. What is too small for single
-//! precision beside the rest of the scene ([`parts`]) is a tree of its own, in a frame of its own.
+//! The bounding volume hierarchy: a binary tree of boxes. A ray that misses a box misses all below it.
 
-mod build;
-mod collapse;
-mod lanes;
-mod node;
-mod parts;
-mod stack;
-mod traverse;
+pub(crate) mod build;
 
-use super::frame::Frame;
-use super::kernel::Kernel;
-use crate::math::Aabb;
-use build::{Box32, Item};
-use node::{LEAF, Node, PART};
+use arrayvec::ArrayVec;
 
-/// The primitives of a leaf, in order; [`NOTHING`] behind the last.
-pub type Leaf = [u32; LEAF_SIZE];
-/// Primitives of a leaf at most.
-pub const LEAF_SIZE: usize = 8;
-/// No primitive.
-pub const NOTHING: u32 = u32::MAX;
+use super::Counter;
+use crate::math::{Aabb, BoxRay, Span};
+use build::{DEEPEST, Item, Node, binary_tree};
 
-/// What it costs to test the primitives of a leaf, in units of one of them; infinite if they must
-/// not stand in one leaf. Asked for eight at most, and never infinite for one.
-pub trait LeafCost: Sync {
-    /// See [`LeafCost`].
-    fn cost(&self, primitives: &[u32]) -> f32;
-}
+/// Nodes of so few primitives are not opened: their primitives are tested.
+const LEAF: u32 = 2;
 
-/// Primitives that are tested one after the other.
-pub struct OneByOne;
-
-impl LeafCost for OneByOne {
-    fn cost(&self, primitives: &[u32]) -> f32 {
-        primitives.len() as f32
-    }
-}
-
-/// The tree: nodes (none if there are no primitives), leaves, and parts.
+/// The nodes in depth-first order: the left half of a node follows it, and the right half follows that.
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Vec<Node>,
-    leaves: Vec<Leaf>,
-    parts: Vec<Part>,
-    kernel: Kernel,
+    /// The primitives in the order of the tree: those of a node stand side by side.
+    order: Vec<u32>,
 }
 
-/// A subtree with a frame of its own.
-#[derive(Debug)]
-struct Part {
-    frame: Frame,
-    /// The node where it begins.
-    root: u32,
+/// A node that the ray enters, and the first of its primitives.
+struct Entered {
+    at: f64,
+    node: usize,
+    first: usize,
 }
 
 impl Bvh {
     /// Over these primitives, whose boxes are `bounds`.
-    pub fn build(
-        frame: &Frame,
-        bounds: &[Aabb],
-        which: &[u32],
-        leaf_cost: &impl LeafCost,
-        kernel: Kernel,
-    ) -> Self {
-        assert!(bounds.len() < (PART ^ LEAF) as usize, "numbers above are those of parts");
-        let mut bvh = Self { nodes: Vec::new(), leaves: Vec::new(), parts: Vec::new(), kernel };
-        if !which.is_empty() {
-            bvh.add(frame, bounds, which, leaf_cost, 0);
-        }
-        bvh
+    pub(super) fn build(bounds: &[Aabb], which: Vec<u32>) -> Self {
+        let item = |index| Item { bounds: bounds[index as usize], index };
+        let mut items: Vec<Item> = which.into_iter().map(item).collect();
+        let nodes = binary_tree(&mut items);
+        Self { nodes, order: items.iter().map(|item| item.index).collect() }
     }
 
-    /// Adds a tree over these primitives, in so many frames within each other; says where its root is.
-    fn add(
-        &mut self,
-        frame: &Frame,
-        bounds: &[Aabb],
-        which: &[u32],
-        leaf_cost: &impl LeafCost,
-        depth: usize,
-    ) -> u32 {
-        let boxed = |index: u32| Box32::padded(&frame.boxed(&bounds[index as usize]));
-        let item = |&index: &u32| Item { bounds: boxed(index), index };
-        let mut items: Vec<Item> = which.iter().map(item).collect();
-        let mut tree = build::binary_tree(&mut items);
-        let small = if depth < parts::DEEPEST { parts::find(&tree, &items) } else { Vec::new() };
-        let first = self.parts.len();
-        for part in &small {
-            let bounds: Vec<Aabb> = part.primitives.iter().map(|&i| bounds[i as usize]).collect();
-            self.parts.push(Part { frame: frame.of_part(&bounds), root: 0 });
+    /// Tests what the ray may hit, the nearest boxes first. See [`super::Accel::visit`].
+    #[inline(always)]
+    pub(super) fn visit(
+        &self,
+        ray: &BoxRay,
+        span: Span,
+        counter: &mut impl Counter,
+        mut test: impl FnMut(u32) -> f64,
+    ) {
+        let mut end = span.max;
+        let entered = |node: usize, first: usize, end: f64| {
+            let (at, leaves) = ray.crossing(&self.nodes[node].bounds, span.min, end);
+            (at <= leaves).then_some(Entered { at, node, first })
+        };
+        let mut waiting: ArrayVec<Entered, { DEEPEST + 1 }> = ArrayVec::new();
+        if !self.nodes.is_empty() {
+            waiting.extend(entered(0, 0, end));
         }
-        if !small.is_empty() {
-            items = parts::replaced(&items, &small, first);
-            tree = build::binary_tree(&mut items);
+        while let Some(Entered { at, node, first }) = waiting.pop() {
+            if at > end {
+                continue; // a nearer hit was found since it was entered
+            }
+            counter.step();
+            let count = self.nodes[node].count as usize;
+            if count <= LEAF as usize {
+                for &index in &self.order[first..first + count] {
+                    counter.test();
+                    end = test(index);
+                    if end == f64::NEG_INFINITY {
+                        return;
+                    }
+                }
+                continue;
+            }
+            let on_left = self.nodes[node + 1].count as usize;
+            let left = entered(node + 1, first, end);
+            let right = entered(node + 2 * on_left, first + on_left, end);
+            let left_is_nearer = matches!((&left, &right), (Some(l), Some(r)) if l.at < r.at);
+            let [farther, nearer] = if left_is_nearer { [right, left] } else { [left, right] };
+            waiting.extend(farther);
+            waiting.extend(nearer); // on top: it is next
         }
-        let order: Vec<u32> = items.iter().map(|item| item.index).collect();
-        drop(items);
-        let root = collapse::collapse(&tree, &order, leaf_cost, &mut self.nodes, &mut self.leaves);
-        for (number, part) in (first..).zip(&small) {
-            let frame = self.parts[number].frame;
-            self.parts[number].root =
-                self.add(&frame, bounds, &part.primitives, leaf_cost, depth + 1);
-        }
-        root
     }
 
-    /// The primitives of each leaf.
-    pub fn leaves(&self) -> &[Leaf] {
-        &self.leaves
-    }
-
-    pub fn memory_bytes(&self) -> usize {
-        size_of_val(&*self.nodes) + size_of_val(&*self.leaves) + size_of_val(&*self.parts)
+    pub(super) fn memory_bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.order)
     }
 }

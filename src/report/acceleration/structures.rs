@@ -56,7 +56,6 @@ impl Structure {
                 Built::Nested {
                     outer: Accel::build(method, &bounds),
                     inner: things.groups.iter().map(|g| Accel::build(method, boxes(g))).collect(),
-                    bounds,
                 }
             }
         }
@@ -75,7 +74,7 @@ impl Structure {
 /// A structure, built.
 pub enum Built {
     Plain(Accel),
-    Nested { outer: Accel, inner: Vec<Accel>, bounds: Vec<Aabb> },
+    Nested { outer: Accel, inner: Vec<Accel> },
     Mesh(Box<dyn Shape>),
 }
 
@@ -97,8 +96,8 @@ impl Built {
                 let seen = Seen { things, first: 0, ray, counts };
                 search(accel, &seen, ray, Span::AHEAD, counts)
             }
-            Self::Nested { outer, inner, bounds } => {
-                let groups = Groups { things, inner, bounds, ray, counts };
+            Self::Nested { outer, inner } => {
+                let groups = Groups { things, inner, ray, counts };
                 search(outer, &groups, ray, Span::AHEAD, counts)
             }
         };
@@ -110,9 +109,9 @@ impl Built {
         match self {
             Self::Mesh(_) => None,
             Self::Plain(accel) => Some(memory_bytes(accel)),
-            Self::Nested { outer, inner, bounds } => {
+            Self::Nested { outer, inner } => {
                 let inside: u64 = inner.iter().map(memory_bytes).sum();
-                Some(memory_bytes(outer) + inside + size_of_val(&**bounds) as u64)
+                Some(memory_bytes(outer) + inside)
             }
         }
     }
@@ -156,17 +155,12 @@ impl Primitives for Seen<'_> {
         }
         self.things.shapes[self.first + index as usize].hit(self.ray, span)
     }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.things.bounds[self.first + index as usize]
-    }
 }
 
 /// The groups, as one ray sees them.
 struct Groups<'a> {
     things: &'a Things,
     inner: &'a [Accel],
-    bounds: &'a [Aabb],
     ray: &'a Ray,
     counts: Option<&'a Counts>,
 }
@@ -177,10 +171,6 @@ impl Primitives for Groups<'_> {
         let first = things.groups[index as usize].start;
         let seen = Seen { things, first, ray, counts };
         search(&self.inner[index as usize], &seen, ray, span, counts)
-    }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.bounds[index as usize]
     }
 }
 

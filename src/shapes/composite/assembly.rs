@@ -62,8 +62,7 @@ pub fn smooth_solid(
         let material = materials.get(*name).map(String::as_str);
         PartData { name, material, shape }
     });
-    // walls and disks are hit inside their own boxes only
-    let assembly = Assembly::build("parts", parts, accel, context)?.in_turn_if_few(accel);
+    let assembly = Assembly::build("parts", parts, accel, context)?;
     Ok(Arc::new(Assembly { least_error, ..assembly }))
 }
 
@@ -73,8 +72,7 @@ pub struct Assembly {
     parts: Vec<Part>,
     /// The number of each part's first leaf, and of all leaves.
     leaves: Vec<u64>,
-    /// All parts are tried in turn if `None`.
-    accel: Option<Accel>,
+    accel: Accel,
     bounds: Aabb,
     /// A hit's error is at least this.
     least_error: f64,
@@ -127,7 +125,7 @@ impl Assembly {
         let few = if parts.len() <= FEW { Method::List } else { context.accel() };
         Ok(Self {
             bounds: bounds.iter().fold(Aabb::EMPTY, |all, &part| all.union(part)),
-            accel: Some(Accel::build(accel.unwrap_or(few), &bounds)),
+            accel: Accel::build(accel.unwrap_or(few), &bounds),
             parts,
             leaves,
             least_error: 0.0,
@@ -136,33 +134,6 @@ impl Assembly {
 }
 
 impl Assembly {
-    /// Without a structure if the parts are few and the scene does not say how they are searched. A list
-    /// finds the same, but asks of every hit whether it counts by its part's box; so this is for parts
-    /// that are hit inside their own boxes only.
-    pub fn in_turn_if_few(self, accel: Option<Method>) -> Self {
-        if accel.is_none() && self.parts.len() <= FEW { Self { accel: None, ..self } } else { self }
-    }
-
-    /// The first hit as the structure finds it.
-    #[inline(never)] // nor the next: most rays pass the box by, and need not make room for this
-    fn nearest_by(&self, accel: &Accel, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (index, at) = accel.nearest(&Seen { parts: &self.parts, ray }, ray, span)?;
-        Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
-    }
-
-    /// The first hit of all parts in turn.
-    #[inline(never)]
-    fn nearest_in_turn(&self, ray: &Ray, mut span: Span) -> Option<Candidate> {
-        let mut nearest = None;
-        for (part, first) in self.parts.iter().zip(&self.leaves) {
-            if let Some(at) = part.shape.hit(ray, span) {
-                nearest = Some(Candidate { leaf: first + at.leaf, ..at });
-                span.max = at.t; // not `through` it: of equal hits the first wins
-            }
-        }
-        nearest
-    }
-
     /// The index of the part that is hit, and the hit as the part sees it.
     fn within(&self, at: &Candidate) -> (usize, Candidate) {
         let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
@@ -203,10 +174,6 @@ impl Primitives for Seen<'_> {
         }
         part.shape.shadow_hit(self.ray, span).map(Candidate::at)
     }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.parts[index as usize].bounds
-    }
 }
 
 impl Shape for Assembly {
@@ -214,21 +181,15 @@ impl Shape for Assembly {
         if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
-        match &self.accel {
-            Some(accel) => self.nearest_by(accel, ray, span),
-            None => self.nearest_in_turn(ray, span),
-        }
+        let (index, at) = self.accel.nearest(&Seen { parts: &self.parts, ray }, ray, span)?;
+        Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
         if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
-        let seen = Seen { parts: &self.parts, ray };
-        if let Some(accel) = &self.accel {
-            return accel.any(&seen, ray, span).map(|(_, at)| at.t);
-        }
-        (0..self.parts.len() as u32).find_map(|i| seen.shadow_hit(i, span)).map(|at| at.t)
+        self.accel.any(&Seen { parts: &self.parts, ray }, ray, span).map(|(_, at)| at.t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -274,16 +235,8 @@ impl Shape for Assembly {
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
-        // what `hit` does not count is no root
-        if !self.bounds.may_meet(ray, span.min) {
-            return roots;
-        }
         for (part, first) in self.parts.iter().zip(&self.leaves) {
-            let mut within = part.shape.roots(ray, span);
-            if let Some(accel) = &self.accel {
-                let counts = accel.counting(&part.bounds, ray);
-                within.retain(|at| counts.as_ref().is_some_and(|counts| counts(at.t)));
-            }
+            let within = part.shape.roots(ray, span);
             roots.extend(within.into_iter().map(|at| Candidate { leaf: first + at.leaf, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t)); // stable: ties stay in the order of leaves

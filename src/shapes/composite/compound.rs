@@ -55,20 +55,6 @@ impl Compound {
     pub fn of<S: Into<Kind>>(shapes: impl IntoIterator<Item = S>) -> Self {
         Self { accel: None, parts: shapes.into_iter().map(Part::new).collect() }
     }
-
-    /// Whether every part is hit inside its own box only, however far a ray comes from. What is
-    /// pressed flat in an instance need not be; of shapes of a user's own nothing is known.
-    fn is_hit_in_boxes(&self) -> bool {
-        fn in_box(shape: &Kind) -> bool {
-            match shape {
-                Kind::Instance(_) | Kind::Custom(_) => false,
-                Kind::Lattice(lattice) => in_box(&lattice.of),
-                Kind::Compound(compound) => compound.is_hit_in_boxes(),
-                _ => true,
-            }
-        }
-        self.parts.iter().all(|part| in_box(&part.shape))
-    }
 }
 
 impl Specification for Compound {
@@ -84,12 +70,7 @@ impl Specification for Compound {
             material: part.material.as_deref(),
             shape: &part.shape,
         });
-        let assembly = Assembly::build("parts", parts, self.accel, context)?;
-        Ok(Arc::new(if self.is_hit_in_boxes() {
-            assembly.in_turn_if_few(self.accel)
-        } else {
-            assembly
-        }))
+        Ok(Arc::new(Assembly::build("parts", parts, self.accel, context)?))
     }
 
     fn scaled(&self, factor: f64) -> Self {

@@ -39,7 +39,6 @@ struct Places {
 #[derive(Debug)]
 struct Built {
     shape: Arc<dyn Shape>,
-    inner: Aabb,
     leaves: u64,
     places: Places,
     accel: Accel,
@@ -75,7 +74,6 @@ impl Specification for Lattice {
             accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
             bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
             shape,
-            inner,
             leaves,
             places,
         }))
@@ -155,10 +153,6 @@ impl Primitives for Seen<'_> {
         let ray = self.lattice.places.ray_back(copy, self.ray);
         self.lattice.shape.shadow_hit(&ray, span).map(Candidate::at)
     }
-
-    fn bounds(&self, copy: u32) -> Aabb {
-        self.lattice.places.bounds(copy, &self.lattice.inner)
-    }
 }
 
 impl Built {
@@ -215,13 +209,9 @@ impl Shape for Built {
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
-        let seen = Seen { lattice: self, ray };
         for copy in 0..self.places.number() {
-            // what `hit` does not count is no root
-            let Some(counts) = self.accel.counting(&seen.bounds(copy), ray) else { continue };
             let within = self.shape.roots(&self.places.ray_back(copy, ray), span).into_iter();
             let first = u64::from(copy) * self.leaves;
-            let within = within.filter(|at| counts(at.t));
             roots.extend(within.map(|at| Candidate { leaf: first + at.leaf, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));

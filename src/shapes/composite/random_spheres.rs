@@ -92,16 +92,12 @@ impl Primitives for Seen<'_> {
         let hit = self.spheres[index as usize].hit(self.ray, span)?;
         Some(Candidate { leaf: index.into(), ..hit })
     }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.spheres[index as usize].bounds()
-    }
 }
 
 impl Shape for Built {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let seen = Seen { spheres: &self.spheres, ray };
-        self.accel.hit_counted(&seen, ray, span, &mut ())
+        self.accel.nearest(&seen, ray, span).map(|(_, at)| at)
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
@@ -120,8 +116,7 @@ impl Shape for Built {
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
         for (index, sphere) in (0..).zip(&self.spheres) {
-            let Some(counts) = self.accel.counting(&sphere.bounds(), ray) else { continue };
-            let within = sphere.roots(ray, span).into_iter().filter(|at| counts(at.t));
+            let within = sphere.roots(ray, span).into_iter();
             roots.extend(within.map(|at| Candidate { leaf: index, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));

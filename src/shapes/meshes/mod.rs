@@ -1,12 +1,9 @@
 //! Triangle meshes (Suffern, ch. 23).
 
 // shared by the kinds
-pub mod lanes;
 pub mod mesh_lists;
-pub mod triangle_block;
 pub mod triangle_mesh;
 pub mod vertex_normals;
-pub mod watertight;
 
 pub mod mesh;
 pub mod tessellated_sphere;

@@ -1,13 +1,12 @@
 //! Triangles on shared vertices (Suffern, ch. 23), searched by an acceleration of their own.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::triangle_block::{Block, Blocks};
 use super::vertex_normals::{mean_normals, turn};
-use super::watertight::{self, ShearedRay};
-use crate::accel::{self, Accel, Counter, Kernel, Member as _, OneByOne, Primitives, Sifted};
+use crate::accel::{self, Accel, Counter, Primitives};
 use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, Vector, exact_cross, maps};
+use crate::mesh_bvh::watertight::{self, ShearedRay};
+use crate::mesh_bvh::{Kernel, MeshBvh};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{Candidate, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
 
@@ -79,32 +78,18 @@ impl TriangleMesh {
         self.accelerated_for(method, Kernel::best())
     }
 
-    /// The same for another kernel than the best.
+    /// The same for another kernel than the best, if the method is the bvh.
     pub fn accelerated_for(self, method: accel::Method, kernel: Kernel) -> AcceleratedMesh {
-        let bounds: Vec<Aabb> =
-            self.triangles.iter().map(|&t| watertight::bounds(self.corners(t))).collect();
+        let bounds = |triangle: &[u32; 3]| Aabb::around(self.corners(*triangle));
+        let bounds: Vec<Aabb> = self.triangles.iter().map(bounds).collect();
         let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
-        if kernel == Kernel::PLAIN {
-            let accel = Accel::build_for(method, &bounds, &OneByOne, kernel);
-            let mesh = Arc::new(self);
-            return AcceleratedMesh { accel, blocks: Vec::new(), bounds: whole, mesh };
-        }
-        let together = self.triangles_on_places();
-        let accel = Accel::build_for(method, &bounds, &Blocks(&together), kernel);
-        let block = |&leaf: &[u32; 8]| Block::new(leaf, &together, &self.vertices);
-        let blocks = accel.leaves().iter().map(block).collect();
-        AcceleratedMesh { accel, blocks, bounds: whole, mesh: Arc::new(self) }
-    }
-
-    /// The triangles with the first vertex in each place instead of others there, which have normals or
-    /// uv of their own, or belong to one triangle only: so more triangles share corners in a block.
-    fn triangles_on_places(&self) -> Vec<[u32; 3]> {
-        let mut known = HashMap::with_capacity(self.vertices.len());
-        let first: Vec<u32> = (0..)
-            .zip(&self.vertices)
-            .map(|(index, place)| *known.entry(place.to_array().map(f64::to_bits)).or_insert(index))
-            .collect();
-        self.triangles.iter().map(|t| t.map(|vertex| first[vertex as usize])).collect()
+        let search = match method {
+            accel::Method::Bvh => {
+                Structure::Fast(MeshBvh::build(&self.vertices, &self.triangles, kernel))
+            }
+            _ => Structure::Plain(Accel::build(method, &bounds)),
+        };
+        AcceleratedMesh { search, bounds: whole, mesh: Arc::new(self) }
     }
 
     /// The index of a triangle in the list from which the mesh was made.
@@ -138,102 +123,35 @@ impl TriangleMesh {
 #[derive(Debug)]
 pub struct AcceleratedMesh {
     mesh: Arc<TriangleMesh>,
-    accel: Accel,
-    /// What the leaves of a bvh hold; empty if triangles are tested one by one.
-    blocks: Vec<Block>,
+    search: Structure,
     bounds: Aabb,
+}
+
+/// How triangles are found.
+#[derive(Debug)]
+enum Structure {
+    Fast(MeshBvh),
+    Plain(Accel),
 }
 
 /// The triangles as one ray sees them.
 struct Seen<'a> {
     mesh: &'a TriangleMesh,
-    blocks: &'a [Block],
     ray: ShearedRay,
 }
 
-/// One of them, with its corners at hand.
-struct Member<'a> {
-    index: u32,
-    corners: [Point; 3],
-    ray: &'a ShearedRay,
-}
-
 impl Primitives for Seen<'_> {
-    const SIFTS: bool = true;
-
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        self.one(index).hit(span)
-    }
-
-    fn bounds(&self, index: u32) -> Aabb {
-        self.one(index).bounds()
-    }
-
-    #[inline(always)]
-    fn place(&self, leaf: u32) -> *const u8 {
-        self.blocks.as_ptr().wrapping_add(leaf as usize).cast()
-    }
-
-    #[inline(always)]
-    fn sift(&self, kernel: Kernel, leaf: u32, span: Span, sifted: &mut Sifted) {
-        // no closure: it would not be compiled for the kernel's instructions
-        match self.blocks.get(leaf as usize) {
-            Some(block) => block.sift(kernel, &self.ray, span, sifted),
-            None => (sifted.sure, sifted.open) = (0, u8::MAX),
-        }
-    }
-
-    #[inline(always)]
-    fn member(
-        &self,
-        leaf: u32,
-        slot: usize,
-        index: impl FnOnce() -> Option<u32>,
-    ) -> Option<impl accel::Member> {
-        match self.blocks.get(leaf as usize) {
-            Some(block) => {
-                let (index, corners) = (block.indices[slot % 8], block.triangle(slot));
-                Some(Member { index, corners, ray: &self.ray })
-            }
-            None => index().map(|index| self.one(index)),
-        }
-    }
-}
-
-impl Seen<'_> {
-    fn one(&self, index: u32) -> Member<'_> {
         let corners = self.mesh.corners(self.mesh.triangles[index as usize]);
-        Member { index, corners, ray: &self.ray }
-    }
-}
-
-impl accel::Member for Member<'_> {
-    fn index(&self) -> u32 {
-        self.index
-    }
-
-    #[cold] // blocks find nearly all hits; what is seldom run must not take registers from that
-    fn hit(&self, span: Span) -> Option<Candidate> {
-        let meeting = self.ray.meet(&self.corners)?;
-        span.contains(meeting.t).then_some(Candidate {
-            part: self.index,
-            parameters: meeting.barycentric,
-            ..Candidate::at(meeting.t)
-        })
-    }
-
-    fn shadow_hit(&self, span: Span) -> Option<Candidate> {
-        self.hit(span)
-    }
-
-    fn bounds(&self) -> Aabb {
-        watertight::bounds(self.corners)
+        let meeting = self.ray.meet(&corners).filter(|meeting| span.contains(meeting.t))?;
+        let (part, parameters) = (index, meeting.barycentric);
+        Some(Candidate { part, parameters, ..Candidate::at(meeting.t) })
     }
 }
 
 impl AcceleratedMesh {
     fn seen(&self, ray: &Ray) -> Seen<'_> {
-        Seen { mesh: &self.mesh, blocks: &self.blocks, ray: ShearedRay::new(ray) }
+        Seen { mesh: &self.mesh, ray: ShearedRay::new(ray) }
     }
 
     /// The first hit, and what it costs.
@@ -243,12 +161,21 @@ impl AcceleratedMesh {
         span: Span,
         counter: &mut impl Counter,
     ) -> Option<Candidate> {
-        self.accel.hit_counted(&self.seen(ray), ray, span, counter)
+        match &self.search {
+            Structure::Fast(tree) => tree.nearest(ray, span, counter),
+            Structure::Plain(accel) => {
+                let first = accel.nearest_counted(&self.seen(ray), ray, span, counter);
+                first.map(|(_, candidate)| candidate)
+            }
+        }
     }
 
     /// What the structure takes, without vertices and triangles.
     pub fn memory_bytes(&self) -> usize {
-        self.accel.memory_bytes() + size_of_val(&*self.blocks)
+        match &self.search {
+            Structure::Fast(tree) => tree.memory_bytes(),
+            Structure::Plain(accel) => accel.memory_bytes(),
+        }
     }
 }
 
@@ -258,7 +185,12 @@ impl Shape for AcceleratedMesh {
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        self.accel.any(&self.seen(ray), ray, span).map(|(_, candidate)| candidate.t)
+        match &self.search {
+            Structure::Fast(tree) => tree.any(ray, span).map(|candidate| candidate.t),
+            Structure::Plain(accel) => {
+                accel.any(&self.seen(ray), ray, span).map(|(_, candidate)| candidate.t)
+            }
+        }
     }
 
     fn surface(&self, _: &Ray, at: &Candidate) -> Surface {
@@ -298,12 +230,8 @@ impl Shape for AcceleratedMesh {
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let seen = self.seen(ray);
-        let hit = |index: u32| {
-            let counts = self.accel.counting(&seen.bounds(index), ray)?;
-            seen.hit(index, span).filter(|at| counts(at.t))
-        };
         let all = 0..self.mesh.triangles.len() as u32;
-        let mut roots: Vec<_> = all.filter_map(hit).collect();
+        let mut roots: Vec<_> = all.filter_map(|index| seen.hit(index, span)).collect();
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));
         roots
     }

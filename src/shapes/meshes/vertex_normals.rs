@@ -2,8 +2,8 @@
 
 use std::ops::Add;
 
-use super::watertight;
 use crate::math::{Normal, Point, Vector};
+use crate::mesh_bvh::watertight;
 
 /// For each vertex the normalised sum of the normals of its faces; (0, 1, 0) where the sum is zero.
 /// Triangles in a row with the same number in `faces` are one face, and without numbers each is one.

@@ -8,9 +8,10 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, maps};
+use crate::mesh_bvh::watertight;
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{
-    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, size_problem, watertight,
+    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, size_problem,
 };
 
 /// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
@@ -111,7 +112,7 @@ impl Shape for Built {
     }
 
     fn bounds(&self) -> Aabb {
-        watertight::bounds(self.vertices)
+        Aabb::around(self.vertices)
     }
 }
 

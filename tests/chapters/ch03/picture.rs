@@ -1,7 +1,7 @@
 //! Whole pictures of chapter 3: which pixels see what.
 
 use groundtruth::gallery;
-use groundtruth::math::{Point, Vector};
+use groundtruth::math::{Point, Span, Vector};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Regular;
@@ -173,4 +173,27 @@ fn a_plane_seen_edge_on_is_not_there() {
     add_flat(&mut scene, "wall", Plane { point: Point::ORIGIN, normal: Vector::X }, RED);
     let world = World::build(&scene).expect("a valid scene");
     assert!(render::render(&world).pixels().iter().all(|pixel| pixel.is_black()));
+}
+
+/// Law: a picture of another size and aspect shows as much from left to right, in square pixels. Oracle: a
+/// sphere's outline, whose radius in pixels across and down follows the width alone.
+#[test]
+fn another_aspect_keeps_what_is_seen_from_left_to_right() {
+    for [width, height] in [[100_u32, 100], [100, 60], [50, 100], [160, 40]] {
+        let mut scene = from_front(80, 80, 0.05);
+        let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+        add_flat(&mut scene, "ball", ball, RED);
+        scene.image.resize(width, height);
+        let world = built(&scene);
+        let is_ball = |x, y| world.hit(&camera_ray(&world, [x, y], 0).0, Span::AHEAD).is_some();
+        // the view is 4 wide: a diameter of 2 is half of it
+        let across = (0..width).filter(|&x| is_ball(x, height / 2)).count() as f64;
+        let down = (0..height).filter(|&y| is_ball(width / 2, y)).count() as f64;
+        let expected = 0.5 * f64::from(width);
+        for (way, found, most) in [("across", across, width), ("down", down, height)] {
+            let expected = expected.min(f64::from(most));
+            let off = (found - expected).abs();
+            assert!(off <= 2.0, "{width}×{height}: {found} pixels {way}, expected {expected}");
+        }
+    }
 }

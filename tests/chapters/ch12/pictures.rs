@@ -7,9 +7,9 @@ use groundtruth::math::Point;
 use groundtruth::render::{self, Canvas, Crop};
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Regular;
-use groundtruth::scene::{Image, Scene, from_toml, to_toml};
+use groundtruth::scene::{Image, Scene, to_toml};
 use groundtruth::shapes::Sphere;
-use groundtruth::world::World;
+use groundtruth::world::{World, from_toml};
 
 use crate::pictures::studio::{add_flat, assert_same_bits, bits, built, pixels, small};
 

@@ -132,6 +132,38 @@ fn vertex_normals_of_a_file_say_what_is_outside() {
     assert!(sharp > 10, "{sharp}");
 }
 
+/// Law: where a file's triangles are wound both ways, most of the area says what is outside, and not most of
+/// the triangles. Oracle: a large triangle and 40 small ones, wound against each other; all normals are up.
+#[test]
+fn most_of_the_area_says_what_is_outside() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for large_is_wound_up in [true, false] {
+        let mut vertices: Vec<Point> =
+            [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]].map(|[x, y]| Point::new(x, y, 0.0)).into();
+        let mut triangles = vec![[0, 1, 2]];
+        for i in 0..40 {
+            let (x, first) = (5.0 + f64::from(i), vertices.len() as u32);
+            let corners = [[x, 0.0], [x, 0.1], [x + 0.1, 0.0]];
+            vertices.extend(corners.map(|[x, y]| Point::new(x, y, 0.0)));
+            triangles.push([first, first + 1, first + 2]);
+        }
+        if !large_is_wound_up {
+            triangles = turned(&triangles);
+        }
+        let normals = vec![Vector::Z; vertices.len()];
+        let mesh = written(folder.path(), &vertices, &triangles, &normals);
+        let shape = Kind::from(mesh).build(&mut Context::default()).expect("valid");
+        let normal_at = |x: f64, y: f64| {
+            let ray = Ray::new(Point::new(x, y, 2.0), -Vector::Z);
+            let hit = shape.hit(&ray, Span::AHEAD).expect("aimed at a triangle");
+            Vector::from(shape.surface(&ray, &hit).normal)
+        };
+        let found = [normal_at(0.0, 0.0), normal_at(5.02, 0.02)];
+        let expected = [Vector::Z, -Vector::Z];
+        assert_eq!(found, expected, "normals of large and small; wound up: {large_is_wound_up}");
+    }
+}
+
 /// Law: vertices for which a file has the zero vector as normal have the mean of their faces'. Oracle:
 /// the file without normals, bit for bit; and normals of other vertices that are not means.
 #[test]

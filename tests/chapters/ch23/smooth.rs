@@ -1,13 +1,17 @@
 //! Normals at vertices: the stand-alone smooth triangle, and meshes.
 
 use std::f64::consts::FRAC_1_PI;
+use std::sync::Arc;
 
 use groundtruth::accel::Method;
+use groundtruth::kinds::Custom;
 use groundtruth::lights::Directional;
 use groundtruth::materials::Phong;
-use groundtruth::math::{Normal, Point, Ray, Span, Vector, power};
+use groundtruth::math::{Normal, Point, Ray, Span, Step, Vector, cos_degrees, power, sin_degrees};
 use groundtruth::rgb::Rgb;
-use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
+use groundtruth::shapes::{
+    Context, Instance, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh,
+};
 use groundtruth::trace::Outcome;
 use groundtruth::verify::Draw;
 
@@ -152,4 +156,72 @@ fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
         away += 1;
     }
     assert!(away > 300 && glossy > 20, "{away}, {glossy}");
+}
+
+/// The product of matrices of 3 × 3, by rows.
+fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let entry = |i: usize, j: usize| (0..3).map(|k| a[i][k] * b[k][j]).sum();
+    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+}
+
+/// The direction of M⁻ᵀ n: the cofactors of M are cross products of its rows.
+fn inverse_transpose(m: [[f64; 3]; 3], n: Vector) -> Vector {
+    let rows = m.map(Vector::from);
+    let cofactors = [rows[1].cross(rows[2]), rows[2].cross(rows[0]), rows[0].cross(rows[1])];
+    let sign = rows[0].dot(cofactors[0]).signum();
+    Vector::from(cofactors.map(|row| sign * row.dot(n))).unit().expect("not zero")
+}
+
+/// Law: an instance's shading normal is the inner one moved by M⁻ᵀ, for turned, stretched, mirrored and
+/// nested instances of a smooth mesh. Oracle: the cofactors of the matrices multiplied by hand, of the
+/// normal interpolated by hand.
+#[test]
+fn an_instance_moves_shading_normals_by_the_inverse_transpose() {
+    let units = normals().map(|n| Normal::new(n).expect("not zero"));
+    let mesh = || -> Kind {
+        let mesh = TriangleMesh::new(VERTICES.into(), vec![[0, 1, 2]]).with_normals(units.into());
+        Kind::Custom(Custom(Arc::new(mesh.accelerated(Method::Bvh))))
+    };
+    let (c, s) = (cos_degrees(40.0), sin_degrees(40.0));
+    let turn = (Step::RotateZ(40.0), [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]);
+    let stretch = (
+        Step::Scale(Vector::new(2.0, 0.5, 3.0)),
+        [[2.0, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 3.0]],
+    );
+    let mirror = (
+        Step::Scale(Vector::new(-1.0, 1.0, 1.0)),
+        [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+    );
+    let once = |step: &(Step, [[f64; 3]; 3])| (Instance::new(mesh(), vec![step.0.clone()]), step.1);
+    let nested = |inner: &(Step, [[f64; 3]; 3]), outer: &(Step, [[f64; 3]; 3])| {
+        let of = Instance::new(mesh(), vec![inner.0.clone()]);
+        (Instance::new(of, vec![outer.0.clone()]), product(outer.1, inner.1))
+    };
+    let cases = [
+        once(&turn),
+        once(&stretch),
+        once(&mirror),
+        nested(&stretch, &turn),
+        nested(&turn, &stretch),
+        nested(&mirror, &stretch),
+    ];
+    for (number, (instance, m)) in cases.into_iter().enumerate() {
+        let shape = Kind::from(instance).build(&mut Context::default()).expect("valid");
+        for (beta, gamma) in [(0.2, 0.3), (0.6, 0.1), (0.05, 0.05)] {
+            let [a, b, c] = VERTICES;
+            let inner = (a + (beta * (b - a) + gamma * (c - a))).to_vector();
+            let target = Point::from(m.map(|row| Vector::from(row).dot(inner)));
+            let [n0, n1, n2] = units;
+            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
+            let expected = inverse_transpose(m, mean);
+            let ray = Ray::new(target + 3.0 * expected, -expected);
+            let hit = shape.hit(&ray, Span::AHEAD).expect("aimed inside");
+            let found = Vector::from(shape.surface(&ray, &hit).shading);
+            let off = (found - expected).length();
+            assert!(
+                off < 1e-12,
+                "case {number}: found {found:?}, expected {expected:?}, off {off:e}"
+            );
+        }
+    }
 }

@@ -1,7 +1,8 @@
 //! No ray slips between the triangles of a closed mesh.
 
-use groundtruth::accel::{Kernel, Method};
+use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Vector};
+use groundtruth::mesh_bvh::Kernel;
 use groundtruth::mesh_file;
 use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
 use groundtruth::verify::Draw;

@@ -8,8 +8,9 @@ use groundtruth::accel::Method;
 use groundtruth::film::Film;
 use groundtruth::render::{self, render};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Material, Scene, Tracer, from_toml, to_toml};
+use groundtruth::scene::{Depth, Material, Scene, Tracer, to_toml};
 use groundtruth::trace::RayTree;
+use groundtruth::world::from_toml;
 use groundtruth::{lights, materials, shapes};
 
 use super::random_scenes::{scene, textured_scene};

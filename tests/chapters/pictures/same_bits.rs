@@ -5,8 +5,9 @@ use std::path::Path;
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Step, Vector};
 use groundtruth::render;
-use groundtruth::scene::{Image, Scene, from_toml, to_toml};
+use groundtruth::scene::{Image, Scene, to_toml};
 use groundtruth::shapes::{self, Instance};
+use groundtruth::world::from_toml;
 
 use super::studio::{assert_same_bits, built, gallery_in_small, pixels, small};
 

@@ -1,39 +1,28 @@
 //! A node: the boxes of sixteen children, tested at once.
 //!
-//! The boxes are in single precision, larger on all sides by [`PAD`] than the boxes of the frame.
-//! With that, and with the far part of the slack taken four times, an interval computed here
-//! contains the one that [`FrameRay::crossing`] computes in `f64`, and no more has to be shown (see
-//! `accel/frame.rs`). The roundings, as the distance in space by which each can move a plane, for
-//! an origin within 4.25 of the middle and planes within 1 (u = 2⁻²⁴):
+//! The boxes are in single precision, larger on all sides by [`PAD`] than those of the space
+//! (`space.rs`), so that no rounding here loses a box that the ray crosses. The roundings, as the
+//! distance by which each can move a plane, for an origin within 4.25 of the middle and planes within 1
+//! (u = 2⁻²⁴):
 //! - of the origin: 4 u;
 //! - of the direction and of one over it, relatively 1 u each, on a distance of at most 5.25: 11 u;
 //! - of its product with the origin, and of that less or plus the slack: 4.25 u each;
 //! - of its product with the plane, if that is not fused with the sum: 1 u;
 //! - of the sum: 5.25 u.
 //!
-//! Together 30 u, less than the 36 u of [`PAD`] that the 2⁻²³ of a side of at most 2 leave. What the
-//! slack adds to these numbers is less than a part in 2²⁰ of the slack. 1/d is at most 10¹⁸, and the
-//! largest component of d at least 10⁻⁹: that leaves any plane that is not within 2⁻²⁴ of the origin
-//! beyond the frame.
-//!
-//! In the frame of a part of the boxes ([`Frame::of_part`](crate::accel::frame::Frame::of_part))
-//! all numbers are those of another `f64` computation. The distance that the ray comes from is
-//! measured to another middle, which changes the far slack by less than half; and the planes are
-//! moved by some roundings of that distance, of which the far slack has 2¹⁷. Therefore it is taken
-//! four times rather than twice.
+//! Together 30 u, less than [`PAD`]. What the slack adds is less than a part in 2²⁰ of it. 1/d is at
+//! most 10¹⁸, and the largest component of d at least 10⁻⁹: that leaves any plane that is not within
+//! 2⁻²⁴ of the origin beyond the space.
 
-use super::build::Box32;
-use super::lanes::Lanes;
-use crate::accel::frame::FrameRay;
-use crate::accel::kernel::{Instructions, Kernel};
+use super::kernel::{Instructions, Kernel};
+use super::lanes32::Lanes;
+use super::space::SpaceRay;
 use crate::math::{Aabb, Singles, Span};
 
 /// Children of a node at most.
 pub const WIDTH: usize = 16;
 /// The bit that tells a leaf among children; the others are its number.
 pub const LEAF: u32 = 1 << 31;
-/// The bits that tell a part with a frame of its own; the others are its number.
-pub const PART: u32 = LEAF | 1 << 30;
 /// How much the boxes are larger: 40 u.
 const PAD: f64 = 2.5 / (1 << 20) as f64;
 
@@ -43,7 +32,7 @@ const PAD: f64 = 2.5 / (1 << 20) as f64;
 pub struct Node {
     /// The lower and the upper bounds along x, then along y, then along z.
     bounds: [f32; 6 * WIDTH],
-    /// Where each child is: a node, or with the bit [`LEAF`] a leaf, or with [`PART`] a part.
+    /// The index of each child: of a node, or with the bit [`LEAF`] of a leaf.
     pub children: [u32; WIDTH],
 }
 
@@ -94,15 +83,6 @@ impl Rows {
 /// Which boxes the ray crosses, as a mask, and where it enters each.
 pub type Crossed = (u32, [f32; WIDTH]);
 
-impl Box32 {
-    /// A box of the frame, padded and rounded outward.
-    pub fn padded(bounds: &Aabb) -> Self {
-        let low = bounds.min.to_array().map(|x| ((x - PAD) as f32).next_down());
-        let high = bounds.max.to_array().map(|x| ((x + PAD) as f32).next_up());
-        Self { min: low, max: high }
-    }
-}
-
 /// Of a number that is not negative, one that is not above it: the factor takes off a unit in the last
 /// place at least, and rounding to single precision has added half of one at most. (Less than
 /// 10⁻³⁸ it may be above by 10⁻⁴⁵, which is nothing beside [`PAD`].)
@@ -119,10 +99,10 @@ pub fn rounded_up(x: f64) -> f32 {
 
 impl Ray32 {
     #[inline(always)]
-    pub fn new(ray: &FrameRay, span: Span) -> Self {
+    pub fn new(ray: &SpaceRay, span: Span) -> Self {
         let inverse = (Singles::all(1.0) / ray.direction.to_singles()).within(1e18);
         let meets = -inverse * ray.origin.to_singles();
-        let slack = inverse.abs() * Singles::all(ray.slack_of_nodes() as f32);
+        let slack = inverse.abs() * Singles::all(ray.slack as f32);
         Self {
             inverse: inverse.to_array(),
             enters: (meets - slack).to_array(),
@@ -150,10 +130,12 @@ impl Node {
         children: [LEAF; WIDTH],
     };
 
-    pub fn set(&mut self, slot: usize, bounds: &Box32, child: u32) {
+    /// Puts a child with this box of the space into a slot: padded, and rounded outward.
+    pub fn set(&mut self, slot: usize, bounds: &Aabb, child: u32) {
         for axis in 0..3 {
-            self.bounds[2 * axis * WIDTH + slot] = bounds.min[axis];
-            self.bounds[(2 * axis + 1) * WIDTH + slot] = bounds.max[axis];
+            let [min, max] = [bounds.min.along(axis) - PAD, bounds.max.along(axis) + PAD];
+            self.bounds[2 * axis * WIDTH + slot] = (min as f32).next_down();
+            self.bounds[(2 * axis + 1) * WIDTH + slot] = (max as f32).next_up();
         }
         self.children[slot] = child;
     }
@@ -166,9 +148,9 @@ impl Node {
             Instructions::Plain => self.crossed_plain(ray, last),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.crossed_by::<super::lanes::Avx2>(ray, last) },
+            Instructions::Avx2 => unsafe { self.crossed_by::<super::lanes32::Avx2>(ray, last) },
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { self.crossed_by::<super::lanes::Avx512>(ray, last) },
+            Instructions::Avx512 => unsafe { self.crossed_by::<super::lanes32::Avx512>(ray, last) },
         }
     }
 
@@ -234,8 +216,8 @@ impl Node {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::frame::Frame;
-    use crate::math::{Pcg32, Point, Ray, Vector, power};
+    use crate::math::{BoxRay, Pcg32, Point, Ray, Vector, power};
+    use crate::mesh_bvh::space::Space;
 
     /// Rays at the corners, edges and faces of boxes, from near and far, some with components that
     /// are zero or almost.
@@ -277,10 +259,10 @@ mod tests {
         assert_eq!([rounded_down(0.0), rounded_up(f64::INFINITY)], [0.0, f32::INFINITY]);
     }
 
-    /// Law: wherever a ray crosses a box in the frame, each kernel has it cross the node's box, at
-    /// an interval that contains the other. Oracle: the same in `f64`.
+    /// Law: wherever a ray crosses a box in the space, each kernel has it cross the node's box, at
+    /// an interval that contains the other. Oracle: the slab test in `f64`.
     #[test]
-    fn a_node_contains_what_the_frame_has_inside_it() {
+    fn a_node_contains_what_the_space_has_inside_it() {
         let mut random = Pcg32::new(2280, 0);
         let mut crossed = [0; 4];
         for case in 0..40_000 {
@@ -290,20 +272,16 @@ mod tests {
             let p = corner(&mut x);
             let size = [0.0, 1e-9, 1e-3, 0.3][case % 4];
             let bounds = Aabb::around([p, p + size * corner(&mut x).to_vector()]);
-            let frame = Frame::around(&[whole, bounds]);
+            let space = Space::around(&whole.union(bounds));
             let target = if case % 3 == 0 { whole } else { bounds };
-            let ray = ray(&mut random, &target);
-            let (framed, span) = match case % 2 {
-                0 => (frame.line(&ray), Span::LINE),
-                _ => (frame.ray(&ray), Span::AHEAD),
-            };
-            let Some(ray) = framed else { continue };
-            let boxed = frame.boxed(&bounds);
+            let span = [Span::LINE, Span::AHEAD][case % 2];
+            let Some(ray) = space.ray(&ray(&mut random, &target), span) else { continue };
+            let boxed = space.boxed(&bounds);
             let mut node = Node::EMPTY;
             let slot = case / 2 % WIDTH;
-            node.set(slot, &Box32::padded(&boxed), 7);
-            let (near, far) = ray.crossing(&boxed);
-            let near = near.max(0.0); // where what is wanted begins
+            node.set(slot, &boxed, 7);
+            let in_space = Ray::new(Point::ORIGIN + ray.origin, ray.direction);
+            let (near, far) = BoxRay::new(&in_space, 1.0).crossing(&boxed, 0.0, f64::INFINITY);
             crossed[2 * (case % 2) + usize::from(near <= far)] += 1;
             let ray32 = Ray32::new(&ray, span);
             for kernel in Kernel::available() {

@@ -1,7 +1,7 @@
 //! Eight or sixteen numbers of single precision, by AVX2 or AVX-512.
 //!
 //! Everything is inlined into code that is compiled for these instructions; see
-//! `shapes/meshes/lanes.rs`, where the same is done in double precision.
+//! `lanes64.rs`, where the same is done in double precision.
 
 /// Several numbers: each operation is done for each of them. There are values of this type only
 /// where the processor has the instructions for them.

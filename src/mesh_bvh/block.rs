@@ -1,25 +1,19 @@
-//! Up to eight triangles on up to eight corners, tested at once: what a leaf of a mesh's bvh holds.
+//! Up to eight triangles on up to eight corners, tested at once: the leaves of a mesh's tree.
 //!
 //! The formulas are those of `watertight.rs`, the same for eight triangles as for one. What they find
-//! of a triangle that looks large is its hit, to the last bit; the others are left to
+//! of a triangle that looks large is its hit, to the last bit; the others are undecided and left to
 //! [`ShearedRay::meet`], which computes their edge functions again.
-//!
-//! **Why a hit of a large triangle counts without asking the rule** (`accel/frame.rs`). Moving and
-//! shearing the corners shifts them, as the ray sees them, by some roundings of what the ray comes
-//! from. The three parts are wrong by 2u of their products each, which are at most 16 times the sum, so
-//! each weight by some 64u; so are `t`, and the ray's point there, by that of the triangle's size.
-//! That point is therefore within some hundred roundings of the triangle's size, and some ten of the
-//! distance, of a point of the triangle, which is in its box. The rule allows 2²⁹ and 2¹⁷. (Of numbers
-//! so small that products lose digits, no triangle looks large; directions of more than 10¹⁰⁰ frames,
-//! for which `t` could, cross every box by the rule.)
 
-use super::lanes::Eight;
+use arrayvec::ArrayVec;
+
+use super::kernel::{Instructions, Kernel};
+use super::lanes64::Eight;
 use super::watertight::{Edges, ShearedRay, meeting, outside};
-use crate::accel::{Instructions, Kernel, LeafCost, Sifted};
+use crate::candidate::Candidate;
 use crate::math::{Point, Span};
 
 /// Triangles of a block at most, and corners.
-const SIZE: usize = 8;
+pub const SIZE: usize = 8;
 
 /// Four cache lines. Each corner is moved into the ray's coordinates once, for all its triangles.
 #[derive(Debug)]
@@ -30,49 +24,70 @@ pub struct Block {
     /// The corners a, b and c of each triangle.
     numbers: [[u8; SIZE]; 3],
     /// Which triangles of the mesh they are.
-    pub indices: [u32; SIZE],
+    indices: [u32; SIZE],
     /// One bit for each triangle.
     used: u8,
 }
 
-/// Triangles that are tested as blocks: a block costs the same however full it is.
-pub struct Blocks<'a>(pub &'a [[u32; 3]]);
+/// What the test of a block found, by the triangles' slots; in masks one bit each.
+#[derive(Clone, Copy, Default)]
+pub struct Found {
+    /// Those with a hit inside the span.
+    pub certain: u8,
+    /// Those that must still be tested by themselves.
+    pub undecided: u8,
+    /// The candidate of each certain one: triangle of the mesh, distance, β and γ.
+    part: [u32; SIZE],
+    t: [f64; SIZE],
+    parameters: [[f64; SIZE]; 2],
+}
 
-impl LeafCost for Blocks<'_> {
-    fn cost(&self, triangles: &[u32]) -> f32 {
-        let mut corners = Vertices::default();
-        let fits = |&t: &u32| self.0[t as usize].into_iter().all(|v| corners.place(v).is_some());
-        if triangles.iter().all(fits) { 1.0 } else { f32::INFINITY }
+impl Found {
+    /// The hit of a certain one.
+    #[inline(always)]
+    pub fn hit(&self, slot: usize) -> Candidate {
+        let slot = slot % SIZE; // no check of bounds
+        let parameters = [self.parameters[0][slot], self.parameters[1][slot]];
+        Candidate { part: self.part[slot], parameters, ..Candidate::at(self.t[slot]) }
     }
 }
 
 /// The vertices of a block, each once.
 #[derive(Default)]
-struct Vertices(arrayvec::ArrayVec<u32, SIZE>);
+struct Vertices(ArrayVec<u32, SIZE>);
 
 impl Vertices {
-    /// Where a vertex stands among them, added if need be; `None` if there are too many.
-    fn place(&mut self, vertex: u32) -> Option<u8> {
+    /// The index of a vertex among them, added if need be; `None` if there are too many.
+    fn index(&mut self, vertex: u32) -> Option<u8> {
         let known = self.0.iter().position(|&v| v == vertex);
-        let place = match known {
-            Some(place) => place,
+        let index = match known {
+            Some(index) => index,
             None => self.0.try_push(vertex).ok().map(|()| self.0.len() - 1)?,
         };
-        Some(place as u8)
+        Some(index as u8)
     }
 }
 
 impl Block {
-    /// The block of these triangles, as a leaf lists them (they fit into one).
-    pub fn new(indices: [u32; SIZE], triangles: &[[u32; 3]], vertices: &[Point]) -> Self {
-        let (corners, numbers) = ([[0.0; SIZE]; 3], [[0; SIZE]; 3]);
-        let mut block = Self { corners, numbers, indices, used: 0 };
+    /// Whether these triangles fit into one block.
+    pub fn fits(indices: &[u32], triangles: &[[u32; 3]]) -> bool {
         let mut corners = Vertices::default();
-        let used = indices.into_iter().map_while(|index| triangles.get(index as usize));
-        for (slot, &triangle) in used.enumerate() {
+        let mut fits = |&vertex: &u32| corners.index(vertex).is_some();
+        indices.len() <= SIZE
+            && indices.iter().all(|&t| triangles[t as usize].iter().all(&mut fits))
+    }
+
+    /// The block of these triangles of a mesh, which fit into one.
+    pub fn new(indices: &[u32], triangles: &[[u32; 3]], vertices: &[Point]) -> Self {
+        let (corners, numbers) = ([[0.0; SIZE]; 3], [[0; SIZE]; 3]);
+        let mut block = Self { corners, numbers, indices: [u32::MAX; SIZE], used: 0 };
+        block.indices[..indices.len()].copy_from_slice(indices);
+        block.indices.sort_unstable(); // of equal hits the first triangle's counts
+        let mut corners = Vertices::default();
+        for (slot, &index) in block.indices[..indices.len()].iter().enumerate() {
             block.used |= 1 << slot;
-            for (numbers, vertex) in block.numbers.iter_mut().zip(triangle) {
-                numbers[slot] = corners.place(vertex).expect("leaves are chosen to fit");
+            for (numbers, vertex) in block.numbers.iter_mut().zip(triangles[index as usize]) {
+                numbers[slot] = corners.index(vertex).expect("leaves are chosen to fit");
             }
         }
         for i in 0..SIZE {
@@ -85,7 +100,7 @@ impl Block {
     }
 
     /// The corners of one triangle.
-    pub fn triangle(&self, slot: usize) -> [Point; 3] {
+    fn triangle(&self, slot: usize) -> [Point; 3] {
         let [x, y, z] = &self.corners;
         let corner = |numbers: &[u8; SIZE]| {
             let place = usize::from(numbers[slot]) % SIZE;
@@ -95,18 +110,30 @@ impl Block {
         [corner(a), corner(b), corner(c)]
     }
 
+    /// Tests a triangle by itself.
+    #[cold] // the test of all finds nearly all hits; what is seldom run must not take its registers
+    pub fn hit(&self, slot: usize, ray: &ShearedRay, span: Span) -> Option<Candidate> {
+        let meeting = ray.meet(&self.triangle(slot))?;
+        let (part, parameters) = (self.indices[slot], meeting.barycentric);
+        span.contains(meeting.t).then_some(Candidate {
+            part,
+            parameters,
+            ..Candidate::at(meeting.t)
+        })
+    }
+
     /// Tests all triangles.
     #[inline(always)]
     #[allow(unsafe_code, reason = "calls what not every processor can run")]
-    pub fn sift(&self, kernel: Kernel, ray: &ShearedRay, span: Span, sifted: &mut Sifted) {
+    pub fn test(&self, kernel: Kernel, ray: &ShearedRay, span: Span, found: &mut Found) {
         match kernel.instructions() {
-            Instructions::Plain => (sifted.sure, sifted.open) = (0, self.used),
+            Instructions::Plain => (found.certain, found.undecided) = (0, self.used),
             // SAFETY: a kernel is made only where the processor has its instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { self.sift_by::<super::lanes::Avx2>(ray, span, sifted) },
+            Instructions::Avx2 => unsafe { self.test_by::<super::lanes64::Avx2>(ray, span, found) },
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx512 => unsafe {
-                self.sift_by::<super::lanes::Avx512>(ray, span, sifted);
+                self.test_by::<super::lanes64::Avx512>(ray, span, found);
             },
         }
     }
@@ -115,7 +142,7 @@ impl Block {
     /// The processor has the instructions of `L`.
     #[inline(always)]
     #[allow(unsafe_code, reason = "instructions that not every processor has")]
-    unsafe fn sift_by<L: Eight>(&self, ray: &ShearedRay, span: Span, sifted: &mut Sifted) {
+    unsafe fn test_by<L: Eight>(&self, ray: &ShearedRay, span: Span, found: &mut Found) {
         // SAFETY: the caller's; and a ray has three axes, 0 to 2 in some order
         let corners = unsafe {
             let [x, y, z] = ray.axes.map(|axis| self.corners.get_unchecked(axis));
@@ -126,27 +153,26 @@ impl Block {
         let edges =
             Edges::of([x.pick(a), y.pick(a)], [x.pick(b), y.pick(b)], [x.pick(c), y.pick(c)]);
         let inside = !outside(edges.parts) & self.used;
-        (sifted.sure, sifted.open) = (0, 0);
+        (found.certain, found.undecided) = (0, 0);
         if inside == 0 {
             return;
         }
         let met = meeting(edges.parts, [z.pick(a), z.pick(b), z.pick(c)]);
         let within = z.all(span.min).less(met.t) & met.t.less(z.all(span.max));
         let large = edges.large();
-        sifted.sure = inside & large & within;
-        sifted.open = inside & !large;
-        sifted.part = self.indices;
-        met.t.store(&mut sifted.t);
-        met.beta.store(&mut sifted.parameters[0]);
-        met.gamma.store(&mut sifted.parameters[1]);
+        found.certain = inside & large & within;
+        found.undecided = inside & !large;
+        found.part = self.indices;
+        met.t.store(&mut found.t);
+        met.beta.store(&mut found.parameters[0]);
+        met.gamma.store(&mut found.parameters[1]);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::{Accel, Method};
-    use crate::math::{Aabb, Pcg32, Ray, Vector, power};
+    use crate::math::{Pcg32, Ray, Vector, power};
 
     /// Five corners, in one box, that may be flat to a needle; half of them at a size between 10⁻¹⁶⁰ and
     /// 10⁶⁰, where products of the least lose their digits.
@@ -173,42 +199,36 @@ mod tests {
         Ray::new(origin, power(10.0, 60.0 * x() - 30.0) * (target - origin))
     }
 
-    /// Law: what a block is sure of is the hit of the triangle alone, to the last bit, and counts; and
-    /// it misses no other. Oracles: one triangle at a time, and the counting rule.
+    /// Law: what a block is certain of is the hit of the triangle alone, to the last bit; and it misses no
+    /// other. Oracle: one triangle at a time.
     #[test]
-    fn a_block_finds_the_hits_of_its_triangles_and_they_count() {
+    fn a_block_finds_the_hits_of_its_triangles() {
         let mut random = Pcg32::new(2324, 0);
         let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [0, 2, 4], [4, 1, 0]];
-        let indices = [0, 1, 2, 3, 4].map(|i| i as u32);
-        let indices = std::array::from_fn(|i| indices.get(i).copied().unwrap_or(u32::MAX));
-        let [mut sure, mut open, mut misses] = [0; 3];
+        let [mut certain, mut undecided, mut misses] = [0; 3];
         for case in 0..30_000 {
             let vertices = corners(&mut random);
-            let block = Block::new(indices, &triangles, &vertices);
+            let block = Block::new(&[0, 1, 2, 3, 4], &triangles, &vertices);
             let aim = triangles[case % 5].map(|i| vertices[i as usize]);
             let ray = ray(&mut random, aim);
             let sheared = ShearedRay::new(&ray);
             let end = [f64::INFINITY, 1.0][case % 2];
             let span = Span { min: [0.0, -1e300][case / 2 % 2], max: end };
             for kernel in Kernel::available().into_iter().filter(|&k| k != Kernel::PLAIN) {
-                let mut sifted = Sifted::default();
-                block.sift(kernel, &sheared, span, &mut sifted);
+                let mut found = Found::default();
+                block.test(kernel, &sheared, span, &mut found);
                 for (slot, triangle) in triangles.into_iter().enumerate() {
                     let corners = triangle.map(|i| vertices[i as usize]);
                     assert_eq!(block.triangle(slot), corners);
                     let alone = sheared.meet(&corners).filter(|hit| span.contains(hit.t));
-                    if sifted.open >> slot & 1 == 1 {
-                        open += 1;
-                    } else if sifted.sure >> slot & 1 == 1 {
-                        sure += 1;
+                    if found.undecided >> slot & 1 == 1 {
+                        undecided += 1;
+                    } else if found.certain >> slot & 1 == 1 {
+                        certain += 1;
                         let hit = alone.expect("a hit of the triangle alone");
-                        assert_eq!(sifted.t[slot].to_bits(), hit.t.to_bits(), "{ray:?}");
-                        let parameters = sifted.parameters.map(|numbers| numbers[slot]);
+                        assert_eq!(found.t[slot].to_bits(), hit.t.to_bits(), "{ray:?}");
+                        let parameters = found.parameters.map(|numbers| numbers[slot]);
                         assert_eq!(parameters, hit.barycentric, "{ray:?}, {corners:?}");
-                        let bounds = Aabb::around(corners);
-                        let rule = Accel::build(Method::List, &[bounds]).counting(&bounds, &ray);
-                        let counts = rule.is_some_and(|counts| counts(hit.t));
-                        assert!(counts, "{hit:?} of {ray:?} does not count in {corners:?}");
                     } else {
                         misses += 1;
                         assert!(alone.is_none(), "{kernel:?}: {ray:?} misses {corners:?}");
@@ -216,6 +236,9 @@ mod tests {
                 }
             }
         }
-        assert!(sure > 10_000 && open > 1_000 && misses > 10_000, "{sure} {open} {misses}");
+        assert!(
+            certain > 10_000 && undecided > 1_000 && misses > 10_000,
+            "{certain} certain, {undecided} undecided, {misses} misses"
+        );
     }
 }

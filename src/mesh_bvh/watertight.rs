@@ -6,9 +6,8 @@
 //! zero is inside: two triangles that share an edge leave no gap. A hit computes them again without
 //! cancellation, so that `t` keeps its digits on triangles a million times longer than wide.
 
-use super::lanes::Lanes;
-use crate::math::Normal;
-use crate::math::{Aabb, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross};
+use super::lanes64::Lanes;
+use crate::math::{Normal, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross};
 
 /// From this on plain products do: the area of a triangle as a ray sees it, in terms of the products
 /// of which it is the sum. Each of the three weights is then wrong by a share of 2u/`LEAST_AREA` = 32u
@@ -22,7 +21,7 @@ const LEAST_PRODUCTS: f64 = 1e-140;
 #[derive(Clone, Copy, Debug)]
 pub struct ShearedRay {
     /// Which of the world's axes are its x, y and z.
-    pub(in crate::shapes) axes: [usize; 3],
+    pub(super) axes: [usize; 3],
     /// In the order of its own axes.
     origin: [f64; 3],
     shear: [f64; 3],
@@ -214,9 +213,4 @@ pub fn point_on([a, b, c]: [Point; 3], [beta, gamma]: [f64; 2], n: Normal) -> (P
     let magnitude = point.to_vector().abs() + a.to_vector().abs();
     let error = UNIT_ROUNDOFF * (10.0 * magnitude.dot(Vector::from(n).abs()) + 24.0 * size);
     (point, error)
-}
-
-/// The box around a triangle.
-pub fn bounds(corners: [Point; 3]) -> Aabb {
-    Aabb::around(corners)
 }

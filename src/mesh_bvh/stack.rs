@@ -2,8 +2,8 @@
 
 use std::mem::MaybeUninit;
 
-use super::build::DEEPEST;
 use super::node::WIDTH;
+use crate::accel::build::DEEPEST;
 
 /// Children that wait, each as one number, its distance above its place.
 pub struct Stack<'a> {

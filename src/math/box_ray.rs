@@ -1,0 +1,66 @@
+//! The slab test: where a ray enters and leaves boxes (Suffern, ch. 19).
+
+use super::UNIT_ROUNDOFF;
+use super::bounds::Aabb;
+use super::ray::Ray;
+
+/// Boxes are grown by so many roundings of the largest coordinate of the ray's origin and of the boxes:
+/// more than the error of any shape's hit in its box, and than the roundings below.
+const SLACK: f64 = 128.0 * UNIT_ROUNDOFF;
+
+/// A ray prepared for many boxes, which are grown on all sides.
+///
+/// A ray enters the slab between two planes across an axis where it meets the first and leaves it where
+/// it meets the second: `(plane − o) / d`. It is in the box between its last entry and its first exit.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxRay {
+    /// `o + slack` and `o − slack`: lower planes are moved down by the slack, upper planes up.
+    lower: [f64; 3],
+    upper: [f64; 3],
+    /// `1/d`; infinite for a ray along the planes.
+    inverse: [f64; 3],
+    slack: f64,
+}
+
+impl BoxRay {
+    /// The ray prepared for boxes whose coordinates are at most `largest` in size.
+    #[inline]
+    pub fn new(ray: &Ray, largest: f64) -> Self {
+        let slack = SLACK * (ray.origin.to_vector().max_abs() + largest);
+        let [x, y, z] = ray.origin.to_array();
+        let [dx, dy, dz] = ray.direction.to_array();
+        Self {
+            lower: [x + slack, y + slack, z + slack],
+            upper: [x - slack, y - slack, z - slack],
+            inverse: [1.0 / dx, 1.0 / dy, 1.0 / dz],
+            slack,
+        }
+    }
+
+    /// By how much boxes are grown.
+    pub fn slack(&self) -> f64 {
+        self.slack
+    }
+
+    /// One over the direction.
+    pub fn inverse(&self) -> [f64; 3] {
+        self.inverse
+    }
+
+    /// Where the ray enters and where it leaves the grown box, between `start` and `end`; the entry is
+    /// beyond the exit if it misses.
+    ///
+    /// A ray in a plane of the box (NaN, from `0·∞`) is inside that slab: comparisons drop it.
+    #[inline]
+    pub fn crossing(&self, bounds: &Aabb, start: f64, end: f64) -> (f64, f64) {
+        let (mut enter, mut leave) = (start, end);
+        for axis in 0..3 {
+            let low = (bounds.min.along(axis) - self.lower[axis]) * self.inverse[axis];
+            let high = (bounds.max.along(axis) - self.upper[axis]) * self.inverse[axis];
+            let (near, far) = if low < high { (low, high) } else { (high, low) };
+            enter = if near > enter { near } else { enter };
+            leave = if far < leave { far } else { leave };
+        }
+        (enter, leave)
+    }
+}

@@ -1,0 +1,204 @@
+//! A scene checked and built: immutable, shared by all threads, ready to be traced.
+
+mod build;
+mod bumped;
+mod file;
+mod placing;
+
+use std::sync::Arc;
+
+use crate::accel::{Accel, Primitives};
+use crate::background::Sky;
+use crate::bumps::Bump;
+use crate::cameras::View;
+use crate::filters::Filter;
+use crate::lights::Light;
+use crate::materials::Material;
+use crate::math::{Aabb, Ray, Span};
+use crate::samplers::{Draws, SampleSets};
+use crate::scene::{Image, Tracer, Transparency};
+use crate::shapes::{Candidate, PartPath, Shape, Surface};
+use crate::textures::TexturePoint;
+
+pub use build::{DEEPEST, DEFAULT_SEED, MOST_PIXELS, MOST_SAMPLES};
+pub(crate) use build::{check_image, check_view};
+pub use file::{from_toml, read};
+
+/// A scene ready to be traced.
+#[derive(Debug)]
+pub struct World {
+    /// The picture, as the scene says it.
+    pub image: Image,
+    /// The camera.
+    pub view: View,
+    /// What a ray sees that hits nothing.
+    pub background: Sky,
+    /// How light is followed.
+    pub tracer: Tracer,
+    /// What the scene says of glass.
+    pub transparency: Transparency,
+    /// The seed of all random choices.
+    pub seed: u64,
+    /// The samples of all draws.
+    pub samples: SampleSets,
+    /// How what lies around a pixel's centre counts.
+    pub filter: Arc<dyn Filter>,
+    /// The lights that are on.
+    pub lights: Vec<PlacedLight>,
+    /// The scene's materials, in its order.
+    pub materials: Vec<PlacedMaterial>,
+    objects: Objects,
+    accel: Accel,
+}
+
+/// A light that is on.
+#[derive(Debug)]
+pub struct PlacedLight {
+    /// Its name.
+    pub name: String,
+    /// Its place in the scene, counted with those switched off.
+    pub place: u32,
+    /// Whether objects stand in its way.
+    pub shadows: bool,
+    /// The light.
+    pub light: Arc<dyn Light>,
+}
+
+/// A material that objects and their parts are made of.
+#[derive(Debug)]
+pub struct PlacedMaterial {
+    /// Its name.
+    pub name: String,
+    /// Its place in the scene.
+    pub place: u32,
+    /// Whether the back is shaded as the front.
+    pub two_sided: bool,
+    /// What it is made of.
+    pub recipe: Arc<dyn Material>,
+    /// What turns its normals, if anything does.
+    pub bump: Option<Arc<dyn Bump>>,
+    casts_shadows: bool,
+    /// Whether it asks for the texture coordinates of the surface itself.
+    needs_uv: bool,
+}
+
+/// An object that is there.
+#[derive(Debug)]
+pub struct PlacedObject {
+    /// Its name.
+    pub name: String,
+    /// Its place in the scene, counted with those switched off.
+    pub place: u32,
+    /// The place of its material, which parts may replace by their own.
+    material: u32,
+    /// Whether it stands in the way of light.
+    casts_shadows: bool,
+    /// Whether it sends out the light of its material: not while its area light is off.
+    pub(crate) shines: bool,
+    /// The area light whose lamp it is, by its index among those that are on.
+    pub(crate) lamp_of: Option<u32>,
+    shape: Arc<dyn Shape>,
+    bounds: Aabb,
+}
+
+/// What a ray meets first.
+#[derive(Debug)]
+pub struct Hit<'a> {
+    /// Along the ray.
+    pub t: f64,
+    /// The object.
+    pub object: &'a PlacedObject,
+    /// The material of the part that is hit.
+    pub material: &'a PlacedMaterial,
+    /// Its surface there.
+    pub surface: Surface,
+    /// Whether the ray meets the side the normal points to.
+    pub front: bool,
+    candidate: Candidate,
+}
+
+impl Hit<'_> {
+    /// Which of the shapes nested in the object's, and which part of the innermost, is hit.
+    pub fn path(&self) -> PartPath {
+        self.object.shape.path(&self.candidate)
+    }
+
+    /// The point of the surface, for textures.
+    pub fn texture_point(&self) -> TexturePoint<'_> {
+        TexturePoint::of_hit(&self.surface, &*self.object.shape, &self.candidate)
+    }
+
+    /// Whether the part that is hit stands in the way of light.
+    pub fn casts_shadow(&self) -> bool {
+        self.object.casts_shadows && self.material.casts_shadows
+    }
+}
+
+impl World {
+    /// The light that is the background, if one is and is on.
+    pub fn sky(&self) -> Option<&PlacedLight> {
+        self.lights.iter().find(|light| light.light.is_sky())
+    }
+
+    /// The draws of a sample of a pixel.
+    pub fn draws(&self, pixel: [u32; 2], index: u32) -> Draws<'_> {
+        Draws::new(&self.samples, self.seed, pixel, index)
+    }
+
+    /// What the ray meets first.
+    pub fn hit(&self, ray: &Ray, span: Span) -> Option<Hit<'_>> {
+        let seen = Seen { objects: &self.objects, ray };
+        let (index, candidate) = self.accel.nearest(&seen, ray, span)?;
+        let object = &self.objects.0[index as usize];
+        let surface = object.shape.surface(ray, &candidate);
+        let front = surface.is_front(ray.direction);
+        let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
+        Some(Hit { t: candidate.t, object, material, surface, front, candidate })
+    }
+
+    /// An object that stands in the way of light along the ray, if there is one.
+    pub fn occluder(&self, ray: &Ray, span: Span) -> Option<&PlacedObject> {
+        let seen = Seen { objects: &self.objects, ray };
+        let (index, _) = self.accel.any(&seen, ray, span)?;
+        Some(&self.objects.0[index as usize])
+    }
+
+    /// The objects that are there.
+    pub fn objects(&self) -> &[PlacedObject] {
+        &self.objects.0
+    }
+
+    /// Pixels across and down of the whole picture: of a stereo pair both images and the gap.
+    pub fn picture_size(&self) -> [u32; 2] {
+        let width = self.view.picture_width(self.image.width);
+        [width.try_into().expect("the view was checked"), self.image.height]
+    }
+
+    /// Samples for each pixel.
+    pub fn samples_per_pixel(&self) -> u32 {
+        self.samples.per_set()
+    }
+}
+
+#[derive(Debug)]
+struct Objects(Vec<PlacedObject>);
+
+/// The objects as one ray sees them.
+struct Seen<'a> {
+    objects: &'a Objects,
+    ray: &'a Ray,
+}
+
+impl Primitives for Seen<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        self.objects.0[index as usize].shape.hit(self.ray, span)
+    }
+
+    fn shadow_hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let object = &self.objects.0[index as usize];
+        if !object.casts_shadows {
+            return None;
+        }
+        object.shape.shadow_hit(self.ray, span).map(Candidate::at)
+    }
+}
