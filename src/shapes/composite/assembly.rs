@@ -35,16 +35,14 @@ pub fn solid(
     materials: &Materials,
     context: &mut Context,
 ) -> Result<Arc<dyn Shape>, Invalid> {
-    smooth_solid(parts, materials, None, 0.0, context)
+    solid_by(None, parts, materials, context)
 }
 
-/// The same, searched in this way, of parts that touch without an angle: a ray that leaves one of
-/// them at a seam must not meet the other, so no bound of a hit's error is below `least_error`.
-pub fn smooth_solid(
+/// The same; rays find the parts by `accel`, if it is given.
+pub fn solid_by(
+    accel: Option<Method>,
     parts: &[(&'static str, Kind)],
     materials: &Materials,
-    accel: Option<Method>,
-    least_error: f64,
     context: &mut Context,
 ) -> Result<Arc<dyn Shape>, Invalid> {
     let names: BTreeSet<&str> = parts.iter().map(|(name, _)| *name).collect();
@@ -63,8 +61,7 @@ pub fn smooth_solid(
         PartData { name, material, shape }
     });
     // walls and disks are hit inside their own boxes only
-    let assembly = Assembly::build("parts", parts, accel, context)?.in_turn_if_few(accel);
-    Ok(Arc::new(Assembly { least_error, ..assembly }))
+    Ok(Arc::new(Assembly::build("parts", parts, accel, context)?.in_turn_if_few(accel)))
 }
 
 /// Parts that are hit as one shape.
@@ -76,8 +73,6 @@ pub struct Assembly {
     /// All parts are tried in turn if `None`.
     accel: Option<Accel>,
     bounds: Aabb,
-    /// A hit's error is at least this.
-    least_error: f64,
 }
 
 #[derive(Debug)]
@@ -130,7 +125,6 @@ impl Assembly {
             accel: Some(Accel::build(accel.unwrap_or(few), &bounds)),
             parts,
             leaves,
-            least_error: 0.0,
         })
     }
 }
@@ -167,21 +161,6 @@ impl Assembly {
     fn within(&self, at: &Candidate) -> (usize, Candidate) {
         let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
         (index, Candidate { leaf: at.leaf - self.leaves[index], ..*at })
-    }
-
-    /// Whether two hits in a row are one: where parts of a smooth solid reach over a seam a ray meets
-    /// both, in planes that rounding cannot tell apart, from the same side. Between two true hits it
-    /// goes in and out.
-    fn is_repeated(&self, ray: &Ray, first: &Candidate, again: &Candidate) -> bool {
-        if first.leaf == again.leaf {
-            return false;
-        }
-        let [before, after] = [first, again].map(|at| {
-            let normal = self.surface(ray, at).normal;
-            normal.dot(ray.direction)
-        });
-        let apart = (again.t - first.t) * before.abs().min(after.abs());
-        before * after > 0.0 && apart <= 2.0 * self.least_error
     }
 }
 
@@ -235,8 +214,7 @@ impl Shape for Assembly {
         let (index, within) = self.within(at);
         let part = &self.parts[index];
         let surface = part.shape.surface(ray, &within);
-        let error = surface.error.max(self.least_error);
-        Surface { error, material: surface.material.or(part.material), ..surface }
+        Surface { material: surface.material.or(part.material), ..surface }
     }
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
@@ -287,9 +265,6 @@ impl Shape for Assembly {
             roots.extend(within.into_iter().map(|at| Candidate { leaf: first + at.leaf, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t)); // stable: ties stay in the order of leaves
-        if self.least_error > 0.0 {
-            roots.dedup_by(|again, first| self.is_repeated(ray, first, again));
-        }
         roots
     }
 

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Vector, cos_degrees, sin_degrees, to_degrees};
-use crate::shapes::beveled::edges::{moved, overlap, rounding, tube};
-use crate::shapes::composite::assembly::{Materials, smooth_solid};
+use crate::math::{Vector, cos_degrees, sin_degrees};
+use crate::shapes::beveled::edges::{moved, tube};
+use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
 use crate::shapes::{Context, Shape};
@@ -55,17 +55,8 @@ impl Specification for RoundRimmedBowl {
         let from = if theta <= 90.0 { 90.0 - theta } else { 450.0 - theta };
         let half = tube(swept, thin, full_turn(), [from, 270.0 - theta]);
         let rim = moved(half, middle * cos_degrees(theta) * Vector::Y);
-        // the spheres reach a little into the rim
-        let [from_inner, from_outer] =
-            [inner, outer].map(|radius| theta - to_degrees(overlap(outer, thin) / radius));
-        let [outside, inside] = shells([inner, outer], [from_inner.max(0.0), from_outer.max(0.0)]);
-        smooth_solid(
-            &[outside, inside, ("rim", rim)],
-            &self.materials,
-            None,
-            rounding(outer),
-            context,
-        )
+        let [outside, inside] = shells([inner, outer], [theta, theta]);
+        solid(&[outside, inside, ("rim", rim)], &self.materials, context)
     }
 
     fn scaled(&self, factor: f64) -> Self {
