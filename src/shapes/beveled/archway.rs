@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::beveled_box::BeveledBox;
 use super::beveled_wedge::BeveledWedge;
-use super::edges::{Named, half_joint, inset};
+use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
@@ -25,7 +25,7 @@ const MOST_STONES: u32 = 1000;
 
 /// An archway of stones with round edges, as the parts `columns` and `arch`; normals point outward.
 /// It stands on the plane y = 0 and faces along the z axis, its middle above the origin. Between the stones
-/// are joints, a thousandth of the bevel wide where they are narrowest.
+/// are joints, about a thousandth of the bevel wide.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Archway {
@@ -76,7 +76,9 @@ impl Archway {
             }
         }
         length("bevel", self.bevel)?;
-        Ok(())
+        let block = [0.0, self.spring() / f64::from(self.blocks)];
+        let column = [0.0, self.column_width];
+        check_fits(self.bevel, &[("width of a column", column), ("height of a block", block)])
     }
 
     /// The height of the middle of the arch.
@@ -112,7 +114,7 @@ impl Archway {
     /// About the y axis.
     fn arch(&self) -> impl Iterator<Item = BeveledWedge> {
         let (bevel, [inner_radius, outer_radius], [y0, y1]) = (self.bevel, self.radii(), self.z());
-        let half = to_degrees(half_joint(bevel) / inner_radius);
+        let half = to_degrees(half_joint(bevel) / (inner_radius + bevel));
         let step = 180.0 / f64::from(self.wedges);
         let azimuth = move |wedge: u32| 90.0 + step * f64::from(wedge);
         (0..self.wedges).map(move |i| BeveledWedge {

@@ -45,7 +45,8 @@ impl Specification for BeveledRing {
         let Self { y0, y1, inner_radius, outer_radius, bevel, .. } = *self;
         length("inner_radius", inner_radius)?;
         radii(inner_radius, outer_radius)?;
-        OpenCylinder { y0, y1, radius: outer_radius, inward: false }.checked()?; // names what does not fit
+        // names the height that does not fit
+        OpenCylinder { y0, y1, radius: outer_radius, inward: false }.checked()?;
         let extents =
             [("height", [y0, y1]), ("distance between the radii", [inner_radius, outer_radius])];
         let largest = y0.abs().max(y1.abs()).max(outer_radius);

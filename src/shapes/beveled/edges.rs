@@ -55,13 +55,12 @@ pub(in crate::shapes) fn left_of(range: [f64; 2], by: f64) -> Option<[f64; 2]> {
 }
 
 /// Half the width of the joint between two stones of this bevel. The book's stones touch: there a ray that
-/// leaves one stone is in the face of the next, and which of the two it hits first depends on rounding.
+/// leaves one stone meets the face of the next at the same point, and rounding decides which is first.
 pub(in crate::shapes) fn half_joint(bevel: f64) -> f64 {
     bevel / 2048.0
 }
 
-/// Checks that the bevel fits twice into each extent, up to the rounding of their ends, and that it is no
-/// smaller than the rounding of coordinates up to `largest`.
+/// Checks that the bevel fits, and is no smaller than the rounding of coordinates up to `largest`.
 pub(in crate::shapes) fn check_bevel(
     bevel: f64,
     largest: f64,
@@ -77,6 +76,14 @@ pub(in crate::shapes) fn check_bevel(
         );
         return Err(Invalid::field("bevel", problem));
     }
+    check_fits(bevel, extents)
+}
+
+/// Checks that the bevel fits twice into each extent, up to the rounding of their ends.
+pub(in crate::shapes) fn check_fits(
+    bevel: f64,
+    extents: &[(&str, [f64; 2])],
+) -> Result<(), Invalid> {
     for &(what, [low, high]) in extents {
         let rounding = 4.0 * UNIT_ROUNDOFF * low.abs().max(high.abs());
         if 2.0 * bevel > (high - low) + rounding {

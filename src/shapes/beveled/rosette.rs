@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::beveled_wedge::BeveledWedge;
-use super::edges::{Named, half_joint, inset};
+use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
@@ -22,8 +22,8 @@ const WEDGES: [u32; 6] = [10, 12, 15, 18, 24, 36];
 const NAMES: [&str; 6] = ["ring_1", "ring_2", "ring_3", "ring_4", "ring_5", "ring_6"];
 
 /// Rings of 10, 12, 15, 18, 24 and 36 beveled wedges about a hole, as the parts `ring_1` (the
-/// innermost) to `ring_6`; normals point outward. Between the wedges are joints, a thousandth of the bevel
-/// wide where they are narrowest.
+/// innermost) to `ring_6`; normals point outward. Between the wedges are joints, about a thousandth of the
+/// bevel wide.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rosette {
@@ -34,7 +34,7 @@ pub struct Rosette {
     /// From the inner to the outer wall of each ring; positive.
     pub ring_width: f64,
     /// The radius of the wedges' edges: positive, at most half of the height, of the ring's width and of
-    /// what the inner wall of a wedge is wide.
+    /// the width of a wedge's inner wall.
     pub bevel: f64,
     /// The height of the bottom.
     pub y0: f64,
@@ -63,7 +63,7 @@ impl Rosette {
             y1,
             inner_radius,
             outer_radius,
-            phi: inset([azimuth(i), azimuth(i + 1)], to_degrees(half / inner_radius)),
+            phi: inset([azimuth(i), azimuth(i + 1)], to_degrees(half / (inner_radius + bevel))),
             bevel,
             materials: Materials::new(),
         };
@@ -83,6 +83,7 @@ impl Specification for Rosette {
         length("hole_radius", self.hole_radius)?;
         length("ring_width", self.ring_width)?;
         length("bevel", self.bevel)?;
+        check_fits(self.bevel, &[("width of a ring", [0.0, self.ring_width])])?;
         let mut parts: Vec<Named> = Vec::new();
         for ring in 0..self.rings {
             for wedge in self.ring(ring) {

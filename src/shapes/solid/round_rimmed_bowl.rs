@@ -1,4 +1,9 @@
-//! The round-rimmed bowl (Suffern, ch. 19 and 21).
+//! The round-rimmed bowl (Suffern, ch. 19 and 21): two part spheres of polar angles from θ, half the
+//! opening angle, to 180°, and a rim.
+//!
+//! The rim is half a torus with `a = (r_in + r_out)/2 · sin θ` and `b = (r_out − r_in)/2` at the height
+//! `(r_in + r_out)/2 · cos θ`. The book takes the whole torus, half of which is hidden; here it goes from
+//! `90° − θ` to `270° − θ` around the tube, from sphere to sphere.
 
 use std::sync::Arc;
 
@@ -38,9 +43,6 @@ impl Specification for RoundRimmedBowl {
     type Built = Arc<dyn Shape>;
     type Context = Context;
 
-    /// With θ the polar angle of the rim, the tube's middle is half-way between the spheres at
-    /// `(sin θ, cos θ)`. The tube touches them in that direction and, on the other side, in the
-    /// opposite one; between, its half turned to the opening is the rim.
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         length("inner_radius", self.inner_radius)?;
         let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;

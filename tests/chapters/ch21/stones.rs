@@ -174,8 +174,8 @@ fn check_known(
     assert!(asked.iter().all(|&count| count > lines / 20), "{asked:?}");
 }
 
-/// Law: between two stones is a joint, at least 1/1024 of the bevel wide and at most twice as wide: a ray in
-/// its middle passes, and one beside it does not. Oracle: where the book puts the joints.
+/// Law: between two stones is a joint, from 1/1024 to 1/512 of the bevel wide: a ray in its middle passes,
+/// and one beside it does not. Oracle: the planes between the book's stones.
 #[test]
 fn a_ray_in_the_middle_of_a_joint_passes_between_the_stones() {
     let (bevel, floor_bevel) = (0.3, 0.1);
@@ -337,7 +337,7 @@ fn stones_name_the_field_that_does_not_fit() {
         ),
         (
             Archway { blocks: 20, ..arch }.into(),
-            "archway.bevel: found 0.5, but at most 0.3749 fits, half the side along y",
+            "archway.bevel: found 0.5, but at most 0.375 fits, half the height of a block",
         ),
     ] {
         let found = kind.build(&mut Context::default()).expect_err("refused").to_string();
