@@ -1,9 +1,9 @@
-//! Shapes made of shapes, built: what a compound, a beveled box and a lattice have in common.
+//! Shapes made of parts: compounds, and the solids that are compounds of parts that their kinds name.
 //!
-//! A hit remembers which of all nested shapes it is on as one number, [`Candidate::leaf`]: those of
-//! the first part come first, then those of the second. So it stays as small as for a sphere,
-//! however deep the nesting (a hundred instances eight levels deep are 10¹⁶ leaves), and the order
-//! of leaves is the order of objects that settles ties.
+//! A ray hits the nearest hit of all parts, if it meets the box around them (Suffern, ch. 19). Which of all
+//! nested shapes it is on is one number, [`Candidate::leaf`]: the leaves of the first part are counted first,
+//! then those of the second. So a candidate stays as small as that of a sphere, however deep the nesting (a
+//! hundred instances eight levels deep are 10¹⁶ leaves), and of equal hits the first object wins.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -18,11 +18,11 @@ const FEW: usize = 8;
 
 /// A part as a scene describes it.
 pub struct PartData<'a> {
-    /// What people call it; empty if they do not.
+    /// Its name; empty if it has none.
     pub name: &'a str,
     /// The name of its material; that of the whole if `None`.
     pub material: Option<&'a str>,
-    /// Its form.
+    /// Its shape.
     pub shape: &'a Kind,
 }
 
@@ -52,7 +52,7 @@ pub fn solid_by(
         return Err(Invalid::field("materials", problem));
     }
     for (part, name) in materials {
-        // under the name that its user wrote, not that of the part it is for
+        // an error names the entry of `materials`, not the part
         let checked = context.material(name).map_err(|e| Invalid::field(part, e.problem));
         checked.map_err(|e| e.inside("materials"))?;
     }
@@ -81,12 +81,12 @@ struct Part {
     shape: Arc<dyn Shape>,
     bounds: Aabb,
     material: Option<u32>,
-    /// Whether it, or anything in it, does.
+    /// Whether it, or any part of it, casts shadows.
     casts_shadows: bool,
 }
 
 impl Assembly {
-    /// Builds the parts; errors name `field`, where they stand in the scene.
+    /// Builds the parts; errors name `field`, the field of the scene that lists them.
     pub fn build<'a>(
         field: &str,
         parts: impl IntoIterator<Item = PartData<'a>>,
@@ -138,7 +138,7 @@ impl Assembly {
     }
 
     /// The first hit as the structure finds it.
-    #[inline(never)] // nor the next: most rays pass the box by, and need not make room for this
+    #[inline(never)] // most rays miss the box and should not pay for the stack frame; so the next
     fn nearest_by(&self, accel: &Accel, ray: &Ray, span: Span) -> Option<Candidate> {
         let (index, at) = accel.nearest(&Seen { parts: &self.parts, ray }, ray, span)?;
         Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
