@@ -37,7 +37,7 @@ impl Height {
 }
 
 #[derive(Debug)]
-struct Built {
+struct HeightBump {
     texture: Arc<dyn Texture>,
     height: f64,
     step: f64,
@@ -48,7 +48,7 @@ impl Specification for Height {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Bump>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(HeightBump {
             texture: self.texture.build(resources).map_err(|e| e.inside("texture"))?,
             height: finite("height", self.height)?,
             step: length("step", self.step)?,
@@ -74,7 +74,7 @@ impl Specification for Height {
     }
 }
 
-impl Built {
+impl HeightBump {
     /// `∂h/∂t`, by central differences.
     fn slope(&self, at: &TexturePoint<'_>, t: Vector) -> f64 {
         let h = |by: f64| self.texture.number(&at.beside(by * t));
@@ -82,7 +82,7 @@ impl Built {
     }
 }
 
-impl Bump for Built {
+impl Bump for HeightBump {
     fn turned(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
         let Frame { u, v, .. } = Frame::around(n);
         let gradient = self.slope(at, u) * u + self.slope(at, v) * v;

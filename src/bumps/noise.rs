@@ -30,7 +30,7 @@ pub struct Noise {
 }
 
 #[derive(Debug)]
-struct Built {
+struct NoiseBump {
     noise: LatticeNoise,
     size: f64,
     perturbation: f64,
@@ -41,7 +41,7 @@ impl Specification for Noise {
     type Context = Resources;
 
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Bump>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(NoiseBump {
             noise: self.noise.build().map_err(|e| e.inside("noise"))?,
             size: length("size", self.size)?,
             perturbation: finite("perturbation", self.perturbation)?,
@@ -60,7 +60,7 @@ impl Specification for Noise {
     }
 }
 
-impl Bump for Built {
+impl Bump for NoiseBump {
     fn turned(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
         let p = Point::from(at.local.to_array().map(|c| c / self.size));
         n + self.perturbation * self.noise.vector_fbm(p)

@@ -30,7 +30,7 @@ impl Specification for CylindricalPanorama {
         let lambda_max = 0.5 * angle("horizontal_fov", self.horizontal_fov, 360.0)?;
         let psi_max = 0.5 * angle_below("vertical_fov", self.vertical_fov, 180.0)?;
         let tan_psi_max = sin_degrees(psi_max) / cos_degrees(psi_max);
-        Ok(Arc::new(Built { film: *film, lambda_max, tan_psi_max }))
+        Ok(Arc::new(CylindricalPanoramaCamera { film: *film, lambda_max, tan_psi_max }))
     }
 
     fn scaled(&self, _: f64) -> Self {
@@ -44,14 +44,14 @@ impl Specification for CylindricalPanorama {
 }
 
 #[derive(Debug)]
-struct Built {
+struct CylindricalPanoramaCamera {
     film: ViewPlane,
     /// In degrees: there the sines of right angles are exact.
     lambda_max: f64,
     tan_psi_max: f64,
 }
 
-impl Camera for Built {
+impl Camera for CylindricalPanoramaCamera {
     /// `sin λ u + yn tan ψ_max v − cos λ w` with `λ = xn λ_max`.
     fn ray(&self, film: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {
         let [xn, yn] = self.film.normalised(film);

@@ -29,7 +29,7 @@ impl Specification for Fisheye {
 
     fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         let psi_max = 0.5 * angle("fov", self.fov, 360.0)?;
-        Ok(Arc::new(Built { film: *film, psi_max, rectangular: self.rectangular }))
+        Ok(Arc::new(FisheyeCamera { film: *film, psi_max, rectangular: self.rectangular }))
     }
 
     fn scaled(&self, _: f64) -> Self {
@@ -43,14 +43,14 @@ impl Specification for Fisheye {
 }
 
 #[derive(Debug)]
-struct Built {
+struct FisheyeCamera {
     film: ViewPlane,
     /// At the circle, in degrees: there the sines of right angles are exact.
     psi_max: f64,
     rectangular: bool,
 }
 
-impl Camera for Built {
+impl Camera for FisheyeCamera {
     /// `sin ψ cos α u + sin ψ sin α v − cos ψ w` with `ψ = r ψ_max`, (r, α) being the polar form of
     /// the normalised film coordinates.
     fn ray(&self, film: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {

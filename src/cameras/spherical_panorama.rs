@@ -28,7 +28,7 @@ impl Specification for SphericalPanorama {
     fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         let lambda_max = 0.5 * angle("horizontal_fov", self.horizontal_fov, 360.0)?;
         let psi_max = 0.5 * angle("vertical_fov", self.vertical_fov, 180.0)?;
-        Ok(Arc::new(Built { film: *film, lambda_max, psi_max }))
+        Ok(Arc::new(SphericalPanoramaCamera { film: *film, lambda_max, psi_max }))
     }
 
     fn scaled(&self, _: f64) -> Self {
@@ -43,13 +43,13 @@ impl Specification for SphericalPanorama {
 
 /// Half angles in degrees: there the sines of right angles are exact.
 #[derive(Debug)]
-struct Built {
+struct SphericalPanoramaCamera {
     film: ViewPlane,
     lambda_max: f64,
     psi_max: f64,
 }
 
-impl Camera for Built {
+impl Camera for SphericalPanoramaCamera {
     /// `cos ψ sin λ u + sin ψ v − cos ψ cos λ w` with `λ = xn λ_max`, `ψ = yn ψ_max`.
     fn ray(&self, film: [f64; 2], _: [f64; 2]) -> Option<(Point, Vector)> {
         let [xn, yn] = self.film.normalised(film);

@@ -43,7 +43,7 @@ impl Specification for Gaussian {
             return Err(Invalid::field("sigma", problem));
         }
         let end = radius / (SQRT_2 * sigma);
-        Ok(Arc::new(Built { radius, scale: SQRT_2 * sigma, end, whole: erf(end) }))
+        Ok(Arc::new(GaussianFilter { radius, scale: SQRT_2 * sigma, end, whole: erf(end) }))
     }
 
     fn scaled(&self, _: f64) -> Self {
@@ -58,7 +58,7 @@ impl Specification for Gaussian {
 
 /// In units of `√2 σ` the filter is `exp(−z²)`.
 #[derive(Debug)]
-struct Built {
+struct GaussianFilter {
     radius: f64,
     /// `√2 σ`.
     scale: f64,
@@ -68,7 +68,7 @@ struct Built {
     whole: f64,
 }
 
-impl Filter for Built {
+impl Filter for GaussianFilter {
     /// The inverse of `erf(z)/erf(end)`, of both signs.
     fn draw(&self, u: f64) -> (f64, f64) {
         let v = 2.0 * u - 1.0;

@@ -41,7 +41,7 @@ impl Specification for Mitchell {
         // the outer cubic is −(b + 6c) (x − 2)² (x − zero) / 6
         let lobes = b + 6.0 * c;
         let zero = if lobes > 0.0 { (2.0 * b + 6.0 * c) / lobes } else { 1.0 };
-        let mut built = Built { inner, outer, zero, positive: 0.0, mass: 0.0 };
+        let mut built = MitchellFilter { inner, outer, zero, positive: 0.0, mass: 0.0 };
         built.positive = built.integral(zero);
         built.mass = built.absolute(2.0);
         Ok(Arc::new(built))
@@ -61,7 +61,7 @@ impl Specification for Mitchell {
 
 /// Coefficients of six times the cubics, by rising power.
 #[derive(Debug)]
-struct Built {
+struct MitchellFilter {
     inner: [f64; 4],
     outer: [f64; 4],
     /// From here to 2 the filter is negative; in `[1, 2]`.
@@ -81,7 +81,7 @@ fn quartic([a, b, c, d]: [f64; 4], x: f64) -> f64 {
     ((((d / 4.0 * x + c / 3.0) * x + b / 2.0) * x + a) * x) / 6.0
 }
 
-impl Built {
+impl MitchellFilter {
     /// The integral from 0 to `x`, from 0 to 2.
     fn integral(&self, x: f64) -> f64 {
         let beyond = |x: f64| quartic(self.outer, x) - quartic(self.outer, 1.0);
@@ -95,7 +95,7 @@ impl Built {
     }
 }
 
-impl Filter for Built {
+impl Filter for MitchellFilter {
     fn draw(&self, u: f64) -> (f64, f64) {
         let v = 2.0 * u - 1.0;
         let target = v.abs() * self.mass;

@@ -30,8 +30,8 @@ pub struct Dielectric {
 }
 
 #[derive(Debug)]
-struct Built {
-    phong: phong::Built,
+struct DielectricMaterial {
+    phong: phong::PhongMaterial,
     eta: f64,
     boundary: Boundary,
 }
@@ -42,7 +42,7 @@ impl Specification for Dielectric {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         let (inside, outside) = (self.inside.checked("inside")?, self.outside.checked("outside")?);
-        Ok(Arc::new(Built {
+        Ok(Arc::new(DielectricMaterial {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             eta: inside.eta / outside.eta,
             boundary: Boundary { inside, outside },
@@ -68,7 +68,7 @@ impl Specification for Dielectric {
     }
 }
 
-impl Material for Built {
+impl Material for DielectricMaterial {
     fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.phong.respond(at, cos_o, response);
         response.lobes.push((FresnelReflector { eta: self.eta }.into(), NormalKind::Geometry));

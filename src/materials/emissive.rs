@@ -40,7 +40,7 @@ impl Emissive {
 #[derive(Debug)]
 struct Shining {
     emission: Emission,
-    matte: Option<matte::Built>,
+    matte: Option<matte::MatteMaterial>,
 }
 
 impl Specification for Emissive {

@@ -38,7 +38,7 @@ pub struct GlossyReflector {
 
 #[derive(Debug)]
 struct BlurredMirror {
-    phong: phong::Built,
+    phong: phong::PhongMaterial,
     kr: Value,
     cr: Color,
     exponent: Value,

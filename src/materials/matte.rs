@@ -30,15 +30,15 @@ pub struct Matte {
 
 /// A matte surface ready to be asked.
 #[derive(Debug)]
-pub(super) struct Built {
+pub(super) struct MatteMaterial {
     ka: Value,
     kd: Value,
     cd: Color,
 }
 
 impl Matte {
-    pub(super) fn check(&self, resources: &mut Resources) -> Result<Built, Invalid> {
-        Ok(Built {
+    pub(super) fn check(&self, resources: &mut Resources) -> Result<MatteMaterial, Invalid> {
+        Ok(MatteMaterial {
             ka: self.ka.build("ka", resources)?,
             kd: self.kd.build("kd", resources)?,
             cd: self.cd.build("cd", resources)?,
@@ -63,7 +63,7 @@ impl Specification for Matte {
     }
 }
 
-impl Material for Built {
+impl Material for MatteMaterial {
     fn respond(&self, at: &TexturePoint<'_>, _: f64, response: &mut Response) {
         let (ka, kd) = (self.ka.at(at), self.kd.at(at));
         if ka == 0.0 && kd == 0.0 {

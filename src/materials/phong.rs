@@ -49,17 +49,17 @@ impl Default for Phong {
 
 /// A Phong surface ready to be asked.
 #[derive(Debug)]
-pub(super) struct Built {
-    matte: matte::Built,
+pub(super) struct PhongMaterial {
+    matte: matte::MatteMaterial,
     ks: Value,
     cs: Color,
     exponent: Value,
 }
 
 impl Phong {
-    pub(super) fn check(&self, resources: &mut Resources) -> Result<Built, Invalid> {
+    pub(super) fn check(&self, resources: &mut Resources) -> Result<PhongMaterial, Invalid> {
         let matte = Matte { ka: self.ka.clone(), kd: self.kd.clone(), cd: self.cd.clone() };
-        Ok(Built {
+        Ok(PhongMaterial {
             matte: matte.check(resources)?,
             ks: self.ks.build("ks", resources)?,
             cs: self.cs.build("cs", resources)?,
@@ -94,7 +94,7 @@ impl Specification for Phong {
     }
 }
 
-impl Material for Built {
+impl Material for PhongMaterial {
     fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.matte.respond(at, cos_o, response);
         let ks = self.ks.at(at);

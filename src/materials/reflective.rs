@@ -29,8 +29,8 @@ pub struct Reflective {
 }
 
 #[derive(Debug)]
-struct Built {
-    phong: phong::Built,
+struct ReflectiveMaterial {
+    phong: phong::PhongMaterial,
     kr: Value,
     cr: Color,
 }
@@ -40,7 +40,7 @@ impl Specification for Reflective {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(ReflectiveMaterial {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             kr: self.kr.build("kr", resources)?,
             cr: self.cr.build("cr", resources)?,
@@ -61,7 +61,7 @@ impl Specification for Reflective {
     }
 }
 
-impl Material for Built {
+impl Material for ReflectiveMaterial {
     fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.phong.respond(at, cos_o, response);
         let reflectance = self.kr.at(at) * self.cr.at(at);

@@ -29,7 +29,7 @@ pub struct SphereMaterials {
 }
 
 #[derive(Debug)]
-struct Built {
+struct SphereMaterialsMaterial {
     cells: SphereCells,
     materials: Vec<Arc<dyn Material>>,
 }
@@ -47,7 +47,7 @@ impl Specification for SphereMaterials {
         };
         let materials =
             self.materials.iter().enumerate().map(material).collect::<Result<_, _>>()?;
-        Ok(Arc::new(Built { cells, materials }))
+        Ok(Arc::new(SphereMaterialsMaterial { cells, materials }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -77,14 +77,14 @@ fn of_a_checker(material: Arc<dyn Material>) -> Result<Arc<dyn Material>, Invali
     Ok(material)
 }
 
-impl Built {
+impl SphereMaterialsMaterial {
     /// The place in the list of the material of a point.
     fn turn(&self, at: &TexturePoint<'_>) -> usize {
         (self.cells.index(at.local) % self.materials.len() as u64) as usize
     }
 }
 
-impl Material for Built {
+impl Material for SphereMaterialsMaterial {
     fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.materials[self.turn(at)].respond(at, cos_o, response);
     }

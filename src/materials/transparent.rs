@@ -37,8 +37,8 @@ pub struct Transparent {
 }
 
 #[derive(Debug)]
-struct Built {
-    phong: phong::Built,
+struct TransparentMaterial {
+    phong: phong::PhongMaterial,
     kr: Value,
     cr: Color,
     kt: Value,
@@ -50,7 +50,7 @@ impl Specification for Transparent {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(TransparentMaterial {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             kr: self.kr.build("kr", resources)?,
             cr: self.cr.build("cr", resources)?,
@@ -76,7 +76,7 @@ impl Specification for Transparent {
     }
 }
 
-impl Material for Built {
+impl Material for TransparentMaterial {
     fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
         self.phong.respond(at, cos_o, response);
         let kt = self.kt.at(at);

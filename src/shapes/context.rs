@@ -1,4 +1,4 @@
-//! What building a shape needs to know beside its data.
+//! The context in which a shape is built: materials, files, shapes built before, and limits.
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
@@ -16,8 +16,8 @@ const MOST_TRIANGLES: u64 = 1 << 22;
 /// More parts of compounds in one scene would, too.
 const MOST_PARTS: u64 = 1 << 22;
 
-/// The files of the scene, what has been built already, and how much more may be: equal meshes and
-/// instances of one mesh file are built once and shared.
+/// The files of the scene, the shapes built so far, and the limits. Equal meshes, and instances of one mesh
+/// file, are built once and shared.
 #[derive(Debug, Default)]
 pub struct Context {
     resources: Resources,
@@ -45,18 +45,18 @@ impl Default for Materials {
     }
 }
 
-/// What has been built so far.
+/// The numbers of triangles and parts built so far.
 #[derive(Debug, Default)]
 struct Budget {
     triangles: u64,
     parts: u64,
 }
 
-/// Where in other shapes the present one stands.
+/// The shapes around the one that is being built.
 #[derive(Debug)]
 struct Nesting {
     depth: usize,
-    /// What the instances around it do to it, all together.
+    /// The product of the maps of the instances around it.
     around: Transform,
 }
 
@@ -66,12 +66,12 @@ impl Default for Nesting {
     }
 }
 
-/// What a part of a compound needs to know of its material.
+/// The material of a part of a compound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartMaterial {
-    /// Its place in the scene.
+    /// Its index in the scene.
     pub place: u32,
-    /// Whether it stands in the way of light.
+    /// Whether it blocks light.
     pub casts_shadows: bool,
 }
 
@@ -99,7 +99,7 @@ impl Context {
         })
     }
 
-    /// Builds an object of a material, and says of what materials it and its parts are made.
+    /// Builds an object of a material, and returns the materials of it and of its parts.
     ///
     /// # Errors
     /// As the shape's own data.
@@ -113,8 +113,8 @@ impl Context {
         Ok((shape, std::mem::take(&mut self.materials.used)))
     }
 
-    /// Builds the shape of a part of this material, and says whether anything in it casts shadows:
-    /// what has no material of its own does as the part, which does as what is around it.
+    /// Builds the shape of a part of this material, and returns whether anything in it casts shadows. A shape
+    /// without a material of its own inherits that of the part, and a part that of the shape around it.
     pub(super) fn part(
         &mut self,
         shape: &Kind,
@@ -126,7 +126,7 @@ impl Context {
         Ok((built, as_around || self.materials.casting > before))
     }
 
-    /// Builds what stands inside a part of this material.
+    /// Builds a shape inside a part of this material.
     pub(super) fn within<T>(
         &mut self,
         material: Option<PartMaterial>,
@@ -145,7 +145,7 @@ impl Context {
         built
     }
 
-    /// Takes so many parts off the scene's budget.
+    /// Adds so many parts to those built so far, if the scene may have as many.
     pub(super) fn take_parts(&mut self, count: u64) -> Result<(), Invalid> {
         self.budget.parts = self.budget.parts.saturating_add(count);
         if self.budget.parts > MOST_PARTS {
@@ -167,7 +167,7 @@ impl Context {
         self.resources.mesh(file)
     }
 
-    /// Takes so many triangles off the scene's budget.
+    /// Adds so many triangles to those built so far, if the scene may have as many.
     pub(super) fn take_triangles(&mut self, count: u64) -> Result<(), Invalid> {
         self.budget.triangles += count;
         if self.budget.triangles > MOST_TRIANGLES {
@@ -180,7 +180,7 @@ impl Context {
         Ok(())
     }
 
-    /// What was built from equal data before, or what is built now. Data are equal if they print
+    /// The shape built from equal data before, or a new one. Data are equal if they print
     /// the same: numbers print every digit.
     pub(super) fn shared<T: std::fmt::Debug>(
         &mut self,
@@ -196,7 +196,7 @@ impl Context {
         Ok(built)
     }
 
-    /// Builds what is seen through a transformation, unless that is too deep, or flattens it together
+    /// Builds the shape of an instance, unless it is nested too deep, or its map is singular together
     /// with those around it.
     pub(super) fn transformed<T>(
         &mut self,
@@ -213,7 +213,7 @@ impl Context {
         built
     }
 
-    /// Builds what stands inside an instance, unless that is too deep.
+    /// Builds a nested shape, unless it is nested too deep.
     pub(super) fn nested<T>(
         &mut self,
         build: impl FnOnce(&mut Self) -> Result<T, Invalid>,

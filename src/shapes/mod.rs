@@ -1,12 +1,13 @@
 //! Shapes: what a ray can hit (Suffern, ch. 3, 19, 21, 23).
 //!
-//! A hit is found in two steps. [`Shape::hit`] answers with a small [`Candidate`]; for the nearest
-//! one of all objects, [`Shape::surface`] then works out point, error bound and normals, once. The
-//! book's `hit` does both at a time and its callers must remember to keep the nearest record.
+//! A hit is found in two steps. [`Shape::hit`] returns a small [`Candidate`]; for the nearest one of all
+//! objects, [`Shape::surface`] then computes point, error bound and normals, once. The book's `hit`
+//! does both at a time, and its callers keep the record of the nearest.
 //!
-//! Each kind is a file with its plain data (what a scene says), the check that builds it, and its
-//! `Shape`; its entry in the list at the end gives it its tag in scene files and enrols it in the
-//! contract tests.
+//! Each kind is a file with its plain data (as in a scene), the check that builds it, and its `Shape`. Its
+//! header states the equation and the formula that `hit` solves, in the book's letters: `o` and `d` are
+//! the ray's origin and direction. Its entry in the list at the end gives it its tag in scene files and
+//! enrols it in the contract tests.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -20,20 +21,18 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vect
 pub struct Surface {
     /// The point, moved onto the surface: closer to it than `ray.at(t)`.
     pub point: Point,
-    /// Bound on the distance, along the geometric normal, between `point` and the surface as the
-    /// shape's own `hit` sees it: a ray that starts farther off than this does not hit it again.
-    /// (A body thinner than a few of these, such as one that instances press flat to some dozens of
-    /// roundings of its coordinates, may be left by its far wall: see `docs/accuracy.md`.)
+    /// Bound on the distance, along the geometric normal, between `point` and the surface that `hit` finds:
+    /// a ray that starts farther off than this does not hit the same point again. (A ray may leave a body
+    /// thinner than a few of these by its far wall: see `docs/accuracy.md`.)
     pub error: f64,
-    /// Perpendicular to the surface; outward for what has an inside, unless its data say `inward`.
-    /// Never turned to the viewer.
+    /// Perpendicular to the surface; outward for a closed shape, unless its data have `inward`. Never
+    /// turned to the viewer.
     pub normal: Normal,
     /// The normal that shading uses; differs from `normal` on smooth meshes only.
     pub shading: Normal,
     /// The point in the coordinates of the innermost shape, where textures live.
     pub local: Point,
-    /// The material of that part of a compound, by its place in the scene; the object's own if
-    /// `None`.
+    /// The material of that part of a compound, by its index in the scene; the object's own if `None`.
     pub material: Option<u32>,
 }
 
@@ -55,8 +54,8 @@ impl Surface {
     pub fn flat(point: Point, anchor: Point, normal: Normal) -> Self {
         let off = (point - anchor).dot(normal);
         let point = point - off * normal;
-        // the sum of three products of differences, rounded: γ₅ of the magnitudes, doubled; and the
-        // way back to the plane, which counts where the point itself is almost zero
+        // the rounding of a sum of three products of differences is γ₅ of the magnitudes, here doubled;
+        // that of the step to the plane counts where the point is almost zero
         let magnitude = point.to_vector().abs() + anchor.to_vector().abs();
         let error = 10.0 * UNIT_ROUNDOFF * (magnitude.dot(Vector::from(normal).abs()) + off.abs());
         Self::new(point, error, normal)
@@ -108,44 +107,43 @@ pub trait Shape: Debug + Send + Sync {
         self.hit(ray, span).into_iter().collect()
     }
 
-    /// The texture coordinates at a hit, if the surface has any. Asked for only where something
-    /// looks at them.
+    /// The texture coordinates at a hit, if the surface has any. Called only if a texture needs them.
     fn uv(&self, _: &Candidate) -> Option<[f64; 2]> {
         None
     }
 
     /// A material (its index in the scene) that needs texture coordinates where the shape has none, if
-    /// there is one. `own` is the material of parts that name none. Asked once, when a world is built.
+    /// there is one. `own` is the material of parts that name none. Called once, when a world is built.
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         needs_uv(own).then_some(own)
     }
 
-    /// The triangle that is hit, if it is one. Asked for only where something looks at it.
+    /// The triangle that is hit, if it is one. Called only where one is needed.
     fn facet(&self, _: &Candidate) -> Option<Facet> {
         None
     }
 
     /// The hit moved by a short vector along the surface, in the coordinates of [`Surface::local`], for
-    /// [`Shape::uv`] there; shapes without texture coordinates leave it where it is. Asked for only
-    /// where a slope is measured.
+    /// [`Shape::uv`] there; shapes without texture coordinates do not move it. Called only to
+    /// measure a slope.
     fn beside(&self, at: &Candidate, _: Vector) -> Candidate {
         *at
     }
 
-    /// The map from the coordinates of [`Surface::local`] to those of [`Surface::point`] at a hit. Asked
-    /// for only where a bump turns the normal.
+    /// The map from the coordinates of [`Surface::local`] to those of [`Surface::point`] at a hit. Called
+    /// only where a bump turns the normal.
     fn texture_space(&self, _: &Candidate) -> Transform {
         Transform::IDENTITY
     }
 
-    /// Through which nested shapes the hit went, and which part of the innermost it is on. Asked for
-    /// only where something looks at it.
+    /// The path through nested shapes to the hit, and the part of the innermost that it is on. Called only
+    /// to explain a hit.
     fn path(&self, _: &Candidate) -> PartPath {
         PartPath::default()
     }
 
-    /// The surface as one on which points are drawn in this way, for area lights; `None` if that
-    /// cannot be done. Asked once, when a light is built.
+    /// The surface as one on which points are drawn in this way, for area lights; `None` if that cannot
+    /// be done. Called once, when a light is built.
     fn sampled(&self, _: Sampling) -> Option<std::boxed::Box<dyn SampledSurface>> {
         None
     }
@@ -160,33 +158,31 @@ pub trait Shape: Debug + Send + Sync {
     }
 }
 
-/// The first of the `ts` (ascending; NaN for none) that the span contains and the shape has, as a
-/// candidate of a shape of one part. Both are tried: when the near one lies beyond an end of the
-/// shape, the far one may be on it.
+/// The first of the two roots `ts` (ascending; NaN for none) that is in the span and on the shape. Both are
+/// tested: if the near one is beyond an end of the shape, the far one may be on it.
 fn first_of(ts: [f64; 2], span: Span, has: impl Fn(f64) -> bool) -> Option<Candidate> {
     let counts = |t: f64| span.contains(t) && has(t);
     let [near, far] = ts;
-    // no loop: it costs as much as the square root
+    // not a loop, which costs as much as the square root
     if counts(near) {
         return Some(Candidate::at(near));
     }
     counts(far).then(|| Candidate::at(far))
 }
 
-/// All of them.
+/// Both roots, or those of them that are in the span and on the shape.
 fn all_of(ts: Option<[f64; 2]>, span: Span, has: impl Fn(f64) -> bool) -> Vec<Candidate> {
     let counted = ts.into_iter().flatten().filter(|&t| span.contains(t) && has(t));
     counted.map(Candidate::at).collect()
 }
 
-/// The normal along `v`. Where lengths are so far from 1 that nothing is left of `v`, or of the
-/// place of a hit, it faces the ray.
+/// The normal along `v`. If `v` is zero or not finite, as for extreme lengths, it faces the ray.
 fn normal_along(v: Vector, ray: &Ray) -> Normal {
     Normal::new(v).or_else(|| Normal::new(-ray.direction)).unwrap_or(Normal::Y)
 }
 
-/// Where a ray meets the plane through `anchor` with this normal; infinite or NaN for a ray in or
-/// beside the plane, which no span contains.
+/// Where a ray meets the plane through `a`, `anchor`, with this normal: `t = (a − o)·n / d·n`. For a ray
+/// parallel to the plane it is infinite or NaN, and no span contains it.
 fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
     (anchor - ray.origin).dot(normal) / ray.direction.dot(normal)
 }

@@ -1,8 +1,8 @@
 //! Points drawn on a surface, for lights (Suffern, ch. 18).
 //!
-//! By area, as the book: every part of the surface is drawn as often as it is large. By solid angle:
-//! every part is drawn as often as it looks large from the place that is lit, so that no sample falls
-//! on what faces away and none counts more than another.
+//! By area, as in the book, a part of the surface is drawn with a probability proportional to its area. By
+//! solid angle it is proportional to the solid angle of the part at the shading point: no sample falls
+//! on a part that faces away, and all have the same weight.
 
 use std::fmt::Debug;
 
@@ -17,9 +17,9 @@ use crate::math::Point;
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "ways of sampling")]
 pub enum Sampling {
-    /// Every part as often as it is large, as in the book.
+    /// In proportion to area, as in the book.
     Area,
-    /// Every part as often as it looks large: for spheres and rectangles.
+    /// In proportion to solid angle, for spheres and rectangles.
     SolidAngle,
 }
 
@@ -29,8 +29,8 @@ pub trait SampledSurface: Debug + Send + Sync {
     /// and finite. `None` for a point that is not seen, or edge-on.
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)>;
 
-    /// The hit of the shape that the point for these two numbers is, as far as its texture coordinates
-    /// need it. Asked only if the lamp's colour is a texture.
+    /// The candidate of the point for these two numbers, as far as its texture coordinates need it. Called
+    /// only if the lamp's colour is a texture.
     fn candidate(&self, _from: Point, _u: [f64; 2]) -> Candidate {
         Candidate::at(0.0)
     }

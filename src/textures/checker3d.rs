@@ -31,7 +31,7 @@ pub struct Checker3d {
 }
 
 #[derive(Debug)]
-struct Built {
+struct Checker3dTexture {
     size: f64,
     color1: Color,
     color2: Color,
@@ -42,7 +42,7 @@ impl Specification for Checker3d {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(Checker3dTexture {
             size: positive("size", self.size)?,
             color1: self.color1.build("color1", resources)?,
             color2: self.color2.build("color2", resources)?,
@@ -64,7 +64,7 @@ impl Specification for Checker3d {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for Checker3dTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let cell = |x: f64| floor(x / self.size + OFFSET);
         let sum = at.local.to_array().into_iter().map(cell).sum();

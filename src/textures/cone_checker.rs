@@ -54,7 +54,7 @@ impl Default for ConeChecker {
 }
 
 #[derive(Debug)]
-struct Built {
+struct ConeCheckerTexture {
     unit: f64,
     columns: f64,
     rows: f64,
@@ -67,7 +67,7 @@ impl Specification for ConeChecker {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let colors = [&self.color1, &self.color2];
-        Ok(Arc::new(Built {
+        Ok(Arc::new(ConeCheckerTexture {
             unit: length("unit", self.unit)?,
             columns: cells::count("num_horizontal", self.num_horizontal)?,
             rows: cells::count("num_vertical", self.num_vertical)?,
@@ -91,7 +91,7 @@ impl Specification for ConeChecker {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for ConeCheckerTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let [x, y, z] = at.local.to_array().map(|c| c / self.unit);
         let column = Cell::of_range(around(x, z), self.columns);

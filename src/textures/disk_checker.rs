@@ -55,7 +55,7 @@ impl Default for DiskChecker {
 }
 
 #[derive(Debug)]
-struct Built {
+struct DiskCheckerTexture {
     unit: f64,
     columns: f64,
     rows: f64,
@@ -68,7 +68,7 @@ impl Specification for DiskChecker {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let colors = [&self.color1, &self.color2];
-        Ok(Arc::new(Built {
+        Ok(Arc::new(DiskCheckerTexture {
             unit: length("unit", self.unit)?,
             columns: cells::count("num_angular", self.num_angular)?,
             rows: cells::count("num_radial", self.num_radial)?,
@@ -92,7 +92,7 @@ impl Specification for DiskChecker {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for DiskCheckerTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let [x, _, z] = at.local.to_array().map(|c| c / self.unit);
         let column = Cell::of_range(around(x, z), self.columns);

@@ -43,7 +43,7 @@ impl Fbm {
 }
 
 #[derive(Debug)]
-struct Built {
+struct FbmTexture {
     field: NoiseField,
     range: Range,
     color: Color,
@@ -54,7 +54,7 @@ impl Specification for Fbm {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(FbmTexture {
             field: NoiseField::build(&self.noise, self.size)?,
             range: Range { min: finite("min", self.min)?, max: finite("max", self.max)? },
             color: self.color.build("color", resources)?,
@@ -75,13 +75,13 @@ impl Specification for Fbm {
     }
 }
 
-impl Built {
+impl FbmTexture {
     fn value(&self, at: &TexturePoint<'_>) -> f64 {
         self.range.scaled(self.field.fbm(at))
     }
 }
 
-impl Texture for Built {
+impl Texture for FbmTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let value = self.value(at);
         if !(0.0..=1.0).contains(&value) {

@@ -36,7 +36,7 @@ fn black() -> Paint {
 }
 
 #[derive(Debug)]
-struct Built {
+struct PlaneCheckerTexture {
     size: f64,
     checkers: Checkers,
 }
@@ -52,7 +52,7 @@ impl Specification for PlaneChecker {
         let half_line = 0.5 * not_negative("outline_width", self.outline_width)? / size;
         let color = self.outline_color.build("outline_color", resources)?;
         let lines = BuiltLines { half_widths: [half_line; 2], color };
-        Ok(Arc::new(Built { size, checkers: Checkers { colors, lines } }))
+        Ok(Arc::new(PlaneCheckerTexture { size, checkers: Checkers { colors, lines } }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -77,7 +77,7 @@ impl Specification for PlaneChecker {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for PlaneCheckerTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let cells = [at.local.x(), at.local.z()].map(|x| Cell::at(x / self.size));
         self.checkers.color(cells)

@@ -35,7 +35,7 @@ fn clamp() -> Wrap {
 }
 
 #[derive(Debug)]
-struct Built {
+struct RampTexture {
     axis: Axis,
     from: f64,
     to: f64,
@@ -59,7 +59,7 @@ impl Specification for Ramp {
             return Err(Invalid::field("colors", problem));
         }
         let colors = Paint::build_list(&self.colors, "colors", resources)?;
-        Ok(Arc::new(Built { axis: self.axis, from, to, colors, wrap: self.wrap }))
+        Ok(Arc::new(RampTexture { axis: self.axis, from, to, colors, wrap: self.wrap }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -81,7 +81,7 @@ impl Specification for Ramp {
     }
 }
 
-impl Texture for Built {
+impl Texture for RampTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let x = at.local.along(self.axis as usize);
         let last = self.colors.len() - 1;

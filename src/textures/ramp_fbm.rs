@@ -39,7 +39,7 @@ fn three() -> f64 {
 }
 
 #[derive(Debug)]
-struct Built {
+struct RampFbmTexture {
     columns: Columns,
     field: NoiseField,
     perturbation: f64,
@@ -50,7 +50,7 @@ impl Specification for RampFbm {
     type Context = Resources;
 
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(RampFbmTexture {
             columns: self.ramp.build("ramp")?,
             field: NoiseField::build(&self.noise, self.size)?,
             perturbation: finite("perturbation", self.perturbation)?,
@@ -75,7 +75,7 @@ impl Specification for RampFbm {
     }
 }
 
-impl Texture for Built {
+impl Texture for RampFbmTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let p = self.field.point(at);
         let noise = self.field.noise.value_fbm(p);

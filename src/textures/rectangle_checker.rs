@@ -53,7 +53,7 @@ impl Default for RectangleChecker {
 }
 
 #[derive(Debug)]
-struct Built {
+struct RectangleCheckerTexture {
     unit: f64,
     columns: f64,
     rows: f64,
@@ -66,7 +66,7 @@ impl Specification for RectangleChecker {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let colors = [&self.color1, &self.color2];
-        Ok(Arc::new(Built {
+        Ok(Arc::new(RectangleCheckerTexture {
             unit: length("unit", self.unit)?,
             columns: cells::count("num_horizontal", self.num_horizontal)?,
             rows: cells::count("num_vertical", self.num_vertical)?,
@@ -90,7 +90,7 @@ impl Specification for RectangleChecker {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for RectangleCheckerTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let [x, _, z] = at.local.to_array().map(|c| c / self.unit);
         let column = Cell::at(self.columns * (0.5 * x + 0.5));

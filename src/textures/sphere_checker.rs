@@ -49,7 +49,7 @@ impl Default for SphereChecker {
 }
 
 #[derive(Debug)]
-struct Built {
+struct SphereCheckerTexture {
     cells: SphereCells,
     checkers: Checkers,
 }
@@ -60,7 +60,7 @@ impl Specification for SphereChecker {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let colors = [&self.color1, &self.color2];
-        Ok(Arc::new(Built {
+        Ok(Arc::new(SphereCheckerTexture {
             cells: SphereCells::new(self.num_horizontal, self.num_vertical)?,
             checkers: Checkers::build(colors, &self.lines, resources)?,
         }))
@@ -81,7 +81,7 @@ impl Specification for SphereChecker {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for SphereCheckerTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         self.checkers.color(self.cells.cell(at.local))
     }

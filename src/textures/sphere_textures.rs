@@ -31,7 +31,7 @@ pub struct SphereTextures {
 }
 
 #[derive(Debug)]
-struct Built {
+struct SphereTexturesTexture {
     cells: SphereCells,
     textures: Vec<Color>,
     lines: BuiltLines,
@@ -45,7 +45,7 @@ impl Specification for SphereTextures {
         let cells = SphereCells::new(self.num_horizontal, self.num_vertical)?;
         cells.check_list("textures", self.textures.len())?;
         let textures = Paint::build_list(&self.textures, "textures", resources)?;
-        Ok(Arc::new(Built { cells, textures, lines: self.lines.build(resources)? }))
+        Ok(Arc::new(SphereTexturesTexture { cells, textures, lines: self.lines.build(resources)? }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -65,7 +65,7 @@ impl Specification for SphereTextures {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for SphereTexturesTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         self.lines.on(self.cells.cell(at.local)).unwrap_or_else(|| {
             let turn = self.cells.index(at.local) % self.textures.len() as u64;

@@ -33,7 +33,7 @@ pub struct Stripes {
 }
 
 #[derive(Debug)]
-struct Built {
+struct StripesTexture {
     axis: Axis,
     size: f64,
     color1: Color,
@@ -45,7 +45,7 @@ impl Specification for Stripes {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(StripesTexture {
             axis: self.axis,
             size: positive("size", self.size)?,
             color1: self.color1.build("color1", resources)?,
@@ -71,7 +71,7 @@ impl Specification for Stripes {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for StripesTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let x = at.local.along(self.axis as usize);
         if is_even(floor(x / self.size + OFFSET)) { &self.color1 } else { &self.color2 }

@@ -34,7 +34,7 @@ impl TextureInstance {
 }
 
 #[derive(Debug)]
-struct Built {
+struct TextureInstanceTexture {
     of: Color,
     transform: Transform,
 }
@@ -45,7 +45,7 @@ impl Specification for TextureInstance {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let transform = transform_of("transform", &self.transform)?;
-        Ok(Arc::new(Built { of: self.of.build("of", resources)?, transform }))
+        Ok(Arc::new(TextureInstanceTexture { of: self.of.build("of", resources)?, transform }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -66,13 +66,13 @@ impl Specification for TextureInstance {
     }
 }
 
-impl Built {
+impl TextureInstanceTexture {
     fn inside<'a>(&self, at: &TexturePoint<'a>) -> TexturePoint<'a> {
         at.moved_to(self.transform.inverse().point(at.local))
     }
 }
 
-impl Texture for Built {
+impl Texture for TextureInstanceTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         self.of.at(&self.inside(at))
     }

@@ -62,7 +62,7 @@ impl ThreeColors {
 }
 
 #[derive(Debug)]
-struct Built {
+struct ThreeColorsTexture {
     field: NoiseField,
     expansion: f64,
     thresholds: [f64; 2],
@@ -82,7 +82,7 @@ impl Specification for ThreeColors {
             let problem = format!("found {found:?}, but the second has to be at least the first");
             return Err(Invalid::field("thresholds", problem));
         }
-        Ok(Arc::new(Built {
+        Ok(Arc::new(ThreeColorsTexture {
             field: NoiseField::build(&self.noise, self.size)?,
             expansion: positive("expansion", self.expansion)?,
             thresholds: self.thresholds,
@@ -112,7 +112,7 @@ impl Specification for ThreeColors {
     }
 }
 
-impl Texture for Built {
+impl Texture for ThreeColorsTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let noise = self.expansion * self.field.fbm(at);
         let [color1, color2, color3] = &self.colors;

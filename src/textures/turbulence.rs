@@ -44,7 +44,7 @@ impl Turbulence {
 }
 
 #[derive(Debug)]
-struct Built {
+struct TurbulenceTexture {
     field: NoiseField,
     range: Range,
     color: Color,
@@ -55,7 +55,7 @@ impl Specification for Turbulence {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(TurbulenceTexture {
             field: NoiseField::build(&self.noise, self.size)?,
             range: Range::build(self.min, self.max)?,
             color: self.color.build("color", resources)?,
@@ -72,7 +72,7 @@ impl Specification for Turbulence {
     }
 }
 
-impl Texture for Built {
+impl Texture for TurbulenceTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let value = self.range.scaled(self.field.noise.value_turbulence(self.field.point(at)));
         value * self.color.at(at)

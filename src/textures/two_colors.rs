@@ -52,7 +52,7 @@ impl TwoColors {
 }
 
 #[derive(Debug)]
-struct Built {
+struct TwoColorsTexture {
     field: NoiseField,
     expansion: f64,
     range: Range,
@@ -65,7 +65,7 @@ impl Specification for TwoColors {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(TwoColorsTexture {
             field: NoiseField::build(&self.noise, self.size)?,
             expansion: positive("expansion", self.expansion)?,
             range: Range::build(self.min, self.max)?,
@@ -92,7 +92,7 @@ impl Specification for TwoColors {
     }
 }
 
-impl Texture for Built {
+impl Texture for TwoColorsTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let noise = self.expansion * self.field.fbm(at);
         let color = if noise < 1.0 { &self.color1 } else { &self.color2 };

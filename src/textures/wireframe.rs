@@ -35,7 +35,7 @@ fn black() -> Paint {
 }
 
 #[derive(Debug)]
-struct Built {
+struct WireframeTexture {
     line_width: f64,
     line_color: Color,
     color: Color,
@@ -46,7 +46,7 @@ impl Specification for Wireframe {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(WireframeTexture {
             line_width: not_negative("line_width", self.line_width)?,
             line_color: self.line_color.build("line_color", resources)?,
             color: self.color.build("color", resources)?,
@@ -67,7 +67,7 @@ impl Specification for Wireframe {
     }
 }
 
-impl Chooser for Built {
+impl Chooser for WireframeTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let on_line = |facet: &Facet| from_edges(facet) < 0.5 * self.line_width;
         if at.facet().as_ref().is_some_and(on_line) { &self.line_color } else { &self.color }

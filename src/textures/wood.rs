@@ -98,7 +98,7 @@ impl Wood {
 }
 
 #[derive(Debug)]
-struct Built {
+struct WoodTexture {
     data: Wood,
     field: NoiseField,
     light: Color,
@@ -111,7 +111,7 @@ impl Specification for Wood {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         self.check()?;
-        Ok(Arc::new(Built {
+        Ok(Arc::new(WoodTexture {
             data: self.clone(),
             field: NoiseField::build(&self.noise, self.size)?,
             light: self.light.build("light", resources)?,
@@ -133,7 +133,7 @@ impl Specification for Wood {
     }
 }
 
-impl Texture for Built {
+impl Texture for WoodTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let (wood, noise) = (&self.data, &self.field.noise);
         let p = wood.bent(noise, self.field.point(at));

@@ -50,7 +50,7 @@ impl WrappedFbm {
 }
 
 #[derive(Debug)]
-struct Built {
+struct WrappedFbmTexture {
     field: NoiseField,
     expansion: f64,
     range: Range,
@@ -62,7 +62,7 @@ impl Specification for WrappedFbm {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(WrappedFbmTexture {
             field: NoiseField::build(&self.noise, self.size)?,
             expansion: positive("expansion", self.expansion)?,
             range: Range::build(self.min, self.max)?,
@@ -80,7 +80,7 @@ impl Specification for WrappedFbm {
     }
 }
 
-impl Texture for Built {
+impl Texture for WrappedFbmTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let value = wrapped(self.expansion * self.field.fbm(at));
         self.range.scaled(value) * self.color.at(at)

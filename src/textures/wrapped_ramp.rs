@@ -36,7 +36,7 @@ fn two() -> f64 {
 }
 
 #[derive(Debug)]
-struct Built {
+struct WrappedRampTexture {
     columns: Columns,
     field: NoiseField,
     expansion: f64,
@@ -47,7 +47,7 @@ impl Specification for WrappedRamp {
     type Context = Resources;
 
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(WrappedRampTexture {
             columns: self.ramp.build("ramp")?,
             field: NoiseField::build(&self.noise, self.size)?,
             expansion: positive("expansion", self.expansion)?,
@@ -69,7 +69,7 @@ impl Specification for WrappedRamp {
     }
 }
 
-impl Texture for Built {
+impl Texture for WrappedRampTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         self.columns.color(wrapped(self.expansion * self.field.fbm(at)))
     }

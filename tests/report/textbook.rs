@@ -58,10 +58,9 @@ fn textbook_forms_are_right_on_ordinary_rays() {
 #[test]
 fn compounds_and_grids_are_right_on_ordinary_rays() {
     for kind in many::Kind::ALL {
-        let count =
-            if matches!(kind, many::Kind::Rosette | many::Kind::Archway) { 60 } else { 200 };
+        const COUNT: u32 = 200;
         let mut tally = Tally::default();
-        for index in 0..count {
+        for index in 0..COUNT {
             let case = kind.case(Family::Ordinary, 32, index as usize, None).expect("it is valid");
             let book = textbook::of_many(kind, &case.pieces).expect("its pieces are valid");
             // of pieces that the ray passes by, no more is known
@@ -69,8 +68,8 @@ fn compounds_and_grids_are_right_on_ordinary_rays() {
         }
         let Tally { hits, misses, missed } = tally;
         assert!(hits > 20 && misses > 10, "{kind:?}: {hits}, {misses}");
-        // few of them hang on a thread, also of those that cross two faces that touch
-        assert!(10 * (hits + misses) >= 9 * count, "{kind:?}: {hits} and {misses} of {count}");
+        // few of them are decided by less than that margin
+        assert!(10 * (hits + misses) >= 9 * COUNT, "{kind:?}: {hits} and {misses} of {COUNT}");
         assert_eq!(missed, 0, "{kind:?}: {hits} hit");
     }
 }

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use super::stages::{Stage, Things};
-use super::structures::{Built, Counts, Structure};
+use super::structures::{BuiltStructure, Counts, Structure};
 use super::{Run, Skipped, StageData, sizes};
 use crate::math::Ray;
 use crate::report::clock::{medians, time};
@@ -109,7 +109,7 @@ fn spread(rays: &[Ray], most: usize) -> Vec<&Ray> {
 }
 
 /// Tests, and nodes or cells, for each ray.
-fn count(built: &Built, things: &Things, rays: &[&Ray]) -> (f64, Option<f64>) {
+fn count(built: &BuiltStructure, things: &Things, rays: &[&Ray]) -> (f64, Option<f64>) {
     let counts = Counts::default();
     for ray in rays {
         built.nearest(things, ray, Some(&counts));

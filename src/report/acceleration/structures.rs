@@ -43,17 +43,17 @@ impl Structure {
     }
 
     /// Builds it.
-    pub fn build(self, things: &Things) -> Built {
+    pub fn build(self, things: &Things) -> BuiltStructure {
         match self {
             Self::Plain(method) => match &things.mesh {
-                Some(mesh) => Built::Mesh(Box::new(mesh.clone().accelerated(method))),
-                None => Built::Plain(Accel::build(method, &things.bounds)),
+                Some(mesh) => BuiltStructure::Mesh(Box::new(mesh.clone().accelerated(method))),
+                None => BuiltStructure::Plain(Accel::build(method, &things.bounds)),
             },
             Self::Nested(method) => {
                 let boxes = |group: &std::ops::Range<usize>| &things.bounds[group.clone()];
                 let whole = |all: &[Aabb]| all.iter().fold(Aabb::EMPTY, |a, b| a.union(*b));
                 let bounds: Vec<Aabb> = things.groups.iter().map(|g| whole(boxes(g))).collect();
-                Built::Nested {
+                BuiltStructure::Nested {
                     outer: Accel::build(method, &bounds),
                     inner: things.groups.iter().map(|g| Accel::build(method, boxes(g))).collect(),
                 }
@@ -63,16 +63,16 @@ impl Structure {
 
     /// The same search with its costs open to be counted: a mesh's own is hidden inside it, and the
     /// one over its triangles has the same boxes.
-    pub fn build_counted(self, things: &Things) -> Built {
+    pub fn build_counted(self, things: &Things) -> BuiltStructure {
         match self {
-            Self::Plain(method) => Built::Plain(Accel::build(method, &things.bounds)),
+            Self::Plain(method) => BuiltStructure::Plain(Accel::build(method, &things.bounds)),
             Self::Nested(_) => self.build(things),
         }
     }
 }
 
 /// A structure, built.
-pub enum Built {
+pub enum BuiltStructure {
     Plain(Accel),
     Nested { outer: Accel, inner: Vec<Accel> },
     Mesh(Box<dyn Shape>),
@@ -87,7 +87,7 @@ pub struct Counts {
     pub steps: Cell<Option<u64>>,
 }
 
-impl Built {
+impl BuiltStructure {
     /// The first hit, and what it costs to find, added to `counts` if there are any.
     pub fn nearest(&self, things: &Things, ray: &Ray, counts: Option<&Counts>) -> Option<f64> {
         let hit = match self {

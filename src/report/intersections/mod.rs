@@ -89,15 +89,8 @@ const SLOW: [&str; 12] = [
     "TessellatedSphere",
 ];
 /// Of parts of degree 4, or of some dozens of parts.
-const SLOWEST: [&str; 7] = [
-    "RoundRimmedBowl",
-    "BeveledBox",
-    "BeveledCylinder",
-    "BeveledRing",
-    "BeveledWedge",
-    "Rosette",
-    "Archway",
-];
+const SLOWEST: [&str; 5] =
+    ["RoundRimmedBowl", "BeveledBox", "BeveledCylinder", "BeveledRing", "BeveledWedge"];
 
 /// How many rays a kind of this name gets for each family.
 fn rays(kind: &str, settings: &Settings) -> usize {

@@ -1,29 +1,31 @@
-//! The archway (Suffern, ch. 21): two columns of beveled boxes that carry a round arch of beveled
-//! wedges.
+//! The archway (Suffern, ch. 21): a compound of two columns of beveled boxes and a round arch of beveled
+//! wedges on them.
+//!
+//! The middle of the arch is at the height `height − width/2`, where the columns end. The wedges are
+//! built about the y axis, from azimuth 90° to 270°, and turned upright by `y → z, z → −y`. The book's
+//! stones touch; here a narrow joint is between them.
 
 use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::beveled_box::RoundedBox;
-use super::edges::{Named, check_bevel, extended, inset, overlap, rounding, uncovered, widened};
-use super::wedge_parts::{Sides, Wedge};
+use super::beveled_box::BeveledBox;
+use super::beveled_wedge::BeveledWedge;
+use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Point, Step, Vector};
-use crate::shapes::composite::assembly::{Materials, smooth_solid};
-use crate::shapes::{Context, Instance, Kind, Rectangle, Shape};
+use crate::math::{Point, Step, Vector, to_degrees};
+use crate::shapes::composite::assembly::{Materials, solid_by};
+use crate::shapes::{Context, Instance, Shape};
 
 /// More stones than anyone could see.
 const MOST_STONES: u32 = 1000;
 
 /// An archway of stones with round edges, as the parts `columns` and `arch`; normals point outward.
-/// It stands on the plane y = 0 and faces along the z axis, its middle above the origin.
-///
-/// Stones touch. Where they do, the book's have two faces in one place, and a ray that leaves one
-/// would be in the other; here such faces are left out, so that the archway is one solid.
+/// It stands on the plane y = 0 and faces along the z axis, its middle above the origin. Between the stones
+/// are joints, about a thousandth of the bevel wide.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Archway {
@@ -40,9 +42,9 @@ pub struct Archway {
     pub blocks: u32,
     /// How many wedges the arch has: from 1 to 1000.
     pub wedges: u32,
-    /// The radius of the stones' edges: positive, at most half of what is shortest of each stone.
+    /// The radius of the stones' edges: positive, at most half of the shortest side of each stone.
     pub bevel: f64,
-    /// How rays find its parts, `"grid"` in the book; as the scene if left out.
+    /// How rays find the stones, `"grid"` in the book; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
@@ -73,109 +75,57 @@ impl Archway {
                 return Err(Invalid::field(field, problem));
             }
         }
+        length("bevel", self.bevel)?;
         let block = [0.0, self.spring() / f64::from(self.blocks)];
-        let extents = [
-            ("depth", self.z()),
-            ("width of the columns", [0.0, self.column_width]),
-            ("height of a block", block),
-        ];
-        check_bevel(self.bevel, self.largest(), &extents)?;
-        self.stones_of_arch().try_for_each(|wedge| wedge.check())
+        let column = [0.0, self.column_width];
+        check_fits(self.bevel, &[("width of a column", column), ("height of a block", block)])
     }
 
-    /// The height where the arch begins: that of its middle.
+    /// The height of the middle of the arch.
     fn spring(&self) -> f64 {
         self.height - 0.5 * self.width
+    }
+
+    /// The radii of the arch, which are the distances of a column's sides from the middle.
+    fn radii(&self) -> [f64; 2] {
+        let outer = 0.5 * self.width;
+        [outer - self.column_width, outer]
     }
 
     fn z(&self) -> [f64; 2] {
         [-0.5 * self.depth, 0.5 * self.depth]
     }
 
-    /// The radii of the arch, and the distances of a column's sides from the middle.
-    fn radii(&self) -> [f64; 2] {
-        let outer = 0.5 * self.width;
-        [outer - self.column_width, outer]
-    }
-
-    /// The largest extent.
-    fn largest(&self) -> f64 {
-        self.height.max(self.width).max(self.depth)
-    }
-
-    /// How far each stone reaches into those it touches, half of what the two have in common. A ray
-    /// in the plane between them only touches the roundings of both: it would be rounded off them, into
-    /// the stone, whose face there is left out.
-    fn overlap(&self) -> f64 {
-        0.5 * overlap(self.largest(), self.bevel)
-    }
-
-    /// About the y axis, from azimuth 90 to 270.
-    fn stones_of_arch(&self) -> impl Iterator<Item = Wedge> {
-        let (y, r, bevel) = (self.z(), self.radii(), self.bevel);
-        let step = 180.0 / f64::from(self.wedges);
-        let azimuth = move |i: u32| 90.0 + step * f64::from(i);
-        let over = self.overlap();
-        let phi = move |i: u32| widened([azimuth(i), azimuth(i + 1)], over, r[0]);
-        (0..self.wedges).map(move |i| Wedge { y, r, phi: phi(i), bevel })
-    }
-
-    /// The arch, turned by y → z, z → −y: from +x over the top to −x.
-    fn arch(&self) -> Vec<Named> {
-        let seen = Sides { inner_wall: true, outer_wall: true, ends: false };
-        let steps = vec![Step::RotateX(90.0), Step::Translate(self.spring() * Vector::Y)];
-        let turned = |(_, part)| ("arch", Kind::from(Instance::new(part, steps.clone())));
-        self.stones_of_arch().flat_map(|wedge| wedge.parts(seen)).map(turned).collect()
-    }
-
-    fn columns(&self) -> Vec<Named> {
-        let [inner, outer] = self.radii();
-        let height = |block: u32| self.spring() * (f64::from(block) / f64::from(self.blocks));
-        let mut parts = Vec::new();
-        for x in [[-outer, -inner], [inner, outer]] {
-            for block in 0..self.blocks {
-                let [low, high] = extended([height(block), height(block + 1)], self.overlap());
-                let low = if block == 0 { 0.0 } else { low };
-                let extents = [x, [low, high], self.z()];
-                let stone = RoundedBox::new(extents, self.bevel);
-                let touches = |name| name == "top" || name == "bottom" && block > 0;
-                parts.extend(stone.faces().into_iter().filter(|(name, _)| !touches(*name)));
-                parts.extend(stone.edges());
-                parts.extend(stone.corners());
-            }
-        }
-        parts.into_iter().map(|(_, part)| ("columns", part)).collect()
-    }
-
-    /// What of the faces between columns and arch can be seen in the grooves of the other: a wedge's
-    /// begins and ends nearer to the middle than a block's.
-    fn faces_between(&self) -> Vec<Named> {
-        let [z0, z1] = inset(self.z(), self.bevel);
-        let blocks = inset(self.radii(), self.bevel);
-        let wedges = self.stones_of_arch().next().map_or(blocks, |wedge| wedge.ends());
-        let is_left = |range: &[f64; 2]| range[0] < range[1];
-        let [blocks, wedges] =
-            [blocks, wedges].map(|range| Vec::from_iter([range].into_iter().filter(is_left)));
-        if z0 >= z1 {
-            return Vec::new();
-        }
-        let face = |x: f64, width: f64, up: bool| {
-            let corner = Point::new(x, self.spring(), z0);
-            let (a, b) = ((z1 - z0) * Vector::Z, width * Vector::X);
-            let (a, b) = if up { (a, b) } else { (b, a) };
-            Kind::from(Rectangle { corner, a, b })
+    fn columns(&self) -> impl Iterator<Item = BeveledBox> {
+        let (bevel, [inner, outer], [z0, z1]) = (self.bevel, self.radii(), self.z());
+        let half = half_joint(bevel);
+        let (spring, blocks) = (self.spring(), self.blocks);
+        let height = move |block: u32| spring * (f64::from(block) / f64::from(blocks));
+        let block = move |[x0, x1]: [f64; 2], i: u32| BeveledBox {
+            min: Point::new(x0, if i == 0 { 0.0 } else { height(i) + half }, z0),
+            max: Point::new(x1, height(i + 1) - half, z1),
+            bevel,
+            materials: Materials::new(),
         };
-        let mut faces = Vec::new();
-        for (name, ranges, up) in [
-            ("columns", uncovered(&blocks, &wedges), true),
-            ("arch", uncovered(&wedges, &blocks), false),
-        ] {
-            for [from, to] in ranges {
-                faces.push((name, face(from, to - from, up)));
-                faces.push((name, face(-to, to - from, up)));
-            }
-        }
-        faces
+        let columns = [[-outer, -inner], [inner, outer]];
+        columns.into_iter().flat_map(move |x| (0..blocks).map(move |i| block(x, i)))
+    }
+
+    /// About the y axis.
+    fn arch(&self) -> impl Iterator<Item = BeveledWedge> {
+        let (bevel, [inner_radius, outer_radius], [y0, y1]) = (self.bevel, self.radii(), self.z());
+        let half = to_degrees(half_joint(bevel) / (inner_radius + bevel));
+        let step = 180.0 / f64::from(self.wedges);
+        let azimuth = move |wedge: u32| 90.0 + step * f64::from(wedge);
+        (0..self.wedges).map(move |i| BeveledWedge {
+            y0,
+            y1,
+            inner_radius,
+            outer_radius,
+            phi: inset([azimuth(i), azimuth(i + 1)], half),
+            bevel,
+            materials: Materials::new(),
+        })
     }
 }
 
@@ -185,11 +135,17 @@ impl Specification for Archway {
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
-        let mut parts = self.columns();
-        parts.extend(self.arch());
-        parts.extend(self.faces_between());
-        let rounding = rounding(self.largest());
-        smooth_solid(&parts, &self.materials, self.accel, rounding, context)
+        let mut stones: Vec<Named> = Vec::new();
+        for block in self.columns() {
+            block.check()?; // names the field that does not fit
+            stones.push(("columns", block.into()));
+        }
+        let upright = vec![Step::RotateX(90.0), Step::Translate(self.spring() * Vector::Y)];
+        for wedge in self.arch() {
+            wedge.checked()?;
+            stones.push(("arch", Instance::new(wedge, upright.clone()).into()));
+        }
+        solid_by(self.accel, &stones, &self.materials, context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

@@ -1,16 +1,20 @@
-//! The beveled cylinder (Suffern, ch. 21).
+//! The beveled cylinder (Suffern, ch. 21): the union of two disks, a wall and two round edges.
+//!
+//! With radius `r` and bevel `r_b` the disks at `y0` and `y1` have the radius `r − r_b`, the wall goes from
+//! `y0 + r_b` to `y1 − r_b`, and the edges are parts of tori with `a = r − r_b` and `b = r_b`. Where
+//! `b > a` such a torus meets itself; so each edge is a [`Shoulder`], which is the same surface.
 
 use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::edges::{Named, check_bevel, extended, inset, overlap, rounding};
+use super::edges::{Named, check_bevel, inset, left_of, moved};
 use super::shoulder::Shoulder;
 use crate::invalid::{Invalid, shown};
 use crate::kinds::{Custom, Specification};
 use crate::math::{Axis, Point, Step, Vector};
-use crate::shapes::composite::assembly::{Materials, smooth_solid};
+use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::{Context, Disk, Instance, Kind, OpenCylinder, Shape};
 
 /// A solid cylinder with round edges, as the parts `bottom`, `top`, `wall`, `bottom_edge` and
@@ -48,26 +52,21 @@ impl Specification for BeveledCylinder {
         }
         let flat = radius - bevel;
         let [low, high] = inset([y0, y1], bevel);
-        let over = overlap(largest, bevel);
         let mut parts: Vec<Named> = Vec::new();
         if flat > 0.0 {
             for (name, y, normal) in [("bottom", y0, -Vector::Y), ("top", y1, Vector::Y)] {
                 let center = Point::new(0.0, y, 0.0);
-                parts.push((name, Disk { center, normal, radius: flat + over }.into()));
+                parts.push((name, Disk { center, normal, radius: flat }.into()));
             }
         }
-        if low < high {
-            let [y0, y1] = extended([low, high], over);
+        if let Some([y0, y1]) = left_of([y0, y1], bevel) {
             parts.push(("wall", OpenCylinder { y0, y1, ..wall }.into()));
         }
-        let edge = |steps| {
-            let shoulder = Custom(Arc::new(Shoulder { disk: flat, distance: bevel }) as Arc<_>);
-            Kind::from(Instance::new(Kind::Custom(shoulder), steps))
-        };
-        let up = |y: f64| Step::Translate(y * Vector::Y);
-        parts.push(("bottom_edge", edge(vec![Step::Reflect(Axis::Y), up(low)])));
-        parts.push(("top_edge", edge(vec![up(high)])));
-        smooth_solid(&parts, &self.materials, None, rounding(largest), context)
+        let edge = || Kind::Custom(Custom(Arc::new(Shoulder { a: flat, b: bevel })));
+        let down = vec![Step::Reflect(Axis::Y), Step::Translate(low * Vector::Y)];
+        parts.push(("bottom_edge", Instance::new(edge(), down).into()));
+        parts.push(("top_edge", moved(edge(), high * Vector::Y)));
+        solid(&parts, &self.materials, context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

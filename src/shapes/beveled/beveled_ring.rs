@@ -1,15 +1,18 @@
-//! The beveled ring (Suffern, ch. 21).
+//! The beveled ring (Suffern, ch. 21): the union of two annuli, two walls and four quarters of tori.
+//!
+//! With radii `r0 < r1` and bevel `r_b` the annuli at `y0` and `y1` go from `r0 + r_b` to `r1 − r_b`, the
+//! walls from `y0 + r_b` to `y1 − r_b`, and the tori have `a = r0 + r_b` or `r1 − r_b`, and `b = r_b`.
 
 use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::edges::{Named, check_bevel, extended, inset, moved, overlap, rounding, tube};
+use super::edges::{Named, check_bevel, inset, left_of, moved, tube};
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Point, Vector};
-use crate::shapes::composite::assembly::{Materials, smooth_solid};
+use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
 use crate::shapes::{Annulus, Context, OpenCylinder, Shape};
@@ -42,31 +45,27 @@ impl Specification for BeveledRing {
         let Self { y0, y1, inner_radius, outer_radius, bevel, .. } = *self;
         length("inner_radius", inner_radius)?;
         radii(inner_radius, outer_radius)?;
-        let outer_wall = OpenCylinder { y0, y1, radius: outer_radius, inward: false }.checked()?;
+        // names the height that does not fit
+        OpenCylinder { y0, y1, radius: outer_radius, inward: false }.checked()?;
         let extents =
             [("height", [y0, y1]), ("distance between the radii", [inner_radius, outer_radius])];
         let largest = y0.abs().max(y1.abs()).max(outer_radius);
         check_bevel(bevel, largest, &extents)?;
-        let [low, high] = inset([y0, y1], bevel);
-        let over = overlap(largest, bevel);
-        let [near, far] = inset([inner_radius, outer_radius], bevel);
         let mut parts: Vec<Named> = Vec::new();
-        if near < far {
+        let radii = [inner_radius, outer_radius];
+        if let Some([inner_radius, outer_radius]) = left_of(radii, bevel) {
             for (name, y, normal) in [("bottom", y0, -Vector::Y), ("top", y1, Vector::Y)] {
                 let center = Point::new(0.0, y, 0.0);
-                let [inner_radius, outer_radius] = extended([near, far], over);
-                let flat = Annulus { center, normal, inner_radius, outer_radius };
-                parts.push((name, flat.into()));
+                parts.push((name, Annulus { center, normal, inner_radius, outer_radius }.into()));
             }
         }
-        if low < high {
-            let [y0, y1] = extended([low, high], over);
-            let outer_wall = OpenCylinder { y0, y1, ..outer_wall };
-            let inner_wall =
-                OpenCylinder { radius: inner_radius, inward: true, ..outer_wall.clone() };
-            parts.push(("inner_wall", inner_wall.into()));
-            parts.push(("outer_wall", outer_wall.into()));
+        if let Some([y0, y1]) = left_of([y0, y1], bevel) {
+            let wall = |radius, inward| OpenCylinder { y0, y1, radius, inward }.into();
+            parts.push(("inner_wall", wall(inner_radius, true)));
+            parts.push(("outer_wall", wall(outer_radius, false)));
         }
+        let [low, high] = inset([y0, y1], bevel);
+        let [near, far] = inset(radii, bevel);
         for (swept, y, theta) in [
             (far, high, [0.0, 90.0]),
             (near, high, [90.0, 180.0]),
@@ -76,7 +75,7 @@ impl Specification for BeveledRing {
             let edge = tube(swept, bevel, full_turn(), theta);
             parts.push(("edges", moved(edge, y * Vector::Y)));
         }
-        smooth_solid(&parts, &self.materials, None, rounding(largest), context)
+        solid(&parts, &self.materials, context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

@@ -1,16 +1,19 @@
-//! The beveled wedge (Suffern, ch. 21).
+//! The beveled wedge (Suffern, ch. 21): a sector of a thick ring with round edges. Its equations stand in
+//! [`wedge_parts`](super::wedge_parts).
 
 use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::edges::rounding;
-use super::wedge_parts::{Sides, Wedge};
-use crate::invalid::{Invalid, finite};
+use super::edges::check_bevel;
+use super::wedge_parts::Wedge;
+use crate::invalid::{Invalid, finite, length, shown};
 use crate::kinds::Specification;
-use crate::math::lists;
-use crate::shapes::composite::assembly::{Materials, smooth_solid};
+use crate::math::{lists, sin_degrees};
+use crate::shapes::composite::assembly::{Materials, solid};
+use crate::shapes::part::angles::Angles;
+use crate::shapes::plain::annulus::radii;
 use crate::shapes::{Context, Shape};
 
 /// The part of a thick ring between two azimuths, with round edges and corners, as the parts
@@ -53,17 +56,43 @@ fn ascending(phi @ [from, to]: [f64; 2]) -> Result<[f64; 2], Invalid> {
     Err(Invalid::field("phi", problem))
 }
 
+impl BeveledWedge {
+    /// The wedge, if its bevel fits.
+    pub(super) fn checked(&self) -> Result<Wedge, Invalid> {
+        let Self { y0, y1, inner_radius, outer_radius, bevel, .. } = *self;
+        finite("y0", y0)?;
+        finite("y1", y1)?;
+        if y0 >= y1 {
+            return Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")));
+        }
+        length("inner_radius", inner_radius)?;
+        let r = radii(inner_radius, outer_radius)?;
+        let extents = [("height", [y0, y1]), ("distance between the radii", r)];
+        check_bevel(bevel, y0.abs().max(y1.abs()).max(outer_radius), &extents)?;
+        let phi = ascending(self.phi)?;
+        let range = Angles::new("phi", self.phi)?;
+        let wedge = Wedge { y: [y0, y1], r, phi, range, bevel };
+        /// In degrees; more than the rounding of azimuths.
+        const SLACK: f64 = 1e-10;
+        let (width, [alpha, _]) = (phi[1] - phi[0], wedge.alpha_beta());
+        if 2.0 * alpha > width + SLACK {
+            // the largest b has α = width/2: sin(width/2) = b/(r0 + b)
+            let sine = sin_degrees(0.5 * width);
+            let [found, most] = [bevel, inner_radius * sine / (1.0 - sine)].map(shown);
+            let problem =
+                format!("found {found}, but at most {most} fits: the inner wall is too narrow");
+            return Err(Invalid::field("bevel", problem));
+        }
+        Ok(wedge)
+    }
+}
+
 impl Specification for BeveledWedge {
     type Built = Arc<dyn Shape>;
     type Context = Context;
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let y = heights(self.y0, self.y1)?;
-        let r = [self.inner_radius, self.outer_radius];
-        let wedge = Wedge { y, r, phi: ascending(self.phi)?, bevel: self.bevel };
-        wedge.check()?;
-        let all = Sides { inner_wall: true, outer_wall: true, ends: true };
-        smooth_solid(&wedge.parts(all), &self.materials, None, rounding(wedge.largest()), context)
+        solid(&self.checked()?.parts(), &self.materials, context)
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -89,14 +118,4 @@ impl Specification for BeveledWedge {
             wedge([-0.5, 0.5], [0.25, 1.0], [300.0, 10.0], 0.0625),
         ]
     }
-}
-
-/// The fields `y0` and `y1`, if they ascend.
-pub fn heights(y0: f64, y1: f64) -> Result<[f64; 2], Invalid> {
-    finite("y0", y0)?;
-    finite("y1", y1)?;
-    if y0 < y1 {
-        return Ok([y0, y1]);
-    }
-    Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")))
 }

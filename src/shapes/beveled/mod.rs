@@ -1,4 +1,4 @@
-//! Solids with rounded edges, and what is built of them (Suffern, ch. 21).
+//! Solids with round edges, and compounds of them (Suffern, ch. 21).
 
 // shared by the kinds
 pub mod edges;

@@ -1,207 +1,139 @@
-//! What a beveled wedge is made of (Suffern, ch. 21): the ball of the bevel's radius that rolls
-//! inside the wedge touches its sides in what is left of them, and rounds everything else.
+//! The parts of a beveled wedge (Suffern, ch. 21).
+//!
+//! A sphere of radius `r_b` in each corner touches a wall, a side, and the bottom or the top. The centres
+//! are at the radii `r0 + r_b` and `r1 − r_b` from the axis and at the angles α and β from the side:
+//!
+//! - `sin α = r_b/(r0 + r_b)` and `cos α = s0/(r0 + r_b)` with `s0 = √(r0² + 2 r0 r_b)`,
+//! - `sin β = r_b/(r1 − r_b)` and `cos β = s1/(r1 − r_b)` with `s1 = √(r1² − 2 r1 r_b)`.
+//!
+//! So the inner wall goes from `φ0 + α` to `φ1 − α` and the outer one from `φ0 + β` to `φ1 − β`, each with
+//! a part torus above and below it; a side is a rectangle from `s0` to `s1`, with a part cylinder along
+//! each of its edges. The book makes top and bottom of a part annulus and patches; here each is one
+//! [`Cap`].
 
 use std::sync::Arc;
 
-use super::edges::{
-    Named, check_bevel, corner, extended, inset, moved, overlap, tube, wall, widened,
-};
-use crate::invalid::{Invalid, length, shown};
+use super::edges::{Named, corner, inset, left_of, moved, tube, wall};
 use crate::kinds::Custom;
 use crate::math::{
     Aabb, Axis, Normal, Point, Ray, Span, Step, Vector, atan2, cos_degrees, sin_degrees, to_degrees,
 };
 use crate::shapes::part::angles::Angles;
-use crate::shapes::{Candidate, Instance, Kind, Rectangle, Shape, Surface, plane_distance};
+use crate::shapes::plain::annulus::between;
+use crate::shapes::{
+    Candidate, Instance, Kind, PartCylinder, Rectangle, Shape, Surface, plane_distance,
+};
 
-use crate::shapes::plain::annulus::{between, radii};
-
-/// A wedge and its bevel. The centres of the ball in the corners are at the distance `bevel` from
-/// the sides: `r0 + bevel` and `r1 − bevel` from the axis, at the angles α and β from the sides.
+/// A wedge whose numbers are fit for use.
 #[derive(Clone, Debug)]
 pub struct Wedge {
     /// The heights of bottom and top.
     pub y: [f64; 2],
     /// The radii of the inner and the outer wall.
     pub r: [f64; 2],
-    /// The azimuths of the sides, ascending; the first from −360 to 360.
+    /// The azimuths of the sides in degrees, ascending; the first from −360 to 360.
     pub phi: [f64; 2],
+    /// The same azimuths as a range.
+    pub range: Angles,
     /// The radius of the edges.
     pub bevel: f64,
 }
 
-/// Which sides of a wedge are wanted: those that touch others are not.
-#[derive(Clone, Copy, Debug)]
-pub struct Sides {
-    /// The wall nearer to the axis.
-    pub inner_wall: bool,
-    /// The other wall.
-    pub outer_wall: bool,
-    /// The plane sides.
-    pub ends: bool,
-}
-
 impl Wedge {
-    /// Whether the bevel fits; the heights ascend, and so do the azimuths, by less than 360°.
-    pub fn check(&self) -> Result<(), Invalid> {
-        let [r0, r1] = self.r;
-        length("inner_radius", r0)?;
-        radii(r0, r1)?;
-        let extents = [("height", self.y), ("distance between the radii", self.r)];
-        check_bevel(self.bevel, self.largest(), &extents)?;
-        let width = self.phi[1] - self.phi[0];
-        /// In degrees; more than the rounding of azimuths.
-        const SLACK: f64 = 1e-10;
-        if 2.0 * self.alpha() > width + SLACK {
-            // of the bevel that fits just so: sin(width/2) = b/(r0 + b)
-            let sine = sin_degrees(0.5 * width);
-            let [found, most] = [self.bevel, r0 * sine / (1.0 - sine)].map(shown);
-            let problem =
-                format!("found {found}, but at most {most} fits: the inner wall is too narrow");
-            return Err(Invalid::field("bevel", problem));
-        }
-        Ok(())
-    }
-
-    /// How far from the axis the plane sides begin and end.
-    pub fn ends(&self) -> [f64; 2] {
+    /// `s0` and `s1`.
+    fn side(&self) -> [f64; 2] {
         let ([r0, r1], b) = (self.r, self.bevel);
         [(r0 * (r0 + 2.0 * b)).sqrt(), (r1 * (r1 - 2.0 * b)).sqrt()]
     }
 
-    fn alpha(&self) -> f64 {
-        to_degrees(atan2(self.bevel, self.ends()[0]))
+    /// α and β in degrees.
+    pub fn alpha_beta(&self) -> [f64; 2] {
+        self.side().map(|s| to_degrees(atan2(self.bevel, s)))
     }
 
-    fn beta(&self) -> f64 {
-        to_degrees(atan2(self.bevel, self.ends()[1]))
+    /// The azimuths farther than this from both sides, from −360 to 360.
+    fn azimuths(&self, less: f64) -> Option<[f64; 2]> {
+        let range = left_of(self.phi, less)?;
+        Some(range.map(|phi| if phi > 360.0 { phi - 360.0 } else { phi }))
     }
 
-    /// The azimuths of the inner wall, if the bevel leaves any of it.
-    pub fn inner_wall(&self) -> Option<[f64; 2]> {
-        let phi = inset(self.phi, self.alpha());
-        (phi[0] < phi[1]).then_some(phi)
-    }
-
-    /// The azimuths of the outer wall.
-    pub fn outer_wall(&self) -> Option<[f64; 2]> {
-        let phi = inset(self.phi, self.beta());
-        (phi[0] < phi[1]).then_some(phi)
-    }
-
-    /// The heights of walls and sides, if the bevel leaves any of them.
-    pub fn heights(&self) -> Option<[f64; 2]> {
-        let y = inset(self.y, self.bevel);
-        (y[0] < y[1]).then_some(y)
-    }
-
-    /// How far parts reach over the seams between them.
-    pub fn overlap(&self) -> f64 {
-        overlap(self.largest(), self.bevel)
-    }
-
-    /// The largest coordinate.
-    pub fn largest(&self) -> f64 {
-        self.y[0].abs().max(self.y[1].abs()).max(self.r[1])
-    }
-
-    /// A wall of this radius that touches the edges around it.
-    pub fn wall(&self, y: [f64; 2], radius: f64, phi: [f64; 2], inward: bool) -> Kind {
-        let over = self.overlap();
-        let phi = within_a_turn(widened(phi, over, radius));
-        wall(extended(y, over), radius, phi, inward)
-    }
-
-    /// The parts: caps, walls and sides that are wanted, edges and corners.
-    pub fn parts(&self, wanted: Sides) -> Vec<Named> {
-        let mut parts = self.caps();
-        let walls = [
-            ("inner_wall", wanted.inner_wall, self.inner_wall(), self.r[0], true),
-            ("outer_wall", wanted.outer_wall, self.outer_wall(), self.r[1], false),
-        ];
-        for (name, wanted, phi, radius, inward) in walls {
-            if let (true, Some(y), Some(phi)) = (wanted, self.heights(), phi) {
-                parts.push((name, self.wall(y, radius, phi, inward)));
-            }
-        }
-        parts.extend(self.arcs());
-        // the second end is the first, mirrored
-        let ends = [
+    /// All parts by their names.
+    pub fn parts(&self) -> Vec<Named> {
+        let mut parts = [self.caps(), self.walls(), self.arcs()].concat();
+        // the end is the start, mirrored
+        let sides = [
             ("start", vec![Step::RotateY(self.phi[0])]),
             ("end", vec![Step::Reflect(Axis::X), Step::RotateY(self.phi[1])]),
         ];
-        for (name, steps) in ends {
-            let face = if wanted.ends { self.face(name) } else { None };
-            let all = face.into_iter().chain(self.posts()).chain(self.rails());
-            parts.extend(
-                all.map(|(name, part)| (name, Kind::from(Instance::new(part, steps.clone())))),
-            );
+        for (name, steps) in sides {
+            for (name, part) in [self.face(name), self.posts(), self.rails()].concat() {
+                parts.push((name, Instance::new(part, steps.clone()).into()));
+            }
         }
         parts
     }
 
     fn caps(&self) -> Vec<Named> {
-        let [r0, r1] = inset(self.r, self.bevel);
-        if r0 >= r1 {
-            return Vec::new();
-        }
-        let [bottom, top] = self.y;
-        let caps = [("bottom", bottom, -Normal::Y), ("top", top, Normal::Y)];
-        let cap = |(name, y, normal)| {
-            // the azimuths are in range: Azimuth takes any that check has passed
-            let phi = Angles::new("phi", within_a_turn(self.phi)).ok()?;
-            let ends = self.phi.map(|phi| [sin_degrees(phi), cos_degrees(phi)]);
-            let over = self.overlap();
-            let (r, bevel) = (extended([r0, r1], over), self.bevel - over);
-            let cap = Cap { y, normal, r, phi, ends, bevel };
-            Some((name, Kind::Custom(Custom(Arc::new(cap)))))
+        let Some(r) = left_of(self.r, self.bevel) else { return Vec::new() };
+        let sides = self.phi.map(|phi| [sin_degrees(phi), cos_degrees(phi)]);
+        let cap = |y, normal| {
+            let cap = Cap { y, normal, r, phi: self.range, sides, bevel: self.bevel };
+            Kind::Custom(Custom(Arc::new(cap)))
         };
-        caps.into_iter().filter_map(cap).collect()
+        let [bottom, top] = self.y;
+        vec![("bottom", cap(bottom, -Normal::Y)), ("top", cap(top, Normal::Y))]
+    }
+
+    fn walls(&self) -> Vec<Named> {
+        let Some([y0, y1]) = left_of(self.y, self.bevel) else { return Vec::new() };
+        let ([alpha, beta], [r0, r1]) = (self.alpha_beta(), self.r);
+        let walls = [("inner_wall", alpha, r0, true), ("outer_wall", beta, r1, false)];
+        let wall = |(name, less, radius, inward)| {
+            let phi = self.azimuths(less)?;
+            Some((name, PartCylinder { y0, y1, radius, phi, inward }.into()))
+        };
+        walls.into_iter().filter_map(wall).collect()
     }
 
     /// The edges between walls and caps.
     fn arcs(&self) -> Vec<Named> {
+        let [alpha, beta] = self.alpha_beta();
         let [near, far] = inset(self.r, self.bevel);
         let [low, high] = inset(self.y, self.bevel);
         let arcs = [
-            (far, high, self.outer_wall(), [0.0, 90.0]),
-            (near, high, self.inner_wall(), [90.0, 180.0]),
-            (near, low, self.inner_wall(), [180.0, 270.0]),
-            (far, low, self.outer_wall(), [270.0, 360.0]),
+            (far, high, beta, [0.0, 90.0]),
+            (near, high, alpha, [90.0, 180.0]),
+            (near, low, alpha, [180.0, 270.0]),
+            (far, low, beta, [270.0, 360.0]),
         ];
-        let arc = |(swept, y, phi, theta): (f64, f64, Option<[f64; 2]>, _)| {
-            let phi = within_a_turn(widened(phi?, self.overlap(), swept));
-            let part = tube(swept, self.bevel, phi, theta);
+        let arc = |(swept, y, less, theta)| {
+            let part = tube(swept, self.bevel, self.azimuths(less)?, theta);
             Some(("edges", moved(part, y * Vector::Y)))
         };
         arcs.into_iter().filter_map(arc).collect()
     }
 
-    // a side at azimuth 0: it is in the plane x = 0, the wedge in front of it, where x > 0
+    // the parts of a side at azimuth 0: it is in the plane x = 0, and the wedge is where x > 0
 
-    /// What is left of the side.
-    fn face(&self, name: &'static str) -> Option<Named> {
-        let [from, to] = self.ends();
-        if from >= to {
-            return None;
-        }
-        let over = self.overlap();
-        let ([from, to], [low, high]) =
-            (extended([from, to], over), extended(self.heights()?, over));
-        let corner = Point::new(0.0, low, from);
-        let (a, b) = ((to - from) * Vector::Z, (high - low) * Vector::Y);
-        Some((name, Rectangle { corner, a, b }.into()))
+    /// The rectangle.
+    fn face(&self, name: &'static str) -> Vec<Named> {
+        let [s0, s1] = self.side();
+        let (true, Some([low, high])) = (s0 < s1, left_of(self.y, self.bevel)) else {
+            return Vec::new();
+        };
+        let corner = Point::new(0.0, low, s0);
+        let (a, b) = ((s1 - s0) * Vector::Z, (high - low) * Vector::Y);
+        vec![(name, Rectangle { corner, a, b }.into())]
     }
 
-    /// The upright edges of the side, and the corners at their ends.
+    /// The upright edges, and the corners at their ends.
     fn posts(&self) -> Vec<Named> {
-        let (b, [from, to]) = (self.bevel, self.ends());
+        let (b, [s0, s1], [alpha, beta]) = (self.bevel, self.side(), self.alpha_beta());
         let [low, high] = inset(self.y, b);
-        let post = extended([low, high], self.overlap());
         let mut posts = Vec::new();
-        for (s, phi) in [(from, [180.0 + self.alpha(), 270.0]), (to, [-90.0, self.beta()])] {
+        for (s, phi) in [(s0, [180.0 + alpha, 270.0]), (s1, [-90.0, beta])] {
             if low < high {
-                posts.push(("edges", moved(wall(post, b, phi, false), Vector::new(b, 0.0, s))));
+                posts.push(("edges", moved(wall([low, high], b, phi), Vector::new(b, 0.0, s))));
             }
             posts.push(("corners", corner(Point::new(b, low, s), b, phi, false)));
             posts.push(("corners", corner(Point::new(b, high, s), b, phi, true)));
@@ -209,30 +141,23 @@ impl Wedge {
         posts
     }
 
-    /// The level edges of the side.
+    /// The level edges.
     fn rails(&self) -> Vec<Named> {
-        let (b, [from, to]) = (self.bevel, self.ends());
-        let [low, high] = inset(self.y, b);
-        if from >= to {
+        let (b, [s0, s1], [low, high]) = (self.bevel, self.side(), inset(self.y, self.bevel));
+        if s0 >= s1 {
             return Vec::new();
         }
-        let ends = extended([from, to], self.overlap());
-        // turned by y → z, z → −y
         let rail = |y: f64, phi| {
+            // y → z, z → −y
             let steps = vec![Step::RotateX(90.0), Step::Translate(Vector::new(b, y, 0.0))];
-            ("edges", Kind::from(Instance::new(wall(ends, b, phi, false), steps)))
+            ("edges", Kind::from(Instance::new(wall([s0, s1], b, phi), steps)))
         };
         vec![rail(low, [270.0, 360.0]), rail(high, [180.0, 270.0])]
     }
 }
 
-/// The same azimuths, from −360 to 360.
-fn within_a_turn(phi: [f64; 2]) -> [f64; 2] {
-    phi.map(|phi| if phi > 360.0 { phi - 360.0 } else { phi })
-}
-
-/// What a bevel leaves of the top or bottom of a wedge: the points so far from the axis that are
-/// not within `bevel` of a side.
+/// The flat top or bottom of a wedge: the points of the plane `y` between two radii and two sides that
+/// are at least `bevel` from both sides.
 #[derive(Debug)]
 struct Cap {
     y: f64,
@@ -240,18 +165,19 @@ struct Cap {
     r: [f64; 2],
     phi: Angles,
     /// `(sin φ, cos φ)` of both sides.
-    ends: [[f64; 2]; 2],
+    sides: [[f64; 2]; 2],
     bevel: f64,
 }
 
 impl Cap {
     fn contains(&self, v: Vector) -> bool {
-        let clear = |[s, c]: [f64; 2]| {
+        // v in coordinates along the side, which starts at the axis, and across it
+        let is_clear = |[s, c]: [f64; 2]| {
             let along = v.x() * s + v.z() * c;
-            let beside = v.x() * c - v.z() * s;
-            along <= 0.0 || beside.abs() >= self.bevel
+            let across = v.x() * c - v.z() * s;
+            along <= 0.0 || across.abs() >= self.bevel
         };
-        between(self.r, v) && self.phi.has_azimuth_of(v) && self.ends.into_iter().all(clear)
+        between(self.r, v) && self.phi.has_azimuth_of(v) && self.sides.into_iter().all(is_clear)
     }
 
     fn anchor(&self) -> Point {

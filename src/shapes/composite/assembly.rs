@@ -1,9 +1,9 @@
-//! Shapes made of shapes, built: what a compound, a beveled box and a lattice have in common.
+//! Shapes made of parts: compounds, and the solids that are compounds of parts that their kinds name.
 //!
-//! A hit remembers which of all nested shapes it is on as one number, [`Candidate::leaf`]: those of
-//! the first part come first, then those of the second. So it stays as small as for a sphere,
-//! however deep the nesting (a hundred instances eight levels deep are 10¹⁶ leaves), and the order
-//! of leaves is the order of objects that settles ties.
+//! A ray hits the nearest hit of all parts, if it meets the box around them (Suffern, ch. 19). Which of all
+//! nested shapes it is on is one number, [`Candidate::leaf`]: the leaves of the first part are counted first,
+//! then those of the second. So a candidate stays as small as that of a sphere, however deep the nesting (a
+//! hundred instances eight levels deep are 10¹⁶ leaves), and of equal hits the first object wins.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -18,11 +18,11 @@ const FEW: usize = 8;
 
 /// A part as a scene describes it.
 pub struct PartData<'a> {
-    /// What people call it; empty if they do not.
+    /// Its name; empty if it has none.
     pub name: &'a str,
     /// The name of its material; that of the whole if `None`.
     pub material: Option<&'a str>,
-    /// Its form.
+    /// Its shape.
     pub shape: &'a Kind,
 }
 
@@ -35,16 +35,14 @@ pub fn solid(
     materials: &Materials,
     context: &mut Context,
 ) -> Result<Arc<dyn Shape>, Invalid> {
-    smooth_solid(parts, materials, None, 0.0, context)
+    solid_by(None, parts, materials, context)
 }
 
-/// The same, searched in this way, of parts that touch without an angle: a ray that leaves one of
-/// them at a seam must not meet the other, so no bound of a hit's error is below `least_error`.
-pub fn smooth_solid(
+/// The same; rays find the parts by `accel`, if it is given.
+pub fn solid_by(
+    accel: Option<Method>,
     parts: &[(&'static str, Kind)],
     materials: &Materials,
-    accel: Option<Method>,
-    least_error: f64,
     context: &mut Context,
 ) -> Result<Arc<dyn Shape>, Invalid> {
     let names: BTreeSet<&str> = parts.iter().map(|(name, _)| *name).collect();
@@ -54,7 +52,7 @@ pub fn smooth_solid(
         return Err(Invalid::field("materials", problem));
     }
     for (part, name) in materials {
-        // under the name that its user wrote, not that of the part it is for
+        // an error names the entry of `materials`, not the part
         let checked = context.material(name).map_err(|e| Invalid::field(part, e.problem));
         checked.map_err(|e| e.inside("materials"))?;
     }
@@ -62,8 +60,7 @@ pub fn smooth_solid(
         let material = materials.get(*name).map(String::as_str);
         PartData { name, material, shape }
     });
-    let assembly = Assembly::build("parts", parts, accel, context)?;
-    Ok(Arc::new(Assembly { least_error, ..assembly }))
+    Ok(Arc::new(Assembly::build("parts", parts, accel, context)?))
 }
 
 /// Parts that are hit as one shape.
@@ -74,22 +71,19 @@ pub struct Assembly {
     leaves: Vec<u64>,
     accel: Accel,
     bounds: Aabb,
-    /// A hit's error is at least this.
-    least_error: f64,
 }
 
 #[derive(Debug)]
 struct Part {
     name: Box<str>,
     shape: Arc<dyn Shape>,
-    bounds: Aabb,
     material: Option<u32>,
-    /// Whether it, or anything in it, does.
+    /// Whether it, or any part of it, casts shadows.
     casts_shadows: bool,
 }
 
 impl Assembly {
-    /// Builds the parts; errors name `field`, where they stand in the scene.
+    /// Builds the parts; errors name `field`, the field of the scene that lists them.
     pub fn build<'a>(
         field: &str,
         parts: impl IntoIterator<Item = PartData<'a>>,
@@ -105,9 +99,8 @@ impl Assembly {
                 part.material.map(|name| context.material(name)).transpose().map_err(&here)?;
             let (shape, casts_shadows) =
                 context.part(part.shape, material).map_err(|e| here(e.inside("shape")))?;
-            let (bounds, material) = (shape.bounds(), material.map(|m| m.place));
-            let name = part.name.into();
-            built.push(Part { name, shape, bounds, material, casts_shadows });
+            let (name, material) = (part.name.into(), material.map(|m| m.place));
+            built.push(Part { name, shape, material, casts_shadows });
         }
         Self::of(built, accel, context).map_err(|e| e.inside(field))
     }
@@ -121,14 +114,13 @@ impl Assembly {
             })?;
             leaves.push(next);
         }
-        let bounds: Vec<Aabb> = parts.iter().map(|part| part.bounds).collect();
+        let bounds: Vec<Aabb> = parts.iter().map(|part| part.shape.bounds()).collect();
         let few = if parts.len() <= FEW { Method::List } else { context.accel() };
         Ok(Self {
             bounds: bounds.iter().fold(Aabb::EMPTY, |all, &part| all.union(part)),
             accel: Accel::build(accel.unwrap_or(few), &bounds),
             parts,
             leaves,
-            least_error: 0.0,
         })
     }
 }
@@ -138,21 +130,6 @@ impl Assembly {
     fn within(&self, at: &Candidate) -> (usize, Candidate) {
         let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
         (index, Candidate { leaf: at.leaf - self.leaves[index], ..*at })
-    }
-
-    /// Whether two hits in a row are one: where parts of a smooth solid reach over a seam a ray meets
-    /// both, in planes that rounding cannot tell apart, from the same side. Between two true hits it
-    /// goes in and out.
-    fn is_repeated(&self, ray: &Ray, first: &Candidate, again: &Candidate) -> bool {
-        if first.leaf == again.leaf {
-            return false;
-        }
-        let [before, after] = [first, again].map(|at| {
-            let normal = self.surface(ray, at).normal;
-            normal.dot(ray.direction)
-        });
-        let apart = (again.t - first.t) * before.abs().min(after.abs());
-        before * after > 0.0 && apart <= 2.0 * self.least_error
     }
 }
 
@@ -196,8 +173,7 @@ impl Shape for Assembly {
         let (index, within) = self.within(at);
         let part = &self.parts[index];
         let surface = part.shape.surface(ray, &within);
-        let error = surface.error.max(self.least_error);
-        Surface { error, material: surface.material.or(part.material), ..surface }
+        Surface { material: surface.material.or(part.material), ..surface }
     }
 
     fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
@@ -240,9 +216,6 @@ impl Shape for Assembly {
             roots.extend(within.into_iter().map(|at| Candidate { leaf: first + at.leaf, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t)); // stable: ties stay in the order of leaves
-        if self.least_error > 0.0 {
-            roots.dedup_by(|again, first| self.is_repeated(ray, first, again));
-        }
         roots
     }
 

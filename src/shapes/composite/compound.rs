@@ -1,4 +1,6 @@
 //! The compound (Suffern, ch. 19): any shapes as one; with `accel = "grid"` the book's `Grid` (ch. 22).
+//!
+//! A ray hits the nearest hit of all parts, if it meets the box around them.
 
 use std::sync::Arc;
 

@@ -1,4 +1,8 @@
-//! Instances (Suffern, ch. 21): a shape seen through a transformation.
+//! Instances (Suffern, ch. 21): a shape transformed by an affine map M.
+//!
+//! A ray meets the instance at the `t` at which the inverse ray `o' = M⁻¹ o`, `d' = M⁻¹ d`, not normalised,
+//! meets the shape. The normal is `(M⁻¹)ᵀ n'`, normalised. Beside the book an instance knows how
+//! far roundings of M and of M⁻¹ can move a point off the surface.
 
 use std::sync::Arc;
 
@@ -21,14 +25,14 @@ pub struct Instance {
     pub of: Box<Kind>,
     /// The steps, in the order in which they are applied, about the origin of coordinates.
     pub transform: Vec<Step>,
-    /// Whether the texture moves with the shape. If not, it is looked up where the ray hits this
-    /// instance, as if the shape had been made that way (the book's `transform_the_texture`).
+    /// Whether the texture moves with the shape. If not, it is looked up at the point where the ray hits
+    /// this instance (the book's `transform_the_texture`).
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub transform_texture: bool,
 }
 
-/// A shape and where it stands.
+/// A shape and its map.
 #[derive(Debug)]
 struct Placed {
     shape: Arc<dyn Shape>,
@@ -100,7 +104,7 @@ pub(crate) fn transform_of(field: &str, steps: &[Step]) -> Result<Transform, Inv
     Transform::from_steps(steps).map_err(|singular| Invalid::field(field, singular.to_string()))
 }
 
-/// Refuses what no scale or angle can be. A zero factor is left to the condition number.
+/// Refuses numbers that are not finite. A zero factor is refused by the condition number, later.
 fn check(step: &Step) -> Result<(), Invalid> {
     match step {
         Step::Translate(by) => finite_vector("translate", *by).map(drop),
@@ -168,7 +172,7 @@ impl Shape for Placed {
         self.shape.facet(at)
     }
 
-    /// With a texture that stays in place, what is local is this instance's outside.
+    /// With a texture that does not move, local coordinates are those outside of this instance.
     fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
         if self.transform_texture {
             return self.shape.beside(at, by);
@@ -227,10 +231,9 @@ fn moved_out(transform: &Transform, inner: Surface, ray: &Ray) -> Surface {
     let point = transform.point(inner.point);
     let outer = |n: Normal| normal_along(transform.covector(n), ray);
     let normal = outer(inner.normal);
-    // how much longer a step along the normal is outside than inside
+    // the length outside of a unit step along the normal inside
     let stretch = 1.0 / transform.covector(inner.normal).length();
-    // by how much the point misses itself when it is moved back, as the next ray's origin will
-    // be; and the rounding of that
+    // the next ray's origin is moved back: its distance from the inner point, and the rounding of that
     let back = transform.inverse();
     let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
     let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
@@ -238,9 +241,8 @@ fn moved_out(transform: &Transform, inner: Surface, ray: &Ray) -> Surface {
     Surface { point, error, normal, shading: outer(inner.shading), ..inner }
 }
 
-/// The box around a transformed box, grown by what rounding can move a hit on its way into the
-/// inner coordinates and back: where large translations cancel, that is more than a few u of the
-/// outer coordinates.
+/// The box around a transformed box, padded by the rounding of a hit that is moved into the inner coordinates
+/// and back: where large translations cancel, that is more than a few u of the outer coordinates.
 pub(in crate::shapes) fn bounds_seen_through(transform: &Transform, inner: &Aabb) -> Aabb {
     let outer = transform.bounds(inner);
     if !outer.is_bounded() {
@@ -256,7 +258,7 @@ pub(in crate::shapes) fn bounds_seen_through(transform: &Transform, inner: &Aabb
     Aabb { min: outer.min - pad, max: outer.max + pad }
 }
 
-/// The points of a sampled shape, outside.
+/// A sampled shape, seen from outside the instance.
 #[derive(Debug)]
 struct SampledInstance {
     shape: std::boxed::Box<dyn SampledSurface>,
@@ -265,8 +267,8 @@ struct SampledInstance {
 }
 
 impl SampledInstance {
-    /// The inner solid angle that is seen as one steradian outside, around the direction of an inner
-    /// point: `|M v|³/|det M|` for the unit vector `v` towards it.
+    /// The solid angle inside that is one steradian outside, around the direction `v` of an inner point:
+    /// `|M v|³/|det M|` for unit `v`.
     fn solid_angle_ratio(&self, inner_from: Point, inner_point: Point) -> f64 {
         let way = inner_point - inner_from;
         let stretch = self.transform.vector(way).length() / way.length();

@@ -1,5 +1,8 @@
-//! The lattice: copies of one shape in rows, columns and layers, as in the grids of instances of
-//! Suffern, ch. 22 and 23.
+//! The lattice: copies of one shape in rows, columns and layers, as in the grids of instances of Suffern,
+//! ch. 22 and 23.
+//!
+//! Copy (i, j, k) is moved by `v = (i s_x, j s_y, k s_z)`. A ray meets it where the ray from `o − v` with
+//! the same direction meets the shape, so copies need no matrices.
 
 use std::sync::Arc;
 
@@ -37,7 +40,7 @@ struct Places {
 }
 
 #[derive(Debug)]
-struct Built {
+struct LatticeShape {
     shape: Arc<dyn Shape>,
     leaves: u64,
     places: Places,
@@ -70,7 +73,7 @@ impl Specification for Lattice {
         let inner = shape.bounds();
         let copies = 0..copies as u32;
         let bounds: Vec<Aabb> = copies.map(|copy| places.bounds(copy, &inner)).collect();
-        Ok(Arc::new(Built {
+        Ok(Arc::new(LatticeShape {
             accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
             bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
             shape,
@@ -140,7 +143,7 @@ impl Places {
 
 /// The copies as one ray sees them.
 struct Seen<'a> {
-    lattice: &'a Built,
+    lattice: &'a LatticeShape,
     ray: &'a Ray,
 }
 
@@ -155,7 +158,7 @@ impl Primitives for Seen<'_> {
     }
 }
 
-impl Built {
+impl LatticeShape {
     /// The number of the copy that is hit, and the hit as the copied shape sees it.
     fn within(&self, at: &Candidate) -> (u32, Candidate) {
         let (copy, leaf) = (at.leaf / self.leaves, at.leaf % self.leaves);
@@ -163,7 +166,7 @@ impl Built {
     }
 }
 
-impl Shape for Built {
+impl Shape for LatticeShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let (copy, at) = self.accel.nearest(&Seen { lattice: self, ray }, ray, span)?;
         Some(Candidate { leaf: u64::from(copy) * self.leaves + at.leaf, ..at })

@@ -1,11 +1,11 @@
-//! Which of the shapes nested in one another a ray hit, from the outside in.
+//! The path through nested shapes to the one that a ray hit, from the outermost to the innermost.
 
 use std::fmt;
 
 use serde::Serialize;
 
-/// The way from a shape in to what was hit, from the outside in: an instance of a compound of
-/// meshes has three levels. A shape that holds no others and has no numbered parts has none.
+/// The path from a shape to its innermost part that was hit: an instance of a compound of meshes has
+/// three levels. A shape that holds no others and has no numbered parts has none.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct PartPath {
@@ -21,7 +21,7 @@ pub enum Level {
     Instance {},
     /// A part of a compound, or of a solid that is made of parts, such as a beveled box.
     Part {
-        /// Its place among the parts; of a compound, that in the scene file.
+        /// Its index among the parts; of a compound, that in the scene file.
         index: u32,
         /// Its name; empty if it has none.
         #[serde(skip_serializing_if = "String::is_empty")]
@@ -29,7 +29,7 @@ pub enum Level {
     },
     /// A copy in a lattice: how many times `spacing` it is moved along each axis.
     Copy([u32; 3]),
-    /// One of random spheres, by its place in [`RandomSpheres::spheres`](crate::shapes::RandomSpheres).
+    /// One of random spheres, by its index in [`RandomSpheres::spheres`](crate::shapes::RandomSpheres).
     Sphere(u32),
     /// A triangle of a mesh. Of a mesh file, the triangles are those of its faces in the order of the
     /// file, a polygon of n corners being cut into n − 2; triangles of area zero are counted,
@@ -64,7 +64,7 @@ impl PartPath {
         &self.levels
     }
 
-    /// Whether there is nothing to tell: the shape holds no others and has no numbered parts.
+    /// Whether the path has no levels.
     pub fn is_empty(&self) -> bool {
         self.levels.is_empty()
     }

@@ -1,4 +1,7 @@
-//! Random spheres (Suffern, ch. 22): the scene on which acceleration is measured.
+//! Random spheres (Suffern, ch. 22), the scene on which acceleration is measured: the points with
+//! `|p − c_i|² = r²` for random centres `c_i`.
+//!
+//! A ray hits the nearest of them, found by an acceleration structure.
 
 use std::sync::Arc;
 
@@ -17,7 +20,8 @@ use crate::shapes::{Candidate, Context, Level, PartPath, Shape, Sphere, Surface}
 pub struct RandomSpheres {
     /// How many spheres there are; at least 1.
     pub count: u32,
-    /// The radius of each sphere; positive. The book's is `(0.75 · volume / (π · count))^(1/3)` with a volume of 0.1.
+    /// The radius of each sphere; positive. The book's is `(0.75 · volume / (π · count))^(1/3)` with a
+    /// volume of 0.1.
     pub radius: f64,
     /// Half the side of the cube of centres; positive.
     #[serde(default = "kinds::one")]
@@ -31,7 +35,7 @@ pub struct RandomSpheres {
 }
 
 #[derive(Debug)]
-struct Built {
+struct RandomSpheresShape {
     spheres: Vec<Sphere>,
     accel: Accel,
     bounds: Aabb,
@@ -50,7 +54,7 @@ impl Specification for RandomSpheres {
         context.take_parts(self.count.into()).map_err(|e| e.inside("count"))?;
         let spheres = self.spheres();
         let bounds: Vec<Aabb> = spheres.iter().map(Sphere::bounds).collect();
-        Ok(Arc::new(Built {
+        Ok(Arc::new(RandomSpheresShape {
             accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
             bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
             spheres,
@@ -94,7 +98,7 @@ impl Primitives for Seen<'_> {
     }
 }
 
-impl Shape for Built {
+impl Shape for RandomSpheresShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let seen = Seen { spheres: &self.spheres, ray };
         self.accel.nearest(&seen, ray, span).map(|(_, at)| at)

@@ -6,8 +6,8 @@ use crate::math::{Vector, cos_degrees, sin_degrees};
 /// The directions of a plane from one angle up to another, both included: azimuths φ about the y
 /// axis (as the book measures them, `x = ρ sin φ` and `z = ρ cos φ`), or angles θ around a tube.
 ///
-/// No angle is taken of a point: sides are told by cross products with the two ends, which are
-/// exact at multiples of 90°, so that ranges with a common end leave no gap.
+/// A point is tested by cross products with the two ends, not by its angle. They are exact at multiples of
+/// 90°, and ranges with a common end leave no gap.
 #[derive(Clone, Copy, Debug)]
 pub struct Angles {
     /// `[cos, sin]` of the first end and of the last.
@@ -17,9 +17,9 @@ pub struct Angles {
 
 #[derive(Clone, Copy, Debug)]
 enum Width {
-    /// Up to 180°: what is past the start and before the end.
+    /// Up to 180°: a direction in it is past the start and before the end.
     Narrow,
-    /// More: what is past the start or before the end.
+    /// More than 180°: a direction in it is past the start or before the end.
     Wide,
     All,
 }
@@ -29,7 +29,7 @@ pub fn full_turn() -> [f64; 2] {
     [0.0, 360.0]
 }
 
-/// `a × b`: positive if `b` is less than 180° on from `a`. Exactly opposite for `b × a`.
+/// `a × b`: positive if `b` is up to 180° on from `a`. `b × a` is exactly the opposite.
 fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - b[0] * a[1]
 }
@@ -81,8 +81,8 @@ impl Angles {
         [[end(0, -1.0), end(1, -1.0)], [end(0, 1.0), end(1, 1.0)]]
     }
 
-    /// The corners of the smallest box of height 0 around the points of a range of azimuths at
-    /// distances from `near` to `far` from the axis.
+    /// The corners of the smallest box of height 0 around the points of these azimuths at distances from
+    /// `near` to `far` from the axis.
     pub fn bounds(&self, near: f64, far: f64) -> [Vector; 2] {
         let [[z0, x0], [z1, x1]] = self.extremes();
         // a coordinate is farthest out where its cosine or sine and the distance are

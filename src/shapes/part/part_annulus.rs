@@ -1,4 +1,8 @@
-//! The part annulus (Suffern, ch. 19).
+//! The part annulus (Suffern, ch. 19): the points of a level [`Annulus`](super::Annulus) with azimuth φ
+//! between two angles, where `x = ρ sin φ` and `z = ρ cos φ`.
+//!
+//! A hit of the plane is tested for its distance from the centre and for φ. [`Angles`] tests φ by cross
+//! products with both ends; the book computes φ itself and cannot cross φ = 0.
 
 use std::sync::Arc;
 
@@ -36,7 +40,7 @@ fn upward() -> Vector {
 }
 
 #[derive(Debug)]
-struct Built {
+struct PartAnnulusShape {
     center: Point,
     normal: Normal,
     radii: [f64; 2],
@@ -48,7 +52,7 @@ impl Specification for PartAnnulus {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(PartAnnulusShape {
             center: finite_point("center", self.center)?,
             normal: vertical(self.normal)?,
             radii: radii(self.inner_radius, self.outer_radius)?,
@@ -93,7 +97,7 @@ fn vertical(normal: Vector) -> Result<Normal, Invalid> {
     Ok(if y > 0.0 { Normal::Y } else { -Normal::Y })
 }
 
-impl Shape for Built {
+impl Shape for PartAnnulusShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, self.center, self.normal);
         if !span.contains(t) {

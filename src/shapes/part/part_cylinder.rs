@@ -1,4 +1,8 @@
-//! The part cylinder, convex and concave (Suffern, ch. 19).
+//! The part cylinder, convex and concave (Suffern, ch. 19): the points of an [`OpenCylinder`] with azimuth φ
+//! between two angles, where `x = r sin φ` and `z = r cos φ`.
+//!
+//! Both roots of the cylinder are tested in turn for `y0 ≤ y ≤ y1` and for φ. [`Angles`] tests φ by cross
+//! products with both ends; the book computes φ itself and cannot cross φ = 0.
 
 use std::sync::Arc;
 
@@ -31,7 +35,7 @@ pub struct PartCylinder {
 }
 
 #[derive(Debug)]
-struct Built {
+struct PartCylinderShape {
     whole: OpenCylinder,
     phi: Angles,
 }
@@ -43,7 +47,7 @@ impl Specification for PartCylinder {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, radius, phi, inward } = *self;
         let whole = OpenCylinder { y0, y1, radius, inward }.checked()?;
-        Ok(Arc::new(Built { whole, phi: Angles::new("phi", phi)? }))
+        Ok(Arc::new(PartCylinderShape { whole, phi: Angles::new("phi", phi)? }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -59,7 +63,7 @@ impl Specification for PartCylinder {
     }
 }
 
-impl Built {
+impl PartCylinderShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
         |t| {
             let in_range = self.phi.has_azimuth_of(ray.at(t).to_vector());
@@ -68,7 +72,7 @@ impl Built {
     }
 }
 
-impl Shape for Built {
+impl Shape for PartCylinderShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         first_of(self.whole.distances(ray)?, span, self.has(ray))
     }

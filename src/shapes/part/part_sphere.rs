@@ -1,4 +1,10 @@
-//! The part sphere, convex and concave (Suffern, ch. 19).
+//! The part sphere, convex and concave (Suffern, ch. 19): the points of a [`Sphere`] with azimuth φ and
+//! polar angle θ between two angles each, where `x = r sin θ sin φ`, `y = r cos θ` and
+//! `z = r sin θ cos φ`.
+//!
+//! Both roots of the sphere are tested in turn. [`Angles`] tests φ by cross products with both ends; the
+//! book computes φ itself and cannot cross φ = 0. The book tests `r cos θ_max ≤ y ≤ r cos θ_min`; here θ
+//! is tested by `sin(θ − θ_min) ≥ 0` and `sin(θ_max − θ) ≥ 0`, as near the poles y hardly changes with θ.
 
 use std::sync::Arc;
 
@@ -37,10 +43,10 @@ fn pole_to_pole() -> [f64; 2] {
 }
 
 #[derive(Debug)]
-struct Built {
+struct PartSphereShape {
     whole: Sphere,
     phi: Angles,
-    /// `(sin θ, cos θ)` of the upper and the lower end.
+    /// `(sin θ, cos θ)` of `θ_min` and `θ_max`.
     theta: [[f64; 2]; 2],
 }
 
@@ -59,7 +65,11 @@ impl Specification for PartSphere {
                 format!("found {theta:?}, but two ascending angles from 0 to 180 are needed");
             return Err(Invalid::field("theta", problem));
         }
-        Ok(Arc::new(Built { whole, phi, theta: theta.map(|a| [sin_degrees(a), cos_degrees(a)]) }))
+        Ok(Arc::new(PartSphereShape {
+            whole,
+            phi,
+            theta: theta.map(|a| [sin_degrees(a), cos_degrees(a)]),
+        }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -86,23 +96,21 @@ impl Specification for PartSphere {
     }
 }
 
-impl Built {
+impl PartSphereShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
         |t| self.contains(ray.at(t) - self.whole.center)
     }
 
-    /// The polar angle, too, is told by cross products, in the half-plane of ρ and y: a test of the
-    /// height alone would round it near the poles, where the height hardly changes.
     fn contains(&self, v: Vector) -> bool {
         let (y, rho) = (v.y(), v.across_y().length());
         let [[s0, c0], [s1, c1]] = self.theta;
-        let below_start = rho * c0 - y * s0 >= 0.0; // sin(θ − θ₀)
-        let above_end = y * s1 - rho * c1 >= 0.0; // sin(θ₁ − θ)
+        let below_start = rho * c0 - y * s0 >= 0.0; // r sin(θ − θ_min)
+        let above_end = y * s1 - rho * c1 >= 0.0; // r sin(θ_max − θ)
         below_start && above_end && self.phi.has_azimuth_of(v)
     }
 }
 
-impl Shape for Built {
+impl Shape for PartSphereShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         first_of(self.whole.distances(ray)?, span, self.has(ray))
     }

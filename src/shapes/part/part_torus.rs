@@ -1,5 +1,8 @@
-//! The part torus (Suffern, ch. 19): a torus of which a range of azimuth and a range around the tube
-//! are left.
+//! The part torus (Suffern, ch. 19): the points of a [`Torus`] with azimuth φ and angle around the tube θ
+//! between two angles each, where `ρ = a + b cos θ`, `x = ρ sin φ`, `y = b sin θ` and `z = ρ cos φ`.
+//!
+//! All hits of the torus are tested in turn. [`Angles`] tests φ and θ by cross products with both ends;
+//! the book computes the angles themselves and cannot cross φ = 0.
 
 use std::sync::Arc;
 
@@ -37,11 +40,11 @@ pub struct PartTorus {
 }
 
 #[derive(Debug)]
-struct Built {
+struct PartTorusShape {
     torus: Torus,
     phi: Angles,
     theta: Angles,
-    /// Its bounds, grown by more than rounding can move a hit.
+    /// Its bounds, padded by more than the rounding of a hit.
     padded: Aabb,
 }
 
@@ -55,7 +58,7 @@ impl Specification for PartTorus {
         torus.check()?;
         let (phi, theta) = (Angles::new("phi", self.phi)?, Angles::new("theta", self.theta)?);
         let padded = bounds(&torus, &phi, &theta).padded();
-        Ok(Arc::new(Built { torus, phi, theta, padded }))
+        Ok(Arc::new(PartTorusShape { torus, phi, theta, padded }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -82,9 +85,7 @@ impl Specification for PartTorus {
     }
 }
 
-impl Built {
-    /// Every hit of the whole torus is asked for its angles: when the near one is in no range, a
-    /// far one may be.
+impl PartTorusShape {
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
         self.torus.hits(ray, span, &self.padded, |p: Vector| {
             self.phi.has_azimuth_of(p)
@@ -93,7 +94,7 @@ impl Built {
     }
 }
 
-impl Shape for Built {
+impl Shape for PartTorusShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         self.hits(ray, span).next()
     }
@@ -111,7 +112,7 @@ impl Shape for Built {
     }
 }
 
-/// Around the ring that the part of the tube sweeps, cut to the azimuths.
+/// A box around the part.
 fn bounds(torus: &Torus, phi: &Angles, theta: &Angles) -> Aabb {
     let (a, b) = (torus.swept_radius, torus.tube_radius);
     let tube = theta.extremes().map(|[cos, sin]| [a + b * cos, b * sin]);

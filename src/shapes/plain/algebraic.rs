@@ -1,10 +1,10 @@
-//! The algebraic surface (implicit surfaces: Suffern, ch. 19): where a polynomial of the user's own in
-//! x, y, z is zero, inside a box.
+//! The algebraic surface (implicit surfaces: Suffern, ch. 19): the points of a box with `f(x, y, z) = 0`,
+//! where `f = Σ c xⁱ yʲ zᵏ` is a polynomial of the user's own.
 //!
-//! Along the ray the polynomial is one in `s`, where `s` runs from −1 to 1 over the chord of the
-//! box: near the middle of the chord, not at the ray's origin, its coefficients keep their digits.
-//! They only say *where to look*: between the roots of its derivative it is monotone. The signs
-//! there, and the roots between, are those of the polynomial in x, y, z itself.
+//! In the box the ray is `m + s h` with s from −1 to 1, and `f` is a polynomial in s, `F(s) = Σ c_k s^k`.
+//! It is formed about the middle of the chord, not about the ray's origin, so that its coefficients keep
+//! their digits. Still it only says where to search: between the roots of `F′` it is monotone. The signs
+//! there, and the hits between, are those of `f` itself.
 
 use std::sync::Arc;
 
@@ -47,19 +47,18 @@ pub struct Algebraic {
 /// `x⁰, x¹, … x¹⁶` for each coordinate.
 type Powers = [[f64; MAX_DEGREE + 1]; 3];
 
-/// At a point: the sum of the terms, its gradient, and the sum of the terms' magnitudes.
+/// `f` at a point, its gradient, and the sum of the terms' magnitudes.
 struct Values {
     value: f64,
     gradient: Vector,
     magnitude: f64,
 }
 
-/// The part of a ray inside the box, from `s = −1` to `s = 1`.
+/// The part of a ray inside the box, `m + s h` with s from −1 to 1.
 struct Chord {
-    /// Its middle, and from there to its end.
     m: Vector,
     h: Vector,
-    /// The same as parameters of the ray.
+    /// `t = middle + s half`.
     middle: f64,
     half: f64,
 }
@@ -83,7 +82,7 @@ impl Chord {
 }
 
 #[derive(Debug)]
-struct Built {
+struct AlgebraicShape {
     terms: Vec<Term>,
     degree: usize,
     domain: Box,
@@ -112,7 +111,7 @@ impl Specification for Algebraic {
         let domain = Box { min: self.min, max: self.max };
         domain.build(context)?;
         check_size(&terms, degree, domain.bounds())?;
-        Ok(Arc::new(Built { terms, degree, domain }))
+        Ok(Arc::new(AlgebraicShape { terms, degree, domain }))
     }
 
     /// A surface `factor` times as large is zero where the old one was at `p / factor`.
@@ -207,7 +206,7 @@ impl Term {
     }
 }
 
-impl Built {
+impl AlgebraicShape {
     fn powers(&self, p: Vector) -> Powers {
         p.to_array().map(|x| {
             let mut powers = [1.0; MAX_DEGREE + 1];
@@ -240,7 +239,7 @@ impl Built {
         sums
     }
 
-    /// The coefficients of the polynomial in `s` at `m + s·h`: each term a product of linear ones.
+    /// The coefficients of `F`: each term is a product of linear polynomials in s.
     fn along(&self, chord: &Chord) -> [f64; MAX_DEGREE + 1] {
         let mut sum = [0.0; MAX_DEGREE + 1];
         for Term { coefficient, powers } in &self.terms {
@@ -264,15 +263,15 @@ impl Built {
         sum
     }
 
-    /// Around each hit, a place where the polynomial is negative and one where it is positive, or twice
-    /// the place where it is zero; ascending. None of a line that lies in the surface.
+    /// For each hit, an s where `f` is negative and one where it is positive, or twice the s where it is
+    /// zero; ascending. None of a line that lies in the surface.
     fn brackets(&self, chord: &Chord) -> ArrayVec<[f64; 2], MAX_DEGREE> {
         let coefficients = self.along(chord);
         let slopes: [f64; MAX_DEGREE] =
             std::array::from_fn(|i| (i + 1) as f64 * coefficients[i + 1]);
         let stationary = roots_between(&slopes, -1.0, 1.0);
         let mut brackets = ArrayVec::new();
-        // −1, 0 or 1: zero is neither, so that f and −f have the same roots
+        // −1, 0 or 1: with a zero of its own sign, f and −f have the same roots
         let sign = |s: f64| {
             let value = self.values(chord.at(s)).value;
             if value == 0.0 { 0.0 } else { value.signum() }
@@ -281,7 +280,7 @@ impl Built {
         let mut in_surface = left.1 == 0.0;
         for s in stationary.into_iter().chain([1.0]) {
             let here = (s, sign(s));
-            // there are no more than the degree, as stationary points are one less
+            // the capacity suffices: there is at most one hit more than stationary points
             if left.1 == 0.0 && here.1 != 0.0 {
                 let _ = brackets.try_push([left.0; 2]);
             } else if left.1 * here.1 < 0.0 {
@@ -322,13 +321,13 @@ impl Built {
     }
 }
 
-impl Shape for Built {
+impl Shape for AlgebraicShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         self.hits(ray, span).next()
     }
 
-    /// One step of Newton's method along the gradient moves the point onto the surface; not where the
-    /// gradient is nothing but rounding, as where sheets meet.
+    /// One step of Newton's method along the gradient moves the point onto the surface, but not where the
+    /// gradient is mere rounding, as where sheets meet.
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let size = self.domain.min.to_vector().abs().max(self.domain.max.to_vector().abs());
         // half of the digits are all that a root has where the gradient vanishes

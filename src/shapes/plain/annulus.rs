@@ -1,4 +1,7 @@
-//! The annulus (Suffern, ch. 19): a disk with a hole.
+//! The annulus (Suffern, ch. 19), a disk with a hole: the points `p` of the plane through `c` with the
+//! normal `n` for which `r_in² ≤ |p − c|² ≤ r_out²`.
+//!
+//! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book.
 
 use std::sync::Arc;
 
@@ -24,9 +27,8 @@ pub struct Annulus {
     pub outer_radius: f64,
 }
 
-/// An annulus ready for rays.
 #[derive(Debug)]
-struct Built {
+struct AnnulusShape {
     center: Point,
     normal: Normal,
     radii: [f64; 2],
@@ -37,7 +39,7 @@ impl Specification for Annulus {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(AnnulusShape {
             center: finite_point("center", self.center)?,
             normal: direction("normal", self.normal)?,
             radii: radii(self.inner_radius, self.outer_radius)?,
@@ -78,12 +80,12 @@ pub fn radii(inner: f64, outer: f64) -> Result<[f64; 2], Invalid> {
     Ok([inner, outer])
 }
 
-/// Whether a point so far from the centre is between the radii, both included.
+/// Whether `r_in² ≤ |p − c|² ≤ r_out²`.
 pub fn between([inner, outer]: [f64; 2], from_center: Vector) -> bool {
     (inner * inner..=outer * outer).contains(&from_center.length_squared())
 }
 
-impl Shape for Built {
+impl Shape for AnnulusShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, self.center, self.normal);
         let hit = span.contains(t) && between(self.radii, ray.at(t) - self.center);
@@ -95,7 +97,7 @@ impl Shape for Built {
     }
 
     fn bounds(&self) -> Aabb {
-        // along an axis it reaches r sin of the angle between axis and normal
+        // the annulus extends r sin θ along an axis at the angle θ to the normal
         let [x, y, z] = self.normal.to_array();
         let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
         let half = self.radii[1] * Vector::new(sine(y, z), sine(z, x), sine(x, y));

@@ -1,4 +1,16 @@
-//! The open cone (Suffern, ch. 19): a slanted wall without a base.
+//! The open cone (Suffern, ch. 19), a slanted wall without a base: the points with
+//! `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`.
+//!
+//! About the apex `(0, h, 0)` and with y stretched by `r/h` this is `Q(v) = x² + z² − y² = 0`. With `w`
+//! and `d` the ray's origin and direction in these coordinates, a ray meets the double cone where
+//! `a t² + 2 b t + c = 0` with `a = Q(d)`, `b = w_x d_x + w_z d_z − w_y d_y` and `c = Q(w)`: the book's
+//! quadratic, divided by `(h/r)²`, its `B` halved. Three things differ from the book:
+//!
+//! - The discriminant `b² − a c` is taken as `Q(w × d)`, which does not cancel.
+//! - A ray nearly along the wall has small `a`, `b` and `c` beside their terms. There `w` is replaced by
+//!   the point of the ray nearest to the apex, and `t` is counted from it.
+//! - A hit on the other half of the double cone, above the apex, is recognised by the signs of the
+//!   coefficients, not by its rounded height.
 
 use std::sync::Arc;
 
@@ -24,11 +36,11 @@ pub struct Cone {
     pub inward: bool,
 }
 
-/// A ray is along the wall if `|Q(d)|` is less than this part of the direction's square.
+/// A ray is nearly along the wall if `|Q(d)|` is less than this part of `|d|²`.
 const ALONG_WALL: f64 = 1.0 / 16.0;
 
 #[derive(Debug)]
-struct Built {
+struct ConeShape {
     data: Cone,
     /// `r/h`.
     slope: f64,
@@ -42,7 +54,7 @@ impl Specification for Cone {
         length("height", self.height)?;
         length("radius", self.radius)?;
         let slope = self.radius / self.height;
-        Ok(Arc::new(Built { data: self.clone(), slope }))
+        Ok(Arc::new(ConeShape { data: self.clone(), slope }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -57,15 +69,9 @@ impl Specification for Cone {
     }
 }
 
-impl Built {
-    /// Where the line meets the half of the double cone below the apex, ascending; NaN for none.
-    ///
-    /// With y stretched by `r/h` the double cone is `Q(v) = x² + z² − y² = 0` about its apex. The
-    /// quadratic is formed at a point `l` of the ray, and its discriminant `(d·l)² − Q(d) Q(l)` is
-    /// `Q(l × d)`, which does not cancel. That point is the origin, but for a ray nearly along the
-    /// wall the one nearest to the apex: elsewhere along it all three coefficients are small beside
-    /// their terms. (An origin far away on the double cone, where Q alone is, is no such case: from
-    /// there only rays along the wall meet it near the apex.)
+impl ConeShape {
+    /// Where the line meets the half of the double cone below the apex, ascending; NaN for none. `l` is
+    /// `w`, or the point nearest to the apex that replaces it.
     #[inline(always)] // a call would hand the roots over in memory, which stalls
     fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let stretched = |v: Vector| Vector::new(v.x(), self.slope * v.y(), v.z());
@@ -81,7 +87,7 @@ impl Built {
             let shift = -w.dot(d) / (d_across + d_along);
             let l = w + shift * d;
             let (across, along) = squares(l);
-            // not Q(w), though it differs along d only: all three coefficients must be of one line,
+            // not Q(w) of the unrounded line: all three coefficients must be of the same rounded line,
             // or a ray that leaves along the wall meets it again
             (shift, l, across - along)
         };
@@ -91,14 +97,14 @@ impl Built {
             return None;
         }
         let b = (l.x() * d.x() + l.z() * d.z()) - l.y() * d.y();
-        // as in `math::quadratic`: its roots are q/a and c/q, but here not both are needed
+        // as in `math::quadratic` the roots are q/a and c/q, but here one may suffice
         let q = -(b + discriminant.sqrt().copysign(b + 0.0)); // the same for both zeros
         if q == 0.0 {
             // through the apex: once, also where the whole line lies in the wall
             return (c == 0.0).then_some([shift, f64::NAN]);
         }
         if a < 0.0 {
-            // steep: one root on each half, the later one below if the ray goes down
+            // a steep ray has a root on each half; going down, the later one is below the apex
             let is_first = (d.y() < 0.0) == (q < 0.0);
             return Some([shift + if is_first { q / a } else { c / q }, f64::NAN]);
         }
@@ -112,8 +118,7 @@ impl Built {
         Some(if first < second { [first, second] } else { [second, first] })
     }
 
-    /// By the height, which says little of a flat cone, or by the radius, which says little of a
-    /// steep one.
+    /// `y ≥ 0`, or, for a flat cone, where y is rounded more than ρ, the same as `ρ ≤ r`.
     fn is_above_base(&self, ray: &Ray, t: f64) -> bool {
         let (o, d) = (ray.origin, ray.direction);
         if self.data.height >= self.data.radius {
@@ -124,7 +129,7 @@ impl Built {
     }
 }
 
-impl Shape for Built {
+impl Shape for ConeShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         first_of(self.distances(ray)?, span, |t| self.is_above_base(ray, t))
     }
@@ -133,9 +138,9 @@ impl Shape for Built {
         let Cone { height: h, radius: r, inward } = self.data;
         let raw = ray.at(at.t);
         let rho = raw.to_vector().across_y().length();
-        // on the cone h − y = (h/r) ρ, and ((h/r)² x, h − y, (h/r)² z) is along this
+        // the gradient ((h/r)² x, h − y, (h/r)² z), with h − y = (h/r) ρ, times r²/h
         let normal = normal_along(Vector::new(h * raw.x(), r * rho, h * raw.z()), ray);
-        // in the plane of axis and point the wall is a line through the apex
+        // the distance from the wall, which in the plane of axis and point is a line through the apex
         let slant = Vector::new(h, r, 0.0).length();
         let off = (rho * h + (raw.y() - h) * r) / slant;
         let point = raw - off * normal;

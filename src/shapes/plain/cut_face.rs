@@ -1,4 +1,7 @@
-//! The cut face (Suffern, ch. 19): a square with a round hole.
+//! The cut face (Suffern, ch. 19), a square with a round hole: the points of the plane y = 0 with
+//! `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`.
+//!
+//! A ray meets the plane at `t = −o_y/d_y`, and then the point is tested, as in the book.
 
 use std::sync::Arc;
 
@@ -17,8 +20,8 @@ use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 pub struct CutFace {
     /// The side of the square; positive.
     pub size: f64,
-    /// The radius of the hole: positive, and less than from the middle to a corner. Where it is more than half
-    /// of `size`, four corners are left.
+    /// The radius of the hole: positive, and less than from the middle to a corner. Where it is more than
+    /// half of `size`, four corners are left.
     pub radius: f64,
 }
 

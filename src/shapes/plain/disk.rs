@@ -1,4 +1,7 @@
-//! The disk (Suffern, ch. 19).
+//! The disk (Suffern, ch. 19): the points `p` of the plane through `c` with the normal `n` for which
+//! `|p − c|² ≤ r²`.
+//!
+//! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -25,7 +28,7 @@ pub struct Disk {
 }
 
 #[derive(Clone, Debug)]
-struct Built {
+struct DiskShape {
     center: Point,
     normal: Normal,
     radius: f64,
@@ -36,7 +39,7 @@ impl Specification for Disk {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        Ok(Arc::new(Built {
+        Ok(Arc::new(DiskShape {
             center: finite_point("center", self.center)?,
             normal: direction("normal", self.normal)?,
             radius: length("radius", self.radius)?,
@@ -59,7 +62,7 @@ impl Specification for Disk {
     }
 }
 
-impl Shape for Built {
+impl Shape for DiskShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, self.center, self.normal);
         if !span.contains(t) {
@@ -78,7 +81,7 @@ impl Shape for Built {
     }
 
     fn bounds(&self) -> Aabb {
-        // along an axis the disk reaches r sin of the angle between axis and normal
+        // the disk extends r sin θ along an axis at the angle θ to the normal
         let [x, y, z] = self.normal.to_array();
         let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
         let half = self.radius * Vector::new(sine(y, z), sine(z, x), sine(x, y));
@@ -86,7 +89,7 @@ impl Shape for Built {
     }
 }
 
-impl EvenSurface for Built {
+impl EvenSurface for DiskShape {
     fn area(&self) -> f64 {
         PI * self.radius * self.radius
     }

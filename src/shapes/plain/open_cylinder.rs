@@ -1,4 +1,11 @@
-//! The open cylinder (Suffern, ch. 19): a wall without end caps.
+//! The open cylinder (Suffern, ch. 19), a wall without ends: the points with `x² + z² = r²` and
+//! `y0 ≤ y ≤ y1`.
+//!
+//! A ray meets it where `a t² + 2 b t + c = 0` with `a = d_x² + d_z²`, `b = o_x d_x + o_z d_z` and
+//! `c = o_x² + o_z² − r²` (the book's `b` is twice as large). Both roots are tested in turn: if the near
+//! one is beyond an end, the far one may not be. The discriminant `b² − a c` is taken as
+//! `a r² − (o_x d_z − o_z d_x)²`, which keeps its digits for far origins and thin cylinders
+//! ([`circle_roots`]).
 
 use std::sync::Arc;
 
@@ -63,7 +70,7 @@ impl OpenCylinder {
         circle_roots([ox, oz], [dx, dz], self.radius)
     }
 
-    /// Whether the ray is between the ends.
+    /// Whether `y0 ≤ y ≤ y1` at `t`.
     pub(in crate::shapes) fn is_between_ends(&self, ray: &Ray, t: f64) -> bool {
         let y = ray.origin.y() + t * ray.direction.y();
         self.y0 <= y && y <= self.y1

@@ -1,5 +1,10 @@
-//! The paraboloid of revolution, open above: a bowl, or a burning mirror (a quadric as in Suffern,
-//! ch. 19).
+//! The paraboloid of revolution, open above (a quadric as in Suffern, ch. 19): the points with
+//! `x² + z² = w y` and `y ≤ h`, where `w = r²/h`.
+//!
+//! With `k = w/2` a ray meets it where `a t² + 2 b t + c = 0` with `a = d_x² + d_z²`, `b = e − k d_y`,
+//! `e = o_x d_x + o_z d_z` and `c = o_x² + o_z² − w o_y`. The discriminant `b² − a c` is taken as
+//! `k (d_y (k d_y − 2 e) + 2 a o_y) − (o_z d_x − o_x d_z)²`: the parts of `e²` and `a (o_x² + o_z²)` that
+//! cancel are left out.
 
 use std::sync::Arc;
 
@@ -33,7 +38,7 @@ impl Specification for Paraboloid {
         length("height", self.height)?;
         length("radius", self.radius)?;
         let Self { height: h, radius: r, .. } = *self;
-        Ok(Arc::new(Built { data: self.clone(), width: r * r / h }))
+        Ok(Arc::new(ParaboloidShape { data: self.clone(), w: r * r / h }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -49,31 +54,28 @@ impl Specification for Paraboloid {
 }
 
 #[derive(Debug)]
-struct Built {
+struct ParaboloidShape {
     data: Paraboloid,
-    /// Four times the distance from the lowest point to the focus, `r²/h`: the paraboloid is
-    /// `x² + z² = width · y`.
-    width: f64,
+    /// `w = r²/h`.
+    w: f64,
 }
 
-impl Built {
-    /// With `v` and `e` across the axis and `k = width/2` it is `e² t² + 2 (v·e − k d_y) t + v² −
-    /// 2 k o_y = 0`.
+impl ParaboloidShape {
+    /// Where the line meets the endless paraboloid, ascending.
     #[inline(always)] // as the roots it calls
     fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin.to_array(), ray.direction.to_array());
-        let k = 0.5 * self.width;
+        let k = 0.5 * self.w;
         let a = dx * dx + dz * dz;
-        let along = ox * dx + oz * dz;
-        let c = (ox * ox + oz * oz) - self.width * oy;
-        // b² − a c without the parts of (v·e)² − v² e² that cancel
+        let e = ox * dx + oz * dz;
+        let b = e - k * dy;
+        let c = (ox * ox + oz * oz) - self.w * oy;
         let across = oz * dx - ox * dz;
-        let rise = dy * (k * dy - 2.0 * along) + 2.0 * (a * oy);
-        quadratic(a, along - k * dy, c, k * rise - across * across)
+        let discriminant = k * (dy * (k * dy - 2.0 * e) + 2.0 * (a * oy)) - across * across;
+        quadratic(a, b, c, discriminant)
     }
 
-    /// By the height, which says little of a flat one, or by the radius, which says little of a
-    /// steep one.
+    /// `y ≤ h`, or, for a flat paraboloid, where y is rounded more than ρ, the same as `ρ ≤ r`.
     fn is_below_rim(&self, ray: &Ray, t: f64) -> bool {
         let (o, d) = (ray.origin, ray.direction);
         if self.data.height >= self.data.radius {
@@ -84,7 +86,7 @@ impl Built {
     }
 }
 
-impl Shape for Built {
+impl Shape for ParaboloidShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         first_of(self.distances(ray)?, span, |t| self.is_below_rim(ray, t))
     }
@@ -98,7 +100,7 @@ impl Shape for Built {
         };
         let mut point = ray.at(at.t);
         for _ in 0..2 {
-            let (value, gradient) = f(point); // two of Newton's steps: the origin may be far away
+            let (value, gradient) = f(point); // Newton's method; two steps, as the origin may be far away
             point = point - (value / gradient.length_squared()) * gradient;
         }
         let (_, gradient) = f(point);

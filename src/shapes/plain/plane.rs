@@ -1,4 +1,7 @@
-//! The infinite plane (Suffern, ch. 3).
+//! The infinite plane (Suffern, ch. 3): the points `p` with `(p − a)·n = 0`.
+//!
+//! A ray meets it at `t = (a − o)·n / d·n`, as in the book. For a ray parallel to the plane that is
+//! infinite or NaN, and no span contains it.
 
 use std::sync::Arc;
 
@@ -21,7 +24,7 @@ pub struct Plane {
 }
 
 #[derive(Debug)]
-struct Built {
+struct PlaneShape {
     point: Point,
     normal: Normal,
 }
@@ -32,7 +35,7 @@ impl Specification for Plane {
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let point = finite_point("point", self.point)?;
-        Ok(Arc::new(Built { point, normal: direction("normal", self.normal)? }))
+        Ok(Arc::new(PlaneShape { point, normal: direction("normal", self.normal)? }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -47,7 +50,7 @@ impl Specification for Plane {
     }
 }
 
-impl Shape for Built {
+impl Shape for PlaneShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, self.point, self.normal);
         span.contains(t).then(|| Candidate::at(t))

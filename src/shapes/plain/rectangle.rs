@@ -1,4 +1,7 @@
-//! The rectangle (Suffern, ch. 19).
+//! The rectangle (Suffern, ch. 19): the points `p` of the plane through `p0` with the normal `n ∝ a × b` for
+//! which `0 ≤ (p − p0)·a ≤ a·a` and `0 ≤ (p − p0)·b ≤ b·b`.
+//!
+//! A ray meets the plane at `t = (p0 − o)·n / d·n`, and then the point is tested, as in the book.
 
 use std::sync::Arc;
 
@@ -25,7 +28,7 @@ pub struct Rectangle {
 }
 
 #[derive(Clone, Debug)]
-struct Built {
+struct RectangleShape {
     data: Rectangle,
     normal: Normal,
     /// `|a|²` and `|b|²`.
@@ -59,7 +62,7 @@ impl Specification for Rectangle {
             ));
         }
         let squared = [a.length_squared(), b.length_squared()];
-        Ok(Arc::new(Built { data: self.clone(), normal, squared }))
+        Ok(Arc::new(RectangleShape { data: self.clone(), normal, squared }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -82,7 +85,7 @@ impl Specification for Rectangle {
     }
 }
 
-impl Shape for Built {
+impl Shape for RectangleShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let Rectangle { corner, a, b } = self.data;
         let t = plane_distance(ray, corner, self.normal);
@@ -114,7 +117,7 @@ impl Shape for Built {
     }
 }
 
-impl EvenSurface for Built {
+impl EvenSurface for RectangleShape {
     fn area(&self) -> f64 {
         let [a_squared, b_squared] = self.squared;
         a_squared.sqrt() * b_squared.sqrt()
@@ -128,7 +131,7 @@ impl EvenSurface for Built {
 
 /// A rectangle that is sampled evenly by solid angle; by area where it looks small.
 #[derive(Debug)]
-struct BySolidAngle(Built);
+struct BySolidAngle(RectangleShape);
 
 impl SampledSurface for BySolidAngle {
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {

@@ -1,4 +1,8 @@
-//! The sphere (Suffern, ch. 3).
+//! The sphere (Suffern, ch. 3): the points `p` with `|p − c|² = r²`.
+//!
+//! With `f = o − c` a ray meets it where `d·d t² + 2 f·d t + f·f − r² = 0`. The book takes the
+//! discriminant as `b² − 4ac`; here a quarter of it is `r² d·d − |f × d|²`, which keeps its digits for
+//! far and for small spheres ([`perpendicular_roots`]).
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -60,14 +64,14 @@ impl Sphere {
     /// The surface where its outward normal is this.
     fn surface_along(&self, normal: Normal) -> Surface {
         let point = self.center + self.radius * normal;
-        // the sum above, and the next ray's difference from the centre and its |f| − r
+        // roundings of the sum above, and of the next ray's f and f·f − r²
         let magnitude = point.to_vector().abs() + self.center.to_vector().abs();
         let error = 4.0 * UNIT_ROUNDOFF * magnitude.dot(Vector::from(normal).abs())
             + 8.0 * UNIT_ROUNDOFF * self.radius;
         Surface::new(point, error, normal).turned(self.inward)
     }
 
-    /// Where the line meets it, ascending.
+    /// Where the line meets the sphere, ascending.
     #[inline(always)] // as the roots it calls
     pub(in crate::shapes) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         perpendicular_roots(ray.origin - self.center, ray.direction, self.radius)
@@ -101,15 +105,14 @@ impl Shape for Sphere {
 }
 
 impl Sphere {
-    /// Whether the sphere itself hides this point of it from `from`. The silhouette is not hidden, and
-    /// from inside nothing is.
+    /// Whether the sphere itself hides this point of it from `from`: not if it is on the silhouette, and not
+    /// if `from` is inside.
     fn hides(&self, from: Point, at: &Surface) -> bool {
         let (way, out) = (from - at.point, at.point - self.center);
         way.dot(out) < -64.0 * UNIT_ROUNDOFF * way.length() * self.radius && self.is_outside(from)
     }
 
-    /// Whether a point is outside by more than rounding. A point of the sphere is not: its inner side
-    /// sees all of the sphere, and its outer side nothing, whichever way it is sampled.
+    /// Whether a point is outside by more than rounding, so that a point of the sphere is not.
     fn is_outside(&self, from: Point) -> bool {
         let magnitude = from.to_vector().max_abs() + self.center.to_vector().max_abs();
         from.distance(self.center) > self.radius + 64.0 * UNIT_ROUNDOFF * magnitude
@@ -132,34 +135,35 @@ impl EvenSurface for Sphere {
     }
 }
 
-/// A sphere whose visible part is sampled evenly by solid angle, the cone in which it is seen from
-/// outside; from inside, where all of it is seen, by area.
+/// A sphere sampled evenly by solid angle: from outside in the cone of directions that meet it; from
+/// inside, where all of it is visible, by area.
 #[derive(Debug)]
 struct BySolidAngle(Sphere);
 
 impl BySolidAngle {
-    /// From outside: the way to the centre, and `1 − cosθ` of the half-angle θ of the cone.
+    /// The axis of the cone, from `from` to the centre, and `1 − cosθ_max` of its half-angle; `None` inside.
     fn cone(&self, from: Point) -> Option<(Vector, f64)> {
-        let way = self.0.center - from;
-        let sine = self.0.radius / way.length();
+        let axis = self.0.center - from;
+        let sine = self.0.radius / axis.length();
         // 1 − cosθ = sin²θ/(1 + cosθ), without cancellation for a far sphere
         self.0.is_outside(from).then(|| {
             let cosine = ((1.0 - sine) * (1.0 + sine)).sqrt();
-            (way, sine * sine / (1.0 + cosine))
+            (axis, sine * sine / (1.0 + cosine))
         })
     }
 }
 
-/// A point of the unit disk nearer to its rim than this is moved inwards by as much: on the silhouette
-/// itself, rounding would put it now before and now behind the sphere.
+/// Points of the unit disk nearer to its rim are moved inward: on the silhouette itself rounding would put
+/// them in front of the sphere or behind it.
 const RIM: f64 = 1.0 - 1e-12;
 
 impl SampledSurface for BySolidAngle {
-    /// The disk map keeps areas, and so does the map of disk to cap `1 − cosθ = ρ² (1 − cosθ_max)`.
-    /// The normal follows from the angle α at the centre: `sin(α + θ) = (d/r) sinθ`, and
-    /// `α = (α + θ) − θ`; no difference of long distances is formed.
+    /// The map from the square to the disk keeps ratios of areas, and so does
+    /// `1 − cosθ = ρ² (1 − cosθ_max)` from the disk to the cone. With d the distance of the centre, the
+    /// angle α at the centre between `from` and the point has `sin(α + θ) = (d/r) sinθ`; from it follows
+    /// the normal, without a difference of long distances.
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
-        let Some((way, opening)) = self.cone(from) else {
+        let Some((axis, opening)) = self.cone(from) else {
             return self.0.sample_by_area(from, u);
         };
         let [mut x, mut y] = maps::disk(u);
@@ -168,14 +172,14 @@ impl SampledSurface for BySolidAngle {
         }
         let rho_squared = x * x + y * y;
         let cos_theta = 1.0 - rho_squared * opening;
-        // of α + θ, its sine over ρ; the sine of θ over ρ
+        // sin(α + θ)/ρ, cos(α + θ) and sin(θ)/ρ
         let sine = ((1.0 + cos_theta) / (2.0 - opening)).sqrt();
         let cosine = (1.0 - rho_squared) * (2.0 - opening * (1.0 + rho_squared));
         let cosine = (cosine / (2.0 - opening)).sqrt();
         let sin_theta = (opening * (1.0 + cos_theta)).sqrt();
         let cos_alpha = cosine * cos_theta + rho_squared * sine * sin_theta;
         let sin_alpha = sine * cos_theta - cosine * sin_theta;
-        let frame = Frame::around(Normal::new(way)?);
+        let frame = Frame::around(Normal::new(axis)?);
         let normal = frame.to_world(Vector::new(sin_alpha * x, sin_alpha * y, -cos_alpha));
         let at = self.0.surface_along(Normal::new(normal)?);
         Some((at, 1.0 / (2.0 * PI * opening)))

@@ -1,8 +1,8 @@
-//! A rectangle as it looks from a point: directions drawn evenly inside it.
+//! The solid angle of a rectangle as seen from a point, and directions drawn evenly in it.
 //!
 //! Source: Ureña, Fajardo & King, "An Area-Preserving Parametrization for Spherical Rectangles", EGSR
-//! 2013. Their four angles between the planes through the edges are worked out by `atan2` of products,
-//! which keeps its digits where `acos` of normalised normals does not.
+//! 2013. The paper takes the four angles between the planes through the edges by `acos` of unit normals;
+//! here they are `atan2` of products, which keeps its digits.
 
 use std::f64::consts::PI;
 
@@ -23,11 +23,11 @@ pub(in crate::shapes) struct SphericalRectangle {
     start: f64,
 }
 
-/// The solid angle is a difference of angles near 2π, wrong by some 1e-15: of a smaller one too few digits
-/// are left. It is one that is seen almost edge-on, and sends hardly any light.
+/// The solid angle is a difference of angles near 2π, with an error of some 1e-15: a smaller one has too few
+/// digits. Such a rectangle is almost edge-on and sends hardly any light.
 const LEAST_SOLID_ANGLE: f64 = 1e-9;
-/// A rectangle of a smaller square of its diagonal over its distance looks flat from so far away: evenly
-/// over the area is as good.
+/// The square of diagonal over distance. Below it all points of the rectangle look almost equally large, and
+/// sampling by area is as good.
 const LEAST_SIZE_SQUARED: f64 = 1e-4;
 
 impl SphericalRectangle {
@@ -66,7 +66,7 @@ impl SphericalRectangle {
         let (b0, b1) = (-plane(y0), plane(y1));
         let angle = self.start + u * self.solid_angle;
         let f = (cos(angle) * b0 - b1) / sin(angle);
-        // from a point on the rectangle itself f may be 0/0, which stands for infinity
+        // from a point on the rectangle itself f may be 0/0; its limit is infinite
         let c = if f.is_nan() { 0.0 } else { 1.0 / (f * f + b0 * b0).sqrt() };
         let c = c.copysign(f).clamp(-1.0, 1.0);
         let x = (-(c * z) / ((1.0 - c) * (1.0 + c)).sqrt()).clamp(x0, x1);

@@ -1,12 +1,22 @@
-//! The torus (Suffern, ch. 19).
+//! The torus (Suffern, ch. 19): the points with `(|p|² − a² − b²)² = 4a² (b² − y²)`, or, which is the
+//! same with `ρ² = x² + z²`, `(|p|² + a² − b²)² = 4a² ρ²`.
 //!
-//! The book forms the quartic `F(t) = 0` and solves it. Its coefficients lose the digits of a thin
-//! tube or a far origin, so here the quartic only says *where to look*. With the ray's parameter `s`
-//! counted from its point nearest to the torus's centre and in lengths, `F'` is a cubic without a
-//! square: `s³ + p s + q`. Between its roots `F` is monotone, and the sign of `F` is that of the
-//! distance from the tube, `√(ρ−a)² + y² − b` with `ρ = √(x²+z²)`, which loses nothing. A change of
-//! sign is a hit; Newton's method on the distance's square finds it (for the idea: Yuksel,
-//! "High-Performance Polynomial Root Finding for Graphics", HPG 2022).
+//! The book solves the quartic in `t` that the ray makes of it. Here the ray is measured in lengths `s`
+//! from its point `m` nearest to the origin. So `d` is unit, `m·d = 0`, `|p|² = s² + m·m`, and the
+//! quartic is
+//!
+//! `F(s) = (s² + k)² − 4a² (e s² + 2 h s + m_x² + m_z²)`
+//!
+//! with `k = m·m + a² − b²`, `e = d_x² + d_z²` and `h = m_x d_x + m_z d_z`. Its coefficients lose the
+//! digits of a thin tube, so it is not solved; it only says where to search. `F′/4 = s³ + p s + q` with
+//! `p = k − 2a² e` and `q = −2a² h` is a cubic without a square, and between its roots `F` is monotone.
+//! In each such interval at whose ends `F` has different signs there is one hit. Signs and hits are those
+//! of the tube function `G = (ρ − a)² + y² − b²`, which keeps its digits: `F = G · ((ρ + a)² + y² − b²)`,
+//! and the second factor is positive for `b < a`. Newton's method on `G`, kept in the interval, finds the
+//! hit.
+//!
+//! The idea of searching between the roots of a derivative: Yuksel, "High-Performance Polynomial Root
+//! Finding for Graphics", HPG 2022.
 
 use std::sync::Arc;
 
@@ -59,19 +69,19 @@ impl Specification for Torus {
     }
 }
 
-/// A ray about its point `m` nearest to the origin.
+/// A ray, measured in lengths `s` from its point `m` nearest to the origin.
 pub(in crate::shapes) struct Line {
     pub(in crate::shapes) m: Vector,
-    /// Unit.
+    /// The direction, unit.
     pub(in crate::shapes) d: Vector,
-    /// From the ray's origin to `m`.
+    /// The distance from the ray's origin to `m`, negative for `m` behind it.
     offset: f64,
-    /// Of the ray's direction.
+    /// The length of the ray's direction.
     length: f64,
 }
 
 impl Line {
-    /// `None` for directions so short or long that their squares leave the range of numbers.
+    /// `None` if the square of the direction's length is 0 or infinite.
     pub(in crate::shapes) fn new(ray: &Ray) -> Option<Self> {
         let length = ray.direction.length();
         if !(length > 0.0 && length.is_finite()) {
@@ -98,12 +108,12 @@ pub(in crate::shapes) fn from_axis(p: Vector) -> f64 {
     (p.x() * p.x() + p.z() * p.z()).sqrt()
 }
 
-/// One place inside the tube and one outside, with one hit between them.
+/// A point inside the tube and one outside, as values of `s`, with one hit between them.
 type Bracket = [f64; 2];
 
-/// The roots of `s³ + p s + q` that are minima of its integral: one, or the least and the greatest
-/// of three (Cardano; Viète). Good to some 1e-8, and where they are close to each other 1e-5: what
-/// is asked there is stationary.
+/// The roots of `s³ + p s + q = F′/4` where `F` has a minimum: the only one, or the least and the greatest
+/// of three (Cardano; Viète). They are good to 1e-8, and to 1e-5 where they are close to each other. That
+/// is enough, as `F` hardly changes there.
 fn minima(p: f64, q: f64) -> ArrayVec<f64, 2> {
     let (third, half) = (p / 3.0, 0.5 * q);
     let discriminant = half * half + third * third * third;
@@ -133,38 +143,36 @@ impl Torus {
         Err(Invalid::field("tube_radius", problem))
     }
 
-    /// From the origin to outside of everything, with a little to spare.
-    fn reach(&self) -> f64 {
+    /// The radius of a sphere about the origin that is a little larger than the torus.
+    fn extent(&self) -> f64 {
         const SPARE: f64 = 1.0 + 1.0 / (1 << 20) as f64;
         SPARE * (self.swept_radius + self.tube_radius)
     }
 
-    /// The square of the distance from the middle of the tube, less that of its radius; and half
-    /// its slope along the line.
-    fn power(&self, line: &Line, s: f64) -> [f64; 2] {
-        let p = line.at(s);
+    /// The tube function `G = (ρ − a)² + y² − b²` and `G′`.
+    fn tube_function(&self, line: &Line, s: f64) -> [f64; 2] {
+        let (a, b, p, d) = (self.swept_radius, self.tube_radius, line.at(s), line.d);
         let rho = from_axis(p);
-        let k = rho - self.swept_radius;
-        let power = k * k + p.y() * p.y() - self.tube_radius * self.tube_radius;
-        let slope = (p.x() * line.d.x() + p.z() * line.d.z()) / rho;
-        [power, 2.0 * (k * slope + p.y() * line.d.y())]
+        let rho_slope = (p.x() * d.x() + p.z() * d.z()) / rho;
+        let value = (rho - a) * (rho - a) + p.y() * p.y() - b * b;
+        [value, 2.0 * ((rho - a) * rho_slope + p.y() * d.y())]
     }
 
     /// A bracket for each hit of the line, ascending.
     fn brackets(&self, line: &Line) -> ArrayVec<Bracket, 4> {
-        let (a, b, end) = (self.swept_radius, self.tube_radius, self.reach());
+        let (a, b, end) = (self.swept_radius, self.tube_radius, self.extent());
         let Line { m, d, .. } = line;
         let mut brackets = ArrayVec::new();
-        let from_center = m.length_squared();
-        let near = from_center < end * end; // also false for NaN
-        if !near {
+        let m_squared = m.length_squared();
+        let is_near = m_squared < end * end; // false for NaN
+        if !is_near {
             return brackets;
         }
-        let across = d.x() * d.x() + d.z() * d.z();
-        let p = from_center + (a - b) * (a + b) - 2.0 * a * a * across;
-        let q = -2.0 * a * a * (m.x() * d.x() + m.z() * d.z());
-        let minima = minima(p, q);
-        let inside = |s: f64| self.power(line, s)[0] < 0.0;
+        let k = m_squared + (a - b) * (a + b);
+        let e = d.x() * d.x() + d.z() * d.z();
+        let h = m.x() * d.x() + m.z() * d.z();
+        let minima = minima(k - 2.0 * a * a * e, -2.0 * a * a * h);
+        let inside = |s: f64| self.tube_function(line, s)[0] < 0.0;
         match minima[..] {
             [c] if inside(c) => brackets.extend([[c, -end], [c, end]]),
             [c, e] => match (inside(c), inside(e)) {
@@ -172,7 +180,7 @@ impl Torus {
                 (false, true) => brackets.extend([[e, c], [e, end]]),
                 (true, true) => {
                     brackets.push([c, -end]);
-                    let maximum = -(c + e); // the three roots of the cubic have the sum 0
+                    let maximum = -(c + e); // the sum of the cubic's three roots is 0
                     if !inside(maximum) {
                         brackets.extend([[c, maximum], [e, maximum]]);
                     }
@@ -185,19 +193,20 @@ impl Torus {
         brackets
     }
 
-    /// The hit of a bracket: Newton's method from where the parabola of the tube's power, as at the
-    /// place inside, is zero.
+    /// The hit of a bracket, by Newton's method. `G` is nearly `G(inside) + (s − inside)²` where it has a
+    /// minimum, so it starts at the root of that.
     fn solve(&self, line: &Line, [inside, outside]: Bracket) -> f64 {
-        let size = self.reach();
+        let size = self.extent();
         let tolerance = Tolerance {
             value: 2.0 * UNIT_ROUNDOFF * size * self.tube_radius,
             step: 2.0 * UNIT_ROUNDOFF * size,
         };
-        let step = (-self.power(line, inside)[0]).sqrt().copysign(outside - inside);
-        bracketed_root(|s| self.power(line, s), [inside, outside], inside + step, tolerance)
+        let step = (-self.tube_function(line, inside)[0]).sqrt().copysign(outside - inside);
+        let g = |s: f64| self.tube_function(line, s);
+        bracketed_root(g, [inside, outside], inside + step, tolerance)
     }
 
-    /// The hits inside the span whose points are wanted, ascending. Those are in this box.
+    /// The hits inside the span whose points are wanted, ascending; `bounds` is a box around them.
     pub(in crate::shapes) fn hits(
         &self,
         ray: &Ray,
@@ -219,20 +228,18 @@ impl Torus {
         })
     }
 
-    /// The normal is from the middle of the tube, and the point at the tube's radius along it.
+    /// The normal points away from the circle in the middle of the tube, and the point is `b` along it.
     pub(in crate::shapes) fn surface_at(&self, ray: &Ray, at: &Candidate) -> Surface {
         let raw = ray.at(at.t).to_vector();
         let rho = from_axis(raw);
-        // from so far away that the place is rounded onto the axis, some place of the tube will do
+        // a far hit may be rounded onto the axis: any direction from it will do
         let radial = raw.across_y().unit().unwrap_or(Vector::X);
-        // in the plane of the axis and the place: raw - swept_radius * radial has roundings across
-        // it, and is nothing else if the place is rounded onto the middle of the tube
+        // in the plane of the axis and the point: raw − a radial would have roundings across that plane
         let from_middle = (rho - self.swept_radius) * radial + raw.y() * Vector::Y;
         let outward = Normal::new(from_middle).or_else(|| Normal::new(radial)).unwrap_or(Normal::Y);
         let point =
             Point::ORIGIN + (self.swept_radius * radial + self.tube_radius * Vector::from(outward));
-        // the sums above, and those of the next ray: its nearest point, a point of it, and the
-        // distance of that from the axis
+        // roundings of the sums above, and of the next ray's m, p and ρ
         let error = 20.0 * UNIT_ROUNDOFF * (self.swept_radius + self.tube_radius);
         Surface::new(point, error, if self.inward { -outward } else { outward })
     }

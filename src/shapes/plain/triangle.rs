@@ -1,4 +1,7 @@
-//! The triangle (Suffern, ch. 19).
+//! The triangle (Suffern, ch. 19): the points `(1 − β − γ) v0 + β v1 + γ v2` with `β, γ ≥ 0` and `β + γ ≤ 1`.
+//!
+//! The book solves for β, γ and t by Cramer's rule. Here [`watertight`] finds them, so that triangles with a
+//! common edge leave no gap between them.
 
 use std::sync::Arc;
 
@@ -33,7 +36,7 @@ pub struct Triangle {
 }
 
 #[derive(Clone, Debug)]
-struct Built {
+struct TriangleShape {
     vertices: [Point; 3],
     normal: Normal,
     normals: Option<[Normal; 3]>,
@@ -56,7 +59,7 @@ impl Specification for Triangle {
             Invalid::field("vertices", problem)
         })?;
         let normals = self.normals.map(|normals| vertex_normals(normals, normal)).transpose()?;
-        Ok(Arc::new(Built { vertices: self.vertices, normal, normals }))
+        Ok(Arc::new(TriangleShape { vertices: self.vertices, normal, normals }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -92,7 +95,7 @@ fn vertex_normals(normals: [Vector; 3], normal: Normal) -> Result<[Normal; 3], I
     Ok(units)
 }
 
-impl Shape for Built {
+impl Shape for TriangleShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let meeting = watertight::ShearedRay::meet_once(ray, &self.vertices)?;
         span.contains(meeting.t)
@@ -116,7 +119,7 @@ impl Shape for Built {
     }
 }
 
-impl Built {
+impl TriangleShape {
     /// The surface at these barycentric coordinates.
     fn surface_at(&self, [beta, gamma]: [f64; 2]) -> Surface {
         let (point, error) = watertight::point_on(self.vertices, [beta, gamma], self.normal);
@@ -129,7 +132,7 @@ impl Built {
     }
 }
 
-impl EvenSurface for Built {
+impl EvenSurface for TriangleShape {
     fn area(&self) -> f64 {
         let [a, b, c] = self.vertices;
         0.5 * exact_cross(a, b, c).length()

@@ -1,4 +1,9 @@
-//! The fish bowl (Suffern, ch. 28).
+//! The fish bowl (Suffern, ch. 28): a compound of part spheres, a disk and parts of tori.
+//!
+//! The bowl's inner sphere has radius R, the water's level is at the height `h = water_depth − R`. The
+//! meniscus is part of a torus with `b = m`, the meniscus radius, whose circle is at `y_c = h + m` and at
+//! the distance `R − m` from the origin: `a = x_c = √((R − m)² − y_c²)`. It touches the level, and the
+//! sphere at the angle `β = atan(y_c/x_c)` above the horizontal.
 
 use std::sync::Arc;
 
@@ -51,7 +56,7 @@ impl Default for FishBowl {
     }
 }
 
-/// Where the meniscus is.
+/// The circle in the middle of the meniscus, and where it touches the glass.
 struct Meniscus {
     /// The radius of the circle in the middle of its tube, `x_c`.
     swept: f64,
@@ -62,13 +67,11 @@ struct Meniscus {
 }
 
 impl FishBowl {
-    /// The tube of radius m touches the level, at the height h, and the sphere from inside: the middle
-    /// of the tube is at the height h + m and at the distance R − m from the origin.
     fn meniscus(&self) -> Result<Meniscus, Invalid> {
         let (r, m) = (self.inner_radius, self.meniscus_radius);
         let h = self.water_depth - r;
         let height = h + m;
-        // R(R − 2m) − h(h + 2m) as a product
+        // (R − m)² − y_c² as a product
         let swept = ((r - m - height) * (r - m + height)).sqrt();
         if swept > m && self.water_depth > 0.0 {
             return Ok(Meniscus { swept, height, beta: to_degrees(atan2(height, swept)) });

@@ -1,4 +1,8 @@
-//! The flat-rimmed bowl (Suffern, ch. 19).
+//! The flat-rimmed bowl (Suffern, ch. 19): the points with `r_in² ≤ |p|² ≤ r_out²` and `y ≤ r_in cos θ`,
+//! where θ is half the opening angle.
+//!
+//! Its surface is a compound of two part spheres and an annulus. The book's bowl is the hemisphere, θ =
+//! 90°; for others the annulus goes from `r_in sin θ` to `√(r_out² − r_in² cos² θ)`.
 
 use std::sync::Arc;
 

@@ -1,4 +1,9 @@
-//! The glass of water (Suffern, ch. 28).
+//! The glass of water (Suffern, ch. 28): a compound of disks, an annulus, open cylinders and part of a
+//! torus.
+//!
+//! The water's level is at height `y_w`; its meniscus is a quarter of a torus with `a = r − m` and
+//! `b = m` at the height `y_w + m`, where r is the inner radius of the glass and m that of the meniscus.
+//! So it touches the level and the glass without an angle.
 
 use std::sync::Arc;
 
@@ -81,8 +86,6 @@ impl Specification for GlassOfWater {
     type Built = Arc<dyn Shape>;
     type Context = Context;
 
-    /// The meniscus is the quarter of a tube of radius m about the circle of radius r − m at the height
-    /// m above the level: it touches the level and the wall without an angle.
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
         let (r, m, level) = (self.inner_radius, self.meniscus_radius, self.water_height);

@@ -1,4 +1,9 @@
-//! The round-rimmed bowl (Suffern, ch. 19 and 21).
+//! The round-rimmed bowl (Suffern, ch. 19 and 21): two part spheres of polar angles from θ, half the
+//! opening angle, to 180°, and a rim.
+//!
+//! The rim is half a torus with `a = (r_in + r_out)/2 · sin θ` and `b = (r_out − r_in)/2` at the height
+//! `(r_in + r_out)/2 · cos θ`. The book takes the whole torus, half of which is hidden; here it goes from
+//! `90° − θ` to `270° − θ` around the tube, from sphere to sphere.
 
 use std::sync::Arc;
 
@@ -8,9 +13,9 @@ use serde::{Deserialize, Serialize};
 use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Vector, cos_degrees, sin_degrees, to_degrees};
-use crate::shapes::beveled::edges::{moved, overlap, rounding, tube};
-use crate::shapes::composite::assembly::{Materials, smooth_solid};
+use crate::math::{Vector, cos_degrees, sin_degrees};
+use crate::shapes::beveled::edges::{moved, tube};
+use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
 use crate::shapes::{Context, Shape};
@@ -38,9 +43,6 @@ impl Specification for RoundRimmedBowl {
     type Built = Arc<dyn Shape>;
     type Context = Context;
 
-    /// With θ the polar angle of the rim, the tube's middle is half-way between the spheres at
-    /// `(sin θ, cos θ)`. The tube touches them in that direction and, on the other side, in the
-    /// opposite one; between, its half turned to the opening is the rim.
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         length("inner_radius", self.inner_radius)?;
         let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;
@@ -55,17 +57,8 @@ impl Specification for RoundRimmedBowl {
         let from = if theta <= 90.0 { 90.0 - theta } else { 450.0 - theta };
         let half = tube(swept, thin, full_turn(), [from, 270.0 - theta]);
         let rim = moved(half, middle * cos_degrees(theta) * Vector::Y);
-        // the spheres reach a little into the rim
-        let [from_inner, from_outer] =
-            [inner, outer].map(|radius| theta - to_degrees(overlap(outer, thin) / radius));
-        let [outside, inside] = shells([inner, outer], [from_inner.max(0.0), from_outer.max(0.0)]);
-        smooth_solid(
-            &[outside, inside, ("rim", rim)],
-            &self.materials,
-            None,
-            rounding(outer),
-            context,
-        )
+        let [outside, inside] = shells([inner, outer], [theta, theta]);
+        solid(&[outside, inside, ("rim", rim)], &self.materials, context)
     }
 
     fn scaled(&self, factor: f64) -> Self {

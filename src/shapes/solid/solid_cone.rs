@@ -1,4 +1,6 @@
-//! The solid cone (Suffern, ch. 19): a wall and a base.
+//! The solid cone (Suffern, ch. 19): the points with `(h/r)² (x² + z²) ≤ (h − y)²` and `0 ≤ y ≤ h`.
+//!
+//! Its surface is a compound of a disk, at y = 0, and an open cone, as in the book.
 
 use std::sync::Arc;
 

@@ -1,4 +1,6 @@
-//! The solid cylinder (Suffern, ch. 19): a wall and two caps.
+//! The solid cylinder (Suffern, ch. 19): the points with `x² + z² ≤ r²` and `y0 ≤ y ≤ y1`.
+//!
+//! Its surface is a compound of two disks, at y0 and y1, and an open cylinder, as in the book.
 
 use std::sync::Arc;
 

@@ -1,8 +1,12 @@
-//! The spherical cap: a hollow of the concave lens, given by its rim and its depth.
+//! The spherical cap, a hollow of the concave lens: about its lowest point the points with
+//! `κ p·p = 2 p_y` inside of its rim.
 //!
-//! The less deep a cap is, the farther off is its sphere's centre, and with it go the digits of
-//! everything that is measured from there. Here, all is measured from the cap's middle, and the
-//! sphere is known by its curvature, which goes to 0 as it becomes flat.
+//! Here `κ = 1/ρ = 2δ/(δ² + R²)` is the curvature of a cap of depth δ and rim radius R. A ray meets the
+//! sphere where `a t² + 2 b t + c = 0` with `a = κ d·d`, `b = κ o·d − d_y` and `c = κ o·o − 2 o_y`. A
+//! shallow cap has a far centre; unlike the sphere's own equation this one does not contain it, and is
+//! right for κ = 0, a plane. The discriminant `b² − a c` is taken as
+//! `d_y² + 2κ (o_y |d_⊥|² − d_y o_⊥·d_⊥) − |κ o × d|²`, where `_⊥` is the part across the y axis: the
+//! other terms cancel.
 
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 use crate::shapes::{Candidate, Shape, Surface, all_of, first_of, normal_along};
@@ -11,33 +15,32 @@ use crate::shapes::{Candidate, Shape, Surface, all_of, first_of, normal_along};
 /// which is a circle of radius `radius`; the normal points to the centre.
 #[derive(Debug)]
 pub(in crate::shapes) struct SphericalCap {
-    /// The distances of the middle and of the rim from the plane y = 0, ascending.
+    /// The distances of the lowest point and of the rim from the plane y = 0, ascending.
     heights: [f64; 2],
     radius: f64,
-    /// Whether both are below that plane.
+    /// Whether the cap is below that plane.
     mirrored: bool,
-    /// One over the radius of the sphere.
+    /// κ.
     curvature: f64,
-    /// `(sin ω, cos ω)` for the angle ω under which radius and depth are seen from the centre.
+    /// `(sin ω, cos ω)` for the angle ω at the centre between the axis and the rim.
     rim: [f64; 2],
 }
 
 impl SphericalCap {
-    /// With the rim `depth` farther from y = 0 than the middle: at most `radius`.
+    /// The rim is `depth` farther from y = 0 than the lowest point; `depth` is at most `radius`.
     pub(in crate::shapes) fn new(
         heights: [f64; 2],
         depth: f64,
         radius: f64,
         mirrored: bool,
     ) -> Self {
-        // a sphere of radius ρ with `ρ² = radius² + (ρ − depth)²`
         let squares = depth * depth + radius * radius;
         let curvature = 2.0 * depth / squares;
         let rim = [curvature * radius, (radius - depth) * (radius + depth) / squares];
         Self { heights, radius, mirrored, curvature, rim }
     }
 
-    /// As if the middle were at the origin and the centre above it.
+    /// The point in coordinates with the lowest point at the origin and the centre above it.
     #[inline(always)] // as the roots
     fn upright(&self, p: Point) -> Vector {
         self.unmirrored(p.to_vector()) - self.heights[0] * Vector::Y
@@ -47,8 +50,7 @@ impl SphericalCap {
         if self.mirrored { Vector::new(v.x(), -v.y(), v.z()) } else { v }
     }
 
-    /// The sphere is `κ p² = 2 p_y`, so it is met at `κ d² t² + 2 (κ o·d − d_y) t + κ o² − 2 o_y = 0`.
-    /// The discriminant is taken without the parts of `κ² (o·d)² − κ² d² o²` and of `d²` that cancel.
+    /// Where the line meets the sphere, ascending.
     #[inline(always)] // as the roots it calls
     fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
         let (o, d) = (self.upright(ray.origin), self.unmirrored(ray.direction));
@@ -57,12 +59,14 @@ impl SphericalCap {
         let rise = o.y() * level_d.length_squared() - d.y() * level_o.dot(level_d);
         let across = k * o.cross(d);
         let discriminant = d.y() * d.y() + (2.0 * k * rise - across.length_squared());
+        let a = k * d.length_squared();
+        let b = k * o.dot(d) - d.y();
         let c = k * o.length_squared() - 2.0 * o.y();
-        quadratic(k * d.length_squared(), k * o.dot(d) - d.y(), c, discriminant)
+        quadratic(a, b, c, discriminant)
     }
 
-    /// The sine of the angle beyond the rim, from differences to the rim itself: neither the height,
-    /// which says little of a flat cap, nor the distance from the axis, which says little of a
+    /// Whether a point of the sphere is inside of the rim: it is beyond by the sine of an angle at the
+    /// centre. The height alone would be rounded for a flat cap, and the distance from the axis for a
     /// hemisphere.
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
         |t| {
@@ -84,13 +88,13 @@ impl Shape for SphericalCap {
         let gradient = |p: Vector| Vector::Y - self.curvature * p;
         let mut p = self.upright(ray.at(at.t));
         for _ in 0..2 {
-            // Newton's steps: the origin may be far away
+            // Newton's method; two steps, as the ray's origin may be far away
             let (value, slope) = (p.y() - 0.5 * self.curvature * p.length_squared(), gradient(p));
             p = p - (value / slope.length_squared()) * slope;
         }
         let normal = normal_along(self.unmirrored(gradient(p)), ray);
         let point = Point::ORIGIN + self.unmirrored(p + self.heights[0] * Vector::Y);
-        // a next ray's hits are measured from the middle
+        // roundings of p, and of the next ray's origin
         let magnitude = point.to_vector().abs().dot(Vector::from(normal).abs());
         let error = UNIT_ROUNDOFF * (16.0 * p.length() + 4.0 * magnitude);
         Surface::new(point, error, normal)

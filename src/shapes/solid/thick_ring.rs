@@ -1,4 +1,7 @@
-//! The thick ring (Suffern, ch. 19): a solid cylinder with a hole.
+//! The thick ring (Suffern, ch. 19), a solid cylinder with a hole: the points with
+//! `r_in² ≤ x² + z² ≤ r_out²` and `y0 ≤ y ≤ y1`.
+//!
+//! Its surface is a compound of two annuli, at y0 and y1, and two open cylinders, as in the book.
 
 use std::sync::Arc;
 

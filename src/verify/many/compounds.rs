@@ -40,6 +40,5 @@ pub fn compound(family: Family, seed: u64, index: usize, accel: Option<Method>) 
         pieces: exact.into_iter().map(Piece::anywhere).collect(),
         ray,
         condition,
-        bevel: None,
     })
 }

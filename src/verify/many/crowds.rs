@@ -30,7 +30,7 @@ pub fn spheres(family: Family, seed: u64, index: usize, accel: Option<Method>) -
     let pieces: Vec<Piece> = spheres.spheres().iter().map(piece).collect();
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
-    Case { ours: spheres.into(), pieces, ray, condition: 1.0, bevel: None }
+    Case { ours: spheres.into(), pieces, ray, condition: 1.0 }
 }
 
 /// Of up to twelve copies of one of these, apart or through one another.
@@ -56,5 +56,5 @@ pub fn lattice(family: Family, seed: u64, index: usize, accel: Option<Method>) -
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
     let ours = Lattice { of: Box::new(of), counts, spacing, accel };
     let condition = aim.condition();
-    Some(Case { ours: ours.into(), pieces, ray, condition, bevel: None })
+    Some(Case { ours: ours.into(), pieces, ray, condition })
 }

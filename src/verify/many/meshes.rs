@@ -48,7 +48,6 @@ pub fn net(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Ca
         pieces: NET.map(|corners| piece(corners.map(|i| points[i as usize]))).into(),
         ray,
         condition: 1.0,
-        bevel: None,
     }
 }
 
@@ -69,5 +68,5 @@ pub fn sphere(family: Family, seed: u64, index: usize, accel: Option<Method>) ->
     let pieces: Vec<Piece> = mesh.triangles().iter().map(|t| piece(corners(t))).collect();
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
-    Case { ours: sphere.into(), pieces, ray, condition: 1.0, bevel: None }
+    Case { ours: sphere.into(), pieces, ray, condition: 1.0 }
 }

@@ -1,12 +1,11 @@
-//! Shapes made of many, beside the oracle's: compounds, rosettes, archways, random spheres, lattices,
-//! meshes. The oracle answers for each of the pieces by itself; the whole has the roots of all.
+//! Shapes made of many, beside the oracle's: compounds, random spheres, lattices, meshes. The oracle
+//! answers for each of the pieces by itself; the whole has the roots of all.
 //!
 //! Used by the chapters' sweeps and by the report, as [`against`] is for shapes that have a formula.
 
 mod compounds;
 mod crowds;
 mod meshes;
-mod stones;
 
 use std::sync::Arc;
 
@@ -23,10 +22,6 @@ use crate::shapes::{self, Context, Instance};
 pub enum Kind {
     /// Three shapes of different kinds.
     Compound,
-    /// One to six rings of beveled wedges that touch.
-    Rosette,
-    /// Up to a dozen beveled wedges on two columns of beveled boxes.
-    Archway,
     /// Up to 200 spheres, apart or crowded.
     RandomSpheres,
     /// Up to twelve copies of one shape, apart or through one another.
@@ -39,15 +34,8 @@ pub enum Kind {
 
 impl Kind {
     /// All of them.
-    pub const ALL: [Kind; 7] = [
-        Kind::Compound,
-        Kind::Rosette,
-        Kind::Archway,
-        Kind::RandomSpheres,
-        Kind::Lattice,
-        Kind::Mesh,
-        Kind::TessellatedSphere,
-    ];
+    pub const ALL: [Kind; 5] =
+        [Kind::Compound, Kind::RandomSpheres, Kind::Lattice, Kind::Mesh, Kind::TessellatedSphere];
 
     /// The case of this number, of a family under a seed: a shape whose pieces are hard as the family
     /// says, searched by this method, and a ray that is hard for one of them. `None` where the
@@ -61,8 +49,6 @@ impl Kind {
     ) -> Option<Case> {
         match self {
             Kind::Compound => compounds::compound(family, seed, index, accel),
-            Kind::Rosette => Some(stones::rosette(family, seed, index, accel)),
-            Kind::Archway => Some(stones::archway(family, seed, index, accel)),
             Kind::RandomSpheres => Some(crowds::spheres(family, seed, index, accel)),
             Kind::Lattice => crowds::lattice(family, seed, index, accel),
             Kind::Mesh => Some(meshes::net(family, seed, index, accel)),
@@ -82,8 +68,6 @@ pub struct Case {
     pub ray: oracle::Ray,
     /// Of the matrices of its instances; 1 without, and where they only turn.
     pub condition: f64,
-    /// Of stones that touch.
-    bevel: Option<f64>,
 }
 
 impl Case {
@@ -102,7 +86,6 @@ impl Case {
                 direction: map.vector(self.ray.direction.into()).into(),
             },
             condition: oracle::condition(&map.rows()) * self.condition,
-            bevel: self.bevel,
         })
     }
 
@@ -115,11 +98,7 @@ impl Case {
     pub fn answer(&self, start: f64) -> Answer {
         let answers: Vec<Answer> =
             self.pieces.iter().map(|piece| piece.answer(&self.ray, start)).collect();
-        let mut roots = merged(&answers);
-        if let Some(bevel) = self.bevel {
-            roots = stones::without_touching(roots, bevel);
-        }
-        union(&answers, roots)
+        union(&answers, merged(&answers))
     }
 }
 

@@ -144,7 +144,7 @@ pub fn of_many(kind: many::Kind, pieces: &[many::Piece]) -> Option<Box<dyn Textb
     };
     let parts = pieces.iter().map(boxed).collect::<Option<_>>()?;
     Some(match kind {
-        Kind::Compound | Kind::Rosette | Kind::Archway => Box::new(Compound::new(parts)),
+        Kind::Compound => Box::new(Compound::new(parts)),
         Kind::RandomSpheres | Kind::Lattice | Kind::Mesh | Kind::TessellatedSphere => {
             Box::new(Grid::new(parts))
         }

@@ -85,10 +85,12 @@ fn an_archway_has_its_blocks_and_wedges_in_its_box() {
 }
 
 /// Law: a rosette and an archway are closed and inside of plain rings, columns and arch; all of
-/// these but the grooves is inside of them. Oracle: the plain solids, and how near to the planes and
-/// cylinders between stones a point is.
+/// these but grooves and joints is inside of them. Oracle: the plain solids, and how near to the planes
+/// and cylinders between stones a point is.
 #[test]
-fn stones_fill_the_plain_solid_but_for_their_grooves() {
+fn stones_fill_the_plain_solid_but_for_grooves_and_joints() {
+    /// In bevels; more than half of the widest joint here, ten times its narrowest.
+    const JOINT: f64 = 0.005;
     let mut draw = Draw::new(2140);
     let bevel = 0.1;
     let grooves = |off: f64| (off - off.round()).abs();
@@ -106,6 +108,9 @@ fn stones_fill_the_plain_solid_but_for_their_grooves() {
             let count = counts[(ring as usize).min(2)];
             let turn = groundtruth::math::atan2(p.x(), p.z()) / std::f64::consts::TAU;
             let side = rho * sin_degrees(grooves(turn * count) * 360.0 / count);
+            if grooves(ring).min(side) < JOINT * bevel {
+                return None;
+            }
             // grooves between wedges are a little deeper at walls that bulge
             let away = [y, grooves(ring), side].map(|d| d > 1.1 * bevel);
             // whatever is deeper than the bevel from two of three kinds of face is no groove
@@ -127,6 +132,9 @@ fn stones_fill_the_plain_solid_but_for_their_grooves() {
             let share = groundtruth::math::atan2(y, x) / std::f64::consts::PI * 10.0;
             across * sin_degrees(18.0 * grooves(share))
         };
+        if side < JOINT * 0.3 {
+            return None;
+        }
         let away = [z, (across - 6.0).min(10.0 - across), side].map(|d| d > 1.1 * 0.3);
         (away.iter().filter(|&&a| a).count() >= 2).then_some(true)
     };
@@ -166,63 +174,47 @@ fn check_known(
     assert!(asked.iter().all(|&count| count > lines / 20), "{asked:?}");
 }
 
-/// Law: a ray in the plane between two stones, where the bevels of both touch it, enters and leaves
-/// within the depth of a groove, once each. Oracle: the plain solids, in whose faces the grooves are.
+/// Law: between two stones is a joint, from 1/1024 to 1/512 of the bevel wide: a ray in its middle passes,
+/// and one beside it does not. Oracle: the planes between the book's stones.
 #[test]
-fn a_ray_between_two_stones_does_not_pass() {
-    let mut draw = Draw::new(2142);
-    let (deep, counts, mut rays, mut between_rings) = (0.3, [10.0, 12.0, 15.0], Vec::new(), 0);
-    let arch = built(&archway(6, 10, deep, None).into());
-    let floor = built(&rosette(3, 0.1, None).into());
-    for _ in 0..2_000 {
-        let (away, lean) = (draw.between(1.0, 20.0), draw.between(-0.1, 0.1));
-        let side = draw.sign();
-        // between the wedges of the arch, in front or behind
-        for joint in 0..=10 {
-            let (out, rho) = (18.0 * f64::from(joint), draw.between(6.8, 9.2));
-            let out = Vector::new(cos_degrees(out), sin_degrees(out), 0.0);
-            let (middle, d) =
-                (Point::new(0.0, 15.0, 0.0) + rho * out, lean * out - side * Vector::Z);
-            rays.push((&arch, Ray::new(middle - (1.5 + away) * d, d), away, 3.0, deep));
-        }
-        // between the blocks of a column
-        for joint in 1..6 {
-            let middle = Point::new(side * draw.between(6.8, 9.2), 2.5 * f64::from(joint), 0.0);
-            let d = Vector::new(lean, 0.0, -side);
-            rays.push((&arch, Ray::new(middle - (1.5 + away) * d, d), away, 3.0, deep));
-        }
-        // between the wedges of a ring of the rosette, and straight down between two rings
-        for (ring, count) in counts.into_iter().enumerate() {
-            let phi = 360.0 / count * draw.below(count as usize) as f64;
+fn a_ray_in_the_middle_of_a_joint_passes_between_the_stones() {
+    let (bevel, floor_bevel) = (0.3, 0.1);
+    let arch = built(&archway(6, 10, bevel, None).into());
+    let floor = built(&rosette(3, floor_bevel, None).into());
+    let mut joints: Vec<(&dyn Shape, Point, Vector, Vector, f64)> = Vec::new();
+    // between the wedges of the arch, and between them and the columns
+    for joint in 0..=10 {
+        let phi = 18.0 * f64::from(joint);
+        let out = Vector::new(cos_degrees(phi), sin_degrees(phi), 0.0);
+        let across = Vector::new(-sin_degrees(phi), cos_degrees(phi), 0.0);
+        joints.push((&*arch, Point::new(0.0, 15.0, 0.0) + 7.0 * out, Vector::Z, across, bevel));
+    }
+    // between the blocks of a column
+    for (joint, x) in (1..6).flat_map(|joint| [(joint, -7.0), (joint, 7.0)]) {
+        let middle = Point::new(x, 2.5 * f64::from(joint), 0.0);
+        joints.push((&*arch, middle, Vector::Z, Vector::Y, bevel));
+    }
+    // between the wedges of a ring
+    for (ring, count) in [10_u32, 12, 15].into_iter().enumerate() {
+        for joint in 0..count {
+            let phi = 360.0 * f64::from(joint) / f64::from(count);
             let out = Vector::new(sin_degrees(phi), 0.0, cos_degrees(phi));
-            let rho = 0.75 + ring as f64 + draw.between(0.2, 0.8);
-            let (middle, d) = (Point::ORIGIN + rho * out, lean * out - side * Vector::Y);
-            rays.push((&floor, Ray::new(middle - (0.25 + away) * d, d), away, 0.5, 0.1));
-            // where no upright edge of either ring is near, which leaves a channel
-            let phi = draw.between(0.0, 360.0);
-            let off = |count: f64| (phi * count / 360.0 - (phi * count / 360.0).round()) / count;
-            let edge = |ring: usize| off(counts[ring]).abs() * std::f64::consts::TAU * 1.75;
-            if ring > 0 && edge(ring - 1).min(edge(ring)) > 0.15 {
-                let out = Vector::new(sin_degrees(phi), 0.0, cos_degrees(phi));
-                let middle = Point::ORIGIN + (0.75 + ring as f64) * out;
-                let ray = Ray::new(middle - side * (0.25 + away) * Vector::Y, side * Vector::Y);
-                rays.push((&floor, ray, away, 0.5, 0.1));
-                between_rings += 1;
-            }
+            let across = Vector::new(cos_degrees(phi), 0.0, -sin_degrees(phi));
+            let middle = Point::ORIGIN + (0.75 + ring as f64 + 0.25) * out;
+            joints.push((&*floor, middle, Vector::Y, across, floor_bevel));
         }
     }
-    assert!(between_rings > 200, "{between_rings}");
-    for (shape, ray, away, thick, deep) in rays {
-        let roots: Vec<f64> = shape.roots(&ray, Span::LINE).iter().map(|at| at.t).collect();
-        let hit = shape.hit(&ray, Span::AHEAD).map(|at| at.t);
-        let within = |t: f64, from: f64| (from - 1e-9..from + 1.1 * deep).contains(&t);
-        assert!(hit.is_some_and(|t| within(t, away)), "{ray:?}: {hit:?} of {roots:?}");
-        let [first, last] = roots[..] else { panic!("{ray:?} crosses at {roots:?}") };
-        assert!(
-            within(first, away) && within(2.0 * away + thick - last, away),
-            "{ray:?}: {roots:?}"
-        );
+    let mut stopped = 0;
+    for (shape, middle, along, across, bevel) in joints {
+        let misses = |off: f64| {
+            let ray = Ray::new(middle + off * across - 9.0 * along, along);
+            shape.hit(&ray, Span::AHEAD).is_none()
+        };
+        let half = bevel / 2048.0;
+        assert!(misses(0.0) && misses(0.99 * half) && misses(-0.99 * half), "{middle:?}");
+        stopped += [-2.0 * half, 2.0 * half].into_iter().filter(|&off| !misses(off)).count();
     }
+    assert_eq!(stopped, 2 * (11 + 10 + 37));
 }
 
 /// Law: list and tree find the same part at the same distance, bit for bit. Oracle: the list.
@@ -293,8 +285,8 @@ fn bevels_may_be_as_small_as_can_be_told() {
     assert!(seen > 100, "{seen}");
 }
 
-/// Law: where coordinates are so large that no bevel both can be told and fits, the advice is another
-/// one, and is good. Oracle: it is followed.
+/// Law: where coordinates are so large that no bevel both can be told and fits, the advice is good.
+/// Oracle: it is followed.
 #[test]
 fn where_no_bevel_fits_the_advice_does() {
     let at = |x: f64, bevel: f64| BeveledBox {
@@ -311,11 +303,6 @@ fn where_no_bevel_fits_the_advice_does() {
         let followed = Kind::from(Instance::new(at(0.0, bevel), moved));
         assert!(followed.build(&mut Context::default()).is_ok());
     }
-    // 64 u of 10¹⁴ are 0.7, which fits
-    let refused = Kind::from(at(1e14, 0.5)).build(&mut Context::default());
-    let advice = refused.expect_err("it cannot be told").to_string();
-    assert!(advice.contains("take a larger one"), "{advice}");
-    assert!(Kind::from(at(1e14, 1.0)).build(&mut Context::default()).is_ok());
 }
 
 /// Law: what no rosette or archway has is refused by the name of the field a person typed.
