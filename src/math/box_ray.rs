@@ -48,19 +48,26 @@ impl BoxRay {
     }
 
     /// Where the ray enters and where it leaves the grown box, between `start` and `end`; the entry is
-    /// beyond the exit if it misses.
-    ///
-    /// A ray in a plane of the box (NaN, from `0·∞`) is inside that slab: comparisons drop it.
+    /// beyond the exit if it misses. (A ray exactly in a plane of the grown box, for which `0·∞` is not a
+    /// number, may be inside or not.)
     #[inline]
     pub fn crossing(&self, bounds: &Aabb, start: f64, end: f64) -> (f64, f64) {
-        let (mut enter, mut leave) = (start, end);
-        for axis in 0..3 {
-            let low = (bounds.min.along(axis) - self.lower[axis]) * self.inverse[axis];
-            let high = (bounds.max.along(axis) - self.upper[axis]) * self.inverse[axis];
-            let (near, far) = if low < high { (low, high) } else { (high, low) };
-            enter = if near > enter { near } else { enter };
-            leave = if far < leave { far } else { leave };
-        }
+        let low = |axis: usize| (bounds.min.along(axis) - self.lower[axis]) * self.inverse[axis];
+        let high = |axis: usize| (bounds.max.along(axis) - self.upper[axis]) * self.inverse[axis];
+        let [x, y, z] = [(low(0), high(0)), (low(1), high(1)), (low(2), high(2))];
+        let enter = max(max(min(x.0, x.1), min(y.0, y.1)), max(min(z.0, z.1), start));
+        let leave = min(min(max(x.0, x.1), max(y.0, y.1)), min(max(z.0, z.1), end));
         (enter, leave)
     }
+}
+
+/// `f64::min` takes care of what is not a number, which costs three instructions more.
+#[inline(always)]
+fn min(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn max(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }

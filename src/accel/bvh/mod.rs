@@ -9,7 +9,7 @@ use crate::math::{Aabb, BoxRay, Span};
 use build::{DEEPEST, Item, Node, binary_tree};
 
 /// Nodes of so few primitives are not opened: their primitives are tested.
-const LEAF: u32 = 2;
+const LEAF: usize = 4;
 
 /// The nodes in depth-first order: the left half of a node follows it, and the right half follows that.
 #[derive(Debug)]
@@ -19,9 +19,9 @@ pub struct Bvh {
     order: Vec<u32>,
 }
 
-/// A node that the ray enters, and the first of its primitives.
-struct Entered {
-    at: f64,
+/// A node that the ray enters at `enter`, and the first of its primitives in the order.
+struct Waiting {
+    enter: f64,
     node: usize,
     first: usize,
 }
@@ -45,37 +45,45 @@ impl Bvh {
         mut test: impl FnMut(u32) -> f64,
     ) {
         let mut end = span.max;
-        let entered = |node: usize, first: usize, end: f64| {
-            let (at, leaves) = ray.crossing(&self.nodes[node].bounds, span.min, end);
-            (at <= leaves).then_some(Entered { at, node, first })
-        };
-        let mut waiting: ArrayVec<Entered, { DEEPEST + 1 }> = ArrayVec::new();
-        if !self.nodes.is_empty() {
-            waiting.extend(entered(0, 0, end));
+        let mut waiting: ArrayVec<Waiting, { DEEPEST + 1 }> = ArrayVec::new();
+        if let Some(root) = self.nodes.first() {
+            let (enter, leave) = ray.crossing(&root.bounds, span.min, end);
+            waiting.extend((enter <= leave).then_some(Waiting { enter, node: 0, first: 0 }));
         }
-        while let Some(Entered { at, node, first }) = waiting.pop() {
-            if at > end {
+        'next: while let Some(Waiting { enter, mut node, mut first }) = waiting.pop() {
+            if enter > end {
                 continue; // a nearer hit was found since it was entered
             }
-            counter.step();
-            let count = self.nodes[node].count as usize;
-            if count <= LEAF as usize {
-                for &index in &self.order[first..first + count] {
-                    counter.test();
-                    end = test(index);
-                    if end == f64::NEG_INFINITY {
-                        return;
+            // down to a leaf by the nearer children; the farther ones wait
+            while self.nodes[node].count as usize > LEAF {
+                counter.step();
+                let left = node + 1;
+                let on_left = self.nodes[left].count as usize;
+                let right = node + 2 * on_left;
+                let l = ray.crossing(&self.nodes[left].bounds, span.min, end);
+                let r = ray.crossing(&self.nodes[right].bounds, span.min, end);
+                match (l.0 <= l.1, r.0 <= r.1) {
+                    (true, true) if l.0 < r.0 => {
+                        waiting.push(Waiting { enter: r.0, node: right, first: first + on_left });
+                        node = left;
                     }
+                    (true, true) => {
+                        waiting.push(Waiting { enter: l.0, node: left, first });
+                        (node, first) = (right, first + on_left);
+                    }
+                    (true, false) => node = left,
+                    (false, true) => (node, first) = (right, first + on_left),
+                    (false, false) => continue 'next,
                 }
-                continue;
             }
-            let on_left = self.nodes[node + 1].count as usize;
-            let left = entered(node + 1, first, end);
-            let right = entered(node + 2 * on_left, first + on_left, end);
-            let left_is_nearer = matches!((&left, &right), (Some(l), Some(r)) if l.at < r.at);
-            let [farther, nearer] = if left_is_nearer { [right, left] } else { [left, right] };
-            waiting.extend(farther);
-            waiting.extend(nearer); // on top: it is next
+            counter.step();
+            for &index in &self.order[first..first + self.nodes[node].count as usize] {
+                counter.test();
+                end = test(index);
+                if end == f64::NEG_INFINITY {
+                    return;
+                }
+            }
         }
     }
 
