@@ -5,12 +5,13 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::edges::{Named, check_bevel, extended, inset, overlap, rounding};
+use super::edges::{Named, check_bevel, extended, inset, overlap, rounding, tube};
 use super::shoulder::Shoulder;
 use crate::invalid::{Invalid, shown};
 use crate::kinds::{Custom, Specification};
 use crate::math::{Axis, Point, Step, Vector};
 use crate::shapes::composite::assembly::{Materials, smooth_solid};
+use crate::shapes::part::angles::full_turn;
 use crate::shapes::{Context, Disk, Instance, Kind, OpenCylinder, Shape};
 
 /// A solid cylinder with round edges, as the parts `bottom`, `top`, `wall`, `bottom_edge` and
@@ -60,9 +61,16 @@ impl Specification for BeveledCylinder {
             let [y0, y1] = extended([low, high], over);
             parts.push(("wall", OpenCylinder { y0, y1, ..wall }.into()));
         }
+        // a tube wider than the circle it follows is no part torus of ours
+        let by_the_book = context.textbook().is_some() && bevel < flat;
         let edge = |steps| {
-            let shoulder = Custom(Arc::new(Shoulder { disk: flat, distance: bevel }) as Arc<_>);
-            Kind::from(Instance::new(Kind::Custom(shoulder), steps))
+            let shoulder = if by_the_book {
+                tube(flat, bevel, full_turn(), [0.0, 90.0])
+            } else {
+                let shoulder = Shoulder { disk: flat, distance: bevel };
+                Kind::Custom(Custom(Arc::new(shoulder) as Arc<_>))
+            };
+            Kind::from(Instance::new(shoulder, steps))
         };
         let up = |y: f64| Step::Translate(y * Vector::Y);
         parts.push(("bottom_edge", edge(vec![Step::Reflect(Axis::Y), up(low)])));

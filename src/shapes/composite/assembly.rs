@@ -111,7 +111,10 @@ impl Assembly {
             let name = part.name.into();
             built.push(Part { name, shape, bounds, material, casts_shadows });
         }
-        Self::of(built, accel, context).map_err(|e| e.inside(field))
+        let built = Self::of(built, accel, context).map_err(|e| e.inside(field))?;
+        // as the book's compound
+        let by_the_book = context.textbook().is_some() && accel.is_none();
+        Ok(if by_the_book { built.in_turn() } else { built })
     }
 
     fn of(parts: Vec<Part>, accel: Option<Method>, context: &Context) -> Result<Self, Invalid> {
@@ -140,7 +143,12 @@ impl Assembly {
     /// finds the same, but asks of every hit whether it counts by its part's box; so this is for parts
     /// that are hit inside their own boxes only.
     pub fn in_turn_if_few(self, accel: Option<Method>) -> Self {
-        if accel.is_none() && self.parts.len() <= FEW { Self { accel: None, ..self } } else { self }
+        if accel.is_none() && self.parts.len() <= FEW { self.in_turn() } else { self }
+    }
+
+    /// Without a structure.
+    fn in_turn(self) -> Self {
+        Self { accel: None, ..self }
     }
 
     /// The first hit as the structure finds it.
