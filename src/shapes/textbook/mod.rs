@@ -64,16 +64,16 @@ trait Form: Debug + Send + Sync {
 
 /// A shape hit as the book hits it; everything else is the library's.
 #[derive(Debug)]
-struct Textbook {
-    form: Box<dyn Form>,
+struct Textbook<F> {
+    form: F,
     ours: Arc<dyn Shape>,
     bounds: Aabb,
 }
 
-impl Textbook {
+impl<F: Form> Textbook<F> {
     /// As the book's boxes, the bounds are larger by epsilon on each side.
-    fn new(form: impl Form + 'static, ours: Arc<dyn Shape>, epsilon: f64) -> Self {
-        Self { form: Box::new(form), bounds: grown(ours.bounds(), epsilon), ours }
+    fn new(form: F, ours: Arc<dyn Shape>, epsilon: f64) -> Self {
+        Self { form, bounds: grown(ours.bounds(), epsilon), ours }
     }
 }
 
@@ -137,7 +137,7 @@ pub(super) fn form(kind: &Kind, ours: Arc<dyn Shape>, epsilon: f64) -> Arc<dyn S
 /// count beyond epsilon, and rays that leave the object start at the hit point itself.
 pub(super) fn object(of: Arc<dyn Shape>, epsilon: f64) -> Arc<dyn Shape> {
     let whole = Whole { of: Arc::clone(&of), epsilon };
-    Arc::new(Textbook { form: Box::new(whole), bounds: of.bounds(), ours: of })
+    Arc::new(Textbook { form: whole, bounds: of.bounds(), ours: of })
 }
 
 #[derive(Debug)]
@@ -176,7 +176,7 @@ impl Form for Whole {
     }
 }
 
-impl Shape for Textbook {
+impl<F: Form> Shape for Textbook<F> {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         self.form.first(ray, span)
     }

@@ -39,7 +39,9 @@ fn easy_rays(shape: &dyn Shape, count: usize) -> Vec<Ray> {
 /// and for algebraic surfaces, two roots between two samples.
 #[test]
 fn textbook_and_robust_agree_on_easy_rays() {
-    const RAYS: usize = 200;
+    const RAYS: usize = 400;
+    /// Some specimens are far from filling their box.
+    const MUST_HIT: usize = 10;
     const MAY_DIFFER: usize = 4;
     let beyond = Span { min: EPSILON, ..Span::AHEAD };
     for entry in Kind::ENTRIES {
@@ -61,7 +63,7 @@ fn textbook_and_robust_agree_on_easy_rays() {
                 }
             }
             let module = entry.module;
-            assert!(hits > RAYS / 10, "{module}: {hits} hits of {kind:?}");
+            assert!(hits >= MUST_HIT, "{module}: {hits} hits of {kind:?}");
             assert!(odd <= MAY_DIFFER, "{module}: {odd} differ beside {hits} hits of {kind:?}");
         }
     }
