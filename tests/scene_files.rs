@@ -72,7 +72,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "radius",
         "radios",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere.radios: unknown field `radios`, expected one of `center`, `radius`, `inward`",
+        "scene.toml:29: objects[0] \"ball\", shape.sphere.radios: unknown field `radios`, expected one of `center`, `radius`, `inward`",
     ),
     (
         "radius = 1\n",
@@ -82,7 +82,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "radius = 1",
         "radius = \"big\"",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: invalid type: string \"big\", expected a number",
+        "scene.toml:29: objects[0] \"ball\", shape.sphere.radius: invalid type: string \"big\", expected a number",
     ),
     (
         "[0, 0, 0]",
@@ -132,7 +132,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[image]",
         "[imag]",
-        "scene.toml:7: imag: unknown field `imag`, expected one of `about`, `tracer`, `transparency`, `accel`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+        "scene.toml:7: imag: unknown field `imag`, expected one of `about`, `tracer`, `transparency`, `accel`, `intersect`, `epsilon`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
     ),
     (
         "whitted",
@@ -150,22 +150,22 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "radius = 1",
         "radius = nan",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: found NaN, but a positive, finite number is needed",
+        "scene.toml:29: objects[0] \"ball\", shape.sphere.radius: found NaN, but a positive, finite number is needed",
     ),
     (
         "radius = 1",
         "radius = inf",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: found inf, but a positive, finite number is needed",
+        "scene.toml:29: objects[0] \"ball\", shape.sphere.radius: found inf, but a positive, finite number is needed",
     ),
     (
         "radius = 1",
         "radius = -1",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: found -1, but a positive, finite number is needed",
+        "scene.toml:29: objects[0] \"ball\", shape.sphere.radius: found -1, but a positive, finite number is needed",
     ),
     (
         "radius = 1",
         "radius = 0",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere.radius: found 0, but a positive, finite number is needed",
+        "scene.toml:29: objects[0] \"ball\", shape.sphere.radius: found 0, but a positive, finite number is needed",
     ),
     (
         "background = 0.5",
@@ -255,7 +255,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "[objects.shape.box]\nmin = [0, 0, 0]\nmax = [1, 0, 1]\n",
-        "scene.toml:31: objects[0] \"ball\", shape.box.max: found [1.0, 0.0, 1.0], but each coordinate must be above that of min, [0.0, 0.0, 0.0]",
+        "scene.toml:29: objects[0] \"ball\", shape.box.max: found [1.0, 0.0, 1.0], but each coordinate must be above that of min, [0.0, 0.0, 0.0]",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
@@ -270,12 +270,12 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "[objects.shape.open_cylinder]\ny0 = 1\ny1 = 1\nradius = 1\n",
-        "scene.toml:31: objects[0] \"ball\", shape.open_cylinder.y1: found 1, but it must be above y0, 1",
+        "scene.toml:29: objects[0] \"ball\", shape.open_cylinder.y1: found 1, but it must be above y0, 1",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "[objects.shape.plane]\npoint = [0, 0, 0]\nnormal = [0, 0, 0]\n",
-        "scene.toml:31: objects[0] \"ball\", shape.plane.normal: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+        "scene.toml:29: objects[0] \"ball\", shape.plane.normal: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
@@ -300,7 +300,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "[objects.shape.instance]\nof = { sphere = { center = [0, 0, 0], radius = 1 } }\ntransform = [{ matrix = [[1, 0, 0, 0], [0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]] }]\n",
-        "scene.toml:31: objects[0] \"ball\", shape.instance.transform[0].matrix: invalid length 3, expected an array of length 4",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].matrix: invalid length 3, expected an array of length 4",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
@@ -410,7 +410,7 @@ fn epsilon_goes_with_the_textbook() {
         (
             "intersect = \"textbook\"\n",
             "intersect = \"robust\"\nepsilon = 0.5\n",
-            format!("scene.toml:31: objects[0] \"ball\", epsilon: {unused}"),
+            format!("scene.toml:29: objects[0] \"ball\", epsilon: {unused}"),
         ),
         (
             "intersect = \"textbook\"\nepsilon = -1\n",

@@ -76,8 +76,8 @@ pub fn span(family: Family, shape: &dyn shapes::Shape, ray: &Ray) -> Span {
     Span { min: size * power_of_two(-20) / ray.direction.length(), ..Span::AHEAD }
 }
 
-/// The shape by the book's routines, whose hits count beyond [`textbook::EPSILON`] of the span; `None`
-/// where the library refuses it.
+/// The shape by the book's routines, to be asked for hits beyond [`textbook::EPSILON`]; `None` where the
+/// library refuses it.
 pub fn by_the_book(kind: &shapes::Kind) -> Option<Arc<dyn shapes::Shape>> {
     let mut context = Context::default();
     context.set_textbook(Some(textbook::EPSILON));
