@@ -77,7 +77,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "radius = 1\n",
         "",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere: missing field `radius`",
+        "scene.toml:29: objects[0] \"ball\", shape.sphere: missing field `radius`",
     ),
     (
         "radius = 1",
@@ -97,7 +97,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "sphere",
         "spheer",
-        "scene.toml:31: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, …",
+        "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, …",
     ),
     (
         "[1, 0, 0]",
@@ -285,12 +285,12 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ scale = [1, 0, 1] }] } }\n",
-        "scene.toml:31: objects[0] \"ball\", shape.instance.transform: the transformation is singular (condition number inf; at most 1e12 fits)",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform: the transformation is singular (condition number inf; at most 1e12 fits)",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ scale = [1, 1, 1e-13] }] } }\n",
-        "scene.toml:31: objects[0] \"ball\", shape.instance.transform: the transformation is singular (condition number 1.4e13; at most 1e12 fits)",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform: the transformation is singular (condition number 1.4e13; at most 1e12 fits)",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
@@ -305,22 +305,22 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ translate = [nan, 0, 0] }] } }\n",
-        "scene.toml:31: objects[0] \"ball\", shape.instance.transform[0].translate: found [NaN, 0.0, 0.0], but finite coordinates are needed",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].translate: found [NaN, 0.0, 0.0], but finite coordinates are needed",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ rotate_about = { point = [0, 0, 0], direction = [0, 0, 0], degrees = 3 } }] } }\n",
-        "scene.toml:31: objects[0] \"ball\", shape.instance.transform[0].rotate_about.direction: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].rotate_about.direction: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ spin = 3 }] } }\n",
-        "scene.toml:31: objects[0] \"ball\", shape.instance.transform[0].spin: unknown variant `spin`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].spin: unknown variant `spin`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ rotate_about = { point = [0, 0, 0], direction = [0, 0, 1], degrees = 3, sense = 1 } }] } }\n",
-        "scene.toml:31: objects[0] \"ball\", shape.instance.transform[0].rotate_about.sense: unexpected keys in table: sense, available keys: point, direction, degrees",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].rotate_about.sense: unexpected keys in table: sense, available keys: point, direction, degrees",
     ),
     (
         "shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",

@@ -172,7 +172,7 @@ fn umbrella(about: &str) -> Scene {
     // the book's formula is exact to the sign for edges of the same first corner: so these are not
     let triangle = |k: u32| {
         let (this, next) = (1 + k, 1 + (k + 1) % 8);
-        if k % 2 == 0 { [this, next, 0] } else { [0, this, next] }
+        if k.is_multiple_of(2) { [this, next, 0] } else { [0, this, next] }
     };
     let mesh = Mesh::of_lists(vertices, (0..8).map(triangle).collect());
     add(&mut scene, "umbrella", mesh, matte(0.25, 0.75, rgb(0.7, 0.1, 0.2)));
