@@ -111,7 +111,7 @@ pub fn schema_of_kind<Data: Specification + JsonSchema + Serialize>(
 macro_rules! kinds {
     (
         $(#[doc = $doc:literal])*
-        $Kind:ident builds dyn $Trait:ident with $Context:ty $(, checked by $check:path)?;
+        $Kind:ident builds dyn $Trait:ident with $Context:ty $(, finished by $finish:path)?;
         $($chapter:ident $module:ident::$Data:ident),* $(,)?
     ) => {
         $(pub use $module::$Data;)*
@@ -188,7 +188,7 @@ macro_rules! kinds {
                     })*
                     Self::Custom(custom) => return Ok(::std::sync::Arc::clone(&custom.0)),
                 };
-                $(let built = built.and_then($check);)?
+                $(let built = built.and_then(|built| $finish(self, built, context));)?
                 built.map_err(|e| e.inside($crate::kinds::tag(name).as_str()))
             }
         }

@@ -12,6 +12,7 @@ mod too_deep;
 
 use std::path::Path;
 
+use groundtruth::scene;
 use groundtruth::world;
 
 /// A scene that is right.
@@ -132,7 +133,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[image]",
         "[imag]",
-        "scene.toml:7: imag: unknown field `imag`, expected one of `about`, `tracer`, `transparency`, `accel`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+        "scene.toml:7: imag: unknown field `imag`, expected one of `about`, `tracer`, `transparency`, `accel`, `intersect`, `epsilon`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
     ),
     (
         "whitted",
@@ -393,6 +394,50 @@ fn errors_name_line_object_and_field_and_say_what_would_fit() {
             None => assert_eq!(found, *error, "{part} -> {replacement}"),
         }
     }
+}
+
+/// Law: an epsilon is a length, and only where the textbook's routines are asked for; a scene with both
+/// is read and written back as it was, an object's own choice before the scene's.
+#[test]
+fn epsilon_goes_with_the_textbook() {
+    let scene = |top: &str, object: &str| {
+        let text = with("about = \"x\"\n", &format!("about = \"x\"\n{top}"));
+        text.replacen("name = \"ball\"\n", &format!("name = \"ball\"\n{object}"), 1)
+    };
+    let unused = "found 0.5, but only the textbook's routines have an epsilon: leave it out, or add \
+                  `intersect = \"textbook\"`";
+    for (top, object, error) in [
+        ("epsilon = 0.5\n", "", format!("scene.toml:2: epsilon: {unused}")),
+        (
+            "intersect = \"textbook\"\n",
+            "intersect = \"robust\"\nepsilon = 0.5\n",
+            format!("scene.toml:29: objects[0] \"ball\", epsilon: {unused}"),
+        ),
+        (
+            "intersect = \"textbook\"\nepsilon = -1\n",
+            "",
+            "scene.toml:3: epsilon: found -1, but a positive, finite number is needed".to_owned(),
+        ),
+        (
+            "intersect = \"book\"\n",
+            "",
+            "scene.toml:2: intersect: unknown variant `book`, expected `robust` or `textbook`"
+                .to_owned(),
+        ),
+    ] {
+        assert_eq!(error_of(&scene(top, object)), error);
+    }
+    let text = scene("epsilon = 0.25\n", "intersect = \"textbook\"\nepsilon = 0.125\n");
+    let (read, _) = world::from_toml(&text, Path::new("scene.toml")).expect("it is right");
+    let written = scene::to_toml(&read).expect("plain data");
+    for line in ["epsilon = 0.25", "intersect = \"textbook\"", "epsilon = 0.125"] {
+        assert_eq!(written.matches(line).count(), 1, "{line}: {written}");
+    }
+    let (again, _) = world::from_toml(&written, Path::new("scene.toml")).expect("it is right");
+    let own = |scene: &scene::Scene| {
+        (scene.intersect, scene.epsilon, scene.objects[0].intersect, scene.objects[0].epsilon)
+    };
+    assert_eq!(own(&again), own(&read));
 }
 
 /// Law: one factor scales as three equal ones do. Oracle: the rows of the vector form.

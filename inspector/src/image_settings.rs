@@ -1,7 +1,7 @@
 //! How the picture is made: size, samples, depth and seed, each a number to be typed or dragged.
 
 use eframe::egui::{ComboBox, DragValue, Grid, Response, TextEdit, Ui, emath::Numeric};
-use groundtruth::scene::{Scene, Tracer};
+use groundtruth::scene::{Intersect, Scene, Tracer};
 use groundtruth::world::{DEEPEST, MOST_PIXELS, MOST_SAMPLES};
 
 /// What is typed as seed. It is a text: a number field would round large seeds.
@@ -21,7 +21,8 @@ impl ImageSettings {
                 .on_hover_text("For each pixel; some samplers round up")
                 .changed();
             ui.end_row();
-            resized | sampled | tracer(ui, scene) | self.seed(ui, seed)
+            let traced = tracer(ui, scene);
+            resized | sampled | traced | intersections(ui, scene) | self.seed(ui, seed)
         })
         .inner
     }
@@ -92,6 +93,28 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
             ui.weak("none").on_hover_text(about);
         }
     }
+    ui.end_row();
+    changed
+}
+
+/// How all objects are intersected.
+fn intersections(ui: &mut Ui, scene: &mut Scene) -> bool {
+    let label = ui.label("Intersections");
+    let chosen = scene.intersections();
+    let text = chosen.map_or("mixed", Intersect::name);
+    let mut changed = false;
+    let combo = ComboBox::from_id_salt("intersections").selected_text(text);
+    let combo = combo.show_ui(ui, |ui| {
+        for other in Intersect::ALL {
+            let is_chosen = chosen == Some(other);
+            if ui.selectable_label(is_chosen, other.name()).clicked() && !is_chosen {
+                scene.set_intersections(other);
+                changed = true;
+            }
+        }
+    });
+    let about = "The library's own routines, or the book's formulas with a constant epsilon";
+    combo.response.labelled_by(label.id).on_hover_text(about);
     ui.end_row();
     changed
 }

@@ -6,7 +6,7 @@ use super::shaded_sets::{thirty_five_spheres, two_spheres_before_a_wall};
 use crate::lights::Point as PointLight;
 use crate::math::Point;
 use crate::rgb::Rgb;
-use crate::scene::{Light, Scene};
+use crate::scene::{Image, Intersect, Light, Scene};
 use crate::shapes::{Compound, Materials, SolidCylinder, Triangle};
 
 pub const SCENES: List = &[
@@ -33,6 +33,14 @@ pub const SCENES: List = &[
         two_spheres_before_a_wall("figure 16.10a: the two spheres of figure 14.21 with shadows")
     }),
     ("ch16/coloured-shadows", coloured_shadows),
+    ("ch16/surface-acne", || {
+        let about = "surface acne: so far from the origin, coordinates are rounded to 3 cm and the book's \
+                     epsilon is 1 mm: planet and moon are speckled with their own shadow";
+        Scene { intersect: Intersect::Textbook, ..eclipse(about) }
+    }),
+    ("ch16/surface-acne-cured", || {
+        eclipse("the same by robust routines: the moon's shadow, and no speckles")
+    }),
 ];
 
 /// Figure 16.1.
@@ -99,5 +107,22 @@ fn coloured_shadows() -> Scene {
     let grey_matte = || matte(0.0, 0.35, grey(0.7));
     add(&mut scene, "sphere", sphere(Point::ORIGIN, 1.0), grey_matte());
     add(&mut scene, "ground", ground(-3.0), grey_matte());
+    scene
+}
+
+/// A planet in the shadow of its moon, in metres, a thousand times as far from the origin as the Earth is
+/// from the sun.
+fn eclipse(about: &str) -> Scene {
+    let x = 1.5e14;
+    let stand = [point(x, 3e7, 1.5e8), point(x, 0.0, 0.0)];
+    let mut scene = pinhole(about, [300, 200], stand, 480.0);
+    scene.image = Image { samples: 1, ..scene.image };
+    scene.background = rgb(0.02, 0.02, 0.04).into();
+    scene.lights.push(ambient(0.4));
+    scene.lights.push(directional("sun", vector(-4.0, 2.0, 2.5), 3.0));
+    let planet = sphere(point(x, 0.0, 0.0), 2.5e7);
+    add(&mut scene, "planet", planet, matte(0.25, 0.75, rgb(0.3, 0.5, 1.0)));
+    let moon = sphere(point(x - 2.6e7, 1.7e7, 2.2e7), 5e6);
+    add(&mut scene, "moon", moon, matte(0.25, 0.75, rgb(0.8, 0.75, 0.7)));
     scene
 }

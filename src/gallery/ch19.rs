@@ -5,7 +5,7 @@ use super::parts::*;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::{Point, Step};
 use crate::rgb::Rgb;
-use crate::scene::{Image, Material, Object, Scene};
+use crate::scene::{Image, Intersect, Material, Object, Scene};
 use crate::shapes::{
     Algebraic, Annulus, ConcaveLens, Cone, CutFace, FlatRimmedBowl, Kind, Materials, Paraboloid,
     PartAnnulus, PartCylinder, PartSphere, PartTorus, RoundRimmedBowl, SolidCone, SolidCylinder,
@@ -22,6 +22,14 @@ pub const SCENES: List = &[
     ("ch19/part-objects", part_objects),
     ("ch19/more-objects", more_objects),
     ("ch19/algebraic", algebraic),
+    ("ch19/lost-roots", || {
+        let about = "lost roots: from 3000 radii away, the book's quartic loses the digits that tell a hit \
+                     from a miss, and the torus frays";
+        Scene { intersect: Intersect::Textbook, ..far_torus(about) }
+    }),
+    ("ch19/lost-roots-cured", || {
+        far_torus("the same by robust routines: the torus is whole, its outline sharp")
+    }),
 ];
 
 /// A view from above and the right, with a lamp over the right shoulder.
@@ -258,5 +266,18 @@ fn algebraic() -> Scene {
     };
     add(&mut scene, "tangle", transformed(tangle, beside(-2.0, 0.6)), rgb(0.4, 0.6, 1.0), false);
     add(&mut scene, "heart", transformed(heart, beside(2.0, 1.2)), rgb(1.0, 0.25, 0.3), false);
+    scene
+}
+
+/// A torus through a long lens.
+fn far_torus(about: &str) -> Scene {
+    let stand = [point(2000.0, 3000.0, 5000.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [300, 200], stand, 250_000.0);
+    scene.image.samples = 1;
+    scene.background = rgb(0.02, 0.02, 0.04).into();
+    scene.lights.push(ambient(0.4));
+    scene.lights.push(directional("light", vector(1.0, 2.0, 0.5), 3.0).without_shadows());
+    let torus = Torus { swept_radius: 2.0, tube_radius: 0.5, inward: false };
+    super::parts::add(&mut scene, "torus", torus, matte(0.25, 0.75, rgb(1.0, 0.6, 0.2)));
     scene
 }

@@ -4,10 +4,10 @@ use super::List;
 use super::parts::*;
 use crate::accel::Method;
 use crate::cameras::{Pinhole, Viewpoint};
-use crate::math::{Point, Step};
+use crate::math::{Point, Step, Vector, cos_degrees, sin_degrees};
 use crate::rgb::Rgb;
-use crate::scene::{Image, Material, Object, Scene};
-use crate::shapes::{Compound, Kind, Lattice, Part, TessellatedSphere};
+use crate::scene::{Image, Intersect, Material, Object, Scene};
+use crate::shapes::{Compound, Kind, Lattice, Mesh, Part, TessellatedSphere};
 
 pub const SCENES: List = &[
     ("ch23/flat-sphere", || tessellated(10, 5, false)),
@@ -17,6 +17,12 @@ pub const SCENES: List = &[
     ("ch23/coarsest-sphere", coarsest),
     ("ch23/penguins", penguins),
     ("ch23/nested-grids", nested),
+    ("ch23/leaks", || {
+        let about = "leaks: the book's triangles miss rays that meet their common edges, and light shines \
+                     through the umbrella's ribs";
+        Scene { intersect: Intersect::Textbook, ..umbrella(about) }
+    }),
+    ("ch23/leaks-cured", || umbrella("the same by robust routines: the umbrella is tight")),
 ];
 
 fn tessellated(horizontal: u32, vertical: u32, smooth: bool) -> Scene {
@@ -141,5 +147,34 @@ fn nested() -> Scene {
     let (object, material) = object("meshes", shape, matte(0.5, 0.75, rgb(0.9, 0.65, 0.4)));
     scene.objects.push(object);
     scene.materials.push(material);
+    scene
+}
+
+/// Eight triangles around the camera's axis, so that their edges are seen in the middle of a row, a column
+/// and two diagonals of pixels: the sides of the picture are odd.
+fn umbrella(about: &str) -> Scene {
+    let eye = point(1.0, 4.0, 4.0);
+    let away = (eye - Point::ORIGIN).length();
+    let mut scene = pinhole(about, [257, 257], [eye, Point::ORIGIN], 118.0 * away);
+    scene.image.samples = 1;
+    scene.background = rgb(1.0, 0.95, 0.7).into();
+    scene.lights.push(ambient(0.4));
+    scene.lights.push(directional("light", vector(-3.0, 5.0, 3.0), 2.5).without_shadows());
+    let w = 1.0 / away * eye.to_vector();
+    let u = Vector::Y.cross(w).unit().unwrap_or(Vector::X);
+    let v = w.cross(u);
+    let rib = |k: u32| {
+        let degrees = 45.0 * f64::from(k);
+        Point::ORIGIN + (cos_degrees(degrees) * u + sin_degrees(degrees) * v)
+    };
+    let mut vertices = vec![Point::ORIGIN + 0.5 * w];
+    vertices.extend((0..8).map(rib));
+    // the book's formula is exact to the sign for edges of the same first corner: so these are not
+    let triangle = |k: u32| {
+        let (this, next) = (1 + k, 1 + (k + 1) % 8);
+        if k.is_multiple_of(2) { [this, next, 0] } else { [0, this, next] }
+    };
+    let mesh = Mesh::of_lists(vertices, (0..8).map(triangle).collect());
+    add(&mut scene, "umbrella", mesh, matte(0.25, 0.75, rgb(0.7, 0.1, 0.2)));
     scene
 }

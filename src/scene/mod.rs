@@ -4,6 +4,7 @@
 mod error;
 mod file;
 mod files;
+mod intersect;
 mod places;
 mod schema;
 mod tracer;
@@ -16,10 +17,12 @@ use serde::{Deserialize, Serialize};
 use crate::background::Background;
 use crate::cameras::{ViewPlane, Viewpoint};
 use crate::film::OutOfGamut;
+use crate::shapes::textbook::EPSILON;
 use crate::{accel, bumps, filters, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
 pub use file::{Source, open, parse, to_toml};
+pub use intersect::Intersect;
 pub use schema::schema;
 pub use tracer::{Depth, Tracer, Whitted};
 pub use transparency::{Transparency, TransparentShadows};
@@ -41,6 +44,13 @@ pub struct Scene {
     /// How rays find objects. The picture is the same; only the time differs.
     #[serde(default)]
     pub accel: accel::Method,
+    /// How rays are intersected with objects that do not say so themselves.
+    #[serde(default, skip_serializing_if = "Intersect::is_default")]
+    pub intersect: Intersect,
+    /// The textbook's epsilon: hits nearer than this to a ray's origin do not count. A length; 0.001 if
+    /// left out. Only where something is intersected by the textbook.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub epsilon: Option<f64>,
     /// What a ray sees that hits nothing.
     #[serde(default)]
     pub background: Background,
@@ -150,6 +160,12 @@ pub struct Object {
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub casts_shadows: bool,
+    /// How rays are intersected with it; as the scene says if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub intersect: Option<Intersect>,
+    /// The textbook's epsilon for this object; the scene's if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub epsilon: Option<f64>,
     /// What shape it has.
     pub shape: shapes::Kind,
 }
@@ -208,7 +224,14 @@ impl Object {
     /// An object that is there and casts shadows.
     pub fn new(name: &str, material: &str, shape: impl Into<shapes::Kind>) -> Self {
         let (name, material, shape) = (name.to_owned(), material.to_owned(), shape.into());
-        Self { name, material, enabled: true, casts_shadows: true, shape }
+        let (enabled, casts_shadows, intersect, epsilon) = (true, true, None, None);
+        Self { name, material, enabled, casts_shadows, intersect, epsilon, shape }
+    }
+
+    /// The same object, intersected in this way.
+    #[must_use]
+    pub fn intersected(self, intersect: Intersect) -> Self {
+        Self { intersect: Some(intersect), ..self }
     }
 }
 
@@ -220,12 +243,46 @@ impl Scene {
             tracer: Tracer::RayCast,
             transparency: Transparency::default(),
             accel: accel::Method::default(),
+            intersect: Intersect::default(),
+            epsilon: None,
             background: Background::default(),
             image,
             camera,
             lights: Vec::new(),
             materials: Vec::new(),
             objects: Vec::new(),
+        }
+    }
+
+    /// Whether the scene or one of its objects asks for the textbook's routines.
+    pub(crate) fn names_textbook(&self) -> bool {
+        let named = self.objects.iter().filter_map(|object| object.intersect);
+        named.chain([self.intersect]).any(|intersect| intersect == Intersect::Textbook)
+    }
+
+    /// The routines of all objects, whether enabled or not; `None` where they are not the same.
+    pub fn intersections(&self) -> Option<Intersect> {
+        let of = |object: &Object| object.intersect.unwrap_or(self.intersect);
+        let first = self.objects.first().map_or(self.intersect, of);
+        self.objects.iter().all(|object| of(object) == first).then_some(first)
+    }
+
+    /// Intersects all objects in one way; epsilons stay only where the textbook needs them.
+    pub fn set_intersections(&mut self, intersect: Intersect) {
+        let needed = |epsilon: Option<f64>| epsilon.filter(|_| intersect == Intersect::Textbook);
+        self.intersect = intersect;
+        self.epsilon = needed(self.epsilon);
+        for object in &mut self.objects {
+            object.intersect = None;
+            object.epsilon = needed(object.epsilon);
+        }
+    }
+
+    /// The epsilon with which an object is intersected by the textbook; `None` if it is not.
+    pub(crate) fn textbook_epsilon(&self, object: &Object) -> Option<f64> {
+        match object.intersect.unwrap_or(self.intersect) {
+            Intersect::Robust => None,
+            Intersect::Textbook => Some(object.epsilon.or(self.epsilon).unwrap_or(EPSILON)),
         }
     }
 
@@ -245,8 +302,12 @@ impl Scene {
             material.recipe = material.recipe.scaled(factor);
             material.bump = material.bump.as_ref().map(|bump| bump.scaled(factor));
         }
+        if self.names_textbook() {
+            scene.epsilon = Some(factor * self.epsilon.unwrap_or(EPSILON));
+        }
         for object in &mut scene.objects {
             object.shape = object.shape.scaled(factor);
+            object.epsilon = object.epsilon.map(|epsilon| factor * epsilon);
         }
         scene
     }

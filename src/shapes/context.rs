@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 use std::sync::Arc;
 
-use super::{Kind, Shape};
+use super::{Kind, Shape, textbook};
 use crate::accel;
 use crate::invalid::{Invalid, MAX_NESTING};
 use crate::math::Transform;
@@ -22,6 +22,8 @@ const MOST_PARTS: u64 = 1 << 22;
 pub struct Context {
     resources: Resources,
     accel: accel::Method,
+    /// The epsilon of the book's routines, where these are asked for.
+    textbook: Option<f64>,
     shared: HashMap<String, Arc<dyn Shape>>,
     materials: Materials,
     budget: Budget,
@@ -87,6 +89,16 @@ impl Context {
         Self { materials: Materials { known, ..Materials::default() }, ..self }
     }
 
+    /// What is built next is hit as the book does, with this epsilon; `None` for the library's own routines.
+    pub fn set_textbook(&mut self, epsilon: Option<f64>) {
+        self.textbook = epsilon;
+    }
+
+    /// The epsilon of the book's routines, where what is built is hit as the book does.
+    pub(super) fn textbook(&self) -> Option<f64> {
+        self.textbook
+    }
+
     /// The material of this name.
     ///
     /// # Errors
@@ -109,7 +121,10 @@ impl Context {
         material: PartMaterial,
     ) -> Result<(Arc<dyn Shape>, Vec<PartMaterial>), Invalid> {
         self.materials.used.clear();
-        let shape = self.within(Some(material), |context| shape.build(context))?;
+        let mut shape = self.within(Some(material), |context| shape.build(context))?;
+        if let Some(epsilon) = self.textbook {
+            shape = textbook::object(shape, epsilon);
+        }
         Ok((shape, std::mem::take(&mut self.materials.used)))
     }
 
@@ -187,7 +202,7 @@ impl Context {
         data: &T,
         build: impl FnOnce(&mut Self) -> Result<Arc<dyn Shape>, Invalid>,
     ) -> Result<Arc<dyn Shape>, Invalid> {
-        let key = format!("{data:?}");
+        let key = format!("{:?} {data:?}", self.textbook);
         if let Some(known) = self.shared.get(&key) {
             return Ok(Arc::clone(known));
         }

@@ -190,6 +190,7 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 // shared by the kinds
 mod context;
 mod sampled;
+pub mod textbook;
 
 mod beveled;
 mod composite;
@@ -218,7 +219,7 @@ pub use meshes::triangle_mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
     /// The surface of an object. Lengths are in the unit of the scene.
-    Kind builds dyn Shape with Context, checked by of_supported_size;
+    Kind builds dyn Shape with Context, finished by finished;
     ch03 plane::Plane,
     ch03 sphere::Sphere,
     ch19 cuboid::Box,
@@ -256,6 +257,19 @@ crate::kinds! {
     ch23 tessellated_sphere::TessellatedSphere,
     ch28 glass_of_water::GlassOfWater,
     ch28 fish_bowl::FishBowl,
+}
+
+/// What was built of these data: of a supported size, and in the book's form if the scene asks for that.
+fn finished(
+    kind: &Kind,
+    shape: Arc<dyn Shape>,
+    context: &Context,
+) -> Result<Arc<dyn Shape>, Invalid> {
+    let shape = of_supported_size(shape)?;
+    Ok(match context.textbook() {
+        Some(epsilon) => textbook::form(kind, shape, epsilon),
+        None => shape,
+    })
 }
 
 /// The shape, if its extent and its distance from the origin are in [`LENGTHS`]; the unbounded have

@@ -13,7 +13,7 @@ use oracle::hard::Family;
 use crate::math::{
     Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector, atan2, power_of_two, to_degrees,
 };
-use crate::shapes::{self, Context, Instance};
+use crate::shapes::{self, Context, Instance, textbook};
 
 /// Answers that a smaller relative change of the input would turn may be wrong.
 pub const LEAST_MARGIN: f64 = 1e-13;
@@ -74,6 +74,14 @@ pub fn span(family: Family, shape: &dyn shapes::Shape, ray: &Ray) -> Span {
     let size = shape.bounds().extent().length();
     let size = if size.is_finite() { size } else { 1.0 };
     Span { min: size * power_of_two(-20) / ray.direction.length(), ..Span::AHEAD }
+}
+
+/// The shape by the book's routines, to be asked for hits beyond [`textbook::EPSILON`]; `None` where the
+/// library refuses it.
+pub fn by_the_book(kind: &shapes::Kind) -> Option<Arc<dyn shapes::Shape>> {
+    let mut context = Context::default();
+    context.set_textbook(Some(textbook::EPSILON));
+    kind.build(&mut context).ok()
 }
 
 /// The library's shape of the same data; `None` where it refuses them.

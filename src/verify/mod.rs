@@ -1,5 +1,5 @@
 //! Verification as a library: pictures compared, golden images kept, statistics judged,
-//! intersections held against exact answers and beside the textbook's.
+//! intersections held against exact answers.
 //!
 //! Each checker here is itself checked: it passes on the truth and fails on a planted error just
 //! above the power its doc line states.
@@ -30,7 +30,6 @@ mod quantile;
 pub mod review;
 pub mod significance;
 pub mod slope;
-pub mod textbook;
 
 mod draw;
 // what goldens are made of

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{PlacedLight, PlacedMaterial, PlacedObject};
 use crate::background::Sky;
-use crate::invalid::{Invalid, Key};
+use crate::invalid::{Invalid, Key, length, shown};
 use crate::lights::{self, LampObject};
 use crate::resources::Resources;
 use crate::scene::{self, Scene};
@@ -115,6 +115,21 @@ pub(super) fn placed_materials(
     scene.materials.iter().enumerate().map(&mut placed).collect()
 }
 
+/// Refuses an epsilon that is no length, and one that nothing uses.
+fn check_epsilon(epsilon: Option<f64>, is_used: bool) -> Result<(), Invalid> {
+    let Some(epsilon) = epsilon else { return Ok(()) };
+    length("epsilon", epsilon)?;
+    if !is_used {
+        let problem = format!(
+            "found {}, but only the textbook's routines have an epsilon: leave it out, or add \
+             `intersect = \"textbook\"`",
+            shown(epsilon)
+        );
+        return Err(Invalid::field("epsilon", problem));
+    }
+    Ok(())
+}
+
 pub(super) fn placed_objects(
     scene: &Scene,
     resources: Resources,
@@ -125,11 +140,15 @@ pub(super) fn placed_objects(
         .map(|m| (m.name.clone(), PartMaterial { place: m.place, casts_shadows: m.casts_shadows }))
         .collect();
     unique("objects", scene.objects.iter().map(|object| object.name.as_str()))?;
+    check_epsilon(scene.epsilon, scene.names_textbook())?;
     let mut context = Context::new(resources, scene.accel).with_materials(known);
     let mut objects = Vec::new();
     for (index, object) in scene.objects.iter().enumerate() {
         let here = item("objects", index, &object.name);
         let material = context.material(&object.material).map_err(&here)?;
+        let textbook = scene.textbook_epsilon(object);
+        check_epsilon(object.epsilon, textbook.is_some()).map_err(&here)?;
+        context.set_textbook(textbook);
         let built = context.object(&object.shape, material).map_err(|e| here(e.inside("shape")));
         let (shape, made_of) = built?;
         if !object.enabled {

@@ -1,5 +1,6 @@
 //! Chapter 16: shadows.
 
+mod acne;
 mod media;
 mod segments;
 

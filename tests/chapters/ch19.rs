@@ -12,5 +12,6 @@ mod parts;
 mod polynomials;
 mod quadrics;
 mod shapes;
+mod textbook;
 mod torus;
 mod torus_parts;

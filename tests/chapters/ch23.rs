@@ -4,6 +4,7 @@ mod bumps;
 mod files;
 mod hard;
 mod hard_spheres;
+mod leaks;
 mod leaving;
 mod lists;
 mod meshes;

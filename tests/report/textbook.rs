@@ -1,9 +1,9 @@
 //! The textbook's formulas are the right ones: a comparison with a misprint would prove nothing.
 
-use groundtruth::math::{Pcg32, Point, Ray, Vector};
-use groundtruth::verify::textbook::{
-    self, Angles, Annulus, Disk, OpenCone, PartAnnulus, PartCylinder, PartSphere, PartTorus,
-    SMALL_K_EPSILON, Textbook, Torus, quartic_roots,
+use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
+use groundtruth::shapes::textbook::{EPSILON, quartic_roots};
+use groundtruth::shapes::{
+    self, Annulus, Cone, Disk, PartAnnulus, PartCylinder, PartSphere, PartTorus, Shape, Torus,
 };
 use groundtruth::verify::{against, many};
 use oracle::Answer;
@@ -11,6 +11,11 @@ use oracle::hard::{Family, Kind, cases};
 
 /// Well above what the formulas lose on ordinary rays.
 const RIGHT: f64 = 1e-6;
+
+/// The first hit by the book's routine.
+fn first(book: &dyn Shape, ray: &Ray) -> Option<f64> {
+    book.hit(ray, Span { min: EPSILON, ..Span::AHEAD }).map(|at| at.t)
+}
 
 /// What a textbook form answers to some rays.
 #[derive(Default)]
@@ -23,12 +28,12 @@ struct Tally {
 
 impl Tally {
     /// One that is not as near as that to another answer, or near the book's epsilon.
-    fn ask(&mut self, book: &dyn Textbook, ray: &oracle::Ray, answer: &Answer, margin: f64) {
+    fn ask(&mut self, book: &dyn Shape, ray: &oracle::Ray, answer: &Answer, margin: f64) {
         let near = answer.margin < margin || answer.roots.iter().any(|root| root.t < 0.002);
         if near || answer.roots.iter().any(|root| root.cond > 1e6) {
             return;
         }
-        let found = book.hit(&against::ray(ray));
+        let found = first(book, &against::ray(ray));
         match (found, answer.roots.first()) {
             (Some(t), Some(root)) if root.t_error(t) <= RIGHT * root.t => self.hits += 1,
             (None, None) => self.misses += 1,
@@ -45,7 +50,9 @@ fn textbook_forms_are_right_on_ordinary_rays() {
     for kind in Kind::ALL {
         let mut tally = Tally::default();
         for (shape, ray) in cases(kind, Family::Ordinary, 31, 300) {
-            tally.ask(&*textbook::of(&shape), &ray, &oracle::intersect(&shape, &ray), RIGHT);
+            let (kind, _) = against::ours(&shape).expect("it is valid");
+            let book = against::by_the_book(&kind).expect("it is valid");
+            tally.ask(&*book, &ray, &oracle::intersect(&shape, &ray), RIGHT);
         }
         let Tally { hits, misses, missed } = tally;
         assert!(hits > 50 && misses > 20, "{kind:?}: {hits}, {misses}");
@@ -62,7 +69,7 @@ fn compounds_and_grids_are_right_on_ordinary_rays() {
         let mut tally = Tally::default();
         for index in 0..COUNT {
             let case = kind.case(Family::Ordinary, 32, index as usize, None).expect("it is valid");
-            let book = textbook::of_many(kind, &case.pieces).expect("its pieces are valid");
+            let book = against::by_the_book(&case.ours).expect("it is valid");
             // of pieces that the ray passes by, no more is known
             tally.ask(&*book, &case.ray, &case.answer(0.0), 1e-11);
         }
@@ -89,7 +96,7 @@ fn marched(ray: &Ray, f: impl Fn(Point) -> f64, there: impl Fn(Point) -> bool) -
             let middle = 0.5 * (low + high);
             if (value(low) > 0.0) == (value(middle) > 0.0) { low = middle } else { high = middle }
         }
-        if low > SMALL_K_EPSILON && there(ray.at(low)) {
+        if low > EPSILON && there(ray.at(low)) {
             return Some(low);
         }
     }
@@ -116,13 +123,14 @@ fn rays(count: usize) -> Vec<Ray> {
 /// in 200 may differ: two sign changes within one step, or a border within rounding.
 fn agrees(
     name: &str,
-    book: &dyn Textbook,
+    kind: impl Into<shapes::Kind>,
     f: impl Fn(Point) -> f64,
     there: impl Fn(Point) -> bool,
 ) {
+    let book = against::by_the_book(&kind.into()).expect("it is valid");
     let (mut hits, mut misses, mut odd) = (0, 0, 0);
     for ray in rays(400) {
-        match (book.hit(&ray), marched(&ray, &f, &there)) {
+        match (first(&*book, &ray), marched(&ray, &f, &there)) {
             (Some(a), Some(b)) if (a - b).abs() < RIGHT => hits += 1,
             (None, None) => misses += 1,
             _ => odd += 1,
@@ -132,10 +140,10 @@ fn agrees(
     assert!(hits > 20 && misses > 20, "{name}: {hits} hits, {misses} misses");
 }
 
-const QUARTER: Angles = Angles { min: 0.0, max: std::f64::consts::FRAC_PI_2 };
-const HALF: Angles = Angles { min: 0.0, max: std::f64::consts::PI };
+const QUARTER: [f64; 2] = [0.0, 90.0];
+const HALF: [f64; 2] = [0.0, 180.0];
 
-/// The azimuths of [`QUARTER`].
+/// The azimuths of [`QUARTER`], in degrees.
 fn in_quarter(p: Point) -> bool {
     p.x() >= 0.0 && p.z() >= 0.0
 }
@@ -147,12 +155,12 @@ fn tori_whole_and_in_part_are_where_their_function_changes_sign() {
         let rho = (p.x() * p.x() + p.z() * p.z()).sqrt();
         (rho - a) * (rho - a) + p.y() * p.y() - b * b
     };
-    agrees("torus", &Torus { a, b }, f, |_| true);
-    let part = PartTorus { a, b, phi: HALF, theta: HALF };
-    agrees("part torus", &part, f, |p| p.x() >= 0.0 && p.y() >= 0.0);
-    let around = Angles::degrees([270.0, 90.0]);
-    let outer = PartTorus { a, b, phi: Angles::degrees([0.0, 360.0]), theta: around };
-    agrees("outer half of a torus", &outer, f, |p| p.x() * p.x() + p.z() * p.z() >= a * a);
+    agrees("torus", Torus { swept_radius: a, tube_radius: b, inward: false }, f, |_| true);
+    let part =
+        |phi, theta| PartTorus { swept_radius: a, tube_radius: b, phi, theta, inward: false };
+    agrees("part torus", part(HALF, HALF), f, |p| p.x() >= 0.0 && p.y() >= 0.0);
+    let is_outer = |p: Point| p.x() * p.x() + p.z() * p.z() >= a * a;
+    agrees("outer half of a torus", part([0.0, 360.0], [270.0, 90.0]), f, is_outer);
 }
 
 #[test]
@@ -161,34 +169,36 @@ fn cones_are_where_their_function_changes_sign() {
     let f = |p: Point| {
         (p.x() * p.x() + p.z() * p.z()).sqrt() - radius * ((height - p.y()) / height).abs()
     };
-    agrees("cone", &OpenCone { height, radius }, f, |p| (0.0..=height).contains(&p.y()));
+    let cone = Cone { height, radius, inward: false };
+    agrees("cone", cone, f, |p| (0.0..=height).contains(&p.y()));
 }
 
 #[test]
 fn annuli_and_part_annuli_are_where_their_plane_is_crossed() {
     let center = Point::new(0.1, 0.3, -0.2);
-    let whole = Annulus { center, normal: Vector::Y, inner: 0.6, outer: 1.7 };
+    let (normal, inner_radius, outer_radius) = (Vector::Y, 0.6, 1.7);
+    let whole = Annulus { center, normal, inner_radius, outer_radius };
     let f = |p: Point| p.y() - center.y();
     let ring = |p: Point| (0.6..=1.7).contains(&p.distance(center));
-    agrees("annulus", &whole, f, ring);
+    agrees("annulus", whole, f, ring);
     let turned = |p: Point| Point::ORIGIN + (p - center);
-    let part = PartAnnulus { whole, phi: QUARTER };
-    agrees("part annulus", &part, f, |p| ring(p) && in_quarter(turned(p)));
-    let disk = Disk { center, normal: Vector::Y, radius: 1.7 };
-    agrees("disk", &disk, f, |p| p.distance(center) <= 1.7);
+    let part = PartAnnulus { center, normal, inner_radius, outer_radius, phi: QUARTER };
+    agrees("part annulus", part, f, |p| ring(p) && in_quarter(turned(p)));
+    let disk = Disk { center, normal, radius: 1.7 };
+    agrees("disk", disk, f, |p| p.distance(center) <= 1.7);
 }
 
 #[test]
 fn part_spheres_and_part_cylinders_are_where_their_function_changes_sign() {
     let center = Point::new(0.25, -0.125, 0.5);
-    let sphere = PartSphere { center, radius: 1.5, phi: QUARTER, theta: QUARTER };
+    let sphere = PartSphere { center, radius: 1.5, phi: QUARTER, theta: QUARTER, inward: false };
     let moved = |p: Point| Point::ORIGIN + (p - center);
     let f = |p: Point| p.distance(center) - 1.5;
-    agrees("part sphere", &sphere, f, |p| in_quarter(moved(p)) && p.y() >= center.y());
-    let cylinder = PartCylinder { y0: -0.5, y1: 1.0, radius: 1.25, phi: HALF };
+    agrees("part sphere", sphere, f, |p| in_quarter(moved(p)) && p.y() >= center.y());
+    let cylinder = PartCylinder { y0: -0.5, y1: 1.0, radius: 1.25, phi: HALF, inward: false };
     let f = |p: Point| (p.x() * p.x() + p.z() * p.z()).sqrt() - 1.25;
     let there = |p: Point| p.x() >= 0.0 && (-0.5..=1.0).contains(&p.y());
-    agrees("part cylinder", &cylinder, f, there);
+    agrees("part cylinder", cylinder, f, there);
 }
 
 /// Law: quartics with known roots have them. Oracle: chapter 19's examples.
@@ -207,8 +217,9 @@ fn quartics_have_their_roots() {
     check([-1.0, 0.0, 0.0, 0.0, 1.0], &[-1.0, 1.0]);
     check([2.0, 0.0, 0.0, 0.0, 2.0], &[]);
     // the torus (2, ½) along its equator, from (−5, 0, 0)
-    let torus = Torus { a: 2.0, b: 0.5 };
+    let torus = Torus { swept_radius: 2.0, tube_radius: 0.5, inward: false };
+    let torus = against::by_the_book(&torus.into()).expect("it is valid");
     let along_x = Ray::new(Point::new(-5.0, 0.0, 0.0), Vector::X);
-    assert!(torus.hit(&along_x).is_some_and(|t| (t - 2.5).abs() < RIGHT));
-    assert_eq!(torus.hit(&Ray::new(Point::new(0.0, -5.0, 0.0), Vector::Y)), None);
+    assert!(first(&*torus, &along_x).is_some_and(|t| (t - 2.5).abs() < RIGHT));
+    assert_eq!(first(&*torus, &Ray::new(Point::new(0.0, -5.0, 0.0), Vector::Y)), None);
 }

@@ -6,6 +6,7 @@ use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use groundtruth::explain::count;
 use groundtruth::gallery;
+use groundtruth::scene::Intersect;
 use groundtruth::world::{MOST_SAMPLES, World};
 use inspector::scene_picker::found;
 use inspector::thumbnails;
@@ -110,6 +111,29 @@ fn size_depth_and_seed_are_followed() {
     assert_eq!(film.pixels(), groundtruth::render::render(&world).pixels());
     type_into(&mut window, "Seed", "seven");
     assert_eq!(window.state().rendering.world.seed, seed);
+}
+
+/// Law: one switch shows the picture by the book's routines, and by the library's again. Oracle: the
+/// library's rendering of the scene with all objects intersected so.
+#[test]
+fn intersections_are_switched() {
+    let mut scene = (gallery::find("ch19/lost-roots").expect("a scene of the gallery").build)();
+    scene.image.resize(32, 32);
+    scene.image.samples = 1;
+    let mut window = open(scene.clone());
+    settle(&mut window);
+    let mut shown = Vec::new();
+    for intersect in [Intersect::Robust, Intersect::Textbook] {
+        window.get_by_label("Intersections").click();
+        window.run_steps(3);
+        window.get_by_label(intersect.name()).click();
+        settle(&mut window);
+        scene.set_intersections(intersect);
+        let film = window.state().rendering.canvas.film();
+        assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
+        shown.push(film.pixels().to_vec());
+    }
+    assert_ne!(shown[0], shown[1], "the textbook's roots are lost");
 }
 
 /// Law: the whole picture fills its place along one side, in whole points from two for a pixel on.

@@ -30,11 +30,10 @@ fn explanation(data: &Data) -> String {
     let (kinds, cases) = (data.kinds.len(), data.cases);
     format!(
         "<p>Compared are this library's routine for each of {kinds} shapes and the textbook's: the \
-         formula as the book prints it, or solids put together of such, with its constant epsilon \
-         (for algebraic surfaces, of which the book says nothing, a sign change among samples along \
-         the ray). Compounds are the book's compounds of their parts; random spheres, lattices and \
-         meshes its regular grid, of 64 cells for each part at most; ours search as they do if the \
-         scene does not say how. Both get the same rays, {cases} for each shape (a \
+         formula as the book prints it, with its constant epsilon (for algebraic surfaces, of which the \
+         book says nothing, a sign change among samples along the ray). Solids and compounds \
+         are the same parts for both, which the textbook tries in turn; copies, random \
+         spheres and triangles are searched alike. Both get the same rays, {cases} for each shape (a \
          quarter or a sixteenth for surfaces of high degree and shapes of many parts, whose truth \
          takes long) in each of twelve families: ordinary ones, and those on which formulas fail (far \
          origins, grazing and tangent rays, tiny, huge and thin shapes, …). The truth is computed with \

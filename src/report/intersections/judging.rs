@@ -9,8 +9,10 @@ use oracle::hard::{self, Family};
 use super::{FamilyData, Routine};
 use crate::math::{Ray, Span};
 use crate::shapes::Shape;
-use crate::verify::against::{ALLOWED, Pair, is_decided, pair, ray, span, t_error};
-use crate::verify::textbook::{self, Textbook};
+use crate::shapes::textbook::EPSILON;
+use crate::verify::against::{
+    ALLOWED, Pair, by_the_book, is_decided, ours, pair, ray, span, t_error,
+};
 use crate::verify::{many, quantile};
 
 /// What is judged: a shape that has a formula, or one of many such.
@@ -35,7 +37,15 @@ pub struct Case {
     /// Where hits are asked for.
     pub span: Span,
     pub ours: Arc<dyn Shape>,
-    pub textbook: Box<dyn Textbook>,
+    pub textbook: Arc<dyn Shape>,
+}
+
+impl Case {
+    /// Of the book's routine, beyond its epsilon.
+    pub fn textbook_hit(&self) -> Option<f64> {
+        let beyond = Span { min: EPSILON, ..Span::AHEAD };
+        self.textbook.hit(&self.ray, beyond).map(|at| at.t)
+    }
 }
 
 /// One kind and family, judged, and the rays to be timed.
@@ -90,13 +100,14 @@ impl Subject {
 
 impl Question {
     fn of_one(family: Family, shape: &oracle::Shape, exact_ray: &oracle::Ray) -> Option<Self> {
+        let textbook = by_the_book(&ours(shape)?.0)?;
         let Pair { ours, exact } = pair(shape)?;
         let ray = ray(exact_ray);
         let span = span(family, &*ours, &ray);
         Some(Self {
             condition: exact.condition(),
             exact: oracle::intersect_beyond(&exact, exact_ray, span.min),
-            case: Case { ray, span, ours, textbook: textbook::of(&exact) },
+            case: Case { ray, span, ours, textbook },
         })
     }
 
@@ -104,7 +115,7 @@ impl Question {
         let many = kind.case(family, seed, index, None)?;
         let (ours, ray) = (many.build()?, ray(&many.ray));
         let span = span(family, &*ours, &ray);
-        let textbook = textbook::of_many(kind, &many.pieces)?;
+        let textbook = by_the_book(&many.ours)?;
         Some(Self {
             condition: many.condition,
             exact: many.answer(span.min),
@@ -130,7 +141,7 @@ impl Judged {
             judged += 1;
             let found = case.ours.hit(&case.ray, case.span).map(|found| found.t);
             ours.meet(found, case.span, &exact);
-            book.meet(case.textbook.hit(&case.ray), case.span, &exact);
+            book.meet(case.textbook_hit(), case.span, &exact);
             hit_count += usize::from(!exact.roots.is_empty());
             let timed = if exact.roots.is_empty() { &mut misses } else { &mut hits };
             if timed.len() < subject.timed() {

@@ -115,10 +115,12 @@ impl Assembly {
             leaves.push(next);
         }
         let bounds: Vec<Aabb> = parts.iter().map(|part| part.shape.bounds()).collect();
-        let few = if parts.len() <= FEW { Method::List } else { context.accel() };
+        // the book tries the parts of a compound in turn
+        let in_turn = parts.len() <= FEW || context.textbook().is_some();
+        let usual = if in_turn { Method::List } else { context.accel() };
         Ok(Self {
             bounds: bounds.iter().fold(Aabb::EMPTY, |all, &part| all.union(part)),
-            accel: Accel::build(accel.unwrap_or(few), &bounds),
+            accel: Accel::build(accel.unwrap_or(usual), &bounds),
             parts,
             leaves,
         })

@@ -12,7 +12,7 @@ use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Pcg32, Point, Ray, Span};
-use crate::shapes::{Candidate, Context, Level, PartPath, Shape, Sphere, Surface};
+use crate::shapes::{Candidate, Context, Level, PartPath, Shape, Sphere, Surface, textbook};
 
 /// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -54,11 +54,16 @@ impl Specification for RandomSpheres {
         context.take_parts(self.count.into()).map_err(|e| e.inside("count"))?;
         let spheres = self.spheres();
         let bounds: Vec<Aabb> = spheres.iter().map(Sphere::bounds).collect();
-        Ok(Arc::new(RandomSpheresShape {
-            accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
+        let method = self.accel.unwrap_or(context.accel());
+        let built = Arc::new(RandomSpheresShape {
+            accel: Accel::build(method, &bounds),
             bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
             spheres,
-        }))
+        });
+        Ok(match context.textbook() {
+            Some(epsilon) => textbook::spheres(self.spheres(), built, method, epsilon),
+            None => built,
+        })
     }
 
     fn scaled(&self, factor: f64) -> Self {

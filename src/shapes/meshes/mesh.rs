@@ -152,7 +152,7 @@ impl Mesh {
         if self.reverse_normals {
             mesh.reverse();
         }
-        Ok(Arc::new(mesh.accelerated(self.accel.unwrap_or(context.accel()))))
+        Ok(mesh.searched(self.accel, context))
     }
 }
 

@@ -61,7 +61,7 @@ impl Specification for TessellatedSphere {
         }
         context.shared(self, |context| {
             context.take_triangles(self.triangles())?;
-            Ok(Arc::new(self.mesh().accelerated(self.accel.unwrap_or(context.accel()))))
+            Ok(self.mesh().searched(self.accel, context))
         })
     }
 

@@ -8,7 +8,9 @@ use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, Vector, exact_cross
 use crate::mesh_bvh::watertight::{self, ShearedRay};
 use crate::mesh_bvh::{Kernel, MeshBvh};
 use crate::shapes::sampled::{ByArea, EvenSurface};
-use crate::shapes::{Candidate, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface};
+use crate::shapes::{
+    Candidate, Context, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface, textbook,
+};
 
 /// Triangles on shared vertices. Triangles of area zero are left out: no ray meets them.
 #[derive(Clone, Debug)]
@@ -71,6 +73,19 @@ impl TriangleMesh {
     /// The triangles, as places in [`TriangleMesh::vertices`].
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
+    }
+
+    /// Ready for the rays of a scene; as the scene says where `method` is `None`.
+    pub(super) fn searched(
+        self,
+        method: Option<accel::Method>,
+        context: &Context,
+    ) -> Arc<dyn Shape> {
+        let method = method.unwrap_or(context.accel());
+        match context.textbook() {
+            Some(epsilon) => textbook::mesh(self, method, epsilon),
+            None => Arc::new(self.accelerated(method)),
+        }
     }
 
     /// Ready for rays.

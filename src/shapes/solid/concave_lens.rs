@@ -14,9 +14,10 @@ use serde::{Deserialize, Serialize};
 use super::spherical_cap::SphericalCap;
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::{Custom, Specification};
-use crate::math::UNIT_ROUNDOFF;
+use crate::math::{Point, UNIT_ROUNDOFF, atan2, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Context, Kind, OpenCylinder, Shape};
+use crate::shapes::part::angles::full_turn;
+use crate::shapes::{Context, Kind, OpenCylinder, PartSphere, Shape};
 
 /// A disk about the y axis with a spherical hollow in each side, as the parts `top`, `bottom` and
 /// `wall`; normals point out of the glass.
@@ -62,6 +63,18 @@ impl ConcaveLens {
     fn depth(&self) -> f64 {
         (0.5 * (self.thickness - self.min_distance)).min(self.radius)
     }
+
+    /// A hollow as the book has it, a part of a sphere with the centre far above or below.
+    fn zone(&self, mirrored: bool) -> Kind {
+        let depth = self.depth();
+        // `ρ² = radius² + (ρ − depth)²`
+        let radius = (depth * depth + self.radius * self.radius) / (2.0 * depth);
+        let omega = to_degrees(atan2(self.radius, radius - depth));
+        let y = radius + 0.5 * self.min_distance;
+        let (y, theta) = if mirrored { (-y, [0.0, omega]) } else { (y, [180.0 - omega, 180.0]) };
+        let center = Point::new(0.0, y, 0.0);
+        PartSphere { center, radius, phi: full_turn(), theta, inward: true }.into()
+    }
 }
 
 impl Specification for ConcaveLens {
@@ -72,7 +85,11 @@ impl Specification for ConcaveLens {
         self.checked()?;
         let half = 0.5 * self.thickness;
         let heights = [0.5 * self.min_distance, half];
+        let by_the_book = context.textbook().is_some();
         let hollow = |mirrored| {
+            if by_the_book {
+                return self.zone(mirrored);
+            }
             let cap = SphericalCap::new(heights, self.depth(), self.radius, mirrored);
             Kind::Custom(Custom(Arc::new(cap) as Arc<_>))
         };

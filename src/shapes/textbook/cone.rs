@@ -1,19 +1,12 @@
 //! The open cone about the y axis (Suffern, ch. 19).
 
-use super::{SMALL_K_EPSILON, Textbook, schoolbook_roots};
-use crate::math::Ray;
+use super::{Form, first_on, schoolbook_roots};
+use crate::math::{Ray, Span};
+use crate::shapes::{Candidate, Cone};
 
-/// `(h/r)² (x² + z²) = (h − y)²` for `0 ≤ y ≤ h`: apex at `(0, h, 0)`, radius r at `y = 0`.
-#[derive(Clone, Debug)]
-pub struct OpenCone {
-    /// The height.
-    pub height: f64,
-    /// The radius at the base.
-    pub radius: f64,
-}
-
-impl Textbook for OpenCone {
-    fn hit(&self, ray: &Ray) -> Option<f64> {
+impl Form for Cone {
+    /// `(h/r)² (x² + z²) = (h − y)²` for `0 ≤ y ≤ h`.
+    fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin.to_array(), ray.direction.to_array());
         let (h, k) = (self.height, self.height / self.radius);
         let k2 = k * k;
@@ -23,9 +16,6 @@ impl Textbook for OpenCone {
         let mut roots = schoolbook_roots(a, b, c)?;
         // a < 0 turns their order around
         roots.sort_by(f64::total_cmp);
-        roots.into_iter().find(|&t| {
-            let y = oy + t * dy;
-            t > SMALL_K_EPSILON && 0.0 <= y && y <= h
-        })
+        first_on(roots, span, |t| (0.0..=h).contains(&(oy + t * dy)))
     }
 }

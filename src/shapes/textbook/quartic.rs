@@ -2,24 +2,17 @@
 //! since Schwarze, "Cubic and Quartic Roots" (Graphics Gems, 1990).
 //!
 //! Written from the mathematics. What is compared here is the method: shift, resolvent, radicals,
-//! and a test for zero that never succeeds (the sample code's `EQN_EPS` of 1e-90).
+//! and a test for zero that hardly ever succeeds. (The sample code's is `|x| < 1e-90`, which small scenes
+//! would meet.)
 
 use std::f64::consts::PI;
 
-use crate::math::{acos, cos, power};
-
-fn is_zero(x: f64) -> bool {
-    x.abs() < 1e-90
-}
-
-fn cube_root(x: f64) -> f64 {
-    power(x.abs(), 1.0 / 3.0).copysign(x)
-}
+use crate::math::{acos, cbrt, cos};
 
 /// The real roots of `x² + 2 p x + q`.
 fn quadratic_roots(p: f64, q: f64) -> Vec<f64> {
     let d = p * p - q;
-    if is_zero(d) {
+    if d == 0.0 {
         vec![-p]
     } else if d < 0.0 {
         Vec::new()
@@ -37,11 +30,11 @@ pub fn cubic_roots([c, b, a]: [f64; 3]) -> Vec<f64> {
     let q = (2.0 / 27.0 * a * a * a - a * b / 3.0 + c) / 2.0;
     let discriminant = q * q + p * p * p;
     let shift = a / 3.0;
-    if is_zero(discriminant) {
-        if is_zero(q) {
+    if discriminant == 0.0 {
+        if q == 0.0 {
             return vec![-shift];
         }
-        let u = cube_root(-q);
+        let u = cbrt(-q);
         return vec![2.0 * u - shift, -u - shift];
     }
     if discriminant < 0.0 {
@@ -51,7 +44,7 @@ pub fn cubic_roots([c, b, a]: [f64; 3]) -> Vec<f64> {
         return [0.0, third, -third].map(|turn| size * cos(phi + turn) - shift).into();
     }
     let root = discriminant.sqrt();
-    vec![cube_root(root - q) - cube_root(root + q) - shift]
+    vec![cbrt(root - q) - cbrt(root + q) - shift]
 }
 
 /// The real roots of `c₄ x⁴ + c₃ x³ + c₂ x² + c₁ x + c₀`, given from `c₀` on; a double root may
@@ -65,7 +58,7 @@ pub fn quartic_roots([c0, c1, c2, c3, c4]: [f64; 5]) -> Vec<f64> {
     let q = a2 * a / 8.0 - a * b / 2.0 + c;
     let r = -3.0 / 256.0 * a2 * a2 + a2 * b / 16.0 - a * c / 4.0 + d;
     let shift = a / 4.0;
-    let mut roots = if is_zero(r) {
+    let mut roots = if r == 0.0 {
         let mut roots = cubic_roots([q, p, 0.0]); // y (y³ + p y + q)
         roots.push(0.0);
         roots
@@ -73,7 +66,7 @@ pub fn quartic_roots([c0, c1, c2, c3, c4]: [f64; 5]) -> Vec<f64> {
         let resolvent = cubic_roots([0.5 * r * p - q * q / 8.0, -r, -0.5 * p]);
         let z = resolvent[0];
         let (u2, v2) = (z * z - r, 2.0 * z - p);
-        let [u, v] = [u2, v2].map(|x| if is_zero(x) { 0.0 } else { x.sqrt() });
+        let [u, v] = [u2, v2].map(|x| x.sqrt());
         // the square of either may be negative by rounding alone: then the roots are lost
         if u.is_nan() || v.is_nan() {
             return Vec::new();

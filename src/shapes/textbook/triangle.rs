@@ -1,18 +1,13 @@
 //! The triangle (Suffern, ch. 19): barycentric coordinates by Cramer's rule.
 
-use super::{K_EPSILON, Textbook};
-use crate::math::{Point, Ray};
+use super::Form;
+use crate::math::{Ray, Span};
+use crate::shapes::{Candidate, Triangle};
 
-/// `p = (1 − β − γ) v₀ + β v₁ + γ v₂`.
-#[derive(Clone, Debug)]
-pub struct Triangle {
-    /// The corners.
-    pub vertices: [Point; 3],
-}
-
-impl Textbook for Triangle {
-    /// The columns are `v₀ − v₁`, `v₀ − v₂` and `d`, the right side is `v₀ − o`.
-    fn hit(&self, ray: &Ray) -> Option<f64> {
+impl Form for Triangle {
+    /// `p = (1 − β − γ) v₀ + β v₁ + γ v₂`: the columns are `v₀ − v₁`, `v₀ − v₂` and `d`, the right side is
+    /// `v₀ − o`.
+    fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let [v0, v1, v2] = self.vertices;
         let [a, e, i] = (v0 - v1).to_array();
         let [b, f, j] = (v0 - v2).to_array();
@@ -33,6 +28,6 @@ impl Textbook for Triangle {
             return None;
         }
         let t = (a * p - b * r + d * s) * inv_denom;
-        (t >= K_EPSILON).then_some(t)
+        span.contains(t).then(|| Candidate { parameters: [beta, gamma], ..Candidate::at(t) })
     }
 }

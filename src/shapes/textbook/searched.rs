@@ -1,0 +1,74 @@
+//! Shapes of many equal forms (Suffern, ch. 22 and 23): they are searched as the scene says.
+
+use std::sync::Arc;
+
+use super::{Form, Textbook, grown};
+use crate::accel::{Accel, Method, Primitives};
+use crate::math::{Aabb, Ray, Span};
+use crate::shapes::{Candidate, Shape, Sphere, Triangle, TriangleMesh};
+
+#[derive(Debug)]
+struct Searched<F> {
+    forms: Vec<F>,
+    accel: Accel,
+    /// The hit of the form of this index, as the library's shape numbers it.
+    numbered: fn(u32, Candidate) -> Candidate,
+}
+
+/// The forms as one ray sees them.
+struct Seen<'a, F> {
+    of: &'a Searched<F>,
+    ray: &'a Ray,
+}
+
+impl<F: Form> Primitives for Seen<'_, F> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let at = self.of.forms[index as usize].first(self.ray, span)?;
+        Some((self.of.numbered)(index, at))
+    }
+}
+
+impl<F: Form> Form for Searched<F> {
+    fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        let (_, at) = self.accel.nearest(&Seen { of: self, ray }, ray, span)?;
+        Some(at)
+    }
+
+    fn shadow(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.accel.any(&Seen { of: self, ray }, ray, span).map(|(_, at)| at.t)
+    }
+}
+
+/// The mesh, its triangles hit as the book does.
+pub(in crate::shapes) fn mesh(mesh: TriangleMesh, method: Method, epsilon: f64) -> Arc<dyn Shape> {
+    let corners = |t: &[u32; 3]| t.map(|vertex| mesh.vertices()[vertex as usize]);
+    let triangle = |t: &[u32; 3]| Triangle { vertices: corners(t), normals: None };
+    let forms: Vec<_> = mesh.triangles().iter().map(triangle).collect();
+    let bounds = forms.iter().map(|form| grown(Aabb::around(form.vertices), epsilon)).collect();
+    let numbered = |part, at| Candidate { part, ..at };
+    searched(forms, bounds, numbered, Arc::new(mesh.accelerated(method)), method, epsilon)
+}
+
+/// The random spheres `ours`, each hit as the book does.
+pub(in crate::shapes) fn spheres(
+    forms: Vec<Sphere>,
+    ours: Arc<dyn Shape>,
+    method: Method,
+    epsilon: f64,
+) -> Arc<dyn Shape> {
+    let bounds = forms.iter().map(|form| grown(form.bounds(), epsilon)).collect();
+    let numbered = |index: u32, at| Candidate { leaf: index.into(), ..at };
+    searched(forms, bounds, numbered, ours, method, epsilon)
+}
+
+fn searched<F: Form + 'static>(
+    forms: Vec<F>,
+    bounds: Vec<Aabb>,
+    numbered: fn(u32, Candidate) -> Candidate,
+    ours: Arc<dyn Shape>,
+    method: Method,
+    epsilon: f64,
+) -> Arc<dyn Shape> {
+    let accel = Accel::build(method, &bounds);
+    Arc::new(Textbook::new(Searched { forms, accel, numbered }, ours, epsilon))
+}

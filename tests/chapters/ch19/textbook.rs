@@ -1,0 +1,168 @@
+//! The book's intersection routines, which a scene may ask for.
+
+use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
+use groundtruth::scene::{Intersect, Scene};
+use groundtruth::shapes::textbook::EPSILON;
+use groundtruth::shapes::{Context, Kind, Shape, Sphere};
+use groundtruth::verify::against::by_the_book;
+
+use crate::pictures::studio::{RED, add_flat, built, from_front, pixels, small};
+use crate::support::camera_ray;
+
+/// What the book's formulas lose from a distance of a few sizes, quartics most.
+const LOST_BY_ROUNDING: f64 = 1e-9;
+
+/// Rays from a few sizes away towards the inside of a shape's box.
+fn easy_rays(shape: &dyn Shape, count: usize) -> Vec<Ray> {
+    let bounds = shape.bounds();
+    let (center, size) = if bounds.is_bounded() {
+        (bounds.center(), bounds.extent().length())
+    } else {
+        (Point::ORIGIN, 1.0)
+    };
+    let mut random = Pcg32::new(1900, 0);
+    let mut cube = || {
+        let mut x = || 2.0 * random.uniform() - 1.0;
+        Vector::new(x(), x(), x())
+    };
+    let ray = |_| {
+        let origin = center + 2.0 * size * cube().unit().expect("not zero");
+        let target = center + 0.4 * size * cube();
+        Ray::new(origin, (target - origin).unit().expect("elsewhere"))
+    };
+    (0..count).map(ray).collect()
+}
+
+/// Law: on easy rays every kind, in the book's form, is hit where it is hit in the library's: at the same
+/// distance, on the same part, with the same normal. Oracle: the library's routines, which are held
+/// against exact answers elsewhere. Few rays may differ: those that pass an edge within rounding,
+/// and for algebraic surfaces, two roots between two samples.
+#[test]
+fn textbook_and_robust_agree_on_easy_rays() {
+    const RAYS: usize = 400;
+    /// Some specimens are far from filling their box.
+    const MUST_HIT: usize = 10;
+    const MAY_DIFFER: usize = 4;
+    let beyond = Span { min: EPSILON, ..Span::AHEAD };
+    for entry in Kind::ENTRIES {
+        let mut all = 0;
+        for kind in (entry.specimens)() {
+            let ours = kind.build(&mut Context::default()).expect("specimens are valid");
+            let book = by_the_book(&kind).expect("specimens are valid");
+            let (mut hits, mut odd) = (0, 0);
+            for ray in easy_rays(&*ours, RAYS) {
+                match (ours.hit(&ray, beyond), book.hit(&ray, beyond)) {
+                    (None, None) => {}
+                    (Some(a), Some(b)) if (a.t - b.t).abs() <= LOST_BY_ROUNDING * a.t => {
+                        hits += 1;
+                        let [one, other] = [(&ours, a), (&book, b)]
+                            .map(|(shape, at)| (shape.path(&at), shape.surface(&ray, &at).normal));
+                        let apart = (Vector::from(one.1) - Vector::from(other.1)).length();
+                        odd += usize::from(one.0 != other.0 || apart > 1e-6);
+                    }
+                    _ => odd += 1,
+                }
+            }
+            let module = entry.module;
+            all += hits;
+            assert!(odd <= MAY_DIFFER, "{module}: {odd} differ beside {hits} hits of {kind:?}");
+        }
+        assert!(all >= MUST_HIT, "{}: {all} hits", entry.module);
+    }
+}
+
+/// A sphere of radius 1 about the origin, intersected as it says itself or as the scene says.
+fn ball(whole: Intersect, own: Option<Intersect>, epsilon: Option<f64>) -> Scene {
+    let mut scene = from_front(1, 1, 1.0);
+    let shape = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+    add_flat(&mut scene, "ball", shape, RED);
+    (scene.intersect, scene.epsilon, scene.objects[0].intersect) = (whole, epsilon, own);
+    scene
+}
+
+/// Law: hits within epsilon of a ray's origin do not count, as a distance whatever the length of the
+/// direction, for shadows as for sight; the default is a thousandth. Oracle: from the centre, the
+/// sphere of radius 1 is at distance 1; from near its surface, as far as that.
+#[test]
+fn epsilon_is_a_distance() {
+    for length in [0.25, 1.0, 8.0] {
+        let ray = Ray::new(Point::ORIGIN, length * Vector::X);
+        for (epsilon, is_hit) in [(0.99, true), (1.01, false)] {
+            let world = built(&ball(Intersect::Textbook, None, Some(epsilon)));
+            let hit = world.hit(&ray, Span::AHEAD).map(|hit| hit.t * length);
+            assert_eq!(hit, is_hit.then_some(1.0), "{epsilon} and {length}");
+            assert_eq!(world.occluder(&ray, Span::AHEAD).is_some(), is_hit);
+        }
+        let world = built(&ball(Intersect::Textbook, None, None));
+        for (gap, is_hit) in [(0.0011, true), (0.0009, false)] {
+            let ray = Ray::new(Point::new(1.0 - gap, 0.0, 0.0), length * Vector::X);
+            assert_eq!(world.hit(&ray, Span::AHEAD).is_some(), is_hit, "{gap} and {length}");
+        }
+    }
+}
+
+/// Law: a ray leaves the textbook's surface from the hit point itself, `o + t d`. Oracle: that formula.
+#[test]
+fn rays_start_at_the_hit_point() {
+    let world = built(&ball(Intersect::Textbook, None, None));
+    let ray = Ray::new(Point::new(0.3, 0.1, 7.0), Vector::new(0.01, 0.02, -1.0));
+    let hit = world.hit(&ray, Span::AHEAD).expect("it is hit");
+    assert_eq!(hit.surface.point, ray.at(hit.t));
+    for away in [Vector::X, Vector::Z, -Vector::Z] {
+        assert_eq!(hit.surface.leave(away), ray.at(hit.t));
+    }
+}
+
+/// Law: a scene and its objects choose by themselves, and the object's choice counts. Oracle: an epsilon
+/// larger than the ball hides it from rays that start inside, but only from the textbook.
+#[test]
+fn the_objects_choice_is_before_the_scenes() {
+    let inside = Ray::new(Point::ORIGIN, Vector::X);
+    let (robust, textbook) = (Intersect::Robust, Intersect::Textbook);
+    for (whole, own, is_hit) in [
+        (robust, None, true),
+        (textbook, None, false),
+        (textbook, Some(robust), true),
+        (robust, Some(textbook), false),
+    ] {
+        let epsilon = (own.unwrap_or(whole) == textbook).then_some(2.0);
+        let scene = ball(whole, own, epsilon);
+        let hit = built(&scene).hit(&inside, Span::AHEAD).is_some();
+        assert_eq!(hit, is_hit, "{whole:?} {own:?}");
+    }
+}
+
+/// Law: seen from far away, the book's quartic loses many of a torus's hits; the library's routine loses none
+/// and invents none. Oracle: the torus's distance function, along which the ray goes.
+#[test]
+fn quartics_lose_the_roots_of_a_far_torus() {
+    /// Of 6144 pixels: a hundredth is plain to see.
+    const MANY: usize = 60;
+    /// A ray that comes as near to the surface as this is not judged.
+    const NEAR: f64 = 1e-3;
+    let distance = |p: Point| {
+        let rho = (p.x() * p.x() + p.z() * p.z()).sqrt() - 2.0;
+        (rho * rho + p.y() * p.y()).sqrt() - 0.5
+    };
+    let [book, robust] = ["ch19/lost-roots", "ch19/lost-roots-cured"].map(|name| {
+        let world = built(&small(name, 96, 64, 1));
+        let (mut lost, mut invented) = (0, 0);
+        for pixel in pixels(96, 64) {
+            let (ray, _) = camera_ray(&world, pixel, 0);
+            let hit = world.hit(&ray, Span::AHEAD).is_some();
+            let speed = ray.direction.length();
+            let mut t = ((ray.origin - Point::ORIGIN).length() - 4.0) / speed;
+            let (end, mut nearest) = (t + 8.0 / speed, f64::INFINITY);
+            while t < end && nearest > -NEAR {
+                let d = distance(ray.at(t));
+                nearest = nearest.min(d);
+                t += d.abs().max(NEAR) / speed;
+            }
+            lost += usize::from(nearest <= -NEAR && !hit);
+            invented += usize::from(nearest > NEAR && hit);
+        }
+        (lost, invented)
+    });
+    assert!(book.0 > MANY, "{} of the book's hits are lost", book.0);
+    assert_eq!(robust, (0, 0));
+}

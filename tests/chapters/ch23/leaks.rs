@@ -1,0 +1,32 @@
+//! Leaks: what triangles do whose common edge is not the same for both.
+
+use groundtruth::math::{atan2, cos_degrees, to_degrees};
+use groundtruth::render;
+
+use crate::pictures::studio::{bits, built, pixels, small};
+
+/// Law: the background shines through the book's triangles along their edges, and nowhere through the
+/// library's. Oracle: the outline of the umbrella in the picture, a regular octagon.
+#[test]
+fn the_textbooks_triangles_leak_at_their_edges() {
+    /// In a picture of 97 × 97 pixels.
+    const MANY: usize = 20;
+    const SIDE: u32 = 97;
+    let [book, robust] = ["ch23/leaks", "ch23/leaks-cured"].map(|name| {
+        let world = built(&small(name, SIDE, SIDE, 1));
+        let picture = render::render(&world);
+        let background = bits(picture.get([0, 0]));
+        // of its corners, in pixels of the picture: 118 of 257
+        let radius = 118.0 / 257.0 * f64::from(SIDE);
+        let leaks = pixels(SIDE, SIDE).filter(|&pixel| {
+            let [x, y] = pixel.map(|i| f64::from(i) - f64::from(SIDE / 2));
+            let angle = to_degrees(atan2(y, x)).rem_euclid(45.0) - 22.5;
+            let to_side = radius * cos_degrees(22.5) - (x * x + y * y).sqrt() * cos_degrees(angle);
+            // not the pixels at the sides
+            to_side > 1.0 && bits(picture.get(pixel)) == background
+        });
+        leaks.count()
+    });
+    assert!(book > MANY, "{book} leaks");
+    assert_eq!(robust, 0);
+}
