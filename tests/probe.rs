@@ -12,7 +12,7 @@ mod inside;
 mod lines;
 #[path = "probe/radiance.rs"]
 mod radiance;
-#[path = "chapters/support.rs"]
+#[path = "chapters/support/cases.rs"]
 #[allow(dead_code)] // the chapters use the rest of it
 mod support;
 

@@ -2,37 +2,14 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::math::{ONE_MINUS, Pcg32, atan2, floor, maps};
+use groundtruth::math::{ONE_MINUS, Pcg32, atan2, maps};
 use groundtruth::samplers::Jittered;
-use groundtruth::verify::chi_square;
-use groundtruth::verify::ks;
-use groundtruth::verify::significance::sidak;
 use proptest::prelude::*;
 
-use crate::ch05::patterns::{built, occupied, once_each};
+use crate::support::samples::random_points;
+use crate::support::samples::uniform;
+use crate::support::samples::{built, occupied, once_each};
 use crate::support::{U, laws};
-
-/// The chance of a false alarm of each law here that judges chance.
-const LEVEL: f64 = 1e-3;
-
-/// Independent uniform points of the unit square.
-pub fn random_points(count: u32, seed: u64) -> Vec<[f64; 2]> {
-    let mut random = Pcg32::new(seed, 6);
-    (0..count).map(|_| [random.uniform(), random.uniform()]).collect()
-}
-
-/// Whether independent points are uniform over the unit square: each coordinate by Kolmogorov and
-/// Smirnov, both together by χ² over 7 × 11 cells; as one of `families` such questions.
-pub fn uniform(points: &[[f64; 2]], families: usize) -> bool {
-    let level = sidak(LEVEL, 3 * families);
-    let along = |axis: usize| ks::uniform(&points.iter().map(|p| p[axis]).collect::<Vec<_>>());
-    let mut cells = [0; 77];
-    for [x, y] in points {
-        cells[(floor(7.0 * x) + 7.0 * floor(11.0 * y)) as usize] += 1;
-    }
-    let both = chi_square::goodness_of_fit(&cells, &[points.len() as f64 / 77.0; 77]);
-    along(0) > level && along(1) > level && both > level
-}
 
 /// Places in the square: all over it, on the axes and diagonals, at the ends and next to the centre.
 fn place() -> impl Strategy<Value = [f64; 2]> {

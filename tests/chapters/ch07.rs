@@ -6,8 +6,8 @@ use groundtruth::math::{ONE_MINUS, Pcg32, Vector, acos, atan2, maps, power};
 use groundtruth::samplers::Jittered;
 use proptest::prelude::*;
 
-use crate::ch05::patterns::{built, occupied, once_each};
-use crate::ch06::{random_points, uniform};
+use crate::support::samples::{built, occupied, once_each};
+use crate::support::samples::{random_points, uniform};
 use crate::support::{U, laws};
 
 /// Exponents of the book's lobes, between and far beyond.

@@ -12,7 +12,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{Box as Cuboid, Instance, Kind as Shape, Sphere};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::stage::*;
 use crate::support::{U, laws, unit};
 
 /// Steps of a quadrature in each of two angles.

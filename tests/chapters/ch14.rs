@@ -1,7 +1,6 @@
 //! Chapter 14: lights and materials.
 
 mod sources;
-pub mod stage;
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
@@ -13,8 +12,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Plane, Rectangle, Sphere};
 use proptest::prelude::*;
-use stage::*;
 
+use crate::support::stage::*;
 use crate::support::{U, laws, point, unit};
 
 /// A few products and one sum of positive terms: each rounds once or twice.

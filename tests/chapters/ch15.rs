@@ -12,7 +12,7 @@ use groundtruth::shapes::{Plane, Sphere};
 use groundtruth::{cameras, render};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::stage::*;
 use crate::support::{U, laws, unit};
 
 fn lobe(ks: f64, exponent: f64) -> Lobe {

@@ -18,7 +18,7 @@ use groundtruth::trace::Outcome;
 use groundtruth::{cameras, lights, shapes};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::stage::*;
 use crate::support::{U, camera_ray, laws, point, unit};
 
 fn white() -> Matte {

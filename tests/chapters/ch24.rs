@@ -14,7 +14,7 @@ use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
 use groundtruth::trace::{Outcome, RayKind, RayTree};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::stage::*;
 use crate::support::{U, laws, point, unit};
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);

@@ -14,7 +14,7 @@ use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 use groundtruth::world::World;
 
-use crate::ch14::stage::{built, counted, deep_stage, look, put, ray, recorded, shine, stage};
+use crate::support::stage::{built, counted, deep_stage, look, put, ray, recorded, shine, stage};
 
 /// The chance that a law of means of this file is called broken if it holds, had the seeds been drawn
 /// anew.

@@ -17,7 +17,7 @@ use groundtruth::trace::{TermSource, left_out};
 use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 
-use crate::ch14::stage::{built, counted, look, put, recorded, shine, stage};
+use crate::support::stage::{built, counted, look, put, recorded, shine, stage};
 
 /// The chance that a law of means of this file is called broken if it holds, had the seeds been drawn
 /// anew.
@@ -57,7 +57,7 @@ fn replicas(scene: &Scene, rays: &[(Point, Vector)]) -> Vec<Vec<f64>> {
     for seed in 0..REPLICAS {
         world.reseed(seed);
         for (values, (origin, direction)) in values.iter_mut().zip(rays) {
-            let ray = crate::ch14::stage::ray(*origin, *direction);
+            let ray = crate::support::stage::ray(*origin, *direction);
             let sample =
                 |i| groundtruth::trace::radiance(&world, &ray, world.draws([0, 0], i), &mut ());
             values.push(render::mean((0..world.samples_per_pixel()).map(sample)).g);

@@ -17,7 +17,7 @@ use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
 use groundtruth::trace::{Node, RayKind, RayTree};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::stage::*;
 use crate::support::{U, laws, point, unit};
 
 /// cosθ_t² is divided by η² ≥ 0.16: a few u become about 18u in the length; twice that is allowed.

@@ -1,6 +1,6 @@
 //! Chapter 28: realistic transparency.
 
-pub mod fresnel;
+mod fresnel;
 mod pictures;
 mod polarised;
 mod recorded_optics;
@@ -17,7 +17,8 @@ use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
 use groundtruth::trace::{Node, Outcome, RayKind, RayTree};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::optics;
+use crate::support::stage::*;
 use crate::support::{U, camera_ray, laws, point, unit};
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
@@ -63,7 +64,7 @@ fn each_pixel_of_a_glass_ball_is_a_geometric_series() {
             let at = [i % 41, i / 41];
             let (ray, _) = camera_ray(&world, at, 0);
             let sine = (ray.origin.x() * ray.origin.x() + ray.origin.y() * ray.origin.y()).sqrt();
-            let r = fresnel::by_angles(sine, 1.5);
+            let r = optics::by_angles(sine, 1.5);
             let expected = match depth {
                 _ if sine > 1.0 => 1.0,
                 0 => 0.0,
@@ -226,7 +227,7 @@ proptest! {
             prop_assert_eq!(seen, Rgb::new(0.5, 0.0, 0.0));
             prop_assert_eq!(tree.nodes().len(), 2);
         } else {
-            let r = fresnel::by_angles(outside, 1.33);
+            let r = optics::by_angles(outside, 1.33);
             let sky = (1.33 * 1.33) * (1.0 - r);
             prop_assert!((seen.b - sky).abs() < 1e-11 && (seen.r - sky - 0.5 * r).abs() < 1e-11);
         }

@@ -4,10 +4,6 @@
 //! `tests/contracts`, under the same names.
 
 mod calibration;
-mod exact;
-mod hard_cases;
-mod leaving;
-mod replicas;
 mod support;
 
 mod ch01;

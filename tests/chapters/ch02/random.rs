@@ -3,8 +3,8 @@
 use groundtruth::math::{Pcg32, hash, splitmix};
 use proptest::prelude::*;
 
-use super::statistics::{all_equal, moments, most_sigmas, sigmas};
 use crate::support::laws;
+use crate::support::statistics::{all_equal, moments, most_sigmas, sigmas};
 
 /// Law: PCG32 is the published generator. Oracle: the demo of O'Neill's minimal C library (seed 42,
 /// stream 54).

@@ -5,7 +5,7 @@ use groundtruth::samplers::{Jittered, Kind, MultiJittered, Random, Regular, Samp
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use crate::ch02::statistics::{moments, most_sigmas, sigmas};
+use crate::support::statistics::{moments, most_sigmas, sigmas};
 
 /// The half plane `a x + b y < c`.
 #[derive(Clone, Copy)]

@@ -7,8 +7,8 @@ use groundtruth::samplers::{
 };
 use groundtruth::verify::slope::power_law;
 
-use super::patterns::built;
-use crate::ch02::statistics::{most_sigmas, sigmas};
+use crate::support::samples::built;
+use crate::support::statistics::{most_sigmas, sigmas};
 
 const COUNTS: [u32; 5] = [4, 16, 64, 256, 1024];
 

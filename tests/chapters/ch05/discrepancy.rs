@@ -6,8 +6,8 @@ use groundtruth::samplers::{
     Sobol,
 };
 
-use super::patterns::built;
-use crate::ch02::statistics::{most_sigmas, sigmas};
+use crate::support::samples::built;
+use crate::support::statistics::{most_sigmas, sigmas};
 
 /// The star discrepancy: the largest difference between the share of points in a box at the origin
 /// and its area. It is taken where the box has a point at each upper side, just in it or just out.

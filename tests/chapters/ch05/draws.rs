@@ -10,9 +10,9 @@ use groundtruth::samplers::{
 use groundtruth::scene::Scene;
 use proptest::prelude::*;
 
-use super::patterns::{built, occupied, once_each};
-use crate::ch02::statistics::{all_equal, most_sigmas};
 use crate::pictures::studio::{built as world, from_front, pixels};
+use crate::support::samples::{built, occupied, once_each};
+use crate::support::statistics::{all_equal, most_sigmas};
 use crate::support::{camera_ray, laws};
 
 fn sets(kind: impl Into<Kind>, n: u32, seed: u64) -> SampleSets {

@@ -1,33 +1,14 @@
 //! The patterns of single sets.
 
-use std::sync::Arc;
-
 use groundtruth::math::Pcg32;
 use groundtruth::samplers::{
-    CorrelatedMultiJittered, Jittered, Kind, MultiJittered, NRooks, Random, Regular, Sampler, Sobol,
+    CorrelatedMultiJittered, Jittered, Kind, MultiJittered, NRooks, Random, Regular, Sobol,
 };
 use proptest::prelude::*;
 
-use crate::ch02::statistics::{most_sigmas, sigmas};
 use crate::support::laws;
-
-pub fn built(kind: impl Into<Kind>) -> Arc<dyn Sampler> {
-    kind.into().build(&mut ()).expect("a valid sampler")
-}
-
-/// How many points fall into each of `columns × rows` cells.
-pub fn occupied(points: &[[f64; 2]], columns: u32, rows: u32) -> Vec<u32> {
-    let mut cells = vec![0; (columns * rows) as usize];
-    for [x, y] in points {
-        let (i, j) = ((x * f64::from(columns)) as u32, (y * f64::from(rows)) as u32);
-        cells[(j * columns + i) as usize] += 1;
-    }
-    cells
-}
-
-pub fn once_each(cells: &[u32]) -> bool {
-    cells.iter().all(|&count| count == 1)
-}
+use crate::support::samples::{built, occupied, once_each};
+use crate::support::statistics::{most_sigmas, sigmas};
 
 proptest! {
     #![proptest_config(laws())]
@@ -97,7 +78,7 @@ fn multi_jittered_points_are_anywhere_in_their_cell() {
         }
     }
     for counts in places {
-        assert!(crate::ch02::statistics::all_equal(&counts, 250.0, 2), "{counts:?}");
+        assert!(crate::support::statistics::all_equal(&counts, 250.0, 2), "{counts:?}");
     }
 }
 
@@ -137,7 +118,7 @@ fn rooks_take_every_order() {
     }
     let counts: Vec<u64> = orders.into_values().collect();
     assert_eq!(counts.len(), 24);
-    assert!(crate::ch02::statistics::all_equal(&counts, 1000.0, 1), "{counts:?}");
+    assert!(crate::support::statistics::all_equal(&counts, 1000.0, 1), "{counts:?}");
 }
 
 /// Law: in a correlated multi-jittered set, all cells of one row have their point in the same of the n
@@ -163,5 +144,5 @@ fn correlated_sets_have_one_order_for_all() {
     }
     let counts: Vec<u64> = orders.into_values().collect();
     assert_eq!(counts.len(), 6);
-    assert!(crate::ch02::statistics::all_equal(&counts, 1000.0, 1), "{counts:?}");
+    assert!(crate::support::statistics::all_equal(&counts, 1000.0, 1), "{counts:?}");
 }

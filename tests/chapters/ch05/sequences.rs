@@ -3,8 +3,8 @@
 use groundtruth::math::Pcg32;
 use groundtruth::samplers::{Hammersley, Key, Purpose, SampleSets, Sobol};
 
-use super::patterns::{built, occupied, once_each};
-use crate::ch02::statistics::{all_equal, most_sigmas, sigmas};
+use crate::support::samples::{built, occupied, once_each};
+use crate::support::statistics::{all_equal, most_sigmas, sigmas};
 
 fn hammersley(n: u32) -> Vec<[f64; 2]> {
     built(Hammersley { shifted: false }).fill(n, &mut Pcg32::new(0, 0))

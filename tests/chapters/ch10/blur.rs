@@ -12,8 +12,8 @@ use std::f64::consts::TAU;
 
 use super::rays::rim;
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
-use crate::ch02::statistics::{most_sigmas, sigmas};
 use crate::pictures::studio::{add_flat, assert_same_bits, built, pixels, small};
+use crate::support::statistics::{most_sigmas, sigmas};
 
 /// Law: the whole picture of a lens of radius 0 is the pinhole's, bit for bit; it draws nothing for a
 /// lens that it has not.

@@ -11,7 +11,7 @@ use groundtruth::shapes::{Plane, Sphere};
 use groundtruth::trace::RayCounts;
 use proptest::prelude::*;
 
-use super::stage::*;
+use crate::support::stage::*;
 use crate::support::{U, laws};
 
 /// Angles by the arc tangent, a polynomial of them, a power, and products: some roundings each.

@@ -11,8 +11,8 @@ use groundtruth::shapes::{Plane, Sphere};
 use groundtruth::trace::{Node, RayKind, RayTree, TermSource, radiance};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
-use crate::ch18::lamps::all_lights;
+use crate::support::lamps::all_lights;
+use crate::support::stage::*;
 use crate::support::{U, laws};
 
 /// Per unit of length; blue is not absorbed.

@@ -10,7 +10,7 @@ use groundtruth::scene::Scene;
 use groundtruth::shapes::{Disk, Plane, Sphere, Triangle};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::stage::*;
 use crate::support::{U, laws, point, unit};
 
 fn white() -> Matte {

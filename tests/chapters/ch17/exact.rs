@@ -15,7 +15,7 @@ use groundtruth::trace::{Outcome, RayCounts, RayKind, RayTree, radiance};
 use proptest::prelude::*;
 
 use super::*;
-use crate::replicas::with_samples;
+use crate::support::replicas::with_samples;
 use crate::support::{U, laws, point, unit};
 
 /// Samples of a pixel: all of them are looked at.

@@ -14,7 +14,7 @@ use groundtruth::shapes::{
 use groundtruth::trace::Outcome;
 
 use super::*;
-use crate::replicas::*;
+use crate::support::replicas::*;
 
 /// Samples of a pixel.
 const SAMPLES: u32 = 1024;

@@ -10,7 +10,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Plane, Sphere};
 
-use crate::ch14::stage::*;
+use crate::support::stage::*;
 
 /// Of the surfaces, for ambient light.
 pub const KA: f64 = 0.75;

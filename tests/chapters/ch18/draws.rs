@@ -8,8 +8,8 @@ use groundtruth::trace::{Node, RayCounts, RayKind, RayTree, TermSource, radiance
 use groundtruth::world::World;
 use proptest::prelude::*;
 
-use super::lamps::all_lights;
 use super::*;
+use crate::support::lamps::all_lights;
 use crate::support::{laws, point, unit};
 
 /// The recorded samples of a pixel at some places.
@@ -200,7 +200,7 @@ fn one_sample_is_in_the_middle_of_pixel_and_lens_only() {
     });
     for axis in 0..2 {
         let values: Vec<f64> = means.iter().map(|mean| mean[axis]).collect();
-        crate::replicas::assert_mean(&format!("axis {axis}"), &values, 0.5, 2, 0.05);
+        crate::support::replicas::assert_mean(&format!("axis {axis}"), &values, 0.5, 2, 0.05);
     }
 }
 

@@ -6,7 +6,7 @@ use groundtruth::math::{Normal, power};
 use proptest::prelude::*;
 
 use super::*;
-use crate::replicas::assert_color;
+use crate::support::replicas::assert_color;
 use crate::support::{U, laws, unit};
 
 /// How large lamps are, seen from the place that is lit: each sample of a lamp is off by a few

@@ -7,7 +7,7 @@ use groundtruth::materials::Emissive;
 use groundtruth::math::{acos, cos, sin};
 
 use super::*;
-use crate::replicas::assert_color;
+use crate::support::replicas::assert_color;
 
 const SAMPLES: u32 = 1024;
 const POWER: f64 = 4e-3;

@@ -10,7 +10,7 @@ use groundtruth::trace::{RayTree, radiance};
 use proptest::prelude::*;
 
 use super::*;
-use crate::replicas::{assert_color, assert_mean};
+use crate::support::replicas::{assert_color, assert_mean};
 use crate::support::{U, laws, point, unit};
 
 const SAMPLES: u32 = 1024;

@@ -1,16 +1,13 @@
 //! Lamps as objects: what they shade, which side shines, and their switches.
 
-use groundtruth::lights::{
-    Ambient, AmbientOccluder, Directional, Environment, FakeSpherical, JitteredDirectional, Kind,
-    Point as PointLight, Spot,
-};
+use groundtruth::lights::{Directional, Kind};
 use groundtruth::materials::Emissive;
 use groundtruth::math::{Pcg32, power_of_two};
 use groundtruth::trace::{Outcome, RayKind, RayTree, radiance};
 
 use super::*;
-use crate::replicas::assert_color;
 use crate::support::U;
+use crate::support::replicas::assert_color;
 
 const SAMPLES: u32 = 64;
 
@@ -166,49 +163,6 @@ fn a_lamp_that_is_off_is_dark_and_one_without_light_is_only_seen() {
         assert_eq!(look(&unnamed, below, spot - below), LS * CE, "{name} without light, seen");
         assert_eq!(view(&unnamed, below, -Vector::Y), Rgb::BLACK, "{name} without light, lighting");
     }
-}
-
-/// One light of each kind over a floor with things on it, and the lamps of the area lights.
-pub fn all_lights() -> Scene {
-    let mut scene = stage(Rgb::new(0.2, 0.3, 0.5));
-    let matte = Matte { ka: 0.4.into(), kd: 0.6.into(), cd: Rgb::new(0.9, 0.6, 0.3).into() };
-    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, matte.clone());
-    put(&mut scene, ball(Point::new(0.3, 0.7, 0.2), 0.5), matte);
-    let center = Point::new(0.0, 3.0, 0.0);
-    hang(&mut scene, panel(center, Vector::X, Vector::Z), None);
-    hang(&mut scene, ball(Point::new(2.0, 2.0, 1.0), 0.4), Some(Sampling::Area));
-    let (color, location) = (Rgb::new(1.0, 0.8, 0.2), Point::new(-2.0, 2.5, 1.0));
-    let direction = Vector::new(1.0, 2.0, -0.5);
-    let others: Vec<Kind> = vec![
-        Ambient { ls: 0.3, color }.into(),
-        AmbientOccluder {
-            ls: 0.5,
-            color,
-            min_amount: 0.25,
-            occluded_color: None,
-            max_distance: None,
-        }
-        .into(),
-        Directional { ls: 1.0, color, direction }.into(),
-        PointLight { ls: 3.0, color, location, attenuation: 2.0 }.into(),
-        Spot {
-            ls: 2.0,
-            color,
-            location,
-            direction: -location.to_vector(),
-            inner: 20.0,
-            outer: 40.0,
-            attenuation: 1.0,
-        }
-        .into(),
-        Environment {}.into(),
-        JitteredDirectional { ls: 1.5, color, direction, jitter: 0.3 }.into(),
-        FakeSpherical { ls: 4.0, color, location, jitter: 0.5, attenuation: 2.0 }.into(),
-    ];
-    for light in others {
-        shine(&mut scene, light);
-    }
-    with_samples(scene, 16)
 }
 
 /// Law: lights add, of every kind: what is seen in the light of all is the sum of what is seen in

@@ -3,46 +3,15 @@
 use std::f64::consts::TAU;
 
 use groundtruth::materials::Emissive;
-use groundtruth::math::{Normal, Pcg32, Point, Step, Transform, Vector, atan2};
+use groundtruth::math::{Pcg32, Point, Step, Transform, Vector, atan2};
 use groundtruth::shapes::{Instance, Kind as Shape, Mesh, TessellatedSphere, Triangle};
 use groundtruth::textures::{Checker3d, Paint};
 
 use super::*;
-use crate::replicas::assert_color;
+use crate::support::replicas::assert_color;
 
 const SAMPLES: u32 = 1024;
 const POWER: f64 = 4e-3;
-
-/// The part of a polygon above the horizon of a point.
-fn above(point: Point, normal: Normal, polygon: &[Point]) -> Vec<Point> {
-    let height = |p: Point| normal.dot(p - point);
-    let mut kept = Vec::new();
-    for (i, &p) in polygon.iter().enumerate() {
-        let q = polygon[(i + 1) % polygon.len()];
-        if height(p) > 0.0 {
-            kept.push(p);
-        }
-        if (height(p) > 0.0) != (height(q) > 0.0) {
-            kept.push(p + height(p) / (height(p) - height(q)) * (q - p));
-        }
-    }
-    kept
-}
-
-/// The share of the cosine-weighted sky of a point that a polygon fills whose corners run
-/// counter-clockwise as its front is seen; 0 from behind: `(1/2π) Σ γ_i (n·Γ_i)`, γ the angle under
-/// which an edge is seen and Γ the unit normal of the plane through edge and point (Lambert 1760,
-/// "Photometria").
-pub fn share(point: Point, normal: Normal, polygon: &[Point]) -> f64 {
-    let corners = above(point, normal, polygon);
-    let edge = |i: usize| {
-        let [p, q] = [i, (i + 1) % corners.len()].map(|i| corners[i] - point);
-        let across = q.cross(p);
-        atan2(across.length(), p.dot(q)) * across.unit().map_or(0.0, |unit| normal.dot(unit))
-    };
-    let sum: f64 = (0..corners.len()).map(edge).sum();
-    (sum / TAU).max(0.0)
-}
 
 /// The corners of `corner`, `a`, `b`, counter-clockwise as seen from where `a × b` points.
 fn corners(rectangle: &Rectangle) -> [Point; 4] {

@@ -9,7 +9,7 @@ use groundtruth::trace::{RayTree, radiance};
 use proptest::prelude::*;
 
 use super::*;
-use crate::replicas::{assert_color, assert_mean};
+use crate::support::replicas::{assert_color, assert_mean};
 use crate::support::{U, laws, unit};
 
 const SKY: Rgb = Rgb::new(0.9, 0.6, 1.8);

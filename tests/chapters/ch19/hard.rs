@@ -3,7 +3,7 @@
 use groundtruth::verify::Draw;
 use oracle::hard::Kind;
 
-use crate::hard_cases::{Pair, judge_all, pair, sweep};
+use crate::support::hard_cases::{Pair, judge_all, pair, sweep};
 
 /// A law and its thorough form for each kind.
 macro_rules! sweeps {

@@ -2,7 +2,7 @@
 
 use groundtruth::verify::many::Kind;
 
-use crate::hard_cases::sweep_many;
+use crate::support::hard_cases::sweep_many;
 
 /// A compound's kinds recur after twelve: each of those by each method.
 fn sweep(seed: u64, count: usize) {

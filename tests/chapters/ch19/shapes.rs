@@ -8,8 +8,8 @@ use groundtruth::shapes::{
 };
 use groundtruth::verify::Draw;
 
-use super::leaving::body;
 use crate::support::U;
+use crate::support::bodies::body;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

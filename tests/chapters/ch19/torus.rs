@@ -6,8 +6,8 @@ use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, power, si
 use groundtruth::shapes::{Context, Kind, Shape, Surface, Torus};
 use groundtruth::verify::Draw;
 
-use super::leaving::random_hit;
 use crate::support::U;
+use crate::support::bodies::random_hit;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -10,7 +10,7 @@ use groundtruth::shapes::{
 use groundtruth::verify::Draw;
 
 use super::bevels::{Case, KINDS};
-use crate::ch19::compounds::{built, check_pieces, line};
+use crate::support::solids::{built, check_pieces, line};
 
 /// Law: lines are outside and inside of the solid in turn, as the distance from the smaller solid
 /// is above and below the bevel. Oracle: that distance in closed form.

@@ -9,7 +9,7 @@ use groundtruth::shapes::{
 };
 use groundtruth::verify::Draw;
 
-use crate::ch19::compounds::from_axis;
+use crate::support::solids::from_axis;
 
 /// A solid and how far a point is from what is left of it without its bevel (0 inside of that).
 pub struct Case {

@@ -6,7 +6,7 @@ use groundtruth::verify::{Draw, against};
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
-use crate::hard_cases::{Pair, instanced, judge_all, pair, sweep, sweep_as};
+use crate::support::hard_cases::{Pair, instanced, judge_all, pair, sweep, sweep_as};
 
 /// Law: an instance is hit as exactly as the condition of its matrix allows. Oracle: 512-bit
 /// arithmetic on the matrix as the library has it.

@@ -189,7 +189,7 @@ fn the_bounds_of_an_instance_contain_its_hits() {
     let mut draw = Draw::new(2124);
     let mut hits = 0;
     for _ in 0..1_000 {
-        let mut kind = crate::ch19::leaving::body(&mut draw, 1.0).0;
+        let mut kind = crate::support::bodies::body(&mut draw, 1.0).0;
         let transform = steps(&mut draw);
         kind = instance(kind, transform);
         let shape = built(kind);

@@ -6,10 +6,10 @@ use groundtruth::math::{Axis, Point, Step, Transform, Vector};
 use groundtruth::shapes::{Cone, Context, Instance, Kind};
 use groundtruth::verify::Draw;
 
-use crate::ch19::leaving::{Form, body, check_leaving, is_thin, random_hit};
-use crate::exact::{exact, walls_along_normal};
-use crate::leaving::check_kinds;
 use crate::support::U;
+use crate::support::bodies::{Form, body, check_leaving, is_thin, random_hit};
+use crate::support::exact::{exact, walls_along_normal};
+use crate::support::leaving::check_kinds;
 
 /// Turned, sheared, mirrored and scaled by up to 100 either way in each direction.
 fn steps(draw: &mut Draw, wildest: f64) -> Vec<Step> {

@@ -7,7 +7,7 @@ use groundtruth::shapes::{
 };
 use groundtruth::verify::Draw;
 
-use crate::ch19::compounds::{built, from_axis, line};
+use crate::support::solids::{built, from_axis, line};
 
 fn rosette(rings: u32, bevel: f64, accel: Option<Method>) -> Rosette {
     let (hole_radius, ring_width) = (0.75, 1.0);

@@ -2,7 +2,7 @@
 
 use groundtruth::verify::many::Kind;
 
-use crate::hard_cases::sweep_many;
+use crate::support::hard_cases::sweep_many;
 
 fn sweep_spheres(seed: u64, count: usize) {
     sweep_many(Kind::RandomSpheres, seed, count, 1);

@@ -1,6 +1,6 @@
 //! Leaving the surfaces of this chapter's kinds.
 
-use crate::leaving::check_kinds;
+use crate::support::leaving::check_kinds;
 
 /// Law: every kind of the chapter is left for good, at scales from 1e-6 to 1e6, up to a thousand
 /// sizes from the origin and down to 1e-9 of grazing: what a ray that leaves hits next it meets from the

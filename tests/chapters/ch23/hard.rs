@@ -4,7 +4,7 @@ use groundtruth::verify::many::Kind;
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
-use crate::hard_cases::{sweep_many, sweep_many_as};
+use crate::support::hard_cases::{sweep_many, sweep_many_as};
 
 fn sweep_meshes(seed: u64, count: usize) {
     sweep_many(Kind::Mesh, seed, count, 1);

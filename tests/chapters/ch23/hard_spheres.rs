@@ -2,7 +2,7 @@
 
 use groundtruth::verify::many::Kind;
 
-use crate::hard_cases::sweep_many;
+use crate::support::hard_cases::sweep_many;
 
 /// Law: a tessellated sphere has every hit of its triangles, however it searches. Oracle: those
 /// triangles in 512-bit arithmetic, one by one; that their corners are where they belong is a law

@@ -15,8 +15,8 @@ use groundtruth::shapes::{
 use groundtruth::trace::Outcome;
 use groundtruth::verify::Draw;
 
-use crate::ch14::stage::{built, put, recorded, shine, stage};
 use crate::support::U;
+use crate::support::stage::{built, put, recorded, shine, stage};
 
 const VERTICES: [Point; 3] =
     [Point::new(-1.0, -0.5, 0.25), Point::new(1.0, -0.75, 0.0), Point::new(0.25, 1.0, -0.25)];

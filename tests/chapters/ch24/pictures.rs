@@ -9,8 +9,8 @@ use groundtruth::scene::{Image, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Plane, Sphere};
 
 use super::mirror;
-use crate::ch14::stage::{built, close, counted, look, put};
 use crate::support::U;
+use crate::support::stage::{built, close, counted, look, put};
 
 const KR: f64 = 0.8;
 const CR: Rgb = Rgb::new(1.0, 0.75, 0.5);

@@ -10,8 +10,8 @@ use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Disk, Plane};
 
 use super::glossy;
-use crate::ch14::stage::{built, deep_stage, put, shine};
-use crate::replicas::{assert_mean, replicas, with_samples};
+use crate::support::replicas::{assert_mean, replicas, with_samples};
+use crate::support::stage::{built, deep_stage, put, shine};
 
 /// So far away that all of the floor sees the lamp at the same angle, up to 1e-9.
 const FAR: f64 = 1e9;

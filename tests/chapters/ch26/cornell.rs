@@ -11,8 +11,10 @@ use groundtruth::shapes::{Kind, Rectangle};
 use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 
-use crate::ch14::stage::built;
-use crate::replicas::{LEVEL, REPLICAS, assert_known, mean_and_error, replicas, with_samples};
+use crate::support::replicas::{
+    LEVEL, REPLICAS, assert_known, mean_and_error, replicas, with_samples,
+};
+use crate::support::stage::built;
 
 /// Pixels across and down.
 const SIDE: u32 = 16;

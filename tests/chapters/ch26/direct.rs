@@ -11,8 +11,8 @@ use groundtruth::shapes::{Plane, Rectangle, Sampling, Sphere};
 use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 
-use crate::ch14::stage::{put, shine};
-use crate::replicas::{LEVEL, REPLICAS, replicas, with_samples};
+use crate::support::replicas::{LEVEL, REPLICAS, replicas, with_samples};
+use crate::support::stage::{put, shine};
 
 const WIDTH: u32 = 6;
 const HEIGHT: u32 = 4;
@@ -93,7 +93,7 @@ fn direct_light_is_one_picture_in_all_ways() {
             }
             let (first, sums) = (sums(&pictures[0]), sums(picture));
             agree(&format!("{}, all pixels, channel {channel}", way.0), &first, &sums);
-            crate::replicas::assert_known(way.0, &sums, 0.01);
+            crate::support::replicas::assert_known(way.0, &sums, 0.01);
         }
     }
 }

@@ -15,11 +15,11 @@ use groundtruth::textures::Paint;
 use groundtruth::trace::RayCounts;
 
 use super::tracers;
-use crate::ch13::albedo::albedo_about_the_mirror_direction;
-use crate::ch14::stage::{built, put, shine, stage};
-use crate::ch28::fresnel;
-use crate::replicas::{assert_color, assert_mean, replicas, view, with_samples};
 use crate::support::number;
+use crate::support::optics;
+use crate::support::optics::albedo_about_the_mirror_direction;
+use crate::support::replicas::{assert_color, assert_mean, replicas, view, with_samples};
+use crate::support::stage::{built, put, shine, stage};
 
 /// How deep the tracers follow rays here: so little that what is cut off is seen.
 const DEPTH: u32 = 3;
@@ -93,7 +93,7 @@ fn transparent(glass: &Transparent, cosine: f64) -> Rgb {
 fn dielectric(glass: &Dielectric, cosine: f64) -> Rgb {
     let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
     let eta = glass.inside.eta / glass.outside.eta;
-    let r = fresnel::by_angles(sine, eta);
+    let r = optics::by_angles(sine, eta);
     let chord = 2.0 * (1.0 - sine * sine / (eta * eta)).sqrt();
     // what comes from infinitely far through an absorbing medium is black
     let [outside, inside] = [glass.outside, glass.inside].map(|it| it.absorption.to_array());

@@ -16,9 +16,9 @@ use groundtruth::verify::significance::sidak;
 use groundtruth::verify::slope::power_law;
 
 use super::{room, tracers};
-use crate::ch14::stage::{built, counted, look, put, shine, stage};
-use crate::replicas::{LEVEL, assert_mean, mean_and_error, replicas, view, with_samples};
 use crate::support::number;
+use crate::support::replicas::{LEVEL, assert_mean, mean_and_error, replicas, view, with_samples};
+use crate::support::stage::{built, counted, look, put, shine, stage};
 
 /// Law: a lamp at the centre of a matte sphere lights all of it by E = I/r²; with every reflection that adds
 /// `ρ E/π · ρᵏ`, so that in the end the wall absorbs what the lamp sends out (the integrating sphere).

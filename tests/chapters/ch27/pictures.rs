@@ -9,8 +9,8 @@ use groundtruth::shapes::{Box as Cuboid, Instance, Plane};
 use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
 
 use super::{ball, glass};
-use crate::ch14::stage::{built, close, deep_stage, look, put};
 use crate::support::U;
+use crate::support::stage::{built, close, deep_stage, look, put};
 
 /// Cubes in two colours that shine; no mirror image of themselves, as no border passes through the origin.
 fn checker(size: f64) -> Emissive {

@@ -9,7 +9,7 @@ use groundtruth::scene::Scene;
 use groundtruth::shapes::{Box as Cuboid, Sphere};
 use groundtruth::trace::RayCounts;
 
-use crate::ch14::stage::{built, deep_stage, put};
+use crate::support::stage::{built, deep_stage, put};
 
 fn ball(radius: f64) -> Sphere {
     Sphere { center: Point::ORIGIN, radius, inward: false }

@@ -1,28 +1,13 @@
 //! Fresnel's equations and Beer's law by themselves.
 
-use std::f64::consts::FRAC_PI_2;
-
 use groundtruth::lobes::{FresnelReflector, FresnelTransmitter, Lobe, fresnel, refract};
-use groundtruth::math::{Normal, Vector, acos, cos, power, sin, tan};
+use groundtruth::math::{Normal, Vector, cos, power};
 use groundtruth::rgb::Rgb;
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::optics::by_angles;
+use crate::support::stage::*;
 use crate::support::{U, laws};
-
-/// The reflected share by sums and differences of the angles, for light from the rarer side (`eta > 1`)
-/// whose angle has this sine: `½ (sin²(i − t)/sin²(i + t) + tan²(i − t)/tan²(i + t))`.
-pub fn by_angles(sine: f64, eta: f64) -> f64 {
-    if sine < 1e-8 {
-        let r = (eta - 1.0) / (eta + 1.0);
-        return r * r;
-    }
-    let angle = |sine: f64| FRAC_PI_2 - acos(sine.min(1.0));
-    let (i, t) = (angle(sine), angle(sine / eta));
-    let s = sin(i - t) / sin(i + t);
-    let p = tan(i - t) / tan(i + t);
-    0.5 * (s * s + p * p)
-}
 
 /// Ratios of indices from a tenth to ten, many near 1.
 fn eta() -> impl Strategy<Value = f64> {

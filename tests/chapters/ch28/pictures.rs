@@ -8,10 +8,11 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Tracer, Whitted};
 use groundtruth::shapes::{Box as Cuboid, Instance, Plane};
 
-use super::{ball, clear, fresnel, glass, slab, tinted};
-use crate::ch14::stage::*;
-use crate::replicas::{assert_color, assert_mean, replicas, view, with_samples};
+use super::{ball, clear, glass, slab, tinted};
 use crate::support::U;
+use crate::support::optics;
+use crate::support::replicas::{assert_color, assert_mean, replicas, view, with_samples};
+use crate::support::stage::*;
 
 fn path_tracers(max_depth: u32) -> [Tracer; 3] {
     let depth = Depth { max_depth };
@@ -46,7 +47,7 @@ fn a_fisheye_under_water_sees_snells_window() {
             Rgb::new(red, 0.0, 0.0)
         } else {
             seen[0] += 1;
-            let r = fresnel::by_angles(1.33 * sin(to_radians(degrees)), 1.33);
+            let r = optics::by_angles(1.33 * sin(to_radians(degrees)), 1.33);
             Rgb::grey(1.0 - r) + Rgb::new(r * red, 0.0, 0.0)
         };
         let found = picture.get(at);
@@ -107,7 +108,7 @@ fn an_absorbing_slab_sums_the_series_under_every_tracer() {
     let whitted = Tracer::Whitted(Whitted { max_depth: 30 });
     for degrees in [0.0, 50.0, 80.0] {
         let sine = sin(to_radians(degrees));
-        let r = fresnel::by_angles(sine, 1.5);
+        let r = optics::by_angles(sine, 1.5);
         let cos_t = (1.0 - sine * sine / 2.25).sqrt();
         let a = sigma.map(|sigma| exp(-sigma * T / cos_t));
         let inner = |a: f64| (1.0 - r) * (1.0 - r) / (1.0 - r * r * a * a);
@@ -141,7 +142,7 @@ fn an_absorbing_slab_sums_the_series_under_every_tracer() {
 #[test]
 fn a_glass_ball_is_the_same_by_paths_as_by_trees() {
     for (b, depth) in [(0.0, 1), (0.3, 2), (0.9, 2), (0.9, 3), (0.97, 4)] {
-        let r = fresnel::by_angles(b, 1.5);
+        let r = optics::by_angles(b, 1.5);
         let expected = 1.0 - (1.0 - r) * power(r, f64::from(depth) - 1.0);
         for tracer in path_tracers(depth) {
             let mut scene = with_samples(deep_stage(Rgb::WHITE, depth), 1024);

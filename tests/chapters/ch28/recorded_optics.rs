@@ -11,9 +11,10 @@ use groundtruth::trace::{Node, Outcome, RayKind, RayTree, RecordedHit, TermSourc
 use groundtruth::{lights, materials};
 use proptest::prelude::*;
 
-use super::{child, fresnel, glass, tinted};
-use crate::ch14::stage::*;
+use super::{child, glass, tinted};
 use crate::support::laws;
+use crate::support::optics;
+use crate::support::stage::*;
 
 /// Angles pass through degrees and back, and through sines: some dozens of roundings, far less than
 /// anything a mistake would make.
@@ -68,8 +69,8 @@ proptest! {
                 prop_assert!((sin(to_radians(angle)) - sine).abs() < CLOSE, "{angle}");
                 // light takes the same share on the way back, at the angle of the other side
                 match front.eta < behind.eta {
-                    true => fresnel::by_angles(sin(to_radians(degrees)), behind.eta / front.eta),
-                    false => fresnel::by_angles(sine, front.eta / behind.eta),
+                    true => optics::by_angles(sin(to_radians(degrees)), behind.eta / front.eta),
+                    false => optics::by_angles(sine, front.eta / behind.eta),
                 }
             }
         };

@@ -9,7 +9,7 @@ use groundtruth::scene::{Depth, Scene, Tracer, Transparency, TransparentShadows}
 use groundtruth::shapes::{Box as Cuboid, Disk, Sphere};
 use groundtruth::trace::Outcome;
 
-use crate::ch14::stage::{built, deep_stage, look, put, recorded, shine};
+use crate::support::stage::{built, deep_stage, look, put, recorded, shine};
 
 const STRAIGHT: Transparency =
     Transparency { shadows: TransparentShadows::Attenuated, scales_radiance: true };

@@ -11,7 +11,7 @@ use groundtruth::scene::{Material, Object, Scene};
 use groundtruth::shapes::{BoundaryMaterials, FishBowl, GlassOfWater, Kind};
 use groundtruth::world::World;
 
-use crate::ch14::stage::{built, deep_stage, look, ray};
+use crate::support::stage::{built, deep_stage, look, ray};
 
 const AIR: Medium = Medium::clear(1.0);
 const WATER: Medium = Medium::clear(1.33);

@@ -20,10 +20,10 @@ use groundtruth::textures::{Amount, Checker3d, Filtering, Image, Mapping, Paint}
 use groundtruth::world::World;
 
 use super::{by_uv, image_file, linear};
-use crate::ch14::stage::{built, deep_stage, look, put, shine, stage};
-use crate::ch18::polygon::share;
-use crate::ch18::{LS, floor, hang, seen, up};
-use crate::replicas::assert_color;
+use crate::support::lamps::share;
+use crate::support::lamps::{LS, floor, hang, seen, up};
+use crate::support::replicas::assert_color;
+use crate::support::stage::{built, deep_stage, look, put, shine, stage};
 
 const UNIT: Sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
 

@@ -15,10 +15,10 @@ use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 
 use super::sky::{DOMES, SIZE, all_around, image, ragged, texel, written};
-use crate::ch14::stage::{put, shine, stage};
-use crate::replicas::{
+use crate::support::replicas::{
     LEVEL, assert_color, assert_mean, mean_and_error, replicas, view, with_samples,
 };
+use crate::support::stage::{put, shine, stage};
 
 /// A plane of this normal under the sky.
 fn under(sky: Image, normal: Vector, recipe: impl Into<MaterialKind>) -> Scene {

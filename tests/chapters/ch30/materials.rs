@@ -13,7 +13,7 @@ use groundtruth::textures::{
 };
 
 use super::*;
-use crate::ch14::stage::recorded;
+use crate::support::stage::recorded;
 
 fn plain(cd: Rgb) -> Matte {
     Matte { ka: 0.5.into(), kd: 0.75.into(), cd: cd.into() }

@@ -18,7 +18,7 @@ use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Checker3d, Kind as Texture, Paint, PlaneChecker};
 use proptest::prelude::*;
 
-use crate::ch14::stage::*;
+use crate::support::stage::*;
 use crate::support::{U, camera_ray, laws, point, unit};
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);

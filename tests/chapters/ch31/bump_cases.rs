@@ -14,7 +14,7 @@ use groundtruth::textures::{Constant, Fbm};
 use groundtruth::world::World;
 
 use super::bumps::{apart, ball, bumped, met, white};
-use crate::ch14::stage::{built, put, stage};
+use crate::support::stage::{built, put, stage};
 
 /// Law: bumps turn with their object. Oracle: the turned normal of the object that is not turned.
 #[test]

@@ -17,7 +17,7 @@ use groundtruth::world::World;
 use proptest::prelude::*;
 
 use super::oracle::{self, built as noise};
-use crate::ch14::stage::{built, put, ray, stage};
+use crate::support::stage::{built, put, ray, stage};
 use crate::support::{laws, point, unit};
 
 pub fn white() -> Matte {

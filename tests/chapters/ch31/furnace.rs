@@ -12,8 +12,8 @@ use groundtruth::scene::{Scene, Tracer};
 use groundtruth::shapes::Sphere;
 use groundtruth::textures::Fbm;
 
-use crate::ch14::stage::{put, shine, stage};
-use crate::replicas::{mean_and_error, replicas, view, with_samples};
+use crate::support::replicas::{mean_and_error, replicas, view, with_samples};
+use crate::support::stage::{put, shine, stage};
 
 /// A bumped ball of radius 1 in white light from all sides. The background is a light as well, so that
 /// tracers which sample lights meet it.

@@ -9,7 +9,7 @@ use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 use groundtruth::world::World;
 
-use crate::ch14::stage::{built, ray};
+use super::stage::{built, ray};
 
 /// Seeded independently: more than the 16 that a t test of nearly normal values needs.
 pub const REPLICAS: u64 = 24;

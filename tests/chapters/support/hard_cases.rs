@@ -17,7 +17,7 @@ use groundtruth::verify::{against, many};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 
-use crate::support::U;
+use super::U;
 
 /// The largest errors met, and where.
 #[derive(Default)]

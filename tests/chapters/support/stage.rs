@@ -11,7 +11,7 @@ use groundtruth::world::World;
 use groundtruth::{lights, materials, shapes};
 use proptest::prelude::*;
 
-use crate::support::unit;
+use super::unit;
 
 /// An empty stage for ray casting.
 pub fn stage(background: Rgb) -> Scene {

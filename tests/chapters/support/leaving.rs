@@ -5,7 +5,7 @@ use groundtruth::math::{Aabb, Ray, Span, Step, Vector};
 use groundtruth::shapes::{Context, Instance, Kind, Shape, Surface};
 use groundtruth::verify::Draw;
 
-use crate::ch19::leaving::check_next;
+use super::bodies::check_next;
 
 /// A shape about to be left: its box, and whether it has an inside.
 struct Body<'a> {

@@ -1,0 +1,16 @@
+//! What the chapters' laws share: how cases are drawn, built and judged.
+
+pub mod bodies;
+mod cases;
+pub mod exact;
+pub mod hard_cases;
+pub mod lamps;
+pub mod leaving;
+pub mod optics;
+pub mod replicas;
+pub mod samples;
+pub mod solids;
+pub mod stage;
+pub mod statistics;
+
+pub use cases::*;

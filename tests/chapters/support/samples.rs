@@ -1,0 +1,48 @@
+//! Points of the unit square: samplers, strata, and whether points are uniform.
+
+use std::sync::Arc;
+
+use groundtruth::math::{Pcg32, floor};
+use groundtruth::samplers::{Kind, Sampler};
+use groundtruth::verify::significance::sidak;
+use groundtruth::verify::{chi_square, ks};
+
+/// The chance of a false alarm of each law here that judges chance.
+pub const LEVEL: f64 = 1e-3;
+
+pub fn built(kind: impl Into<Kind>) -> Arc<dyn Sampler> {
+    kind.into().build(&mut ()).expect("a valid sampler")
+}
+
+/// How many points fall into each of `columns × rows` cells.
+pub fn occupied(points: &[[f64; 2]], columns: u32, rows: u32) -> Vec<u32> {
+    let mut cells = vec![0; (columns * rows) as usize];
+    for [x, y] in points {
+        let (i, j) = ((x * f64::from(columns)) as u32, (y * f64::from(rows)) as u32);
+        cells[(j * columns + i) as usize] += 1;
+    }
+    cells
+}
+
+pub fn once_each(cells: &[u32]) -> bool {
+    cells.iter().all(|&count| count == 1)
+}
+
+/// Independent uniform points of the unit square.
+pub fn random_points(count: u32, seed: u64) -> Vec<[f64; 2]> {
+    let mut random = Pcg32::new(seed, 6);
+    (0..count).map(|_| [random.uniform(), random.uniform()]).collect()
+}
+
+/// Whether independent points are uniform over the unit square: each coordinate by Kolmogorov and
+/// Smirnov, both together by χ² over 7 × 11 cells; as one of `families` such questions.
+pub fn uniform(points: &[[f64; 2]], families: usize) -> bool {
+    let level = sidak(LEVEL, 3 * families);
+    let along = |axis: usize| ks::uniform(&points.iter().map(|p| p[axis]).collect::<Vec<_>>());
+    let mut cells = [0; 77];
+    for [x, y] in points {
+        cells[(floor(7.0 * x) + 7.0 * floor(11.0 * y)) as usize] += 1;
+    }
+    let both = chi_square::goodness_of_fit(&cells, &[points.len() as f64 / 77.0; 77]);
+    along(0) > level && along(1) > level && both > level
+}

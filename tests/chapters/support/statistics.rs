@@ -1,0 +1,41 @@
+//! How the chapters judge chance: with fixed seeds, at one level of significance that all tests of a
+//! law share (Šidák), without second tries.
+
+use groundtruth::math::power;
+use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
+
+/// The chance that a law which holds is called broken, if the seeds were drawn anew.
+const SIGNIFICANCE: f64 = 1e-3;
+
+/// The significance of each of `tests` independent tests.
+fn sidak(tests: u32) -> f64 {
+    1.0 - power(1.0 - SIGNIFICANCE, 1.0 / f64::from(tests))
+}
+
+/// How many standard errors a true mean may be away, on either side, in `tests` tests.
+pub fn most_sigmas(tests: u32) -> f64 {
+    let normal = Normal::standard();
+    -normal.inverse_cdf(sidak(tests) / 2.0)
+}
+
+/// Pearson's χ² test that `observed` counts follow equal `expected` ones, as one of `tests`.
+pub fn all_equal(observed: &[u64], expected: f64, tests: u32) -> bool {
+    assert!(expected >= 5.0, "cells too small for χ²");
+    let deviation = |&count: &u64| (count as f64 - expected) * (count as f64 - expected);
+    let statistic = observed.iter().map(deviation).sum::<f64>() / expected;
+    let freedom = ChiSquared::new(observed.len() as f64 - 1.0).expect("at least two cells");
+    freedom.sf(statistic) > sidak(tests)
+}
+
+/// Mean and variance of a sample.
+pub fn moments(values: &[f64]) -> (f64, f64) {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    (mean, values.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / (n - 1.0))
+}
+
+/// By how many of its standard errors the mean of `values` is away from `expected`.
+pub fn sigmas(values: &[f64], expected: f64) -> f64 {
+    let (mean, variance) = moments(values);
+    (mean - expected) / (variance / values.len() as f64).sqrt()
+}
