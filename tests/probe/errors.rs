@@ -468,7 +468,7 @@ const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"radiance": {"scene": {"trace": 1, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}, "pixel": [0, 0]}}"#,
-        "column 31: unknown field `trace`, expected one of `about`, `tracer`, `transparency`, `accel`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+        "column 31: unknown field `trace`, expected one of `about`, `tracer`, `transparency`, `accel`, `intersect`, `epsilon`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
     ),
 ];
 

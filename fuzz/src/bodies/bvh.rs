@@ -11,8 +11,9 @@ use super::input::{Input, Mode};
 
 const MOST_SHAPES: usize = 64;
 const MOST_RAYS: usize = 16;
-/// How many sizes of the scene away equality is promised.
+/// How many sizes of the scene away equality is promised, and for which lengths of directions.
 const FARTHEST: f64 = (1 << 20) as f64;
+const LENGTHS: std::ops::Range<f64> = 1e-100..1e100;
 
 /// Shapes as one ray sees them.
 struct Seen<'a> {
@@ -38,7 +39,8 @@ pub fn run(data: &[u8]) {
         let ray = input.ray();
         let seen = Seen { shapes: &shapes, ray: &ray };
         let away = (ray.origin - whole.center()).max_abs();
-        let is_near = away <= FARTHEST * whole.extent().max_abs();
+        let is_near = away <= FARTHEST * whole.extent().max_abs()
+            && LENGTHS.contains(&ray.direction.max_abs());
         for span in [Span::AHEAD, Span::LINE, Span { min: input.number(), max: input.number() }] {
             let by_list = list.nearest(&seen, &ray, span);
             let by_bvh = bvh.nearest(&seen, &ray, span);
