@@ -128,7 +128,7 @@ impl Samples {
         let lens_points = (0..count).filter_map(lens).collect();
         let sampled = world.lights.iter().find(|light| light.light.draws() > 0);
         let light_points = sampled.map_or(Vec::new(), |light| {
-            let (path, light) = (PathKey::CAMERA, light.place);
+            let (path, light) = (PathKey::CAMERA, light.index);
             let purpose = Purpose::Light { path, light, pair: 0 };
             (0..count).map(|i| centered(draw(purpose, i))).collect()
         });

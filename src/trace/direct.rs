@@ -23,7 +23,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let from = context(point);
         let mut u = ArrayVec::<[f64; 2], MOST_DRAWS>::new();
         for pair in 0..light.light.draws() as u32 {
-            u.push(self.draw(Purpose::Light { path: path.key, light: light.place, pair }));
+            u.push(self.draw(Purpose::Light { path: path.key, light: light.index, pair }));
         }
         light.light.sample(&from, &u)
     }
@@ -42,7 +42,7 @@ impl<R: Recorder> Tracing<'_, R> {
         }
         let Some(sample) = self.sample(path, point, light) else { return };
         let (arriving, traced) = self.arriving(Rgb::BLACK, point, light, &sample);
-        let source = TermSource::Ambient { light: light.place, traced };
+        let source = TermSource::Ambient { light: light.index, traced };
         sum.add(self.recorder, source, reflectance, arriving);
     }
 
@@ -77,7 +77,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let (arriving, traced) = self.arriving(medium, point, light, &sample);
         for (Lit { lobe, f, cos_i }, weight) in terms {
             let source =
-                TermSource::Direct { light: light.place, lobe, f, cos_i, pdf, mis, traced };
+                TermSource::Direct { light: light.index, lobe, f, cos_i, pdf, mis, traced };
             sum.add(self.recorder, source, weight, arriving);
         }
     }

@@ -60,12 +60,12 @@ impl<R: Recorder> Tracing<'_, R> {
     ) -> Rgb {
         let origin = point.hit.surface.leave(sample.direction);
         let (ray, span, length) = stretch(origin, sample.direction, segment);
-        let kind = RayKind::Shadow { light: light.place };
+        let kind = RayKind::Shadow { light: light.index };
         self.recorder.enter(kind, &ray, 0, Rgb::WHITE);
         let between = if self.passes_glass(light) {
             self.straight_through(origin, sample.direction, segment, medium)
         } else {
-            let blocked_by = self.world.occluder(&ray, span).map(|object| object.place);
+            let blocked_by = self.world.occluder(&ray, span).map(|object| object.index);
             let passed = if blocked_by.is_some() { Rgb::BLACK } else { Rgb::WHITE };
             let transmittance = medium.transmittance(length);
             Between { blocked_by, boundaries: 0, passed, transmittance }
@@ -82,7 +82,7 @@ impl<R: Recorder> Tracing<'_, R> {
             if !weight.is_black() {
                 let value = weight * arriving;
                 sent += value;
-                let source = TermSource::Light { light: light.place };
+                let source = TermSource::Light { light: light.index };
                 self.recorder.term(Term { source, weight, arriving, value });
             }
         }
@@ -122,7 +122,7 @@ impl<R: Recorder> Tracing<'_, R> {
             if hit.casts_shadow() {
                 passed = passed * transmitted(&hit, direction);
                 if passed.is_black() {
-                    let blocked_by = Some(hit.object.place);
+                    let blocked_by = Some(hit.object.index);
                     return Between { blocked_by, boundaries, passed, transmittance };
                 }
                 boundaries += 1;

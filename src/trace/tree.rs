@@ -100,8 +100,8 @@ impl RecordedHit {
         let across = Vector::from(surface.normal).cross(ray.direction).length();
         Self {
             t: *t,
-            object: hit.object.place,
-            material: hit.material.place,
+            object: hit.object.index,
+            material: hit.material.index,
             path: hit.path(),
             point: surface.point,
             error: surface.error,

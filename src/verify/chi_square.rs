@@ -143,7 +143,7 @@ fn tail(statistic: f64, freedom: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::math::exp;
-    use crate::verify::planted::{LEVEL, paired, uneven};
+    use crate::verify::biased_samples::{LEVEL, paired, uneven};
 
     const CELLS: usize = 99;
 

@@ -55,7 +55,7 @@ pub fn pearson(xs: &[f64], ys: &[f64]) -> Option<Correlation> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::planted::{LEVEL, correlated};
+    use crate::verify::biased_samples::{LEVEL, correlated};
 
     /// Oracle: by hand. x = 1 … 5 and y = 2, 1, 4, 3, 5 have Σxy = 8, Σxx = Σyy = 10: r = 0.8, and
     /// t = 0.8 √(3/0.36) = 4/√3; Student's t of three degrees is `½ + (arctan(t/√3) + (t/√3)/(1 +

@@ -1,4 +1,4 @@
-//! Seeded draws for laws that count their own cases, and for the shapes of [`many`](super::many).
+//! Seeded draws for laws that count their own cases, and for the shapes of [`composites`](super::composites).
 
 use crate::math::{Frame, Normal, Pcg32, Point, Vector, power};
 

@@ -48,7 +48,7 @@ fn kolmogorov(lambda: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::planted::{LEVEL, bent};
+    use crate::verify::biased_samples::{LEVEL, bent};
 
     #[test]
     fn the_tail_has_the_tables_values() {

@@ -4,7 +4,7 @@
 //! `cargo test --release many_seeds -- --ignored --nocapture` prints the table of
 //! `docs/accuracy.md`.
 
-use super::planted::{LEVEL, bent, correlated, normal, normals, paired, power_of, uneven};
+use super::biased_samples::{LEVEL, bent, correlated, normal, normals, paired, power_of, uneven};
 use super::{chi_square, correlation, ks, means, significance, slope};
 use crate::math::{Pcg32, ln};
 

@@ -18,13 +18,13 @@
 //! | at what level, if there are many tests? | [`significance::sidak`] |
 //! | how sure is a rate that was counted? | [`significance::proportion`] |
 
-pub mod against;
+pub mod backward_error;
 pub mod chi_square;
 pub mod compare;
+pub mod composites;
 pub mod correlation;
 pub mod golden;
 pub mod ks;
-pub mod many;
 pub mod means;
 mod quantile;
 pub mod review;
@@ -37,11 +37,11 @@ mod error;
 mod view;
 
 #[cfg(test)]
-mod controls;
+mod bad_scenes;
+#[cfg(test)]
+mod biased_samples;
 #[cfg(test)]
 mod many_seeds;
-#[cfg(test)]
-mod planted;
 
 pub use draw::Draw;
 pub use error::GoldenError;

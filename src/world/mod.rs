@@ -56,8 +56,8 @@ pub struct World {
 pub struct PlacedLight {
     /// Its name.
     pub name: String,
-    /// Its place in the scene, counted with those switched off.
-    pub place: u32,
+    /// Its index in the scene; lights and objects that are switched off count.
+    pub index: u32,
     /// Whether objects stand in its way.
     pub shadows: bool,
     /// The light.
@@ -69,8 +69,8 @@ pub struct PlacedLight {
 pub struct PlacedMaterial {
     /// Its name.
     pub name: String,
-    /// Its place in the scene.
-    pub place: u32,
+    /// Its index in the scene.
+    pub index: u32,
     /// Whether the back is shaded as the front.
     pub two_sided: bool,
     /// What it is made of.
@@ -87,9 +87,9 @@ pub struct PlacedMaterial {
 pub struct PlacedObject {
     /// Its name.
     pub name: String,
-    /// Its place in the scene, counted with those switched off.
-    pub place: u32,
-    /// The place of its material, which parts may replace by their own.
+    /// Its index in the scene; lights and objects that are switched off count.
+    pub index: u32,
+    /// The index of its material; parts may have their own.
     material: u32,
     /// Whether it stands in the way of light.
     casts_shadows: bool,

@@ -173,7 +173,7 @@ fn the_light_is_shown_where_one_is_sampled() {
     scene.lights.push(Light::new("occluder", AmbientOccluder::default()));
     let world = built(&scene);
     let window = samples_of(scene, ON_GLASS);
-    let (path, light) = (PathKey::CAMERA, world.lights.last().expect("one is there").place);
+    let (path, light) = (PathKey::CAMERA, world.lights.last().expect("one is there").index);
     let purpose = Purpose::Light { path, light, pair: 0 };
     let draws = |i| world.draws(ON_GLASS, i).draw(purpose).map(|u| 2.0 * u - 1.0);
     let places: Vec<_> = (0..16).map(draws).collect();

@@ -1,18 +1,18 @@
 //! Shapes made of many, beside the oracle's: compounds, random spheres, lattices, meshes. The oracle
 //! answers for each of the pieces by itself; the whole has the roots of all.
 //!
-//! Used by the chapters' sweeps and by the report, as [`against`] is for shapes that have a formula.
+//! Used by the chapters' sweeps and by the report, as [`backward_error`] is for shapes that have a formula.
 
 mod compounds;
-mod crowds;
 mod meshes;
+mod spheres_and_lattices;
 
 use std::sync::Arc;
 
 use oracle::hard::Family;
 use oracle::{Answer, Root};
 
-use super::against::{self, ALLOWED};
+use super::backward_error::{self, ALLOWED};
 use crate::accel::Method;
 use crate::math::{Transform, UNIT_ROUNDOFF, Vector};
 use crate::shapes::{self, Context, Instance};
@@ -49,8 +49,8 @@ impl Kind {
     ) -> Option<Case> {
         match self {
             Kind::Compound => compounds::compound(family, seed, index, accel),
-            Kind::RandomSpheres => Some(crowds::spheres(family, seed, index, accel)),
-            Kind::Lattice => crowds::lattice(family, seed, index, accel),
+            Kind::RandomSpheres => Some(spheres_and_lattices::spheres(family, seed, index, accel)),
+            Kind::Lattice => spheres_and_lattices::lattice(family, seed, index, accel),
             Kind::Mesh => Some(meshes::net(family, seed, index, accel)),
             Kind::TessellatedSphere => Some(meshes::sphere(family, seed, index, accel)),
         }
@@ -73,7 +73,7 @@ pub struct Case {
 impl Case {
     /// The same in an instance, and the ray moved with it; `None` if the matrix is singular.
     pub fn instanced(self, matrix: &[[f64; 4]; 3]) -> Option<Self> {
-        let steps = against::steps(matrix)?;
+        let steps = backward_error::steps(matrix)?;
         let map = Transform::from_steps(&steps).ok()?;
         let moved = |Piece { exact, .. }| {
             Piece::anywhere(oracle::Shape::Instance { matrix: map.rows(), of: Box::new(exact) })
@@ -157,7 +157,7 @@ impl Piece {
     /// the rounding here.
     fn answer(&self, exact: &oracle::Ray, start: f64) -> Answer {
         const MARGIN: f64 = 1e-11;
-        let ray = against::ray(exact);
+        let ray = backward_error::ray(exact);
         let more = 4.0 * MARGIN * (Vector::from(exact.origin).length() + self.reach);
         let (mut from, mut to) = (start, f64::INFINITY);
         for &(normal, d) in &self.within {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oracle::Shape;
 use oracle::hard::{Family, Kind, cases, rays};
 
-use super::crowds::hard_radius;
+use super::spheres_and_lattices::hard_radius;
 use super::{Case, Piece};
 use crate::accel::Method;
 use crate::kinds::Custom;
