@@ -28,7 +28,7 @@ pub fn stations(
     let station = |ray: &&RayExplanation| {
         let point = Point::from(ray.outcome.hit()?.point);
         let place = eye.project(point).map(|film| {
-            let [x, y] = render::image_place(&world.image, film);
+            let [x, y] = render::image_point(&world.image, film);
             [first_column + x, y]
         });
         Some((place, kind_color(ray)))

@@ -4,7 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, place};
+use super::{Sampler, in_stratum};
 use crate::math::Pcg32;
 
 /// One point in each cell of an `m × n` grid and, at the same time, one in each of the `m n` rows and
@@ -39,7 +39,7 @@ impl Sampler for CorrelatedMultiJittered {
                 // of the m n fine columns and rows, those of cell (i, j) start at i n and j m
                 let column = i * n + along(j);
                 let row = j * m + across(i);
-                points.push([place(column, count, random), place(row, count, random)]);
+                points.push([in_stratum(column, count, random), in_stratum(row, count, random)]);
             }
         }
         points

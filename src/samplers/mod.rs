@@ -96,9 +96,9 @@ fn next_square(n: u32) -> u32 {
     side(n) * side(n)
 }
 
-/// A place anywhere in stratum `i` of `n` equal ones of `[0, 1)`.
-fn place(i: u32, n: u32, random: &mut Pcg32) -> f64 {
+/// A random number in stratum `i` of `n` equal strata of `[0, 1)`.
+fn in_stratum(i: u32, n: u32, random: &mut Pcg32) -> f64 {
     let (i, n) = (f64::from(i), f64::from(n));
-    // rounding may reach the next stratum, or 1
+    // rounding could give the start of the next stratum, or 1
     ((i + random.uniform()) / n).min(((i + 1.0) / n).next_down())
 }

@@ -201,7 +201,7 @@ impl SampleSets {
         if self.centered && matches!(key.purpose, Purpose::Pixel | Purpose::Lens) {
             return [0.5; 2];
         }
-        let (run, place) = match index < self.per_set {
+        let (run, offset) = match index < self.per_set {
             true => (0, index as usize), // without divisions, which take most of the time
             false => (index / self.per_set, (index % self.per_set) as usize),
         };
@@ -212,7 +212,7 @@ impl SampleSets {
         let (permutation, rest) = ((rest % SETS as u64) as usize, rest / SETS as u64);
         let start = (rest % n as u64) as usize;
         let permutation = &self.permutations[permutation * n..][..n];
-        let along = start + place;
+        let along = start + offset;
         let along = if along < n { along } else { along - n };
         let sample = self.samples[set * n + permutation[along] as usize];
         // of one point a set there would be but 83

@@ -4,7 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, place};
+use super::{Sampler, in_stratum};
 use crate::math::{Pcg32, splitmix};
 
 /// The first n points of Sobol's sequence (1967) in two dimensions, each set scrambled for itself as
@@ -25,7 +25,7 @@ impl Sampler for Sobol {
         let mut scrambled = |i: u32, axis: usize| {
             let first = scramble(sobol(i)[axis] >> (31 - digits) >> 1, digits, seeds[axis]);
             // what follows flips at random, and for each point by itself
-            place(first, 1 << digits, random)
+            in_stratum(first, 1 << digits, random)
         };
         (0..n).map(|i| [scrambled(i, 0), scrambled(i, 1)]).collect()
     }

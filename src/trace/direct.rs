@@ -1,4 +1,4 @@
-//! Light straight from lights, for the numbers drawn for them.
+//! Direct light: samples of the lights.
 
 use arrayvec::ArrayVec;
 
@@ -13,7 +13,7 @@ use crate::samplers::Purpose;
 use crate::world::PlacedLight;
 
 impl<R: Recorder> Tracing<'_, R> {
-    /// What a light sends to a point, for the numbers that are drawn for it there.
+    /// A light's sample at a shading point, for the random numbers drawn there.
     fn sample(
         &mut self,
         path: &PathState,
@@ -46,7 +46,7 @@ impl<R: Recorder> Tracing<'_, R> {
         sum.add(self.recorder, source, reflectance, arriving);
     }
 
-    /// Light that comes straight from a source, by each lobe that takes light from there.
+    /// Direct light of a light, reflected by each lobe that accepts its samples.
     pub(super) fn direct(
         &mut self,
         path: &PathState,
@@ -83,9 +83,9 @@ impl<R: Recorder> Tracing<'_, R> {
     }
 }
 
-/// Whether light of this weight could be told from none in a picture, whose numbers are single precision:
-/// far from its mirror direction a sharp highlight weighs less than that, and needs no shadow ray. A
-/// larger threshold would darken sums of many lights.
+/// Whether light of this weight can change a picture, whose numbers are single precision. Far from its
+/// mirror direction a sharp highlight weighs less, and needs no shadow ray. A larger threshold would
+/// darken sums of many lights.
 fn counts(weight: Rgb, sample: &LightSample) -> bool {
     /// 2⁻¹⁴⁹.
     const SMALLEST: f64 = f32::from_bits(1) as f64;

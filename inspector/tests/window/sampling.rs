@@ -96,7 +96,7 @@ fn the_square_shows_the_strata() {
             let size = world.image.pixel_size;
             // the square's side, 156 points
             assert_drawn_as(&window, 0, 156.0 / size, &places);
-            let corner = render::film_place(&world.image, samples[0].pixel, [0.0, 0.0]);
+            let corner = render::film_point(&world.image, samples[0].pixel, [0.0, 0.0]);
             let cell = |[x, y]: &[f64; 2]| {
                 [x - corner[0], y - corner[1]].map(|along| (4.0 * along / size).floor() as i64)
             };
