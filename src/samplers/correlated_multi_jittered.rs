@@ -51,8 +51,8 @@ impl Sampler for CorrelatedMultiJittered {
     }
 }
 
-/// Where `i` goes in permutation number `pattern` of `0..n` (the paper's hash): each step is a
-/// bijection of the numbers below a power of two, from which those beyond `n` go round again.
+/// The image of `i` under permutation `pattern` of `0..n` (the paper's hash). Each step is a bijection of
+/// the numbers below a power of two; results of at least `n` are hashed again.
 fn permuted(mut i: u32, n: u32, pattern: u32) -> u32 {
     let mask = n.next_power_of_two() - 1;
     loop {
@@ -96,8 +96,7 @@ mod tests {
         }
     }
 
-    /// Law: each pattern permutes: no number twice. Oracle: sorting; every n up to 99 and one at each
-    /// end of a power of two.
+    /// Law: each pattern is a permutation. Oracle: sorting, for every n up to 99 and next to powers of two.
     #[test]
     fn every_pattern_permutes() {
         let mut random = Pcg32::new(2013, 0);

@@ -24,7 +24,7 @@ impl Sampler for MultiJittered {
             columns.push((0..side).map(|j| i * side + j).collect());
             rows.push((0..side).map(|j| i * side + j).collect());
         }
-        // within a column of cells any order of its fine columns will do, and so for rows
+        // the fine columns within a column of cells may be in any order; rows likewise
         columns.iter_mut().for_each(|fine| random.shuffle(fine));
         rows.iter_mut().for_each(|fine| random.shuffle(fine));
 

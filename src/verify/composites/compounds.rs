@@ -7,7 +7,7 @@ use crate::accel::Method;
 use crate::shapes::Compound;
 use crate::verify::backward_error;
 
-/// Of each three in a row.
+/// A compound has three consecutive kinds.
 const KINDS: [Kind; 12] = [
     Kind::Sphere,
     Kind::Cuboid,
