@@ -1,4 +1,4 @@
-//! The tree of rays: one line for each that matters, with its share of the light.
+//! The tree of rays: a line for each ray that is not folded, with its share of the light.
 
 use eframe::egui::collapsing_header::paint_default_icon;
 use eframe::egui::{
@@ -13,12 +13,12 @@ use crate::picture;
 
 /// Rays that add less than this part of their sample are folded together.
 pub const MIN_SHARE: f64 = 0.01;
-/// What the numbers beside a ray are.
+/// The explanation of the numbers beside a ray.
 const SAMPLING: &str = "weight: what its light counts for the ray before it; pdf: the density of its direction, \
                         per steradian; MIS: the share that this way to find the light counts";
 /// The height of a line, in points of the screen.
 const LINE: f32 = 18.0;
-/// Each step of a branch is indented by so much.
+/// The indent of each step of a branch.
 const INDENT: f32 = 14.0;
 /// The width of a bar that stands for the whole light of the sample.
 const BAR: f32 = 52.0;
