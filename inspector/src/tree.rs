@@ -63,7 +63,7 @@ pub fn legend(ui: &mut Ui) {
     });
 }
 
-/// The tree of a sample as it is looked at.
+/// The view of a sample's tree.
 #[derive(Clone, Debug)]
 pub struct Tree {
     /// The number of the selected ray.
@@ -85,15 +85,15 @@ impl Tree {
         root.path_to(self.ray).last().copied().unwrap_or(root)
     }
 
-    /// Selects a ray and brings it into view, whatever hides it.
+    /// Selects a ray, opens everything that hides it and scrolls to it.
     pub fn go_to(&mut self, root: &RayExplanation, number: usize) {
         self.ray = number;
         self.outline.reveal(&root.path_to(number));
         self.scroll = true;
     }
 
-    /// One step down the path along which most of the light comes; from a ray at its end, or one that
-    /// this tree does not have, from the camera's ray.
+    /// Follows the path of most light by one ray. At its end, or from a ray that is not in this tree, starts
+    /// again at the camera's ray.
     pub fn follow_largest(&mut self, root: &RayExplanation) {
         let next = root.path_to(self.ray).last().and_then(|ray| ray.largest_child());
         self.go_to(root, next.map_or(root.number, |ray| ray.number));

@@ -50,7 +50,7 @@ pub(super) fn less_products(a: f64, b: [f64; 3], c: [f64; 3]) -> f64 {
 
 /// `(b − a) × (c − a)` correct to a few u in every component, for triangles of any aspect.
 ///
-/// The rounded edges `e` differ from the true ones by `δ`, which [`two_sum`] gives exactly. The product is
+/// The rounded edges `e` differ from the true ones by `δ`, which `two_sum` gives exactly. The product is
 /// `e₁ × e₂ + δ₁ × e₂ + e₁ × δ₂ + O(u²)`; its first term is computed without cancellation error.
 pub fn exact_cross(a: Point, b: Point, c: Point) -> Vector {
     let edge = |to: Point, axis: usize| two_sum(to.along(axis), -a.along(axis));

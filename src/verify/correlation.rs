@@ -44,7 +44,7 @@ pub fn pearson(xs: &[f64], ys: &[f64]) -> Option<Correlation> {
     if xs.len() < 3 || !spread.is_finite() || spread == 0.0 || constant(xs) || constant(ys) {
         return None;
     }
-    // rounding may go beyond
+    // rounding may exceed ±1
     let r = (xy / spread).clamp(-1.0, 1.0);
     let student = StudentsT::new(0.0, 1.0, n - 2.0).ok()?;
     let t = r.abs() * ((n - 2.0) / ((1.0 - r) * (1.0 + r))).sqrt();

@@ -1,4 +1,4 @@
-//! How far from the exact answer each routine is.
+//! The error of each intersection routine against the exact answer.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -15,18 +15,18 @@ use crate::verify::backward_error::{
 };
 use crate::verify::{composites, quantile};
 
-/// What is judged: a shape that has a formula, or one of many such.
+/// The shape that is judged: one with a formula, or a composite.
 #[derive(Clone, Copy, Debug)]
 pub enum Subject {
     One(hard::Kind),
     Composite(composites::Kind),
 }
 
-/// What is asked of both routines, and the answer.
+/// A case for both routines, and its exact answer.
 struct Question {
     case: Case,
     exact: Answer,
-    /// Of an instance's matrix.
+    /// The condition number of an instance's matrix.
     condition: f64,
 }
 
@@ -34,14 +34,14 @@ struct Question {
 #[derive(Debug)]
 pub struct Case {
     pub ray: Ray,
-    /// Where hits are asked for.
+    /// The span of hits.
     pub span: Span,
     pub ours: Arc<dyn Shape>,
     pub textbook: Arc<dyn Shape>,
 }
 
 impl Case {
-    /// Of the book's routine, beyond its epsilon.
+    /// The hit of the book's routine, beyond its epsilon.
     pub fn textbook_hit(&self) -> Option<f64> {
         let beyond = Span { min: EPSILON, ..Span::AHEAD };
         self.textbook.hit(&self.ray, beyond).map(|at| at.t)
@@ -132,7 +132,7 @@ impl Question {
 }
 
 impl Judged {
-    /// Judges the cases that do not turn on rounding.
+    /// Judges the cases whose answer rounding cannot change.
     pub fn new(subject: Subject, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
@@ -168,7 +168,7 @@ impl Judged {
     }
 }
 
-/// What one routine got right and wrong.
+/// The errors and failures of one routine.
 #[derive(Default)]
 struct Tally {
     errors: Vec<f64>,
