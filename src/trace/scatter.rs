@@ -47,7 +47,7 @@ impl<R: Recorder> Tracing<'_, R> {
         bsdf: &Bsdf<'_>,
         sum: &mut RadianceSum,
     ) {
-        /// Russian roulette starts at this depth: earlier, the noise it adds costs more than the time it saves.
+        /// Russian roulette starts at this depth: earlier, its noise costs more than the time it saves.
         const ROULETTE_FROM: u32 = 5;
         let chances = bsdf.chances();
         if chances.iter().all(|chance| *chance == 0.0) {
