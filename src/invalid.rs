@@ -1,4 +1,4 @@
-//! What is wrong with a value a person gave: where it stands, what was found, what would fit.
+//! Errors of input values: their path, what was found, and what would fit.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use crate::math::{Normal, Point, Vector};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}{problem}", path_text(path))]
 pub struct Invalid {
-    /// The keys and places that lead to the value, outermost first.
+    /// The keys and indices that lead to the value, outermost first.
     pub path: Vec<Key>,
     /// What was found and what would fit, as a sentence.
     pub problem: String,
@@ -35,15 +35,15 @@ impl From<usize> for Key {
     }
 }
 
-/// More steps of a path help nobody.
+/// The most steps of a path in a message.
 const SHOWN: usize = 16;
 
 /// The path and a colon; nothing for the thing as a whole.
 fn path_text(path: &[Key]) -> String {
     use fmt::Write;
     let mut text = String::new();
-    for (place, key) in path.iter().enumerate() {
-        if path.len() > SHOWN && (SHOWN - 2..path.len() - 2).contains(&place) {
+    for (depth, key) in path.iter().enumerate() {
+        if path.len() > SHOWN && (SHOWN - 2..path.len() - 2).contains(&depth) {
             if !text.ends_with('…') {
                 text.push('…');
             }
@@ -74,7 +74,7 @@ impl Invalid {
         Self::new(problem).inside(name)
     }
 
-    /// The same problem seen from one level further out.
+    /// The same problem with a path that starts one level further out.
     pub fn inside(mut self, key: impl Into<Key>) -> Self {
         self.path.insert(0, key.into());
         self
@@ -120,8 +120,8 @@ pub fn length(field: &str, value: f64) -> Result<f64, Invalid> {
     Err(Invalid::field(field, format!("found {}, but {}", shown(value), lengths())))
 }
 
-/// How many instances, lattices and compounds may be nested in one another: far more than in any scene.
-/// The readers of text can follow as many; they stop at 80 tables and lists in one another.
+/// The most instances, lattices and compounds nested in one another: far more than in any scene. The text
+/// readers allow that many; their limit is 80 nested tables and lists.
 pub const MAX_NESTING: usize = 16;
 
 /// What lengths there may be, as the end of a sentence.
@@ -201,7 +201,7 @@ pub fn direction(field: &str, v: Vector) -> Result<Normal, Invalid> {
     })
 }
 
-/// What a reader of text says, in words for a person who does not know Rust.
+/// The message of a text reader, in words for a user who does not know Rust.
 pub(crate) fn plain_words(message: &str) -> String {
     const COUNT: &str = "expected a whole number from 0 to 4294967295";
     let message = message.replace('\n', "; ");

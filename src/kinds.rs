@@ -15,9 +15,9 @@ use crate::invalid::Invalid;
 
 /// Plain data that describes one thing of a kind.
 pub trait Specification: Sized {
-    /// What is built.
+    /// The type that is built.
     type Built;
-    /// What building needs to know beside the data.
+    /// What building needs besides the data.
     type Context;
 
     /// Checks the data and builds.

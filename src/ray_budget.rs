@@ -1,5 +1,5 @@
-//! How many rays a picture takes, before it is rendered: measured on some of its samples, as it depends on
-//! what is seen. Glass at depth 100 may be a line of rays, or a tree of 2¹⁰⁰.
+//! Estimates the number of rays of a picture before it is rendered, by tracing some of its samples: glass
+//! at depth 100 may be a line of rays, or a tree of 2¹⁰⁰.
 
 use crate::math::{Pcg32, Ray};
 use crate::render;
@@ -7,9 +7,9 @@ use crate::rgb::Rgb;
 use crate::trace::{Outcome, RayKind, Recorder, Term};
 use crate::world::{Hit, World};
 
-/// So many pixels are tried, one sample of each.
+/// The number of pixels that are tried, with one sample each.
 const PIXELS: u32 = 256;
-/// When so many rays are counted, measuring ends.
+/// Measuring ends at this number of rays.
 pub const MOST_COUNTED: u64 = 1_000_000;
 
 /// An estimate of the rays of a sample, shadow rays among them.
@@ -17,15 +17,15 @@ pub const MOST_COUNTED: u64 = 1_000_000;
 pub struct RaysPerSample {
     /// The mean of the samples that were tried.
     pub mean: f64,
-    /// Whether there would have been more: measuring ended before its last sample did.
+    /// Whether measuring ended within a sample, so that the mean is too low.
     pub is_cut: bool,
 }
 
-/// A picture of more rays than this takes so long that one wants to know.
+/// A picture of more rays than this takes so long that the user is told.
 const MANY: f64 = 1e9;
 
 impl RaysPerSample {
-    /// What to tell before so many samples are rendered, if they are many rays.
+    /// A note for the user before `samples` samples are rendered, if they are many rays.
     pub fn note(&self, samples: f64) -> Option<String> {
         let about = if self.is_cut { "at least" } else { "about" };
         let rays = self.mean * samples;
@@ -47,13 +47,13 @@ impl RayCounter {
         Self { rays: 0, most: most.min(MOST_COUNTED), samples: 0 }
     }
 
-    /// Counts those of a sample.
+    /// Counts the rays of a sample.
     pub fn count(&mut self, sample: impl FnOnce(&mut Self) -> Rgb) {
         self.samples += 1;
         let _ = sample(self);
     }
 
-    /// What was counted.
+    /// The number of rays counted.
     pub fn rays(&self) -> u64 {
         self.rays
     }
@@ -65,7 +65,7 @@ impl RayCounter {
     }
 }
 
-/// Measures a world's pictures: one sample each of some of its pixels.
+/// Traces one sample in each of some of a world's pixels, up to `most` rays.
 pub fn measured(world: &World, most: u64) -> RaysPerSample {
     let mut random = Pcg32::new(world.seed, u64::from(PIXELS));
     let [width, height] = world.picture_size();

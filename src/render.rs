@@ -17,47 +17,47 @@ use crate::scene::Image;
 use crate::trace::{self, Recorder};
 use crate::world::World;
 
-/// How a sample passes through filter and camera.
+/// The result of filter and camera for one pixel sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraSample {
-    /// The pixel of its eye's image: that of the picture, but for stereo pairs.
+    /// The pixel of its eye's image: for all but stereo pairs, that of the picture.
     pub pixel: [u32; 2],
-    /// The place on the film, in world units from its centre.
+    /// The point on the film, in world units from its centre.
     pub film: [f64; 2],
-    /// The place on the lens, in the unit disk; `None` if the camera has none.
+    /// The point on the lens, in the unit disk; `None` if the camera has no lens.
     pub lens: Option<[f64; 2]>,
-    /// What its radiance is multiplied by, from the filter.
+    /// The factor of its radiance, from the filter.
     pub weight: f64,
     /// Its ray, with a unit direction; `None` where the camera sees nothing, and the picture is black.
     pub ray: Option<Ray>,
 }
 
-/// The way of a sample of a pixel of the picture through filter and camera; `None` in the gap of a
-/// stereo pair. Both eyes of a pair draw the same samples, as they belong to the pixel of the eye's
-/// image.
+/// The camera ray of one pixel sample; `None` in the gap of a stereo pair. Both eyes of a pair draw the
+/// same samples, because these belong to the pixel of the eye's image.
 pub fn camera_sample(world: &World, [column, row]: [u32; 2], index: u32) -> Option<CameraSample> {
     let (eye, column) = world.view.seen_by(column, world.image.width)?;
     let pixel = [column, row];
     let draws = world.draws(pixel, index);
     let [(x, weight_x), (y, weight_y)] = draws.draw(Purpose::Pixel).map(|u| world.filter.draw(u));
-    let film = film_place(&world.image, pixel, [x, y]);
+    let film = film_point(&world.image, pixel, [x, y]);
     let lens = world.view.has_lens().then(|| maps::disk(draws.draw(Purpose::Lens)));
     let ray = eye.ray(film, lens.unwrap_or_default());
     Some(CameraSample { pixel, film, lens, weight: weight_x * weight_y, ray })
 }
 
-/// Where a place in or around a pixel, in pixels from its lower left corner, lies on the view plane.
-pub fn film_place(image: &Image, pixel: [u32; 2], [sx, sy]: [f64; 2]) -> [f64; 2] {
+/// The point of the view plane for a point in or around a pixel, given in pixels from the pixel's lower
+/// left corner.
+pub fn film_point(image: &Image, pixel: [u32; 2], [sx, sy]: [f64; 2]) -> [f64; 2] {
     let (column, row) = (f64::from(pixel[0]), f64::from(image.height - 1 - pixel[1]));
-    // half of the real number of pixels: an integer half would shift odd pictures
+    // half as a real number: an integer half would shift pictures of odd size
     let x = image.pixel_size * (column - 0.5 * f64::from(image.width) + sx);
     let y = image.pixel_size * (row - 0.5 * f64::from(image.height) + sy);
     [x, y]
 }
 
-/// The place in the image of an eye where a place of the view plane is seen, in pixels from its top
-/// left corner, x right, y down: the middle of the pixel [0, 0] is [0.5, 0.5].
-pub fn image_place(image: &Image, [x, y]: [f64; 2]) -> [f64; 2] {
+/// The point in the image of an eye for a point of the view plane, in pixels from the top left corner, x
+/// right, y down: the centre of the pixel [0, 0] is [0.5, 0.5].
+pub fn image_point(image: &Image, [x, y]: [f64; 2]) -> [f64; 2] {
     let [width, height] = [image.width, image.height].map(f64::from);
     [0.5 * width + x / image.pixel_size, 0.5 * height - y / image.pixel_size]
 }
@@ -117,7 +117,7 @@ pub struct Crop {
     pub height: u32,
 }
 
-/// A picture that is being rendered: anyone may look at it, and stop it.
+/// A picture that is being rendered. Other threads can read it and cancel the rendering.
 ///
 /// The pixels of a coarse picture come first, one of each block; the others follow, tile by tile.
 #[derive(Debug)]
@@ -128,7 +128,7 @@ pub struct Canvas {
     cancelled: AtomicBool,
 }
 
-/// A picture of which some pixels are rendered. The others are black in the film.
+/// A partly rendered picture. Pixels that are not rendered yet are black in the film.
 #[derive(Debug)]
 pub struct Partial {
     film: Film,
@@ -138,7 +138,7 @@ pub struct Partial {
 /// Pixels are rendered in squares of this side.
 const TILE: u32 = 16;
 
-/// The coarse picture has one pixel of each square of this side. It divides [`TILE`].
+/// The coarse picture has one pixel in each square of this side, which divides [`TILE`].
 const BLOCK: u32 = 8;
 
 /// Whether a pixel belongs to the coarse picture: the top left one of its block does.
@@ -201,17 +201,17 @@ impl Canvas {
         self.lock().film.clone()
     }
 
-    /// Looks at the picture so far without copying it.
+    /// Reads the picture so far without copying it.
     pub fn look<T>(&self, look: impl FnOnce(&Film) -> T) -> T {
         look(&self.lock().film)
     }
 
-    /// As [`Canvas::look`], at a picture that knows which pixels are rendered.
+    /// As [`Canvas::look`], with the information which pixels are rendered.
     pub fn look_partly<T>(&self, look: impl FnOnce(&Partial) -> T) -> T {
         look(&self.lock())
     }
 
-    /// Finished pixels, and how many there will be.
+    /// The numbers of finished pixels and of all pixels.
     pub fn progress(&self) -> (u64, u64) {
         let whole = u64::from(self.crop.width) * u64::from(self.crop.height);
         (self.done.load(Ordering::Relaxed), whole)
@@ -222,7 +222,7 @@ impl Canvas {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// Whether someone asked to stop.
+    /// Whether the rendering was cancelled.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
@@ -242,7 +242,7 @@ impl Canvas {
         self.render_those(world, is_coarse);
     }
 
-    /// Renders the pixels that are asked for, tile by tile.
+    /// Renders the wanted pixels, tile by tile.
     fn render_those(&self, world: &World, wanted: impl Fn([u32; 2]) -> bool + Sync) {
         let Crop { x, y, width, height } = self.crop;
         let (across, down) = (width.div_ceil(TILE), height.div_ceil(TILE));
@@ -259,7 +259,7 @@ impl Canvas {
             }
             let mut picture = self.lock();
             finished.iter().for_each(|&(at, color)| picture.set(at, color));
-            // under the lock: who sees that all are done sees all of them
+            // under the lock: when `progress` says that all are done, `film` has all of them
             self.done.fetch_add(finished.len() as u64, Ordering::Relaxed);
         });
     }

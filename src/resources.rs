@@ -8,12 +8,12 @@ use crate::images::{self, Drawn, Encoding, Texels};
 use crate::invalid::Invalid;
 use crate::mesh_file::{self, MeshData};
 
-/// More bytes in the mesh files of one scene would take gigabytes: they are read whole.
+/// The most bytes in the mesh files of one scene: more would take gigabytes, because they are read whole.
 const MOST_BYTES: u64 = 1 << 28;
-/// More texels in its images would, too: 12 bytes each.
+/// The most texels in its images, of 12 bytes each.
 const MOST_TEXELS: u64 = 1 << 26;
 
-/// Where files are found, what has been read already, and how much more may be.
+/// The folder of a scene's files, the files read so far, and the budget that is left.
 #[derive(Debug, Default)]
 pub struct Resources {
     folder: PathBuf,
@@ -22,7 +22,7 @@ pub struct Resources {
     images: HashMap<(PathBuf, Option<Encoding>), Arc<Texels>>,
     drawn: HashMap<Drawn, Arc<Texels>>,
     texels: u64,
-    /// How many images were laid by the surface's own texture coordinates.
+    /// The number of images that use the surface's own texture coordinates.
     uses_of_uv: u32,
 }
 
@@ -48,12 +48,12 @@ impl Resources {
         Ok(mesh)
     }
 
-    /// How many images so far need the texture coordinates of the surface itself.
+    /// The number of images so far that use the surface's own texture coordinates.
     pub fn uses_of_uv(&self) -> u32 {
         self.uses_of_uv
     }
 
-    /// Remembers that an image needs them.
+    /// Counts an image that uses them.
     pub(crate) fn use_uv(&mut self) {
         self.uses_of_uv += 1;
     }
@@ -124,8 +124,7 @@ impl Resources {
         Ok(texels)
     }
 
-    /// Takes the size of a file off the budget; a file that cannot be looked at is left to the
-    /// reader.
+    /// Subtracts the size of a file from the budget. The reader reports a file whose size cannot be read.
     fn take_bytes(&mut self, path: &Path) -> Result<(), String> {
         let Ok(file) = std::fs::metadata(path) else { return Ok(()) };
         if !file.is_file() {

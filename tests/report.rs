@@ -18,8 +18,8 @@ use std::sync::LazyLock;
 use std::time::{Duration, UNIX_EPOCH};
 
 use groundtruth::report::{self, Interrupted, PAGES, Settings, Watch};
-use groundtruth::verify::against::ALLOWED;
-use groundtruth::verify::many;
+use groundtruth::verify::backward_error::ALLOWED;
+use groundtruth::verify::composites;
 use oracle::hard::{Family, Kind};
 use serde_json::Value;
 
@@ -69,7 +69,7 @@ fn the_report_holds_every_shape_and_family() {
     let found: Vec<(String, String)> =
         families().map(|(kind, family, _)| (kind.to_owned(), family.to_owned())).collect();
     let one = Kind::ALL.iter().map(|kind| format!("{kind:?}"));
-    let kinds = one.chain(many::Kind::ALL.iter().map(|kind| format!("{kind:?}")));
+    let kinds = one.chain(composites::Kind::ALL.iter().map(|kind| format!("{kind:?}")));
     let expected: Vec<_> = kinds
         .flat_map(|kind| Family::ALL.map(|family| (kind.clone(), format!("{family:?}"))))
         .collect();

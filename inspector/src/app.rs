@@ -1,4 +1,4 @@
-//! The window: its state, and where its parts stand.
+//! The window: its state and its layout.
 
 use std::time::Duration;
 
@@ -24,25 +24,25 @@ use crate::view::parse_pixel;
 use crate::watch::Watch;
 use crate::worker::{Background, Loaded, Progress, Rendering};
 
-/// All that the window knows.
+/// The whole state of the window.
 pub struct Inspector {
     /// The picture's scene, and the picture.
     pub rendering: Rendering,
-    /// How the picture is looked at.
+    /// The view of the picture.
     pub picture: Picture,
     /// The selected pixel.
     pub selection: Selection,
-    /// What was typed.
+    /// The text in the fields.
     pub fields: Fields,
-    /// What there is to say, and whether it is an error.
+    /// The message, and whether it is an error.
     pub message: Option<(String, bool)>,
     /// The list of scenes.
     pub picker: ScenePicker,
-    /// The scene as settings and switches stand.
+    /// The scene with the present settings and switches.
     pub(crate) wanted: Scene,
-    /// The seed as it stands.
+    /// The present seed.
     pub(crate) seed: u64,
-    /// Counts the scenes that were rendered, so that old answers are known as old.
+    /// Counts the scenes that were rendered, to recognise old answers.
     pub(crate) generation: u64,
     pub(crate) loading: Background<Result<Loaded, String>>,
     pub(crate) watch: Watch,
@@ -109,7 +109,7 @@ impl Inspector {
         Kept { splits: self.splits, save: self.fields.save.clone() }
     }
 
-    /// Whether anything is still being worked out.
+    /// Whether anything is still being computed.
     pub fn is_busy(&self) -> bool {
         self.loading.is_busy()
             || self.saving.is_busy()
@@ -118,7 +118,7 @@ impl Inspector {
             || !self.picture.is_fresh(&self.rendering, self.generation)
     }
 
-    /// Draws the window and does what the person asks for.
+    /// Draws the window and carries out the user's wishes.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         self.take_loaded(&ctx);
@@ -139,7 +139,7 @@ impl Inspector {
         if changed.inner {
             self.rebuild(&ctx);
         }
-        // before a wish begins a question: the Enter that wished it is no answer
+        // before a wish opens the question: the Enter that caused it must not answer it
         self.saving.ask(&ctx, (&self.rendering, &self.picture));
         if let Some(wish) = wish.or(self.shortcut(&ctx)) {
             self.grant(&ctx, wish);
@@ -153,7 +153,7 @@ impl Inspector {
         }
     }
 
-    /// The bars above and below all else.
+    /// The bars at the top and the bottom.
     fn bars(&mut self, ui: &mut Ui) -> Option<Wish> {
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 4));
         let wish = Panel::top("files").frame(bar).show(ui, |ui| {
@@ -172,7 +172,7 @@ impl Inspector {
         wish.inner
     }
 
-    /// The scene, the picture and the explanation, side by side; whether the scene was changed.
+    /// The scene, the picture and the explanation, side by side. Returns whether the scene was changed.
     fn parts(&mut self, ui: &mut Ui) -> bool {
         let parts = self.splits.show(ui, ui.max_rect());
         let changed = part(ui, ("scene", parts.scene), |ui| {
@@ -191,7 +191,7 @@ impl Inspector {
         changed || resampled
     }
 
-    /// What the scene is, its settings and its switches; whether it was changed.
+    /// The scene's panel: its name, settings and switches. Returns whether it was changed.
     fn scene(&mut self, ui: &mut Ui) -> bool {
         if !self.wanted.about.is_empty() {
             ui.label(RichText::new(&self.wanted.about).italics());
@@ -202,7 +202,7 @@ impl Inspector {
         changed | switches::show(ui, &mut self.wanted)
     }
 
-    /// The title tells from afar which scene it is and whether it is finished.
+    /// The title of the window: the scene and its progress.
     fn set_title(&mut self, ctx: &Context) {
         let rendering = matches!(self.rendering.progress(), Progress::Running(..));
         let state = if rendering { " (rendering)" } else { "" };
@@ -243,7 +243,7 @@ impl Inspector {
         self.picture.reveal(size, pixel);
     }
 
-    /// Does what the pressed shortcut says, or returns what it asks for.
+    /// Carries out the pressed shortcut, or returns its wish.
     fn shortcut(&mut self, ctx: &Context) -> Option<Wish> {
         if self.saving.is_asking() {
             return None;
@@ -278,12 +278,12 @@ impl Inspector {
     }
 }
 
-/// Shows a part of the window in its place.
+/// Shows a part of the window in its area.
 fn part<T>(ui: &mut Ui, (name, area): (&str, Rect), show: impl FnOnce(&mut Ui) -> T) -> T {
     let margin = if name == "picture" { Vec2::ZERO } else { vec2(8.0, 6.0) };
     ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-    let place = UiBuilder::new().id_salt(name).max_rect(area.shrink2(margin));
-    ui.scope_builder(place, |ui| {
+    let builder = UiBuilder::new().id_salt(name).max_rect(area.shrink2(margin));
+    ui.scope_builder(builder, |ui| {
         ui.set_clip_rect(ui.clip_rect().intersect(area));
         show(ui)
     })

@@ -1,4 +1,4 @@
-//! `inspector [SCENE] …`: the arguments, as those of `groundtruth explain`.
+//! `inspector [SCENE] …`: the same arguments as those of `groundtruth explain`.
 
 use std::str::FromStr;
 
@@ -61,10 +61,10 @@ impl FromStr for Size {
 }
 
 impl Arguments {
-    /// The scene that they name.
+    /// The scene of the arguments.
     ///
     /// # Errors
-    /// Says what is wrong with the scene, the pixel or the sample, as the command line does.
+    /// The command line's messages about the scene, the pixel or the sample.
     pub fn load(&self) -> Result<Loaded, String> {
         let source = Source::named(&self.scene)?;
         let loaded = source.load_changed(self.seed, |scene| self.change(scene))?;

@@ -1,4 +1,4 @@
-//! What reproduces a pixel outside the window.
+//! Commands that reproduce a pixel outside the window.
 
 use groundtruth::scene;
 
@@ -19,7 +19,7 @@ pub fn explain_command(rendering: &Rendering, [x, y]: [u32; 2], sample: u32) -> 
     )
 }
 
-/// The line with which `probe` answers with a pixel.
+/// The line that asks `probe` for a pixel.
 pub fn probe_line(rendering: &Rendering, pixel: [u32; 2]) -> String {
     let (scene, seed) = (&*rendering.scene, rendering.world.seed);
     let question = serde_json::json!({
@@ -28,7 +28,7 @@ pub fn probe_line(rendering: &Rendering, pixel: [u32; 2]) -> String {
     question.to_string()
 }
 
-/// Whether something was changed in the window that the command line cannot say.
+/// Whether something was changed in the window that the command line has no option for.
 fn is_changed(rendering: &Rendering) -> bool {
     let mut read = rendering.read.clone();
     let image = &rendering.scene.image;

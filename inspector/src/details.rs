@@ -1,4 +1,4 @@
-//! Everything that is known of one ray.
+//! The details of one ray.
 
 use eframe::egui::{Grid, RichText, Ui};
 use groundtruth::explain::{HitExplanation, RayExplanation, brief, percent, short, unblocked};
@@ -8,13 +8,13 @@ use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
 
 use crate::tree::kind_color;
 
-/// Numbers with every digit they have.
+/// Numbers with all their digits.
 pub fn exact(numbers: [f64; 3]) -> String {
     let [x, y, z] = numbers;
     format!("({x:?}, {y:?}, {z:?})")
 }
 
-/// Shows all fields of a ray and of what it hit. The number of another ray, if that was clicked.
+/// Shows all fields of a ray and of its hit. Returns the number of another ray if it was clicked.
 pub fn show(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
     ui.label(RichText::new(ray.line()).color(kind_color(ray)).strong());
     let mut clicked = None;
@@ -35,7 +35,7 @@ pub fn text(ray: &RayExplanation) -> String {
     ray.line() + "\n" + &fields(ray).into_iter().map(line).collect::<String>()
 }
 
-/// All that is known of a ray but its terms: names and values.
+/// The names and values of a ray's fields, without its terms.
 fn fields(ray: &RayExplanation) -> Vec<(&'static str, String)> {
     let color = |color: Rgb| exact(color.to_array());
     let kind = match &ray.kind {
@@ -132,7 +132,7 @@ fn table(ui: &mut Ui, id: &str, rows: Vec<(&'static str, String)>) {
     });
 }
 
-/// The sum that is the ray's radiance. The number of the ray of a term, if that was clicked.
+/// Shows the sum that is the ray's radiance. Returns the number of a term's ray if it was clicked.
 fn terms(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
     ui.strong("radiance = transmittance × the sum of these terms");
     let mut clicked = None;

@@ -1,4 +1,4 @@
-//! The selected pixel: its samples, the sum that it is, and the ray that is looked at.
+//! The selected pixel: its samples, their sum, and the selected ray.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -20,20 +20,20 @@ use crate::tree::Tree;
 use crate::worker::{Background, Lost, Rendering};
 use crate::{details, picture, tree};
 
-/// A pixel of more rays is explained one sample at a time.
+/// A pixel with more rays is explained one sample at a time.
 const MOST_RAYS_OF_A_PIXEL: u64 = 30_000;
-/// A sample of more rays would be a tree that nobody reads, in gigabytes of memory.
+/// A sample with more rays is not explained: its tree would be unreadable and take gigabytes.
 const MOST_RAYS_OF_A_SAMPLE: u64 = 500_000;
 
 /// The least height of tree and details in a low window, in points of the screen.
 const LEAST_HEIGHT: f32 = 24.0;
 
-/// An explanation that takes no longer is drawn in the frame of the click.
+/// An explanation that takes at most this time is drawn in the frame of the click.
 const MOMENT: Duration = Duration::from_millis(12);
-/// Less room for the tree is not shared with the legend of its colours, in points of the screen.
+/// The least height with room for the legend of the tree's colours, in points of the screen.
 const LEGEND_FROM: f32 = 160.0;
 
-/// What is to be explained.
+/// The pixel and sample to explain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Question {
     generation: u64,
@@ -54,7 +54,7 @@ pub struct Selection {
     pub tree: Tree,
     /// How the list of samples is sorted.
     pub order: Order,
-    /// What is below the tree.
+    /// The part that is shown below the tree.
     pub below: Below,
     /// The samples, when they are below the tree.
     pub samples: Samples,
@@ -62,15 +62,15 @@ pub struct Selection {
     working: Background<(Question, Answer)>,
 }
 
-/// What is shown below the tree.
+/// The part that is shown below the tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Below {
     /// The selected ray.
     #[default]
     Ray,
-    /// What the pixel is the sum of: sources of light, and samples by value.
+    /// The contributions to the pixel: sources of light, and samples by value.
     Sum,
-    /// Where the samples of the pixel lie.
+    /// The positions of the pixel's samples.
     Samples,
 }
 
@@ -92,8 +92,8 @@ fn answer(scene: &Scene, world: &World, question: Question) -> Answer {
 }
 
 impl Selection {
-    /// Explains what is selected, unless that is done or under way. What takes but a moment is there
-    /// at once.
+    /// Starts to explain the selected pixel, unless that is done or under way. Waits for a short
+    /// explanation.
     pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, generation: u64) {
         let finished = self.working.poll();
         let Some(question) = self.question(rendering, generation) else {
@@ -115,7 +115,7 @@ impl Selection {
             Some(Ok((question, answer))) if question.generation == asked.generation => {
                 self.answered = Some((question, answer));
             }
-            // asked once only: the same question would be lost again
+            // not asked again: the same question would fail again
             Some(Err(lost)) => self.answered = Some((asked, Err(lost.to_string()))),
             Some(Ok(_)) | None => {}
         }
@@ -135,12 +135,12 @@ impl Selection {
         *answered == question || (same_pixel && has_it)
     }
 
-    /// The explanation, when it is there.
+    /// The explanation, if it is finished.
     pub fn explanation(&self) -> Option<&PixelExplanation> {
         self.answered.as_ref()?.1.as_deref().ok()
     }
 
-    /// The hits on the way to the selected ray, as the camera sees them.
+    /// The hits along the path to the selected ray, projected into the picture.
     pub fn trail(&self, rendering: &Rendering) -> Vec<Station> {
         let explained = self.explanation().and_then(|explanation| {
             let mut samples = explanation.samples.iter();
@@ -148,7 +148,7 @@ impl Selection {
             Some((explanation.pixel, sample.ray.as_ref()?))
         });
         match explained {
-            // an explanation of the picture before is no guide to this one
+            // not for an explanation of an earlier picture
             Some((pixel, root)) if self.pixel == Some(pixel) => {
                 trail::stations(&rendering.world, pixel, root, self.tree.ray)
             }
@@ -156,13 +156,13 @@ impl Selection {
         }
     }
 
-    /// Whether what is selected is not explained yet.
+    /// Whether the selected pixel is not explained yet.
     pub fn is_waiting(&self) -> bool {
         let current = self.answered.as_ref().map(|(question, _)| question.pixel);
         self.working.is_busy() || current != self.pixel
     }
 
-    /// Shows it; whether `wanted` was changed.
+    /// Shows the explanation; returns whether `wanted` was changed.
     pub fn show(
         &mut self,
         ui: &mut Ui,
@@ -252,7 +252,7 @@ impl Selection {
                 self.tree.follow_largest(root);
             }
         });
-        // in a low window the lines themselves matter more, and each says its kind
+        // no legend in a low window: each line names its kind of ray too
         if ui.available_height() > LEGEND_FROM {
             tree::legend(ui);
         }
@@ -286,7 +286,7 @@ impl Selection {
     }
 }
 
-/// What the picture has at a pixel, if it has come that far.
+/// The picture's radiance at a pixel, if it is rendered.
 fn rendered(rendering: &Rendering, pixel: [u32; 2]) -> Option<Rgb> {
     rendering.canvas.look_partly(|picture| picture.get(pixel))
 }

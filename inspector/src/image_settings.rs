@@ -1,17 +1,17 @@
-//! How the picture is made: size, samples, depth and seed, each a number to be typed or dragged.
+//! The settings of the picture: size, samples, depth and seed, as numbers to type or drag.
 
 use eframe::egui::{ComboBox, DragValue, Grid, Response, TextEdit, Ui, emath::Numeric};
 use groundtruth::scene::{Intersect, Scene, Tracer};
 use groundtruth::world::{DEEPEST, MOST_PIXELS, MOST_SAMPLES};
 
-/// What is typed as seed. It is a text: a number field would round large seeds.
+/// The seed as typed: text, because a number field would round large seeds.
 #[derive(Debug, Default)]
 pub struct ImageSettings {
     seed: String,
 }
 
 impl ImageSettings {
-    /// Shows the numbers; whether one was changed.
+    /// Shows the numbers; returns whether one was changed.
     pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene, seed: &mut u64) -> bool {
         ui.strong("Picture");
         let grid = Grid::new("image").num_columns(2).spacing([6.0, 3.0]);
@@ -119,7 +119,7 @@ fn intersections(ui: &mut Ui, scene: &mut Scene) -> bool {
     changed
 }
 
-/// A number that takes effect when it is typed whole.
+/// A number field that takes effect when typing ends.
 fn number<N: Numeric>(
     ui: &mut Ui,
     name: &str,

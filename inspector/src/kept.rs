@@ -1,4 +1,4 @@
-//! What is kept between runs, beside the window's own size and place.
+//! Settings that are kept between runs, besides the window's size and position.
 
 use eframe::Storage;
 use serde::{Deserialize, Serialize};
@@ -7,7 +7,7 @@ use crate::splits::Splits;
 
 const NAME: &str = "inspector";
 
-/// Settings of the window. What a file of settings does not say is as usual.
+/// Settings of the window. Those missing in the file have their defaults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Kept {
@@ -24,7 +24,7 @@ impl Default for Kept {
 }
 
 impl Kept {
-    /// The settings of the last run; the usual ones where there are none that can be read.
+    /// The settings of the last run; the defaults if they cannot be read.
     pub fn read(storage: Option<&dyn Storage>) -> Self {
         let kept: Self =
             storage.and_then(|storage| eframe::get_value(storage, NAME)).unwrap_or_default();

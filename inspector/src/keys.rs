@@ -1,15 +1,15 @@
-//! The keys that are the same everywhere in the window, and the list of all keys.
+//! The global shortcuts of the window, and the list of all keys.
 
 use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, RichText, Window};
 
-/// What a key asks for.
+/// The action of a shortcut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shortcut {
-    /// To type the name of a scene file.
+    /// Type the name of a scene file.
     File,
-    /// To save the picture under the name that is typed.
+    /// Save the picture under the typed name.
     Save,
-    /// To see or hide the list of keys.
+    /// Show or hide the list of keys.
     Keys,
 }
 
@@ -27,7 +27,7 @@ const KEYS: [(&str, &str); 10] = [
     ("Esc", "close what is in front"),
 ];
 
-/// The shortcut that was pressed. `?` counts where nobody types (`is_text` says so).
+/// The shortcut that was pressed. `?` is one only if no text is being typed (`is_text`).
 pub fn pressed(ctx: &Context, is_text: bool) -> Option<Shortcut> {
     let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
     ctx.input_mut(|input| {
@@ -43,7 +43,7 @@ pub fn pressed(ctx: &Context, is_text: bool) -> Option<Shortcut> {
     })
 }
 
-/// The list of keys in a window of its own, as long as it is open.
+/// Shows the list of keys in a separate window while it is open.
 pub fn list(ctx: &Context, open: &mut bool) {
     if *open && ctx.input(|input| input.key_pressed(Key::Escape)) {
         *open = false;

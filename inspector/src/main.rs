@@ -13,7 +13,7 @@ use inspector::worker::Loaded;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    // a bad scene is told where the command was typed, before there is a window
+    // reports a bad scene in the terminal, before a window opens
     let loaded = arguments.load().map_err(Into::into);
     match loaded.and_then(|loaded| open(loaded, &arguments)) {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,4 +1,4 @@
-//! Opening scenes, building them again as they are changed, and reading them again from the disk.
+//! Opening scenes, rebuilding them after changes, and reading changed files again.
 
 use eframe::egui::Context;
 
@@ -10,13 +10,13 @@ use crate::watch;
 use crate::worker::{Loaded, Rendering, Source};
 
 impl Inspector {
-    /// Opens another scene; the present one stays if there is something wrong with it.
+    /// Opens another scene; the present one stays if the other is invalid.
     pub fn open(&mut self, ctx: &Context, source: Source) {
         self.message = None;
         self.loading.start(ctx, move || source.load());
     }
 
-    /// Builds the scene again as its settings and switches stand.
+    /// Builds the scene again with its present settings and switches.
     pub(crate) fn rebuild(&mut self, ctx: &Context) {
         let Rendering { source, read, .. } = &self.rendering;
         let (source, read, scene, seed) =
@@ -24,7 +24,7 @@ impl Inspector {
         self.loading.start(ctx, move || source.rebuild(read, scene, seed));
     }
 
-    /// Reads the scene again if its file was changed; what was changed in the window stays so.
+    /// Reads the scene again if its file was changed; keeps the changes made in the window.
     pub(crate) fn follow_files(&mut self, ctx: &Context) {
         if self.watch.is_empty() {
             return;
@@ -50,7 +50,7 @@ impl Inspector {
         }
     }
 
-    /// Takes the scene that was loaded meanwhile, if there is one.
+    /// Shows the scene that was loaded meanwhile, if there is one.
     pub(crate) fn take_loaded(&mut self, ctx: &Context) {
         match self.loading.poll() {
             Some(Ok(Ok(loaded))) => self.take_scene(ctx, loaded),

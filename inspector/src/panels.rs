@@ -1,4 +1,4 @@
-//! The bars: which scene, where to save, how to look at it, and what is under the mouse.
+//! The bars: fields for scene, file and pixel, settings of the view, and the pixel under the mouse.
 
 use std::path::PathBuf;
 
@@ -11,31 +11,31 @@ use crate::picture::{Picture, tone_of};
 use crate::scene_picker::ScenePicker;
 use crate::worker::{Progress, Rendering, Source};
 
-/// What a person typed into the bars.
+/// The text typed into the bars.
 #[derive(Default)]
 pub struct Fields {
     /// A scene file to open.
     pub open: String,
-    /// Where to save the picture.
+    /// The file for the picture.
     pub save: String,
     /// The coordinates of a pixel.
     pub pixel: String,
 }
 
-/// What a person wants of the bars.
+/// A wish that the user expressed in the bars.
 pub enum Wish {
-    /// Another scene.
+    /// Open another scene.
     Open(Source),
-    /// The picture in a file.
+    /// Save the picture in a file.
     Save(PathBuf),
-    /// The pixel of these coordinates, as typed.
+    /// Select the pixel of these coordinates, as typed.
     Select(String),
 }
 
 /// Narrower windows have two rows of fields.
 const ONE_ROW_FROM: f32 = 1250.0;
 
-/// The field of the scene file, to type into it from anywhere.
+/// The id of the field for the scene file, which a shortcut focuses.
 pub fn file_field() -> Id {
     Id::unique("the field of the scene file")
 }
@@ -56,7 +56,7 @@ pub fn files(
         };
         return ui.horizontal(opened).inner;
     }
-    // what the labels, the buttons and the other fields leave
+    // the width that labels, buttons and other fields leave
     let opened = ui.horizontal(|ui| open(ui, fields, picker, source, width - 400.0)).inner;
     opened.or(ui.horizontal(|ui| save_and_select(ui, fields, width - 330.0)).inner)
 }
@@ -102,7 +102,7 @@ fn entry(ui: &mut Ui, name: &str, field: TextEdit<'_>, width: f32, verb: &str) -
     entered || pressed
 }
 
-/// How to look at the picture.
+/// The settings of the view.
 pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Exposure");
@@ -129,7 +129,7 @@ pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
     });
 }
 
-/// How far the picture is, and what is under the mouse; whether the keys are to be shown.
+/// The progress and the pixel under the mouse. Returns whether to show the keys.
 pub fn status(
     ui: &mut Ui,
     rendering: &Rendering,

@@ -1,4 +1,4 @@
-//! The picture on the screen: its textures, the pixel grid, and what the mouse does to it.
+//! The picture on the screen: its textures, the pixel grid, and the mouse.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -15,29 +15,29 @@ use groundtruth::rgb::Rgb;
 use crate::view::{Placed, View};
 use crate::worker::{Background, Progress, Rendering};
 
-/// Screens refuse larger textures; a picture is shown as tiles of this side.
+/// The side of the tiles in which a picture is shown: graphics cards refuse larger textures.
 const TILE: u32 = 1024;
-/// A picture on its way is shown anew this often.
+/// The interval at which an unfinished picture is updated.
 const REFRESH: Duration = Duration::from_millis(150);
 /// The grid appears when a pixel is at least this large on the screen.
 const GRID_FROM: f32 = 8.0;
 
-/// The picture as shown, and how the person looks at it.
+/// The picture as shown, with its view.
 pub struct Picture {
     /// Zoom and pan.
     pub view: View,
     /// How radiance is shown.
     pub tone: Tone,
     tiles: Vec<([u32; 2], TextureHandle)>,
-    /// The picture before, seen darkly where the new one is still to come.
+    /// The previous picture, shown darker where the new one is not rendered yet.
     beneath: Vec<([u32; 2], TextureHandle)>,
-    /// What the tiles show.
+    /// The version that the tiles show.
     shown: Option<Version>,
     developed: Instant,
     developing: Background<(Version, Tiles)>,
     /// Where the picture was last drawn.
     area: Rect,
-    /// The widget, once it was drawn.
+    /// The id of the widget, once it was drawn.
     id: Option<Id>,
 }
 
@@ -46,7 +46,8 @@ pub struct Picture {
 struct Version {
     generation: u64,
     done: u64,
-    /// All pixels are counted as done a little before the last are in the film.
+    /// Whether the film is complete; the count of pixels alone does not tell, because it is raised a little
+    /// before the last pixels are in the film.
     finished: bool,
     tone: Tone,
 }
@@ -61,7 +62,7 @@ impl Version {
 
 type Tiles = Vec<([u32; 2], ColorImage)>;
 
-/// The tone that the scene asks for.
+/// The tone settings of the scene.
 pub fn tone_of(rendering: &Rendering) -> Tone {
     let image = &rendering.world.image;
     Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut }
@@ -73,11 +74,11 @@ pub fn color(tone: &Tone, radiance: Rgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// How much of a pixel of the coarse picture is seen: the hatching shows through the rest.
+/// The opacity of the coarse picture, through which the hatching shows.
 const COARSE_ALPHA: u8 = 215;
 
-/// The picture so far as tiles. The picture is locked for one tile at a time. Where a pixel is still
-/// to come, the coarse picture is shown, or nothing.
+/// The picture so far as tiles. Locks the picture for one tile at a time. Shows the coarse picture, or
+/// nothing, for a pixel that is not rendered yet.
 fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
     let show = |pixel: Shown| match pixel {
         Shown::Rendered(radiance) => color(tone, radiance),
@@ -103,12 +104,12 @@ fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
     corners.map(tile).collect()
 }
 
-/// What there is to show of a pixel.
+/// The state of a pixel on the screen.
 #[derive(Clone, Copy)]
 enum Shown {
     /// Its radiance.
     Rendered(Rgb),
-    /// Only that of a pixel near it.
+    /// The radiance of a pixel near it.
     Coarse(Rgb),
     /// Nothing yet.
     Nothing,
@@ -125,7 +126,7 @@ impl Shown {
 }
 
 impl Picture {
-    /// A picture that is still to come.
+    /// A picture without pixels yet.
     pub fn new(tone: Tone) -> Self {
         Self {
             view: View::WHOLE,
@@ -140,7 +141,7 @@ impl Picture {
         }
     }
 
-    /// Brings the textures up to date, as far as that is worked out.
+    /// Updates the textures with the tiles that are ready.
     pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, generation: u64) {
         if let Some(Ok((version, tiles))) = self.developing.poll()
             && version.generation == generation
@@ -201,7 +202,7 @@ impl Picture {
         self.view.set_zoom(self.area, size, zoom);
     }
 
-    /// Whether the keys are for the picture: no other widget has them.
+    /// Whether the picture gets the keys: no other widget has the focus.
     pub fn has_keys(&self, ctx: &egui::Context) -> bool {
         ctx.memory(|memory| memory.focused()).is_none_or(|focused| Some(focused) == self.id)
     }
@@ -211,7 +212,7 @@ impl Picture {
         self.view.place(self.area, size)
     }
 
-    /// Moves the picture if the pixel is not to be seen.
+    /// Moves the picture if the pixel is not visible.
     pub fn reveal(&mut self, size: [u32; 2], pixel: [u32; 2]) {
         self.view.reveal(self.area, size, pixel);
     }
@@ -223,7 +224,7 @@ impl Picture {
         self.placed(size).pixel(at?)
     }
 
-    /// Draws it and listens to the mouse. The pixel under the mouse.
+    /// Draws the picture and handles the mouse. Returns the pixel under the mouse.
     pub fn show(
         &mut self,
         ui: &mut Ui,
@@ -255,7 +256,7 @@ impl Picture {
         if response.clicked() || response.dragged() {
             response.request_focus();
         }
-        // arrows step through pixels here, and do not walk to other widgets
+        // the arrow keys step through pixels instead of moving the focus
         let keys =
             EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
@@ -300,7 +301,7 @@ fn paint_tiles(
     }
 }
 
-/// Slanted lines all over what is seen: they mark what is not rendered yet.
+/// Hatches the visible area, to mark pixels that are not rendered yet.
 fn hatch(painter: &Painter) {
     const STEP: f32 = 7.0;
     let seen = painter.clip_rect();

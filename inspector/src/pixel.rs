@@ -1,4 +1,4 @@
-//! The pixel as a whole: the sum that it is, what it is made of, its samples, and what can be copied.
+//! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
 use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
 use groundtruth::explain::{self, PixelExplanation, RayExplanation, percent, short};
@@ -21,7 +21,7 @@ pub enum Order {
 /// The height of a line of the list of sources and samples.
 const LINE: f32 = 18.0;
 
-/// Which sample's tree is shown.
+/// The chooser of the sample whose tree is shown.
 pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     let label = ui.label("sample");
     let mut sample = (*chosen).min(last);
@@ -36,7 +36,7 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     *chosen = sample;
 }
 
-/// A menu that copies what reproduces this pixel outside the window, and the selected ray.
+/// A menu that copies commands that reproduce this pixel outside the window, and the selected ray.
 pub fn copies(
     ui: &mut Ui,
     rendering: &Rendering,
@@ -64,7 +64,7 @@ pub fn copies(
     });
 }
 
-/// The sum that is the pixel, and whether the picture says the same.
+/// The sum that is the pixel, and whether the picture agrees.
 pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     let exposure = match answer.exposure_time {
         1.0 => String::new(),
@@ -92,7 +92,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     };
 }
 
-/// A line of what the sum is made of.
+/// A line of the sum's list.
 enum Line {
     Words(&'static str),
     Numbers(String),
@@ -101,8 +101,8 @@ enum Line {
     Sample(u32),
 }
 
-/// What the sum is made of: what each source of light adds, and all samples; a click on one shows its
-/// tree.
+/// The list of the sum: the contributions of the sources of light, and all samples. A click on a sample
+/// shows its tree.
 pub fn parts(
     ui: &mut Ui,
     area: ScrollArea,

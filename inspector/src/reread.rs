@@ -1,9 +1,9 @@
-//! A scene file read again: its new text, with what was changed in the window.
+//! Combines a scene file that was read again with the changes made in the window.
 
 use groundtruth::scene::Scene;
 
-/// The scene as its file says it now, with every setting and switch that a person changed in the
-/// window since the file was read before.
+/// The scene of the new file, with every setting and switch that was changed in the window since the file
+/// was last read.
 pub fn carried(before: &Scene, wanted: &Scene, mut now: Scene) -> Scene {
     let size = |scene: &Scene| [scene.image.width, scene.image.height];
     if size(wanted) != size(before) {
@@ -34,7 +34,7 @@ fn switches<'a>(all: impl Iterator<Item = (&'a String, bool)>) -> Vec<(String, b
     all.map(|(name, on)| (name.clone(), on)).collect()
 }
 
-/// Sets the switches that were changed, where the same thing still stands in the same place.
+/// Sets the switches that were changed, where an element of the same name still has the same index.
 fn carry<'a>(
     before: Vec<(String, bool)>,
     wanted: Vec<(String, bool)>,

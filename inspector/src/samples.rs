@@ -1,5 +1,5 @@
-//! The samples of the selected pixel: where they lie in pixel, lens and light, and whether
-//! their sampler is fair.
+//! The samples of the selected pixel: their positions in pixel, lens and light, and whether their sampler
+//! is fair.
 
 use eframe::egui::{
     Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
@@ -13,14 +13,14 @@ use groundtruth::world::World;
 
 use crate::worker::Rendering;
 
-/// More would be a blot.
+/// The most points of a plot that is still readable.
 const MOST_POINTS: u32 = 4096;
 /// The side of a plot, in points of the screen.
 const SIDE: f32 = 168.0;
-/// How near to a point a click must be.
-const REACH: f32 = 8.0;
+/// The largest distance of a click from a point, in points of the screen.
+const CLICK_RADIUS: f32 = 8.0;
 
-/// What the plots show, worked out once for each pixel of each rendering.
+/// The contents of the plots, computed once for each pixel of each rendering.
 #[derive(Default)]
 pub struct Samples {
     /// The generation of the rendering, and the pixel.
@@ -29,10 +29,10 @@ pub struct Samples {
     fairness: Option<Fairness>,
 }
 
-/// The points of one use, and where they are on the screen.
+/// The points of one purpose, and their plot on the screen.
 pub struct Plot {
     title: &'static str,
-    /// What is said under the mouse.
+    /// The text under the mouse.
     about: &'static str,
     outline: Outline,
     /// In sample order; in the outline's own square `[−1, 1]²`, y up.
@@ -46,24 +46,23 @@ enum Outline {
     Disk,
 }
 
-/// All places that a sampler may draw, beside what a fair one would do.
+/// The distribution of all points that a sampler may draw, compared with a fair sampler's.
 struct Fairness {
-    /// Places whose x lies in each of so many strips.
+    /// The number of points in each strip of x.
     strips: Vec<u64>,
-    places: usize,
-    /// From χ² over [`CELLS`]² cells.
+    points: usize,
+    /// The p-value of χ² over [`CELLS`]² cells.
     p: f64,
 }
 
 /// Cells along each side, for χ²: odd, so that strata do not line up with them.
 const CELLS: usize = 15;
 const STRIPS: usize = 32;
-/// So many places are enough.
-const MOST_PLACES: usize = 400_000;
+/// The most points that are counted.
+const MOST_COUNTED: usize = 400_000;
 
 impl Fairness {
-    /// Looks at the points of all sets; where a draw is not a point of one, at the draws of as many
-    /// pixels.
+    /// Counts the points of all sets; if draws are not points of a set, the draws of as many pixels.
     fn of(world: &World) -> Self {
         let samples = &world.samples;
         let (mut strips, mut cells) = (vec![0; STRIPS], vec![0; CELLS * CELLS]);
@@ -72,19 +71,19 @@ impl Fairness {
             (0..samples.per_set()).map(move |i| samples.draw(key, i))
         };
         let sets = 0..SETS as u32;
-        let places: Vec<[f64; 2]> = if samples.is_shifted() || samples.is_centered() {
-            sets.flat_map(of_pixel).take(MOST_PLACES).collect()
+        let points: Vec<[f64; 2]> = if samples.is_shifted() || samples.is_centered() {
+            sets.flat_map(of_pixel).take(MOST_COUNTED).collect()
         } else {
-            sets.flat_map(|i| samples.set(i as usize)).copied().take(MOST_PLACES).collect()
+            sets.flat_map(|i| samples.set(i as usize)).copied().take(MOST_COUNTED).collect()
         };
-        for [x, y] in &places {
-            let place = |x: &f64, n: usize| (x * n as f64) as usize;
-            strips[place(x, STRIPS)] += 1;
-            cells[place(y, CELLS) * CELLS + place(x, CELLS)] += 1;
+        for [x, y] in &points {
+            let cell = |x: &f64, n: usize| (x * n as f64) as usize;
+            strips[cell(x, STRIPS)] += 1;
+            cells[cell(y, CELLS) * CELLS + cell(x, CELLS)] += 1;
         }
-        let expected = vec![places.len() as f64 / cells.len() as f64; cells.len()];
+        let expected = vec![points.len() as f64 / cells.len() as f64; cells.len()];
         let p = chi_square::goodness_of_fit(&cells, &expected);
-        Self { strips, places: places.len(), p }
+        Self { strips, points: points.len(), p }
     }
 
     fn verdict(&self) -> String {
@@ -93,13 +92,13 @@ impl Fairness {
             p if p > 0.999 => "fair, and more even than chance: stratified",
             _ => "fair: as even as chance",
         };
-        let Self { places, p, .. } = self;
-        format!("χ² of {places} places in {CELLS} × {CELLS} cells: p = {p:.3}; {words}")
+        let Self { points, p, .. } = self;
+        format!("χ² of {points} places in {CELLS} × {CELLS} cells: p = {p:.3}; {words}")
     }
 }
 
 impl Samples {
-    /// Works out what is shown, unless that is done.
+    /// Computes the contents, unless that is done.
     fn refresh(&mut self, rendering: &Rendering, generation: u64, pixel: [u32; 2]) {
         if self.of == Some((generation, pixel)) {
             return;
@@ -110,7 +109,7 @@ impl Samples {
         }
         self.of = Some((generation, pixel));
         let count = world.samples_per_pixel().min(MOST_POINTS);
-        // of a stereo pair: the pixel of the eye's image
+        // for a stereo pair, the pixel of the eye's image
         let drawn = render::camera_sample(world, pixel, 0).map(|sample| sample.pixel);
         let count = if drawn.is_some() { count } else { 0 };
         let drawn = drawn.unwrap_or_default();
@@ -128,7 +127,7 @@ impl Samples {
         let lens_points = (0..count).filter_map(lens).collect();
         let sampled = world.lights.iter().find(|light| light.light.draws() > 0);
         let light_points = sampled.map_or(Vec::new(), |light| {
-            let (path, light) = (PathKey::CAMERA, light.place);
+            let (path, light) = (PathKey::CAMERA, light.index);
             let purpose = Purpose::Light { path, light, pair: 0 };
             (0..count).map(|i| centered(draw(purpose, i))).collect()
         });
@@ -149,14 +148,14 @@ impl Samples {
         ];
     }
 
-    /// The place of a sample on the screen, in the plot of this number.
+    /// The position of a sample on the screen, in the plot of this index.
     pub fn on_screen(&self, plot: usize, sample: usize) -> Option<Pos2> {
         let plot = self.plots.get(plot)?;
         plot.points.get(sample).map(|&point| plot.place(point))
     }
 
-    /// Shows the samples of a pixel of a rendering, each point in the `color` of its sample; a click
-    /// on a point chooses its sample. Whether the scene was changed.
+    /// Shows the samples of a pixel of a rendering, each point in the `color` of its sample; a click on a
+    /// point chooses its sample. Returns whether the scene was changed.
     pub fn show(
         &mut self,
         ui: &mut Ui,
@@ -214,7 +213,7 @@ impl Plot {
                 painter.text(area.center(), Align2::CENTER_CENTER, "not used", font, grey);
             }
             let radius = if self.points.len() > 400 { 1.2 } else { 2.4 };
-            // dark points need an edge to be seen
+            // an edge, so that dark points are visible
             let edge = Stroke::new(0.7, Color32::from_gray(120));
             for (index, &point) in (0..).zip(&self.points) {
                 painter.circle(self.place(point), radius, color(index), edge);
@@ -233,15 +232,16 @@ impl Plot {
         });
     }
 
-    /// The sample nearest to a place of the screen, if it is near.
+    /// The sample nearest to a position on the screen, if it is near.
     fn nearest(&self, at: Pos2) -> Option<u32> {
         let far = |point: &[f64; 2]| self.place(*point).distance(at);
         let nearest = (0..).zip(&self.points).min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
-        nearest.filter(|(_, point)| far(point) <= REACH).map(|(index, _)| index)
+        nearest.filter(|(_, point)| far(point) <= CLICK_RADIUS).map(|(index, _)| index)
     }
 }
 
-/// The sampler, and the count it makes of the one in the scene's panel; whether it was changed.
+/// The chooser of the sampler, with the number of samples after rounding up. Returns whether it was
+/// changed.
 fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
@@ -277,7 +277,7 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
     changed
 }
 
-/// How many places fall into each strip of the square.
+/// The number of points in each strip of the square.
 fn histogram(ui: &mut Ui, strips: &[u64]) {
     let most = strips.iter().copied().max().unwrap_or(0).max(1);
     let size = vec2(ui.available_width().min(3.0 * SIDE), 44.0);

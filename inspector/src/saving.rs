@@ -1,4 +1,4 @@
-//! Saving the picture: on a thread of its own, and not over another file unless told to.
+//! Saving the picture: on a separate thread, and replacing a file only after a question.
 
 use std::path::{Path, PathBuf};
 
@@ -8,11 +8,11 @@ use groundtruth::film;
 use crate::picture::Picture;
 use crate::worker::{Background, Rendering};
 
-/// A picture on its way to a file.
+/// The state of saving.
 #[derive(Debug, Default)]
 pub struct Saving {
     working: Background<Result<PathBuf, String>>,
-    /// The file that exists already, until it is said what becomes of it.
+    /// The existing file that the question is about.
     asking: Option<PathBuf>,
 }
 
@@ -39,7 +39,7 @@ impl Saving {
         });
     }
 
-    /// Asks whether the file is to be replaced, while that is not said.
+    /// Asks whether to replace the file, until the user answers.
     pub fn ask(&mut self, ctx: &Context, of: (&Rendering, &Picture)) {
         let Some(path) = self.asking.clone() else { return };
         let enter = ctx.input(|input| input.events.iter().any(is_enter));
@@ -64,7 +64,7 @@ impl Saving {
         }
     }
 
-    /// Whether a question is open, which has the keys.
+    /// Whether the question is open; it then gets the keys.
     pub fn is_asking(&self) -> bool {
         self.asking.is_some()
     }
@@ -74,7 +74,7 @@ impl Saving {
         self.working.is_busy()
     }
 
-    /// What there is to say of a picture that was written, once, and whether it is an error.
+    /// The message about a picture that was written, returned once, and whether it is an error.
     pub fn poll(&mut self) -> Option<(String, bool)> {
         Some(match self.working.poll()? {
             Ok(Ok(path)) => (format!("saved {}", path.display()), false),
@@ -84,7 +84,7 @@ impl Saving {
     }
 }
 
-/// Whether Enter was pressed anew: one that is held down since the question came is no answer.
+/// Whether Enter was pressed. A key that is held down since before the question does not count.
 fn is_enter(event: &Event) -> bool {
     matches!(event, Event::Key { key: Key::Enter, pressed: true, repeat: false, .. })
 }

@@ -1,4 +1,4 @@
-//! The list of the gallery's scenes: by chapter, with small pictures, to be searched by typing.
+//! The list of the gallery's scenes by chapter, with thumbnails and a search field.
 
 use eframe::egui::{
     Align, Button, Color32, ColorImage, Image, Key, Popup, PopupCloseBehavior, Rect, ScrollArea,
@@ -9,27 +9,27 @@ use groundtruth::gallery::{self, Entry};
 
 use crate::thumbnails::{LARGEST, Thumbnails};
 
-/// A list is first drawn to find its size, unseen; it is brought into place by then.
+/// A list is drawn invisibly for these frames, until its size is known and it is in position.
 const FRAMES_TO_OPEN: u8 = 3;
 
 /// The list, closed or open.
 #[derive(Default)]
 pub struct ScenePicker {
-    /// The part of a name that is searched.
+    /// The text in the search field.
     typed: String,
-    /// Frames until the open list is in its place.
+    /// Frames until the open list is in position.
     opening: u8,
     thumbnails: Thumbnails,
-    /// Stands where a thumbnail is still to come.
+    /// Shown for a thumbnail that is not rendered yet.
     blank: Option<TextureHandle>,
 }
 
 impl ScenePicker {
-    /// Shows the present scene; a click opens the list. The scene that was picked of it.
+    /// Shows the present scene; a click opens the list. Returns the scene that was picked.
     pub fn show(&mut self, ui: &mut Ui, current: &str, width: f32) -> Option<Entry> {
         let label = ui.label("Scene");
         let height = ui.spacing().interact_size.y;
-        // the spaces keep the place of the arrow
+        // the spaces leave room for the arrow
         let button = Button::new(current).truncate().right_text("    ");
         let button = ui.add_sized([width, height], button).labelled_by(label.id);
         let button = button.on_hover_text(current);
@@ -76,7 +76,7 @@ impl ScenePicker {
         picked
     }
 
-    /// A scene's picture and name; whether it was clicked.
+    /// Shows a scene's thumbnail and name; returns whether it was clicked.
     fn row(&mut self, ui: &mut Ui, entry: Entry, name: &str, is_current: bool) -> bool {
         let tall = LARGEST[1] as f32 + 4.0;
         let next = ui.cursor().with_max_y(ui.cursor().top() + tall);
@@ -104,7 +104,7 @@ impl ScenePicker {
         self.blank.get_or_insert_with(load).id()
     }
 
-    /// Thumbnails that were rendered.
+    /// The number of thumbnails that were rendered.
     pub fn thumbnails(&self) -> usize {
         self.thumbnails.count()
     }
@@ -118,7 +118,7 @@ fn arrow(ui: &Ui, button: Rect) {
     ui.painter().add(Shape::convex_polygon(corners.into(), color, Stroke::NONE));
 }
 
-/// The scenes whose names have this in them.
+/// The scenes whose names contain the typed text.
 pub fn found(typed: &str) -> Vec<Entry> {
     let typed = typed.trim().to_lowercase();
     gallery::scenes().filter(|entry| entry.name.contains(&typed)).collect()

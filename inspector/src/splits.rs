@@ -9,16 +9,16 @@ use serde::{Deserialize, Serialize};
 const BAR: f32 = 8.0;
 /// The smallest shares of scene, picture and explanation.
 const LEAST: [f32; 3] = [0.1, 0.3, 0.25];
-/// The scene's panel has at least so many points, which its numbers need.
+/// The least width of the scene's panel, which its numbers need, in points of the screen.
 const SCENE_FROM: f32 = 144.0;
 
-/// Shares of the window's width; the picture, between the two, has the rest.
+/// Shares of the window's width; the picture has the rest.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Splits {
-    /// Of the scene's panel, at the left.
+    /// The share of the scene's panel, at the left.
     scene: f32,
-    /// Of the explanation, at the right.
+    /// The share of the explanation, at the right.
     explanation: f32,
 }
 
@@ -40,7 +40,7 @@ pub struct Parts {
 }
 
 impl Splits {
-    /// Draws the bars of this area, moves them with the mouse, and says where the parts are.
+    /// Draws the bars, moves them with the mouse, and returns the areas of the parts.
     pub fn show(&mut self, ui: &mut Ui, area: Rect) -> Parts {
         let Self { scene: left, explanation: right } = *self;
         let at = |share: f32| (area.left() + share * area.width()).round();
@@ -63,7 +63,7 @@ impl Splits {
         }
     }
 
-    /// The same with room for each part; the usual shares if these are no numbers.
+    /// The shares clamped so that each part has room; the defaults if a share is NaN.
     #[must_use]
     pub fn fitting(self) -> Self {
         if !(self.scene.is_finite() && self.explanation.is_finite()) {
@@ -75,12 +75,12 @@ impl Splits {
     }
 }
 
-/// The bar around this place.
+/// The area of the bar at `x`.
 fn strip(area: Rect, x: f32) -> Rect {
     Rect::from_x_y_ranges(x - 0.5 * BAR..=x + 0.5 * BAR, area.y_range())
 }
 
-/// By how much a bar is dragged; `None` on a double click, which puts it back to its usual place.
+/// Shows a bar and returns how far it is dragged; `None` on a double click, which resets it.
 fn bar(ui: &mut Ui, name: &str, rect: Rect, share: f32) -> Option<f32> {
     let response = ui.interact(rect, Id::unique(name), Sense::click_and_drag());
     response.widget_info(|| {
@@ -95,9 +95,9 @@ fn bar(ui: &mut Ui, name: &str, rect: Rect, share: f32) -> Option<f32> {
     let painter = ui.painter();
     painter.rect_filled(rect, 0.0, visuals.bg_fill);
     let line = Stroke::new(1.0, visuals.fg_stroke.color);
-    // three dots, where a hand would grab it
-    for place in [-8.0, 0.0, 8.0] {
-        let dot: Pos2 = rect.center() + vec2(0.0, place);
+    // three dots as a handle
+    for offset in [-8.0, 0.0, 8.0] {
+        let dot: Pos2 = rect.center() + vec2(0.0, offset);
         painter.rect_filled(Rect::from_center_size(dot, Vec2::splat(3.0)), 1.5, line.color);
     }
     (!response.double_clicked()).then(|| response.drag_delta().x)

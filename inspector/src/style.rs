@@ -2,8 +2,8 @@
 
 use eframe::egui::{Color32, Context, Stroke, Theme, style::ScrollStyle};
 
-/// Dark surroundings, against which colours are judged, text that stands out from them, and scroll
-/// bars beside what they scroll, not over it.
+/// A dark background for judging colours, text with contrast to it, and scroll bars beside their content,
+/// not over it.
 pub fn set_style(ctx: &Context) {
     ctx.set_theme(Theme::Dark);
     ctx.style_mut_of(Theme::Dark, |style| {

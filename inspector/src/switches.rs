@@ -1,9 +1,9 @@
-//! Lights and objects, to be switched off and on: what is left explains itself.
+//! Switches for lights and objects.
 
 use eframe::egui::{Align, Layout, TextWrapMode, Ui, vec2};
 use groundtruth::scene::Scene;
 
-/// Shows the switches; says whether the scene was changed.
+/// Shows the switches; returns whether the scene was changed.
 pub fn show(ui: &mut Ui, scene: &mut Scene) -> bool {
     let lights = scene.lights.iter_mut().map(|light| (light.name.as_str(), &mut light.enabled));
     let changed = list(ui, "Lights", "light", lights.collect());

@@ -1,8 +1,8 @@
 //! Small pictures of the gallery's scenes, for the list of scenes.
 //!
-//! They are rendered, not stored: so they show what the code makes today, a program needs no files
-//! beside it, and only those that are seen cost anything. One at a time, on a thread of its own
-//! beside the picture's, few pixels of one ray each, for a limited time.
+//! They are rendered, not stored: they show what the code renders now, the program needs no files, and
+//! only visible thumbnails cost time. They are rendered one at a time on a separate thread, with few
+//! pixels of one ray each, for a limited time.
 
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -17,9 +17,9 @@ use groundtruth::world::World;
 use crate::picture::color;
 use crate::worker::Background;
 
-/// Width and height of a thumbnail, in pixels: the picture lies in its middle.
+/// Width and height of a thumbnail, in pixels; the picture is centred in it.
 pub const LARGEST: [u32; 2] = [54, 36];
-/// Rays of a thumbnail are reflected and transmitted at most so often.
+/// The largest depth of rays in a thumbnail.
 const MOST_DEPTH: u32 = 4;
 /// After this time the rest of a thumbnail stays empty.
 const MOST_TIME: Duration = Duration::from_millis(250);
@@ -32,21 +32,21 @@ pub struct Thumbnails {
 }
 
 impl Thumbnails {
-    /// The thumbnail of a scene, if it is there. Else it is begun, unless another is under way.
+    /// The thumbnail of a scene, if it is rendered. If not, starts it, unless another is under way.
     pub fn get(&mut self, ctx: &Context, entry: Entry) -> Option<&TextureHandle> {
         if let Some(Ok((name, image))) = self.working.poll() {
             let load = |image| ctx.load_texture(name, image, TextureOptions::LINEAR);
             self.done.insert(name, image.map(load));
         }
         if !self.working.is_busy() && !self.done.contains_key(entry.name) {
-            // asked once only: what is lost stays empty
+            // not asked again: a failed thumbnail stays empty
             self.done.insert(entry.name, None);
             self.working.start(ctx, move || (entry.name, render_small((entry.build)())));
         }
         self.done.get(entry.name)?.as_ref()
     }
 
-    /// Thumbnails that were rendered.
+    /// The number of thumbnails that were rendered.
     pub fn count(&self) -> usize {
         self.done.values().flatten().count()
     }
@@ -67,11 +67,11 @@ fn render_small(mut scene: Scene) -> Option<ColorImage> {
         Tone { exposure: 1.0, gamma: scene.image.gamma, out_of_gamut: scene.image.out_of_gamut };
     let sides = LARGEST.map(|side| side as usize);
     let mut image = ColorImage::filled(sides, Color32::TRANSPARENT);
-    // in the middle of its place
+    // centred
     let [left, top] = [(LARGEST[0] - width) / 2, (LARGEST[1] - height) / 2];
     let start = Instant::now();
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-    // not on the rayon pool, where it would wait for the picture
+    // not on the rayon pool, which renders the picture
     for pixel @ [x, y] in pixels {
         if start.elapsed() > MOST_TIME {
             break;

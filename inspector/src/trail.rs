@@ -1,4 +1,4 @@
-//! The way to the selected ray, seen from the camera: where its hits lie in the picture.
+//! The path to the selected ray, projected into the picture.
 
 use eframe::egui::{Color32, Painter, Pos2, Stroke};
 use groundtruth::explain::RayExplanation;
@@ -9,12 +9,11 @@ use groundtruth::world::World;
 use crate::tree::kind_color;
 use crate::view::Placed;
 
-/// A hit on the way: where the camera sees it (in pixels of the picture from its top left corner),
-/// if it is in view, and the colour of the ray that met it.
+/// A hit along the path: its position in the picture, in pixels from the top left corner, if it is in
+/// view, and the colour of its ray.
 pub type Station = (Option<[f64; 2]>, Color32);
 
-/// The hits of the rays from the camera's to the one of this number, in the image of the eye to which
-/// the pixel belongs.
+/// The hits of the rays from the camera's to the ray of this number, in the image of the pixel's eye.
 pub fn stations(
     world: &World,
     pixel: [u32; 2],
@@ -27,16 +26,16 @@ pub fn stations(
     let first_column = f64::from(pixel[0] - column);
     let station = |ray: &&RayExplanation| {
         let point = Point::from(ray.outcome.hit()?.point);
-        let place = eye.project(point).map(|film| {
-            let [x, y] = render::image_place(&world.image, film);
+        let position = eye.project(point).map(|film| {
+            let [x, y] = render::image_point(&world.image, film);
             [first_column + x, y]
         });
-        Some((place, kind_color(ray)))
+        Some((position, kind_color(ray)))
     };
     root.path_to(number).iter().filter_map(station).collect()
 }
 
-/// Joins the hits by lines; those out of view are left out.
+/// Draws lines between the hits, without those out of view.
 pub fn paint(painter: &Painter, placed: &Placed, stations: &[Station]) {
     let on_screen = |[x, y]: [f64; 2]| -> Pos2 {
         let whole = placed.whole();
@@ -44,7 +43,7 @@ pub fn paint(painter: &Painter, placed: &Placed, stations: &[Station]) {
     };
     let seen: Vec<(Pos2, Color32)> = stations
         .iter()
-        .filter_map(|&(place, color)| place.map(|place| (on_screen(place), color)))
+        .filter_map(|&(position, color)| position.map(|at| (on_screen(at), color)))
         .collect();
     for pair in seen.windows(2) {
         for (width, color) in [(3.5, Color32::BLACK), (1.5, pair[1].1)] {

@@ -1,4 +1,4 @@
-//! The tree of rays: one line for each that matters, with its share of the light.
+//! The tree of rays: a line for each ray that is not folded, with its share of the light.
 
 use eframe::egui::collapsing_header::paint_default_icon;
 use eframe::egui::{
@@ -13,12 +13,12 @@ use crate::picture;
 
 /// Rays that add less than this part of their sample are folded together.
 pub const MIN_SHARE: f64 = 0.01;
-/// What the numbers beside a ray are.
+/// The explanation of the numbers beside a ray.
 const SAMPLING: &str = "weight: what its light counts for the ray before it; pdf: the density of its direction, \
                         per steradian; MIS: the share that this way to find the light counts";
 /// The height of a line, in points of the screen.
 const LINE: f32 = 18.0;
-/// Each step of a branch is indented by so much.
+/// The indent of each step of a branch.
 const INDENT: f32 = 14.0;
 /// The width of a bar that stands for the whole light of the sample.
 const BAR: f32 = 52.0;
@@ -63,7 +63,7 @@ pub fn legend(ui: &mut Ui) {
     });
 }
 
-/// The tree of a sample as it is looked at.
+/// The view of a sample's tree.
 #[derive(Clone, Debug)]
 pub struct Tree {
     /// The number of the selected ray.
@@ -85,15 +85,15 @@ impl Tree {
         root.path_to(self.ray).last().copied().unwrap_or(root)
     }
 
-    /// Selects a ray and brings it into view, whatever hides it.
+    /// Selects a ray, opens everything that hides it and scrolls to it.
     pub fn go_to(&mut self, root: &RayExplanation, number: usize) {
         self.ray = number;
         self.outline.reveal(&root.path_to(number));
         self.scroll = true;
     }
 
-    /// One step down the path along which most of the light comes; from a ray at its end, or one that
-    /// this tree does not have, from the camera's ray.
+    /// Follows the path of most light by one ray. At its end, or from a ray that is not in this tree, starts
+    /// again at the camera's ray.
     pub fn follow_largest(&mut self, root: &RayExplanation) {
         let next = root.path_to(self.ray).last().and_then(|ray| ray.largest_child());
         self.go_to(root, next.map_or(root.number, |ray| ray.number));

@@ -1,16 +1,16 @@
-//! Where the pixels of a picture are on the screen: zoom and pan.
+//! The view: zoom and pan, which map the pixels of a picture to the screen.
 
 use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-/// Points of the screen for a pixel, at least and at most.
+/// The range of points of the screen for a pixel.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.02..=160.0;
 
-/// What the person chose to see.
+/// The zoom and pan that the user chose.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     /// Points of the screen for a pixel; the whole picture if `None`.
     zoom: Option<f32>,
-    /// The place of the picture in the middle of the area, in pixels.
+    /// The point of the picture at the centre of the area, in pixels.
     center: Vec2,
 }
 
@@ -51,7 +51,7 @@ impl View {
         self.zoom_at(area, size, area.center(), zoom / self.place(area, size).scale);
     }
 
-    /// Zooms so that what lies under `at` stays there.
+    /// Zooms so that the point of the picture at `at` stays there.
     pub fn zoom_at(&mut self, area: Rect, size: [u32; 2], at: Pos2, factor: f32) {
         let placed = self.place(area, size);
         let zoom = (placed.scale * factor).clamp(*ZOOM.start(), *ZOOM.end());
@@ -69,7 +69,7 @@ impl View {
         self.keep_inside(size);
     }
 
-    /// Moves the picture as little as needed for a pixel to be seen.
+    /// Moves the picture as little as needed to make a pixel visible.
     pub fn reveal(&mut self, area: Rect, size: [u32; 2], pixel: [u32; 2]) {
         let placed = self.place(area, size);
         let (seen, wanted) = (area.shrink(4.0), placed.rect(pixel));
@@ -80,13 +80,13 @@ impl View {
         self.pan(area, size, wanted.min.clamp(seen.min, last) - wanted.min);
     }
 
-    /// The middle of the area always shows some of the picture, so that it is not lost.
+    /// Keeps some of the picture at the centre of the area.
     fn keep_inside(&mut self, size: [u32; 2]) {
         self.center = self.center.clamp(Vec2::ZERO, extent(size));
     }
 }
 
-/// As large as fits. From two points for a pixel on, whole points: all pixels look equally large.
+/// The largest scale that fits. From two points a pixel on it is whole, so that all pixels have one size.
 fn whole_in(area: Rect, whole: Vec2) -> f32 {
     let scale = (area.width() / whole.x).min(area.height() / whole.y);
     let scale = if scale >= 2.0 { scale.floor() } else { scale };
@@ -98,7 +98,7 @@ fn extent([width, height]: [u32; 2]) -> Vec2 {
 }
 
 impl Placed {
-    /// The pixel at a place of the screen.
+    /// The pixel at a position on the screen.
     pub fn pixel(&self, at: Pos2) -> Option<[u32; 2]> {
         let inside = (at - self.corner) / self.scale;
         let [width, height] = self.size;
@@ -124,7 +124,7 @@ impl Placed {
     }
 }
 
-/// `200,150`, with spaces or parentheses if one likes.
+/// `200,150`, perhaps with spaces or parentheses.
 ///
 /// # Errors
 /// Says how coordinates are written.

@@ -5,13 +5,13 @@ use std::time::{Duration, Instant, SystemTime};
 
 use groundtruth::scene::{self, Scene};
 
-/// The files are looked at this often.
+/// The interval at which the files are checked.
 pub const INTERVAL: Duration = Duration::from_millis(500);
 
-/// When a file was changed, and how long it is; `None` if it is not there.
+/// The time of a file's last change, and its length; `None` if it does not exist.
 type Stamp = Option<(SystemTime, u64)>;
 
-/// Files, and how they were when they were read.
+/// Files, and their stamps when they were read.
 #[derive(Debug, Default)]
 pub struct Watch {
     files: Vec<(PathBuf, Stamp)>,
@@ -35,7 +35,7 @@ impl Watch {
         self.files.is_empty()
     }
 
-    /// Whether a file was changed since it was last asked, twice a second at most.
+    /// Whether a file was changed since the last call; checked at most twice a second.
     pub fn changed(&mut self) -> bool {
         if self.looked.is_some_and(|at| at.elapsed() < INTERVAL) {
             return false;

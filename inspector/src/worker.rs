@@ -1,5 +1,5 @@
-//! Everything slow runs on threads of its own: reading and building scenes, rendering, explaining.
-//! The window asks again in each frame and waits for a moment at most.
+//! Background threads for all slow work: reading and building scenes, rendering, explaining. The window
+//! polls them in each frame and waits only for a moment.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ use crate::watch::Watch;
 /// Rays of depth 128 are traced on the stack; unoptimised builds need more than the usual 2 MB.
 const STACK: usize = 16 << 20;
 
-/// One thing that is being worked out on a thread of its own.
+/// A task on a background thread.
 #[derive(Debug)]
 pub struct Background<T> {
     result: Option<Receiver<T>>,
@@ -47,9 +47,9 @@ impl<T: Send + 'static> Background<T> {
     pub fn start(&mut self, ctx: &egui::Context, work: impl FnOnce() -> T + Send + 'static) {
         let (sender, receiver) = mpsc::sync_channel(1);
         let ctx = ctx.clone();
-        // where no thread can be had, the sender is dropped, and `poll` says so
+        // if no thread can be started, the sender is dropped, and `poll` returns `Lost`
         let _ = Builder::new().stack_size(STACK).spawn(move || {
-            // nobody listens any more if other work was started meanwhile
+            // fails if other work was started meanwhile
             let _ = sender.send(work());
             ctx.request_repaint();
         });
@@ -61,12 +61,12 @@ impl<T: Send + 'static> Background<T> {
         self.result.is_some()
     }
 
-    /// The result, once, when it is there.
+    /// The result, returned once, if it is ready.
     pub fn poll(&mut self) -> Option<Result<T, Lost>> {
         self.wait(Duration::ZERO)
     }
 
-    /// The result, once, if it is there within this time.
+    /// The result, returned once, if it is ready within this time.
     pub fn wait(&mut self, patience: Duration) -> Option<Result<T, Lost>> {
         let result = match self.result.as_ref()?.recv_timeout(patience) {
             Ok(result) => Ok(result),
@@ -103,7 +103,7 @@ impl Source {
         Ok(Self::File(path.to_owned()))
     }
 
-    /// As a person knows it.
+    /// Its display name.
     pub fn name(&self) -> String {
         match self {
             Self::Gallery(entry) => entry.name.to_owned(),
@@ -145,7 +145,7 @@ impl Source {
                 (read, scene, world)
             }
             Self::File(path) => {
-                // before it is read: a change in between is then not missed
+                // before it is read, so that no change in between is missed
                 watch.add(path.clone());
                 let (read, text) = scene::open(path).map_err(|error| error.to_string())?;
                 watch.add_meshes(&read, self.folder());
@@ -192,7 +192,7 @@ pub struct Loaded {
     pub watch: Option<Watch>,
 }
 
-/// A picture on its way. Dropping it stops the work.
+/// A picture that is being rendered. Dropping it stops the work.
 #[derive(Debug)]
 pub struct Rendering {
     /// Where the scene comes from.
@@ -246,7 +246,7 @@ impl Rendering {
         Self { source, read, scene, world, canvas, start, note, took, thread }
     }
 
-    /// What a person should know who waits for it: that it is many rays.
+    /// A note for the user, if the picture has many rays.
     pub fn note(&self) -> Option<&str> {
         self.note.get()?.as_deref()
     }

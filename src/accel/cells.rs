@@ -1,9 +1,9 @@
-//! A regular grid to look at: its cells, what is in them, and which of them a ray visits.
+//! A regular grid for inspection: its cells, the objects in them, and the cells that a ray visits.
 
 use super::grid::Grid;
 use crate::math::{Aabb, Ray, Span};
 
-/// The grid that finds the objects in boxes (Suffern, ch. 22), apart from any search.
+/// The regular grid over the boxes of objects (Suffern, ch. 22), without a search.
 #[derive(Debug)]
 pub struct Cells {
     grid: Grid,
@@ -11,8 +11,8 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// The grid over these boxes, which must be bounded, with so many cells on each axis for each cube
-    /// root of a box; fewer if the boxes overlap so many that memory would run out.
+    /// The grid over these boxes, which must be bounded. `multiplier` is the book's; it is reduced if the
+    /// boxes overlap so many cells that memory would run out.
     pub fn of(bounds: &[Aabb], multiplier: f64) -> Self {
         let all = Vec::from_iter(0..bounds.len() as u32);
         let grid = Grid::build_with(bounds, &all, multiplier);
@@ -25,7 +25,7 @@ impl Cells {
         self.bounds
     }
 
-    /// How many cells there are on each axis.
+    /// The number of cells on each axis.
     pub fn resolution(&self) -> [usize; 3] {
         self.grid.resolution()
     }
@@ -36,15 +36,15 @@ impl Cells {
         self.grid.cell(x + nx * (y + ny * z))
     }
 
-    /// The cells that the ray visits in the span if it hits nothing, in their order; `None` for one
-    /// that comes from so far away that every object is tested instead.
+    /// The cells that the ray visits in the span if it hits nothing, in order; `None` for a ray from so
+    /// far away that every object is tested instead.
     pub fn visited(&self, ray: &Ray, span: Span) -> Option<Vec<[usize; 3]>> {
         let [nx, ny, _] = self.resolution();
-        let place = |cell: usize| [cell % nx, cell / nx % ny, cell / nx / ny];
+        let indices = |cell: usize| [cell % nx, cell / nx % ny, cell / nx / ny];
         let walk = self.grid.walk(ray, span)?;
-        // the first cell that is left beyond the span is the last
+        // the last cell is the first one that the ray leaves beyond the span
         let last = walk.iter().position(|(_, leaves)| span.max < *leaves);
         let visited = walk.into_iter().take(last.map_or(usize::MAX, |last| last + 1));
-        Some(visited.map(|(cell, _)| place(cell)).collect())
+        Some(visited.map(|(cell, _)| indices(cell)).collect())
     }
 }

@@ -2,37 +2,37 @@
 //! walked cell by cell along the ray.
 //!
 //! As in the book, `n` primitives in a box of sides `w` get `⌊2 w/s⌋ + 1` cells on each axis, where
-//! `s` is the cube root of the volume for each primitive: some eight cells for each. The walk
-//! differs in two ways. A primitive's hit may lie beyond the cell in which it is found; the book
-//! discards it and finds it again later, here it stays the best so far, and the walk ends where
-//! the next cell begins beyond it. And planes of cells are worked out from their number, not added
-//! up, so that errors do not grow along the way.
+//! `s` is the cube root of the volume for each primitive: about eight cells for each. The walk differs
+//! from the book's in two ways. A hit may lie beyond the cell in which its primitive is tested; the book
+//! discards it and finds it again later. Here it stays the best so far, and the walk ends at the first
+//! cell that begins beyond it. And the planes between cells are computed from their indices, not by
+//! repeated addition, so that errors do not grow along the ray.
 //!
-//! No hit is lost: a hit lies in its primitive's box grown by the ray's slack ([`BoxRay`]), the box that
-//! is sorted into cells is grown by [`PAD`], and the walk passes the cell of every point of the ray but
-//! for rounding, which is far less than their difference. A ray from so far away that its slack is not
-//! less than that tests every primitive.
+//! No hit is lost. A hit lies in its primitive's box grown by the ray's slack ([`BoxRay`]). The box that
+//! is sorted into cells is grown by [`PAD`], which is larger. The walk visits the cell of every point of
+//! the ray except for rounding, which is far less than the difference of the two. A ray from so far away
+//! that its slack is not less than the padding tests every primitive.
 
 use std::ops::Range;
 
 use super::Counter;
 use crate::math::{Aabb, BoxRay, Ray, Span, Vector, cbrt};
 
-/// Cells on each axis for each cube root of a primitive: the book's `multiplier`.
+/// The book's `multiplier`: `n` primitives in a cube get about `multiplier · ∛n` cells on each axis.
 const MULTIPLIER: f64 = 2.0;
-/// By how much boxes are grown, in cells.
+/// The padding of boxes, in cells.
 const PAD: f64 = 1.0 / 64.0;
-/// … but not by less than this part of the longest extent, or of the coordinates.
+/// The least padding, relative to the longest extent or the largest coordinate.
 const LEAST_PAD: f64 = 1.0 / (1 << 20) as f64;
-/// The least extent that is divided, in terms of the coordinates.
+/// The least extent of the grid, relative to the largest coordinate.
 const LEAST_EXTENT: f64 = 1.0 / (1 << 30) as f64;
-/// How many primitives a walk remembers, so as not to test them again in the next cell: without that
-/// a ray that misses tests most of them three times, and three times three in a grid in a grid
-/// (Shevtsov, Soupikov & Kapustin, "Ray-Triangle Intersection Algorithm for Modern CPU
+/// The number of primitives that a walk remembers, in order not to test them again in the next cell.
+/// Without mailboxes a ray that misses tests most primitives three times, and nine times in a grid in a
+/// grid (Shevtsov, Soupikov & Kapustin, "Ray-Triangle Intersection Algorithm for Modern CPU
 /// Architectures", 2007).
 const MAILBOXES: usize = 16;
-/// The most entries of all cells, for each primitive and for few of them. Large primitives, which
-/// overlap a great many cells, get coarser ones, or memory would run out.
+/// The most entries of all cells, for each primitive. A grid of large primitives, which overlap many
+/// cells, gets larger cells; otherwise memory would run out.
 const MOST_ENTRIES: usize = 32;
 const FEW_ENTRIES: usize = 1 << 20;
 
@@ -42,7 +42,7 @@ pub struct Grid {
     /// All primitives, for rays from too far away.
     all: Vec<u32>,
     cells: Cells,
-    /// Where each cell's entries start, and where the last one's end.
+    /// The start of each cell's entries, and the end of the last one's.
     starts: Vec<u32>,
     entries: Vec<u32>,
 }
@@ -54,17 +54,17 @@ struct Cells {
     counts: [usize; 3],
     /// The sides of a cell; 0 where all boxes are flat and in one plane.
     sides: [f64; 3],
-    /// By how much the boxes of primitives are grown.
+    /// The padding of the primitives' boxes.
     pad: f64,
 }
 
 impl Grid {
-    /// Over these primitives, whose boxes are `bounds`.
+    /// The grid over the primitives `which`; `bounds` are the boxes of all.
     pub(super) fn build(bounds: &[Aabb], which: &[u32]) -> Self {
         Self::build_with(bounds, which, MULTIPLIER)
     }
 
-    /// The same with so many cells on each axis for each cube root of a primitive, or fewer.
+    /// The same with this `multiplier`, which is reduced until the entries fit.
     pub(super) fn build_with(bounds: &[Aabb], which: &[u32], mut multiplier: f64) -> Self {
         let boxes: Vec<Aabb> = which.iter().map(|&i| bounds[i as usize]).collect();
         let most = (MOST_ENTRIES * boxes.len()).max(FEW_ENTRIES);
@@ -76,7 +76,7 @@ impl Grid {
             }
             multiplier *= 0.5;
         };
-        // sorted by counting: how many entries each cell has, where they start, then the entries
+        // counting sort: the number of entries of each cell, where they start, then the entries
         let number = cells.counts.iter().product::<usize>();
         let mut starts = vec![0_u32; number + 1];
         for cell in boxes.iter().flat_map(|b| cells.overlapped(b)) {
@@ -96,7 +96,7 @@ impl Grid {
         Self { all: which.to_vec(), cells, starts, entries }
     }
 
-    /// Tests what is in the cells along the ray. See [`super::Accel::visit`].
+    /// Tests the primitives in the cells along the ray. See [`super::Accel::visit`].
     #[inline(always)]
     pub(super) fn visit(
         &self,
@@ -146,7 +146,7 @@ impl Grid {
         self.cells.counts
     }
 
-    /// What is in the cell of this number, which counts along x first, then along y.
+    /// The primitives in a cell. Cells are numbered along x first, then along y.
     pub(super) fn cell(&self, cell: usize) -> &[u32] {
         &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
@@ -173,8 +173,8 @@ impl Cells {
 
     /// The cell of a coordinate on an axis; the first or last for what lies outside.
     fn along(&self, axis: usize, x: f64) -> usize {
-        let place = (x - self.bounds.min.along(axis)) / self.sides[axis];
-        (place as usize).min(self.counts[axis] - 1) // negative numbers and 0/0 become 0
+        let cell = (x - self.bounds.min.along(axis)) / self.sides[axis];
+        (cell as usize).min(self.counts[axis] - 1) // negative numbers and 0/0 become 0
     }
 
     /// The number of a cell: the first index runs fastest.
@@ -182,7 +182,7 @@ impl Cells {
         x + self.counts[0] * (y + self.counts[1] * z)
     }
 
-    /// On each axis, from where to where the grown box reaches.
+    /// The range of cells on each axis that the padded box overlaps.
     fn ranges(&self, b: &Aabb) -> [Range<usize>; 3] {
         [0, 1, 2].map(|axis| {
             let (min, max) = (b.min.along(axis) - self.pad, b.max.along(axis) + self.pad);
@@ -190,7 +190,7 @@ impl Cells {
         })
     }
 
-    /// The cells that the grown box overlaps.
+    /// The cells that the padded box overlaps.
     fn overlapped(&self, b: &Aabb) -> impl Iterator<Item = usize> {
         let [xs, ys, zs] = self.ranges(b);
         zs.flat_map(move |z| {
@@ -199,14 +199,14 @@ impl Cells {
         })
     }
 
-    /// Where the border between cell `k − 1` and cell `k` of an axis is.
+    /// The coordinate of the border between cells `k − 1` and `k` of an axis.
     fn border(&self, axis: usize, k: usize) -> f64 {
         self.bounds.min.along(axis) + k as f64 * self.sides[axis]
     }
 }
 
-/// Extents without a flat one, for which the formula gives any number of cells: a sheet is taken to
-/// be as thick as each primitive's share of it is wide, a line as its share is long.
+/// Extents without a flat one, for which the formula has no answer. A sheet gets the thickness of the
+/// width of each primitive's share of it, a line that of the length of its share.
 fn thickened(extent: Vector, least: f64, n: f64) -> [f64; 3] {
     let mut w = extent.to_array();
     let mut by_length = [0, 1, 2];
@@ -224,10 +224,10 @@ struct Walk<'a> {
     ray: &'a Ray,
     /// One over the direction.
     inverse: [f64; 3],
-    place: [usize; 3],
-    /// Where the ray leaves the cell on each axis.
+    cell: [usize; 3],
+    /// The `t` at which the ray leaves the cell on each axis.
     next: [f64; 3],
-    /// Where it leaves the last cell.
+    /// The `t` at which it leaves the last cell.
     far: f64,
     inside: bool,
 }
@@ -241,10 +241,10 @@ impl<'a> Walk<'a> {
             return None;
         }
         let inverse = box_ray.inverse();
-        let mut walk = Self { cells, ray, inverse, place: [0; 3], next: [0.0; 3], far, inside };
+        let mut walk = Self { cells, ray, inverse, cell: [0; 3], next: [0.0; 3], far, inside };
         for axis in 0..3 {
             let x = ray.origin.along(axis) + start * ray.direction.along(axis);
-            walk.place[axis] = cells.along(axis, x);
+            walk.cell[axis] = cells.along(axis, x);
             walk.next[axis] = walk.end(axis);
         }
         Some(walk)
@@ -254,10 +254,10 @@ impl<'a> Walk<'a> {
         self.inverse[axis].is_sign_negative()
     }
 
-    /// Where the ray leaves its cell on this axis: never, if it goes along it, or over an outermost
-    /// border, because boxes grown by a ray's slack may reach over that.
+    /// The `t` at which the ray leaves its cell on this axis. It is infinite for a ray parallel to the
+    /// borders, and at an outermost border, because boxes grown by a ray's slack may extend beyond it.
     fn end(&self, axis: usize) -> f64 {
-        let k = self.place[axis] + usize::from(!self.backward(axis));
+        let k = self.cell[axis] + usize::from(!self.backward(axis));
         if k == 0 || k == self.cells.counts[axis] || self.inverse[axis].is_infinite() {
             return f64::INFINITY;
         }
@@ -272,14 +272,14 @@ impl Iterator for Walk<'_> {
         if !self.inside {
             return None;
         }
-        let cell = self.cells.number(self.place);
+        let cell = self.cells.number(self.cell);
         let [x, y, z] = self.next;
         let axis = if x <= y && x <= z { 0 } else { 1 + usize::from(z < y) };
         let end = self.next[axis];
-        self.inside = end < self.far; // so not at an outermost border
+        self.inside = end < self.far; // false at an outermost border
         if self.inside {
-            let place = self.place[axis];
-            self.place[axis] = if self.backward(axis) { place - 1 } else { place + 1 };
+            let i = self.cell[axis];
+            self.cell[axis] = if self.backward(axis) { i - 1 } else { i + 1 };
             self.next[axis] = self.end(axis);
         }
         Some((cell, end))

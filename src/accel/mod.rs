@@ -1,8 +1,8 @@
-//! Acceleration: which of many primitives a ray hits first (Suffern, ch. 22).
+//! Acceleration structures: they find the first of many primitives that a ray hits (Suffern, ch. 22).
 //!
-//! A structure chooses the primitives that are tested; what is hit, each says itself. So every
-//! structure finds the same hit: the nearest, and of equally near ones that of the first primitive. That
-//! rests on one promise: **a hit lies in its primitive's box, but for the error of the hit.** Boxes are
+//! A structure only chooses the primitives to test; each primitive computes its own hit. So every
+//! structure finds the same hit: the nearest, and of equally near hits that of the first primitive. This
+//! relies on one promise: **a hit lies in its primitive's box, up to the error of the hit.** Boxes are
 //! grown by more than that error ([`BoxRay`]) for rays that start within 2²⁰ sizes of the scene.
 
 mod bvh;
@@ -32,7 +32,7 @@ pub enum Method {
     Bvh,
 }
 
-/// Numbered things that one ray may hit.
+/// Primitives, by index, for the query of one ray.
 pub trait Primitives {
     /// The nearest hit of primitive `index` inside the span; its `t` must not depend on the span.
     fn hit(&self, index: u32, span: Span) -> Option<Candidate>;
@@ -43,7 +43,7 @@ pub trait Primitives {
     }
 }
 
-/// Hears what a search costs. `()` hears nothing and costs nothing.
+/// Counts the cost of a search. `()` counts nothing and costs nothing.
 pub trait Counter {
     /// A primitive was tested.
     fn test(&mut self) {}
@@ -54,7 +54,7 @@ pub trait Counter {
 
 impl Counter for () {}
 
-/// What searches cost.
+/// The cost of searches.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Primitives tested.
@@ -76,10 +76,10 @@ impl Counter for Counts {
 /// A built acceleration structure.
 #[derive(Debug)]
 pub struct Accel {
-    /// Primitives without bounds: tested for every ray, first.
+    /// Primitives without bounds, which every ray tests first.
     unbounded: Vec<u32>,
     bounded: Structure,
-    /// The largest coordinate of a box.
+    /// The largest coordinate of the boxes.
     largest: f64,
 }
 
@@ -95,7 +95,7 @@ impl Method {
     /// All methods, the reference first.
     pub const ALL: [Self; 3] = [Self::List, Self::Grid, Self::Bvh];
 
-    /// What scene files call it.
+    /// Its name in scene files.
     pub fn name(self) -> &'static str {
         match self {
             Self::List => "list",
@@ -106,7 +106,7 @@ impl Method {
 }
 
 impl Accel {
-    /// Builds for primitives with these boxes; unbounded ones are kept apart by themselves.
+    /// Builds the structure for primitives with these boxes; unbounded primitives are kept separately.
     pub fn build(method: Method, bounds: &[Aabb]) -> Self {
         let count = u32::try_from(bounds.len()).expect("primitives are numbered by u32");
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) =
@@ -121,7 +121,7 @@ impl Accel {
         Self { unbounded, bounded, largest }
     }
 
-    /// The first hit along the ray, and of which primitive.
+    /// The first hit along the ray, and the index of its primitive.
     pub fn nearest(
         &self,
         primitives: &impl Primitives,
@@ -131,7 +131,7 @@ impl Accel {
         self.nearest_counted(primitives, ray, span, &mut ())
     }
 
-    /// The same, and what it costs.
+    /// The same; `counter` counts the cost.
     pub fn nearest_counted(
         &self,
         primitives: &impl Primitives,
@@ -145,15 +145,15 @@ impl Accel {
                 && nearest.is_none_or(|(first, best)| hit.t < best.t || index < first)
             {
                 nearest = Some((index, hit));
-                span = span.through(hit.t); // to it, for one that is as near and comes before it
+                span = span.through(hit.t); // `t` included: an equally near hit of an earlier primitive wins
             }
             nearest.map_or(span.max, |(_, best)| best.t)
         });
         nearest
     }
 
-    /// Any hit along the ray, and of which primitive. Whether there is one does not depend on the
-    /// method; which one is found may.
+    /// Any hit along the ray, and the index of its primitive. Whether there is one does not depend on the
+    /// method, but which one is found may.
     pub fn any(
         &self,
         primitives: &impl Primitives,
@@ -168,8 +168,8 @@ impl Accel {
         found
     }
 
-    /// Tests the primitives that the ray may hit. `test` says up to which distance hits are still
-    /// wanted: −∞ ends the search.
+    /// Tests the primitives that the ray may hit. `test` returns the largest `t` of a useful hit; −∞ ends
+    /// the search.
     #[inline(always)]
     fn visit<C: Counter>(
         &self,
@@ -201,7 +201,7 @@ impl Accel {
         }
     }
 
-    /// What the structure itself takes, without its primitives.
+    /// The memory of the structure itself, without its primitives.
     pub fn memory_bytes(&self) -> usize {
         let bounded = match &self.bounded {
             Structure::List(all) => size_of_val(&**all),

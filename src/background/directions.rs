@@ -1,24 +1,25 @@
-//! Directions drawn in proportion to the radiance of a sky by image.
+//! Importance sampling of a sky by image: directions in proportion to its radiance.
 
 use std::sync::Arc;
 
 use super::ImageSky;
 use crate::math::{ONE_MINUS, Vector};
 
-/// A density of directions that is constant over each texel of the image: the largest radiance that is
-/// seen there, times the solid angle. It is positive wherever the sky shines, so that no light is
-/// missed (Pharr, Jakob, Humphreys, *Physically Based Rendering*, on infinite area lights).
+/// A density of directions. The probability of a texel is proportional to its largest radiance times its
+/// solid angle, and the density is constant over the texel. It is positive wherever the sky shines, so
+/// that no light is missed (Pharr, Jakob, Humphreys, *Physically Based Rendering*, on infinite area
+/// lights).
 #[derive(Debug)]
 pub struct Directions {
     sky: Arc<ImageSky>,
-    /// Of all rows.
+    /// The weights of the rows.
     rows: Sums,
-    /// Of the texels of each row.
+    /// The weights of the texels in each row.
     columns: Vec<Sums>,
 }
 
 impl Directions {
-    /// Those of this sky.
+    /// The density for this sky.
     pub fn new(sky: &Arc<ImageSky>) -> Self {
         let [width, height] = sky.size();
         let weight = |texel: [u32; 2]| sky.brightest_around(texel) * sky.solid_angle_of(texel);
@@ -28,8 +29,8 @@ impl Directions {
         Self { sky: Arc::clone(sky), rows, columns }
     }
 
-    /// A unit direction for two numbers in `[0, 1)`; `None` for a black sky, and rarely at the rim of an
-    /// angular map, whose texels are cut by it.
+    /// A unit direction for two numbers in `[0, 1)`; `None` for a black sky, and sometimes in texels across
+    /// the rim of an angular map.
     pub fn sample(&self, [u1, u2]: [f64; 2]) -> Option<Vector> {
         let (row, v) = self.rows.draw(u2)?;
         let (column, u) = self.columns[row].draw(u1)?;
@@ -37,8 +38,8 @@ impl Directions {
         self.sky.direction([(column as f64 + u) / width, (row as f64 + v) / height])
     }
 
-    /// The density of [`Directions::sample`] per steradian: the probability of the texel, over its area
-    /// in the image, over the solid angle of that area. 0 at the poles and on the rim, where it would be
+    /// The density of [`Directions::sample`] per steradian: the probability of the texel divided by its area
+    /// in the image, then by the solid angle per area. 0 at the poles and on the rim, where it would be
     /// infinite.
     pub fn pdf(&self, direction: Vector) -> f64 {
         let Some([u, v]) = self.sky.uv(direction) else { return 0.0 };
@@ -52,7 +53,7 @@ impl Directions {
     }
 }
 
-/// Weights as their running sums: an index is drawn in proportion to its weight.
+/// The running sums of weights, to draw an index in proportion to its weight.
 #[derive(Debug)]
 struct Sums(Vec<f64>);
 
@@ -69,19 +70,19 @@ impl Sums {
         self.0.last().copied().unwrap_or(0.0)
     }
 
-    /// The sum before an index, and with it.
+    /// The sums without and with an index.
     fn around(&self, index: usize) -> [f64; 2] {
         [index.checked_sub(1).map_or(0.0, |before| self.0[before]), self.0[index]]
     }
 
-    /// The index at this share of the total, and the place within it, in `[0, 1)`. `None` if all weights
-    /// are 0.
+    /// The index at this share of the total, and the position within it, in `[0, 1)`. `None` if all
+    /// weights are 0.
     fn draw(&self, u: f64) -> Option<(usize, f64)> {
         let total = self.total();
         if total <= 0.0 {
             return None;
         }
-        // rounding may reach the total, but nothing lies beyond it
+        // rounding could give the total, which is beyond the last index
         let target = (u * total).min(total.next_down());
         let index = self.0.partition_point(|sum| *sum <= target);
         let [before, with] = self.around(index);

@@ -66,14 +66,14 @@ pub enum Dome {
     Panoramic,
 }
 
-/// A sky by image, ready to be asked.
+/// A built sky by image.
 #[derive(Debug)]
 pub struct ImageSky {
     texels: Arc<Texels>,
     dome: Dome,
     sampling: Sampling,
     ls: f64,
-    /// From the image's own directions to those of the world.
+    /// Maps the image's directions to those of the world.
     turn: Transform,
     turn_back: Transform,
 }
@@ -153,10 +153,10 @@ impl Dome {
         }
     }
 
-    /// `|dω/d(u, v)|`, the solid angle of the image around a direction over its area there: with the
-    /// angles of [`Mapping`], `2π² sinθ` for the whole sphere, `π² sinθ` for half of it, and
-    /// `4π sin(πr)/r` for an angular map, of which `r = α/π` is the distance from the middle. 0 at the
-    /// poles and on the rim, where a line of the image is a single direction.
+    /// `|dω/d(u, v)|`, the solid angle per area of the image at a direction. With the angles of [`Mapping`]
+    /// it is `2π² sinθ` for the whole sphere, `π² sinθ` for half of it, and `4π sin(πr)/r` for an angular
+    /// map with the distance `r = α/π` from the centre. 0 at the poles and on the rim, where a line of the
+    /// image is a single direction.
     pub fn solid_angle(self, direction: Vector) -> f64 {
         let [x, y, z] = direction.to_array();
         let sine = |a: f64, b: f64| (a * a + b * b).sqrt() / direction.length();
@@ -172,8 +172,8 @@ impl Dome {
         }
     }
 
-    /// The solid angle of the part of the image between two texture coordinates; for an angular map, no
-    /// less than that.
+    /// The solid angle of the part of the image between two texture coordinates; for an angular map, an
+    /// upper bound.
     pub(super) fn solid_angle_between(self, [u0, v0]: [f64; 2], [u1, v1]: [f64; 2]) -> f64 {
         let zone = |half_turn: f64| {
             // cosθ₁ − cosθ₀ as a product: exact also for the flat zones at a pole
@@ -184,7 +184,7 @@ impl Dome {
             Self::Spherical => zone(PI),
             Self::Hemispherical => zone(0.5 * PI),
             Self::LightProbe | Self::Panoramic => {
-                // `sin(πr)/r` falls: it is largest at the point nearest to the middle
+                // `sin(πr)/r` decreases: it is largest at the point nearest to the centre
                 let nearest = [0.5_f64.clamp(u0, u1), 0.5_f64.clamp(v0, v1)];
                 let largest = self.direction(nearest).map_or(0.0, |w| self.solid_angle(w));
                 largest * (u1 - u0) * (v1 - v0)
@@ -194,7 +194,7 @@ impl Dome {
 }
 
 impl ImageSky {
-    /// What arrives from a direction of any length.
+    /// The radiance from a direction of any length.
     pub fn radiance(&self, direction: Vector) -> Rgb {
         match self.uv(direction) {
             Some(uv) => self.ls * self.sampling.color(&self.texels, uv),
@@ -229,7 +229,7 @@ impl ImageSky {
         self.dome.solid_angle_between(corner(column, row), corner(column + 1, row + 1))
     }
 
-    /// The largest average of the texels that are read for a point of this one.
+    /// The largest channel average of the texels that a look-up in this texel reads.
     pub(super) fn brightest_around(&self, [column, row]: [u32; 2]) -> f64 {
         let average = |[column, row]: [u32; 2]| self.texels.color(column, row).average();
         if self.sampling.filtering == Filtering::Nearest {

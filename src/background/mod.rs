@@ -1,4 +1,4 @@
-//! What a ray sees that hits nothing.
+//! Backgrounds: the radiance of rays that hit nothing.
 
 mod directions;
 mod image;
@@ -39,7 +39,7 @@ pub enum Pattern {
     Image(Image),
 }
 
-/// A background ready to be asked.
+/// A built background.
 #[derive(Clone, Debug)]
 pub enum Sky {
     /// The same everywhere.
@@ -62,7 +62,7 @@ pub struct Sinusoid {
 }
 
 impl Sky {
-    /// What arrives along a ray that hits nothing.
+    /// The radiance along a ray that hits nothing.
     pub fn radiance(&self, ray: &Ray) -> Rgb {
         match self {
             Self::Color(color) => *color,

@@ -66,7 +66,7 @@ impl Camera for CylindricalPanoramaCamera {
         let level = point.to_vector().across_y().length();
         let lambda = to_degrees(atan2(point.x(), -point.z()));
         let height = point.y() / level;
-        let place = self.film.place([lambda / self.lambda_max, height / self.tan_psi_max]);
-        (level > 0.0).then_some(place)
+        let film = self.film.point([lambda / self.lambda_max, height / self.tan_psi_max]);
+        (level > 0.0).then_some(film)
     }
 }

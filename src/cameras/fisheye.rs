@@ -74,6 +74,6 @@ impl Camera for FisheyeCamera {
         // straight back, too, has no α; all directions there are one
         let (cos_alpha, sin_alpha) =
             if across == 0.0 { (1.0, 0.0) } else { (point.x() / across, point.y() / across) };
-        seen.then(|| self.film.place([r * cos_alpha, r * sin_alpha]))
+        seen.then(|| self.film.point([r * cos_alpha, r * sin_alpha]))
     }
 }

@@ -36,12 +36,12 @@ impl ViewPlane {
         [2.0 * x / self.width, 2.0 * y / self.height]
     }
 
-    /// The film place of normalised coordinates.
-    fn place(&self, [xn, yn]: [f64; 2]) -> [f64; 2] {
+    /// The film point of normalised coordinates.
+    fn point(&self, [xn, yn]: [f64; 2]) -> [f64; 2] {
         [0.5 * xn * self.width, 0.5 * yn * self.height]
     }
 
-    /// Whether the picture covers a place; its edges are part of it.
+    /// Whether the picture covers a point; its edges are part of it.
     fn contains(&self, [x, y]: [f64; 2]) -> bool {
         x.abs() <= 0.5 * self.width && y.abs() <= 0.5 * self.height
     }

@@ -69,7 +69,7 @@ impl Camera for SphericalPanoramaCamera {
         let level = point.to_vector().across_y().length();
         let lambda = if level == 0.0 { 0.0 } else { to_degrees(atan2(point.x(), -point.z())) };
         let psi = to_degrees(atan2(point.y(), level));
-        let place = self.film.place([lambda / self.lambda_max, psi / self.psi_max]);
-        (point != Point::ORIGIN).then_some(place)
+        let film = self.film.point([lambda / self.lambda_max, psi / self.psi_max]);
+        (point != Point::ORIGIN).then_some(film)
     }
 }

@@ -62,10 +62,10 @@ pub struct View {
     pub medium: Medium,
 }
 
-/// A camera at one place: all of a [`View`], or one half of a stereo pair.
+/// A camera at one position: all of a [`View`], or one half of a stereo pair.
 #[derive(Debug)]
 pub struct Eye {
-    place: Point,
+    position: Point,
     frame: Frame,
     camera: Arc<dyn Camera>,
     film: ViewPlane,
@@ -104,7 +104,7 @@ impl Viewpoint {
         let frame = rolled(upright(back, up), self.roll);
         // an eye that is `aside` to the left: its window moves to the right, to stay where it is
         let eye = |aside: f64| Eye {
-            place: self.eye - aside * frame.u,
+            position: self.eye - aside * frame.u,
             frame,
             camera: Arc::clone(&camera),
             film,
@@ -117,8 +117,8 @@ impl Viewpoint {
                 vec![eye(x), eye(-x)]
             }
         };
-        if let Some(lost) = eyes.iter().find(|eye| !eye.place.is_finite()) {
-            let problem = format!("an eye is then at {:?}: too far off", lost.place.to_array());
+        if let Some(lost) = eyes.iter().find(|eye| !eye.position.is_finite()) {
+            let problem = format!("an eye is then at {:?}: too far off", lost.position.to_array());
             return Err(Invalid::field("separation", problem).inside("stereo"));
         }
         Ok(View { eyes, stereo: self.stereo, frame, exposure_time, medium })
@@ -211,8 +211,8 @@ impl View {
 
 impl Eye {
     /// Where it is.
-    pub fn place(&self) -> Point {
-        self.place
+    pub fn position(&self) -> Point {
+        self.position
     }
 
     /// The ray for a point of the film and one of the lens; its direction is unit. `None` where the
@@ -225,14 +225,14 @@ impl Eye {
     fn unnormalised(&self, [x, y]: [f64; 2], lens: [f64; 2]) -> Option<(Point, Vector)> {
         let (origin, direction) = self.camera.ray([x + self.shift, y], lens)?;
         let offset = self.frame.to_world(origin.to_vector());
-        Some((self.place + offset, self.frame.to_world(direction)))
+        Some((self.position + offset, self.frame.to_world(direction)))
     }
 
     /// Where on the film a point of the world is seen, through the centre of the lens; `None` if it is
     /// out of view: where no film could see it, or beyond the edges of the picture, which belong to
     /// it. The inverse of [`Eye::ray`]. (Whether something is in the way is another question.)
     pub fn project(&self, point: Point) -> Option<[f64; 2]> {
-        let local = self.frame.to_local(point - self.place);
+        let local = self.frame.to_local(point - self.position);
         let [x, y] = self.camera.project(Point::ORIGIN + local)?;
         let film = [x - self.shift, y];
         self.film.contains(film).then_some(film)

@@ -1,7 +1,8 @@
 //! Why a pixel has its colour: the ray tree in words and numbers, for people and for scripts.
 //!
-//! A [`RayExplanation`] is a recorded ray with names in place of indices, and what it adds to its
-//! pixel. [`Sources`] are what each light and each lobe adds to the pixel, over all samples. The command line prints it, the inspector shows it; neither computes anything.
+//! A [`RayExplanation`] is a recorded ray with names instead of indices, and its contribution to the pixel.
+//! [`Sources`] are the contributions of each light and each lobe to the pixel, over all samples. The
+//! command line prints them and the inspector shows them; neither computes anything.
 
 mod outline;
 mod sources;
@@ -23,7 +24,7 @@ pub use outline::{Outline, Row};
 pub use sources::{Source, SourceExplanation, Sources};
 pub use text::{brief, count, percent, short, table, unblocked};
 
-/// A pixel explained: its samples and the sum that it is.
+/// A pixel explained: its samples and their sum.
 #[derive(Clone, Debug, Serialize)]
 pub struct PixelExplanation {
     /// x right and y down from the top left, from 0.
@@ -31,18 +32,18 @@ pub struct PixelExplanation {
     /// What the tracer leaves out, a sentence each.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<String>,
-    /// How many samples the pixel has.
+    /// The number of samples of the pixel.
     pub samples_per_pixel: u32,
     /// Multiplies the mean of the samples.
     pub exposure_time: f64,
     /// The explained samples: all of them, or those asked for.
     pub samples: Vec<SampleExplanation>,
-    /// What each sample adds to the mean, also of those not explained.
+    /// The contribution of each sample to the mean, also of those not explained.
     #[serde(skip)]
     pub radiances: Vec<Rgb>,
     /// How the samples are spread.
     pub statistics: Statistics,
-    /// What each light and each lobe adds.
+    /// The contributions of each light and each lobe.
     pub sources: Sources,
     /// The pixel: the exposure time times the mean of all its samples.
     pub radiance: Rgb,
@@ -53,8 +54,8 @@ pub struct PixelExplanation {
 pub struct Statistics {
     /// The mean.
     pub mean: Rgb,
-    /// The standard error of the mean, as if the samples were independent; well-spread ones are
-    /// nearer. None for a single sample.
+    /// The standard error of the mean for independent samples; the error of well-spread samples is smaller.
+    /// None for a single sample.
     pub standard_error: Option<Rgb>,
     /// The index of the sample with the least radiance, averaged over the channels.
     pub least: u32,
@@ -73,13 +74,13 @@ pub struct SampleExplanation {
     /// Where it is on the lens, in the unit disk, if the camera has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<[f64; 2]>,
-    /// What the filter lets it count.
+    /// Its weight, from the filter.
     pub weight: f64,
-    /// What it adds to the mean.
+    /// Its contribution to the mean.
     pub radiance: Rgb,
     /// Whether all its rays are shown; a tree of more than a million is cut off.
     pub complete: bool,
-    /// The camera's ray and all that came of it; `None` where the camera sees nothing.
+    /// The camera's ray and all rays after it; `None` where the camera sees nothing.
     pub ray: Option<RayExplanation>,
 }
 
@@ -217,7 +218,7 @@ pub fn ray(scene: &Scene, tree: &RayTree) -> RayExplanation {
 }
 
 impl Statistics {
-    /// Of at least one sample.
+    /// The statistics of at least one sample.
     fn of(radiances: &[Rgb]) -> Self {
         let root = (radiances.len() as f64).sqrt();
         let error = |channel: usize| {
@@ -237,7 +238,7 @@ impl Statistics {
 struct Explaining<'a> {
     scene: &'a Scene,
     tree: &'a RayTree,
-    /// What the filter lets the sample count.
+    /// The weight of the sample, from the filter.
     weight: Rgb,
 }
 
@@ -246,23 +247,23 @@ impl Explaining<'_> {
         self.ray(0, self.weight)
     }
 
-    /// The part of the sample that a contribution is.
+    /// A contribution as a part of the sample.
     fn share(&self, contribution: Rgb) -> f64 {
         let sample = self.weight * self.tree.root().radiance;
         if sample.is_black() { 0.0 } else { contribution.average() / sample.average() }
     }
 
-    /// Explains a ray and those after it. `reaches` is the share of what arrives at its origin that
-    /// reaches the eye.
-    fn ray(&self, number: usize, reaches: Rgb) -> RayExplanation {
+    /// Explains a ray and those after it. `throughput` is the weight at the eye of the radiance that
+    /// arrives at the ray's origin.
+    fn ray(&self, number: usize, throughput: Rgb) -> RayExplanation {
         let node = &self.tree.nodes()[number];
-        // a shadow ray serves every lobe that takes its light: their weights add up
+        // one shadow ray serves several lobes: their weights add up
         let weight_of = |child: usize| -> Rgb {
             let terms = node.terms.iter().filter(|recorded| recorded.child == Some(child));
             terms.map(|recorded| recorded.term.weight).sum()
         };
-        // what leaves the surface reaches the eye through the medium
-        let leaving = reaches * node.transmittance;
+        // the throughput of light that leaves the surface: through the medium too
+        let leaving = throughput * node.transmittance;
         let children = node.children.iter().map(|&c| self.ray(c, leaving * weight_of(c)));
         let terms = node.terms.iter().map(|recorded| TermExplanation {
             source: recorded.term.source.named(|light| self.light(light)),
@@ -275,7 +276,7 @@ impl Explaining<'_> {
         });
         let own_terms = node.terms.iter().filter(|recorded| recorded.child.is_none());
         let own: Rgb = own_terms.map(|recorded| recorded.term.value).sum();
-        let contribution = reaches * node.radiance;
+        let contribution = throughput * node.radiance;
         RayExplanation {
             number,
             kind: node.kind.named(|light| self.light(light)),

@@ -1,5 +1,5 @@
-//! What is shown of a ray tree, and in which order: what matters little is folded together, and a
-//! path is a flat list of its bounces, each with its shadow rays and local terms below it.
+//! The lines of a ray tree: rays of small contribution are folded together, and a path is a flat list of
+//! its bounces, each with its shadow rays and local terms below it.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ const SMALL_TREE: usize = 12;
 /// How a tree is shown.
 #[derive(Clone, Debug, Default)]
 pub struct Outline {
-    /// Rays of a smaller part of their sample are folded together, from 0 to 1; 0 shows all.
+    /// Rays that add a smaller part of their sample, from 0 to 1, are folded together; 0 shows all.
     pub min_share: f64,
     /// The numbers of the rays whose children are hidden.
     pub closed: BTreeSet<usize>,
@@ -27,13 +27,13 @@ pub enum Row<'a> {
     Ray {
         /// The ray.
         ray: &'a RayExplanation,
-        /// The term of the ray before it that takes its light; of several the first. `None` for the
-        /// camera's ray, and for a ray whose light no term takes.
+        /// The first term of the ray before it that uses its light. `None` for the camera's ray, and for a
+        /// ray whose light no term uses.
         term: Option<&'a TermExplanation>,
         /// How far the line is indented.
         indent: usize,
     },
-    /// A term of the ray before it that takes no other ray's light, and adds something.
+    /// A local term of the ray before it that is not 0.
     Local {
         /// The term.
         term: &'a TermExplanation,
@@ -46,22 +46,22 @@ pub enum Row<'a> {
         parent: usize,
         /// How far the line is indented.
         indent: usize,
-        /// How many rays they are.
+        /// The number of rays.
         rays: usize,
-        /// What they add together, as a part of the sample.
+        /// Their contribution together, as a part of the sample.
         share: f64,
     },
 }
 
 impl Outline {
-    /// All rays are shown that add at least this part of their sample.
+    /// Shows all rays that add at least this part of their sample.
     pub fn folding_below(min_share: f64) -> Self {
         Self { min_share, ..Self::default() }
     }
 
     /// The lines of a tree, from the camera's ray on.
     pub fn rows<'a>(&self, root: &'a RayExplanation) -> Vec<Row<'a>> {
-        // a black sample has no rays that matter more than others
+        // in a black sample all shares are 0
         let whole = root.share == 0.0 || root.count() <= SMALL_TREE;
         let mut rows = Vec::new();
         let min_share = if whole { 0.0 } else { self.min_share };
@@ -69,7 +69,7 @@ impl Outline {
         rows
     }
 
-    /// Opens whatever hides the last ray of a path, which begins with the camera's.
+    /// Opens everything that hides the last ray of a path from the camera's ray.
     pub fn reveal(&mut self, path: &[&RayExplanation]) {
         for step in path.windows(2) {
             let [parent, child] = [step[0], step[1]];
@@ -97,7 +97,7 @@ impl Outline {
         rows.extend(local.map(|term| Row::Local { term, indent: below }));
         let small = |child: &&RayExplanation| child.share < min_share;
         let rays: usize = ray.children.iter().filter(small).map(RayExplanation::count).sum();
-        // a line for a single ray would hide it and save nothing
+        // folding a single ray saves no line
         let fold = rays > 1 && !self.unfolded.contains(&ray.number);
         let (shadows, onward): (Vec<_>, Vec<_>) = ray
             .children
@@ -111,7 +111,7 @@ impl Outline {
             let share = ray.children.iter().filter(small).map(|child| child.share).sum();
             rows.push(Row::Folded { parent: ray.number, indent: below, rays, share });
         }
-        // a path stays where it is; branches stand below the ray that sent them
+        // the bounces of a path have one indent; branches are indented below their ray
         let indent = if onward.len() > 1 { below } else { indent };
         for child in onward {
             self.add((child, ray.term_of(child)), indent, min_share, rows);
@@ -124,12 +124,12 @@ fn is_shadow(ray: &RayExplanation) -> bool {
 }
 
 impl RayExplanation {
-    /// How many rays there are from this one on.
+    /// The number of rays from this one on.
     pub fn count(&self) -> usize {
         1 + self.children.iter().map(Self::count).sum::<usize>()
     }
 
-    /// The first of its terms that takes the light of this child.
+    /// The first of its terms that uses the light of this child.
     fn term_of(&self, child: &Self) -> Option<&TermExplanation> {
         self.terms.iter().find(|term| term.ray == Some(child.number))
     }
@@ -139,7 +139,7 @@ impl RayExplanation {
         if self.number == number {
             return vec![self];
         }
-        // numbers ascend: the ray is after the last child that is not above it
+        // numbers ascend: the ray is below the last child whose number is not larger
         let child = self.children.iter().rev().find(|child| child.number <= number);
         let mut path = child.map_or(Vec::new(), |child| child.path_to(number));
         if !path.is_empty() {
@@ -152,7 +152,7 @@ impl RayExplanation {
     /// own terms add more.
     pub fn largest_child(&self) -> Option<&Self> {
         let value = |child: &Self| child.contribution.average().abs();
-        // of equal ones the first
+        // the first of equal ones
         let largest = self.children.iter().rev().max_by(|a, b| value(a).total_cmp(&value(b)))?;
         let more = value(largest) > self.own_contribution.average().abs();
         more.then_some(largest)

@@ -1,7 +1,7 @@
-//! What each light and each lobe adds to a pixel, and how much that varies from sample to sample.
+//! The contribution of each light and each lobe to a pixel, and its variation between samples.
 //!
-//! The light of a sample is divided twice, and both times the parts add up to it: by where light
-//! enters a path, and by how it leaves the first hit towards the camera.
+//! The light of a sample is divided in two ways: by where light enters a path, and by how it leaves the
+//! first hit towards the camera. Both times the parts add up to the sample.
 
 use std::cmp::Ordering;
 
@@ -15,15 +15,14 @@ use crate::scene::Scene;
 use crate::trace::{Outcome, RayKind, Recorder, Term, TermSource};
 use crate::world::{Hit, World};
 
-/// What the sources of light add to a pixel. The means of each list add up to the pixel; the largest
-/// standard deviation comes first.
+/// The contributions of the sources of light to a pixel. The means of each list add up to the pixel; the
+/// largest standard deviation comes first.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sources {
-    /// By where light enters: a light adds what its samples bring at every hit, a lobe the emission and
-    /// background that its rays meet.
+    /// By where light enters: a light contributes its samples at every hit, a lobe the emission and
+    /// background that its rays hit.
     pub by_entry: Vec<SourceExplanation>,
-    /// By the first hit: a light adds what its samples bring there, a lobe all light along the rays that
-    /// it sends from there.
+    /// By the first hit: a light contributes its samples there, a lobe all light along its rays from there.
     pub by_first_hit: Vec<SourceExplanation>,
 }
 
@@ -47,21 +46,21 @@ pub enum Source<Name = u32> {
     },
 }
 
-/// What a source adds to a pixel.
+/// The contribution of a source to a pixel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SourceExplanation {
     /// The source.
     #[serde(flatten)]
     pub source: Source<String>,
-    /// The exposure time times the mean, over the samples, of what it adds to a sample.
+    /// The exposure time times the mean of its contributions to the samples.
     pub mean: Rgb,
-    /// The exposure time times the standard deviation of what it adds to a sample. None for a single
-    /// sample.
+    /// The exposure time times the standard deviation of its contributions to the samples. None for a
+    /// single sample.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard_deviation: Option<Rgb>,
 }
 
-/// The radiances of all samples of a pixel, and what each source adds to it.
+/// The radiances of all samples of a pixel, and the contribution of each source.
 pub(super) fn of(scene: &Scene, world: &World, pixel: [u32; 2]) -> (Vec<Rgb>, Sources) {
     let samples = (0..world.samples_per_pixel()).map(|index| sample(world, pixel, index));
     let (radiances, sums): (Vec<Rgb>, Vec<_>) = samples.unzip();
@@ -70,7 +69,7 @@ pub(super) fn of(scene: &Scene, world: &World, pixel: [u32; 2]) -> (Vec<Rgb>, So
     (radiances, Sources { by_entry, by_first_hit })
 }
 
-/// A sample's radiance, and what of it comes from each source: by entry, and by the first hit.
+/// A sample's radiance, and the contribution of each source: by entry, and by the first hit.
 fn sample(world: &World, pixel: [u32; 2], index: u32) -> (Rgb, (Sums, Sums)) {
     let mut recorder = SourceRecorder::default();
     let radiance = render::sample(world, pixel, index, &mut recorder);
@@ -107,7 +106,7 @@ fn deviation(values: &[Rgb]) -> Option<Rgb> {
 }
 
 impl SourceExplanation {
-    /// What the list is sorted by: the standard deviation, then the mean, averaged over the channels.
+    /// The order of the list: the standard deviation, then the mean, averaged over the channels.
     fn size(&self) -> (f64, f64) {
         let deviation = self.standard_deviation.unwrap_or(Rgb::BLACK);
         (deviation.average(), self.mean.average())
@@ -125,7 +124,7 @@ impl<Name> Source<Name> {
     }
 }
 
-/// What arrives from each source.
+/// The radiance from each source.
 #[derive(Default)]
 struct Sums(Vec<(Source, Rgb)>);
 
@@ -146,7 +145,7 @@ impl Sums {
     }
 }
 
-/// Adds up the sources from the ends of the rays to the camera; it keeps no tree.
+/// Adds up the sources from the ends of the rays to the camera, without a tree.
 #[derive(Default)]
 struct SourceRecorder {
     /// The sums of the rays that have begun and not ended.

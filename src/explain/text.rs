@@ -158,8 +158,8 @@ impl TermExplanation {
         format!("+ {}  {}: {}", short(self.value), self.name(), self.factors())
     }
 
-    /// What the ray that brings its light counts, and how it was drawn: `weight 0.6, pdf 0.2 /sr,
-    /// Lambertian` of a lobe's ray, `pdf 24 /sr, MIS 0.9` of a light's; empty where nothing was drawn.
+    /// The weight of the ray that brings its light, and how the ray was drawn: `weight 0.6, pdf 0.2 /sr,
+    /// Lambertian` for a lobe's ray, `pdf 24 /sr, MIS 0.9` for a light's; empty if nothing was drawn.
     pub fn sampling(&self) -> String {
         match &self.source {
             TermSource::Traced { lobe, pdf, chance, survival } => {
@@ -192,7 +192,7 @@ impl TermExplanation {
         }
     }
 
-    /// What is multiplied to get it: `(0.8, 0.4, 0.1) / π × cos θ 0.5 × 2 along ray 3`.
+    /// Its factors: `(0.8, 0.4, 0.1) / π × cos θ 0.5 × 2 along ray 3`.
     pub fn factors(&self) -> String {
         let mut text = match &self.source {
             TermSource::Direct { lobe, f, cos_i, pdf, mis, .. } => {
@@ -256,8 +256,8 @@ fn value_of(lobe: &Lobe, f: Rgb) -> String {
 }
 
 impl PixelExplanation {
-    /// The explanation as text; what adds less than `min_share` of its sample is folded. With
-    /// `largest` only the path that carries most light is followed.
+    /// The explanation as text; rays that add less than `min_share` of their sample are folded. With
+    /// `largest` only the path that carries most light is shown.
     pub fn text(&self, min_share: f64, largest: bool) -> String {
         let mut text = String::new();
         self.write(&mut text, min_share, largest).expect("a string takes everything");
@@ -314,7 +314,7 @@ impl Source<String> {
 }
 
 impl Sources {
-    /// The two ways to divide the pixel's light, each said in words.
+    /// The two ways to divide the pixel's light, each with its description.
     pub fn lists(&self) -> [(&'static str, &[SourceExplanation]); 2] {
         let by_entry = "the pixel by where light enters: a light's samples at all hits; what a lobe's rays meet";
         let by_first_hit =

@@ -1,4 +1,4 @@
-//! Picture files: PNG for eyes, EXR for linear radiance.
+//! Picture files: PNG for viewing, EXR for linear radiance.
 
 use std::io::{BufWriter, Cursor, Write};
 use std::path::{Path, PathBuf};
@@ -36,8 +36,8 @@ pub enum ImageError {
     },
 }
 
-/// Writes a picture: `.png` as shown by `tone`, `.exr` as linear radiance in single precision. It
-/// is written to a temporary file beside its place and then renamed: whole, or not at all.
+/// Writes a picture: `.png` as shown by `tone`, `.exr` as linear radiance in single precision. It is
+/// written to a temporary file in the same folder and then renamed, so never partly.
 ///
 /// # Errors
 /// [`ImageError::Format`] and [`ImageError::Unwritable`].
@@ -72,10 +72,10 @@ pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// A file in the same folder, gone again unless it is renamed.
+/// A temporary file in the same folder, deleted unless it is renamed.
 fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
     let file = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(folder_of(path));
-    // the name of a file that a person never sees only confuses
+    // without the name of the temporary file, which the user does not know
     file.map_err(|error| {
         let text = error.to_string();
         let reason = text.split_once(" at path ").map_or(text.as_str(), |(reason, _)| reason);
@@ -83,14 +83,14 @@ fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
     })
 }
 
-/// Puts `bytes` in the place of a file, whole or not at all.
+/// Replaces a file by `bytes`, completely or not at all.
 pub fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let mut temporary = temporary_beside(path)?;
     temporary.write_all(bytes)?;
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // temporary files are private; pictures are for others too
+        // temporary files are readable by their owner only; pictures by everyone
         temporary.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))?;
     }
     temporary.persist(path).map_err(|e| e.error)?;
@@ -138,8 +138,8 @@ pub fn read_exr(path: &Path) -> Result<Film, ImageError> {
     film.map_err(unreadable)
 }
 
-/// The first layer of the bytes of an EXR file that has channels R, G and B: `create` makes room for
-/// columns and rows, `set` puts a colour at a column and a row from the top.
+/// Decodes the first layer with channels R, G and B of an EXR file. `create` allocates the picture for its
+/// columns and rows; `set` sets the colour at a column and a row from the top.
 ///
 /// # Errors
 /// What is wrong with them.

@@ -1,4 +1,4 @@
-//! Film: finished pixels, how they become colours of a screen, and picture files.
+//! Film: finished pixels, tone mapping, and picture files.
 
 mod files;
 mod tone;
@@ -49,7 +49,7 @@ impl Film {
         &self.pixels
     }
 
-    /// The picture of so many columns from the one at `first`.
+    /// The columns from `first` on as a picture.
     #[must_use]
     pub fn columns(&self, first: u32, width: u32) -> Self {
         let mut part = Self::new(width, self.height);

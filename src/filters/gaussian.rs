@@ -1,4 +1,4 @@
-//! The Gaussian filter, cut off.
+//! The truncated Gaussian filter.
 
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
@@ -64,7 +64,7 @@ struct GaussianFilter {
     scale: f64,
     /// The radius in that unit.
     end: f64,
-    /// The error function there.
+    /// The error function at `end`.
     whole: f64,
 }
 

@@ -25,7 +25,7 @@ pub struct Mitchell {
     pub c: f64,
 }
 
-/// What the paper recommends: `b + 2c = 1`.
+/// The paper's recommendation: `b + 2c = 1`.
 fn third() -> f64 {
     1.0 / 3.0
 }

@@ -1,8 +1,8 @@
 //! Filters: how much a pixel counts what lies around its centre (Suffern, ch. 4; Pharr, Jakob &
 //! Humphreys, "Physically Based Rendering", ch. 8).
 //!
-//! A sample's place is drawn with a density proportional to the filter's absolute value, and its
-//! radiance weighed by what is left, ±1 times a constant (Ernst, Stamminger & Greiner, "Filter
+//! A sample's position is drawn with a density proportional to the filter's absolute value; its radiance
+//! is weighted by the filter over the density, ±1 times a constant (Ernst, Stamminger & Greiner, "Filter
 //! Importance Sampling", 2006). So a sample belongs to one pixel and is a pure function.
 
 mod cuboid;
@@ -18,8 +18,8 @@ use crate::math::{Tolerance, UNIT_ROUNDOFF, bracketed_root};
 /// A filter of the plane: the product of the same function of x and of y. Contract:
 /// `tests/contracts/filter.rs`.
 pub trait Filter: Debug + Send + Sync {
-    /// Along one axis, for a uniform number in `[0, 1)`: the place, in pixels from the pixel's
-    /// lower edge (its centre is at ½), and the weight of a sample there. Increases with `u`.
+    /// Along one axis, for a uniform number in `[0, 1)`: the position of a sample, in pixels from the
+    /// pixel's lower edge (its centre is at ½), and its weight. The position increases with `u`.
     fn draw(&self, u: f64) -> (f64, f64);
 
     /// The filter along one axis, at a distance in pixels from the pixel's centre; its integral is 1.
@@ -39,7 +39,7 @@ crate::kinds! {
 }
 
 impl Default for Kind {
-    /// The book's: all of the pixel counts the same, and nothing else.
+    /// The book's filter: constant in the pixel, 0 outside.
     fn default() -> Self {
         Box {}.into()
     }
@@ -52,7 +52,7 @@ impl Kind {
     }
 }
 
-/// Wider filters make a picture of nothing, slowly.
+/// The largest radius, in pixels: wider filters only blur, slowly.
 const WIDEST: f64 = 16.0;
 
 /// `radius`, if it is positive and not too wide.
@@ -66,7 +66,7 @@ fn inverse(target: f64, end: f64, function: impl Fn(f64) -> [f64; 2]) -> f64 {
         let [value, slope] = function(x);
         [value - target, slope]
     };
-    // a place in a pixel needs no more digits near 0 than elsewhere
+    // an absolute tolerance: a position in a pixel needs no more digits near 0 than elsewhere
     let tolerance = Tolerance { step: UNIT_ROUNDOFF, ..Tolerance::default() };
     bracketed_root(above, [0.0, end], 0.5 * end, tolerance)
 }

@@ -1,4 +1,4 @@
-//! The tent filter: straight down from the pixel's centre.
+//! The tent filter: it falls linearly from the pixel's centre.
 
 use std::sync::Arc;
 

@@ -84,15 +84,15 @@ impl Specification for Area {
 }
 
 impl Lamp {
-    /// The cosine at the lamp, if the side that is seen shines; that of the back of a two-sided one is
-    /// counted from its other normal.
+    /// The cosine at the lamp, if the side towards `from` shines. On the back of a two-sided lamp it is
+    /// taken with the opposite normal.
     fn cosine(&self, from: Place, at: &Surface) -> Option<f64> {
         let cosine = at.normal.dot((from - at.point).unit()?);
         let cosine = if self.two_sided { cosine.abs() } else { cosine };
         (cosine > 0.0).then_some(cosine)
     }
 
-    /// The radiance of the point that was drawn for these two numbers.
+    /// The radiance of the point drawn with the numbers `u`.
     fn radiance(&self, from: Place, u: [f64; 2], at: &Surface, cosine: f64) -> Rgb {
         if self.emission.is_plain() {
             return self.emission.radiance(&TexturePoint::new(at), cosine);
@@ -117,7 +117,7 @@ impl Light for Lamp {
         let direction = (at.point - from.point).unit()?;
         Some(LightSample {
             direction,
-            // where a ray would leave the lamp: so it does not shadow itself
+            // where a ray would leave the lamp, so that the lamp does not shadow itself
             segment: Some(Segment::To(at.leave(-direction))),
             radiance: self.radiance(from.point, u[0], &at, cosine),
             blocked: Rgb::BLACK,

@@ -1,4 +1,4 @@
-//! What building a light needs to know of its scene.
+//! The data of the scene that lights need to be built.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -11,20 +11,20 @@ use crate::shapes::Shape;
 /// The objects that area lights may name, and the sky.
 #[derive(Debug, Default)]
 pub struct Context {
-    /// Those that are there, by name.
+    /// The objects that are on, by name.
     pub objects: BTreeMap<String, LampObject>,
-    /// The names of those that are switched off.
+    /// The names of the objects that are switched off.
     pub hidden: BTreeSet<String>,
-    /// What rays see that hit nothing.
+    /// The background.
     pub background: Sky,
 }
 
-/// An object as an area light sees it.
+/// The data of an object that an area light needs.
 #[derive(Clone, Debug)]
 pub struct LampObject {
     /// Its shape.
     pub shape: Arc<dyn Shape>,
-    /// What its material sends out, if anything.
+    /// The emission of its material, if it has one.
     pub emission: Option<Emission>,
     /// Whether its back shines as its front.
     pub two_sided: bool,
@@ -40,7 +40,7 @@ impl Context {
             if self.objects.is_empty() {
                 return Invalid::new(format!("no object `{name}`: the scene has none"));
             }
-            // more names help nobody
+            /// The most names in a message.
             const SHOWN: usize = 12;
             let known: Vec<&str> = self.objects.keys().map(String::as_str).take(SHOWN).collect();
             let more = if self.objects.len() > SHOWN { ", …" } else { "" };

@@ -21,13 +21,13 @@ use crate::rgb::Rgb;
 #[serde(deny_unknown_fields)]
 pub struct Environment {}
 
-/// A sky of one colour: what counts is the cosine.
+/// A sky of one colour, sampled by the cosine.
 #[derive(Debug)]
 struct Uniform {
     color: Rgb,
 }
 
-/// A sky by image: what counts is where it is bright.
+/// A sky by image, sampled by its radiance.
 #[derive(Debug)]
 struct Imaged {
     sky: Arc<ImageSky>,
@@ -101,7 +101,7 @@ impl Light for Imaged {
         1
     }
 
-    /// From the whole sky, whatever the normal: the light may also come through the surface.
+    /// From the whole sky, independent of the normal: light may also come through the surface.
     fn sample(&self, _: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
         let direction = self.directions.sample(u[0])?;
         let pdf = self.directions.pdf(direction);

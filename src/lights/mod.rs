@@ -1,9 +1,9 @@
 //! Lights: where light comes from, and how much (Suffern, ch. 14, 16–18).
 //!
-//! A light answers with data; it never casts a ray. Whether something stands in the way is for
-//! `trace` to find out: the book's `in_shadow` is there. Its `G` and `pdf` are one number here, the
-//! density per steradian, and its shared sample point is a value that is handed over. A light that has an extent draws one point or direction for a sample; the
-//! mean over many samples is the light of all of it.
+//! A light returns data; it never casts a ray. `trace` tests whether an object blocks the light, the book's
+//! `in_shadow`. The book's `G` and `pdf` are one number here, the density per steradian, and its shared
+//! sample point is a returned value. A light of some extent draws one point or direction for each sample;
+//! the mean over many samples is the light of all of it.
 
 mod ambient;
 mod ambient_occluder;
@@ -28,13 +28,13 @@ pub use context::{Context, LampObject};
 
 /// A source of light. Contract: `tests/contracts/light.rs`.
 pub trait Light: Debug + Send + Sync {
-    /// How many pairs of random numbers a sample needs, at most [`MOST_DRAWS`]: 0 for a single
+    /// The number of pairs of random numbers for a sample, at most [`MOST_DRAWS`]: 0 for a single
     /// direction.
     fn draws(&self) -> usize {
         0
     }
 
-    /// What its light meets.
+    /// The part of a material that reflects its light.
     fn meets(&self) -> Meets {
         Meets::Lobes
     }
@@ -44,7 +44,7 @@ pub trait Light: Debug + Send + Sync {
         None
     }
 
-    /// Whether it is what rays see that hit nothing.
+    /// Whether it is the background: what rays that hit nothing see.
     fn is_sky(&self) -> bool {
         false
     }
@@ -53,8 +53,8 @@ pub trait Light: Debug + Send + Sync {
     /// none does.
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample>;
 
-    /// The density with which [`Light::sample`] draws this very point or direction, per steradian; 0
-    /// for a light that is a single direction, which nothing else can find.
+    /// The density with which [`Light::sample`] draws this point or direction, per steradian; 0 for a light
+    /// that is a single direction, which scattered rays never have.
     fn pdf(&self, _from: &LightContext, _to: &Target<'_>) -> f64 {
         0.0
     }
@@ -63,16 +63,16 @@ pub trait Light: Debug + Send + Sync {
 /// The most pairs of random numbers that a light may draw; one more panics.
 pub const MOST_DRAWS: usize = 4;
 
-/// What a light meets at a surface.
+/// The part of a material that reflects a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meets {
-    /// The lobes: a sample counts `f cosθ/pdf`.
+    /// The lobes: the weight of a sample is `f cosθ/pdf`.
     Lobes,
     /// The ambient reflectance of the material, in the book's way; no medium attenuates it.
     Ambient,
 }
 
-/// Where light is looked for.
+/// The data that lights need of a shading point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightContext {
     /// The point that is lit.
@@ -93,24 +93,24 @@ pub enum Target<'a> {
 /// Light from one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSample {
-    /// Unit, towards the light; the normal where light comes from everywhere alike.
+    /// Unit, towards the light; the normal for light that is equal from all directions.
     pub direction: Vector,
-    /// What must be free for the light to arrive; `None` if nothing can be in the way.
+    /// The segment that must be unblocked; `None` if nothing can block the light.
     pub segment: Option<Segment>,
-    /// What arrives if it is free.
+    /// The radiance that arrives if it is unblocked.
     pub radiance: Rgb,
-    /// What arrives if it is not.
+    /// The radiance that arrives if it is blocked.
     pub blocked: Rgb,
-    /// Per steradian; `None` for a single direction.
+    /// The density per steradian; `None` for a single direction.
     pub pdf: Option<f64>,
 }
 
 /// The segment from a surface towards a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Segment {
-    /// Without end: every object in that direction is in the way.
+    /// Without end: every object in the direction blocks it.
     Infinity,
-    /// Up to this point: objects behind it are not in the way.
+    /// Up to this point: objects behind it do not block it.
     To(Place),
 }
 

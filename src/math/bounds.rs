@@ -13,8 +13,8 @@ pub struct Aabb {
     pub max: Point,
 }
 
-/// By how much of its largest coordinate a box is padded: far more than the rounding of its corners
-/// and of a hit's point.
+/// The padding of a box relative to its largest coordinate: far more than the rounding of its corners and
+/// of a hit point.
 const SLACK: f64 = 1.0 / (1 << 30) as f64;
 
 impl Aabb {
@@ -23,7 +23,7 @@ impl Aabb {
         min: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
         max: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
     };
-    /// Contains everything: the bounds of what is infinite.
+    /// Contains everything: the bounds of infinite shapes.
     pub const EVERYTHING: Self = Self { min: Self::EMPTY.max, max: Self::EMPTY.min };
 
     /// The smallest box around these points.
@@ -31,7 +31,7 @@ impl Aabb {
         points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
     }
 
-    /// The smallest box around both.
+    /// The smallest box around both boxes.
     pub fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
@@ -46,8 +46,8 @@ impl Aabb {
         (0..3).all(|i| self.min.along(i) <= p.along(i) && p.along(i) <= self.max.along(i))
     }
 
-    /// Whether the ray may meet the box at `start`, which may be −∞, or beyond: always where it does, and
-    /// also where it misses by some roundings (see [`BoxRay`]).
+    /// Whether the ray may meet the box at `t ≥ start`, which may be −∞. Conservative: also true if the ray
+    /// misses by a few roundings (see [`BoxRay`]).
     pub fn may_meet(&self, ray: &Ray, start: f64) -> bool {
         let box_ray = BoxRay::new(ray, self.largest_coordinate());
         let (enter, leave) = box_ray.crossing(self, start, f64::INFINITY);
@@ -59,12 +59,12 @@ impl Aabb {
         self.min.to_vector().max_abs().max(self.max.to_vector().max_abs())
     }
 
-    /// Diagonal.
+    /// The diagonal `max − min`.
     pub fn extent(&self) -> Vector {
         self.max - self.min
     }
 
-    /// The middle.
+    /// The centre.
     pub fn center(&self) -> Point {
         self.min + 0.5 * self.extent()
     }
@@ -81,8 +81,8 @@ impl Aabb {
         std::array::from_fn(|i| Point::new(ends[i & 1].x(), ends[i >> 1 & 1].y(), ends[i >> 2].z()))
     }
 
-    /// The box grown by far more than the rounding of its own corners can move a hit: 2⁻³⁰ of its
-    /// largest coordinate.
+    /// The box grown by 2⁻³⁰ of its largest coordinate: far more than rounding of its corners can move a
+    /// hit.
     pub fn padded(self) -> Self {
         let largest = self.largest_coordinate();
         if !largest.is_finite() {

@@ -4,11 +4,11 @@ use super::UNIT_ROUNDOFF;
 use super::bounds::Aabb;
 use super::ray::Ray;
 
-/// Boxes are grown by so many roundings of the largest coordinate of the ray's origin and of the boxes:
-/// more than the error of any shape's hit in its box, and than the roundings below.
+/// Boxes are grown by this part of the largest coordinate of the ray's origin and of the boxes: more than
+/// the error of any shape's hit in its box, and than the roundings below.
 const SLACK: f64 = 128.0 * UNIT_ROUNDOFF;
 
-/// A ray prepared for many boxes, which are grown on all sides.
+/// A ray prepared for tests against many boxes, which are grown by a slack on all sides.
 ///
 /// A ray enters the slab between two planes across an axis where it meets the first and leaves it where
 /// it meets the second: `(plane − o) / d`. It is in the box between its last entry and its first exit.
@@ -37,7 +37,7 @@ impl BoxRay {
         }
     }
 
-    /// By how much boxes are grown.
+    /// The amount by which boxes are grown.
     pub fn slack(&self) -> f64 {
         self.slack
     }
@@ -47,9 +47,9 @@ impl BoxRay {
         self.inverse
     }
 
-    /// Where the ray enters and where it leaves the grown box, between `start` and `end`; the entry is
-    /// beyond the exit if it misses. (A ray exactly in a plane of the grown box, for which `0·∞` is not a
-    /// number, may be inside or not.)
+    /// Where the ray enters and leaves the grown box, between `start` and `end`; if it misses, the entry is
+    /// beyond the exit. (A ray exactly in a plane of the grown box, where `0·∞` is NaN, counts as a hit or
+    /// as a miss.)
     #[inline]
     pub fn crossing(&self, bounds: &Aabb, start: f64, end: f64) -> (f64, f64) {
         let low = |axis: usize| (bounds.min.along(axis) - self.lower[axis]) * self.inverse[axis];
@@ -61,7 +61,7 @@ impl BoxRay {
     }
 }
 
-/// `f64::min` takes care of what is not a number, which costs three instructions more.
+/// `f64::min` handles NaN differently, which costs three more instructions.
 #[inline(always)]
 fn min(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }

@@ -35,7 +35,7 @@ impl Frame {
     pub fn looking(back: Vector, up: Vector) -> Option<Self> {
         let w = back.unit()?;
         let u = up.unit()?.cross(w);
-        // parallel up to rounding: the cross product of unit vectors is then nothing but error
+        // parallel up to rounding: the cross product of the unit vectors is only rounding error
         if u.max_abs() < 16.0 * super::UNIT_ROUNDOFF {
             return None;
         }

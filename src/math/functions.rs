@@ -1,4 +1,4 @@
-//! Transcendental functions with the same bits on every platform, by the crate `libm`; and powers.
+//! Powers, and transcendental functions with the same bits on every platform, by the crate `libm`.
 //!
 //! The platform's own `sin`, `pow` … differ in the last bit, so clippy forbids them.
 
@@ -9,8 +9,8 @@ pub use libm::{
     tan,
 };
 
-/// `base^exponent` for `base ≥ 0`; whole exponents up to 2³⁰ by multiplication, as `pow` is not
-/// exact even for 3.
+/// `base^exponent` for `base ≥ 0`; whole exponents up to 2³⁰ by multiplication, because `pow` is not
+/// correctly rounded even for exponent 3.
 pub fn power(base: f64, exponent: f64) -> f64 {
     if exponent == floor(exponent) && (0.0..=1_073_741_824.0).contains(&exponent) {
         return by_squaring(base, exponent as u32);
@@ -35,7 +35,7 @@ fn by_squaring(mut base: f64, mut exponent: u32) -> f64 {
     result
 }
 
-/// Degrees to radians: `π/180` times. (The book's errata: it prints the inverse factor.)
+/// Degrees to radians: times `π/180`. (The book prints the inverse factor; see its errata.)
 pub fn to_radians(degrees: f64) -> f64 {
     degrees * (PI / 180.0)
 }

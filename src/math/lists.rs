@@ -1,4 +1,4 @@
-//! Lists of so many numbers, in files.
+//! Lists of a fixed length in files.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -10,10 +10,10 @@ use serde::{Deserialize, Deserializer};
 
 use super::Vector;
 
-/// Reads a list of exactly `N`. (Of a longer list an array takes the first `N`, without a word.)
+/// Reads a list of exactly `N`. (serde's array silently takes the first `N` of a longer list.)
 ///
 /// # Errors
-/// Another number of them, or one that cannot be read.
+/// If the list has another length, or an element cannot be read.
 pub fn exactly<'de, D, T, const N: usize>(deserializer: D) -> Result<[T; N], D::Error>
 where
     D: Deserializer<'de>,
@@ -58,7 +58,7 @@ where
 #[serde(bound = "T: Deserialize<'de>")]
 struct Row<T, const N: usize>(#[serde(deserialize_with = "exactly")] [T; N]);
 
-/// The same where there may be none.
+/// As [`exactly`], for a list that may be left out.
 ///
 /// # Errors
 /// As [`exactly`].
@@ -75,7 +75,7 @@ where
 /// Reads a vector, or one number for all its components.
 ///
 /// # Errors
-/// Neither of them, or another number of components.
+/// If it is neither, or the number of components is wrong.
 pub fn number_or_vector<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vector, D::Error> {
     deserializer.deserialize_any(NumberOrVector)
 }

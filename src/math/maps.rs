@@ -9,9 +9,9 @@ use super::{ONE_MINUS, Vector, atan, atan2, cos, exp_m1, ln_1p, power, sin};
 /// A point of the unit disk: concentric squares become concentric circles, areas keep their ratio
 /// (Suffern, ch. 6; Shirley & Chiu, "A Low Distortion Map Between Disk and Square", 1997).
 ///
-/// The book's four sectors: opposite ones have the same formula, as r and the angle change their signs
-/// together; and in the upper and lower ones φ is measured from the y axis, the book's `2 − a/b`, so
-/// that a turn of the square by 90° turns the disk exactly.
+/// The book has four sectors. Opposite sectors have the same formula, because r and the angle change sign
+/// together. In the upper and lower sectors φ is measured from the y axis (the book's `2 − a/b`), so that
+/// a rotation of the square by 90° rotates the disk exactly.
 pub fn disk([u1, u2]: [f64; 2]) -> [f64; 2] {
     let (a, b) = (2.0 * u1 - 1.0, 2.0 * u2 - 1.0);
     if a.abs() > b.abs() {
@@ -40,8 +40,8 @@ pub fn disk_inverse([x, y]: [f64; 2]) -> [f64; 2] {
     [a, b].map(|c| in_range(0.5 * (c + 1.0)))
 }
 
-/// Of these points of the square, those in the disk that fills it, as points of the unit disk: π/4 of
-/// them, nobody knows which, and their strata are lost. For comparison with [`disk`] only (Suffern,
+/// Rejection: the points of the square that lie in its inscribed disk, as points of the unit disk. About
+/// π/4 of them remain, and their stratification is lost. Only for comparison with [`disk`] (Suffern,
 /// ch. 6).
 pub fn disk_by_rejection(
     points: impl IntoIterator<Item = [f64; 2]>,
@@ -55,7 +55,7 @@ pub fn disk_by_rejection(
 pub fn hemisphere([u1, u2]: [f64; 2], e: f64) -> Vector {
     let phi = 2.0 * PI * u1;
     let (cos_theta, sin_theta) = if e == 1.0 {
-        // by far the most frequent, and a quarter of the time
+        // by far the most frequent case, and four times as fast
         ((1.0 - u2).sqrt(), u2.sqrt())
     } else {
         // sin²θ = 1 − (1 − u₂)^(2/(e+1)), without the cancellation near the pole
@@ -97,13 +97,13 @@ pub fn triangle([u1, u2]: [f64; 2]) -> [f64; 2] {
     if u2 > u1 { [0.5 * u1, u2 - 0.5 * u1] } else { [u1 - 0.5 * u2, 0.5 * u2] }
 }
 
-/// The angle from the x axis in turns, of `[0, 1)`.
+/// The angle from the x axis in turns, in `[0, 1)`.
 fn turns(x: f64, y: f64) -> f64 {
     let turns = atan2(y, x) / (2.0 * PI);
     in_range(if turns < 0.0 { turns + 1.0 } else { turns })
 }
 
-/// What rounding put a little outside `[0, 1)`.
+/// Clamps a number that rounding moved slightly outside `[0, 1)`.
 fn in_range(u: f64) -> f64 {
     u.clamp(0.0, ONE_MINUS)
 }

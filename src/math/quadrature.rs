@@ -1,4 +1,4 @@
-//! Quadrature, where there is no closed form.
+//! Numerical integration, for integrals without a closed form.
 
 use std::f64::consts::PI;
 
@@ -20,7 +20,7 @@ pub fn tanh_sinh(f: impl Fn(f64) -> f64) -> f64 {
             0.5 * PI * (grows + falls) * y * (1.0 / (1.0 + exp(0.5 * PI * (grows - falls))));
         weight * f(y)
     };
-    // the smallest first; symmetric, so that no end is preferred
+    // smallest terms first, in symmetric pairs
     let pairs = (1..=STEPS).rev().map(|i| node(i) + node(-i));
     STEP * (pairs.sum::<f64>() + node(0))
 }

@@ -1,5 +1,5 @@
-//! Random numbers of our own: a crate's generator may change between releases, and every picture
-//! with it. Tested against published vectors (`tests/chapters/ch02.rs`).
+//! The random numbers. They are not from a crate, whose generator may change between releases, and every
+//! picture with it.
 
 /// O'Neill's PCG-XSH-RR 64/32 ("PCG: A Family of Simple Fast Space-Efficient Statistically Good
 /// Algorithms for Random Number Generation", 2014).
@@ -62,12 +62,12 @@ pub fn splitmix(x: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// One well-mixed number from several; the order of the words matters.
+/// The hash of several words; their order matters.
 pub fn hash(words: &[u64]) -> u64 {
     hash_onto(0, words)
 }
 
-/// The hash of all words, if `first` is that of those before these.
+/// Continues a hash: `hash_onto(hash(a), b)` is the hash of `a` followed by `b`.
 pub fn hash_onto(first: u64, words: &[u64]) -> u64 {
     words.iter().fold(first, |h, &word| splitmix(splitmix(h) ^ word))
 }

@@ -1,8 +1,8 @@
-//! Rays and the part of them that counts.
+//! Rays, and intervals of their parameter.
 
 use super::vectors::{Point, Vector};
 
-/// All points `origin + t·direction`; the direction need not be unit, and `t` counts in it.
+/// All points `origin + t·direction`. The direction need not be unit; `t` is in units of its length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Where it starts.
@@ -48,7 +48,7 @@ impl Span {
 
     /// The same span ending with `t`, `t` itself included.
     pub fn through(self, t: f64) -> Self {
-        // of a positive number the next is that of the next bits; it is quicker, and the usual case
+        // faster for the usual case: the bits of the next positive number are the next integer
         let next = if t > 0.0 { f64::from_bits(t.to_bits() + 1) } else { t.next_up() };
         Self { min: self.min, max: self.max.min(next) }
     }

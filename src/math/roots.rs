@@ -1,12 +1,12 @@
-//! Real roots of quadratics, without the cancellations of the textbook formula; and one root of any
-//! function between two places where its signs differ.
+//! Real roots of quadratics, without the cancellation of the textbook formula; and one root of any
+//! function between two points where its signs differ.
 
 use super::UNIT_ROUNDOFF;
 use super::vectors::Vector;
 
-/// The roots of `a t² + 2 b t + c`, in ascending order, given `discriminant = b² − a c` however it
-/// was computed. `None` if it is negative or NaN, or if a and b are 0 and c is not. For `a = 0` one
-/// root is infinite or NaN, which no span contains.
+/// The roots of `a t² + 2 b t + c`, in ascending order. The caller computes `discriminant = b² − a c`.
+/// `None` if it is negative or NaN, or if a and b are 0 and c is not. For `a = 0` one root is infinite or
+/// NaN, which no span contains.
 #[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> {
     if discriminant.is_nan() || discriminant < 0.0 {
@@ -18,7 +18,7 @@ pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> 
         return (c == 0.0).then_some([0.0; 2]);
     }
     if b == 0.0 {
-        let root = (q / a).abs(); // and the sign of that zero does not matter
+        let root = (q / a).abs(); // `abs`: the sign of a zero does not matter
         return Some([-root, root]);
     }
     let (first, second) = (q / a, c / q);
@@ -27,10 +27,10 @@ pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> 
 
 /// Where `|f + t·d| = r`, in ascending order: a sphere about the origin.
 ///
-/// The discriminant comes from the part `l` of `f` perpendicular to `d`, instead of `b² − a c`, which
-/// cancels for far, small and huge spheres (Haines et al., "Precision Improvements for Ray/Sphere
-/// Intersection", Ray Tracing Gems, ch. 7). Its `a (r² − |l|²)` is taken as `a r² − |f × d|²`, which
-/// needs neither a division nor a square root.
+/// The discriminant `b² − a c` cancels for far, small and huge spheres. With `l`, the part of `f`
+/// perpendicular to `d`, it is `a (r² − |l|²)` (Haines et al., "Precision Improvements for Ray/Sphere
+/// Intersection", Ray Tracing Gems, ch. 7), computed here as `a r² − |f × d|²`, without a division or a
+/// square root.
 #[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn perpendicular_roots(f: Vector, d: Vector, r: f64) -> Option<[f64; 2]> {
     let a = d.length_squared();
@@ -49,22 +49,22 @@ pub fn circle_roots([fx, fy]: [f64; 2], [dx, dy]: [f64; 2], r: f64) -> Option<[f
     roots.filter(|_| a > 0.0)
 }
 
-/// When [`bracketed_root`] is content; zero for the last bit.
+/// When [`bracketed_root`] stops. Zero: at the last bit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tolerance {
-    /// A value that may be nothing but rounding, of a function that curves like a square of distance:
-    /// by a second derivative of some 2.
+    /// The largest value that may be only rounding, for a function like a squared distance: its second
+    /// derivative is about 2.
     pub(crate) value: f64,
-    /// A step that is too small to matter.
+    /// The largest step that does not matter.
     pub(crate) step: f64,
 }
 
-/// More halvings than there are exponents and digits.
+/// More halvings than `f64` has exponents and digits.
 const MOST_STEPS: usize = 1200;
 
-/// A root of `f` (value and slope) between a place where it is negative and one where it is
-/// positive, in this order of `bracket`: by Newton's steps, and by halving the bracket where a step
-/// would leave it or is not half as long as the one before.
+/// A root of `f` (value and slope). `bracket` holds a point where `f` is negative, then one where it is
+/// positive. Newton's method; it halves the bracket if a step would leave it or is not half as long as
+/// the step before.
 pub(crate) fn bracketed_root(
     f: impl Fn(f64) -> [f64; 2],
     [mut below, mut above]: [f64; 2],
@@ -85,7 +85,7 @@ pub(crate) fn bracketed_root(
         let shorter = (newton - x).abs() <= 0.5 * last_step;
         let good = inside(newton, below, above) && shorter;
         if value.abs() <= tolerance.value {
-            // a step of δ leaves a value of some δ², so a long one, from where it is flat, leaves more
+            // a Newton step δ leaves a value of about δ²: more if the step is long, where `f` is flat
             let better = good && value.abs() <= slope * slope;
             return if better { newton } else { x };
         }

@@ -1,4 +1,4 @@
-//! Three numbers in single precision, worked on at once.
+//! Three numbers in single precision, processed at once.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -11,7 +11,7 @@ use super::vectors::Vector;
 pub(crate) struct Singles(Vec3A);
 
 impl Vector {
-    /// The same, rounded.
+    /// Rounds three numbers to single precision.
     #[inline(always)]
     pub(crate) fn to_singles(self) -> Singles {
         Singles(self.0.as_vec3a())
@@ -30,7 +30,7 @@ impl Singles {
         Self(self.0.abs())
     }
 
-    /// From −`most` to `most`; none may be NaN.
+    /// Clamps each to [−`most`, `most`]; none may be NaN.
     #[inline(always)]
     pub(crate) fn within(self, most: f32) -> Self {
         Self(self.0.min(Vec3A::splat(most)).max(Vec3A::splat(-most)))

@@ -133,9 +133,9 @@ impl Step {
     }
 }
 
-/// The inverse of `m` to the last bits, by Newton's iteration from `x`; `None` if that is too far off.
+/// The inverse of `m` to the last bits, by Newton's iteration from `x`; `None` if `x` is too far off.
 fn improved(m: DMat3, mut x: DMat3) -> Option<DMat3> {
-    /// Each doubles the digits that are right, of which there are 53.
+    /// Each step doubles the number of correct digits; there are 53.
     const MOST_STEPS: usize = 8;
     for _ in 0..MOST_STEPS {
         let entry = |i: usize, j: usize| {
@@ -145,7 +145,7 @@ fn improved(m: DMat3, mut x: DMat3) -> Option<DMat3> {
         let column = |j| DVec3::new(entry(0, j), entry(1, j), entry(2, j));
         let residual = DMat3::from_cols(column(0), column(1), column(2));
         if !residual.is_finite() {
-            return x.is_finite().then_some(x); // beyond the range of products without error
+            return x.is_finite().then_some(x); // beyond the range of error-free products
         }
         if frobenius(residual) >= 0.5 {
             return None;
@@ -159,7 +159,7 @@ fn improved(m: DMat3, mut x: DMat3) -> Option<DMat3> {
     None
 }
 
-/// The inverse by cofactors, not finite if there is none. (glam's asserts instead.)
+/// The inverse by cofactors; not finite if there is none. (glam's panics instead.)
 fn inverse_of(m: DMat3) -> DMat3 {
     let rows = [m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis)];
     let determinant = m.x_axis.dot(rows[0]);
@@ -175,7 +175,7 @@ fn frobenius(m: DMat3) -> f64 {
     if largest == 0.0 {
         return 0.0;
     }
-    // the squares of very large and of very small numbers are none
+    // scaled: the squares of very large and very small numbers overflow or underflow
     largest * all.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt()
 }
 
@@ -225,9 +225,9 @@ impl Transform {
         }
     }
 
-    /// The product of the steps' inverses `X` is as good as the worst of them (a stretch undone by a
-    /// later one), and not quite the inverse of the rounded product `M` of the steps. Newton's
-    /// iteration, `X + X (I − M X)`, makes it that; from the inverse by cofactors if it is no beginning.
+    /// The product `X` of the steps' inverses is only as accurate as the worst of them, and not exactly the
+    /// inverse of the rounded product `M` of the steps. Newton's iteration `X + X (I − M X)` corrects it.
+    /// If `X` is too far off to start from, the iteration starts from the inverse by cofactors.
     fn refined(self) -> Result<Self, Singular> {
         let (m, x) = (self.forward.matrix3, self.inverse.matrix3);
         let cofactors = inverse_of(m);
@@ -250,9 +250,9 @@ impl Transform {
         self.forward.matrix3.determinant()
     }
 
-    /// Whether it keeps angles, but for rounding: turns, mirror images and equal scales do.
+    /// Whether it preserves angles up to rounding, as rotations, reflections and uniform scalings do.
     pub fn is_similarity(&self) -> bool {
-        /// More than the rounding of typed factors, less than anyone could see.
+        /// More than the rounding of typed factors, and invisible.
         const SKEW: f64 = 1e-9;
         let m = self.forward.matrix3;
         let columns = [m.x_axis, m.y_axis, m.z_axis];
@@ -279,18 +279,18 @@ impl Transform {
         std::array::from_fn(|i| [m.x_axis[i], m.y_axis[i], m.z_axis[i], t[i]])
     }
 
-    /// Moves a point.
+    /// Transforms a point.
     pub fn point(&self, p: Point) -> Point {
         Point(self.forward.transform_point3(p.0))
     }
 
-    /// Turns and stretches a vector; translations leave it alone.
+    /// Transforms a vector; translations do not change it.
     pub fn vector(&self, v: Vector) -> Vector {
         Vector(self.forward.transform_vector3(v.0))
     }
 
-    /// `M⁻ᵀ n`, not normalised: perpendicular to the transformed surface. Its length is by how much
-    /// distances along the normal shrink.
+    /// `M⁻ᵀ n`, not normalised: perpendicular to the transformed surface. Distances along the normal are
+    /// divided by its length.
     pub fn covector(&self, n: Normal) -> Vector {
         Vector(self.inverse.matrix3.transpose() * n.0)
     }
@@ -313,13 +313,13 @@ impl Transform {
         }
     }
 
-    /// `|M| |v|` for each coordinate: how far a step of at most `|v|` along each axis can reach.
+    /// `|M| |v|` for each coordinate: the largest result for a vector of at most `|v|` along each axis.
     pub fn stretch(&self, v: Vector) -> Vector {
         let (m, v) = (self.forward.matrix3, v.0.abs());
         Vector(m.x_axis.abs() * v.x + m.y_axis.abs() * v.y + m.z_axis.abs() * v.z)
     }
 
-    /// `|M| |p| + |t|` for each coordinate: times a few u, a bound of the rounding error of
+    /// `|M| |p| + |t|` for each coordinate; a few u of it bound the rounding error of
     /// [`Transform::point`].
     pub fn magnitude(&self, p: Point) -> Vector {
         let (m, t) = (self.forward.matrix3, self.forward.translation.abs());

@@ -1,4 +1,4 @@
-//! Points, vectors and normals: three types, so that what has no meaning does not compile.
+//! Points, vectors and normals: three types, so that meaningless sums and products do not compile.
 //!
 //! ```compile_fail
 //! use groundtruth::math::Point;
@@ -37,7 +37,7 @@ use super::lists;
 
 const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 
-/// A place. `Point − Point` is a [`Vector`]; points cannot be added or scaled.
+/// A position. `Point − Point` is a [`Vector`]; points cannot be added or scaled.
 #[derive(Clone, Copy, PartialEq, Default, Serialize)]
 #[serde(into = "[f64; 3]")]
 pub struct Point(pub(super) DVec3);
@@ -71,7 +71,7 @@ macro_rules! coordinates {
 
             /// The coordinate along axis 0, 1 or 2.
             pub fn along(self, axis: usize) -> f64 {
-                self.to_array()[axis] // not `self.0[axis]`, which is a chain of branches
+                self.to_array()[axis] // `self.0[axis]` would compile to a chain of branches
             }
 
             /// The three coordinates.
@@ -220,7 +220,7 @@ impl Vector {
         Normal::new(self).map(Vector::from)
     }
 
-    /// The largest component, without its sign.
+    /// The largest absolute value of a component.
     pub fn max_abs(self) -> f64 {
         self.0.abs().max_element()
     }
@@ -237,12 +237,12 @@ impl Vector {
         Vector(self.0.max(other.0))
     }
 
-    /// Each component without its sign.
+    /// The absolute value of each component.
     pub fn abs(self) -> Vector {
         Vector(self.0.abs())
     }
 
-    /// The axis (0, 1, 2) along which the component is largest, without its sign.
+    /// The axis (0, 1, 2) of the component of largest absolute value.
     pub fn dominant_axis(self) -> usize {
         let a = self.0.abs();
         let (axis, larger) = if a.x > a.y { (0, a.x) } else { (1, a.y) };
@@ -260,11 +260,11 @@ impl Normal {
 
     /// The normal in the direction of `v`, unit within 4u; `None` if `v` is zero or not finite.
     pub fn new(v: Vector) -> Option<Self> {
-        let largest = v.max_abs(); // which overlooks NaN
+        let largest = v.max_abs(); // `max_abs` ignores NaN
         if largest == 0.0 || !v.is_finite() {
             return None;
         }
-        // far from 1 the squares would overflow or vanish; a power of two changes no digit
+        // far from 1 the squares would overflow or underflow; scaling by a power of two is exact
         let v = match largest {
             l if l < 1e-140 => v * TWO_TO_600,
             l if l > 1e140 => v * (1.0 / TWO_TO_600),

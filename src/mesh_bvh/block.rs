@@ -1,8 +1,8 @@
 //! Up to eight triangles on up to eight corners, tested at once: the leaves of a mesh's tree.
 //!
-//! The formulas are those of `watertight.rs`, the same for eight triangles as for one. What they find
-//! of a triangle that looks large is its hit, to the last bit; the others are undecided and left to
-//! [`ShearedRay::meet`], which computes their edge functions again.
+//! The formulas are those of `watertight.rs`, the same for eight triangles as for one. For a triangle
+//! that the ray sees at a large area the result is certain: its hit, to the last bit. The others are
+//! undecided; [`ShearedRay::meet`] computes their edge functions again.
 
 use arrayvec::ArrayVec;
 
@@ -12,31 +12,32 @@ use super::watertight::{Edges, ShearedRay, meeting, outside};
 use crate::candidate::Candidate;
 use crate::math::{Point, Span};
 
-/// Triangles of a block at most, and corners.
+/// The most triangles of a block, and the most corners.
 pub const SIZE: usize = 8;
 
-/// Four cache lines. Each corner is moved into the ray's coordinates once, for all its triangles.
+/// Triangles on shared corners, in four cache lines. Each corner is transformed into the ray's
+/// coordinates once, for all its triangles.
 #[derive(Debug)]
 #[repr(C, align(64))]
 pub struct Block {
-    /// The corners along x, y and z; those not needed repeat the first.
+    /// The x, y and z coordinates of the corners; unused ones repeat the first.
     corners: [[f64; SIZE]; 3],
     /// The corners a, b and c of each triangle.
     numbers: [[u8; SIZE]; 3],
-    /// Which triangles of the mesh they are.
+    /// The indices of the triangles in the mesh.
     indices: [u32; SIZE],
-    /// One bit for each triangle.
+    /// One bit for each slot with a triangle.
     used: u8,
 }
 
-/// What the test of a block found, by the triangles' slots; in masks one bit each.
+/// The result of the test of a block. The masks have one bit for each slot.
 #[derive(Clone, Copy, Default)]
 pub struct Found {
     /// Those with a hit inside the span.
     pub certain: u8,
-    /// Those that must still be tested by themselves.
+    /// Those that must still be tested one by one.
     pub undecided: u8,
-    /// The candidate of each certain one: triangle of the mesh, distance, β and γ.
+    /// The hit of each certain one: triangle of the mesh, distance, β and γ.
     part: [u32; SIZE],
     t: [f64; SIZE],
     parameters: [[f64; SIZE]; 2],
@@ -57,7 +58,7 @@ impl Found {
 struct Vertices(ArrayVec<u32, SIZE>);
 
 impl Vertices {
-    /// The index of a vertex among them, added if need be; `None` if there are too many.
+    /// The index of a vertex in the block, which is added if it is new; `None` if the block is full.
     fn index(&mut self, vertex: u32) -> Option<u8> {
         let known = self.0.iter().position(|&v| v == vertex);
         let index = match known {
@@ -103,15 +104,15 @@ impl Block {
     fn triangle(&self, slot: usize) -> [Point; 3] {
         let [x, y, z] = &self.corners;
         let corner = |numbers: &[u8; SIZE]| {
-            let place = usize::from(numbers[slot]) % SIZE;
-            Point::new(x[place], y[place], z[place])
+            let corner = usize::from(numbers[slot]) % SIZE;
+            Point::new(x[corner], y[corner], z[corner])
         };
         let [a, b, c] = &self.numbers;
         [corner(a), corner(b), corner(c)]
     }
 
-    /// Tests a triangle by itself.
-    #[cold] // the test of all finds nearly all hits; what is seldom run must not take its registers
+    /// Tests one triangle.
+    #[cold] // rarely called: the test of all triangles finds nearly all hits and needs the registers
     pub fn hit(&self, slot: usize, ray: &ShearedRay, span: Span) -> Option<Candidate> {
         let meeting = ray.meet(&self.triangle(slot))?;
         let (part, parameters) = (self.indices[slot], meeting.barycentric);
@@ -143,7 +144,7 @@ impl Block {
     #[inline(always)]
     #[allow(unsafe_code, reason = "instructions that not every processor has")]
     unsafe fn test_by<L: Eight>(&self, ray: &ShearedRay, span: Span, found: &mut Found) {
-        // SAFETY: the caller's; and a ray has three axes, 0 to 2 in some order
+        // SAFETY: the caller guarantees the instructions; the three axes of a ray are 0 to 2 in some order
         let corners = unsafe {
             let [x, y, z] = ray.axes.map(|axis| self.corners.get_unchecked(axis));
             [L::load(x), L::load(y), L::load(z)]
@@ -174,8 +175,8 @@ mod tests {
     use super::*;
     use crate::math::{Pcg32, Ray, Vector, power};
 
-    /// Five corners, in one box, that may be flat to a needle; half of them at a size between 10⁻¹⁶⁰ and
-    /// 10⁶⁰, where products of the least lose their digits.
+    /// Five corners in one box, which may be flat or thin as a needle. In half of the cases its size is
+    /// between 10⁻¹⁶⁰ and 10⁶⁰; products of the smallest numbers underflow.
     fn corners(random: &mut Pcg32) -> Vec<Point> {
         let mut x = || 2.0 * random.uniform() - 1.0;
         let size = power(10.0, [0.0, 110.0 * x() - 50.0][usize::from(x() > 0.0)]);
@@ -184,8 +185,8 @@ mod tests {
         std::iter::repeat_with(corner).take(5).collect()
     }
 
-    /// A ray at a point of a triangle, or at its edge or corner, from near or far, that may be almost
-    /// in its plane.
+    /// A ray towards a point, an edge or a corner of a triangle, from near or far, perhaps almost in its
+    /// plane.
     fn ray(random: &mut Pcg32, [a, b, c]: [Point; 3]) -> Ray {
         let mut x = || random.uniform();
         let [u, v] = [x(), x()].map(|w| [w, 0.0, 1.0][(3.0 * x()) as usize]);
@@ -199,8 +200,8 @@ mod tests {
         Ray::new(origin, power(10.0, 60.0 * x() - 30.0) * (target - origin))
     }
 
-    /// Law: what a block is certain of is the hit of the triangle alone, to the last bit; and it misses no
-    /// other. Oracle: one triangle at a time.
+    /// Law: a certain hit of a block is the hit of the triangle alone, to the last bit, and no hit is
+    /// missed. Oracle: one triangle at a time.
     #[test]
     fn a_block_finds_the_hits_of_its_triangles() {
         let mut random = Pcg32::new(2324, 0);

@@ -1,8 +1,8 @@
-//! From the binary tree to one of sixteen children a node, at the least expected cost.
+//! Turns the binary tree into a tree of sixteen children a node, of the least expected cost.
 //!
 //! Source: Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
-//! Wide BVHs" (HPG 2017), section 3: for every binary subtree, bottom up, the least cost of standing
-//! for it by at most 1, 2 … 15 children of one node. A child is a leaf or a node of its own.
+//! Wide BVHs" (HPG 2017), section 3: for every binary subtree, bottom up, the least cost of representing
+//! it by at most 1, 2 … 15 children of one node. A child is a leaf or a node.
 
 use arrayvec::ArrayVec;
 
@@ -14,16 +14,16 @@ use crate::math::Point;
 /// The cost of testing a node's boxes, in blocks of triangles.
 const NODE_COST: f64 = 1.0;
 
-/// What is best for one binary subtree.
+/// The best choices for one binary subtree.
 #[derive(Clone, Copy, Default)]
 struct Choice {
-    /// Alone, as one child: a leaf rather than a node.
+    /// As one child: whether a leaf rather than a node.
     leaf: bool,
-    /// As `i` children: so many for its left half; 0 if one child less is as good.
+    /// As `i` children: the number of children of its left half; 0 if `i − 1` children are as good.
     left: [u8; WIDTH + 1],
 }
 
-/// Least costs as 1 to 15 children; the first number is not used.
+/// The least costs as 1 to 15 children; index 0 is not used.
 type Costs = [f64; WIDTH];
 
 /// The wide tree of the least cost over a binary tree: its nodes, the root first, and the blocks of
@@ -48,7 +48,7 @@ pub fn collapse(
     (wide.nodes, wide.blocks)
 }
 
-/// Fills the choices of a subtree, and says what it costs.
+/// Fills in the choices of a subtree, and returns its costs.
 fn choose(tree: &[Binary], choices: &mut [Choice], order: &[u32], triangles: &[[u32; 3]]) -> Costs {
     let area = tree[0].bounds.half_area();
     let (choice, below) = choices.split_first_mut().expect("a tree has a root");
@@ -71,7 +71,7 @@ fn choose(tree: &[Binary], choices: &mut [Choice], order: &[u32], triangles: &[[
     let (inside, left) = shared(WIDTH);
     choice.left[WIDTH] = left;
     let node = NODE_COST * area + inside;
-    // a box of no area costs nothing: of equal costs the leaf, if there may be one
+    // a box of zero area costs nothing: at equal costs choose the leaf, if it is allowed
     choice.leaf = leaf <= node && leaf < f64::INFINITY;
     let mut costs = [leaf.min(node); WIDTH];
     for all in 2..WIDTH {
@@ -89,7 +89,7 @@ struct Subtree {
     first: usize,
 }
 
-/// The wide tree as far as it is built.
+/// The wide tree under construction.
 struct Wide<'a> {
     tree: &'a [Binary],
     choices: &'a [Choice],
@@ -101,7 +101,7 @@ struct Wide<'a> {
 }
 
 impl Wide<'_> {
-    /// Gives a node the children of least cost that stand for a subtree, and adds all below them.
+    /// Gives a node the children of least cost for a subtree, and adds everything below them.
     fn fill(&mut self, node: usize, subtree: Subtree) {
         let mut children = ArrayVec::new();
         let left = self.choices[subtree.root].left[WIDTH];
@@ -119,7 +119,7 @@ impl Wide<'_> {
         }
     }
 
-    /// Lists the roots of the `all` children that stand for a subtree.
+    /// Lists the roots of the `all` children that represent a subtree.
     fn roots(&self, subtree: Subtree, mut all: u8, children: &mut ArrayVec<Subtree, WIDTH>) {
         let choice = &self.choices[subtree.root];
         while all > 1 && choice.left[all as usize] == 0 {
@@ -145,7 +145,7 @@ impl Wide<'_> {
         self.roots(right, all - left, children);
     }
 
-    /// Adds the block of all triangles of a subtree; says which leaf it is.
+    /// Adds the block of all triangles of a subtree; returns the leaf's index.
     fn leaf(&mut self, Subtree { root, first }: Subtree) -> u32 {
         let count = self.tree[root].count as usize;
         let block = Block::new(&self.order[first..first + count], self.triangles, self.vertices);

@@ -1,13 +1,13 @@
-//! Which instructions the processor has for several boxes, or triangles, at once.
+//! The processor's instructions for several boxes, or triangles, at once.
 //!
-//! The choice is made when a structure is built and changes nothing but the speed: every kernel
-//! gives the same hits, to the last bit.
+//! The kernel is chosen when a structure is built and changes only the speed: every kernel gives the
+//! same hits, to the last bit.
 
-/// A set of instructions that this processor has: there is no other way to make one.
+/// A set of instructions that this processor has; it cannot be made on a processor without them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Kernel(Instructions);
 
-/// What kernels are written for.
+/// The sets of instructions for which there are kernels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Instructions {
     /// Plain Rust, for every processor.
@@ -58,15 +58,14 @@ impl Kernel {
     }
 }
 
-/// Asks for 448 bytes that will be needed soon to be brought nearer; nothing happens if there are
-/// none at that address.
+/// Prefetches 448 bytes that will be needed soon; does nothing if the address is not mapped.
 #[inline(always)]
 #[allow(unsafe_code, reason = "there is no other way to say it")]
 pub(super) fn prefetch(soon: *const u8) {
     #[cfg(target_arch = "x86_64")]
     for line in 0..7 {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        // SAFETY: a prefetch changes nothing, and ignores an address where there is nothing
+        // SAFETY: a prefetch changes nothing, and ignores an address that is not mapped
         unsafe { _mm_prefetch::<_MM_HINT_T0>(soon.wrapping_add(64 * line).cast()) };
     }
     #[cfg(not(target_arch = "x86_64"))]

@@ -3,21 +3,21 @@
 //! Everything is inlined into code that is compiled for these instructions; see
 //! `lanes64.rs`, where the same is done in double precision.
 
-/// Several numbers: each operation is done for each of them. There are values of this type only
-/// where the processor has the instructions for them.
+/// Several numbers: each operation is done for each of them. A value of this type proves that the
+/// processor has the instructions.
 #[allow(unsafe_code, reason = "instructions that not every processor has")]
 pub trait Lanes: Copy {
-    /// How many.
+    /// The number of lanes.
     const COUNT: usize;
 
     /// # Safety
-    /// The processor has the instructions, and there are so many numbers from there on.
+    /// The processor has the instructions, and `COUNT` numbers can be read from there.
     unsafe fn load(from: *const f32) -> Self;
     /// # Safety
     /// The processor has the instructions.
     unsafe fn all(number: f32) -> Self;
     /// # Safety
-    /// There is room for so many from there on.
+    /// `COUNT` numbers can be written there.
     unsafe fn store(self, to: *mut f32);
     /// `self · factor + term`, rounded once.
     fn times_plus(self, factor: Self, term: Self) -> Self;
@@ -25,7 +25,7 @@ pub trait Lanes: Copy {
     fn min(self, other: Self) -> Self;
     /// The greater of each two; of equal ones, such as −0 and +0, the second.
     fn max(self, other: Self) -> Self;
-    /// Where this is not above the other, one bit for each.
+    /// A mask of the lanes where this is not above the other.
     fn at_most(self, other: Self) -> u32;
 }
 

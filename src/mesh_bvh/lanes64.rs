@@ -1,8 +1,8 @@
-//! Numbers on which one formula works one at a time or eight at once, by AVX2 or AVX-512.
+//! One formula for one number at a time, or for eight at once by AVX2 or AVX-512.
 //!
-//! Everything is inlined into code that is compiled for these instructions, and no function has
-//! them as an attribute: such functions are not always inlined, and a call for each operation would
-//! cost more than the operation. All operations round as those of `f64` do.
+//! Everything is inlined into code that is compiled for these instructions. No function has a
+//! `target_feature` attribute: such functions are not always inlined, and a call costs more than the
+//! operation. All operations round as those of `f64` do.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -10,14 +10,14 @@ use std::ops::{Add, Div, Mul, Sub};
 pub trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// This number in each place.
+    /// This number in each lane.
     fn all(self, number: f64) -> Self;
     fn abs(self) -> Self;
-    /// The lesser of each two; if one is no number, the second.
+    /// The lesser of each two; if one is NaN, the second.
     fn min(self, other: Self) -> Self;
-    /// The greater of each two; if one is no number, the second.
+    /// The greater of each two; if one is NaN, the second.
     fn max(self, other: Self) -> Self;
-    /// Where this is less, one bit for each; never where either is no number.
+    /// A mask of the lanes where this is less; not set where either is NaN.
     fn less(self, than: Self) -> u8;
 }
 
@@ -32,7 +32,7 @@ impl Lanes for f64 {
         f64::abs(self)
     }
 
-    // `f64::min` takes care of what is no number, which costs three instructions more
+    // `f64::min` handles NaN differently, which costs three more instructions
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         if self < other { self } else { other }
@@ -49,16 +49,15 @@ impl Lanes for f64 {
     }
 }
 
-/// Eight numbers. There are values of this type only where the processor has the instructions for
-/// them.
+/// Eight numbers. A value of this type proves that the processor has the instructions.
 pub trait Eight: Lanes {
     /// # Safety
-    /// The processor has the instructions. (No value shows it yet.)
+    /// The processor has the instructions.
     #[allow(unsafe_code, reason = "instructions that not every processor has")]
     unsafe fn load(from: &[f64; 8]) -> Self;
     fn store(self, to: &mut [f64; 8]);
-    /// For each place the number at that one of the eight places.
-    fn pick(self, places: &[u8; 8]) -> Self;
+    /// For each lane, the number in the lane of this index.
+    fn pick(self, indices: &[u8; 8]) -> Self;
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -148,10 +147,10 @@ mod x86 {
         }
 
         #[inline(always)]
-        fn pick(self, places: &[u8; 8]) -> Self {
+        fn pick(self, indices: &[u8; 8]) -> Self {
             unsafe {
-                let places = _mm_cvtsi64_si128(i64::from_le_bytes(*places));
-                Self(_mm512_permutexvar_pd(_mm512_cvtepu8_epi64(places), self.0))
+                let indices = _mm_cvtsi64_si128(i64::from_le_bytes(*indices));
+                Self(_mm512_permutexvar_pd(_mm512_cvtepu8_epi64(indices), self.0))
             }
         }
     }
@@ -206,20 +205,20 @@ mod x86 {
         }
 
         #[inline(always)]
-        fn pick(self, places: &[u8; 8]) -> Self {
-            let places = u64::from_le_bytes(*places);
-            Self(self.pick_four(places as u32), self.pick_four((places >> 32) as u32))
+        fn pick(self, indices: &[u8; 8]) -> Self {
+            let indices = u64::from_le_bytes(*indices);
+            Self(self.pick_four(indices as u32), self.pick_four((indices >> 32) as u32))
         }
     }
 
     impl Avx2 {
-        /// By the lower two bits of its place from both halves, by the third from one of them. (A
-        /// double moves as two singles.)
+        /// The lower two bits of an index select a number from each half, the third bit selects the half.
+        /// (A double is moved as two singles.)
         #[inline(always)]
-        fn pick_four(self, places: u32) -> __m256d {
+        fn pick_four(self, indices: u32) -> __m256d {
             unsafe {
-                let places = _mm256_cvtepu8_epi64(_mm_cvtsi32_si128(places as i32));
-                let twice = _mm256_or_si256(places, _mm256_slli_epi64::<32>(places));
+                let indices = _mm256_cvtepu8_epi64(_mm_cvtsi32_si128(indices as i32));
+                let twice = _mm256_or_si256(indices, _mm256_slli_epi64::<32>(indices));
                 let halves = _mm256_set1_epi64x(1 << 32);
                 let singles = _mm256_add_epi32(_mm256_slli_epi32::<1>(twice), halves);
                 let low = _mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), singles);

@@ -1,11 +1,12 @@
 //! Meshes at speed: a tree with sixteen boxes to a node and blocks of eight triangles as leaves, each
 //! tested at once by SIMD instructions.
 //!
-//! It finds what the plain tree (`accel/bvh`) finds, to the last bit, several times sooner; nobody needs
-//! to read it to understand the ray tracer. The plain tree is built first, in the [`space`] of the mesh;
-//! [`collapse`] chooses from it the nodes and leaves of least expected cost; [`node`] tests sixteen boxes
-//! in single precision, [`block`] eight triangles by the formulas of [`watertight`], and [`walk`] goes
-//! from the root to the leaves. Every [`Kernel`] finds the same; one is plain Rust.
+//! It finds the same hits as the plain tree (`accel/bvh`), to the last bit, several times faster. Nobody
+//! needs to read it to understand the ray tracer. The plain tree is built first, in the normalised
+//! [`space`] of the mesh; [`collapse`] turns it into the wide tree of least expected cost; [`node`] tests
+//! sixteen boxes in single precision, [`block`] tests eight triangles by the formulas of [`watertight`],
+//! and [`walk`] traverses from the root to the leaves. Every [`Kernel`] finds the same hits; one is plain
+//! Rust.
 
 mod block;
 mod collapse;
@@ -42,7 +43,7 @@ pub struct MeshBvh {
 }
 
 impl MeshBvh {
-    /// Over these triangles on vertices, for this kernel. Indices must be below the number of vertices.
+    /// Builds the tree over these triangles. Their indices must be below the number of vertices.
     pub fn build(vertices: &[Point], triangles: &[[u32; 3]], kernel: Kernel) -> Self {
         assert!(triangles.len() < node::LEAF as usize, "the highest bit tells a leaf");
         let bounds =
@@ -61,7 +62,8 @@ impl MeshBvh {
         Self { space, nodes, blocks, kernel }
     }
 
-    /// The first hit, and what it costs: its triangle is the candidate's `part`, its parameters are β and γ.
+    /// The first hit: the candidate's `part` is its triangle, its parameters are β and γ. `counter` counts
+    /// the cost.
     pub fn nearest(&self, ray: &Ray, span: Span, counter: &mut impl Counter) -> Option<Candidate> {
         let mut search = Search::<_, false>::new(ray, span, counter);
         self.search(&mut search);
@@ -76,14 +78,14 @@ impl MeshBvh {
         search.found
     }
 
-    /// What the structure takes.
+    /// The memory of the structure.
     pub fn memory_bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(&*self.nodes) + size_of_val(&*self.blocks)
     }
 }
 
-/// The triangles with the first vertex at each point instead of others there, which have normals or
-/// uv of their own, or belong to one triangle only: so more triangles share corners in a block.
+/// The triangles with each vertex replaced by the first vertex at the same point. Vertices at one point
+/// may differ in normal or uv, which do not matter here. So more triangles share corners in a block.
 fn on_shared_vertices(vertices: &[Point], triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut known = HashMap::with_capacity(vertices.len());
     let first: Vec<u32> = (0..)

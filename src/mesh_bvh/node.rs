@@ -1,52 +1,51 @@
 //! A node: the boxes of sixteen children, tested at once.
 //!
-//! The boxes are in single precision, larger on all sides by [`PAD`] than those of the space
-//! (`space.rs`), so that no rounding here loses a box that the ray crosses. The roundings, as the
-//! distance by which each can move a plane, for an origin within 4.25 of the middle and planes within 1
-//! (u = 2⁻²⁴):
+//! The boxes are in single precision and larger by [`PAD`] on all sides than those of `space.rs`, so
+//! that no rounding here loses a box that the ray crosses. The list gives the distance by which each
+//! rounding can move a plane, for an origin within 4.25 of the centre and planes within 1 (u = 2⁻²⁴):
 //! - of the origin: 4 u;
-//! - of the direction and of one over it, relatively 1 u each, on a distance of at most 5.25: 11 u;
-//! - of its product with the origin, and of that less or plus the slack: 4.25 u each;
-//! - of its product with the plane, if that is not fused with the sum: 1 u;
+//! - of the direction and of its inverse, relatively 1 u each, on a distance of at most 5.25: 11 u;
+//! - of the product of inverse and origin, and of its sum with the slack: 4.25 u each;
+//! - of the product of inverse and plane, if it is not fused with the sum: 1 u;
 //! - of the sum: 5.25 u.
 //!
-//! Together 30 u, less than [`PAD`]. What the slack adds is less than a part in 2²⁰ of it. 1/d is at
-//! most 10¹⁸, and the largest component of d at least 10⁻⁹: that leaves any plane that is not within
-//! 2⁻²⁴ of the origin beyond the space.
+//! Together 30 u, less than [`PAD`]. The slack adds less than 2⁻²⁰ of itself. Clamping 1/d to 10¹⁸ is
+//! harmless: the largest component of d is at least 10⁻⁹, so a plane that is not within 2⁻²⁴ of the
+//! origin is still met beyond the space.
 
 use super::kernel::{Instructions, Kernel};
 use super::lanes32::Lanes;
 use super::space::SpaceRay;
 use crate::math::{Aabb, Singles, Span};
 
-/// Children of a node at most.
+/// The most children of a node.
 pub const WIDTH: usize = 16;
-/// The bit that tells a leaf among children; the others are its number.
+/// The bit that marks a child as a leaf; the other bits are its index.
 pub const LEAF: u32 = 1 << 31;
-/// How much the boxes are larger: 40 u.
+/// The padding of the boxes: 40 u.
 const PAD: f64 = 2.5 / (1 << 20) as f64;
 
-/// Seven cache lines.
+/// The boxes and indices of the children: seven cache lines.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct Node {
     /// The lower and the upper bounds along x, then along y, then along z.
     bounds: [f32; 6 * WIDTH],
-    /// The index of each child: of a node, or with the bit [`LEAF`] of a leaf.
+    /// The index of each child: of a node, or of a leaf if the bit [`LEAF`] is set.
     pub children: [u32; WIDTH],
 }
 
-/// A ray as single precision sees it. It enters and leaves the slab of a box between two planes at
-/// `inverse · plane + enters` and `… + leaves`.
+/// A ray in single precision. It enters a slab at `inverse · near plane + enters` and leaves it at
+/// `inverse · far plane + leaves`.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray32 {
     inverse: [f32; 3],
-    /// Where it meets the plane through the middle, less and plus the slack.
+    /// Where it meets the plane through the centre, minus and plus the slack.
     enters: [f32; 3],
     leaves: [f32; 3],
-    /// Where among a node's bounds those begin at which it enters, and those at which it leaves.
+    /// Where the near and the far planes begin in a node's bounds.
     rows: &'static Rows,
-    /// Hits before it do not count; never below +0.
+    /// The start of the search, at least +0.
     first: f32,
 }
 
@@ -57,7 +56,7 @@ struct Rows {
     far: [usize; 3],
 }
 
-/// By the signs of a direction's components, as bits.
+/// Indexed by the signs of a direction's components, as bits.
 static ROWS: [Rows; 8] = [
     Rows::of(0b000),
     Rows::of(0b001),
@@ -83,15 +82,15 @@ impl Rows {
 /// Which boxes the ray crosses, as a mask, and where it enters each.
 pub type Crossed = (u32, [f32; WIDTH]);
 
-/// Of a number that is not negative, one that is not above it: the factor takes off a unit in the last
-/// place at least, and rounding to single precision has added half of one at most. (Less than
-/// 10⁻³⁸ it may be above by 10⁻⁴⁵, which is nothing beside [`PAD`].)
+/// A single-precision number not above `x ≥ 0`: the factor subtracts at least one unit in the last place,
+/// and rounding to single precision adds at most half of one. (Below 10⁻³⁸ the result may exceed `x` by
+/// 10⁻⁴⁵, which is negligible beside [`PAD`].)
 #[inline(always)]
 fn rounded_down(x: f64) -> f32 {
     (1.0 - f32::EPSILON) * x as f32
 }
 
-/// The same, and not below it.
+/// A single-precision number not below `x ≥ 0`.
 #[inline(always)]
 pub fn rounded_up(x: f64) -> f32 {
     (1.0 + f32::EPSILON) * x as f32
@@ -171,17 +170,17 @@ impl Node {
         (mask, near)
     }
 
-    /// The same, but that the product with a plane is fused with the sum.
+    /// The same with fused multiply-add.
     ///
     /// # Safety
-    /// The processor has the instructions of `L`. (They are no attribute of this function, because it
-    /// could not always be inlined then; closures would have the same fault.)
+    /// The processor has the instructions of `L`. (A `target_feature` attribute here could prevent
+    /// inlining; so could a closure.)
     #[inline(always)]
     #[allow(unsafe_code, reason = "instructions that not every processor has")]
     unsafe fn crossed_by<L: Lanes>(&self, ray: &Ray32, last: f32) -> Crossed {
         let (mut mask, mut entries) = (0, [0.0; WIDTH]);
-        // SAFETY: the caller's; and all rows of bounds, and the entries, have WIDTH numbers, which is a
-        // multiple of those at once
+        // SAFETY: the caller guarantees the instructions; every row of bounds and the entries have WIDTH
+        // numbers, a multiple of `L::COUNT`
         unsafe {
             macro_rules! meets {
                 ($axis:literal, $rows:expr, $terms:expr, $some:expr) => {
@@ -196,7 +195,7 @@ impl Node {
                     meets!(1, ray.rows.near, ray.enters, some),
                     meets!(2, ray.rows.near, ray.enters, some),
                 ];
-                // of two zeros the second is taken: the start, which is +0 and not −0
+                // of equal numbers `max` returns the second: the start, +0 rather than −0
                 let near = x.max(y).max(z.max(L::all(ray.first)));
                 let [x, y, z] = [
                     meets!(0, ray.rows.far, ray.leaves, some),
@@ -223,13 +222,13 @@ mod tests {
     /// are zero or almost.
     fn ray(random: &mut Pcg32, within: &Aabb) -> Ray {
         let mut x = || 2.0 * random.uniform() - 1.0;
-        let mut place = |low: f64, high: f64| match (4.0 * x()) as i32 {
+        let mut coordinate = |low: f64, high: f64| match (4.0 * x()) as i32 {
             -3..=-2 => low,
             2..=3 => high,
             _ => low + (0.5 + 0.5 * x()) * (high - low),
         };
         let (min, max) = (within.min.to_array(), within.max.to_array());
-        let target = Point::from([0, 1, 2].map(|i| place(min[i], max[i])));
+        let target = Point::from([0, 1, 2].map(|i| coordinate(min[i], max[i])));
         let mut direction = [0, 1, 2].map(|_| x());
         let small = [0.0, -0.0, 1e-6, -1e-12, 1e-20, 1e-300];
         for d in &mut direction {
@@ -244,8 +243,8 @@ mod tests {
         Ray::new(target - power(10.0, 14.0 * random.uniform() - 1.0) * direction, direction)
     }
 
-    /// Law: rounded down and up, numbers enclose what they were, within three parts in 10⁷. Oracle: the
-    /// comparison in double precision, in which single precision is exact.
+    /// Law: a number lies between its values rounded down and up, which differ from it by less than
+    /// 2.5·10⁻⁷ of it. Oracle: comparison in double precision, where single precision is exact.
     #[test]
     fn rounding_encloses() {
         let mut random = Pcg32::new(2281, 0);
@@ -259,8 +258,8 @@ mod tests {
         assert_eq!([rounded_down(0.0), rounded_up(f64::INFINITY)], [0.0, f32::INFINITY]);
     }
 
-    /// Law: wherever a ray crosses a box in the space, each kernel has it cross the node's box, at
-    /// an interval that contains the other. Oracle: the slab test in `f64`.
+    /// Law: if a ray crosses a box of the space, every kernel finds that it crosses the node's box, in an
+    /// interval that contains the exact one. Oracle: the slab test in `f64`.
     #[test]
     fn a_node_contains_what_the_space_has_inside_it() {
         let mut random = Pcg32::new(2280, 0);
@@ -286,11 +285,11 @@ mod tests {
             let ray32 = Ray32::new(&ray, span);
             for kernel in Kernel::available() {
                 let (mask, entries) = node.crossed(kernel, &ray32, f32::INFINITY);
-                assert_eq!(mask & !(1 << slot), 0, "an empty place is crossed by {ray:?}");
+                assert_eq!(mask & !(1 << slot), 0, "an empty slot is crossed by {ray:?}");
                 if near <= far {
                     assert_eq!(mask, 1 << slot, "{kernel:?}: {ray:?} misses {boxed:?}");
                     assert!(f64::from(entries[slot]) <= near, "{kernel:?}: {ray:?}, {boxed:?}");
-                    // seen to the end, and not beyond by much
+                    // found if the search ends just beyond the entry
                     let seen = |last: f64| node.crossed(kernel, &ray32, last as f32).0 != 0;
                     assert!(seen(near.next_up() * (1.0 + 1e-6)), "{kernel:?}: {ray:?}, {boxed:?}");
                     let late = Ray32 { first: (far as f32).next_down().max(0.0), ..ray32 };

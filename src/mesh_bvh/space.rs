@@ -1,81 +1,81 @@
-//! The normalised space of a tree: its boxes lie in [−1, 1], so that single precision does for them.
+//! The normalised space of a tree: its boxes lie in [−1, 1], so that single precision is enough for them.
 //!
-//! The middle of all boxes is the origin, and the unit a power of two. A ray from nearby ([`NEAR`]) is
-//! moved and scaled with them. The origin of any other moves along the ray, to where its longest component
-//! is 2 before the middle: if the ray meets the boxes, it then starts at most 4 from the middle.
+//! The origin is the centre of all boxes, and the unit is a power of two. A ray from nearby ([`NEAR`]) is
+//! translated and scaled like the boxes. A ray from elsewhere also starts later: where its longest
+//! component is 2 before the centre. If it meets the boxes, it then starts at most 4 from the centre.
 //!
-//! Boxes are grown by a *slack* for what rounding does to a ray and to a hit: a part of the distance that
-//! the ray comes from. A ray without such numbers (from too far away, or with a direction that is far too
-//! long or short) is taken to cross every box.
+//! Boxes are grown by a *slack* that covers the rounding of ray and hit: a fraction of the distance from
+//! which the ray comes. A ray that cannot be represented (from too far away, or with a direction that is
+//! far too long or short) crosses every box.
 
 use crate::math::{Aabb, Point, Ray, Span, Vector, power_of_two};
 
 /// The slack, for each unit of distance: 2¹⁷ roundings.
 const SLACK: f64 = 1.0 / (1_u64 << 36) as f64;
-/// Origins with coordinates so small stay where they are: two scenes away.
+/// Origins with coordinates up to this are not moved: two scenes away.
 const NEAR: f64 = 4.0;
-/// What moves starts so far before the middle.
+/// A moved origin is this far before the centre.
 const BEFORE: f64 = 2.0;
-/// Larger slacks would be of the size of the boxes.
+/// The largest slack: with a larger one a ray crosses every box.
 const MOST_SLACK: f64 = 0.25;
-/// Directions whose largest component is of such a size are used as they are.
+/// Directions whose largest component is in this range are not scaled.
 const ORDINARY: std::ops::Range<f64> = 1e-9..1e9;
-/// Scales with which `f64` is far from its limits.
+/// Scales for which no number overflows or underflows.
 const SCALES: std::ops::Range<f64> = 1e-100..1e100;
-/// The boxes are taken to be no smaller than this part of their coordinates.
+/// The least size of the space, relative to the largest coordinate.
 const LEAST_SIZE: f64 = 1.0 / (1 << 30) as f64;
 
-/// Where the boxes lie, and how large they are.
+/// The map from the world to the normalised space.
 #[derive(Clone, Copy, Debug)]
 pub struct Space {
-    middle: Point,
+    center: Point,
     /// Units of this space in one unit of the world.
     scale: f64,
-    /// The size of the space, or the largest coordinate in the world if that is more, in units of the
-    /// space.
-    reach: f64,
+    /// The coordinate extent: the largest coordinate in the world, in units of the space, but at least
+    /// [`NEAR`].
+    extent: f64,
 }
 
-/// A ray in the space. What it meets at `t` is at `origin + (unit·t − start) · direction`.
+/// A ray in the space. The point at `t` is `origin + (unit·t − start) · direction`.
 #[derive(Clone, Copy, Debug)]
 pub struct SpaceRay {
     pub origin: Vector,
     pub direction: Vector,
-    /// By how much boxes are grown.
+    /// The amount by which boxes are grown.
     pub slack: f64,
     unit: f64,
     start: f64,
 }
 
 impl Space {
-    /// Around this box, which is bounded.
+    /// The space of boxes inside `whole`, which is bounded.
     pub fn around(whole: &Aabb) -> Self {
         let (min, max) = (0.5 * whole.min.to_vector(), 0.5 * whole.max.to_vector()); // no overflow
         let largest = whole.largest_coordinate();
         let size = (max - min).max_abs().max(LEAST_SIZE * largest);
-        // the power of two above the size, but for sizes that have no such reciprocal
+        // the power of two above the size, unless its reciprocal would overflow
         let scale = 0.25 * power_of_two(1 - exponent(size).max(-1000));
-        Self { middle: Point::ORIGIN + (min + max), scale, reach: (scale * largest).max(NEAR) }
+        Self { center: Point::ORIGIN + (min + max), scale, extent: (scale * largest).max(NEAR) }
     }
 
     /// A box of the world in this space.
     pub fn boxed(&self, bounds: &Aabb) -> Aabb {
-        let point = |p| Point::ORIGIN + self.from_middle(p);
+        let point = |p| Point::ORIGIN + self.from_center(p);
         Aabb { min: point(bounds.min), max: point(bounds.max) }
     }
 
     #[inline]
-    fn from_middle(&self, p: Point) -> Vector {
-        self.scale * (p - self.middle)
+    fn from_center(&self, p: Point) -> Vector {
+        self.scale * (p - self.center)
     }
 
-    /// The ray in this space, or `None` if it passes beside all boxes. With a span that begins before
-    /// its origin it starts before all boxes.
+    /// The ray in this space, or `None` if it passes beside all boxes. If the span begins before the
+    /// ray's origin, the ray starts before all boxes.
     #[inline(always)] // a call would return it in memory, just before it is read
     pub fn ray(&self, ray: &Ray, span: Span) -> Option<SpaceRay> {
         let direction = ray.direction;
-        let (mut origin, mut start) = (self.from_middle(ray.origin), 0.0);
-        let slack = SLACK * self.reach.max(origin.max_abs());
+        let (mut origin, mut start) = (self.from_center(ray.origin), 0.0);
+        let slack = SLACK * self.extent.max(origin.max_abs());
         let ordinary = ORDINARY.contains(&direction.max_abs()) && SCALES.contains(&self.scale);
         if !(ordinary && slack <= MOST_SLACK) {
             return Some(SpaceRay::EVERYWHERE);
@@ -85,7 +85,7 @@ impl Space {
             let (x, d) = (origin.along(axis), direction.along(axis));
             start = -(x + BEFORE.copysign(d)) / d;
             origin += start * direction;
-            // as far as it comes if it meets the boxes, grown by the slack
+            // the farthest start of a ray that meets the boxes, grown by the slack
             if origin.max_abs() > 4.25 + 4.0 * slack {
                 return None;
             }
@@ -95,7 +95,7 @@ impl Space {
 }
 
 impl SpaceRay {
-    /// Crosses every box, and every hit of it is at 0.
+    /// A ray that crosses every box, and has every hit at 0.
     const EVERYWHERE: Self = Self {
         origin: Vector::ZERO,
         direction: Vector::new(1.0, 1.0, 1.0),
@@ -104,27 +104,27 @@ impl SpaceRay {
         start: 0.0,
     };
 
-    /// Where the span begins in this space, or the ray.
+    /// Where the span begins in this space, or the ray if that is later.
     #[inline]
     pub fn first(&self, span: Span) -> f64 {
-        self.at(span.min).max(0.0) // also where it is not a number
+        self.at(span.min).max(0.0) // `max` turns NaN into 0
     }
 
-    /// Where what is at `t` lies, the end of what is wanted.
+    /// The end of the search in this space, for a search that ends at `t`.
     #[inline]
     pub fn last(&self, t: f64) -> f64 {
-        self.at(t).min(f64::INFINITY) // also where it is not a number
+        self.at(t).min(f64::INFINITY) // `min` turns NaN into ∞
     }
 
-    /// The distance from the ray's origin in this space of what is at `t`; monotone in `t`.
+    /// The distance in this space from the ray's origin to the point at `t`; monotone in `t`.
     #[inline]
     fn at(&self, t: f64) -> f64 {
         self.unit * t - self.start
     }
 }
 
-/// `e` with `2^e ≤ x < 2^(e + 1)`, for a positive normal number; −1023 for 0 and what is too small,
-/// 1024 for what is no number.
+/// `e` with `2^e ≤ x < 2^(e + 1)`, for a positive normal number; −1023 for 0 and subnormal numbers, 1024
+/// for ∞ and NaN.
 #[inline]
 fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
@@ -135,9 +135,9 @@ mod tests {
     use super::*;
     use crate::math::{BoxRay, Pcg32, power};
 
-    /// Law: a ray to a point of the boxes, from near or far, starts near the middle, keeps the point where
-    /// it is, at its `t`, and has nothing of the boxes behind its start if the span is a line; one that
-    /// passes the boxes by is none, or crosses nothing. Oracle: the point itself.
+    /// Law: a ray towards a point of the boxes, from near or far, starts near the centre and has the point
+    /// at its `t`. If the span is a line, no part of the boxes is behind its start. A ray that passes
+    /// beside the boxes is `None` or crosses nothing. Oracle: the point itself.
     #[test]
     fn a_ray_enters_with_all_that_it_meets() {
         let mut random = Pcg32::new(2210, 0);
@@ -145,12 +145,12 @@ mod tests {
         for case in 0..30_000 {
             let mut x = || 2.0 * random.uniform() - 1.0;
             let size = power(10.0, 30.0 * x());
-            let middle = Point::ORIGIN + size * (3.0 * Vector::new(x(), x(), x()));
+            let center = Point::ORIGIN + size * (3.0 * Vector::new(x(), x(), x()));
             let half = size * Vector::new(0.1 + x().abs(), 0.1 + x().abs(), 0.1 + x().abs());
-            let bounds = Aabb { min: middle - half, max: middle + half };
+            let bounds = Aabb { min: center - half, max: center + half };
             let space = Space::around(&bounds);
             let offset = Vector::new(x() * half.x(), x() * half.y(), x() * half.z());
-            let target = middle + offset;
+            let target = center + offset;
             let distance = power(10.0, 6.0 * x()) * half.max_abs();
             let thin = [1.0, 1e-3, 1e-12, 0.0][case % 4];
             let way =
@@ -164,7 +164,7 @@ mod tests {
                 *[&mut stayed, &mut moved][usize::from(inside.start != 0.0)] += 1;
                 assert!(inside.origin.max_abs() <= 4.0 + 1e-6, "{inside:?}");
                 let there = inside.origin + inside.at(t) * inside.direction;
-                let from = space.from_middle(ray.origin).max_abs().max(4.0);
+                let from = space.from_center(ray.origin).max_abs().max(4.0);
                 let off = (there - at).max_abs();
                 assert!(off <= 64.0 * f64::EPSILON * from, "off by {off:e}: {ray:?} {inside:?}");
                 let in_space = Ray::new(Point::ORIGIN + inside.origin, inside.direction);
@@ -185,7 +185,8 @@ mod tests {
         assert!(stayed > 5_000 && moved > 5_000, "{stayed} {moved}");
     }
 
-    /// Law: a ray without numbers in the space crosses every box, and wants every hit. Oracle: the words.
+    /// Law: a ray that cannot be represented crosses every box, and no hit is too far. Oracle: the
+    /// definition.
     #[test]
     fn a_ray_without_numbers_crosses_everything() {
         let space = Space::around(&Aabb::around([Point::ORIGIN, Point::new(1.0, 1.0, 1.0)]));

@@ -1,40 +1,40 @@
-//! What waits while a walk goes down elsewhere.
+//! The stack of children that a walk visits later.
 
 use std::mem::MaybeUninit;
 
 use super::node::WIDTH;
 use crate::accel::build::DEEPEST;
 
-/// Children that wait, each as one number, its distance above its place.
+/// Children to visit, each as one number: its distance in the upper bits, its index in the lower.
 pub struct Stack<'a> {
     pub room: &'a mut Room,
-    /// So many have been written.
+    /// The first `len` are written.
     pub len: usize,
 }
 
-/// Where children wait: at most fifteen for each node above the present one.
+/// Room for the stack: at most fifteen children for each node above the present one.
 pub type Room = [MaybeUninit<u64>; (WIDTH - 1) * DEEPEST];
 
-// so many can be counted where a walk stops
+// `Stop::Undecided` stores the length in a `u16`
 const _: () = assert!((WIDTH - 1) * DEEPEST <= u16::MAX as usize);
 
 impl Stack<'_> {
-    /// Nothing waits.
+    /// An empty stack's.
     pub const ROOM: Room = [const { MaybeUninit::uninit() }; (WIDTH - 1) * DEEPEST];
 
-    /// Puts a child below the nearer ones, but above `bottom`.
+    /// Inserts a child below the nearer ones, but not below `bottom`.
     #[inline(always)]
     pub fn insert(&mut self, bottom: usize, child: u64) {
-        let mut place = self.len;
-        while place > bottom && self.get(place - 1) < child {
-            self.room[place].write(self.get(place - 1));
-            place -= 1;
+        let mut index = self.len;
+        while index > bottom && self.get(index - 1) < child {
+            self.room[index].write(self.get(index - 1));
+            index -= 1;
         }
-        self.room[place].write(child);
+        self.room[index].write(child);
         self.len += 1;
     }
 
-    /// The last.
+    /// Removes the top of the stack, the nearest.
     #[inline(always)]
     pub fn pop(&mut self) -> Option<u64> {
         self.len = self.len.checked_sub(1)?;
@@ -43,8 +43,8 @@ impl Stack<'_> {
 
     #[inline(always)]
     #[allow(unsafe_code, reason = "clearing the stack for each ray would take a tenth of its time")]
-    fn get(&self, place: usize) -> u64 {
-        // SAFETY: places below `len` have been written, and no other is read
-        unsafe { self.room[place].assume_init() }
+    fn get(&self, index: usize) -> u64 {
+        // SAFETY: the entries below `len` are written, and no other is read
+        unsafe { self.room[index].assume_init() }
     }
 }

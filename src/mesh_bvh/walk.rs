@@ -1,7 +1,7 @@
-//! From the root to the leaves, the nearest first.
+//! Traversal of the tree from the root to the leaves, the nearest first.
 //!
-//! The walk is compiled once for each [`Kernel`]: only then do the kernels become part of it rather than
-//! calls. (A closure would be called, and not compiled for the kernel's instructions.)
+//! The traversal is compiled once for each [`Kernel`], because only then are the kernels inlined. (A
+//! closure would not be compiled for the kernel's instructions.)
 
 use super::MeshBvh;
 use super::block::Found;
@@ -14,13 +14,14 @@ use crate::accel::Counter;
 use crate::candidate::Candidate;
 use crate::math::{Ray, Span};
 
-/// A search along a ray: for the nearest hit, or for `ANY`.
+/// A search along a ray for the nearest hit, or for any hit if `ANY`.
 pub struct Search<'a, C, const ANY: bool> {
     ray: &'a Ray,
     sheared: ShearedRay,
-    /// Where hits are still wanted.
+    /// Hits inside it can still replace the one found.
     span: Span,
-    /// No hit beyond this is wanted: known sooner than the span, which ends with the next number.
+    /// The `t` of the hit found, or the end of the span: available sooner than `span.max`, which is the
+    /// next larger number.
     end: f64,
     pub found: Option<Candidate>,
     counter: &'a mut C,
@@ -33,38 +34,38 @@ impl<'a, C: Counter, const ANY: bool> Search<'a, C, ANY> {
         Self { ray, sheared, span, end: span.max, found: None, counter }
     }
 
-    /// Keeps a hit inside the span if it is the nearest, or of equal ones that of the first triangle; says
-    /// whether the search has enough.
+    /// Keeps a hit inside the span if it is the nearest; of equally near hits, that of the first triangle.
+    /// Returns whether the search is finished.
     #[inline(always)]
     fn keep_if_first(&mut self, hit: Candidate) -> bool {
         let comes_after = |best: Candidate| hit.t == best.t && hit.part > best.part;
         if ANY || !self.found.is_some_and(comes_after) {
             self.found = Some(hit);
             self.end = hit.t;
-            self.span = self.span.through(hit.t); // equal `t` must still be seen
+            self.span = self.span.through(hit.t); // a hit with equal `t` must still be found
         }
         ANY
     }
 
-    /// How far away in the tree's space a hit may still be, rounded up; before all of it where it is
-    /// negative.
+    /// The largest distance of a useful hit in the tree's space, rounded up; if it is negative, no hit is
+    /// useful.
     #[inline(always)]
     fn last(&self, ray: &SpaceRay) -> f32 {
         rounded_up(ray.last(self.end))
     }
 }
 
-/// Why a walk stops. (Together eight bytes, which are returned in a register: read from memory just after
-/// they were written piece by piece, they would stall.)
+/// Why a walk stops. (Eight bytes, returned in a register: a return through memory would stall, because
+/// it is read whole just after it was written in pieces.)
 enum Stop {
-    /// The search has enough, or nothing waits any more.
+    /// The search is finished, or the stack is empty.
     Ended,
-    /// Before those triangles of a block that are undecided; so many children still wait.
+    /// Some triangles of a block are undecided; `waiting` children are on the stack.
     Undecided { leaf: u32, slots: u8, waiting: u16 },
 }
 
 impl MeshBvh {
-    /// Tests every triangle that the search might still want, until it has enough.
+    /// Tests every triangle that may have a hit in the search's span, until the search is finished.
     #[inline(always)]
     pub(super) fn search<C: Counter, const ANY: bool>(&self, search: &mut Search<'_, C, ANY>) {
         let mut room = Stack::ROOM;
@@ -74,8 +75,8 @@ impl MeshBvh {
         }
     }
 
-    /// Decides what a walk stopped before, and walks on. (Calls in the walk itself would have it keep its
-    /// numbers in memory; for the same reason it makes the ray anew.)
+    /// Tests the undecided triangles, then continues the walk. (A call inside the walk would force its
+    /// registers into memory; for the same reason each walk prepares the ray again.)
     #[cold]
     fn go_on<C: Counter, const ANY: bool>(
         &self,
@@ -148,7 +149,7 @@ impl MeshBvh {
         self.walk(search, from, stack, Kernel::AVX512)
     }
 
-    /// Visits what is below a node and what waits, the nearest first.
+    /// Visits the subtree of a node, then the children on the stack, the nearest first.
     #[inline(always)]
     fn walk<C: Counter, const ANY: bool>(
         &self,
@@ -188,7 +189,7 @@ impl MeshBvh {
                     last = search.last(&ray);
                 }
             }
-            // equal distance is not farther: ties are settled by the order of triangles
+            // a child at equal distance is visited: ties are settled by the order of triangles
             next = loop {
                 let Some(waiting) = stack.pop() else { return Stop::Ended };
                 if f32::from_bits((waiting >> 32) as u32) <= last {
@@ -198,7 +199,7 @@ impl MeshBvh {
         }
     }
 
-    /// From a node to the nearest leaf below it that is crossed.
+    /// Descends from a node by its nearest crossed children to a leaf.
     #[inline(always)]
     fn descend(
         &self,
@@ -232,7 +233,7 @@ impl MeshBvh {
         }
         let others = mask & (mask - 1);
         if others == 0 {
-            // without its distance, for which the next node would have to wait
+            // without its distance: the next node would have to wait for it
             return Some(node.children[mask.trailing_zeros() as usize % WIDTH]);
         }
         let bottom = stack.len;
@@ -249,8 +250,7 @@ impl MeshBvh {
         Some(nearest as u32)
     }
 
-    /// Fetches a node or block that will be visited. Both addresses are worked out, because which of
-    /// them it is can hardly be predicted.
+    /// Prefetches a node or block. Both addresses are computed: a branch between them is hard to predict.
     #[inline(always)]
     fn fetch(&self, child: u32) {
         let node = self.nodes.as_ptr().wrapping_add(child as usize).cast();
@@ -258,7 +258,7 @@ impl MeshBvh {
         prefetch(if child & LEAF == 0 { node } else { block });
     }
 
-    /// Tests these triangles of a block by themselves; says whether the search has enough.
+    /// Tests these triangles of a block one by one; returns whether the search is finished.
     #[inline(always)]
     fn decide<C: Counter, const ANY: bool>(
         &self,
@@ -281,8 +281,8 @@ impl MeshBvh {
     }
 }
 
-/// The first child of a mask as one number, its distance (which is not negative) above its index, so that
-/// these numbers are in order as distances are.
+/// The first child of a mask as one number: its distance, which is not negative, in the upper bits and
+/// its index in the lower. So the numbers are ordered by distance.
 #[inline(always)]
 fn first_child(node: &Node, mask: u32, near: &[f32; WIDTH]) -> u64 {
     let slot = mask.trailing_zeros() as usize % WIDTH;

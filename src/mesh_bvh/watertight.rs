@@ -9,20 +9,20 @@
 use super::lanes64::Lanes;
 use crate::math::{Normal, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross};
 
-/// From this on plain products do: the area of a triangle as a ray sees it, in terms of the products
-/// of which it is the sum. Each of the three weights is then wrong by a share of 2u/`LEAST_AREA` = 32u
-/// at most, all together, and `t` by so much of the depth between corners, which is less than what the
-/// rounding of the corners themselves can make of it, its condition.
+/// The least projected area of a triangle, relative to the products it is the sum of, for which plain
+/// products are accurate enough. The relative error of the three weights together is then at most
+/// 2u/`LEAST_AREA` = 32u, and that of `t` is 32u of the range of the corners' depths. The rounding of the
+/// corners themselves (the condition of `t`) has a larger effect.
 const LEAST_AREA: f64 = 1.0 / 16.0;
-/// Added to the least area, so that no digits of a product that counts are lost below the normal numbers.
+/// Added to the least area, so that underflow of a product cannot matter.
 const LEAST_PRODUCTS: f64 = 1e-140;
 
 /// A ray prepared for triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct ShearedRay {
-    /// Which of the world's axes are its x, y and z.
+    /// The world's axes that are its x, y and z.
     pub(super) axes: [usize; 3],
-    /// In the order of its own axes.
+    /// Its origin, in the order of its own axes.
     origin: [f64; 3],
     shear: [f64; 3],
 }
@@ -46,8 +46,8 @@ impl ShearedRay {
         }
     }
 
-    /// The meeting with a triangle, at any `t`; `None` if the ray passes beside it, lies in its
-    /// plane, or anything is not a number.
+    /// The intersection with a triangle, at any `t`; `None` if the ray passes beside it, lies in its
+    /// plane, or a result is NaN.
     #[inline]
     pub fn meet(&self, corners: &[Point; 3]) -> Option<Meeting> {
         match self.axes[2] {
@@ -57,8 +57,7 @@ impl ShearedRay {
         }
     }
 
-    /// The same bits for a ray that is asked for one triangle: what `new` and `meet` do, with one
-    /// choice of the axis for both.
+    /// `new` and `meet` in one, with the same bits, for a ray that is tested against a single triangle.
     #[inline]
     pub fn meet_once(ray: &Ray, corners: &[Point; 3]) -> Option<Meeting> {
         match ray.direction.dominant_axis() {
@@ -77,7 +76,7 @@ impl ShearedRay {
         Self { axes, origin: [origin[axes[0]], origin[axes[1]], origin[Z]], shear }
     }
 
-    /// Vertices as the ray sees them, given along its axes: offset across the ray, and depth.
+    /// Vertices, given along the ray's axes, in the ray's coordinates: two offsets across it, and depth.
     #[inline(always)]
     pub fn see<L: Lanes>(&self, [x, y, z]: [L; 3]) -> [L; 3] {
         let [origin_x, origin_y, origin_z] = self.origin;
@@ -92,8 +91,8 @@ impl ShearedRay {
         self.see([v[(Z + 1) % 3], v[(Z + 2) % 3], v[Z]])
     }
 
-    // Inlined, and without `map` of arrays, which is called and hands over in memory: together two
-    // thirds of the time.
+    // inlined, and without `map` of arrays, which is a call that passes its result in memory: saves a
+    // third of the time
     #[inline(always)]
     fn meet_along<const Z: usize>(&self, corners: &[Point; 3]) -> Option<Meeting> {
         let [ax, ay, az] = self.see_along::<Z>(corners[0]);
@@ -119,14 +118,14 @@ impl ShearedRay {
 /// The edge functions, by plain products, of one triangle or of several.
 #[derive(Clone, Copy)]
 pub struct Edges<L> {
-    /// Twice the areas of the parts into which the ray divides the triangle, as the ray sees it.
+    /// Twice the projected areas of the three parts into which the ray divides the triangle.
     pub parts: [L; 3],
-    /// The sum of the products of which these are the differences.
+    /// The sum of the absolute products that `parts` are differences of.
     products: L,
 }
 
 impl<L: Lanes> Edges<L> {
-    /// Of triangles with these corners, seen along the ray.
+    /// The edge functions of triangles with these corners in the ray's coordinates.
     #[inline(always)]
     pub fn of([ax, ay]: [L; 2], [bx, by]: [L; 2], [cx, cy]: [L; 2]) -> Self {
         let (u_plus, u_minus) = (cx * by, cy * bx);
@@ -140,7 +139,7 @@ impl<L: Lanes> Edges<L> {
         }
     }
 
-    /// Where plain products do.
+    /// Where plain products are accurate enough.
     #[inline(always)]
     pub fn large(&self) -> u8 {
         let [u, v, w] = self.parts;
@@ -149,7 +148,7 @@ impl<L: Lanes> Edges<L> {
     }
 }
 
-/// Where the signs of the edge functions differ, so that the ray passes beside.
+/// Where the signs of the edge functions differ: the ray passes beside the triangle.
 #[inline(always)]
 pub fn outside<L: Lanes>(parts: [L; 3]) -> u8 {
     let zero = parts[0].all(0.0);
@@ -164,14 +163,14 @@ pub struct Met<L> {
     pub gamma: L,
 }
 
-/// The meeting that these edge functions tell, with triangles whose corners are so far away.
+/// The intersection by these edge functions with triangles whose corners have these depths.
 #[inline(always)]
 pub fn meeting<L: Lanes>([u, v, w]: [L; 3], depths: [L; 3]) -> Met<L> {
     let [a, b, c] = depths;
     let sum = u + v + w;
-    let t = (u * a + v * b + w * c) / sum; // no slower: it need not wait for the reciprocal
-    // the true t lies between the depths of the corners; a rounded one must too, or a
-    // bounding box could hide it from one accelerator and not from another
+    let t = (u * a + v * b + w * c) / sum; // no slower: it does not wait for the reciprocal
+    // The true t lies between the depths of the corners; the rounded one must too, or one accelerator's
+    // bounding box could cull a hit that another finds.
     let t = greatest(depths).min(least(depths).max(t));
     let inverse = sum.all(1.0) / sum;
     Met { t, beta: v * inverse, gamma: w * inverse }
@@ -202,9 +201,9 @@ pub fn normal([a, b, c]: [Point; 3]) -> Option<Normal> {
     Normal::new(exact_cross(a, b, c))
 }
 
-/// The point with these barycentric coordinates, and a bound of how far along the normal the test
-/// above may see the triangle from it: rounding of the vertices relative to the ray's origin, and
-/// of their shear.
+/// The point with these barycentric coordinates, and a bound of its distance, along the normal, from the
+/// triangle that the test above intersects: rounding of the vertices relative to the ray's origin, and of
+/// their shear.
 pub fn point_on([a, b, c]: [Point; 3], [beta, gamma]: [f64; 2], n: Normal) -> (Point, f64) {
     let (ab, ac) = (b - a, c - a);
     let raw = a + (beta * ab + gamma * ac);

@@ -1,4 +1,4 @@
-//! The faces of a mesh file: polygons, and how they become triangles.
+//! The faces of a mesh file: polygons, and their triangulation.
 //!
 //! A convex polygon becomes a fan around its first corner. Any other is cut ear by ear (Meisters,
 //! *Polygons have ears*, American Mathematical Monthly 82, 1975): an ear is a triangle of three corners
@@ -16,7 +16,7 @@ const MOST_CORNERS: usize = 10_000;
 
 const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 
-/// Polygons, as places in a list of vertices.
+/// Polygons, as indices into a list of vertices.
 #[derive(Default)]
 pub(super) struct Faces {
     corners: Vec<u32>,
@@ -85,7 +85,7 @@ fn fan<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 3]> {
     corners[1..].windows(2).map(|side| [corners[0], side[0], side[1]])
 }
 
-/// A corner of a polygon, and its place in a coordinate plane that sees the polygon
+/// A corner of a polygon, and its position in a coordinate plane in which the polygon is
 /// counter-clockwise.
 #[derive(Clone, Copy)]
 struct Corner {
@@ -151,7 +151,7 @@ impl Ring {
         let count = self.0.len();
         let ear = [at + count - 1, at, at + 1].map(|i| self.0[i % count]);
         let [a, b, c] = ear.map(|corner| corner.at);
-        // a corner at the place of one of these is the other end of a cut to a hole
+        // a corner at the same position as one of these is the other end of a cut to a hole
         let inside = |p: [f64; 2]| {
             ![a, b, c].contains(&p)
                 && [[a, b, p], [b, c, p], [c, a, p]].into_iter().all(|t| doubled_area(t) >= 0.0)

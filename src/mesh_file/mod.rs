@@ -1,10 +1,9 @@
 //! Mesh files: PLY (all three encodings) and Wavefront OBJ, read into plain arrays (Suffern, ch. 23).
 //!
-//! A file is read whole, and its header is believed only as far as the bytes that follow it reach:
-//! besides the file itself, reading takes less than 64 bytes for each byte of the file, whatever
-//! the file says. What comes out is complete and in range: finite numbers, indices of vertices
-//! that exist, one normal and one uv per vertex or none at all. Triangles without area, normals
-//! that are not unit and vertices that no triangle uses are left to the mesh.
+//! A file is read whole. The counts in its header are limited by the bytes that follow: besides the file
+//! itself, reading takes less than 64 bytes for each byte of the file. The result is complete and in
+//! range: finite numbers, indices of existing vertices, one normal and one uv per vertex or none at all.
+//! The mesh handles triangles without area, normals that are not unit and unused vertices.
 //!
 //! The readers are our own. `tobj` 4.0 overflows on a texture or normal index out of range, shifts
 //! the texture coordinates when only some corners have one, turns polylines into triangles and
@@ -24,7 +23,7 @@ use faces::Faces;
 pub use obj::parse_obj;
 pub use ply::{Encoding, parse_ply, write_ply};
 
-/// What a mesh file holds; polygons, also such as are not convex, are already split into triangles.
+/// The contents of a mesh file. Polygons, convex or not, are already split into triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshData {
     /// Positions, finite.
@@ -72,7 +71,7 @@ fn checked(mut data: MeshData, faces: &Faces) -> Result<MeshData, MeshFileError>
     Ok(data)
 }
 
-/// As many as a `u32` can count?
+/// Fails if `count` exceeds `u32::MAX`.
 fn at_most_u32(what: &'static str, count: u64) -> Result<(), MeshFileError> {
     if count > u64::from(u32::MAX) {
         return Err(MeshFileError::TooMany { what, count });
@@ -80,7 +79,7 @@ fn at_most_u32(what: &'static str, count: u64) -> Result<(), MeshFileError> {
     Ok(())
 }
 
-/// The bytes without the mark of UTF-8 that some editors put in front.
+/// The bytes without the byte-order mark that some editors put in front.
 fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }

@@ -73,7 +73,7 @@ impl super::Question for CameraRay {
             (side, _) => view.eye(side.unwrap_or(Side::Left)),
         };
         let place = in_square("place", self.place, CLOSED)?;
-        let film = render::film_place(&image, self.pixel, place);
+        let film = render::film_point(&image, self.pixel, place);
         let [x, y] = self.lens;
         let on_the_lens = x * x + y * y <= 1.0;
         if !on_the_lens {

@@ -1,4 +1,4 @@
-//! The cells of a regular grid: how many, what is in them, and which a ray visits.
+//! The cells of a regular grid: their number, their contents, and those that a ray visits.
 
 use serde::{Deserialize, Serialize};
 
@@ -140,9 +140,9 @@ fn bounds_of(shapes: &[Kind]) -> Result<Vec<Aabb>, Invalid> {
 
 /// The cell, if the grid has it.
 fn inside(cell: [u32; 3], resolution: [usize; 3]) -> Result<[usize; 3], Invalid> {
-    let place = cell.map(|at| at as usize);
-    if place.iter().zip(resolution).all(|(&at, count)| at < count) {
-        return Ok(place);
+    let indices = cell.map(|at| at as usize);
+    if indices.iter().zip(resolution).all(|(&at, count)| at < count) {
+        return Ok(indices);
     }
     let [x, y, z] = resolution;
     let problem = format!("found {cell:?}, but the grid has {x} × {y} × {z} cells, counted from 0");

@@ -1,4 +1,4 @@
-//! What one line may cost: no line takes gigabytes, or forever.
+//! Limits of time and memory for one line.
 
 use crate::accel;
 use crate::invalid::Invalid;
@@ -13,10 +13,10 @@ use crate::world::World;
 pub const LONGEST_LINE: usize = 1 << 20;
 /// Points of sample sets in one answer, and samples of one set.
 pub const MOST_POINTS: u32 = 1 << 14;
-/// Triangles of all procedural meshes and lists, and parts and copies of shapes, of a line. A mesh file
-/// is not counted: it takes what a file of its size takes anywhere else.
+/// Triangles of all procedural meshes and lists, and parts and copies of shapes, in a line. Mesh files are
+/// not counted: their cost is limited by their size.
 pub const MOST_TRIANGLES: u64 = 1 << 18;
-/// Cells of a grid: about as many as these for a cube, and at most some times as many.
+/// The approximate number of cells of a grid in a cube; other grids have at most a few times as many.
 pub const MOST_CELLS: f64 = (1 << 20) as f64;
 /// Ray–object tests, roughly, for one radiance: some seconds.
 pub const MOST_WORK: f64 = 2e8;
@@ -61,7 +61,7 @@ fn primitives(shape: &Kind) -> Result<u64, Invalid> {
     }
 }
 
-/// So many primitives, if a line may have them.
+/// `count`, if a line may have that many primitives.
 fn few(count: u64) -> Result<u64, Invalid> {
     if count > MOST_TRIANGLES {
         return Err(Invalid::new(format!(
@@ -71,7 +71,7 @@ fn few(count: u64) -> Result<u64, Invalid> {
     Ok(count)
 }
 
-/// Refuses shapes of more triangles than fit; `here` adds where a shape of this index stands.
+/// Refuses shapes with too many triangles; `here` adds the path of the shape with this index.
 pub(super) fn buildable<'a>(
     shapes: impl Iterator<Item = &'a Kind>,
     here: impl Fn(usize, Invalid) -> Invalid,
@@ -83,7 +83,7 @@ pub(super) fn buildable<'a>(
     few(total)
 }
 
-/// Refuses to look for all hits of more nested shapes than fit.
+/// Refuses to find all hits of too many nested shapes.
 pub(super) fn all_of(shape: &dyn Shape) -> Result<(), Invalid> {
     if shape.leaves() > MOST_TRIANGLES {
         return Err(Invalid::new(format!(

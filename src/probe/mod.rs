@@ -1,13 +1,13 @@
 //! The probe: questions in JSON Lines, answers in JSON Lines (`docs/probe.md`).
 //!
-//! A ray tracer in any language checks its functions against ours: a line asks one question about
-//! plain data, written as in scene files, and the answer is what the library's own function says.
-//! No mathematics lives here. Numbers are read and printed exactly: what is printed reads back as
-//! the same bits.
+//! A ray tracer in any language can check its functions against the library's. A line asks one question
+//! about plain data, written as in scene files; the answer is the result of the library's own function.
+//! There is no mathematics here. Numbers are read and printed exactly: a printed number reads back as the
+//! same bits.
 //!
-//! Each question is a file: its data, and a `Question` that answers it; its entry in the list
-//! below gives it its name. What is asked of a part of the library by itself (`grid`: the cells of an
-//! acceleration) reads the very structure that renders.
+//! Each question is a file with its data and a `Question` that answers it; its entry in the list below
+//! names it. A question about an internal structure (`grid`: its cells) reads the same structure that
+//! renders.
 
 mod camera_ray;
 mod fresnel;
@@ -39,7 +39,7 @@ use crate::invalid::{Invalid, plain_words};
 pub use limits::{LONGEST_LINE, MOST_POINTS, MOST_TRIANGLES, MOST_WORK};
 pub use lines::serve;
 
-/// Something a line can ask.
+/// A question that a line can ask.
 trait Question {
     /// What the answer holds.
     type Answer: Serialize;
@@ -169,7 +169,7 @@ fn reply(line: &str) -> Result<String, String> {
         return Err(refuse(None, &too_long()));
     }
     let Line { id, asked } =
-        serde_json::from_str(line).map_err(|e| refuse(id_of(line).as_ref(), &place(&e)))?;
+        serde_json::from_str(line).map_err(|e| refuse(id_of(line).as_ref(), &located(&e)))?;
     asked.answer(id.as_ref()).map_err(|invalid| refuse(id.as_ref(), &invalid.to_string()))
 }
 
@@ -187,8 +187,8 @@ fn id_of(line: &str) -> Option<Value> {
     serde_json::from_str::<Marked>(line).ok().map(|marked| marked.id)
 }
 
-/// The reader's message with the place in front; bytes of the line are counted from 1.
-fn place(error: &serde_json::Error) -> String {
+/// The reader's message after its position; bytes of the line are counted from 1.
+fn located(error: &serde_json::Error) -> String {
     let (text, at) = (error.to_string(), error.column());
     match text.strip_suffix(&format!(" at line 1 column {at}")) {
         Some(problem) => format!("column {at}: {}", plain_words(problem)),

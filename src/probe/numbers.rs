@@ -1,4 +1,4 @@
-//! Numbers as lines say them: every finite `f64` exactly, and the infinities by name.
+//! Numbers in lines: every finite `f64` exactly, and the infinities by name.
 
 use std::fmt;
 
@@ -9,8 +9,8 @@ use crate::invalid::{Invalid, direction};
 use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
 
-/// A number of an answer: JSON knows no infinity, so it is printed as `"inf"` or `"-inf"`, and
-/// what came out of an overflow as `"nan"`.
+/// A number of an answer. JSON has no infinity and no NaN, so these are printed as `"inf"`, `"-inf"` and
+/// `"nan"`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Real(pub f64);
 
@@ -73,7 +73,7 @@ impl Visitor<'_> for EndVisitor {
     }
 }
 
-/// Directions that are used as they are: beyond, their squares lose digits, or are infinite.
+/// The lengths allowed for directions: outside this range their squares lose digits or overflow.
 const DIRECTIONS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// A ray as a line says it.
@@ -132,7 +132,7 @@ pub fn unit(field: &str, v: Vector) -> Result<Vector, Invalid> {
     Ok(if is_unit { v } else { unit.into() })
 }
 
-/// A number from 0 to 1 in each place.
+/// Two numbers from 0 to 1.
 pub fn in_square(field: &str, square: [f64; 2], what: &str) -> Result<[f64; 2], Invalid> {
     let fits = |x: &f64| (0.0..=1.0).contains(x) && (what != HALF_OPEN || *x < 1.0);
     if square.iter().all(fits) {
@@ -143,7 +143,7 @@ pub fn in_square(field: &str, square: [f64; 2], what: &str) -> Result<[f64; 2], 
 
 /// The range of random numbers.
 pub const HALF_OPEN: &str = "of at least 0 and below 1";
-/// The range of places in a pixel.
+/// The range of positions in a pixel.
 pub const CLOSED: &str = "from 0 to 1";
 
 /// A colour as an answer says it.

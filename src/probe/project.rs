@@ -42,7 +42,7 @@ impl super::Question for Project {
         let point = finite_point("point", self.point)?;
         let seen = |eye: &Eye| {
             let film = eye.project(point)?;
-            let image = render::image_place(&image, film);
+            let image = render::image_point(&image, film);
             Some(Seen { film: film.map(Real), image: image.map(Real) })
         };
         Ok(match view.stereo() {

@@ -1,4 +1,4 @@
-//! Times on a machine that does other things too.
+//! Time measurement on a machine that also runs other programs.
 
 use std::time::Instant;
 
@@ -9,9 +9,9 @@ use crate::verify::quantile;
 /// How long a job took, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time {
-    /// What the processor spent on this thread.
+    /// The processor time of this thread.
     pub cpu: f64,
-    /// What the clock on the wall says.
+    /// The elapsed time.
     pub wall: f64,
 }
 
@@ -31,8 +31,8 @@ pub fn time<T>(job: impl FnOnce() -> T) -> (T, Time) {
     (result, Time { cpu: cpu.as_secs_f64(), wall: wall.as_secs_f64() })
 }
 
-/// The median times of each job over so many rounds. The jobs take turns, so that a moment in which
-/// the machine is busy hits all alike.
+/// The median times of each job over `rounds` rounds. The jobs take turns, so that other load on the
+/// machine affects all of them equally.
 pub fn medians(rounds: usize, jobs: &mut [&mut dyn FnMut()]) -> Vec<Time> {
     let mut times = vec![Vec::with_capacity(rounds); jobs.len()];
     for _ in 0..rounds {

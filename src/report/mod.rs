@@ -1,8 +1,8 @@
-//! The report: choose by evidence. One HTML page and its data, measured on the machine at hand.
+//! The report: evidence for choices. One HTML page and its data, measured on this machine.
 //!
-//! A [`Page`] answers one question. It measures, and hands back [`Findings`]: data that can be
-//! written as JSON, and a drawing made of that data alone. A new page is a folder here and a line in
-//! [`PAGES`]. Everything but the times follows from the seed.
+//! A [`Page`] answers one question. It measures and returns [`Findings`]: data that can be written as
+//! JSON, and a drawing of that data alone. A new page is a folder here and a line in [`PAGES`].
+//! Everything except the times is determined by the seed.
 
 mod acceleration;
 mod clock;
@@ -25,16 +25,16 @@ pub use watch::{Interrupted, Watch};
 
 /// A part of the report: one question, measured.
 pub trait Page: Sync {
-    /// What `--only` calls it.
+    /// Its name for `--only`.
     fn name(&self) -> &'static str;
 
     /// Its heading.
     fn title(&self) -> &'static str;
 
-    /// What it answers, as a reader would ask it.
+    /// The question that it answers, in words for the reader.
     fn question(&self) -> &'static str;
 
-    /// How often [`Page::run`] takes a step of the watch.
+    /// The number of steps of the watch that [`Page::run`] takes.
     fn steps(&self, settings: &Settings) -> u64;
 
     /// Measures. Anything that takes long takes steps of the watch in between.
@@ -44,7 +44,7 @@ pub trait Page: Sync {
     fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted>;
 }
 
-/// What a page found.
+/// The results of a page.
 pub trait Findings: Send {
     /// For `report.json`.
     ///
@@ -52,8 +52,8 @@ pub trait Findings: Send {
     /// If something in it is no JSON.
     fn data(&self) -> serde_json::Result<Value>;
 
-    /// For `index.html`: the inside of a section, below its heading and question. It says in words
-    /// what is compared, how to read it, and what to pick.
+    /// For `index.html`: the content of a section, below its heading and question. It describes what is
+    /// compared, how to read it, and what to choose.
     fn drawing(&self) -> String;
 }
 
@@ -71,7 +71,7 @@ pub fn page(name: &str) -> Option<&'static dyn Page> {
     PAGES.iter().copied().find(|page| page.name() == name)
 }
 
-/// How much is measured.
+/// The extent of the measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The seed of all random choices.

@@ -1,8 +1,8 @@
-//! How far a report has come, and whether it is to stop.
+//! The progress of a report, and its interruption.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// Shared by who measures, who shows the progress, and who interrupts.
+/// Shared by the measurement, the progress display and the interrupt handler.
 #[derive(Debug, Default)]
 pub struct Watch {
     done: AtomicU64,
@@ -10,7 +10,7 @@ pub struct Watch {
     interrupted: AtomicBool,
 }
 
-/// Someone asked to stop.
+/// The report was interrupted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("interrupted")]
 pub struct Interrupted;
@@ -34,7 +34,7 @@ impl Watch {
         self.interrupted.store(true, Ordering::Relaxed);
     }
 
-    /// Whether someone asked to stop.
+    /// Whether the report was interrupted.
     pub fn is_interrupted(&self) -> bool {
         self.interrupted.load(Ordering::Relaxed)
     }

@@ -4,7 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, place};
+use super::{Sampler, in_stratum};
 use crate::math::Pcg32;
 
 /// One point in each cell of an `m × n` grid and, at the same time, one in each of the `m n` rows and
@@ -39,7 +39,7 @@ impl Sampler for CorrelatedMultiJittered {
                 // of the m n fine columns and rows, those of cell (i, j) start at i n and j m
                 let column = i * n + along(j);
                 let row = j * m + across(i);
-                points.push([place(column, count, random), place(row, count, random)]);
+                points.push([in_stratum(column, count, random), in_stratum(row, count, random)]);
             }
         }
         points
@@ -51,8 +51,8 @@ impl Sampler for CorrelatedMultiJittered {
     }
 }
 
-/// Where `i` goes in permutation number `pattern` of `0..n` (the paper's hash): each step is a
-/// bijection of the numbers below a power of two, from which those beyond `n` go round again.
+/// The image of `i` under permutation `pattern` of `0..n` (the paper's hash). Each step is a bijection of
+/// the numbers below a power of two; results of at least `n` are hashed again.
 fn permuted(mut i: u32, n: u32, pattern: u32) -> u32 {
     let mask = n.next_power_of_two() - 1;
     loop {
@@ -96,8 +96,7 @@ mod tests {
         }
     }
 
-    /// Law: each pattern permutes: no number twice. Oracle: sorting; every n up to 99 and one at each
-    /// end of a power of two.
+    /// Law: each pattern is a permutation. Oracle: sorting, for every n up to 99 and next to powers of two.
     #[test]
     fn every_pattern_permutes() {
         let mut random = Pcg32::new(2013, 0);

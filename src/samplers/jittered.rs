@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, place, side};
+use super::{Sampler, in_stratum, next_square, side};
 use crate::math::Pcg32;
 
 /// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that is
@@ -17,7 +17,7 @@ without_settings!(Jittered);
 impl Sampler for Jittered {
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {
         let side = side(n);
-        let mut jitter = |i: u32| place(i, side, random);
+        let mut jitter = |i: u32| in_stratum(i, side, random);
         (0..side * side).map(|i| [jitter(i % side), jitter(i / side)]).collect()
     }
 

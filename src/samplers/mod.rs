@@ -1,10 +1,10 @@
 //! Samplers: well-spread points of the unit square (Suffern, ch. 5), the same on every thread.
 //!
-//! A sampler fills one *set* of points; [`SampleSets`] keeps 83, made once from a seed. A draw names
-//! what it is for: its set and permutation follow from seed, pixel and that name, its place in them
-//! from the sample's index, and from nothing else.
+//! A sampler fills one *set* of points; [`SampleSets`] keeps 83, made once from a seed. A draw names its
+//! purpose: set and permutation follow only from seed, pixel and purpose, the index in them from the
+//! sample's index.
 
-/// The specification of a sampler that has nothing to set.
+/// The specification of a sampler without settings.
 macro_rules! without_settings {
     ($Sampler:ident) => {
         impl $crate::kinds::Specification for $Sampler {
@@ -49,11 +49,11 @@ pub trait Sampler: Debug + Send + Sync {
     /// One set of `n` points in `[0, 1)²`; `n` comes from [`Sampler::round_up`].
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]>;
 
-    /// The least number of points, at least `n`, that the pattern can have.
+    /// The smallest number of points, at least `n`, that the pattern can have.
     fn round_up(&self, n: u32) -> u32;
 
-    /// Whether each draw shifts the whole set by a random vector, across the edges of the square
-    /// (Cranley & Patterson 1976): for patterns that have one set only.
+    /// Whether each draw shifts the whole set by a random vector, wrapping around the square (Cranley &
+    /// Patterson 1976): for patterns that have only one set.
     fn is_shifted(&self) -> bool {
         false
     }
@@ -72,7 +72,7 @@ crate::kinds! {
     ch05 sobol::Sobol,
 }
 
-/// Every sampler under a name for people, in the order of the list.
+/// Every sampler with its display name, in the order of the list.
 pub fn named() -> Vec<(String, Kind)> {
     let named = |entry: &crate::kinds::Entry<Kind>| {
         let name = entry.module.replace('_', " ");
@@ -96,9 +96,9 @@ fn next_square(n: u32) -> u32 {
     side(n) * side(n)
 }
 
-/// A place anywhere in stratum `i` of `n` equal ones of `[0, 1)`.
-fn place(i: u32, n: u32, random: &mut Pcg32) -> f64 {
+/// A random number in stratum `i` of `n` equal strata of `[0, 1)`.
+fn in_stratum(i: u32, n: u32, random: &mut Pcg32) -> f64 {
     let (i, n) = (f64::from(i), f64::from(n));
-    // rounding may reach the next stratum, or 1
+    // rounding could give the start of the next stratum, or 1
     ((i + random.uniform()) / n).min(((i + 1.0) / n).next_down())
 }

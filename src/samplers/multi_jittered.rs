@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, next_square, place, side};
+use super::{Sampler, in_stratum, next_square, side};
 use crate::math::Pcg32;
 
 /// One point in each cell of an `n × n` grid and, at the same time, one in each of the `n²` rows and
@@ -24,11 +24,11 @@ impl Sampler for MultiJittered {
             columns.push((0..side).map(|j| i * side + j).collect());
             rows.push((0..side).map(|j| i * side + j).collect());
         }
-        // within a column of cells any order of its fine columns will do, and so for rows
+        // the fine columns within a column of cells may be in any order; rows likewise
         columns.iter_mut().for_each(|fine| random.shuffle(fine));
         rows.iter_mut().for_each(|fine| random.shuffle(fine));
 
-        let mut jitter = |fine: u32| place(fine, side * side, random);
+        let mut jitter = |fine: u32| in_stratum(fine, side * side, random);
         let mut points = Vec::with_capacity((side * side) as usize);
         for i in 0..side as usize {
             for j in 0..side as usize {

@@ -4,7 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, place};
+use super::{Sampler, in_stratum};
 use crate::math::Pcg32;
 
 /// One point in each of `n` rows and in each of `n` columns, as rooks that do not threaten each other:
@@ -23,7 +23,10 @@ impl Sampler for NRooks {
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {
         let mut rows: Vec<u32> = (0..n).collect();
         random.shuffle(&mut rows);
-        (0..n).zip(rows).map(|(k, j)| [place(k, n, random), place(j, n, random)]).collect()
+        (0..n)
+            .zip(rows)
+            .map(|(k, j)| [in_stratum(k, n, random), in_stratum(j, n, random)])
+            .collect()
     }
 
     fn round_up(&self, n: u32) -> u32 {

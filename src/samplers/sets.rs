@@ -3,7 +3,7 @@
 use super::Sampler;
 use crate::math::{ONE_MINUS, Pcg32, hash, hash_onto};
 
-/// As many sets as in the book: a prime.
+/// The number of sets, as in the book: a prime.
 pub const SETS: usize = 83;
 
 /// 83 sets of samples and as many permutations of their indices, made once from a seed.
@@ -12,21 +12,20 @@ pub struct SampleSets {
     per_set: u32,
     samples: Vec<[f64; 2]>,
     permutations: Vec<u32>,
-    /// The sample that all are, if they are: there is nothing to draw then.
+    /// The one value of all samples, if they are equal.
     only: Option<[f64; 2]>,
     /// Whether each draw moves its samples; see [`Sampler::is_shifted`].
     shifted: bool,
-    /// Whether pixel and lens are always sampled in the middle.
+    /// Whether pixel and lens are always sampled at their centres.
     centered: bool,
 }
 
-/// Names a path from the eye: the hash of its parent's name and of the branch taken. So it does not
-/// depend on what other rays there are.
+/// The name of a path from the eye: the hash of its parent's name and the branch taken. It does not
+/// depend on other rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PathKey(u64);
 
-/// How a path goes on at a hit. The names are fixed: that of a branch stays when others are switched
-/// off.
+/// The branch by which a path continues at a hit. A branch keeps its number when others are switched off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Branch {
     /// Scattered evenly.
@@ -45,38 +44,38 @@ impl PathKey {
     /// The camera's ray.
     pub const CAMERA: Self = Self(0);
 
-    /// The path that goes on from here by this branch.
+    /// The path that continues by this branch.
     pub fn then(self, branch: Branch) -> Self {
         Self(hash(&[self.0, branch as u64]))
     }
 }
 
-/// What a draw is for; draws for different things are independent.
+/// The purpose of a draw; draws for different purposes are independent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// The place in the pixel.
+    /// The point in the pixel.
     Pixel,
-    /// The place on the lens.
+    /// The point on the lens.
     Lens,
-    /// A point of a light, seen from where a path hits.
+    /// A point of a light, for a hit of a path.
     Light {
         /// The path.
         path: PathKey,
-        /// The light's place in the scene, counted with those switched off.
+        /// The light's index in the scene; lights that are switched off count.
         light: u32,
-        /// Which of the pairs of numbers that the light needs.
+        /// The index of the pair among those that the light needs.
         pair: u32,
     },
-    /// Which lobe a path takes; and whether it goes on at all.
+    /// The choice of a path's lobe, and Russian roulette.
     Lobe {
         /// The path so far.
         path: PathKey,
     },
-    /// The direction in which a path goes on.
+    /// The direction in which a path continues.
     Direction {
         /// The path so far.
         path: PathKey,
-        /// How it goes on.
+        /// The branch by which it continues.
         branch: Branch,
     },
 }
@@ -116,10 +115,10 @@ impl<'a> Draws<'a> {
     }
 }
 
-/// Names a draw: it decides on the set and the permutation.
+/// The name of a draw, which determines set and permutation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key {
-    /// The hash of seed and pixel, with which those of all their draws begin.
+    /// The hash of seed and pixel, which all draws of the pixel share.
     pixel: u64,
     purpose: Purpose,
 }
@@ -130,7 +129,7 @@ impl Key {
         Self { pixel: pixel_hash(seed, pixel), purpose }
     }
 
-    /// A number for a run of this draw.
+    /// The hash for a run of this draw.
     fn hash(self, run: u32) -> u64 {
         let [what, which] = self.purpose.words();
         hash_onto(self.pixel, &[what, which, run.into()])
@@ -161,19 +160,19 @@ impl SampleSets {
         Self { per_set, samples, permutations, only, shifted, centered: false }
     }
 
-    /// The same sets, but pixel and lens are sampled in their middle: for one sample a pixel, as in the
-    /// book. Other draws are shifted, so that they may be anywhere.
+    /// The same sets, but pixel and lens are sampled at their centres: for one sample a pixel, as in the
+    /// book. Other draws are shifted, because one point a set would give only 83 values.
     #[must_use]
     pub fn centered(self) -> Self {
         Self { centered: true, ..self }
     }
 
-    /// Whether pixel and lens are always sampled in the middle; see [`SampleSets::centered`].
+    /// Whether pixel and lens are always sampled at their centres; see [`SampleSets::centered`].
     pub fn is_centered(&self) -> bool {
         self.centered
     }
 
-    /// The number of samples that use up a set: `n`, or the next square where the pattern needs one.
+    /// The number of samples in a set: `n`, or the next number that the pattern can have.
     pub fn per_set(&self) -> u32 {
         self.per_set
     }
@@ -192,36 +191,35 @@ impl SampleSets {
     /// Sample `index` of a draw. Each run of [`SampleSets::per_set`] indices returns every sample
     /// of one set exactly once; the next run has a set and an order of its own.
     ///
-    /// The order is one of the 83 permutations, begun at any of its places: without that, each
-    /// 83rd pixel would pair two draws of the same permutation, cell by cell.
+    /// The order is one of the 83 permutations, rotated by a random offset. Without the offset, one pixel
+    /// in 83 would use the same permutation for two draws and pair their strata.
     pub fn draw(&self, key: Key, index: u32) -> [f64; 2] {
         if let Some(only) = self.only {
-            return only; // without the hashes, a tenth of what a simple scene's pixel takes
+            return only; // saves the hashes: a tenth of a simple scene's time
         }
         if self.centered && matches!(key.purpose, Purpose::Pixel | Purpose::Lens) {
             return [0.5; 2];
         }
-        let (run, place) = match index < self.per_set {
-            true => (0, index as usize), // without divisions, which take most of the time
+        let (run, offset) = match index < self.per_set {
+            true => (0, index as usize), // avoids divisions, which take most of the time
             false => (index / self.per_set, (index % self.per_set) as usize),
         };
         let choice = key.hash(run);
         let n = self.per_set as usize;
-        // the choice, written as digits to the bases 83, 83, n
+        // the digits of `choice` in the bases 83, 83, n
         let (set, rest) = ((choice % SETS as u64) as usize, choice / SETS as u64);
         let (permutation, rest) = ((rest % SETS as u64) as usize, rest / SETS as u64);
         let start = (rest % n as u64) as usize;
         let permutation = &self.permutations[permutation * n..][..n];
-        let along = start + place;
+        let along = start + offset;
         let along = if along < n { along } else { along - n };
         let sample = self.samples[set * n + permutation[along] as usize];
-        // of one point a set there would be but 83
         if self.shifted || self.centered { shifted(sample, choice) } else { sample }
     }
 }
 
-/// The sample moved across the edges of the square, by a vector that follows from the choice
-/// (Cranley & Patterson 1976).
+/// The sample shifted by a vector that follows from `choice`, wrapping around the square (Cranley &
+/// Patterson 1976).
 fn shifted(sample: [f64; 2], choice: u64) -> [f64; 2] {
     let mut random = Pcg32::new(choice, 1);
     sample.map(|x| {

@@ -4,7 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Sampler, place};
+use super::{Sampler, in_stratum};
 use crate::math::{Pcg32, splitmix};
 
 /// The first n points of Sobol's sequence (1967) in two dimensions, each set scrambled for itself as
@@ -18,14 +18,14 @@ without_settings!(Sobol);
 
 impl Sampler for Sobol {
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {
-        // so many binary digits tell n points apart in either dimension
+        // n points differ in this many binary digits in each dimension
         let digits = n.next_power_of_two().ilog2();
         let mut seed = || u64::from(random.next_u32()) << 32 | u64::from(random.next_u32());
         let seeds = [seed(), seed()];
         let mut scrambled = |i: u32, axis: usize| {
             let first = scramble(sobol(i)[axis] >> (31 - digits) >> 1, digits, seeds[axis]);
-            // what follows flips at random, and for each point by itself
-            place(first, 1 << digits, random)
+            // the digits after these are random and independent for each point
+            in_stratum(first, 1 << digits, random)
         };
         (0..n).map(|i| [scrambled(i, 0), scrambled(i, 1)]).collect()
     }
@@ -53,14 +53,14 @@ fn sobol(i: u32) -> [u32; 2] {
     [i.reverse_bits(), y]
 }
 
-/// A nested uniform scramble of a number of so many binary digits: whether a digit flips depends on
-/// those before it and on nothing else, so that points in one box `2^−k` wide stay together.
+/// A nested uniform scramble of a number of `digits` binary digits: whether a digit flips depends only on
+/// the digits before it, so that points in one box `2^−k` wide stay together.
 ///
-/// The coin is a hash of those digits (Burley). His faster hash of the whole number is no
-/// fair coin in its first digits, as few bits of the seed decide on them.
+/// A hash of the preceding digits decides (Burley). Burley's faster hash of the whole number is biased in
+/// its first digits, because few bits of the seed determine them.
 fn scramble(x: u32, digits: u32, seed: u64) -> u32 {
     let flips = (0..digits).map(|k| {
-        // the digits before, behind a 1 that says how many: the nodes of a tree in their order
+        // the digits before this one, with a leading 1: the index of a node in a binary tree
         let node = 1 << k | x >> (digits - k);
         splitmix(seed ^ u64::from(node)) as u32 & 1
     });

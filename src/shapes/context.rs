@@ -72,7 +72,7 @@ impl Default for Nesting {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartMaterial {
     /// Its index in the scene.
-    pub place: u32,
+    pub index: u32,
     /// Whether it blocks light.
     pub casts_shadows: bool,
 }

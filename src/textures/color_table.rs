@@ -60,9 +60,9 @@ impl ColorTable {
     /// The mixture of the two colours beside this share of the table.
     fn mixture(&self, share: f64) -> Rgb {
         let last = self.colors.len() - 1;
-        let place = share * last as f64;
-        let left = (floor(place) as usize).min(last);
-        let t = place - left as f64;
+        let column = share * last as f64;
+        let left = (floor(column) as usize).min(last);
+        let t = column - left as f64;
         (1.0 - t) * self.colors[left] + t * self.colors[(left + 1).min(last)]
     }
 }

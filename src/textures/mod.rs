@@ -62,8 +62,7 @@ pub trait Texture: Debug + Send + Sync {
         self.color(at).r
     }
 
-    /// What of an image is seen at a point, for those who ask why it has its colour; `None` for
-    /// textures without images.
+    /// The texel of an image at a point, for explanations; `None` for textures without images.
     fn texel(&self, _at: &TexturePoint<'_>) -> Option<Texel> {
         None
     }
@@ -89,7 +88,7 @@ impl<T: Chooser> Texture for T {
     }
 }
 
-/// Where in an image a texture looks.
+/// The position of a look-up in an image.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Texel {
     /// The texture coordinates: u to the right, v up.

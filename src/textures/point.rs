@@ -1,9 +1,9 @@
-//! Where textures are asked for their colours.
+//! Texture points: the input of textures.
 
 use crate::math::{Point, Vector};
 use crate::shapes::{Candidate, Facet, Shape, Surface};
 
-/// A point of a surface, with what textures may ask of it: a hit, or a point drawn on a lamp.
+/// A point of a surface with the data for textures: a hit, or a point drawn on a lamp.
 #[derive(Clone, Copy, Debug)]
 pub struct TexturePoint<'a> {
     /// The surface there.
@@ -14,7 +14,7 @@ pub struct TexturePoint<'a> {
     details: Details<'a>,
 }
 
-/// What is worked out only when a texture asks.
+/// Texture coordinates, computed only when a texture needs them.
 #[derive(Clone, Copy, Debug)]
 enum Details<'a> {
     /// Texture coordinates that are known, if there are any.

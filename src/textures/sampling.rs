@@ -90,7 +90,7 @@ impl Sampling {
         }
     }
 
-    /// Which texel is seen there, or counts most.
+    /// The texel there; for a bilinear look-up, the texel of the largest weight.
     pub fn texel(&self, texels: &Texels, uv: [f64; 2]) -> Texel {
         let [column, row] = match self.filtering {
             Filtering::Nearest => self.nearest(texels, uv),
@@ -114,7 +114,7 @@ impl Sampling {
         [index(0, texels.width()), index(1, texels.height())]
     }
 
-    /// Where the point is, counted in texels from the centre of the first.
+    /// The position of the point, in texels from the centre of the first.
     fn between_centers(&self, texels: &Texels, uv: [f64; 2]) -> [f64; 2] {
         let place = |axis: usize, count: u32| {
             let x = self.wraps[axis].coordinate(uv[axis]);

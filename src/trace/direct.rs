@@ -1,4 +1,4 @@
-//! Light straight from lights, for the numbers drawn for them.
+//! Direct light: samples of the lights.
 
 use arrayvec::ArrayVec;
 
@@ -13,7 +13,7 @@ use crate::samplers::Purpose;
 use crate::world::PlacedLight;
 
 impl<R: Recorder> Tracing<'_, R> {
-    /// What a light sends to a point, for the numbers that are drawn for it there.
+    /// A light's sample at a shading point, for the random numbers drawn there.
     fn sample(
         &mut self,
         path: &PathState,
@@ -23,7 +23,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let from = context(point);
         let mut u = ArrayVec::<[f64; 2], MOST_DRAWS>::new();
         for pair in 0..light.light.draws() as u32 {
-            u.push(self.draw(Purpose::Light { path: path.key, light: light.place, pair }));
+            u.push(self.draw(Purpose::Light { path: path.key, light: light.index, pair }));
         }
         light.light.sample(&from, &u)
     }
@@ -42,11 +42,11 @@ impl<R: Recorder> Tracing<'_, R> {
         }
         let Some(sample) = self.sample(path, point, light) else { return };
         let (arriving, traced) = self.arriving(Rgb::BLACK, point, light, &sample);
-        let source = TermSource::Ambient { light: light.place, traced };
+        let source = TermSource::Ambient { light: light.index, traced };
         sum.add(self.recorder, source, reflectance, arriving);
     }
 
-    /// Light that comes straight from a source, by each lobe that takes light from there.
+    /// Direct light of a light, reflected by each lobe that accepts its samples.
     pub(super) fn direct(
         &mut self,
         path: &PathState,
@@ -77,15 +77,15 @@ impl<R: Recorder> Tracing<'_, R> {
         let (arriving, traced) = self.arriving(medium, point, light, &sample);
         for (Lit { lobe, f, cos_i }, weight) in terms {
             let source =
-                TermSource::Direct { light: light.place, lobe, f, cos_i, pdf, mis, traced };
+                TermSource::Direct { light: light.index, lobe, f, cos_i, pdf, mis, traced };
             sum.add(self.recorder, source, weight, arriving);
         }
     }
 }
 
-/// Whether light of this weight could be told from none in a picture, whose numbers are single precision:
-/// far from its mirror direction a sharp highlight weighs less than that, and needs no shadow ray. A
-/// larger threshold would darken sums of many lights.
+/// Whether light of this weight can change a picture, whose numbers are single precision. Far from its
+/// mirror direction a sharp highlight weighs less, and needs no shadow ray. A larger threshold would
+/// darken sums of many lights.
 fn counts(weight: Rgb, sample: &LightSample) -> bool {
     /// 2⁻¹⁴⁹.
     const SMALLEST: f64 = f32::from_bits(1) as f64;

@@ -46,19 +46,19 @@ struct PathState {
     kind: RayKind,
     /// The number of edges before it; 0 for the camera's ray.
     depth: u32,
-    /// Names its draws.
+    /// The name of its path, from which its random numbers follow.
     key: PathKey,
     /// The absorption of the medium it is in.
     medium: Rgb,
-    /// Where a path left, if lights were sampled there.
+    /// The hit that it left, if lights were sampled there.
     left: Option<Left>,
-    /// What light that arrives along a path counts at the eye, without the 1/η² of radiance: Russian
-    /// roulette goes by it.
+    /// The weight at the eye of light that arrives along the path, without the 1/η² of radiance; Russian
+    /// roulette depends on it.
     throughput: Rgb,
 }
 
-/// A hit at which lights were sampled, and from which a path went on in a direction that this could have
-/// found.
+/// A hit at which lights were sampled, and from which the path continued in a direction that light
+/// sampling could have chosen.
 #[derive(Clone, Copy)]
 struct Left {
     from: LightContext,
@@ -91,7 +91,7 @@ impl RadianceSum {
 }
 
 impl<R: Recorder> Tracing<'_, R> {
-    /// What arrives along a ray that counts `weight` for the one before it.
+    /// The radiance that arrives along a ray; the ray before it multiplies this by `weight`.
     fn cast(&mut self, path: &PathState, weight: Rgb) -> Rgb {
         let PathState { ray, kind, depth, medium, .. } = path;
         self.recorder.enter(*kind, ray, *depth, weight);
@@ -141,7 +141,7 @@ impl<R: Recorder> Tracing<'_, R> {
         if self.strategy.samples_lights(path.depth) {
             for light in &self.world.lights {
                 match light.light.meets() {
-                    // ambient light stands for what paths find by themselves
+                    // ambient light replaces indirect light, which paths find themselves
                     Meets::Ambient if self.strategy.is_path() => {}
                     Meets::Ambient => self.ambient(path, &point, light, response.ambient, sum),
                     Meets::Lobes => self.direct(path, &point, light, &bsdf, sum),
@@ -155,8 +155,8 @@ impl<R: Recorder> Tracing<'_, R> {
         }
     }
 
-    /// The share that light from a target counts along a path that came upon it, if its light may have
-    /// been sampled before; `None` if it was not, and counts in full.
+    /// The weight of light from a target that a path hit, if the light was also sampled at the hit before;
+    /// `None` if it was not, and the weight is 1.
     fn share(&self, path: &PathState, light: &PlacedLight, to: &Target<'_>) -> Option<f64> {
         match (self.strategy.lamps, path.left) {
             (Lamps::Full, _) | (_, None) => None,
@@ -173,20 +173,20 @@ impl<R: Recorder> Tracing<'_, R> {
     }
 }
 
-/// Where lights are asked for their light.
+/// The data that lights need of a shading point.
 fn context(point: &ShadingPoint<'_>) -> LightContext {
     LightContext { point: point.hit.surface.point, normal: point.normals.shading }
 }
 
-/// The share of a direction of density `pdf` that another strategy would have drawn with density
+/// The weight of a direction drawn with density `pdf`, if another strategy would draw it with density
 /// `other`: `p²/(p² + q²)` (Veach 1997, power heuristic with β = 2).
 fn power_heuristic(pdf: f64, other: f64) -> f64 {
     let ratio = other / pdf;
     1.0 / (1.0 + ratio * ratio)
 }
 
-/// The absorption of the medium that a ray in this direction is in: at a boundary that of the side it
-/// leaves to, else that of the ray before it.
+/// The absorption of the medium of a ray in this direction: at a boundary, that of the side the ray
+/// leaves to; elsewhere, that of the ray before it.
 fn medium_towards(before: Rgb, point: &ShadingPoint<'_>, direction: Vector) -> Rgb {
     match point.hit.material.recipe.boundary() {
         Some(boundary) if point.normals.geometry.dot(direction) > 0.0 => {

@@ -1,4 +1,4 @@
-//! How a boundary between two media divides light, in the terms of chapters 27 and 28.
+//! Reflection and transmission at a boundary between two media, in the terms of chapters 27 and 28.
 
 use serde::Serialize;
 
@@ -8,23 +8,22 @@ use crate::materials::Medium;
 use crate::math::{Normal, atan2, to_degrees};
 use crate::rgb::Rgb;
 
-/// What refraction does at a hit, as seen along the ray that met it. Angles in degrees from the true
-/// normal.
+/// Refraction at a hit, for the ray that met it. Angles are in degrees from the true normal.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Optics {
     /// The index of refraction behind the surface over the one in front of it.
     pub eta: f64,
-    /// From this angle of incidence on, reflection is total; only where `eta < 1`.
+    /// The critical angle: reflection is total from it on. Only if `eta < 1`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_angle: Option<f64>,
-    /// The angle on the other side; none on total internal reflection.
+    /// The angle of refraction; `None` on total internal reflection.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub angle_of_refraction: Option<f64>,
     /// The share of light that is reflected, `R` (`k_r` in the book).
     pub reflected: Rgb,
-    /// The share that passes, `T` (`k_t` in the book), without the `1/η²` of radiance.
+    /// The share that is transmitted, `T` (`k_t` in the book), without the `1/η²` of radiance.
     pub transmitted: Rgb,
-    /// The medium in front of the surface and the one behind it, if the material says them.
+    /// The media in front of and behind the surface, if the material has them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub media: Option<[Medium; 2]>,
 }

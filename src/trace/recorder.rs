@@ -1,7 +1,6 @@
-//! What there is to say of each ray, and who listens to the recursion.
+//! The events of each ray, and the recorders that receive them.
 //!
-//! Each event has one type, from the recursion to what people read: an explanation only puts names
-//! in the place of indices.
+//! Each event has one type, from the recursion to the explanation, which only replaces indices by names.
 
 use serde::Serialize;
 
@@ -11,8 +10,8 @@ use crate::math::Ray;
 use crate::rgb::Rgb;
 use crate::world::Hit;
 
-/// What a ray is for. `Name` says how a light is named: by its index in the scene, or in an
-/// explanation as people call it.
+/// The purpose of a ray. `Name` is how a light is named: by its index in the scene, or in an explanation
+/// by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum RayKind<Name = u32> {
@@ -29,7 +28,7 @@ pub enum RayKind<Name = u32> {
     },
 }
 
-/// What became of a ray. `Met` says how a hit is described, `Name` how an object is named.
+/// The outcome of a ray. `Met` is the description of a hit, `Name` that of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 pub enum Outcome<Met, Name = u32> {
@@ -44,7 +43,7 @@ pub enum Outcome<Met, Name = u32> {
     TooDeep,
     /// A shadow ray that reached its light.
     Unblocked {
-        /// How many transparent surfaces it passed.
+        /// The number of transparent surfaces it passed.
         boundaries: u32,
     },
     /// A shadow ray that met an object.
@@ -63,23 +62,23 @@ pub struct Term {
     pub weight: Rgb,
     /// The light that arrives.
     pub arriving: Rgb,
-    /// What it adds.
+    /// Its contribution, `weight · arriving`.
     pub value: Rgb,
 }
 
-/// Where a term comes from. `Name` says how a light is named.
+/// The source of a term. `Name` is how a light is named.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "source", rename_all = "snake_case")]
 pub enum TermSource<Name = u32> {
     /// The background.
     Background {
-        /// The share that sampling the sky leaves, if that is tried as well: it is the weight.
+        /// The MIS weight, if the sky is also sampled: it is the term's weight.
         #[serde(skip_serializing_if = "Option::is_none")]
         mis: Option<f64>,
     },
     /// The surface itself shines.
     Emission {
-        /// The share that sampling the lamp leaves, if that is tried as well: it is the weight.
+        /// The MIS weight, if the lamp is also sampled: it is the term's weight.
         #[serde(skip_serializing_if = "Option::is_none")]
         mis: Option<f64>,
     },
@@ -104,8 +103,7 @@ pub enum TermSource<Name = u32> {
         /// is `f cosθ_i`.
         #[serde(skip_serializing_if = "Option::is_none")]
         pdf: Option<f64>,
-        /// The share that meeting the light by a scattered ray leaves, if that is tried as well; the
-        /// weight has it as a factor.
+        /// The MIS weight, if scattered rays can also hit the light; it is a factor of the term's weight.
         #[serde(skip_serializing_if = "Option::is_none")]
         mis: Option<f64>,
         /// Whether the shadow ray before it says what arrives.
@@ -124,7 +122,7 @@ pub enum TermSource<Name = u32> {
         /// The probability with which the path went on at all (Russian roulette).
         survival: f64,
     },
-    /// What a light sends along a shadow ray.
+    /// The light of a light's sample along a shadow ray.
     Light {
         /// The light.
         light: Name,
@@ -132,7 +130,7 @@ pub enum TermSource<Name = u32> {
 }
 
 impl<Name> RayKind<Name> {
-    /// The same kind, its light named otherwise.
+    /// The same kind with another name of its light.
     pub fn named<Other>(self, name: impl Fn(Name) -> Other) -> RayKind<Other> {
         match self {
             Self::Camera => RayKind::Camera,
@@ -144,7 +142,7 @@ impl<Name> RayKind<Name> {
 }
 
 impl<Met, Name> Outcome<Met, Name> {
-    /// The same outcome, its hit described and its object named otherwise.
+    /// The same outcome with another description of its hit and another name of its object.
     pub fn described<M, N>(
         self,
         describe: impl FnOnce(Met) -> M,
@@ -171,7 +169,7 @@ impl<Met, Name> Outcome<Met, Name> {
 }
 
 impl<Name> TermSource<Name> {
-    /// The same source, its light named otherwise.
+    /// The same source with another name of its light.
     pub fn named<Other>(self, name: impl Fn(Name) -> Other) -> TermSource<Other> {
         match self {
             Self::Background { mis } => TermSource::Background { mis },
@@ -188,17 +186,17 @@ impl<Name> TermSource<Name> {
     }
 }
 
-/// Hears every ray. It cannot change the picture, but for one that only counts and has enough; `()`
-/// costs nothing.
+/// Receives the events of every ray. It cannot change the picture, except that a recorder which only
+/// counts may end the sample early. `()` costs nothing.
 pub trait Recorder {
-    /// A ray begins; it counts `weight` for the ray before it.
+    /// A ray begins; the ray before it multiplies its radiance by `weight`.
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb);
-    /// What became of it.
+    /// Its outcome.
     fn outcome(&mut self, outcome: Outcome<&Hit<'_>>);
-    /// The surface that it met scatters light by these lobes.
+    /// The lobes of the surface that it hit.
     #[inline(always)]
     fn surface(&mut self, _point: &ShadingPoint<'_>, _lobes: &Lobes) {}
-    /// Whether no ray should be cast any more.
+    /// Whether to stop casting rays.
     #[inline(always)]
     fn is_full(&self) -> bool {
         false
@@ -206,13 +204,13 @@ pub trait Recorder {
     /// Two random numbers are drawn.
     #[inline(always)]
     fn draw(&mut self) {}
-    /// A term of its sum; terms come in the order in which they are added.
+    /// A term of its sum, in the order of addition.
     fn term(&mut self, term: Term);
-    /// It ends: what its medium lets through, and what arrives at its origin.
+    /// It ends, with the transmittance of its medium and the radiance that arrives at its origin.
     fn leave(&mut self, transmittance: Rgb, arriving: Rgb);
 }
 
-/// Nobody listens.
+/// Records nothing.
 impl Recorder for () {
     #[inline(always)]
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {}
@@ -235,9 +233,9 @@ pub struct RayCounts {
     pub transmitted: u64,
     /// Towards lights.
     pub shadow: u64,
-    /// Cast in name only, because they were too deep; they are in the counts above, too.
+    /// Not cast, because they were too deep; they are also in the counts above.
     pub too_deep: u64,
-    /// Pairs of random numbers drawn, beside those of the camera.
+    /// Pairs of random numbers drawn, without those of the camera.
     pub draws: u64,
 }
 

@@ -1,4 +1,4 @@
-//! Rays that go on from a hit: a tree of them, or a path.
+//! Scattered rays from a hit: a tree of them, or a path.
 
 use super::{
     Left, PathState, RadianceSum, RayKind, Recorder, Scatter, ShadingPoint, TermSource, Tracing,
@@ -9,7 +9,7 @@ use crate::math::Ray;
 use crate::rgb::Rgb;
 use crate::samplers::Purpose;
 
-/// What a path knows when it goes on.
+/// The continuation of a path by one lobe.
 struct Onward {
     left: Option<Left>,
     throughput: Rgb,
@@ -20,7 +20,7 @@ struct Onward {
 }
 
 impl<R: Recorder> Tracing<'_, R> {
-    /// Follows each lobe that lights' samples do not meet.
+    /// Follows each lobe that does not accept the samples of lights.
     pub(super) fn follow_each(
         &mut self,
         path: &PathState,
@@ -38,8 +38,8 @@ impl<R: Recorder> Tracing<'_, R> {
         }
     }
 
-    /// Follows one lobe, chosen in proportion to about what it sends on; with Russian roulette perhaps
-    /// none.
+    /// Follows one lobe, chosen with a probability about proportional to its albedo; with Russian roulette
+    /// perhaps none.
     pub(super) fn follow_one(
         &mut self,
         path: &PathState,
@@ -47,15 +47,15 @@ impl<R: Recorder> Tracing<'_, R> {
         bsdf: &Bsdf<'_>,
         sum: &mut RadianceSum,
     ) {
-        /// From this depth on a path may end by chance: sooner, it loses more by noise than it gains in time.
+        /// Russian roulette starts at this depth: earlier, its noise costs more than the time it saves.
         const ROULETTE_FROM: u32 = 5;
         let chances = bsdf.chances();
         if chances.iter().all(|chance| *chance == 0.0) {
-            return; // nothing is scattered: nothing is drawn
+            return; // nothing is scattered
         }
         let plays = self.strategy.scatter == Scatter::OneLobeOrNone && path.depth >= ROULETTE_FROM;
         let is_certain = chances.contains(&1.0);
-        // one pair for both: a surface of one lobe draws no choice
+        // one pair serves the choice and the roulette; without either none is drawn
         let [u, luck] = match plays || !is_certain {
             true => self.draw(Purpose::Lobe { path: path.key }),
             false => [0.0; 2],
@@ -87,7 +87,7 @@ impl<R: Recorder> Tracing<'_, R> {
         self.follow(path, point, lobe, (sample, onward), sum);
     }
 
-    /// The numbers for the direction of a lobe; a single direction needs none.
+    /// The random numbers for the direction of a lobe; a single direction needs none.
     fn direction(&mut self, path: &PathState, lobe: &Lobe) -> [f64; 2] {
         match lobe.is_specular() {
             true => [0.5; 2],

@@ -1,13 +1,13 @@
-//! A hit and the direction it is seen from.
+//! Shading points: a hit and the direction to the viewer.
 
 use crate::lobes::{NormalKind, Normals};
 use crate::math::{Frame, Normal, Vector};
 use crate::world::Hit;
 
-/// A hit as it is shaded: the normals of a two-sided surface are turned to the viewer.
+/// A hit to be shaded: the normals of a two-sided surface are turned to the viewer.
 #[derive(Debug)]
 pub struct ShadingPoint<'a> {
-    /// What was hit.
+    /// The hit.
     pub hit: &'a Hit<'a>,
     /// Unit, towards the viewer.
     pub wo: Vector,

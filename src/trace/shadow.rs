@@ -1,4 +1,4 @@
-//! What arrives of a light's sample: the shadow rays (Suffern, ch. 16), and what they may pass.
+//! Shadow rays: the visible part of a light's sample (Suffern, ch. 16).
 
 use super::{
     Optics, Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource, Tracing, medium_towards,
@@ -10,20 +10,20 @@ use crate::rgb::Rgb;
 use crate::scene::TransparentShadows;
 use crate::world::{Hit, PlacedLight};
 
-/// What stands between a point and a light.
+/// What lies between a point and a light.
 struct Between {
-    /// An opaque object, after which nothing else is looked for.
+    /// An opaque object, which ends the search.
     blocked_by: Option<u32>,
-    /// The transparent surfaces that are passed.
+    /// The number of transparent surfaces between them.
     boundaries: u32,
-    /// The share of light that passes all of these.
+    /// The share of light that all these surfaces transmit.
     passed: Rgb,
-    /// What the media let through.
+    /// The transmittance of the media.
     transmittance: Rgb,
 }
 
 impl<R: Recorder> Tracing<'_, R> {
-    /// What arrives of a light's sample, and whether a shadow ray told.
+    /// The radiance of a light's sample that arrives, and whether a shadow ray was cast.
     pub(super) fn arriving(
         &mut self,
         medium: Rgb,
@@ -38,19 +38,19 @@ impl<R: Recorder> Tracing<'_, R> {
         };
         match sample.segment {
             Some(segment) if light.shadows => {
-                // where an interpolated normal differs from the true one, the surface hides part of
-                // the hemisphere itself, also if it is open and nothing else is behind it
+                // The hemisphere is about the interpolated normal. The surface itself hides the part of it
+                // below the true normal's horizon, also if the surface is open.
                 if point.normals.geometry.dot(sample.direction) <= 0.0 {
                     return (sample.blocked, false);
                 }
                 (self.shadow(medium, point, light, (segment, sample)), true)
             }
-            // what absorbs is in its way all the same
+            // the medium absorbs also without a shadow ray
             _ => (medium.transmittance(length) * sample.radiance, false),
         }
     }
 
-    /// Casts a shadow ray: what it lets through of a light's sample.
+    /// Casts a shadow ray and returns the radiance of the light's sample that arrives.
     fn shadow(
         &mut self,
         medium: Rgb,
@@ -60,12 +60,12 @@ impl<R: Recorder> Tracing<'_, R> {
     ) -> Rgb {
         let origin = point.hit.surface.leave(sample.direction);
         let (ray, span, length) = stretch(origin, sample.direction, segment);
-        let kind = RayKind::Shadow { light: light.place };
+        let kind = RayKind::Shadow { light: light.index };
         self.recorder.enter(kind, &ray, 0, Rgb::WHITE);
         let between = if self.passes_glass(light) {
             self.straight_through(origin, sample.direction, segment, medium)
         } else {
-            let blocked_by = self.world.occluder(&ray, span).map(|object| object.place);
+            let blocked_by = self.world.occluder(&ray, span).map(|object| object.index);
             let passed = if blocked_by.is_some() { Rgb::BLACK } else { Rgb::WHITE };
             let transmittance = medium.transmittance(length);
             Between { blocked_by, boundaries: 0, passed, transmittance }
@@ -82,7 +82,7 @@ impl<R: Recorder> Tracing<'_, R> {
             if !weight.is_black() {
                 let value = weight * arriving;
                 sent += value;
-                let source = TermSource::Light { light: light.place };
+                let source = TermSource::Light { light: light.index };
                 self.recorder.term(Term { source, weight, arriving, value });
             }
         }
@@ -91,17 +91,17 @@ impl<R: Recorder> Tracing<'_, R> {
         arriving
     }
 
-    /// Whether the shadow rays of this light pass what is transparent. Paths that can meet the light
-    /// find its way through glass by themselves: it would be counted twice.
+    /// Whether the shadow rays of this light pass through transparent surfaces. Not if paths can hit the
+    /// light: they reach it through glass themselves, and it would be counted twice.
     fn passes_glass(&self, light: &PlacedLight) -> bool {
         let is_met = light.light.object().is_some() || light.light.is_sky();
         self.world.transparency.shadows == TransparentShadows::Attenuated
             && !(self.strategy.is_path() && is_met)
     }
 
-    /// Follows a shadow ray straight through transparent surfaces, as an approximation: each lets
-    /// through what it transmits at the angle of the straight ray in the thinner of its media, and each
-    /// stretch between two of them what its medium does.
+    /// Follows a shadow ray straight through transparent surfaces, an approximation. Each surface transmits
+    /// its share for the straight ray's angle on the side of the smaller index, and each stretch between
+    /// surfaces its medium's transmittance.
     fn straight_through(
         &self,
         mut origin: Point,
@@ -122,7 +122,7 @@ impl<R: Recorder> Tracing<'_, R> {
             if hit.casts_shadow() {
                 passed = passed * transmitted(&hit, direction);
                 if passed.is_black() {
-                    let blocked_by = Some(hit.object.place);
+                    let blocked_by = Some(hit.object.index);
                     return Between { blocked_by, boundaries, passed, transmittance };
                 }
                 boundaries += 1;
@@ -147,14 +147,14 @@ fn stretch(origin: Point, direction: Vector, segment: Segment) -> (Ray, Span, f6
 /// the light do not block it, and a surface that the light lies on does not either.
 fn up_to(light: Point, origin: Point) -> Span {
     let size = light.to_vector().max_abs() + origin.to_vector().max_abs();
-    // of the place of the light, and of the t of a surface there that the ray does not graze
+    // of the light's position, and of the t of a surface there that the ray does not graze
     let rounding = 64.0 * UNIT_ROUNDOFF * size / light.distance(origin);
     Span { min: 0.0, max: 1.0 - rounding }
 }
 
-/// The share of light that a surface lets through straight on, without the `1/η²` of radiance; black if it
-/// is opaque. The angle is taken on the side of the smaller index, as that of the light outside: within a
-/// pane the straight ray would be reflected totally where light passes.
+/// The share of light that a surface transmits along a straight line, without the `1/η²` of radiance;
+/// black if it is opaque. The ray's angle is taken on the side of the smaller index. On the other side it
+/// could exceed the critical angle, but light that enters a pane from outside always passes it.
 fn transmitted(hit: &Hit<'_>, direction: Vector) -> Rgb {
     let recipe = &hit.material.recipe;
     if !recipe.transmits() {

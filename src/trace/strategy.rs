@@ -7,17 +7,17 @@ use crate::world::World;
 /// How light is followed: every tracer of the book is a value of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strategy {
-    /// At which hits lights are sampled.
+    /// The hits at which lights are sampled.
     pub direct: Direct,
     /// What is followed from a hit.
     pub scatter: Scatter,
-    /// What a lamp counts that a ray meets, if its light was sampled where the ray starts.
+    /// The weight of a lamp that a ray hits, if its light was also sampled where the ray starts.
     pub lamps: Lamps,
-    /// A ray is cast if at most so many edges are before it.
+    /// A ray is cast if at most `max_depth` edges are before it.
     pub max_depth: u32,
 }
 
-/// At which hits lights are sampled.
+/// The hits at which lights are sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direct {
     /// At every hit, as a term of shading.
@@ -35,28 +35,28 @@ pub enum Direct {
 pub enum Scatter {
     /// Nothing.
     Nothing,
-    /// Each lobe that lights' samples do not meet: a tree.
+    /// Each lobe that does not accept the samples of lights: a tree.
     TracedLobes,
     /// One of all lobes: a path.
     OneLobe,
-    /// The same, and a path that carries little may end by chance (Russian roulette).
+    /// The same with Russian roulette.
     OneLobeOrNone,
 }
 
-/// What a lamp counts that a ray meets, if its light was sampled at the hit from which the ray comes,
-/// and the ray is not a single direction, which that sample could not find.
+/// The weight of a lamp that a ray hits, if its light was also sampled at the hit from which the ray
+/// comes. Does not apply to rays of a single direction, which light sampling cannot choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lamps {
-    /// All: the two never meet the same lobe.
+    /// 1: light samples and scattered rays never use the same lobe.
     Full,
-    /// Nothing: the sample stands for it.
+    /// 0: the light sample counts instead.
     Nothing,
-    /// The share that its sample leaves (multiple importance sampling, Veach 1997).
+    /// The MIS weight (multiple importance sampling, Veach 1997).
     Weighted,
 }
 
 impl Strategy {
-    /// What the tracer of a scene does.
+    /// The strategy of a scene's tracer.
     pub fn of(tracer: Tracer) -> Self {
         let tree = |scatter, max_depth| Self {
             direct: Direct::Shading,
@@ -83,7 +83,8 @@ impl Strategy {
         matches!(self.scatter, Scatter::OneLobe | Scatter::OneLobeOrNone)
     }
 
-    /// What is done with light of this kind instead of counting it at every hit, and why, in words.
+    /// What is done with light of this kind instead of counting it at every hit, and why, in words for the
+    /// user.
     fn leaves_out(self, light: &dyn Light) -> Option<[&'static str; 2]> {
         let is_met = light.object().is_some() || light.is_sky();
         match self.direct {
@@ -114,7 +115,7 @@ impl Strategy {
     }
 }
 
-/// What a person should know of lights that the world's tracer leaves out, a sentence each.
+/// A sentence for the user about each light that the world's tracer leaves out.
 pub fn left_out(world: &World) -> Vec<String> {
     let strategy = Strategy::of(world.tracer);
     let of = |light: &crate::world::PlacedLight| {

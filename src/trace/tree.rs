@@ -12,60 +12,60 @@ use crate::shapes::PartPath;
 use crate::textures::Texel;
 use crate::world::Hit;
 
-/// All rays of a sample, each after the one that sent it.
+/// All rays of a sample; a parent comes before its children.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RayTree {
     nodes: Vec<Node>,
     /// The rays that have begun and not ended.
     open: Vec<usize>,
-    /// Rays that have begun and not ended, and are not kept.
+    /// The number of open rays that are not kept.
     beyond: usize,
-    /// Whether a ray was not kept.
+    /// Whether some ray was not kept.
     cut: bool,
 }
 
-/// A tree of more rays would be read by nobody, and take gigabytes.
+/// The most rays that are kept: a larger tree would be unreadable and take gigabytes.
 const MOST_RAYS: usize = 1 << 20;
 
 /// One ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
-    /// What it is for.
+    /// Its purpose.
     pub kind: RayKind,
     /// The ray.
     pub ray: Ray,
     /// The number of edges before it; 0 for shadow rays, which end the tree.
     pub depth: u32,
-    /// What it counts for the ray before it.
+    /// The factor of its radiance in the ray before it.
     pub weight: Rgb,
-    /// What became of it.
+    /// Its outcome.
     pub outcome: Outcome<RecordedHit>,
     /// The terms of its sum, in order.
     pub terms: Vec<RecordedTerm>,
-    /// What its medium lets through.
+    /// The transmittance of its medium.
     pub transmittance: Rgb,
-    /// What arrives at its origin.
+    /// The radiance that arrives at its origin.
     pub radiance: Rgb,
-    /// The rays it sent, in order.
+    /// The indices of the rays it sent, in order.
     pub children: Vec<usize>,
 }
 
-/// A surface that was met.
+/// A hit that was recorded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedHit {
     /// Along the ray.
     pub t: f64,
-    /// The object's place in the scene.
+    /// The object's index in the scene.
     pub object: u32,
-    /// The place of the material of the part that is hit.
+    /// The index of the material of the part that is hit.
     pub material: u32,
     /// Which of the shapes nested in the object's, and which part of the innermost.
     pub path: PartPath,
-    /// Where.
+    /// The hit point.
     pub point: Point,
     /// Bound of the distance between the point and the true surface.
     pub error: f64,
-    /// Perpendicular to the surface.
+    /// The true normal.
     pub normal: Normal,
     /// The normal used for shading.
     pub shading: Normal,
@@ -77,18 +77,18 @@ pub struct RecordedHit {
     pub optics: Option<Optics>,
     /// Whether the object may shine: not while it is the lamp of a light that is off.
     pub shines: bool,
-    /// What the textures of its material are there.
+    /// The values of its material's textures there.
     pub textures: Vec<RecordedTexture>,
 }
 
-/// What a texture of a material is at a hit.
+/// The value of a material's texture at a hit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RecordedTexture {
     /// The field of the material that it stands in.
     pub field: String,
     /// Its colour; a field that is a number takes the red channel.
     pub color: Rgb,
-    /// Where in its image that is, if it has one.
+    /// The position in its image, if it has one.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub texel: Option<Texel>,
 }
@@ -100,8 +100,8 @@ impl RecordedHit {
         let across = Vector::from(surface.normal).cross(ray.direction).length();
         Self {
             t: *t,
-            object: hit.object.place,
-            material: hit.material.place,
+            object: hit.object.index,
+            material: hit.material.index,
             path: hit.path(),
             point: surface.point,
             error: surface.error,
@@ -136,7 +136,7 @@ pub struct RecordedTerm {
 }
 
 impl RayTree {
-    /// The rays; a ray stands before those it sent.
+    /// The rays; a parent comes before its children.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
@@ -149,12 +149,12 @@ impl RayTree {
         &self.nodes[0]
     }
 
-    /// Whether every ray was kept: not more than about a million.
+    /// Whether every ray was kept: at most about a million are.
     pub fn is_complete(&self) -> bool {
         !self.cut
     }
 
-    /// What arrives along the ray by the law `T · Σ terms`, worked out again from its terms.
+    /// The radiance of the ray by the law `T · Σ terms`, computed again from its terms.
     pub fn folded(&self, node: &Node) -> Rgb {
         let value = |recorded: &RecordedTerm| match recorded.child {
             Some(child) => recorded.term.weight * self.nodes[child].radiance,

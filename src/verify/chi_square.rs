@@ -1,15 +1,14 @@
-//! Pearson's χ² tests: do counts follow a distribution, and do two properties have to do with each
-//! other?
+//! Pearson's χ² tests: do counts follow a distribution, and are two properties independent?
 //!
-//! Both assume independent samples: never feed them stratified points. Both give a probability
-//! (p-value): under the hypothesis it is below `α` with probability about `α`, so a test at level `α`
-//! fails if it is less. How nearly is measured in `docs/accuracy.md`.
+//! Both assume independent samples, so stratified points must not be tested with them. Both return a
+//! p-value: under the hypothesis it is below `α` with probability about `α`, so a test at level `α` fails
+//! if it is less. `docs/accuracy.md` has the measured rates.
 
 use std::cmp::Reverse;
 
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-/// Cells that expect fewer are put together: the χ² distribution is a limit for large counts
+/// Cells with smaller expected counts are pooled: the χ² distribution is a limit for large counts
 /// (Cochran, "The χ² Test of Goodness of Fit", 1952).
 const FEWEST: f64 = 5.0;
 
@@ -17,10 +16,10 @@ const FEWEST: f64 = 5.0;
 /// and fall into the cells as expected (Pearson 1900). `expected` must be known beforehand: nothing
 /// in it may be fitted to the same samples.
 ///
-/// Cells are pooled, the rarest first, until each pool expects at least 5; there are as many degrees
-/// of freedom as pools, less one. A sample in a cell that expects none gives 0 at once. `expected`
-/// must add up to the number of samples: a density that does not integrate to 1 is no density, and
-/// gives 0 too. One pool gives 1: nothing can be told.
+/// Cells are pooled, the rarest first, until each pool expects at least 5; the degrees of freedom are the
+/// number of pools less one. The result is 0 if a sample is in a cell that expects none. It is also 0 if
+/// `expected` does not add up to the number of samples: then it does not come from a density. It is 1 for
+/// a single pool, which tells nothing.
 ///
 /// Power: with `n` samples in `k` cells at level 1e-6, a density that is wrong by `±ε` in
 /// alternate cells is found, 98 times in 100 or more, if `n ε² > 10 √k + 60`. (In general `n ε²` is
@@ -58,22 +57,21 @@ pub fn goodness_of_fit(observed: &[u64], expected: &[f64]) -> f64 {
     tail(statistic, pools.len().saturating_sub(1))
 }
 
-/// The probability of a table at least as far from one in which rows and columns have nothing to do
-/// with each other, `n p_i q_j`, the shares `p_i` and `q_j` being those of the table itself (Pearson
-/// 1900; degrees of freedom by Fisher 1922). Nothing is assumed of how often each row and each
-/// column occurs.
+/// The probability of a table at least as far from one of independent rows and columns, `n p_i q_j`, with
+/// the table's own shares `p_i` and `q_j` (Pearson 1900; degrees of freedom by Fisher 1922). The
+/// frequencies of rows and columns may be any.
 ///
-/// `table` holds row after row: how often each pair of properties was seen, each pair once and
-/// independent of the others. The rarest of all rows and columns joins the next rarest of its side,
-/// until each cell expects at least 5; by the totals alone, so that it cannot favour an outcome. With
-/// r rows and c columns left there are `(r − 1)(c − 1)` degrees of freedom; none gives 1: nothing can
-/// be told.
+/// `table` holds, row after row, the number of times each pair of properties occurred; the pairs must be
+/// independent of each other. The rarest of all rows and columns is joined with the next rarest of its
+/// kind, until each cell expects at least 5. Only the totals decide, so that joining cannot favour an
+/// outcome. With r rows and c columns left there are `(r − 1)(c − 1)` degrees of freedom. With none the
+/// result is 1.
 ///
 /// Power: with `n` pairs and `d` degrees at level 1e-6, a dependence of `φ² = Σ (p_ij − p_i q_j)²/(p_i
 /// q_j)` is found, 98 times in 100 or more, if `n φ² > 10 √d + 60`.
 ///
 /// # Panics
-/// If the table is not made of whole rows of so many columns.
+/// If the table is not made of whole rows of `columns` columns.
 pub fn independence(table: &[u64], columns: usize) -> f64 {
     assert!(columns > 0 && table.len().is_multiple_of(columns), "whole rows of {columns}");
     let row_totals = table.chunks(columns).map(|row| row.iter().sum());
@@ -109,7 +107,7 @@ fn classes(totals: impl Iterator<Item = u64>) -> Vec<Class> {
     classes
 }
 
-/// Joins rare classes of either side until each cell expects enough of `n`.
+/// Joins rare rows and columns until each cell expects enough of `n`.
 fn pool(rows: &mut Vec<Class>, columns: &mut Vec<Class>, n: f64) {
     while let (Some(row), Some(column)) = (rows.last(), columns.last()) {
         if row.total as f64 * column.total as f64 >= FEWEST * n {
@@ -120,18 +118,18 @@ fn pool(rows: &mut Vec<Class>, columns: &mut Vec<Class>, n: f64) {
     }
 }
 
-/// The last two classes become one, at its place; the last one alone is left out.
-fn join_the_rarest(side: &mut Vec<Class>) {
-    let rarest = side.pop();
-    if let (Some(mut rarest), Some(mut joined)) = (rarest, side.pop()) {
+/// Joins the last two classes and puts the result in order; a single class is removed.
+fn join_the_rarest(classes: &mut Vec<Class>) {
+    let rarest = classes.pop();
+    if let (Some(mut rarest), Some(mut joined)) = (rarest, classes.pop()) {
         joined.total += rarest.total;
         joined.members.append(&mut rarest.members);
-        let place = side.partition_point(|class| class.total >= joined.total);
-        side.insert(place, joined);
+        let index = classes.partition_point(|class| class.total >= joined.total);
+        classes.insert(index, joined);
     }
 }
 
-/// The probability that the χ² distribution of so many degrees of freedom exceeds the statistic.
+/// The probability that the χ² distribution with `freedom` degrees of freedom exceeds the statistic.
 fn tail(statistic: f64, freedom: usize) -> f64 {
     match ChiSquared::new(freedom as f64) {
         Ok(distribution) => distribution.sf(statistic),
@@ -143,7 +141,7 @@ fn tail(statistic: f64, freedom: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::math::exp;
-    use crate::verify::planted::{LEVEL, paired, uneven};
+    use crate::verify::biased_samples::{LEVEL, paired, uneven};
 
     const CELLS: usize = 99;
 
@@ -198,7 +196,7 @@ mod tests {
         // 2 × 3, two degrees, p = exp(−χ²/2): all six expect 20, off by 4, 0, 4: χ² = 4 · 16/20
         let p = independence(&[24, 20, 16, 16, 20, 24], 3);
         assert!((p - exp(-1.6)).abs() < 1e-12, "{p}");
-        // a table that is a product to the last count
+        // a table that is exactly a product
         assert_eq!(independence(&[10, 20, 30, 30, 60, 90], 3), 1.0);
     }
 
@@ -232,11 +230,11 @@ mod tests {
         // a row of 4 + 5 expects 9 · 104/209 < 5 in the first column: it joins the last of the next rarest
         let (rare, joined) = ([4, 5, 60, 40, 40, 60], [60, 40, 44, 65]);
         assert_eq!(independence(&rare, 2), independence(&joined, 2));
-        // one pair in a corner of its own, among 1000: (1 − 1e-6)²/1e-3 would look impossible
+        // one pair alone in a corner, among 1000: (1 − 1e-6)²/1e-3 would look impossible
         assert!(independence(&[999, 0, 0, 1], 2) > 0.9);
-        // the same table lying on its side: the rare ones are found on either
+        // the transposed table: rare columns are found like rare rows
         assert_eq!(independence(&[4, 60, 40, 5, 40, 60], 3), independence(&rare, 2));
-        // nothing can be told of one row, or of nothing
+        // a single row, or an empty table, tells nothing
         assert_eq!(independence(&[3, 4, 5], 3), 1.0);
         assert_eq!(independence(&[0, 0, 0, 0], 2), 1.0);
         assert_eq!(independence(&[1, 0, 0, 1], 2), 1.0);

@@ -9,9 +9,9 @@ use crate::film::Film;
 pub enum Verdict {
     /// The same bits.
     Same,
-    /// Every channel of every pixel within [`DRIFT`]: another order of the same sums, perhaps.
+    /// Every channel of every pixel is within [`DRIFT`], as after a change of the order of sums.
     Drift,
-    /// Something else.
+    /// A larger difference.
     Changed,
 }
 
@@ -38,7 +38,7 @@ fn same_size(a: &Film, b: &Film) -> bool {
     (a.width(), a.height()) == (b.width(), b.height())
 }
 
-/// `|a − b| ≤ relative · max(|a|, |b|)`, values below `floor` counted as that; never for NaN.
+/// `|a − b| ≤ relative · max(|a|, |b|)`, with the maximum at least `floor`; false for NaN.
 fn within(a: f32, b: f32, relative: f64, floor: f64) -> bool {
     let (a, b) = (f64::from(a), f64::from(b));
     (a - b).abs() <= relative * a.abs().max(b.abs()).max(floor)
@@ -49,15 +49,15 @@ fn within(a: f32, b: f32, relative: f64, floor: f64) -> bool {
 pub struct Difference {
     /// x right and y down, from 0.
     pub pixel: [u32; 2],
-    /// What should be there.
+    /// The expected colour.
     pub expected: [f32; 3],
-    /// What is there.
+    /// The actual colour.
     pub got: [f32; 3],
-    /// The largest absolute difference of a channel; infinite where it is not a number.
+    /// The largest absolute difference of a channel; infinite if it is NaN.
     pub size: f64,
 }
 
-/// The pixels whose bits differ, the largest difference first. Both pictures have one size.
+/// The pixels whose bits differ, the largest difference first. Both pictures have the same size.
 pub fn differences(expected: &Film, got: &Film) -> Vec<Difference> {
     let mut all = Vec::new();
     for (i, (a, b)) in expected.to_f32().zip(got.to_f32()).enumerate() {
@@ -79,10 +79,10 @@ pub fn differences(expected: &Film, got: &Film) -> Vec<Difference> {
     all
 }
 
-/// How much two pictures may differ that come from different programs.
+/// The allowed difference between pictures of different programs.
 ///
-/// "99 % of the pixels agree" lets a line of one pixel's width through; so differing pixels are
-/// counted by clusters as well.
+/// "99 % of the pixels agree" would accept a wrong line one pixel wide, so clusters of differing pixels
+/// are limited too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// The largest relative difference of a channel in a pixel that agrees.
@@ -91,21 +91,21 @@ pub struct Tolerance {
     pub floor: f64,
     /// The largest share of pixels that do not agree.
     pub share: f64,
-    /// The largest number of such pixels that touch one another, by sides or corners.
+    /// The most pixels in a cluster: pixels that do not agree, connected by sides or corners.
     pub cluster: u32,
 }
 
-/// What disagrees under a [`Tolerance`].
+/// The pixels that do not agree within a [`Tolerance`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disagreement {
     /// The share of pixels that do not agree.
     pub share: f64,
-    /// The pixels in their largest cluster.
+    /// The number of pixels in the largest cluster.
     pub cluster: u32,
 }
 
 impl Tolerance {
-    /// Whether the pictures are of one size and differ no more than allowed.
+    /// Whether the pictures have the same size and differ no more than allowed.
     pub fn accepts(&self, expected: &Film, got: &Film) -> bool {
         if !same_size(expected, got) {
             return false;
@@ -114,7 +114,7 @@ impl Tolerance {
         found.share <= self.share && found.cluster <= self.cluster
     }
 
-    /// How much disagrees between two pictures of one size.
+    /// The disagreement of two pictures of the same size.
     pub fn disagreement(&self, expected: &Film, got: &Film) -> Disagreement {
         let mut apart = HashSet::new();
         for (i, (a, b)) in expected.to_f32().zip(got.to_f32()).enumerate() {

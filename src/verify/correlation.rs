@@ -1,4 +1,4 @@
-//! Pearson's correlation, and whether it may be none.
+//! Pearson's correlation, and its significance.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -7,7 +7,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 pub struct Correlation {
     /// From −1 to 1.
     pub r: f64,
-    /// The probability of one at least as far from 0, on either side, if there is none.
+    /// The two-sided p-value: the probability of an `r` at least as far from 0 without correlation.
     pub p: f64,
 }
 
@@ -16,10 +16,10 @@ pub struct Correlation {
 /// 1915). `None` for fewer than three pairs, for a number that is not finite, and if all x or
 /// all y are the same.
 ///
-/// The pairs must be independent of each other. The probability is exact if x or y is normal, and for
-/// many pairs with finite variances. At level 1e-3 ten pairs of uniform numbers raise 1.3 times as many
-/// false alarms as they should, 30 pairs of exponential ones 2.8 times, and lower levels more: with
-/// heavy tails take ranks, or more pairs. No correlation does not mean no dependence: see
+/// The pairs must be independent of each other. The probability is exact if x or y is normal, and in the
+/// limit of many pairs with finite variances. At level 1e-3 ten pairs of uniform numbers raise 1.3 times
+/// as many false alarms as they should, 30 pairs of exponential ones 2.8 times; lower levels are worse.
+/// With heavy tails use ranks, or more pairs. No correlation does not mean no dependence: see
 /// [`chi_square::independence`](super::chi_square::independence).
 ///
 /// Power: at level 1e-6 a true correlation ρ is found, 98 times in 100 or more, if `|ρ| √n > 7.2`
@@ -44,7 +44,7 @@ pub fn pearson(xs: &[f64], ys: &[f64]) -> Option<Correlation> {
     if xs.len() < 3 || !spread.is_finite() || spread == 0.0 || constant(xs) || constant(ys) {
         return None;
     }
-    // rounding may go beyond
+    // rounding may exceed ±1
     let r = (xy / spread).clamp(-1.0, 1.0);
     let student = StudentsT::new(0.0, 1.0, n - 2.0).ok()?;
     let t = r.abs() * ((n - 2.0) / ((1.0 - r) * (1.0 + r))).sqrt();
@@ -55,7 +55,7 @@ pub fn pearson(xs: &[f64], ys: &[f64]) -> Option<Correlation> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::planted::{LEVEL, correlated};
+    use crate::verify::biased_samples::{LEVEL, correlated};
 
     /// Oracle: by hand. x = 1 … 5 and y = 2, 1, 4, 3, 5 have Σxy = 8, Σxx = Σyy = 10: r = 0.8, and
     /// t = 0.8 √(3/0.36) = 4/√3; Student's t of three degrees is `½ + (arctan(t/√3) + (t/√3)/(1 +
@@ -93,8 +93,8 @@ mod tests {
         }
     }
 
-    /// Law: it does not depend on where zero is. Oracle: the same pairs, a million spreads away,
-    /// where the sum of squares less the square of the sum would have lost all but four digits.
+    /// Law: translation does not change the correlation. Oracle: the same pairs, a million spreads away,
+    /// where the sum of squares less the square of the sum would lose all but four digits.
     #[test]
     fn a_far_mean_does_not_matter() {
         let [xs, ys] = correlated(1000, 0.3, 1);

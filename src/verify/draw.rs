@@ -1,4 +1,4 @@
-//! Seeded draws for laws that count their own cases, and for the shapes of [`many`](super::many).
+//! Seeded draws for laws that count their own cases, and for the shapes of [`composites`](super::composites).
 
 use crate::math::{Frame, Normal, Pcg32, Point, Vector, power};
 
@@ -7,12 +7,12 @@ use crate::math::{Frame, Normal, Pcg32, Point, Vector, power};
 pub struct Draw(Pcg32);
 
 impl Draw {
-    /// The draws of a seed.
+    /// The source of a seed.
     pub fn new(seed: u64) -> Self {
         Self(Pcg32::new(seed, 0))
     }
 
-    /// Numbers of their own for each case, so that any one can be run again without those before.
+    /// Independent numbers for each case, so that one case can be repeated without those before it.
     pub fn case(seed: u64, index: usize) -> Self {
         Self(Pcg32::new(seed, 1 + index as u64))
     }
@@ -22,17 +22,17 @@ impl Draw {
         low + (high - low) * self.0.uniform()
     }
 
-    /// One of `0..n`, each as often.
+    /// Uniform in `0..n`.
     pub fn below(&mut self, n: usize) -> usize {
         self.0.below(n as u32) as usize
     }
 
-    /// As often true as false.
+    /// True with probability ½.
     pub fn coin(&mut self) -> bool {
         self.below(2) == 0
     }
 
-    /// 1 or −1.
+    /// 1 or −1 with equal probability.
     pub fn sign(&mut self) -> f64 {
         if self.coin() { 1.0 } else { -1.0 }
     }
@@ -42,15 +42,15 @@ impl Draw {
         power(10.0, self.between(low, high))
     }
 
-    /// Uniform in the cube of half-side `reach`.
-    pub fn vector(&mut self, reach: f64) -> Vector {
-        let mut c = || self.between(-reach, reach);
+    /// Uniform in the cube of this half-side.
+    pub fn vector(&mut self, half_side: f64) -> Vector {
+        let mut c = || self.between(-half_side, half_side);
         Vector::new(c(), c(), c())
     }
 
-    /// Uniform in the cube of half-side `reach` about the origin.
-    pub fn point(&mut self, reach: f64) -> Point {
-        Point::ORIGIN + self.vector(reach)
+    /// Uniform in the cube of this half-side about the origin.
+    pub fn point(&mut self, half_side: f64) -> Point {
+        Point::ORIGIN + self.vector(half_side)
     }
 
     /// Uniform on the sphere, by rejection from the cube.
@@ -63,8 +63,8 @@ impl Draw {
         }
     }
 
-    /// A unit direction that leaves a surface on the side of `n`: anywhere, or as often within
-    /// 10⁻¹ to 10⁻⁹ of the surface.
+    /// A unit direction that leaves a surface on the side of `n`; in half of the cases grazing, within 10⁻¹
+    /// to 10⁻⁹ of the surface.
     pub fn leaving(&mut self, n: Normal) -> Vector {
         let steep = if self.coin() { self.between(0.01, 1.0) } else { self.decades(-9.0, -1.0) };
         let across = self.direction();
@@ -74,7 +74,7 @@ impl Draw {
         frame.to_world((1.0 - steep * steep).sqrt() * flat + steep * Vector::Z)
     }
 
-    /// One of these.
+    /// A random element.
     pub fn pick<T: Copy>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())]
     }

@@ -1,4 +1,4 @@
-//! What can be wrong with golden images.
+//! Errors of golden images.
 
 use std::path::PathBuf;
 
@@ -17,7 +17,7 @@ pub enum GoldenError {
         /// Why.
         source: std::io::Error,
     },
-    /// The manifest does not say what it should.
+    /// The manifest is invalid.
     #[error("{}: {problem}", path.display())]
     Manifest {
         /// The manifest.
@@ -31,7 +31,7 @@ pub enum GoldenError {
     /// A scene of the gallery cannot be built.
     #[error("{name}: {source}")]
     Scene {
-        /// Which one.
+        /// Its name.
         name: String,
         /// Why.
         source: Box<SceneError>,
@@ -39,7 +39,7 @@ pub enum GoldenError {
     /// No scene of the gallery has this name.
     #[error("no golden `{0}` can be made: the gallery has no such scene (`groundtruth list`)")]
     NoScene(String),
-    /// Nobody says why.
+    /// A golden is accepted without a reason.
     #[error("a golden is accepted with a reason: --because \"what it was checked against\"")]
     NoReason,
 }

@@ -1,8 +1,7 @@
 //! Golden images: small pictures that were looked at once and are compared ever since.
 //!
-//! `goldens/manifest.toml` says of each what it shows and why it was accepted; the EXR beside it is
-//! the truth, the PNG is for eyes. The digest ties them together: an image and a manifest that do
-//! not belong to one another are found out.
+//! `goldens/manifest.toml` says what each one shows and why it was accepted. The EXR beside it is the
+//! truth; the PNG is for viewing. The digest in the manifest detects an image that does not belong to it.
 
 mod journal;
 
@@ -19,13 +18,13 @@ use crate::gallery;
 use crate::scene::Scene;
 use crate::world::World;
 
-/// One golden image, as the manifest says it.
+/// One golden image, as in the manifest.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Golden {
     /// A scene of the gallery.
     pub scene: String,
-    /// What is shown of it.
+    /// The quantity that is shown.
     #[serde(default, skip_serializing_if = "View::is_radiance")]
     pub view: View,
     /// Width and height in pixels.
@@ -58,7 +57,7 @@ impl Golden {
         Ok(scene)
     }
 
-    /// The picture as it is now.
+    /// The picture that the code renders now.
     ///
     /// # Errors
     /// [`GoldenError::NoScene`] and [`GoldenError::Scene`].
@@ -84,7 +83,7 @@ pub fn digest(film: &Film) -> String {
     })
 }
 
-/// What a check found.
+/// The result of a check.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Status {
     /// The same bits.
@@ -93,11 +92,11 @@ pub enum Status {
     Drift,
     /// A different picture.
     Changed,
-    /// The manifest has no such golden, or its image is not there.
+    /// The manifest has no such golden, or its image is missing.
     Missing,
     /// The image is not the one whose digest the manifest keeps.
     Mismatch,
-    /// The gallery has no such scene (any more).
+    /// The gallery has no such scene.
     NoScene,
 }
 
@@ -106,13 +105,13 @@ pub enum Status {
 pub struct Finding {
     /// The golden's name.
     pub name: String,
-    /// What was found.
+    /// The result.
     pub status: Status,
     /// The golden, if the manifest has it.
     pub golden: Option<Golden>,
     /// The accepted picture, if it could be read.
     pub expected: Option<Film>,
-    /// The picture as it is now.
+    /// The picture that the code renders now.
     pub got: Option<Film>,
 }
 
@@ -144,7 +143,7 @@ pub struct Proposal {
     film: Film,
 }
 
-/// What a new golden looks like; what is left out stays as it was, or takes its default.
+/// Settings of a new golden. Those left out stay as they were, or take their defaults.
 #[derive(Clone, Debug, Default)]
 pub struct Wishes {
     /// Width and height in pixels; 96 pixels wide in the form of the scene.
@@ -167,8 +166,8 @@ const HEADER: &str = "\
 ";
 
 impl Goldens {
-    /// Reads the manifest of a folder. If an earlier run was stopped while it accepted pictures, that
-    /// is finished first.
+    /// Reads the manifest of a folder. If an earlier run was stopped while it accepted pictures, finishes
+    /// that first.
     ///
     /// # Errors
     /// [`GoldenError::File`] and [`GoldenError::Manifest`].
@@ -193,22 +192,22 @@ impl Goldens {
         Ok(Self { folder: folder.to_owned(), all: manifest.golden, finished })
     }
 
-    /// Whether the folder has no manifest, and none that waits to be moved there.
+    /// Whether the folder has no manifest, and no new manifest waiting to be moved there.
     pub fn is_none(folder: &Path) -> bool {
         !journal::waits(folder) && matches!(folder.join(MANIFEST).try_exists(), Ok(false))
     }
 
-    /// An empty folder's goldens: none. Nothing is written until something is accepted.
+    /// No goldens, in an empty folder. Nothing is written until a picture is accepted.
     pub fn none(folder: &Path) -> Self {
         Self { folder: folder.to_owned(), all: Vec::new(), finished: false }
     }
 
-    /// Whether opening them finished what an earlier run was stopped in.
+    /// Whether opening finished an earlier run that was stopped.
     pub fn was_finished(&self) -> bool {
         self.finished
     }
 
-    /// What the manifest has, in its order.
+    /// The goldens of the manifest, in its order.
     pub fn all(&self) -> &[Golden] {
         &self.all
     }
@@ -218,7 +217,7 @@ impl Goldens {
         self.all.iter().find(|golden| golden.name() == name)
     }
 
-    /// Everything that should be the same: the manifest's goldens, and each scene of the gallery.
+    /// The names of all goldens: those of the manifest, and each scene of the gallery.
     pub fn names(&self) -> Vec<String> {
         let mut names: Vec<String> = self.all.iter().map(Golden::name).collect();
         names.extend(gallery::scenes().map(|entry| entry.name.to_owned()));
@@ -232,10 +231,10 @@ impl Goldens {
         self.folder.join(format!("{name}.{extension}"))
     }
 
-    /// Renders one and compares.
+    /// Renders a golden and compares it.
     ///
     /// # Errors
-    /// [`GoldenError`] if it cannot be answered: a scene that does not build, a damaged file.
+    /// [`GoldenError`] if they cannot be compared: a scene that does not build, a damaged file.
     pub fn check(&self, name: &str) -> Result<Finding, GoldenError> {
         let golden = self.find(name).cloned();
         let alone = |status| Ok(Finding::without_pictures(name.to_owned(), status, golden.clone()));
@@ -264,7 +263,7 @@ impl Goldens {
         Ok(Finding { name: name.to_owned(), status, golden, expected, got: Some(got) })
     }
 
-    /// Renders what would be accepted under this name, for this reason.
+    /// Renders a picture to be accepted under this name, for this reason.
     ///
     /// # Errors
     /// [`GoldenError::NoReason`], [`GoldenError::NoScene`] and [`GoldenError::Scene`].
@@ -290,8 +289,8 @@ impl Goldens {
         Ok(Proposal { golden, film })
     }
 
-    /// Keeps the proposed pictures: all of them, or none. Should the machine stop on the way, the
-    /// next [`Goldens::open`] finishes it, or finds the goldens as they were.
+    /// Accepts the proposed pictures: all of them, or none. If the machine stops meanwhile, the next
+    /// [`Goldens::open`] finishes, or finds the goldens as they were.
     ///
     /// # Errors
     /// [`GoldenError::File`] and [`GoldenError::Image`].
@@ -302,7 +301,7 @@ impl Goldens {
         Ok(())
     }
 
-    /// Writes pictures and manifest, so that nothing is left to do but to move them.
+    /// Writes pictures and manifest to temporary files, so that only moving them remains.
     fn decide(&self, proposals: Vec<Proposal>) -> Result<Vec<Golden>, GoldenError> {
         std::fs::create_dir_all(&self.folder).map_err(|e| self.unwritten(e))?;
         journal::clear(&self.folder).map_err(|e| self.unwritten(e))?;
@@ -337,14 +336,14 @@ impl Goldens {
     }
 }
 
-/// The scene and the view that a golden's name means, if the gallery has the scene.
+/// The scene and the view of a golden's name, if the gallery has the scene.
 fn named(name: &str) -> Option<(gallery::Entry, View)> {
     View::ALL
         .into_iter()
         .find_map(|view| Some((gallery::find(name.strip_suffix(view.suffix())?)?, view)))
 }
 
-/// The golden of a scene that has none.
+/// The first golden of a scene.
 fn first_version(name: &str) -> Result<Golden, GoldenError> {
     let (entry, view) = named(name).ok_or_else(|| GoldenError::NoScene(name.to_owned()))?;
     let Scene { about, image, .. } = (entry.build)();

@@ -2,15 +2,14 @@
 
 use crate::math::exp;
 
-/// The probability of samples at least as far from the uniform distribution on `[0, 1]`, if they are
-/// independent and uniform: by the largest distance of their empirical distribution function from
-/// the true one (Kolmogorov 1933; for small `n` with the correction of Stephens, "Use of the
-/// Kolmogorov–Smirnov, Cramér–von Mises and Related Statistics without Extensive Tables", 1970).
+/// The p-value of the hypothesis that the samples are independent and uniform on `[0, 1]`, by the largest
+/// distance of their empirical distribution function from the true one (Kolmogorov 1933; for small `n`
+/// with the correction of Stephens, "Use of the Kolmogorov–Smirnov, Cramér–von Mises and Related
+/// Statistics without Extensive Tables", 1970).
 ///
-/// Another continuous distribution, of the function F: pass `F(x)` for each sample x; F must be
-/// known beforehand. Never feed it stratified points, or samples that take only some values. A
-/// sample outside, or not a number, gives 0 at once; no samples give 1: nothing can be told. How
-/// exact it is for small `n` is in `docs/accuracy.md`.
+/// For another continuous distribution, of function F, pass `F(x)` for each sample x; F must be known
+/// beforehand. Not for stratified points, nor for discrete samples. The result is 0 if a sample is
+/// outside `[0, 1]` or NaN, and 1 without samples. `docs/accuracy.md` has the accuracy for small `n`.
 ///
 /// Power: at level 1e-6, a distribution whose F is off by `δ` somewhere is found, 98 times in 100 or
 /// more, if `n δ² > 14`.
@@ -48,7 +47,7 @@ fn kolmogorov(lambda: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::planted::{LEVEL, bent};
+    use crate::verify::biased_samples::{LEVEL, bent};
 
     #[test]
     fn the_tail_has_the_tables_values() {

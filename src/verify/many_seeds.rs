@@ -1,10 +1,10 @@
-//! How often each checker raises a false alarm, and how often it finds what its doc line says it
-//! does, over many seeds: with fixed seeds, a test's "1 %" says nothing about either.
+//! The rates, over many seeds, at which each checker raises a false alarm and finds the errors that its
+//! doc line promises. Tests with fixed seeds cannot measure these rates.
 //!
 //! `cargo test --release many_seeds -- --ignored --nocapture` prints the table of
 //! `docs/accuracy.md`.
 
-use super::planted::{LEVEL, bent, correlated, normal, normals, paired, power_of, uneven};
+use super::biased_samples::{LEVEL, bent, correlated, normal, normals, paired, power_of, uneven};
 use super::{chi_square, correlation, ks, means, significance, slope};
 use crate::math::{Pcg32, ln};
 
@@ -14,15 +14,15 @@ const CONFIDENCE: f64 = 0.9999;
 /// The levels at which false alarms are counted.
 const LEVELS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
-/// What a run of many seeds found wrong; judged at its end, when the whole table is printed.
+/// The failures of a run of many seeds, reported at its end, when the whole table is printed.
 #[derive(Default)]
 struct Run {
     wrong: Vec<String>,
 }
 
 impl Run {
-    /// Prints how often the test's probability of a seed is below each level, and holds that this is
-    /// no more than `most` times the level.
+    /// Prints how often the p-value is below each level, and requires that this is at most `most` times
+    /// the level.
     fn false_alarms(&mut self, name: &str, seeds: u64, most: [f64; 3], test: impl Fn(u64) -> f64) {
         let ps: Vec<f64> = (0..seeds).map(test).collect();
         let mut line = format!("| {name} |");
@@ -39,8 +39,7 @@ impl Run {
         println!("{line}");
     }
 
-    /// Prints how often the test's probability is below [`LEVEL`], and holds that this is not less
-    /// than 98 %.
+    /// Prints how often the p-value is below [`LEVEL`], and requires at least 98 %.
     fn power(&mut self, name: &str, seeds: u64, test: impl Fn(u64) -> f64) {
         let found = (0..seeds).filter(|&seed| test(seed) < LEVEL).count() as u64;
         let [low, high] = significance::proportion(found, seeds, CONFIDENCE);
@@ -77,11 +76,11 @@ fn unrelated(shares: &[f64], n: u64, seed: u64) -> Vec<u64> {
     let mut table = vec![0; shares.len() * shares.len()];
     let pick = |random: &mut Pcg32| {
         let mut rest = random.uniform() * shares.iter().sum::<f64>();
-        let place = shares.iter().position(|share| {
+        let cell = shares.iter().position(|share| {
             rest -= share;
             rest < 0.0
         });
-        place.unwrap_or(0)
+        cell.unwrap_or(0)
     };
     for _ in 0..n {
         table[pick(random) * shares.len() + pick(random)] += 1;

@@ -106,7 +106,7 @@ fn two_sided(difference: f64, variance: f64, freedom: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::math::{Pcg32, atan2};
-    use crate::verify::planted::{LEVEL, normals};
+    use crate::verify::biased_samples::{LEVEL, normals};
     use std::f64::consts::PI;
 
     /// Oracle: by hand. 1 … 4 have the mean 2.5 and the variance 5/3, so that 1 is t = 1.5/√(5/12) off;

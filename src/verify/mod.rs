@@ -1,30 +1,30 @@
 //! Verification as a library: pictures compared, golden images kept, statistics judged,
 //! intersections held against exact answers.
 //!
-//! Each checker here is itself checked: it passes on the truth and fails on a planted error just
-//! above the power its doc line states.
+//! Each checker here is itself checked: it passes on correct data and fails on an error just above the
+//! one that its doc line says it finds.
 //!
 //! Which test for which question:
 //!
 //! | question | test |
 //! | --- | --- |
 //! | do samples fall into cells as a density says? | [`chi_square::goodness_of_fit`] |
-//! | do two properties have to do with each other? | [`chi_square::independence`] |
+//! | are two properties independent? | [`chi_square::independence`] |
 //! | do numbers follow a continuous distribution? | [`ks::uniform`] of its F |
 //! | are two numbers correlated? | [`correlation::pearson`] |
 //! | is a mean, such as a pixel's over replicas, what it should be? | [`means::one_sample`] |
 //! | do two renderers' means agree? | [`means::two_samples`] |
 //! | how fast does an error fall? | [`slope::power_law`] |
 //! | at what level, if there are many tests? | [`significance::sidak`] |
-//! | how sure is a rate that was counted? | [`significance::proportion`] |
+//! | how uncertain is a counted rate? | [`significance::proportion`] |
 
-pub mod against;
+pub mod backward_error;
 pub mod chi_square;
 pub mod compare;
+pub mod composites;
 pub mod correlation;
 pub mod golden;
 pub mod ks;
-pub mod many;
 pub mod means;
 mod quantile;
 pub mod review;
@@ -32,16 +32,16 @@ pub mod significance;
 pub mod slope;
 
 mod draw;
-// what goldens are made of
+// parts of goldens
 mod error;
 mod view;
 
 #[cfg(test)]
-mod controls;
+mod bad_scenes;
+#[cfg(test)]
+mod biased_samples;
 #[cfg(test)]
 mod many_seeds;
-#[cfg(test)]
-mod planted;
 
 pub use draw::Draw;
 pub use error::GoldenError;

@@ -52,7 +52,7 @@ pub fn power_law(points: &[(f64, f64)], confidence: f64) -> Option<PowerLaw> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::planted::power_of;
+    use crate::verify::biased_samples::power_of;
 
     /// Law: a power law without noise is found; with noise, its interval has the true slope as often
     /// as it says, and leaves a false one out. Oracle: how the points were made.

@@ -117,7 +117,7 @@ impl Recorder for FirstHit {
         }
         if let (Outcome::Hit { hit }, false) = (outcome, self.seen) {
             self.t = hit.t;
-            self.object = hit.object.place + 1;
+            self.object = hit.object.index + 1;
             self.normal = hit.surface.normal.to_array().into();
         }
         self.seen = true;

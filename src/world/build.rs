@@ -1,4 +1,4 @@
-//! How a world is checked and built from a scene.
+//! Checks a scene and builds its world.
 
 use std::path::Path;
 
@@ -65,7 +65,7 @@ impl World {
         let mut objects = Objects(placed_objects(scene, resources, &materials)?);
         let lights = placed_lights(scene, &background, &materials, &mut objects.0)?;
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
-        // a single object is tested, not searched for
+        // a single object needs no structure
         let method = if bounds.len() == 1 { Method::List } else { scene.accel };
         Ok(Self {
             image: scene.image.clone(),
@@ -83,14 +83,14 @@ impl World {
         })
     }
 
-    /// Makes all random choices anew, from another seed.
+    /// Draws all random numbers again, from another seed.
     pub fn reseed(&mut self, seed: u64) {
         self.seed = seed;
         self.samples = samples(&self.image, seed).expect("the image was checked");
     }
 }
 
-/// Refuses a picture without pixels, or of too many, or whose numbers do not fit.
+/// Refuses a picture without pixels, with too many pixels, or with invalid numbers.
 pub(crate) fn check_image(image: &Image) -> Result<(), Invalid> {
     let (width, height) = (u64::from(image.width), u64::from(image.height));
     if width * height == 0 {
@@ -110,8 +110,8 @@ pub(crate) fn check_image(image: &Image) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// Refuses a view whose rays are no numbers, as the corners of the picture lie too far off; and a
-/// stereo pair of too many pixels.
+/// Refuses a view whose rays overflow because the corners of the picture are too far away, and a stereo
+/// pair of too many pixels.
 pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
     let (width, height) = (view.picture_width(image.width), u64::from(image.height));
     if width * height > MOST_PIXELS {
@@ -121,7 +121,7 @@ pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
         );
         return Err(Invalid::field("gap", problem).inside("stereo").inside("camera"));
     }
-    // twice as far: sums on the way to a ray within the picture cannot overflow either
+    // twice as far out as the corners: intermediate sums inside the picture cannot overflow either
     let [x, y] = [image.width, image.height].map(|n| image.pixel_size * f64::from(n));
     for corner in [[x, y], [-x, y], [x, -y], [-x, -y]] {
         if !view.reaches(corner) {

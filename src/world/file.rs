@@ -1,4 +1,4 @@
-//! Worlds of scene files: what is wrong is told by file and line.
+//! Worlds of scene files, with errors by file and line.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use super::{DEFAULT_SEED, World};
 use crate::scene::{self, Scene, SceneError, Source};
 
 impl World {
-    /// Builds the scene of this text, perhaps changed since.
+    /// Builds a scene that was read from `source`, and may have been changed since.
     ///
     /// # Errors
     /// [`SceneError`] with file, line, object and field.

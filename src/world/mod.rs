@@ -31,17 +31,17 @@ pub struct World {
     pub image: Image,
     /// The camera.
     pub view: View,
-    /// What a ray sees that hits nothing.
+    /// The radiance of rays that hit nothing.
     pub background: Sky,
-    /// How light is followed.
+    /// The tracer.
     pub tracer: Tracer,
-    /// What the scene says of glass.
+    /// How shadow rays and radiance pass transparent surfaces.
     pub transparency: Transparency,
     /// The seed of all random choices.
     pub seed: u64,
     /// The samples of all draws.
     pub samples: SampleSets,
-    /// How what lies around a pixel's centre counts.
+    /// The filter that weighs samples around a pixel's centre.
     pub filter: Arc<dyn Filter>,
     /// The lights that are on.
     pub lights: Vec<PlacedLight>,
@@ -56,9 +56,9 @@ pub struct World {
 pub struct PlacedLight {
     /// Its name.
     pub name: String,
-    /// Its place in the scene, counted with those switched off.
-    pub place: u32,
-    /// Whether objects stand in its way.
+    /// Its index in the scene; lights and objects that are switched off count.
+    pub index: u32,
+    /// Whether objects block it.
     pub shadows: bool,
     /// The light.
     pub light: Arc<dyn Light>,
@@ -69,31 +69,31 @@ pub struct PlacedLight {
 pub struct PlacedMaterial {
     /// Its name.
     pub name: String,
-    /// Its place in the scene.
-    pub place: u32,
+    /// Its index in the scene.
+    pub index: u32,
     /// Whether the back is shaded as the front.
     pub two_sided: bool,
-    /// What it is made of.
+    /// Its recipe for lobes.
     pub recipe: Arc<dyn Material>,
-    /// What turns its normals, if anything does.
+    /// The bump that turns its normals, if it has one.
     pub bump: Option<Arc<dyn Bump>>,
     casts_shadows: bool,
     /// Whether it asks for the texture coordinates of the surface itself.
     needs_uv: bool,
 }
 
-/// An object that is there.
+/// An object that is on.
 #[derive(Debug)]
 pub struct PlacedObject {
     /// Its name.
     pub name: String,
-    /// Its place in the scene, counted with those switched off.
-    pub place: u32,
-    /// The place of its material, which parts may replace by their own.
+    /// Its index in the scene; lights and objects that are switched off count.
+    pub index: u32,
+    /// The index of its material; parts may have their own.
     material: u32,
-    /// Whether it stands in the way of light.
+    /// Whether it blocks light.
     casts_shadows: bool,
-    /// Whether it sends out the light of its material: not while its area light is off.
+    /// Whether it emits the light of its material: not while its area light is off.
     pub(crate) shines: bool,
     /// The area light whose lamp it is, by its index among those that are on.
     pub(crate) lamp_of: Option<u32>,
@@ -101,7 +101,7 @@ pub struct PlacedObject {
     bounds: Aabb,
 }
 
-/// What a ray meets first.
+/// The first hit of a ray.
 #[derive(Debug)]
 pub struct Hit<'a> {
     /// Along the ray.
@@ -110,7 +110,7 @@ pub struct Hit<'a> {
     pub object: &'a PlacedObject,
     /// The material of the part that is hit.
     pub material: &'a PlacedMaterial,
-    /// Its surface there.
+    /// The surface at the hit.
     pub surface: Surface,
     /// Whether the ray meets the side the normal points to.
     pub front: bool,
@@ -128,7 +128,7 @@ impl Hit<'_> {
         TexturePoint::of_hit(&self.surface, &*self.object.shape, &self.candidate)
     }
 
-    /// Whether the part that is hit stands in the way of light.
+    /// Whether the part that is hit blocks light.
     pub fn casts_shadow(&self) -> bool {
         self.object.casts_shadows && self.material.casts_shadows
     }
@@ -145,10 +145,10 @@ impl World {
         Draws::new(&self.samples, self.seed, pixel, index)
     }
 
-    /// What the ray meets first.
+    /// The first hit along the ray.
     pub fn hit(&self, ray: &Ray, span: Span) -> Option<Hit<'_>> {
-        let seen = Seen { objects: &self.objects, ray };
-        let (index, candidate) = self.accel.nearest(&seen, ray, span)?;
+        let query = RayQuery { objects: &self.objects, ray };
+        let (index, candidate) = self.accel.nearest(&query, ray, span)?;
         let object = &self.objects.0[index as usize];
         let surface = object.shape.surface(ray, &candidate);
         let front = surface.is_front(ray.direction);
@@ -156,14 +156,14 @@ impl World {
         Some(Hit { t: candidate.t, object, material, surface, front, candidate })
     }
 
-    /// An object that stands in the way of light along the ray, if there is one.
+    /// An object that blocks light along the ray, if there is one.
     pub fn occluder(&self, ray: &Ray, span: Span) -> Option<&PlacedObject> {
-        let seen = Seen { objects: &self.objects, ray };
-        let (index, _) = self.accel.any(&seen, ray, span)?;
+        let query = RayQuery { objects: &self.objects, ray };
+        let (index, _) = self.accel.any(&query, ray, span)?;
         Some(&self.objects.0[index as usize])
     }
 
-    /// The objects that are there.
+    /// The objects that are on.
     pub fn objects(&self) -> &[PlacedObject] {
         &self.objects.0
     }
@@ -183,13 +183,13 @@ impl World {
 #[derive(Debug)]
 struct Objects(Vec<PlacedObject>);
 
-/// The objects as one ray sees them.
-struct Seen<'a> {
+/// The objects, for the query of one ray.
+struct RayQuery<'a> {
     objects: &'a Objects,
     ray: &'a Ray,
 }
 
-impl Primitives for Seen<'_> {
+impl Primitives for RayQuery<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         self.objects.0[index as usize].shape.hit(self.ray, span)
     }

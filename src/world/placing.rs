@@ -64,8 +64,8 @@ pub(super) fn placed_lights(
             return Err(here(Invalid::field("environment", problem)));
         }
         if light.enabled {
-            let (name, place, shadows) = (light.name.clone(), index as u32, light.shadows);
-            lights.push(PlacedLight { name, place, shadows, light: built });
+            let (name, index, shadows) = (light.name.clone(), index as u32, light.shadows);
+            lights.push(PlacedLight { name, index, shadows, light: built });
         }
     }
     Ok(lights)
@@ -107,10 +107,10 @@ pub(super) fn placed_materials(
             let problem = "a transparent material must know its inside and cannot be two-sided";
             return Err(here(Invalid::field("two_sided", problem)));
         }
-        let (name, place) = (material.name.clone(), index as u32);
+        let (name, index) = (material.name.clone(), index as u32);
         let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
         let needs_uv = resources.uses_of_uv() > uses_before;
-        Ok(PlacedMaterial { name, place, two_sided, recipe, bump, casts_shadows, needs_uv })
+        Ok(PlacedMaterial { name, index, two_sided, recipe, bump, casts_shadows, needs_uv })
     };
     scene.materials.iter().enumerate().map(&mut placed).collect()
 }
@@ -137,7 +137,7 @@ pub(super) fn placed_objects(
 ) -> Result<Vec<PlacedObject>, Invalid> {
     let known: BTreeMap<String, PartMaterial> = materials
         .iter()
-        .map(|m| (m.name.clone(), PartMaterial { place: m.place, casts_shadows: m.casts_shadows }))
+        .map(|m| (m.name.clone(), PartMaterial { index: m.index, casts_shadows: m.casts_shadows }))
         .collect();
     unique("objects", scene.objects.iter().map(|object| object.name.as_str()))?;
     check_epsilon(scene.epsilon, scene.names_textbook())?;
@@ -154,9 +154,9 @@ pub(super) fn placed_objects(
         if !object.enabled {
             continue;
         }
-        let needs_uv = |place: u32| materials[place as usize].needs_uv;
-        if let Some(place) = shape.material_without_uv(material.place, &needs_uv) {
-            let name = &materials[place as usize].name;
+        let needs_uv = |index: u32| materials[index as usize].needs_uv;
+        if let Some(found) = shape.material_without_uv(material.index, &needs_uv) {
+            let name = &materials[found as usize].name;
             let problem = format!(
                 "its material `{name}` has an image without `mapping`, which needs texture coordinates, \
                  but only meshes with `uvs` have these: give the image a mapping"
@@ -165,8 +165,8 @@ pub(super) fn placed_objects(
         }
         objects.push(PlacedObject {
             name: object.name.clone(),
-            place: index as u32,
-            material: material.place,
+            index: index as u32,
+            material: material.index,
             casts_shadows: object.casts_shadows && made_of.iter().any(|part| part.casts_shadows),
             shines: true,
             lamp_of: None,

@@ -55,7 +55,7 @@ pub fn assert_seen_where_projected(mut scene: Scene, eye: usize, point: Point) {
     add_flat(&mut scene, "mark", Sphere { center: point, radius, inward: false }, Rgb::WHITE);
 
     let world = built(&scene);
-    let expected = render::image_place(&scene.image, film);
+    let expected = render::image_point(&scene.image, film);
     let (found, light) = centre_of_light(&world, eye, expected.map(|c| c as u32));
     assert!(light > 1.5, "too little of the mark is in the window: {light} pixels");
     let off = [found[0] - expected[0], found[1] - expected[1]];
@@ -78,7 +78,7 @@ fn centre_of_light(world: &World, eye: usize, [column, row]: [u32; 2]) -> ([f64;
         for r in row - REACH..=row + REACH {
             // light counts at the place of its sample: at the pixel's middle it would be up to 0.01
             // pixels off, as the middles are too few for so small a mark
-            let [mx, my] = render::film_place(&world.image, [c, r], [0.5, 0.5]);
+            let [mx, my] = render::film_point(&world.image, [c, r], [0.5, 0.5]);
             for index in 0..world.samples_per_pixel() {
                 let light = render::sample(world, [first + c, r], index, &mut ()).g;
                 let sample = render::camera_sample(world, [first + c, r], index).expect("no gap");

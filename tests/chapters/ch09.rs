@@ -285,7 +285,7 @@ fn parallel_rays_project_without_depth() {
     assert_eq!(project(1.25, -0.5, 100.0), None);
     assert_eq!(project(1.25, -0.5, 101.0), None);
     // and in pixels of the picture: 8 × 6 of side 1/2, from its top left corner
-    let image = |film| render::image_place(&scene.image, film);
+    let image = |film| render::image_point(&scene.image, film);
     assert_eq!(image([0.0, 0.0]), [4.0, 3.0]);
     assert_eq!(image([-2.0, 1.5]), [0.0, 0.0]);
     assert_eq!(image([1.75, -1.25]), [7.5, 5.5]);

@@ -136,7 +136,7 @@ fn three_coloured_lights_cast_complementary_shadows() {
     for i in 0..9000 {
         let at = [i % 100, i / 100];
         let (ray, _) = camera_ray(&world, at, 0);
-        let Some(hit) = world.hit(&ray, Span::AHEAD).filter(|hit| hit.object.place == 1) else {
+        let Some(hit) = world.hit(&ray, Span::AHEAD).filter(|hit| hit.object.index == 1) else {
             continue;
         };
         let p = ray.at(hit.t);

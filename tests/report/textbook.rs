@@ -5,7 +5,7 @@ use groundtruth::shapes::textbook::{EPSILON, quartic_roots};
 use groundtruth::shapes::{
     self, Annulus, Cone, Disk, PartAnnulus, PartCylinder, PartSphere, PartTorus, Shape, Torus,
 };
-use groundtruth::verify::{against, many};
+use groundtruth::verify::{backward_error, composites};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 
@@ -33,7 +33,7 @@ impl Tally {
         if near || answer.roots.iter().any(|root| root.cond > 1e6) {
             return;
         }
-        let found = first(book, &against::ray(ray));
+        let found = first(book, &backward_error::ray(ray));
         match (found, answer.roots.first()) {
             (Some(t), Some(root)) if root.t_error(t) <= RIGHT * root.t => self.hits += 1,
             (None, None) => self.misses += 1,
@@ -50,8 +50,8 @@ fn textbook_forms_are_right_on_ordinary_rays() {
     for kind in Kind::ALL {
         let mut tally = Tally::default();
         for (shape, ray) in cases(kind, Family::Ordinary, 31, 300) {
-            let (kind, _) = against::ours(&shape).expect("it is valid");
-            let book = against::by_the_book(&kind).expect("it is valid");
+            let (kind, _) = backward_error::ours(&shape).expect("it is valid");
+            let book = backward_error::by_the_book(&kind).expect("it is valid");
             tally.ask(&*book, &ray, &oracle::intersect(&shape, &ray), RIGHT);
         }
         let Tally { hits, misses, missed } = tally;
@@ -64,12 +64,12 @@ fn textbook_forms_are_right_on_ordinary_rays() {
 /// Law and oracle as above, for compounds and grids.
 #[test]
 fn compounds_and_grids_are_right_on_ordinary_rays() {
-    for kind in many::Kind::ALL {
+    for kind in composites::Kind::ALL {
         const COUNT: u32 = 200;
         let mut tally = Tally::default();
         for index in 0..COUNT {
             let case = kind.case(Family::Ordinary, 32, index as usize, None).expect("it is valid");
-            let book = against::by_the_book(&case.ours).expect("it is valid");
+            let book = backward_error::by_the_book(&case.ours).expect("it is valid");
             // of pieces that the ray passes by, no more is known
             tally.ask(&*book, &case.ray, &case.answer(0.0), 1e-11);
         }
@@ -127,7 +127,7 @@ fn agrees(
     f: impl Fn(Point) -> f64,
     there: impl Fn(Point) -> bool,
 ) {
-    let book = against::by_the_book(&kind.into()).expect("it is valid");
+    let book = backward_error::by_the_book(&kind.into()).expect("it is valid");
     let (mut hits, mut misses, mut odd) = (0, 0, 0);
     for ray in rays(400) {
         match (first(&*book, &ray), marched(&ray, &f, &there)) {
@@ -218,7 +218,7 @@ fn quartics_have_their_roots() {
     check([2.0, 0.0, 0.0, 0.0, 2.0], &[]);
     // the torus (2, ½) along its equator, from (−5, 0, 0)
     let torus = Torus { swept_radius: 2.0, tube_radius: 0.5, inward: false };
-    let torus = against::by_the_book(&torus.into()).expect("it is valid");
+    let torus = backward_error::by_the_book(&torus.into()).expect("it is valid");
     let along_x = Ray::new(Point::new(-5.0, 0.0, 0.0), Vector::X);
     assert!(first(&*torus, &along_x).is_some_and(|t| (t - 2.5).abs() < RIGHT));
     assert_eq!(first(&*torus, &Ray::new(Point::new(0.0, -5.0, 0.0), Vector::Y)), None);

@@ -272,7 +272,7 @@ fn the_way_to_a_ray_is_marked_in_the_picture() {
     let trail = window.state().selection.trail(&window.state().rendering);
     assert_eq!(trail.len(), 2);
     let film = render::camera_sample(&world, ON_GLASS, 0).expect("no gap").film;
-    let expected = render::image_place(&world.image, film);
+    let expected = render::image_point(&world.image, film);
     let [x, y] = trail[0].0.expect("the camera sees what it hit");
     let off = (x - expected[0]).abs().max((y - expected[1]).abs());
     // places of up to 48 pixels, from points known to about 1e-14 of their distance

@@ -96,7 +96,7 @@ fn the_square_shows_the_strata() {
             let size = world.image.pixel_size;
             // the square's side, 156 points
             assert_drawn_as(&window, 0, 156.0 / size, &places);
-            let corner = render::film_place(&world.image, samples[0].pixel, [0.0, 0.0]);
+            let corner = render::film_point(&world.image, samples[0].pixel, [0.0, 0.0]);
             let cell = |[x, y]: &[f64; 2]| {
                 [x - corner[0], y - corner[1]].map(|along| (4.0 * along / size).floor() as i64)
             };
@@ -173,7 +173,7 @@ fn the_light_is_shown_where_one_is_sampled() {
     scene.lights.push(Light::new("occluder", AmbientOccluder::default()));
     let world = built(&scene);
     let window = samples_of(scene, ON_GLASS);
-    let (path, light) = (PathKey::CAMERA, world.lights.last().expect("one is there").place);
+    let (path, light) = (PathKey::CAMERA, world.lights.last().expect("one is there").index);
     let purpose = Purpose::Light { path, light, pair: 0 };
     let draws = |i| world.draws(ON_GLASS, i).draw(purpose).map(|u| 2.0 * u - 1.0);
     let places: Vec<_> = (0..16).map(draws).collect();

@@ -1,7 +1,7 @@
-//! How the tree is built: primitives are split by the surface-area heuristic, down to single ones.
+//! The build of the tree: primitives are split by the surface-area heuristic, down to single ones.
 //!
 //! Source: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007), for the
-//! binned build. The build is parallel and deterministic: the two halves do not know each other.
+//! binned build. The build is parallel and deterministic: the two halves are independent.
 
 use crate::math::Aabb;
 
@@ -22,11 +22,11 @@ pub struct Node {
 
 /// Candidate splits on each axis.
 const BINS: usize = 16;
-/// From this depth on, halves are equal, so that the tree is at most 32 deeper.
+/// From this depth on, primitives are split into equal halves, so that the tree is at most 32 deeper.
 const SAH_DEPTH: usize = 40;
-/// No tree is deeper: halves of 2³² primitives have one each after 32 steps.
+/// The largest depth of a tree: 2³² primitives are single after 32 halvings.
 pub const DEEPEST: usize = SAH_DEPTH + 32;
-/// Below this many primitives a thread of its own is not worth starting.
+/// With fewer primitives, a second thread does not pay.
 const PARALLEL: usize = 4096;
 
 impl Item {
@@ -56,7 +56,7 @@ fn subtree(items: &mut [Item], tree: &mut [Node], depth: usize) {
         return;
     }
     let plane = if depth < SAH_DEPTH { cheapest_plane(items) } else { None };
-    // all centres in one place, or too deep: equal halves in the order of objects
+    // all centres coincide, or too deep: equal halves in the order of objects
     let middle = plane.map_or(count / 2, |p| partition(items, |item| p.bin(item) < p.first_high));
     let (low, high) = items.split_at_mut(middle);
     let (left, right) = below.split_at_mut(2 * middle - 1);
@@ -65,7 +65,7 @@ fn subtree(items: &mut [Item], tree: &mut [Node], depth: usize) {
     join(count, build_low, build_high);
 }
 
-/// Both: on two threads if there are many primitives, otherwise one after the other.
+/// Runs both: on two threads if there are many primitives, otherwise one after the other.
 pub fn join<A: Send, B: Send>(
     primitives: usize,
     low: impl FnOnce() -> A + Send,
@@ -74,7 +74,7 @@ pub fn join<A: Send, B: Send>(
     if primitives > PARALLEL { rayon::join(low, high) } else { (low(), high()) }
 }
 
-/// Puts the low ones first and says how many they are.
+/// Puts the low items first and returns their number.
 fn partition(items: &mut [Item], is_low: impl Fn(&Item) -> bool) -> usize {
     let mut low = 0;
     for i in 0..items.len() {
@@ -96,15 +96,15 @@ struct Plane {
 
 impl Plane {
     fn bin(&self, item: &Item) -> usize {
-        let place = (item.center(self.axis) - self.start) * self.bins_per_length;
-        (place as usize).min(BINS - 1)
+        let bin = (item.center(self.axis) - self.start) * self.bins_per_length;
+        (bin as usize).min(BINS - 1)
     }
 }
 
-/// Some primitives, and the box around them.
+/// The number of primitives in a bin, and their bounding box.
 type Bin = (u32, Aabb);
 
-/// The split of the least expected cost over all axes; `None` if all centres are in one place.
+/// The split of the least expected cost over all axes; `None` if all centres coincide.
 fn cheapest_plane(items: &[Item]) -> Option<Plane> {
     let mut best: Option<(f64, Plane)> = None;
     for axis in 0..3 {
@@ -132,8 +132,8 @@ fn cheapest_plane(items: &[Item]) -> Option<Plane> {
     best.map(|(_, plane)| plane)
 }
 
-/// The border between two bins with the least sum of area × count, and that sum. The first and the
-/// last bin are not empty, so neither half is.
+/// The border between two bins with the least sum of area × count, and that sum. Neither half is empty,
+/// because the first and the last bin are not.
 fn cheapest_border(bins: &[Bin; BINS]) -> (f64, usize) {
     let add = |a: Bin, b: Bin| (a.0 + b.0, a.1.union(b.1));
     let weight =

@@ -1,4 +1,4 @@
-//! The bounding volume hierarchy: a binary tree of boxes. A ray that misses a box misses all below it.
+//! The bounding volume hierarchy: a binary tree of boxes. A ray that misses a box misses its whole subtree.
 
 pub(crate) mod build;
 
@@ -8,14 +8,14 @@ use super::Counter;
 use crate::math::{Aabb, BoxRay, Span};
 use build::{DEEPEST, Item, Node, binary_tree};
 
-/// Nodes of so few primitives are not opened: their primitives are tested.
+/// The most primitives of a leaf.
 const LEAF: usize = 4;
 
 /// The nodes in depth-first order: the left half of a node follows it, and the right half follows that.
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Vec<Node>,
-    /// The primitives in the order of the tree: those of a node stand side by side.
+    /// The primitives in the order of the tree: those of a node are adjacent.
     order: Vec<u32>,
 }
 
@@ -27,7 +27,7 @@ struct Waiting {
 }
 
 impl Bvh {
-    /// Over these primitives, whose boxes are `bounds`.
+    /// The tree over the primitives `which`; `bounds` are the boxes of all.
     pub(super) fn build(bounds: &[Aabb], which: Vec<u32>) -> Self {
         let item = |index| Item { bounds: bounds[index as usize], index };
         let mut items: Vec<Item> = which.into_iter().map(item).collect();
@@ -35,7 +35,7 @@ impl Bvh {
         Self { nodes, order: items.iter().map(|item| item.index).collect() }
     }
 
-    /// Tests what the ray may hit, the nearest boxes first. See [`super::Accel::visit`].
+    /// Tests the primitives that the ray may hit, the nearest boxes first. See [`super::Accel::visit`].
     #[inline(always)]
     pub(super) fn visit(
         &self,
@@ -52,9 +52,9 @@ impl Bvh {
         }
         'next: while let Some(Waiting { enter, mut node, mut first }) = waiting.pop() {
             if enter > end {
-                continue; // a nearer hit was found since it was entered
+                continue; // a nearer hit was found meanwhile
             }
-            // down to a leaf by the nearer children; the farther ones wait
+            // descend by the nearer children to a leaf; push the farther ones
             while self.nodes[node].count as usize > LEAF {
                 counter.step();
                 let left = node + 1;

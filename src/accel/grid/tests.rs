@@ -1,4 +1,4 @@
-//! Laws of cells and walks (Suffern, ch. 22), which nothing outside can see.
+//! Laws of cells and walks (Suffern, ch. 22), which are private.
 
 use super::*;
 use crate::math::{Pcg32, Point, Ray, Span};
@@ -13,7 +13,7 @@ fn cube_of_boxes(n: usize, seed: u64, radius: f64) -> Vec<Aabb> {
             Aabb { min: center - half, max: center + half }
         })
         .collect();
-    // the cube is filled to its corners, so that its sides are known
+    // objects in two opposite corners, so that the sides of the cube are known
     for (at, corner) in [(0, -1.0), (1, 1.0)] {
         let center = Point::new(corner, corner, corner);
         boxes[at] = Aabb { min: center - half, max: center + half };

@@ -3,7 +3,7 @@
 use super::{Data, FamilyData, KindData, Routine};
 use crate::report::html::{Table, count, figure, flagged, folded, listed, short, short_or_dash};
 use crate::report::plot::{Plot, Series};
-use crate::verify::against::ALLOWED;
+use crate::verify::backward_error::ALLOWED;
 use crate::verify::quantile;
 
 /// Errors below are drawn there: a logarithmic axis has no 0.

@@ -1,4 +1,4 @@
-//! How far from the exact answer each routine is.
+//! The error of each intersection routine against the exact answer.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -10,23 +10,23 @@ use super::{FamilyData, Routine};
 use crate::math::{Ray, Span};
 use crate::shapes::Shape;
 use crate::shapes::textbook::EPSILON;
-use crate::verify::against::{
+use crate::verify::backward_error::{
     ALLOWED, Pair, by_the_book, is_decided, ours, pair, ray, span, t_error,
 };
-use crate::verify::{many, quantile};
+use crate::verify::{composites, quantile};
 
-/// What is judged: a shape that has a formula, or one of many such.
+/// The shape that is judged: one with a formula, or a composite.
 #[derive(Clone, Copy, Debug)]
 pub enum Subject {
     One(hard::Kind),
-    Many(many::Kind),
+    Composite(composites::Kind),
 }
 
-/// What is asked of both routines, and the answer.
+/// A case for both routines, and its exact answer.
 struct Question {
     case: Case,
     exact: Answer,
-    /// Of an instance's matrix.
+    /// The condition number of an instance's matrix.
     condition: f64,
 }
 
@@ -34,14 +34,14 @@ struct Question {
 #[derive(Debug)]
 pub struct Case {
     pub ray: Ray,
-    /// Where hits are asked for.
+    /// The span of hits.
     pub span: Span,
     pub ours: Arc<dyn Shape>,
     pub textbook: Arc<dyn Shape>,
 }
 
 impl Case {
-    /// Of the book's routine, beyond its epsilon.
+    /// The hit of the book's routine, beyond its epsilon.
     pub fn textbook_hit(&self) -> Option<f64> {
         let beyond = Span { min: EPSILON, ..Span::AHEAD };
         self.textbook.hit(&self.ray, beyond).map(|at| at.t)
@@ -59,14 +59,14 @@ impl Subject {
     /// All of them.
     pub fn all() -> impl Iterator<Item = Self> {
         let one = hard::Kind::ALL.into_iter().map(Subject::One);
-        one.chain(many::Kind::ALL.into_iter().map(Subject::Many))
+        one.chain(composites::Kind::ALL.into_iter().map(Subject::Composite))
     }
 
     /// As the enumerations have it.
     pub fn name(self) -> String {
         match self {
             Subject::One(kind) => format!("{kind:?}"),
-            Subject::Many(kind) => format!("{kind:?}"),
+            Subject::Composite(kind) => format!("{kind:?}"),
         }
     }
 
@@ -74,8 +74,10 @@ impl Subject {
     fn timed(self) -> usize {
         match self {
             Subject::One(_) => 256,
-            Subject::Many(many::Kind::Compound | many::Kind::Lattice | many::Kind::Mesh) => 64,
-            Subject::Many(_) => 16,
+            Subject::Composite(
+                composites::Kind::Compound | composites::Kind::Lattice | composites::Kind::Mesh,
+            ) => 64,
+            Subject::Composite(_) => 16,
         }
     }
 
@@ -91,9 +93,9 @@ impl Subject {
                 let cases = hard::cases(kind, family, seed, count).into_iter();
                 Box::new(cases.map(move |(shape, ray)| Question::of_one(family, &shape, &ray)))
             }
-            Subject::Many(kind) => {
-                Box::new((0..count).map(move |index| Question::of_many(kind, family, seed, index)))
-            }
+            Subject::Composite(kind) => Box::new(
+                (0..count).map(move |index| Question::of_composite(kind, family, seed, index)),
+            ),
         }
     }
 }
@@ -111,21 +113,26 @@ impl Question {
         })
     }
 
-    fn of_many(kind: many::Kind, family: Family, seed: u64, index: usize) -> Option<Self> {
-        let many = kind.case(family, seed, index, None)?;
-        let (ours, ray) = (many.build()?, ray(&many.ray));
+    fn of_composite(
+        kind: composites::Kind,
+        family: Family,
+        seed: u64,
+        index: usize,
+    ) -> Option<Self> {
+        let case = kind.case(family, seed, index, None)?;
+        let (ours, ray) = (case.build()?, ray(&case.ray));
         let span = span(family, &*ours, &ray);
-        let textbook = by_the_book(&many.ours)?;
+        let textbook = by_the_book(&case.ours)?;
         Some(Self {
-            condition: many.condition,
-            exact: many.answer(span.min),
+            condition: case.condition,
+            exact: case.answer(span.min),
             case: Case { ray, span, ours, textbook },
         })
     }
 }
 
 impl Judged {
-    /// Judges the cases that do not turn on rounding.
+    /// Judges the cases whose answer rounding cannot change.
     pub fn new(subject: Subject, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
@@ -161,7 +168,7 @@ impl Judged {
     }
 }
 
-/// What one routine got right and wrong.
+/// The errors and failures of one routine.
 #[derive(Default)]
 struct Tally {
     errors: Vec<f64>,

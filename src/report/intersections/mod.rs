@@ -19,7 +19,7 @@ pub struct Intersections;
 pub struct Data {
     /// Rays for each shape and family, but for those whose exact answer takes long.
     pub cases: usize,
-    /// One for each kind of shape that the oracle knows, then for each that is made of many.
+    /// One for each kind of shape that the oracle knows, then one for each composite kind.
     pub kinds: Vec<KindData>,
 }
 
@@ -92,7 +92,7 @@ const SLOW: [&str; 12] = [
 const SLOWEST: [&str; 5] =
     ["RoundRimmedBowl", "BeveledBox", "BeveledCylinder", "BeveledRing", "BeveledWedge"];
 
-/// How many rays a kind of this name gets for each family.
+/// The number of rays for each family of a kind.
 fn rays(kind: &str, settings: &Settings) -> usize {
     let share = match kind {
         kind if SLOW.contains(&kind) => 4,

@@ -1,4 +1,4 @@
-//! How long each routine takes.
+//! The time of each intersection routine.
 
 use std::hint::black_box;
 
@@ -6,7 +6,7 @@ use super::FamilyData;
 use super::judging::{Case, Judged};
 use crate::report::clock::{Time, medians, time};
 
-/// So often are the two routines timed in turn: at least, and at most.
+/// The least and the largest number of rounds in which the two routines are timed in turn.
 const ROUNDS: [usize; 2] = [3, 41];
 /// Calls in one round, about, of quick ones: some tens of microseconds.
 const CALLS: usize = 2048;
@@ -23,9 +23,9 @@ pub fn timed(Judged { mut data, hits, misses }: Judged) -> FamilyData {
     data
 }
 
-/// For one call of ours and of the textbook's, and whether either was disturbed: both through a reference to a trait's object, for the
-/// same rays, and of both answers `t` alone is kept. (To keep the whole [`Candidate`], face and
-/// parameters, would time the copy of it: 4 ns that no caller spends.)
+/// Nanoseconds for one call of our routine and of the textbook's, and whether a measurement was disturbed.
+/// Both are called through a trait object for the same rays, and only `t` is kept. (Keeping the whole
+/// [`Candidate`] would also time its copy: 4 ns that no caller spends.)
 ///
 /// [`Candidate`]: crate::shapes::Candidate
 fn nanoseconds(cases: &[Case]) -> ([Option<f64>; 2], bool) {

@@ -99,7 +99,7 @@ impl Assembly {
                 part.material.map(|name| context.material(name)).transpose().map_err(&here)?;
             let (shape, casts_shadows) =
                 context.part(part.shape, material).map_err(|e| here(e.inside("shape")))?;
-            let (name, material) = (part.name.into(), material.map(|m| m.place));
+            let (name, material) = (part.name.into(), material.map(|m| m.index));
             built.push(Part { name, shape, material, casts_shadows });
         }
         Self::of(built, accel, context).map_err(|e| e.inside(field))

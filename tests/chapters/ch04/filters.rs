@@ -235,7 +235,7 @@ fn a_filters_radius_counts_pixels() {
             .flat_map(far)
             .map(|(at, i)| {
                 let [x, _] = camera_ray(&world, at, i).1;
-                let center = render::film_place(&scene.image, at, [0.5, 0.5])[0];
+                let center = render::film_point(&scene.image, at, [0.5, 0.5])[0];
                 (x - center).abs()
             })
             .fold(0.0, f64::max)

@@ -177,7 +177,7 @@ fn a_pinhole_sees_the_pattern_in_perspective() {
     let mut scene = Scene { background: pattern(1.0), ..Scene::new("", image, view) };
     let film = render::render(&built(&scene));
     for at in pixels(9, 7) {
-        let [x, y] = render::film_place(&scene.image, at, [0.5, 0.5]);
+        let [x, y] = render::film_point(&scene.image, at, [0.5, 0.5]);
         let error = (film.get(at).r - value(1.0 + 2.0 * x, 2.0 + 2.0 * y)).abs();
         assert!(error < 1e-12, "{at:?}: {error:e}");
     }

@@ -91,7 +91,7 @@ fn pixel_and_lens_samples_are_paired_by_chance() {
         let pairs: Vec<([f64; 2], [f64; 2])> = pixels(150, 100)
             .map(|at| {
                 let sample = render::camera_sample(&world, at, 2).expect("no gap");
-                let corner = render::film_place(&world.image, at, [0.5, 0.5]);
+                let corner = render::film_point(&world.image, at, [0.5, 0.5]);
                 let place = [sample.film[0] - corner[0], sample.film[1] - corner[1]];
                 (place, sample.lens.expect("it has a lens"))
             })

@@ -63,7 +63,7 @@ proptest! {
             let x = r * tan(to_radians(0.5 * beta));
             prop_assert_eq!(view.eyes().len(), 2);
             for (side, sign) in SIDES.into_iter().zip([-1.0, 1.0]) {
-                let place = view.eye(side).place();
+                let place = view.eye(side).position();
                 let expected = eye + sign * x * view.frame().u;
                 prop_assert!((place - expected).length() <= 16.0 * U * (r + x));
             }
@@ -133,7 +133,7 @@ proptest! {
             for side in SIDES {
                 let ray = stereo.eye(side).ray([x, y], [0.0; 2]);
                 prop_assert_eq!(ray.map(|ray| ray.direction), expected);
-                prop_assert_eq!(ray.map(|ray| ray.origin), expected.map(|_| stereo.eye(side).place()));
+                prop_assert_eq!(ray.map(|ray| ray.origin), expected.map(|_| stereo.eye(side).position()));
             }
         }
     }

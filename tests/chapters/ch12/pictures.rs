@@ -105,7 +105,7 @@ fn each_image_is_that_of_a_camera_in_its_place() {
     for (side, image) in [Side::Left, Side::Right].into_iter().zip(&images) {
         let mut mono = scene.clone();
         mono.camera.stereo = None;
-        let place = world.view.eye(side).place();
+        let place = world.view.eye(side).position();
         mono.camera.look_at = mono.camera.look_at + (place - mono.camera.eye);
         mono.camera.eye = place;
         let (_, mono) = rendered(&mono);

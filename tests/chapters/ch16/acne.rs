@@ -27,7 +27,7 @@ fn the_planet_shades_itself_by_the_textbook_only() {
             let o = ray.origin - Point::new(1.5e14, 0.0, 0.0);
             let d = ray.direction.unit().expect("not zero");
             let (b, c) = (o.dot(d), o.length_squared() - radius * radius);
-            if b * b <= c || world.hit(&ray, Span::AHEAD).is_none_or(|hit| hit.object.place != 0) {
+            if b * b <= c || world.hit(&ray, Span::AHEAD).is_none_or(|hit| hit.object.index != 0) {
                 continue; // beside the planet, or on the moon before it
             }
             let p = o + (-b - (b * b - c).sqrt()) * d;

@@ -11,8 +11,8 @@ use groundtruth::shapes::{
 /// A ring whose parts may have the materials `red` (0), `glass` (1), which casts no shadows.
 fn ring(materials: &[(&str, &str)]) -> Result<Arc<dyn Shape>, String> {
     let defined = [("red", 0, true), ("glass", 1, false)];
-    let defined = defined.map(|(name, place, casts_shadows)| {
-        (name.to_owned(), PartMaterial { place, casts_shadows })
+    let defined = defined.map(|(name, index, casts_shadows)| {
+        (name.to_owned(), PartMaterial { index, casts_shadows })
     });
     let materials = materials.iter().map(|&(part, name)| (part.to_owned(), name.to_owned()));
     let ring = ThickRing {

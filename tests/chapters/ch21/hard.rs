@@ -2,7 +2,7 @@
 
 use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Context, Instance, Kind, Rectangle};
-use groundtruth::verify::{Draw, against};
+use groundtruth::verify::{Draw, backward_error};
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
@@ -38,7 +38,7 @@ fn steps_make_their_matrix() {
     let moved = [[1.0, 0.0, 0.0, 3.0], [0.0, 1.0, 0.0, -2.0], [0.0, 0.0, 1.0, 0.5]];
     let quarter = [[0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 7.0]];
     for matrix in matrices(50).into_iter().chain([moved, quarter]) {
-        let steps = against::steps(&matrix).expect("not singular");
+        let steps = backward_error::steps(&matrix).expect("not singular");
         let made = Transform::from_steps(&steps).expect("not singular").rows();
         let largest = matrix.as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         let pairs = matrix.as_flattened().iter().zip(made.as_flattened());

@@ -9,14 +9,14 @@ use groundtruth::shapes::{
 };
 use groundtruth::verify::Draw;
 
-/// Whether each of the materials, by its place, casts shadows.
+/// Whether each of the materials, by its index, casts shadows.
 const CASTS_SHADOWS: [bool; 3] = [true, false, true];
 const NAMES: [&str; 3] = ["stone", "glass", "brass"];
 
 fn context() -> Context {
     let materials = (0_u32..).zip(NAMES).zip(CASTS_SHADOWS);
-    let materials = materials.map(|((place, name), casts_shadows)| {
-        (name.to_owned(), PartMaterial { place, casts_shadows })
+    let materials = materials.map(|((index, name), casts_shadows)| {
+        (name.to_owned(), PartMaterial { index, casts_shadows })
     });
     Context::default().with_materials(materials.collect())
 }

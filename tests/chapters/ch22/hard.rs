@@ -1,6 +1,6 @@
 //! Random spheres and lattices against exact arithmetic, on rays that are hard for one of the many.
 
-use groundtruth::verify::many::Kind;
+use groundtruth::verify::composites::Kind;
 
 use crate::support::hard_cases::sweep_many;
 

@@ -2,7 +2,7 @@
 
 use groundtruth::materials::Emissive;
 use groundtruth::math::{Point, Step, Vector, acos, atan2, cos, sin, tan};
-use groundtruth::render::{film_place, render};
+use groundtruth::render::{film_point, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Box as Cuboid, Instance, Plane};
@@ -72,7 +72,7 @@ fn a_ball_of_glass_turns_the_wall_behind_it_around() {
     let without = built(&scene);
     let (mut turned, mut other) = (0, 0);
     for at in (0..48 * 48).map(|i| [i % 48, i / 48]) {
-        let [x, y] = film_place(&scene.image, at, [0.5; 2]);
+        let [x, y] = film_point(&scene.image, at, [0.5; 2]);
         let b = (x * x + y * y).sqrt();
         let angle = |sine: f64| atan2(sine, ((1.0 - sine) * (1.0 + sine)).sqrt());
         let wall = |scale: f64| look(&without, Point::new(scale * x, scale * y, 5.0), -Vector::Z);

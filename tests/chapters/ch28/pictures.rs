@@ -3,7 +3,7 @@
 use groundtruth::cameras::Fisheye;
 use groundtruth::materials::{Emissive, Medium};
 use groundtruth::math::{Normal, Point, Step, Vector, cos, exp, power, sin, to_radians};
-use groundtruth::render::{film_place, pixel, render};
+use groundtruth::render::{film_point, pixel, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Tracer, Whitted};
 use groundtruth::shapes::{Box as Cuboid, Instance, Plane};
@@ -37,7 +37,7 @@ fn a_fisheye_under_water_sees_snells_window() {
     put(&mut scene, deep, Emissive::new(0.5, Rgb::new(1.0, 0.0, 0.0)));
     let (picture, mut seen) = (render(&built(&scene)), [0, 0]);
     for at in (0..SIDE * SIDE).map(|i| [i % SIDE, i / SIDE]) {
-        let [x, y] = film_place(&scene.image, at, [0.5; 2]);
+        let [x, y] = film_point(&scene.image, at, [0.5; 2]);
         let degrees = 90.0 * (x * x + y * y).sqrt() / (0.5 * f64::from(SIDE));
         let red = 0.5 / 1.7689;
         let expected = if degrees > 90.0 {

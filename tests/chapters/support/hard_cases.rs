@@ -3,7 +3,7 @@
 //! A hit is judged against its condition: an error is counted in units of `u · cond`, and 100 of
 //! them are allowed, as if the input had been wrong by so much. Whether there is a hit at all must
 //! be right unless a relative change of the input by 1e-13 would change the answer. For instances, see
-//! [`groundtruth::verify::against`].
+//! [`groundtruth::verify::backward_error`].
 
 use std::fmt;
 use std::sync::Arc;
@@ -11,9 +11,11 @@ use std::sync::Arc;
 use groundtruth::accel::{Accel, Method, Primitives};
 use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::shapes::{self, Candidate};
-use groundtruth::verify::against::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
-pub use groundtruth::verify::against::{Pair, instanced, pair};
-use groundtruth::verify::{against, many};
+use groundtruth::verify::backward_error::{
+    ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error,
+};
+pub use groundtruth::verify::backward_error::{Pair, instanced, pair};
+use groundtruth::verify::{backward_error, composites};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 
@@ -100,8 +102,8 @@ impl Case {
         Pair { ours, exact }: Pair,
         exact_ray: &oracle::Ray,
     ) -> Self {
-        let ray = against::ray(exact_ray);
-        let span = against::span(family, &*ours, &ray);
+        let ray = backward_error::ray(exact_ray);
+        let span = backward_error::span(family, &*ours, &ray);
         let condition = exact.condition();
         let exact = oracle::intersect_beyond(&exact, exact_ray, span.min);
         Self { name, ours, ray, span, exact, condition }
@@ -113,23 +115,23 @@ const METHODS: [Option<Method>; 4] =
     [None, Some(Method::List), Some(Method::Grid), Some(Method::Bvh)];
 
 /// Judges `count` cases of each family of a shape made of many, so many in a row by each method.
-pub fn sweep_many(kind: many::Kind, seed: u64, count: usize, in_a_row: usize) {
+pub fn sweep_many(kind: composites::Kind, seed: u64, count: usize, in_a_row: usize) {
     sweep_many_as(kind, seed, count, in_a_row, |case, _| Some(case));
 }
 
 /// As [`sweep_many`], each case turned into another by `change`, which also gets its number.
 pub fn sweep_many_as(
-    kind: many::Kind,
+    kind: composites::Kind,
     seed: u64,
     count: usize,
     in_a_row: usize,
-    change: impl Fn(many::Case, usize) -> Option<many::Case>,
+    change: impl Fn(composites::Case, usize) -> Option<composites::Case>,
 ) {
     judge_families(count, |family, index| {
         let accel = METHODS[index / in_a_row % METHODS.len()];
         let case = change(kind.case(family, seed, index, accel)?, index)?;
-        let (ours, ray) = (case.build()?, against::ray(&case.ray));
-        let span = against::span(family, &*ours, &ray);
+        let (ours, ray) = (case.build()?, backward_error::ray(&case.ray));
+        let span = backward_error::span(family, &*ours, &ray);
         Some(Case {
             name: format!("{kind:?} {family:?} seed {seed} index {index}"),
             exact: case.answer(span.min),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oracle::Shape;
 use oracle::hard::{Family, Kind, cases, rays};
 
-use super::crowds::hard_radius;
+use super::spheres_and_lattices::hard_radius;
 use super::{Case, Piece};
 use crate::accel::Method;
 use crate::kinds::Custom;
@@ -22,8 +22,8 @@ fn piece(vertices: [Point; 3]) -> Piece {
     Piece::boxed(Shape::Triangle { vertices }, [end(f64::min), end(f64::max)])
 }
 
-/// Six points: a hard triangle's, and one across each of its sides, up to a side's length out of its
-/// plane; and the four triangles, the hard one third.
+/// Four triangles on six points: the corners of a hard triangle, and a point across each of its sides, up
+/// to a side's length out of its plane. The hard triangle is the third.
 const NET: [[u32; 3]; 4] = [[1, 0, 3], [2, 1, 4], [0, 1, 2], [0, 2, 5]];
 
 fn net_around([a, b, c]: [Point; 3], draw: &mut Draw) -> [Point; 6] {
@@ -35,7 +35,7 @@ fn net_around([a, b, c]: [Point; 3], draw: &mut Draw) -> [Point; 6] {
     [a, b, c, across(a, b, c), across(b, c, a), across(c, a, b)]
 }
 
-/// The net about a hard triangle, and the ray that is hard for that.
+/// A hard triangle with its neighbours, and a ray that is hard for it.
 pub fn net(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Case {
     let (shape, ray) = cases(Kind::Triangle, family, seed + index as u64, 1).remove(0);
     let Shape::Triangle { vertices } = shape else { unreachable!("a triangle is a triangle") };
@@ -51,7 +51,7 @@ pub fn net(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Ca
     }
 }
 
-/// Of a hard radius, with few and many steps.
+/// A tessellated sphere of a hard radius, with few or many steps.
 pub fn sphere(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Case {
     let mut draw = Draw::case(seed + family as u64, index);
     let radius = hard_radius(family, seed, index);

@@ -1,11 +1,10 @@
-//! Samples of known distributions, true and slightly false, on which the statistical checkers are
-//! checked.
+//! Samples of known distributions, correct and slightly biased, for tests of the statistical checkers.
 
 use std::f64::consts::{PI, TAU};
 
 use crate::math::{Pcg32, cos, exp, ln, sin};
 
-/// Each checker passes on the truth at this level: no false alarm for fixed seeds.
+/// Each checker passes correct samples at this level: no false alarm for fixed seeds.
 pub(super) const LEVEL: f64 = 1e-6;
 
 /// A number of the normal distribution with mean 0 and variance 1 (Box & Muller 1958).

@@ -13,8 +13,8 @@ use crate::scene::Scene;
 use crate::shapes::Kind as ShapeKind;
 use crate::world::World;
 
-/// What pictures from different programs are compared with: half of the smallest error planted
-/// below, in few and lonely pixels.
+/// The tolerance for pictures of different programs: half of the smallest error made below, in few and
+/// isolated pixels.
 const FOREIGN: Tolerance = Tolerance { relative: 0.01, floor: 1e-3, share: 0.01, cluster: 4 };
 
 fn small(name: &str) -> Scene {
@@ -59,7 +59,7 @@ fn object<'a>(scene: &'a mut Scene, name: &str) -> &'a mut crate::scene::Object 
     scene.objects.iter_mut().find(|object| object.name == name).expect("the scene has it")
 }
 
-/// Moves a sphere sideways by what one pixel sees at its distance.
+/// Moves a sphere sideways by the width of one pixel at its distance.
 fn move_sphere(scene: &mut Scene, name: &str) {
     let view = scene.camera.build(scene.image.plane()).expect("the camera is sound");
     let crate::cameras::Kind::Pinhole(lens) = &scene.camera.lens else { unreachable!() };

@@ -6,9 +6,9 @@ use oracle::hard::{Family, Kind, cases, rays};
 use super::{Case, Piece};
 use crate::accel::Method;
 use crate::shapes::{Context, Lattice, RandomSpheres, Sphere};
-use crate::verify::{Draw, against};
+use crate::verify::{Draw, backward_error};
 
-/// The radius that a family has for a sphere.
+/// The radius of a sphere of this family.
 pub fn hard_radius(family: Family, seed: u64, index: usize) -> f64 {
     match cases(Kind::Sphere, family, seed + index as u64, 1)[0].0 {
         Shape::Sphere { radius, .. } => radius,
@@ -16,7 +16,7 @@ pub fn hard_radius(family: Family, seed: u64, index: usize) -> f64 {
     }
 }
 
-/// Of a hard radius, few and far between up to many and crowded.
+/// Spheres of a hard radius, from few and sparse to many and crowded.
 pub fn spheres(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Case {
     let mut draw = Draw::case(seed + family as u64, index);
     let radius = hard_radius(family, seed, index);
@@ -33,19 +33,19 @@ pub fn spheres(family: Family, seed: u64, index: usize, accel: Option<Method>) -
     Case { ours: spheres.into(), pieces, ray, condition: 1.0 }
 }
 
-/// Of up to twelve copies of one of these, apart or through one another.
+/// A lattice of up to twelve copies of one shape, separate or overlapping.
 pub fn lattice(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Option<Case> {
     const KINDS: [Kind; 5] =
         [Kind::Sphere, Kind::Cuboid, Kind::Triangle, Kind::Cone, Kind::PartSphere];
     let mut draw = Draw::case(seed + family as u64, index);
     let (shape, _) = cases(KINDS[index % KINDS.len()], family, seed + index as u64, 1).remove(0);
-    let (of, _) = against::ours(&shape)?;
+    let (of, _) = backward_error::ours(&shape)?;
     let size = of.build(&mut Context::default()).ok()?.bounds().extent().length();
     let spacing = size * draw.vector(2.0);
     let counts = draw.pick(&[[3, 2, 2], [1, 4, 3], [7, 1, 1], [1, 1, 1]]);
-    let copy = |place: u32| {
+    let copy = |index: u32| {
         let [i, j, k] =
-            [place % counts[0], place / counts[0] % counts[1], place / counts[0] / counts[1]];
+            [index % counts[0], index / counts[0] % counts[1], index / counts[0] / counts[1]];
         let [x, y, z] = [(i, spacing.x()), (j, spacing.y()), (k, spacing.z())]
             .map(|(steps, apart)| f64::from(steps) * apart);
         let matrix = [[1.0, 0.0, 0.0, x], [0.0, 1.0, 0.0, y], [0.0, 0.0, 1.0, z]];

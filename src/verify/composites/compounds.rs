@@ -5,9 +5,9 @@ use oracle::hard::{Family, Kind, cases};
 use super::{Case, Piece};
 use crate::accel::Method;
 use crate::shapes::Compound;
-use crate::verify::against;
+use crate::verify::backward_error;
 
-/// Of each three in a row.
+/// A compound has three consecutive kinds.
 const KINDS: [Kind; 12] = [
     Kind::Sphere,
     Kind::Cuboid,
@@ -32,7 +32,7 @@ pub fn compound(family: Family, seed: u64, index: usize, accel: Option<Method>) 
     let three = [case(0), case(1), case(2)];
     let ray = three[0].1.clone();
     let both: Vec<_> =
-        three.iter().map(|(shape, _)| against::ours(shape)).collect::<Option<_>>()?;
+        three.iter().map(|(shape, _)| backward_error::ours(shape)).collect::<Option<_>>()?;
     let (ours, exact): (Vec<_>, Vec<_>) = both.into_iter().unzip();
     let condition = exact.iter().map(oracle::Shape::condition).fold(1.0, f64::max);
     Some(Case {

@@ -1,10 +1,10 @@
-//! The library's shapes beside the oracle's: the same shape for both, and how a hit is judged.
+//! The backward error of hits: the library's shapes compared with the oracle's.
 //!
-//! A hit is judged against its condition: an error is counted in units of `u · cond`, as if the
-//! input had been wrong by so much. Whether there is a hit at all counts only if no relative change
-//! of the input by 1e-13 would change the answer. In instances, that and the error of a normal are
-//! multiplied by the condition number of the matrix, that of `t` by what of it counts for the wall that
-//! is hit ([`oracle::Root::squeeze`]). Used by the chapters' sweeps and by the report.
+//! The error of a hit is measured in units of `u · cond`, as if the input had a relative error of that
+//! many `u`. Hit or miss is judged only if no relative change of the input by 1e-13 would change the
+//! answer. In instances, this margin and the error of a normal are multiplied by the condition number of
+//! the matrix, and the error of `t` by its part for the surface that is hit ([`oracle::Root::squeeze`]).
+//! Used by the chapters' sweeps and by the report.
 
 use std::sync::Arc;
 
@@ -15,35 +15,35 @@ use crate::math::{
 };
 use crate::shapes::{self, Context, Instance, textbook};
 
-/// Answers that a smaller relative change of the input would turn may be wrong.
+/// An answer that a smaller relative change of the input would change may be wrong.
 pub const LEAST_MARGIN: f64 = 1e-13;
-/// Allowed in `t` and in curved normals, in units of `u · cond`.
+/// The error allowed in `t` and in normals of curved shapes, in units of `u · cond`.
 pub const ALLOWED: f64 = 100.0;
-/// Allowed in the normals of flat shapes, and in the length of all, in units of `u`.
+/// The error allowed in normals of flat shapes, and in the length of all normals, in units of `u`.
 pub const FLAT_NORMAL: f64 = 4.0;
 
-/// A shape of the library and the same one for the oracle.
+/// A shape of the library, and the same shape for the oracle.
 #[derive(Clone, Debug)]
 pub struct Pair {
     /// Built for rays.
     pub ours: Arc<dyn shapes::Shape>,
-    /// As exact numbers; an instance has the matrix that the library made of its steps.
+    /// The oracle's shape; an instance has the matrix that the library computed from its steps.
     pub exact: oracle::Shape,
 }
 
-/// Whether rounding cannot excuse a wrong answer.
+/// Whether rounding cannot change the answer.
 pub fn is_decided(answer: &oracle::Answer, condition: f64) -> bool {
     answer.margin > LEAST_MARGIN * condition
 }
 
-/// The error of a distance, in units of `u · cond`; in an instance, of `u · cond` times its squeeze,
-/// which is what rounding the coordinates inside may do.
+/// The error of a distance, in units of `u · cond`; in an instance, of `u · cond` times its squeeze, the
+/// effect of rounding the coordinates inside it.
 pub fn t_error(root: &oracle::Root, t: f64) -> f64 {
     root.t_error(t) / (UNIT_ROUNDOFF * root.squeeze * root.cond.max(root.t.abs()))
 }
 
-/// The error of a unit normal in units of `u · cond`, and how much of it is allowed; `None` where an
-/// edge between two faces is hit, and either will do.
+/// The error of a unit normal in units of `u · cond`, and the error allowed; `None` at an edge between two
+/// faces, where either normal is right.
 pub fn normal_error(
     root: &oracle::Root,
     normal: [f64; 3],
@@ -59,14 +59,14 @@ pub fn normal_error(
     Some((error, if flat { FLAT_NORMAL } else { ALLOWED }))
 }
 
-/// The library's ray of the same numbers.
+/// The same ray for the library.
 pub fn ray(exact: &oracle::Ray) -> Ray {
     Ray::new(Point::from(exact.origin), Vector::from(exact.direction))
 }
 
-/// Where hits of a family's ray are asked for: ahead. Of rays that start on the surface only from a
-/// millionth of the shape's size on, as it hangs on rounding whether the start itself is hit; that rays
-/// leave it is a law of its own.
+/// The span of a family's rays: everything ahead. For rays that start on the surface it begins at a
+/// millionth of the shape's size, because rounding decides whether the start itself is hit. Another law
+/// tests that rays leave their surface.
 pub fn span(family: Family, shape: &dyn shapes::Shape, ray: &Ray) -> Span {
     if family != Family::OnSurface {
         return Span::AHEAD;
@@ -76,21 +76,21 @@ pub fn span(family: Family, shape: &dyn shapes::Shape, ray: &Ray) -> Span {
     Span { min: size * power_of_two(-20) / ray.direction.length(), ..Span::AHEAD }
 }
 
-/// The shape by the book's routines, to be asked for hits beyond [`textbook::EPSILON`]; `None` where the
-/// library refuses it.
+/// The shape with the book's intersection routines, which find hits beyond [`textbook::EPSILON`]; `None`
+/// if the library refuses it.
 pub fn by_the_book(kind: &shapes::Kind) -> Option<Arc<dyn shapes::Shape>> {
     let mut context = Context::default();
     context.set_textbook(Some(textbook::EPSILON));
     kind.build(&mut context).ok()
 }
 
-/// The library's shape of the same data; `None` where it refuses them.
+/// The library's shape of the same data; `None` if the library refuses them.
 pub fn pair(exact: &oracle::Shape) -> Option<Pair> {
     let (kind, exact) = ours(exact)?;
     Some(Pair { ours: kind.build(&mut Context::default()).ok()?, exact })
 }
 
-/// An instance of the same shape, and the ray moved with it.
+/// An instance of the shape, and the ray transformed with it.
 pub fn instanced(
     shape: &oracle::Shape,
     ray: &oracle::Ray,
@@ -105,8 +105,8 @@ pub fn instanced(
     Some((pair(&moved)?, ray))
 }
 
-/// The library's description of a shape; and the oracle's with the matrices that the library has.
-/// `None` where there is none.
+/// The library's description of a shape, and the oracle's shape with the library's matrices. `None` if the
+/// library has no such shape.
 pub fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
     let kind = match exact.clone() {
         oracle::Shape::Plane { point, normal } => {
@@ -221,8 +221,9 @@ fn solid(exact: oracle::Solid) -> shapes::Kind {
     }
 }
 
-/// Steps whose product is this matrix but for rounding: shear, scale, rotation, translation, by
-/// Gram and Schmidt's process on the columns; `None` if it is singular. (A half turn's axis is not found.)
+/// Steps whose product is this matrix up to rounding: shear, scale, rotation and translation, by the
+/// Gram–Schmidt process on the columns. `None` if the matrix is singular. (Does not find the axis of a half
+/// turn.)
 pub fn steps(matrix: &[[f64; 4]; 3]) -> Option<Vec<Step>> {
     let [c0, c1, c2, shift] =
         [0, 1, 2, 3].map(|j| Vector::new(matrix[0][j], matrix[1][j], matrix[2][j]));
@@ -231,8 +232,8 @@ pub fn steps(matrix: &[[f64; 4]; 3]) -> Option<Vec<Step>> {
     let z = x.cross(y);
     let (sx, sy, sz) = (c0.dot(x), c1.dot(y), c2.dot(z));
     let shear = [c1.dot(x) / sx, c2.dot(x) / sx, 0.0, c2.dot(y) / sy, 0.0, 0.0];
-    // the rotation with these columns: its axis from the skew part, its angle from that and the
-    // trace
+    // the rotation with these columns: its axis from the skew part, its angle from the skew part and
+    // the trace
     let axis = Vector::new(y.z() - z.y(), z.x() - x.z(), x.y() - y.x());
     let angle = atan2(axis.length(), x.x() + y.y() + z.z() - 1.0);
     let turn =

@@ -1,30 +1,30 @@
-//! Shapes made of many, beside the oracle's: compounds, random spheres, lattices, meshes. The oracle
-//! answers for each of the pieces by itself; the whole has the roots of all.
+//! Composite shapes compared with the oracle: compounds, random spheres, lattices, meshes. The oracle
+//! intersects each piece separately; the whole has the roots of all pieces.
 //!
-//! Used by the chapters' sweeps and by the report, as [`against`] is for shapes that have a formula.
+//! Used by the chapters' sweeps and by the report, like [`backward_error`] for shapes that have a formula.
 
 mod compounds;
-mod crowds;
 mod meshes;
+mod spheres_and_lattices;
 
 use std::sync::Arc;
 
 use oracle::hard::Family;
 use oracle::{Answer, Root};
 
-use super::against::{self, ALLOWED};
+use super::backward_error::{self, ALLOWED};
 use crate::accel::Method;
 use crate::math::{Transform, UNIT_ROUNDOFF, Vector};
 use crate::shapes::{self, Context, Instance};
 
-/// The kinds of shapes that are made of many.
+/// The kinds of composite shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Three shapes of different kinds.
     Compound,
     /// Up to 200 spheres, apart or crowded.
     RandomSpheres,
-    /// Up to twelve copies of one shape, apart or through one another.
+    /// Up to twelve copies of one shape, separate or overlapping.
     Lattice,
     /// A triangle and its three neighbours.
     Mesh,
@@ -33,13 +33,12 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Kind; 5] =
         [Kind::Compound, Kind::RandomSpheres, Kind::Lattice, Kind::Mesh, Kind::TessellatedSphere];
 
-    /// The case of this number, of a family under a seed: a shape whose pieces are hard as the family
-    /// says, searched by this method, and a ray that is hard for one of them. `None` where the
-    /// library refuses a piece.
+    /// Case `index` of a family and a seed: a shape whose pieces are hard cases of the family, and a ray
+    /// that is hard for one of them. `None` if the library refuses a piece.
     pub fn case(
         self,
         family: Family,
@@ -49,31 +48,31 @@ impl Kind {
     ) -> Option<Case> {
         match self {
             Kind::Compound => compounds::compound(family, seed, index, accel),
-            Kind::RandomSpheres => Some(crowds::spheres(family, seed, index, accel)),
-            Kind::Lattice => crowds::lattice(family, seed, index, accel),
+            Kind::RandomSpheres => Some(spheres_and_lattices::spheres(family, seed, index, accel)),
+            Kind::Lattice => spheres_and_lattices::lattice(family, seed, index, accel),
             Kind::Mesh => Some(meshes::net(family, seed, index, accel)),
             Kind::TessellatedSphere => Some(meshes::sphere(family, seed, index, accel)),
         }
     }
 }
 
-/// A shape of many pieces in both forms, and a ray.
+/// A composite shape for the library and for the oracle, and a ray.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// The library's description of it.
+    /// The library's description of the shape.
     pub ours: shapes::Kind,
-    /// The oracle's: all of these.
+    /// The oracle's pieces.
     pub pieces: Vec<Piece>,
-    /// Hard for one of the pieces.
+    /// A ray that is hard for one of the pieces.
     pub ray: oracle::Ray,
-    /// Of the matrices of its instances; 1 without, and where they only turn.
+    /// The condition number of its instances' matrices; 1 without instances, and for rotations.
     pub condition: f64,
 }
 
 impl Case {
-    /// The same in an instance, and the ray moved with it; `None` if the matrix is singular.
+    /// The shape in an instance, and the ray transformed with it; `None` if the matrix is singular.
     pub fn instanced(self, matrix: &[[f64; 4]; 3]) -> Option<Self> {
-        let steps = against::steps(matrix)?;
+        let steps = backward_error::steps(matrix)?;
         let map = Transform::from_steps(&steps).ok()?;
         let moved = |Piece { exact, .. }| {
             Piece::anywhere(oracle::Shape::Instance { matrix: map.rows(), of: Box::new(exact) })
@@ -89,7 +88,7 @@ impl Case {
         })
     }
 
-    /// Built for rays; `None` where the library refuses it.
+    /// The library's shape; `None` if the library refuses it.
     pub fn build(&self) -> Option<Arc<dyn shapes::Shape>> {
         self.ours.build(&mut Context::default()).ok()
     }
@@ -102,10 +101,10 @@ impl Case {
     }
 }
 
-/// A root, and which of the pieces it is of.
+/// The index of a piece, and a root of it.
 type Of = (usize, Root);
 
-/// The roots of several shapes that are one, ascending.
+/// The roots of all pieces, ascending.
 fn merged(answers: &[Answer]) -> Vec<Of> {
     let of_piece =
         |(i, answer): (usize, &Answer)| answer.roots.clone().into_iter().map(move |root| (i, root));
@@ -114,51 +113,51 @@ fn merged(answers: &[Answer]) -> Vec<Of> {
     roots
 }
 
-/// The answer for several shapes that are one and have these roots. It is open, with a margin of 0,
-/// where roots of two shapes are so close that rounding may change their order.
+/// The answer for the union of pieces with these roots. It is undecided (its margin is 0) if roots of two
+/// pieces are so close that rounding may change their order.
 fn union(answers: &[Answer], roots: Vec<Of>) -> Answer {
-    let doubt = |root: &Root| ALLOWED * UNIT_ROUNDOFF * root.squeeze * root.cond.max(root.t.abs());
-    let is_open = |pair: &[Of]| {
+    let error = |root: &Root| ALLOWED * UNIT_ROUNDOFF * root.squeeze * root.cond.max(root.t.abs());
+    let is_undecided = |pair: &[Of]| {
         let [(i, a), (j, b)] = [&pair[0], &pair[1]];
-        i != j && b.t - a.t <= doubt(a) + doubt(b)
+        i != j && b.t - a.t <= error(a) + error(b)
     };
     let margin = answers.iter().map(|answer| answer.margin).fold(f64::INFINITY, f64::min);
-    let margin = if roots.windows(2).any(is_open) { 0.0 } else { margin };
+    let margin = if roots.windows(2).any(is_undecided) { 0.0 } else { margin };
     Answer { roots: roots.into_iter().map(|(_, root)| root).collect(), margin }
 }
 
-/// One of many shapes that are one, and half-spaces around it.
+/// One piece of a composite shape, and half-spaces that contain it.
 #[derive(Clone, Debug)]
 pub struct Piece {
-    /// Its form.
+    /// The oracle's shape.
     pub exact: oracle::Shape,
-    /// `n` and `d` of unit length of all with `n·p ≤ d`.
+    /// The half-spaces `n·p ≤ d`, as `(n, d)` with `n` unit.
     within: Vec<(Vector, f64)>,
-    /// The farthest of its points from the origin.
-    reach: f64,
+    /// The largest distance of its points from the origin.
+    extent: f64,
 }
 
 impl Piece {
-    /// A shape of which nothing else is known.
+    /// A piece without known half-spaces.
     fn anywhere(exact: oracle::Shape) -> Self {
-        Self { exact, within: Vec::new(), reach: 0.0 }
+        Self { exact, within: Vec::new(), extent: 0.0 }
     }
 
-    /// A shape in a box.
+    /// A piece in a box.
     fn boxed(exact: oracle::Shape, [min, max]: [[f64; 3]; 2]) -> Self {
         let axes = [Vector::X, Vector::Y, Vector::Z].into_iter().zip(min.into_iter().zip(max));
         let within = axes.flat_map(|(axis, (low, high))| [(-axis, -low), (axis, high)]).collect();
-        let reach = [min, max].map(|corner| Vector::from(corner).length());
-        Self { exact, within, reach: reach[0].max(reach[1]) }
+        let extent = [min, max].map(|corner| Vector::from(corner).length());
+        Self { exact, within, extent: extent[0].max(extent[1]) }
     }
 
-    /// The exact answer beyond `start`. A ray that passes the half-spaces by, and does so wherever a
-    /// relative change by 1e-11 may move it and the piece, is not asked: it is farther from them than
-    /// the rounding here.
+    /// The exact answer beyond `start`. The oracle is not called for a ray that clearly misses the
+    /// half-spaces: it would still miss them after a relative change of ray and piece by 1e-11, which is
+    /// far more than the rounding here.
     fn answer(&self, exact: &oracle::Ray, start: f64) -> Answer {
         const MARGIN: f64 = 1e-11;
-        let ray = against::ray(exact);
-        let more = 4.0 * MARGIN * (Vector::from(exact.origin).length() + self.reach);
+        let ray = backward_error::ray(exact);
+        let more = 4.0 * MARGIN * (Vector::from(exact.origin).length() + self.extent);
         let (mut from, mut to) = (start, f64::INFINITY);
         for &(normal, d) in &self.within {
             let (room, speed) =
