@@ -3,9 +3,9 @@
 //!
 //! It finds the same hits as the plain tree (`accel/bvh`), to the last bit, several times faster. Nobody
 //! needs to read it to understand the ray tracer. The plain tree is built first, in the normalised
-//! [`space`] of the mesh; [`collapse`] turns it into the wide tree of least expected cost; [`node`] tests
-//! sixteen boxes in single precision, [`block`] tests eight triangles by the formulas of [`watertight`],
-//! and [`walk`] traverses from the root to the leaves. Every [`Kernel`] finds the same hits; one is plain
+//! `space` of the mesh; `collapse` turns it into the wide tree of least expected cost; `node` tests
+//! sixteen boxes in single precision, `block` tests eight triangles by the formulas of `watertight`,
+//! and `walk` traverses from the root to the leaves. Every [`Kernel`] finds the same hits; one is plain
 //! Rust.
 
 mod block;

@@ -60,12 +60,12 @@ impl Space {
 
     /// A box of the world in this space.
     pub fn boxed(&self, bounds: &Aabb) -> Aabb {
-        let point = |p| Point::ORIGIN + self.from_center(p);
+        let point = |p| Point::ORIGIN + self.offset_from_center(p);
         Aabb { min: point(bounds.min), max: point(bounds.max) }
     }
 
     #[inline]
-    fn from_center(&self, p: Point) -> Vector {
+    fn offset_from_center(&self, p: Point) -> Vector {
         self.scale * (p - self.center)
     }
 
@@ -74,7 +74,7 @@ impl Space {
     #[inline(always)] // a call would return it in memory, just before it is read
     pub fn ray(&self, ray: &Ray, span: Span) -> Option<SpaceRay> {
         let direction = ray.direction;
-        let (mut origin, mut start) = (self.from_center(ray.origin), 0.0);
+        let (mut origin, mut start) = (self.offset_from_center(ray.origin), 0.0);
         let slack = SLACK * self.extent.max(origin.max_abs());
         let ordinary = ORDINARY.contains(&direction.max_abs()) && SCALES.contains(&self.scale);
         if !(ordinary && slack <= MOST_SLACK) {
@@ -164,7 +164,7 @@ mod tests {
                 *[&mut stayed, &mut moved][usize::from(inside.start != 0.0)] += 1;
                 assert!(inside.origin.max_abs() <= 4.0 + 1e-6, "{inside:?}");
                 let there = inside.origin + inside.at(t) * inside.direction;
-                let from = space.from_center(ray.origin).max_abs().max(4.0);
+                let from = space.offset_from_center(ray.origin).max_abs().max(4.0);
                 let off = (there - at).max_abs();
                 assert!(off <= 64.0 * f64::EPSILON * from, "off by {off:e}: {ray:?} {inside:?}");
                 let in_space = Ray::new(Point::ORIGIN + inside.origin, inside.direction);
