@@ -2,7 +2,7 @@
 
 use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-/// The range of points of the screen for a pixel.
+/// The least and the largest zoom, in points of the screen for a pixel.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.02..=160.0;
 
 /// The zoom and pan that the user chose.
@@ -46,7 +46,7 @@ impl View {
         Placed { scale, corner: corner.round(), size }
     }
 
-    /// The same size for each pixel.
+    /// Shows each pixel at this many points of the screen, the centre unmoved.
     pub fn set_zoom(&mut self, area: Rect, size: [u32; 2], zoom: f32) {
         self.zoom_at(area, size, area.center(), zoom / self.place(area, size).scale);
     }
@@ -86,7 +86,7 @@ impl View {
     }
 }
 
-/// The largest scale that fits. From two points a pixel on it is whole, so that all pixels have one size.
+/// The largest scale that fits; from 2 on a whole number, so that all pixels have the same size.
 fn whole_in(area: Rect, whole: Vec2) -> f32 {
     let scale = (area.width() / whole.x).min(area.height() / whole.y);
     let scale = if scale >= 2.0 { scale.floor() } else { scale };

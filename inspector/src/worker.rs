@@ -166,7 +166,7 @@ impl Source {
         self.rebuild(scene.clone(), scene, DEFAULT_SEED)
     }
 
-    /// Builds a changed scene of this source, which says `read`.
+    /// Builds a changed scene of this source; `read` is the scene as the source says it.
     ///
     /// # Errors
     /// The scene error.
@@ -211,7 +211,7 @@ pub struct Rendering {
     thread: Option<JoinHandle<()>>,
 }
 
-/// How far a picture is.
+/// How much of a picture is finished.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Progress {
     /// Being rendered: the finished part of it, and for how long.

@@ -24,7 +24,7 @@ impl Sampler for MultiJittered {
             columns.push((0..side).map(|j| i * side + j).collect());
             rows.push((0..side).map(|j| i * side + j).collect());
         }
-        // the fine columns within a column of cells may be in any order; rows likewise
+        // within each column of cells the fine columns are permuted; within each row the fine rows
         columns.iter_mut().for_each(|fine| random.shuffle(fine));
         rows.iter_mut().for_each(|fine| random.shuffle(fine));
 

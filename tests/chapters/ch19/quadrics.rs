@@ -177,7 +177,7 @@ fn a_paraboloid_gathers_light_in_its_focus() {
 
 /// The example of a row of docs/book.md.
 fn example(of: &str) -> Kind {
-    let map = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/book.md");
+    let map = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/book.md");
     let map = fs::read_to_string(map).expect("the map is there");
     let row = map.lines().find(|line| line.starts_with(&format!("| {of} |")));
     let code = row.and_then(|row| row.split('`').nth(1)).expect("the row has an example");

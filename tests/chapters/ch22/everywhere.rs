@@ -94,7 +94,7 @@ fn nested_grids_and_grids_of_instances_equal_the_list() {
     let knot = Mesh {
         scale: 0.5,
         smooth: true,
-        ..Mesh::of_file(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply"))
+        ..Mesh::of_file(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/knot.ply"))
     };
     let inner = Compound::of(balls(&mut draw, 30));
     let cloud = RandomSpheres { count: 60, radius: 0.1, half_side: 0.5, seed: 3, accel: None };

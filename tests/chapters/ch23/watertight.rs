@@ -19,7 +19,7 @@ fn sphere([h, v]: [u32; 2], stretch: Vector, shift: Vector) -> TriangleMesh {
 }
 
 pub fn knot() -> TriangleMesh {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/knot.ply");
     let data = mesh_file::read(std::path::Path::new(path)).expect("the knot is there");
     TriangleMesh::new(data.vertices.iter().map(|&v| Point::from(v)).collect(), data.triangles)
 }

@@ -123,7 +123,7 @@ fn cornell_reference_is_made() {
         let (mean, error) = mean_and_error(&values);
         writeln!(text, "{mean:.5e} {error:.2e}").expect("text grows");
     }
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/chapters/ch26/cornell_reference.txt");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/ch26/cornell_reference.txt");
     std::fs::write(path, text).expect("the folder can be written to");
 }
 
