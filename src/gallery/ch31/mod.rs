@@ -81,7 +81,7 @@ fn texture_stretched(shape: impl Into<shapes::Kind>, by: Vector, degrees: f64) -
 }
 
 fn blue_ramp() -> ColorTable {
-    ColorTable::mixed([
+    ColorTable::interpolated([
         rgb(0.02, 0.04, 0.12),
         rgb(0.1, 0.2, 0.45),
         rgb(0.35, 0.45, 0.7),
@@ -90,7 +90,7 @@ fn blue_ramp() -> ColorTable {
 }
 
 fn sand_ramp() -> ColorTable {
-    ColorTable::mixed([
+    ColorTable::interpolated([
         rgb(0.75, 0.5, 0.3),
         rgb(0.55, 0.25, 0.1),
         rgb(0.8, 0.6, 0.4),

@@ -84,7 +84,7 @@ pub fn ramp() -> Scene {
     scene.lights.push(ambient(0.4));
     scene.lights.push(directional("sun", vector(1.0, 1.0, 1.5), 2.0));
     let agate = WrappedRamp {
-        ramp: ColorTable::mixed([
+        ramp: ColorTable::interpolated([
             rgb(0.9, 0.85, 0.75),
             rgb(0.75, 0.35, 0.15),
             rgb(0.3, 0.08, 0.04),
