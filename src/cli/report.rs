@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use groundtruth::report::{self, PAGES, Page, Settings, Watch};
+use groundtruth::report::{self, PAGES, Page, Progress, Settings};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::scene::start_threads;
@@ -52,12 +52,12 @@ impl Report {
         start_threads(self.threads)?;
         let settings = self.settings();
 
-        let watch = Arc::new(Watch::default());
-        let on_interrupt = Arc::clone(&watch);
+        let progress = Arc::new(Progress::default());
+        let on_interrupt = Arc::clone(&progress);
         ctrlc::set_handler(move || on_interrupt.interrupt())?;
         let finished = std::thread::scope(|scope| {
-            let measuring = scope.spawn(|| report::run(&pages, &settings, &watch));
-            show(&watch, || measuring.is_finished());
+            let measuring = scope.spawn(|| report::run(&pages, &settings, &progress));
+            show(&progress, || measuring.is_finished());
             measuring.join()
         });
         let report = match finished {
@@ -104,20 +104,20 @@ impl Report {
 
 /// Shows the progress until it is finished; exits if an interrupted measurement does not end in
 /// time.
-fn show(watch: &Watch, is_finished: impl Fn() -> bool) {
+fn show(progress: &Progress, is_finished: impl Fn() -> bool) {
     let bar = ProgressBar::new(1);
     let style = "{bar:40} {percent}%  {elapsed} elapsed, {eta} to go";
     bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
     let mut interrupted: Option<Instant> = None;
     while !is_finished() {
-        if watch.is_interrupted()
+        if progress.is_interrupted()
             && interrupted.get_or_insert_with(Instant::now).elapsed() > GRACE_PERIOD
         {
             bar.finish_and_clear();
             eprintln!("interrupted; nothing was written");
             std::process::exit(130);
         }
-        let (done, total) = watch.progress();
+        let (done, total) = progress.steps();
         bar.set_length(total);
         bar.set_position(done);
         std::thread::park_timeout(Duration::from_millis(20));
