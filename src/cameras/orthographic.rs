@@ -47,7 +47,7 @@ impl Camera for Orthographic {
         (point.z() < 0.0).then(|| [self.zoom * point.x(), self.zoom * point.y()])
     }
 
-    fn window_shift(&self, aside: f64) -> f64 {
-        self.zoom * aside
+    fn window_shift(&self, eye_shift: f64) -> f64 {
+        self.zoom * eye_shift
     }
 }

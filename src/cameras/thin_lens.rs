@@ -80,7 +80,7 @@ impl Camera for ThinLens {
         (point.z() < 0.0).then(|| [scale * point.x(), scale * point.y()])
     }
 
-    fn window_shift(&self, aside: f64) -> f64 {
-        self.zoom * aside
+    fn window_shift(&self, eye_shift: f64) -> f64 {
+        self.zoom * eye_shift
     }
 }

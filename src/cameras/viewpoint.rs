@@ -103,14 +103,14 @@ impl Viewpoint {
         let medium = self.medium.checked("medium")?;
         let camera = self.lens.build(&mut film.clone()).map_err(|e| e.inside("lens"))?;
         let frame = rolled(upright(back, up), self.roll);
-        // an eye moved to the left by `aside`: its view plane stays fixed, so film points shift
+        // an eye moved to the left by `eye_shift`: its view plane stays fixed, so film points shift
         // right
-        let eye = |aside: f64| Eye {
-            position: self.eye - aside * frame.u,
+        let eye = |eye_shift: f64| Eye {
+            position: self.eye - eye_shift * frame.u,
             frame,
             camera: Arc::clone(&camera),
             film,
-            shift: camera.window_shift(aside),
+            shift: camera.window_shift(eye_shift),
         };
         let eyes = match self.stereo {
             None => vec![eye(0.0)],

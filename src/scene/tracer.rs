@@ -21,8 +21,8 @@ pub enum Tracer {
     PathTrace(Depth),
     /// Path tracing that samples the lights at the first hit only (chapter 26).
     GlobalTrace(Depth),
-    /// Path tracing that samples the lights at every hit, with multiple importance sampling and
-    /// Russian roulette. Not in the book; the recommended path tracer.
+    /// The recommended path tracer (not in the book): it samples the lights at every hit, with
+    /// multiple importance sampling and Russian roulette.
     Path(Depth),
 }
 

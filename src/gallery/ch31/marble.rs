@@ -34,9 +34,9 @@ pub fn four_marbles() -> Scene {
     scene
 }
 
-/// Layers lean, and are twice as thick as noise is fine.
+/// The layers are tilted, and the texture is stretched by 2 along y.
 pub fn four_sandstones() -> Scene {
-    let about = "as figure 31.38: sandstones of four ramps, their layers hardly disturbed";
+    let about = "as figure 31.38: sandstones of four ramps, with slightly perturbed layers";
     let mut scene = lit_stage(about, 4600.0);
     scene.background = WALL.into();
     let ramps = [

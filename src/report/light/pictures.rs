@@ -144,7 +144,7 @@ mod tests {
         assert!((own.relative * own.relative - relative).abs() < 1e-15);
     }
 
-    /// Law: the error of a picture is the mean of squares, that of the reference taken off. Oracle: by
+    /// Law: the error of a picture is the mean of squares minus that of the reference. Oracle: by
     /// hand: 5 and 7 are 3 and 3 off 2 and 4: the squares' mean is 9, and 8.5 without the reference's 0.5.
     #[test]
     fn errors_are_those_found_by_hand() {

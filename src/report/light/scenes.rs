@@ -172,8 +172,8 @@ fn add_lamp(scene: &mut Scene, name: &str, shape: impl Into<crate::shapes::Kind>
 }
 
 fn glass_over_checker() -> Scene {
-    let stand = [point(-2.0, 4.5, 12.0), point(0.3, 1.4, 0.0)];
-    let mut scene = pinhole("a glass ball over a checker", [400, 300], stand, 620.0);
+    let view = [point(-2.0, 4.5, 12.0), point(0.3, 1.4, 0.0)];
+    let mut scene = pinhole("a glass ball over a checker", [400, 300], view, 620.0);
     // its normal points down
     let corner = point(1.0, 7.0, -3.5);
     let lamp = Rectangle { corner, a: 3.0 * Vector::X, b: 3.0 * Vector::Z };
@@ -188,8 +188,8 @@ fn glass_over_checker() -> Scene {
 
 fn many_small_lights() -> Scene {
     const SIDE: u32 = 6;
-    let stand = [point(0.0, 4.0, 14.0), point(0.0, 0.2, 1.0)];
-    let mut scene = pinhole("36 small lamps above balls", [400, 300], stand, 560.0);
+    let view = [point(0.0, 4.0, 14.0), point(0.0, 0.2, 1.0)];
+    let mut scene = pinhole("36 small lamps above balls", [400, 300], view, 560.0);
     for i in 0..SIDE * SIDE {
         let along = |k: u32| 2.0 * (f64::from(k) - 0.5 * f64::from(SIDE - 1));
         // at different heights, so that shadows have different lengths

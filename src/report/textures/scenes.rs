@@ -71,8 +71,8 @@ fn checker(filtering: Filtering, width: u32, _: u32) -> Scene {
         ..Image::of_drawn(drawn, Some(Mapping::Square))
     };
     let plane = Plane { point: Point::ORIGIN, normal: Vector::Y };
-    let stand = [Point::new(0.3, 1.0, 5.0), Point::new(0.0, 0.6, 0.0)];
-    emissive_image([width, width * 2 / 3], stand, 0.8, (plane.into(), image))
+    let view = [Point::new(0.3, 1.0, 5.0), Point::new(0.0, 0.6, 0.0)];
+    emissive_image([width, width * 2 / 3], view, 0.8, (plane.into(), image))
 }
 
 fn globe(filtering: Filtering, width: u32, moment: u32) -> Scene {
@@ -80,6 +80,6 @@ fn globe(filtering: Filtering, width: u32, moment: u32) -> Scene {
     let image = Image { filtering, ..Image::of_drawn(drawn, Some(Mapping::Spherical)) };
     let sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
     let turned = Instance::new(sphere, vec![Step::RotateY(40.0 + 3.0 * f64::from(moment))]);
-    let stand = [Point::new(0.0, 0.8, 4.0), Point::ORIGIN];
-    emissive_image([width, width], stand, 1.6, (turned.into(), image))
+    let view = [Point::new(0.0, 0.8, 4.0), Point::ORIGIN];
+    emissive_image([width, width], view, 1.6, (turned.into(), image))
 }
