@@ -15,8 +15,8 @@ use crate::textures::TexturePoint;
 
 /// A perturbation of normals. Contract: `tests/contracts/bump.rs`.
 pub trait Bump: Debug + Send + Sync {
-    /// A vector along the normal of the bumped surface, of any length. Point and normal `n` are in the
-    /// coordinates of the texture.
+    /// A vector along the normal of the bumped surface, of any length. Point and normal `n` are in
+    /// the coordinates of the texture.
     fn perturbed(&self, at: &TexturePoint<'_>, n: Normal) -> Vector;
 }
 

@@ -64,9 +64,9 @@ pub trait Camera: Debug + Send + Sync {
     /// of [`Camera::ray`]. It may be outside the picture. `None` if no ray goes through the point.
     fn project(&self, point: Point) -> Option<[f64; 2]>;
 
-    /// The shift of film points to the right if the eye moves to the left by `eye_shift` and its view
-    /// plane stays fixed in space: the asymmetric frustum of a stereo pair (Suffern, ch. 12). 0 for
-    /// cameras without a view plane.
+    /// The shift of film points to the right if the eye moves to the left by `eye_shift` and its
+    /// view plane stays fixed in space: the asymmetric frustum of a stereo pair (Suffern, ch. 12).
+    /// 0 for cameras without a view plane.
     fn window_shift(&self, _eye_shift: f64) -> f64 {
         0.0
     }

@@ -111,8 +111,8 @@ fn coloured_shadows() -> Scene {
     scene
 }
 
-/// A planet in the shadow of its moon, in metres, a thousand times as far from the origin as the Earth is
-/// from the sun.
+/// A planet in the shadow of its moon, in metres, a thousand times as far from the origin as the
+/// Earth is from the sun.
 fn eclipse(about: &str) -> Scene {
     let x = 1.5e14;
     let view = [point(x, 3e7, 1.5e8), point(x, 0.0, 0.0)];

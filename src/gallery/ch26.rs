@@ -55,7 +55,7 @@ pub const SCENES: List = &[
 /// The depth of the Cornell box's paths.
 const DEPTH: Depth = Depth { max_depth: 10 };
 
-/// The colours and the dome's radiance are the book's, the solids and the view those of figure 18.7.
+/// Colours and the dome's radiance are the book's, solids and view those of figure 18.7.
 fn under_a_dome(about: &str, tracer: Tracer) -> Scene {
     let mut scene = solids(about, Rgb::WHITE, &[Part::Sky], plain);
     scene.tracer = tracer;

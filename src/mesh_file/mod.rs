@@ -1,10 +1,10 @@
-//! Mesh files: PLY (all three encodings) and Wavefront OBJ, read into plain arrays (Suffern, ch. 23).
+//! Mesh files (Suffern, ch. 23): PLY (all three encodings) and Wavefront OBJ, read into arrays.
 //!
-//! A file is read whole. The counts in its header are with_triangles against the bytes that follow:
+//! A file is read whole. The counts in its header are checked against the bytes that follow:
 //! besides the file itself, reading needs less than 64 bytes of memory for each byte of the file.
-//! The result is with_triangles: finite numbers, indices of existing vertices, one normal and one uv per
-//! vertex or none at all. Triangles without area, normals that are not unit and unused vertices are
-//! left to the mesh.
+//! The result is checked: finite numbers, indices of existing vertices, one normal and one
+//! uv per vertex or none at all. Triangles without area, normals that are not unit and unused
+//! vertices are left to the mesh.
 //!
 //! No crate is used. `tobj` 4.0 overflows on a texture or normal index out of range, shifts the
 //! texture coordinates when only some corners have one, turns polylines into triangles and reports

@@ -28,10 +28,10 @@ pub enum TransparentShadows {
     /// They do: glass casts a full shadow, as in the book.
     #[default]
     Opaque,
-    /// They do not: the shadow ray goes straight on. It is attenuated by the transmittance of each surface at
-    /// that angle (in the medium of smaller index) and by the absorption of each medium. This is an
-    /// approximation, because it ignores refraction. Path tracers use it only for lights that their
-    /// paths cannot hit.
+    /// They do not: the shadow ray goes straight on. It is attenuated by the transmittance of each
+    /// surface at that angle (in the medium of smaller index) and by the absorption of each medium.
+    /// This is an approximation, because it ignores refraction. Path tracers use it only for lights
+    /// that their paths cannot hit.
     Attenuated,
 }
 

@@ -7,7 +7,8 @@ use super::mapping::{azimuth, polar_angle};
 use crate::invalid::Invalid;
 use crate::math::Point;
 
-/// A sphere about the origin, divided into columns by the azimuth φ and into rows by the polar angle θ.
+/// A sphere about the origin, divided into columns by the azimuth φ and into rows by the polar
+/// angle θ.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereCells {
     columns: f64,

@@ -21,7 +21,8 @@ use crate::shapes::transform_of;
 pub struct TextureInstance {
     /// The texture to transform; it may be an instance itself, whose steps are applied first.
     pub of: Paint,
-    /// The steps, in the order in which they are applied, about the origin of the object's own coordinates.
+    /// The steps, in the order in which they are applied, about the origin of the object's own
+    /// coordinates.
     pub transform: Vec<Step>,
 }
 

@@ -1,4 +1,5 @@
-//! Wrapped noise of two colours (Suffern, ch. 31): the book's `WrappedTwoColors` and `NestedNoises`.
+//! Wrapped noise of two colours (Suffern, ch. 31): the book's `WrappedTwoColors` and
+//! `NestedNoises`.
 
 use std::sync::Arc;
 

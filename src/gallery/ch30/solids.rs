@@ -30,8 +30,8 @@ pub fn cut_cube_shape() -> Kind {
     Compound::of(parts.collect::<Vec<Kind>>()).into()
 }
 
-/// The faces x = 1, y = 1 and z = 1: squares without a quarter of a disk about (1, 1, 1), each a fan of
-/// triangles about its opposite corner.
+/// The faces x = 1, y = 1 and z = 1: squares without a quarter of a disk about (1, 1, 1), each a
+/// fan of triangles about its opposite corner.
 fn cut_faces() -> Mesh {
     /// With this number, chords are at most 0.0001 inside the circle.
     const CHORDS: u32 = 64;

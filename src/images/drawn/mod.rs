@@ -45,8 +45,8 @@ pub enum Picture {
     Label,
     /// A clear sky with a sun of radiance 1500, for the hemispherical mapping.
     SkyDome,
-    /// A courtyard with lit windows under a bright sky: a light probe (angular map) with values above
-    /// 1.
+    /// A courtyard with lit windows under a bright sky: a light probe (angular map) with values
+    /// above 1.
     Courtyard,
 }
 

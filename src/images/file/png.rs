@@ -1,4 +1,4 @@
-//! PNG (W3C, *Portable Network Graphics*): 1 to 16 bits; grey, colour or palette; interlaced or not.
+//! PNG (W3C, *Portable Network Graphics*): 1 to 16 bits; grey, colour or palette; also interlaced.
 
 use std::io::{Cursor, Read};
 

@@ -199,8 +199,8 @@ mod tests {
         }
     }
 
-    /// Law: a list tests every object for every ray; a tree tests few, but at least one for each ray
-    /// that hits.
+    /// Law: a list tests every object for every ray; a tree tests few, but at least one for each
+    /// ray that hits.
     #[test]
     fn tests_are_counted() {
         let objects = (STAGES[0].objects)(500, 7);

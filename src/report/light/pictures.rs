@@ -129,8 +129,9 @@ mod tests {
         film
     }
 
-    /// Law: a mean, the variance of one picture, and the standard error of the mean. Oracle: by hand: 1 and 3
-    /// have the mean 2, the variance 2, and 2/2 = 1 is that of their mean; 4 and 4 have none.
+    /// Law: a mean, the variance of one picture, and the standard error of the mean. Oracle: by
+    /// hand: 1 and 3 have the mean 2, the variance 2, and 2/2 = 1 is that of their mean; 4 and 4
+    /// have none.
     #[test]
     fn a_reference_knows_its_own_error() {
         let replicas = [film(1.0, 4.0), film(3.0, 4.0)];
@@ -145,7 +146,8 @@ mod tests {
     }
 
     /// Law: the error of a picture is the mean of squares minus that of the reference. Oracle: by
-    /// hand: 5 and 7 are 3 and 3 off 2 and 4: the squares' mean is 9, and 8.5 without the reference's 0.5.
+    /// hand: 5 and 7 are 3 and 3 off 2 and 4: the squares' mean is 9, and 8.5 without the
+    /// reference's 0.5.
     #[test]
     fn errors_are_those_found_by_hand() {
         let reference = Reference::new(&[film(1.0, 4.0), film(3.0, 4.0)]);

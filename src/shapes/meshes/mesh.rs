@@ -26,8 +26,8 @@ use crate::shapes::{Context, Shape, TriangleMesh, mesh_lists, size_problem};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// The file, relative to the scene file; it ends in `.ply` or `.obj`. Either this, or `vertices`
-    /// and `triangles`.
+    /// The file, relative to the scene file; it ends in `.ply` or `.obj`. Either this, or
+    /// `vertices` and `triangles`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// Instead of a file: the vertices that triangles share, as `[x, y, z]`; finite.

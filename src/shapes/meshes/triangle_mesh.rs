@@ -57,8 +57,8 @@ impl TriangleMesh {
         Self { uvs: Some(uvs), ..self }
     }
 
-    /// For each vertex the normalised sum of the normals of its triangles, unweighted as in the book;
-    /// (0, 1, 0) where the sum is zero.
+    /// For each vertex the normalised sum of the normals of its triangles, unweighted as in the
+    /// book; (0, 1, 0) where the sum is zero.
     pub fn mean_normals(&self) -> Vec<Normal> {
         mean_normals(&self.vertices, &self.triangles, &[])
     }
