@@ -100,8 +100,7 @@ pub struct Texel {
 }
 
 crate::kinds! {
-    /// A colour that varies over a surface. Every colour of a material may be a texture, and every
-    /// number, which is then the red channel.
+    /// A colour of a material that varies over a surface, or a number: the red channel.
     Kind builds dyn Texture with Resources;
     ch29 constant::Constant,
     ch29 image::Image,

@@ -95,7 +95,7 @@ impl Sampling {
         let [column, row] = match self.filtering {
             Filtering::Nearest => self.nearest(texels, uv),
             Filtering::Bilinear => {
-                let [x, y] = self.from_first_center(texels, uv);
+                let [x, y] = self.texel_position(texels, uv);
                 let nearest =
                     |axis: usize, x: f64, count| self.wraps[axis].index(floor(x + 0.5), count);
                 [nearest(0, x, texels.width()), nearest(1, y, texels.height())]
@@ -115,7 +115,7 @@ impl Sampling {
     }
 
     /// The position of the point in texels, from the centre of the first texel.
-    fn from_first_center(&self, texels: &Texels, uv: [f64; 2]) -> [f64; 2] {
+    fn texel_position(&self, texels: &Texels, uv: [f64; 2]) -> [f64; 2] {
         let position = |axis: usize, count: u32| {
             let x = self.wraps[axis].coordinate(uv[axis]);
             match self.rule {
@@ -127,7 +127,7 @@ impl Sampling {
     }
 
     fn bilinear(&self, texels: &Texels, uv: [f64; 2]) -> Rgb {
-        let [x, y] = self.from_first_center(texels, uv);
+        let [x, y] = self.texel_position(texels, uv);
         let [left, bottom] = [floor(x), floor(y)];
         let column = |i: f64| self.wraps[0].index(i, texels.width());
         let [column0, column1] = [column(left), column(left + 1.0)];
