@@ -35,7 +35,7 @@ pub struct CameraSample {
 /// The camera ray of one pixel sample; `None` in the gap of a stereo pair. Both eyes of a pair draw the
 /// same samples, because these belong to the pixel of the eye's image.
 pub fn camera_sample(world: &World, [column, row]: [u32; 2], index: u32) -> Option<CameraSample> {
-    let (eye, column) = world.view.seen_by(column, world.image.width)?;
+    let (eye, column) = world.view.eye_of_column(column, world.image.width)?;
     let pixel = [column, row];
     let draws = world.draws(pixel, index);
     let [(x, weight_x), (y, weight_y)] = draws.draw(Purpose::Pixel).map(|u| world.filter.draw(u));

@@ -17,7 +17,7 @@ use std::process::Command;
 use std::sync::LazyLock;
 use std::time::{Duration, UNIX_EPOCH};
 
-use groundtruth::report::{self, Interrupted, PAGES, Settings, Watch};
+use groundtruth::report::{self, Interrupted, PAGES, Progress, Settings};
 use groundtruth::verify::backward_error::ALLOWED;
 use groundtruth::verify::composites;
 use oracle::hard::{Family, Kind};
@@ -42,7 +42,7 @@ struct Small {
 }
 
 fn measure(settings: &Settings) -> Small {
-    let report = report::run(PAGES, settings, &Watch::default()).expect("nobody interrupts");
+    let report = report::run(PAGES, settings, &Progress::default()).expect("nobody interrupts");
     let json = report.json().expect("its data are JSON");
     Small { json: serde_json::from_str(&json).expect("JSON"), html: report.html() }
 }
@@ -229,11 +229,11 @@ fn a_report_says_where_it_comes_from() {
 #[test]
 fn an_interrupted_report_stops_at_the_next_step() {
     for page in PAGES {
-        let watch = Watch::default();
-        watch.interrupt();
-        let result = report::run(&[*page], &SMALL, &watch);
+        let progress = Progress::default();
+        progress.interrupt();
+        let result = report::run(&[*page], &SMALL, &progress);
         assert_eq!(result.map(drop), Err(Interrupted), "{}", page.name());
-        assert!(watch.progress().0 < watch.progress().1, "{:?}", watch.progress());
+        assert!(progress.steps().0 < progress.steps().1, "{:?}", progress.steps());
     }
 }
 
@@ -241,9 +241,9 @@ fn an_interrupted_report_stops_at_the_next_step() {
 #[test]
 fn the_progress_ends_at_the_end() {
     for page in PAGES {
-        let watch = Watch::default();
+        let progress = Progress::default();
         let tiny = Settings { cases: 2, objects: 100, side: 4, samples: 16, width: 4, ..SMALL };
-        assert!(report::run(&[*page], &tiny, &watch).is_ok());
-        assert_eq!(watch.progress(), (page.steps(&tiny), page.steps(&tiny)), "{}", page.name());
+        assert!(report::run(&[*page], &tiny, &progress).is_ok());
+        assert_eq!(progress.steps(), (page.steps(&tiny), page.steps(&tiny)), "{}", page.name());
     }
 }

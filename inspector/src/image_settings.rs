@@ -74,7 +74,7 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
         for other in Tracer::ALL {
             let is_chosen = other.name() == scene.tracer.name();
             if ui.selectable_label(is_chosen, other.name()).clicked() && !is_chosen {
-                scene.tracer = scene.tracer.exchanged(other);
+                scene.tracer = scene.tracer.replaced_by(other);
                 changed = true;
             }
         }

@@ -20,7 +20,7 @@ pub fn stations(
     root: &RayExplanation,
     number: usize,
 ) -> Vec<Station> {
-    let Some((eye, column)) = world.view.seen_by(pixel[0], world.image.width) else {
+    let Some((eye, column)) = world.view.eye_of_column(pixel[0], world.image.width) else {
         return Vec::new();
     };
     let first_column = f64::from(pixel[0] - column);

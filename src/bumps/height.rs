@@ -1,4 +1,4 @@
-//! Bumps by a height above the surface (Blinn 1978).
+//! Bump mapping by a height field (Blinn 1978).
 
 use std::sync::Arc;
 
@@ -12,25 +12,25 @@ use crate::math::{Frame, Normal, Vector, power_of_two};
 use crate::resources::Resources;
 use crate::textures::{Kind, Texture, TexturePoint};
 
-/// The normals of the surface that a texture would make of this one, if its red channel were how high
-/// each point is lifted along the normal: `n' = n − ∇ₛh`, normalised, with the gradient along the
-/// surface. The texture may be a solid one or an image; of an image `bilinear` is wanted, as the nearest
-/// texels make steps, and `encoding = "linear"` if its numbers are heights.
+/// The normals of a displaced surface: the red channel of a texture is the height `h` of each point
+/// along the normal, and `n' = n − ∇ₛh`, normalised, with the gradient along the surface. The
+/// texture may be a solid texture or an image. An image needs `bilinear` filtering, because nearest
+/// texels give steps, and `encoding = "linear"` if its numbers are heights.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Height {
     /// The texture whose red channel is the height.
     pub texture: Kind,
-    /// How high red 1 is, in the unit of the scene; negative for a dent.
+    /// The height where the red channel is 1, in the unit of the scene; negative for a dent.
     #[serde(default = "kinds::one")]
     pub height: f64,
-    /// Slopes are measured between points so far to either side, in the unit of the scene: a small part
-    /// of the texture's details; positive.
+    /// The step of the central differences for the slope, in the unit of the scene: much smaller
+    /// than the texture's details; positive.
     pub step: f64,
 }
 
 impl Height {
-    /// Red 1 lifted so high, with a step of 2⁻¹⁰: details must be much longer.
+    /// This height where the red channel is 1, with a step of 2⁻¹⁰: details must be much larger.
     pub fn new(texture: impl Into<Kind>, height: f64) -> Self {
         Self { texture: texture.into(), height, step: power_of_two(-10) }
     }
@@ -77,13 +77,13 @@ impl Specification for Height {
 impl HeightBump {
     /// `∂h/∂t`, by central differences.
     fn slope(&self, at: &TexturePoint<'_>, t: Vector) -> f64 {
-        let h = |by: f64| self.texture.number(&at.beside(by * t));
+        let h = |by: f64| self.texture.number(&at.displaced(by * t));
         self.height * (h(self.step) - h(-self.step)) / (2.0 * self.step)
     }
 }
 
 impl Bump for HeightBump {
-    fn turned(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
+    fn perturbed(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
         let Frame { u, v, .. } = Frame::around(n);
         let gradient = self.slope(at, u) * u + self.slope(at, v) * v;
         Vector::from(n) - gradient

@@ -1,8 +1,8 @@
-//! Bumps: normals turned as if the surface were rough, while it stays as it is (Suffern, ch. 31; Blinn,
+//! Bump mapping: perturbed shading normals on an unchanged surface (Suffern, ch. 31; Blinn,
 //! "Simulation of wrinkled surfaces", SIGGRAPH 1978).
 //!
-//! All is done in the coordinates in which textures live, so that bumps move, turn and grow with their
-//! object: lengths and heights are in its own unit, as the size of a texture is.
+//! Bumps are computed in texture coordinates, so that they are transformed with their object:
+//! lengths and heights are in the object's own unit, like the size of a texture.
 
 mod height;
 mod noise;
@@ -13,15 +13,15 @@ use crate::math::{Normal, Vector};
 use crate::resources::Resources;
 use crate::textures::TexturePoint;
 
-/// A way to turn normals. Contract: `tests/contracts/bump.rs`.
+/// A perturbation of normals. Contract: `tests/contracts/bump.rs`.
 pub trait Bump: Debug + Send + Sync {
-    /// A vector along the normal of the bumped surface, of any length. Point and normal `n` are in the
-    /// coordinates of the texture.
-    fn turned(&self, at: &TexturePoint<'_>, n: Normal) -> Vector;
+    /// A vector along the normal of the bumped surface, of any length. Point and normal `n` are in
+    /// the coordinates of the texture.
+    fn perturbed(&self, at: &TexturePoint<'_>, n: Normal) -> Vector;
 }
 
 crate::kinds! {
-    /// Normals turned as if the surface were rough.
+    /// Perturbed normals, so that the surface looks rough.
     Kind builds dyn Bump with Resources;
     ch31 noise::Noise,
     ch31 height::Height,

@@ -1,4 +1,4 @@
-//! Bumps of noise (Suffern, ch. 31): the book's `FBMBump`.
+//! Bump mapping by noise (Suffern, ch. 31): the book's `FBMBump`.
 
 use std::sync::Arc;
 
@@ -13,8 +13,8 @@ use crate::noise::{self, LatticeNoise};
 use crate::resources::Resources;
 use crate::textures::TexturePoint;
 
-/// `n' = n + a · fBm(p)`, normalised: a random vector is added to the normal. There is no surface with
-/// these normals; it looks rough all the same.
+/// `n' = n + a · fBm(p)`, normalised: a random vector is added to the normal. No surface has these
+/// normals, but it looks rough.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "NoiseBump")]
@@ -22,10 +22,10 @@ pub struct Noise {
     /// The noise.
     #[serde(default)]
     pub noise: noise::Noise,
-    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// How much of the noise is added to the normal, whose length is 1: the book's perturbation `a`.
+    /// The book's perturbation `a`: the factor of the noise that is added to the unit normal.
     pub perturbation: f64,
 }
 
@@ -61,7 +61,7 @@ impl Specification for Noise {
 }
 
 impl Bump for NoiseBump {
-    fn turned(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
+    fn perturbed(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
         let p = Point::from(at.local.to_array().map(|c| c / self.size));
         n + self.perturbation * self.noise.vector_fbm(p)
     }

@@ -1,4 +1,4 @@
-//! The cylindrical panorama (an exercise of Suffern, ch. 11): upright lines stay straight.
+//! The cylindrical panorama (an exercise of Suffern, ch. 11): vertical lines stay straight.
 
 use std::sync::Arc;
 
@@ -10,15 +10,15 @@ use crate::invalid::{Invalid, angle, angle_below};
 use crate::kinds::Specification;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
-/// Film to the right is longitude, evenly; film up is height on the unit cylinder about the v axis:
-/// the tangent of the latitude. Things keep their shape near the horizon if width is to height as
-/// `λ_max` in radians to `tan ψ_max`.
+/// The x coordinate of the film is proportional to longitude, the y coordinate to the height on the
+/// unit cylinder about the v axis: the tangent of the latitude. Shapes near the horizon are not
+/// distorted if width / height is `λ_max` (in radians) / `tan ψ_max`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CylindricalPanorama {
-    /// From the left edge to the right one, in degrees; above 0, at most 360.
+    /// The field of view from the left to the right edge, in degrees; above 0, at most 360.
     pub horizontal_fov: f64,
-    /// From the lower edge to the upper one, in degrees; above 0, below 180.
+    /// The field of view from the lower to the upper edge, in degrees; above 0, below 180.
     pub vertical_fov: f64,
 }
 
@@ -46,7 +46,7 @@ impl Specification for CylindricalPanorama {
 #[derive(Debug)]
 struct CylindricalPanoramaCamera {
     film: ViewPlane,
-    /// In degrees: there the sines of right angles are exact.
+    /// In degrees, because `sin_degrees` is exact for right angles.
     lambda_max: f64,
     tan_psi_max: f64,
 }
@@ -61,7 +61,7 @@ impl Camera for CylindricalPanoramaCamera {
         Some((Point::ORIGIN, direction))
     }
 
-    /// What is straight above or below is nowhere on the cylinder.
+    /// Points straight above or below have no image on the cylinder.
     fn project(&self, point: Point) -> Option<[f64; 2]> {
         let level = point.to_vector().across_y().length();
         let lambda = to_degrees(atan2(point.x(), -point.z()));

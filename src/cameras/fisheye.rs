@@ -1,4 +1,4 @@
-//! The fisheye camera (Suffern, ch. 11): up to all directions in one disc.
+//! The fisheye camera (Suffern, ch. 11): up to all directions in one disk.
 
 use std::sync::Arc;
 
@@ -10,15 +10,15 @@ use crate::invalid::{Invalid, angle};
 use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
-/// The angle to the line of sight grows evenly from the centre of the picture to the circle (or
-/// ellipse) that touches its edges, where it is half the field of view.
+/// The angle to the view direction is proportional to the distance from the centre of the picture.
+/// It is half the field of view at the circle (or ellipse) that touches the edges.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fisheye {
     /// The full field of view in degrees, from edge to edge; above 0, at most 360.
     pub fov: f64,
-    /// Whether the corners outside the circle see something: they continue the law, as far as straight
-    /// back. If not, they are black.
+    /// Whether the corners outside the circle show the scene, with angles up to 180 degrees. If
+    /// not, they are black.
     #[serde(default, skip_serializing_if = "kinds::is_no")]
     pub rectangular: bool,
 }
@@ -45,7 +45,7 @@ impl Specification for Fisheye {
 #[derive(Debug)]
 struct FisheyeCamera {
     film: ViewPlane,
-    /// At the circle, in degrees: there the sines of right angles are exact.
+    /// The angle at the circle, in degrees, because `sin_degrees` is exact for right angles.
     psi_max: f64,
     rectangular: bool,
 }
@@ -57,23 +57,23 @@ impl Camera for FisheyeCamera {
         let [xn, yn] = self.film.normalised(film);
         let r = (xn * xn + yn * yn).sqrt();
         let psi = r * self.psi_max;
-        let seen = if self.rectangular { psi <= 180.0 } else { r <= 1.0 };
-        // the centre has no α; nor needs it one, as sin ψ is 0
+        let in_view = if self.rectangular { psi <= 180.0 } else { r <= 1.0 };
+        // at the centre α is undefined and irrelevant, because sin ψ = 0
         let (cos_alpha, sin_alpha) = if r == 0.0 { (1.0, 0.0) } else { (xn / r, yn / r) };
         let (sin_psi, cos_psi) = (sin_degrees(psi), cos_degrees(psi));
         let direction = Vector::new(sin_psi * cos_alpha, sin_psi * sin_alpha, -cos_psi);
-        seen.then_some((Point::ORIGIN, direction))
+        in_view.then_some((Point::ORIGIN, direction))
     }
 
-    /// Every direction within the circle, or, if rectangular, every direction, has one place.
+    /// Each direction inside the circle (if rectangular: each direction) has one film point.
     fn project(&self, point: Point) -> Option<[f64; 2]> {
         let across = (point.x() * point.x() + point.y() * point.y()).sqrt();
         let psi = to_degrees(atan2(across, -point.z()));
         let r = psi / self.psi_max;
-        let seen = (self.rectangular || r <= 1.0) && point != Point::ORIGIN;
-        // straight back, too, has no α; all directions there are one
+        let in_view = (self.rectangular || r <= 1.0) && point != Point::ORIGIN;
+        // straight ahead and straight back α is undefined; use 0
         let (cos_alpha, sin_alpha) =
             if across == 0.0 { (1.0, 0.0) } else { (point.x() / across, point.y() / across) };
-        seen.then(|| self.film.point([r * cos_alpha, r * sin_alpha]))
+        in_view.then(|| self.film.point([r * cos_alpha, r * sin_alpha]))
     }
 }

@@ -14,7 +14,7 @@ use crate::math::{Point, Vector};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Orthographic {
-    /// Things are this many times as large in the picture; positive.
+    /// The magnification; positive.
     #[serde(default = "kinds::one")]
     pub zoom: f64,
 }
@@ -42,12 +42,12 @@ impl Camera for Orthographic {
         Some((Point::new(x / self.zoom, y / self.zoom, 0.0), -Vector::Z))
     }
 
-    /// What lies before the plane through the eye.
+    /// Points in front of the plane through the eye.
     fn project(&self, point: Point) -> Option<[f64; 2]> {
         (point.z() < 0.0).then(|| [self.zoom * point.x(), self.zoom * point.y()])
     }
 
-    fn window_shift(&self, aside: f64) -> f64 {
-        self.zoom * aside
+    fn window_shift(&self, eye_shift: f64) -> f64 {
+        self.zoom * eye_shift
     }
 }

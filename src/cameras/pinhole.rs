@@ -10,14 +10,15 @@ use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
 
-/// Rays from the eye through a view plane at a distance.
+/// Rays from the eye through a view plane at `distance`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pinhole {
-    /// From the eye to the view plane, `d` in the book, in the unit of `pixel_size`; positive. The
-    /// larger, the narrower the view: a picture of 480 pixels of side 1 shows 38 degrees at 700.
+    /// The distance from the eye to the view plane, the book's `d`, in the unit of `pixel_size`;
+    /// positive. A larger distance gives a narrower field of view: 38 degrees for 480 pixels of
+    /// side 1 at distance 700.
     pub distance: f64,
-    /// Things are this many times as large in the picture; positive.
+    /// The magnification; positive.
     #[serde(default = "kinds::one")]
     pub zoom: f64,
 }
@@ -52,7 +53,7 @@ impl Camera for Pinhole {
         (point.z() < 0.0).then(|| [scale * point.x(), scale * point.y()])
     }
 
-    fn window_shift(&self, aside: f64) -> f64 {
-        self.zoom * aside
+    fn window_shift(&self, eye_shift: f64) -> f64 {
+        self.zoom * eye_shift
     }
 }

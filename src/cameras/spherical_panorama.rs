@@ -1,4 +1,5 @@
-//! The spherical panorama (Suffern, ch. 11): degrees of longitude and latitude.
+//! The spherical panorama (Suffern, ch. 11): film coordinates proportional to longitude and
+//! latitude.
 
 use std::sync::Arc;
 
@@ -10,14 +11,15 @@ use crate::invalid::{Invalid, angle};
 use crate::kinds::Specification;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
-/// Film to the right is longitude, film up is latitude, about the v axis, both evenly. Things keep
-/// their shape near the horizon if the picture's sides are as the two fields of view.
+/// The x coordinate of the film is proportional to longitude, the y coordinate to latitude, about
+/// the v axis. Shapes near the horizon are not distorted if the sides of the picture have the ratio
+/// of the two fields of view.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphericalPanorama {
-    /// From the left edge to the right one, in degrees; above 0, at most 360.
+    /// The field of view from the left to the right edge, in degrees; above 0, at most 360.
     pub horizontal_fov: f64,
-    /// From the lower edge to the upper one, in degrees; above 0, at most 180.
+    /// The field of view from the lower to the upper edge, in degrees; above 0, at most 180.
     pub vertical_fov: f64,
 }
 
@@ -41,7 +43,7 @@ impl Specification for SphericalPanorama {
     }
 }
 
-/// Half angles in degrees: there the sines of right angles are exact.
+/// Half angles in degrees, because `sin_degrees` is exact for right angles.
 #[derive(Debug)]
 struct SphericalPanoramaCamera {
     film: ViewPlane,
@@ -63,8 +65,8 @@ impl Camera for SphericalPanoramaCamera {
         Some((Point::ORIGIN, direction))
     }
 
-    /// Longitude and latitude; a point straight above or below, which a whole row sees, in the
-    /// middle of it.
+    /// Longitude and latitude. A point straight above or below is in every column of a row; its
+    /// centre is returned.
     fn project(&self, point: Point) -> Option<[f64; 2]> {
         let level = point.to_vector().across_y().length();
         let lambda = if level == 0.0 { 0.0 } else { to_degrees(atan2(point.x(), -point.z())) };

@@ -1,4 +1,5 @@
-//! Stereo pairs (Suffern, ch. 12): two eyes side by side, and how their images share the picture.
+//! Stereo pairs (Suffern, ch. 12): two eyes side by side, and the layout of their images in the
+//! picture.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,28 +7,29 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, shown};
 use crate::math::{cos_degrees, sin_degrees};
 
-/// Two eyes side by side, and how their two images are laid out in the picture.
+/// Two eyes side by side, and the layout of their two images in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(example = Stereo { viewing: Viewing::Parallel, gap: 5, separation: 4.0 })]
 pub struct Stereo {
-    /// How the pair is looked at.
+    /// How the pair is viewed.
     pub viewing: Viewing,
-    /// How many black columns of pixels there are between the two images.
+    /// The number of black pixel columns between the two images.
     #[serde(default = "five")]
     pub gap: u32,
-    /// The angle β in degrees under which the point looked at sees both eyes; at least 0, below 180.
+    /// The angle β between the directions from `look_at` to the two eyes, in degrees; at least 0,
+    /// below 180.
     pub separation: f64,
 }
 
-/// How a stereo pair is looked at.
+/// How a stereo pair is viewed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "viewings")]
 pub enum Viewing {
-    /// Left image on the left: the left eye looks at it, with parallel lines of sight.
+    /// Left image on the left: for parallel lines of sight.
     Parallel,
-    /// Left image on the right: for crossed eyes.
+    /// Left image on the right: for crossed lines of sight.
     Transverse,
 }
 
@@ -46,7 +48,7 @@ fn five() -> u32 {
 }
 
 impl Stereo {
-    /// Half the distance between the eyes, `x = r tan(β/2)`, for a point looked at at the distance r.
+    /// Half the distance between the eyes, `x = r tan(β/2)`, where r is the distance to `look_at`.
     pub(super) fn half_distance(&self, r: f64) -> Result<f64, Invalid> {
         let beta = self.separation;
         if !(0.0..180.0).contains(&beta) {
@@ -57,7 +59,8 @@ impl Stereo {
         Ok(r * (sin_degrees(0.5 * beta) / cos_degrees(0.5 * beta)))
     }
 
-    /// The first columns of the images of the left and the right eye, if each has `width` columns.
+    /// The first columns of the images of the left and the right eye, where each has `width`
+    /// columns.
     pub fn first_columns(&self, width: u32) -> [u32; 2] {
         match self.viewing {
             Viewing::Parallel => [0, width + self.gap],
@@ -65,8 +68,8 @@ impl Stereo {
         }
     }
 
-    /// Whose image a column of the picture belongs to, and its column there; `None` in the gap.
-    pub fn seen_by(&self, column: u32, width: u32) -> Option<(Side, u32)> {
+    /// The eye and the column of its image for a column of the picture; `None` in the gap.
+    pub fn side_of_column(&self, column: u32, width: u32) -> Option<(Side, u32)> {
         let [first, second] = match self.viewing {
             Viewing::Parallel => [Side::Left, Side::Right],
             Viewing::Transverse => [Side::Right, Side::Left],

@@ -10,19 +10,20 @@ use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::{self, Specification};
 use crate::math::{Point, Vector};
 
-/// A pinhole camera whose hole is a disk: what lies at the focal distance is sharp, all else blurred.
+/// A pinhole camera with a lens instead of a point: points at the focal distance are sharp, all
+/// others blurred.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThinLens {
-    /// From the lens to the view plane, `d` in the book; positive. As `distance` of `pinhole`.
+    /// The distance from the lens to the view plane, the book's `d`, as for `pinhole`; positive.
     pub distance: f64,
-    /// From the lens to the plane that is sharp, `f` in the book; positive. It counts along −w, not
-    /// along the ray.
+    /// The distance from the lens to the focal plane, the book's `f`; positive. Measured along −w,
+    /// not along the ray.
     pub focal_distance: f64,
-    /// The radius `R` of the lens, not negative: the larger, the more is blurred; with 0 this is the
-    /// pinhole camera.
+    /// The radius `R` of the lens, not negative. A larger lens gives more blur; 0 gives the pinhole
+    /// camera.
     pub lens_radius: f64,
-    /// Things are this many times as large in the picture; positive.
+    /// The magnification; positive.
     #[serde(default = "kinds::one")]
     pub zoom: f64,
 }
@@ -58,9 +59,9 @@ impl Specification for ThinLens {
 }
 
 impl Camera for ThinLens {
-    /// From the point l of the lens through the point `(f/d) p` of the plane that is sharp, p being
-    /// the one of the view plane: `(p − (d/f) l) − d w`, which is d/f times the book's direction, so
-    /// that a lens of radius 0 gives the pinhole's to the last bit.
+    /// From the point l of the lens through the point `(f/d) p` of the focal plane, where p is the
+    /// point of the view plane: `(p − (d/f) l) − d w`. This is d/f times the book's direction, so
+    /// that a lens of radius 0 gives the direction of the pinhole camera, bit for bit.
     fn ray(&self, [x, y]: [f64; 2], lens: [f64; 2]) -> Option<(Point, Vector)> {
         let (px, py) = (x / self.zoom, y / self.zoom);
         let [lx, ly] = lens.map(|l| self.lens_radius * l);
@@ -79,7 +80,7 @@ impl Camera for ThinLens {
         (point.z() < 0.0).then(|| [scale * point.x(), scale * point.y()])
     }
 
-    fn window_shift(&self, aside: f64) -> f64 {
-        self.zoom * aside
+    fn window_shift(&self, eye_shift: f64) -> f64 {
+        self.zoom * eye_shift
     }
 }

@@ -1,4 +1,4 @@
-//! Where a camera stands and how it is turned (Suffern, ch. 9).
+//! The position and orientation of a camera (Suffern, ch. 9).
 
 use std::sync::Arc;
 
@@ -11,30 +11,31 @@ use crate::invalid::{Invalid, finite, finite_point, finite_vector, positive};
 use crate::math::{Frame, Point, Ray, Vector, cos_degrees, sin_degrees};
 use crate::medium::Medium;
 
-/// Where the camera stands, where it looks, and its kind.
+/// The camera: position, orientation and kind.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Camera")]
 pub struct Viewpoint {
-    /// Where the camera stands.
+    /// The position of the camera.
     pub eye: Point,
-    /// The point in the middle of the picture; not the eye.
+    /// The point at the centre of the picture; not equal to `eye`.
     #[serde(default)]
     pub look_at: Point,
-    /// The direction that is up in the picture; not zero.
+    /// The up vector; not zero.
     #[serde(default = "up")]
     pub up: Vector,
-    /// Turns the camera counter-clockwise about the view direction, in degrees: the picture turns
-    /// clockwise.
+    /// The counter-clockwise rotation of the camera about the view direction, in degrees; the
+    /// picture rotates clockwise.
     #[serde(default)]
     pub roll: f64,
-    /// Multiplies every pixel; positive.
+    /// The factor of every pixel; positive.
     #[serde(default = "kinds::one")]
     pub exposure_time: f64,
-    /// What the eye is in: only its absorption counts, as it is the surfaces that bend light.
+    /// The medium around the camera. Only its absorption is used: refraction depends on the indices
+    /// of the surfaces' materials.
     #[serde(default, skip_serializing_if = "is_air")]
     pub medium: Medium,
-    /// Two eyes and two images in place of one.
+    /// Two eyes and two images instead of one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stereo: Option<Stereo>,
     /// The kind of camera.
@@ -49,16 +50,16 @@ fn is_air(medium: &Medium) -> bool {
     *medium == Medium::default()
 }
 
-/// A camera in the world, ready to be asked.
+/// A built camera in the world.
 #[derive(Debug)]
 pub struct View {
     /// One, or the left and the right one of a stereo pair.
     eyes: Vec<Eye>,
     stereo: Option<Stereo>,
     frame: Frame,
-    /// Multiplies every pixel.
+    /// The factor of every pixel.
     pub exposure_time: f64,
-    /// What the eye is in.
+    /// The medium around the camera.
     pub medium: Medium,
 }
 
@@ -80,10 +81,10 @@ impl Viewpoint {
         Self { eye, look_at, up, roll: 0.0, exposure_time: 1.0, medium, stereo: None, lens }
     }
 
-    /// Checks and builds, for a film of this size.
+    /// Checks the data and builds the camera for a film of this size.
     ///
     /// # Errors
-    /// [`Invalid`] names the field that does not fit.
+    /// [`Invalid`] names the invalid field.
     pub fn build(&self, film: ViewPlane) -> Result<View, Invalid> {
         finite_point("eye", self.eye)?;
         finite_point("look_at", self.look_at)?;
@@ -102,13 +103,14 @@ impl Viewpoint {
         let medium = self.medium.checked("medium")?;
         let camera = self.lens.build(&mut film.clone()).map_err(|e| e.inside("lens"))?;
         let frame = rolled(upright(back, up), self.roll);
-        // an eye that is `aside` to the left: its window moves to the right, to stay where it is
-        let eye = |aside: f64| Eye {
-            position: self.eye - aside * frame.u,
+        // an eye moved to the left by `eye_shift`: its view plane stays fixed, so film points shift
+        // right
+        let eye = |eye_shift: f64| Eye {
+            position: self.eye - eye_shift * frame.u,
             frame,
             camera: Arc::clone(&camera),
             film,
-            shift: camera.window_shift(aside),
+            shift: camera.window_shift(eye_shift),
         };
         let eyes = match self.stereo {
             None => vec![eye(0.0)],
@@ -137,8 +139,8 @@ impl Viewpoint {
     }
 }
 
-/// The viewing frame; with `up` along the view direction the book's frames for looking straight
-/// down and straight up, or any frame if `up` is not the y axis.
+/// The viewing frame. If `up` is along the view direction: the book's frames for the vertical view
+/// directions, any frame otherwise.
 fn upright(back: Vector, up: Vector) -> Frame {
     if let Some(frame) = Frame::looking(back, up) {
         return frame;
@@ -153,7 +155,7 @@ fn upright(back: Vector, up: Vector) -> Frame {
     }
 }
 
-/// The frame turned by `+degrees` about w.
+/// The frame rotated by `+degrees` about w.
 fn rolled(Frame { u, v, w }: Frame, degrees: f64) -> Frame {
     let (s, c) = (sin_degrees(degrees), cos_degrees(degrees));
     Frame { u: c * u + s * v, v: -s * u + c * v, w }
@@ -165,7 +167,7 @@ impl View {
         &self.eyes
     }
 
-    /// One eye of a stereo pair; of another view the only one.
+    /// One eye of a stereo pair, or the only eye.
     pub fn eye(&self, side: Side) -> &Eye {
         match side {
             Side::Left => &self.eyes[0],
@@ -173,34 +175,33 @@ impl View {
         }
     }
 
-    /// How the picture is made of two images, if it is.
+    /// The layout of a stereo pair; `None` for a single eye.
     pub fn stereo(&self) -> Option<&Stereo> {
         self.stereo.as_ref()
     }
 
-    /// Columns of the whole picture, if an eye's image has `width`.
+    /// The number of columns of the whole picture, where an eye's image has `width`.
     pub fn picture_width(&self, width: u32) -> u64 {
         let width = u64::from(width);
         self.stereo.map_or(width, |stereo| 2 * width + u64::from(stereo.gap))
     }
 
-    /// The eye that sees a column of the whole picture, and the column of its image; `None` in the gap
-    /// of a stereo pair.
-    pub fn seen_by(&self, column: u32, width: u32) -> Option<(&Eye, u32)> {
+    /// The eye and the column of its image for a column of the whole picture; `None` in the gap of
+    /// a stereo pair.
+    pub fn eye_of_column(&self, column: u32, width: u32) -> Option<(&Eye, u32)> {
         let Some(stereo) = self.stereo else { return Some((&self.eyes[0], column)) };
-        let (side, column) = stereo.seen_by(column, width)?;
+        let (side, column) = stereo.side_of_column(column, width)?;
         Some((self.eye(side), column))
     }
 
-    /// Whether samples on the lens matter.
+    /// See [`Camera::has_lens`].
     pub fn has_lens(&self) -> bool {
         self.eyes[0].camera.has_lens()
     }
 
-    /// Whether the rays for a point of the film, if there are any, are made of numbers: far enough
-    /// out, they overflow.
-    pub(crate) fn reaches(&self, film: [f64; 2]) -> bool {
-        self.eyes.iter().all(|eye| eye.reaches(film))
+    /// Whether the rays of a film point are finite: those of a very large film overflow.
+    pub(crate) fn has_finite_rays(&self, film: [f64; 2]) -> bool {
+        self.eyes.iter().all(|eye| eye.has_finite_rays(film))
     }
 
     /// The axes u, v, w of the camera in the world.
@@ -210,13 +211,13 @@ impl View {
 }
 
 impl Eye {
-    /// Where it is.
+    /// The position in the world.
     pub fn position(&self) -> Point {
         self.position
     }
 
-    /// The ray for a point of the film and one of the lens; its direction is unit. `None` where the
-    /// camera sees nothing. See [`Camera::ray`].
+    /// The ray of a film point and a lens point; its direction is unit. `None` where the picture is
+    /// black. See [`Camera::ray`].
     pub fn ray(&self, film: [f64; 2], lens: [f64; 2]) -> Option<Ray> {
         let (origin, direction) = self.unnormalised(film, lens)?;
         Some(Ray::new(origin, direction.unit().expect("cameras look somewhere")))
@@ -228,9 +229,9 @@ impl Eye {
         Some((self.position + offset, self.frame.to_world(direction)))
     }
 
-    /// Where on the film a point of the world is seen, through the centre of the lens; `None` if it is
-    /// out of view: where no film could see it, or beyond the edges of the picture, which belong to
-    /// it. The inverse of [`Eye::ray`]. (Whether something is in the way is another question.)
+    /// The film point of a point of the world, through the centre of the lens: the inverse of
+    /// [`Eye::ray`]. `None` if the point is not in the picture (the edges belong to the picture).
+    /// Other objects in front of the point are ignored.
     pub fn project(&self, point: Point) -> Option<[f64; 2]> {
         let local = self.frame.to_local(point - self.position);
         let [x, y] = self.camera.project(Point::ORIGIN + local)?;
@@ -238,7 +239,7 @@ impl Eye {
         self.film.contains(film).then_some(film)
     }
 
-    fn reaches(&self, film: [f64; 2]) -> bool {
+    fn has_finite_rays(&self, film: [f64; 2]) -> bool {
         const CENTER: [f64; 2] = [0.0, 0.0];
         const AROUND: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
         let lens = if self.camera.has_lens() { &AROUND[..] } else { &[CENTER] };

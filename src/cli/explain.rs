@@ -20,7 +20,7 @@ pub struct Explain {
     /// Explain every sample of the pixel
     #[arg(long, conflicts_with = "sample")]
     all: bool,
-    /// Fold rays that add less than this percentage of their sample into one line; 0 shows all
+    /// Show rays that contribute less than this percentage of their sample as one line; 0 shows all
     #[arg(long, value_name = "PERCENT", default_value_t = 1.0, value_parser = percentage)]
     min_share: f64,
     /// Show only the path of rays along which most of the light comes
@@ -31,7 +31,6 @@ pub struct Explain {
     json: bool,
 }
 
-/// A number from 0 to 100.
 fn percentage(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(percent),

@@ -13,20 +13,20 @@ use super::{Answer, Outcome, print};
 pub struct Export {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The scene file to write, with the files it uses named relative to its folder. If left out, the
-    /// scene goes to the standard output, with absolute names
+    /// The scene file to write; file names in it are relative to its folder. If left out, the scene
+    /// goes to the standard output, with absolute file names
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
 impl Export {
     pub fn run(&self) -> Outcome {
-        if self.scene.names_a_seed() {
+        if self.scene.has_seed() {
             return Err("a scene file keeps no seed; give --seed where it is rendered".into());
         }
         let (mut scene, _) = self.scene.load()?;
         if let Some(folder) = self.scene.folder() {
-            let folder = self.seen_from_output(folder)?;
+            let folder = self.relative_to_output(folder)?;
             scene = scene.files_from(&folder)?;
         }
         let text = scene::to_toml(&scene)?;
@@ -38,13 +38,13 @@ impl Export {
         Ok(Answer::Yes)
     }
 
-    /// The folder of the scene, relative to that of the output; absolute without an output.
-    fn seen_from_output(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
-        // without symbolic links, so that `..` leads to the folder above
+    /// The folder of the scene, relative to the folder of the output; absolute without an output.
+    fn relative_to_output(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
+        // resolves symbolic links, so that `..` is the parent folder
         let folder = folder.canonicalize()?;
         let Some(output) = &self.output else { return Ok(folder) };
         let from = film::folder_of(output).canonicalize().map_err(|e| unwritable(output, e))?;
-        // on Windows nothing leads from one drive to another
+        // on Windows there is no relative path from one drive to another
         Ok(pathdiff::diff_paths(&folder, from).unwrap_or(folder))
     }
 }

@@ -28,21 +28,22 @@ pub struct Goldens {
 enum Command {
     /// Render every golden and compare; exit status 0 if all are the same
     Check(Check),
-    /// Write one HTML page: expected, got and difference of each golden that is not the same
+    /// Write one HTML page: expected picture, actual picture and difference of each golden that
+    /// differs
     Review(Review),
-    /// Keep pictures as they are now, for a reason
+    /// Accept the current pictures as goldens, with a reason
     Accept(Accept),
 }
 
 #[derive(Args)]
 struct Check {
-    /// Goldens to check, as ch24/hall-of-mirrors, or chapters, as ch24; all if none is named
+    /// Goldens to check, such as ch24/hall-of-mirrors, or chapters, such as ch24; all if left out
     names: Vec<String>,
 }
 
 #[derive(Args)]
 struct Review {
-    /// Goldens to show, or chapters, as ch24; those that are not the same if none is named
+    /// Goldens to show, or chapters, such as ch24; those that differ if left out
     names: Vec<String>,
     /// Show all
     #[arg(long, conflicts_with = "names")]
@@ -54,22 +55,22 @@ struct Review {
 
 #[derive(Args)]
 struct Accept {
-    /// Goldens, as ch24/hall-of-mirrors; .normals or .hits for another view of a scene
+    /// Goldens, such as ch24/hall-of-mirrors; .normals or .hits for another view of a scene
     #[arg(required_unless_present = "all_drifted")]
     names: Vec<String>,
     /// Accept every golden that differs by rounding only
     #[arg(long, conflicts_with = "names")]
     all_drifted: bool,
-    /// What the pictures were checked against; the manifest keeps it
+    /// What the pictures were checked against; stored in the manifest
     #[arg(long, value_name = "REASON")]
     because: String,
-    /// Width and height in pixels; as before, or 96 pixels wide
+    /// Width and height in pixels; if left out, those of the old golden, or 96 pixels wide
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
-    /// Samples for each pixel; as before, or at most 4
+    /// Samples per pixel; if left out, those of the old golden, or at most 4
     #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
-    /// What to look for; as before, or the scene's own line
+    /// What to look for; if left out, the text of the old golden, or the description of the scene
     #[arg(long, value_name = "TEXT")]
     shows: Option<String>,
 }
@@ -84,7 +85,6 @@ impl Goldens {
     }
 }
 
-/// The goldens of a folder.
 fn open(folder: &Path) -> Result<Folder, Box<dyn Error>> {
     let goldens = Folder::open(folder)?;
     if goldens.was_finished() {
@@ -176,7 +176,8 @@ impl Accept {
     fn run(&self, folder: &Path) -> Outcome {
         let mut goldens =
             if Folder::is_none(folder) { Folder::none(folder) } else { open(folder)? };
-        // an interrupt counts until all pictures are rendered, and not after that
+        // an interrupt stops the command while pictures are rendered, but not while they are
+        // written
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
         ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;

@@ -8,12 +8,12 @@ use super::{Outcome, print};
 #[derive(Args)]
 pub struct Kinds {
     /// A kind (torus, matte), a table (scene, image, camera, light, material, object) or a list of
-    /// kinds (shapes); all of them on one line each if left out
+    /// kinds (shapes); an overview if left out
     name: Option<String>,
     /// Print everything as one page of Markdown: docs/scene.md
     #[arg(long, conflicts_with_all = ["name", "schema"])]
     page: bool,
-    /// Print the JSON schema of scene files, with which an editor completes and checks them
+    /// Print the JSON schema of scene files, for completion and checking in editors
     #[arg(long, conflicts_with = "name")]
     schema: bool,
 }

@@ -8,7 +8,7 @@ use super::{Outcome, print};
 
 #[derive(Args)]
 pub struct List {
-    /// Chapters to list, as ch24; all if none is named
+    /// Chapters to list, such as ch24; all if left out
     #[arg(value_name = "CHAPTER")]
     chapters: Vec<String>,
     /// Print JSON

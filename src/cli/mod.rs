@@ -1,7 +1,7 @@
 //! The command line: one file for each command.
 //!
-//! Exit status 0 means yes, 1 means the answer is no, 2 means it could not be answered, and 130
-//! that the person interrupted it.
+//! Exit status 0 means yes, 1 means the answer is no, 2 means an error, and 130 means that the user
+//! interrupted the command.
 
 mod explain;
 mod export;
@@ -30,11 +30,12 @@ struct Arguments {
 enum Command {
     /// List the gallery's scenes, by chapter
     List(list::List),
-    /// Say what a scene file can say: every kind and table, its fields, defaults and an example
+    /// Describe the contents of scene files: every kind and table, its fields, defaults and an
+    /// example
     Kinds(kinds::Kinds),
     /// Render a scene to a picture file (.png, or .exr for linear radiance)
     Render(render::Render),
-    /// Say why a pixel has its colour: the tree of its rays
+    /// Explain the colour of a pixel: the tree of its rays
     Explain(explain::Explain),
     /// Write a scene as a scene file
     Export(export::Export),
@@ -42,25 +43,26 @@ enum Command {
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
     ///
-    /// Each line of the standard input asks one question, as {"fresnel": {"cos_i": 1, "eta": 1.5}},
+    /// Each line of the standard input is one question, such as {"fresnel": {"cos_i": 1, "eta":
+    /// 1.5}},
     /// and gets one line with its answer. docs/probe.md describes the questions. The exit status
     /// is 2 if any line got an error.
     Probe(probe::Probe),
     /// Measure speed against error on this machine: one HTML page, and its data
     ///
-    /// Writes index.html, which needs nothing beside it, and report.json. The pages are:
-    /// intersections (ours beside the textbook's formulas), acceleration (list, grid, bvh, by number
-    /// of objects) and samplers (by number of samples). Each takes up to two minutes.
+    /// Writes index.html, a self-contained page, and report.json. The pages are: intersections (the
+    /// library compared with the textbook's formulas), acceleration (list, grid, bvh, by number of
+    /// objects), samplers (by number of samples), light and textures. Each takes up to two minutes.
     Report(report::Report),
 }
 
-/// What a command comes to.
+/// The result of a command.
 enum Answer {
     /// Exit status 0.
     Yes,
     /// Exit status 1.
     No,
-    /// Exit status 2, when the reasons have been said already.
+    /// Exit status 2; the command has already printed the reasons.
     Unanswered,
     /// Exit status 130.
     Interrupted,
@@ -68,7 +70,7 @@ enum Answer {
 
 type Outcome = Result<Answer, Box<dyn Error>>;
 
-/// Runs the command that the arguments say.
+/// Runs the command of the arguments.
 pub fn run() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::List(command) => command.run(),
@@ -92,7 +94,7 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Writes to standard output; a reader that has gone (`| head`) is not an error.
+/// Writes to standard output; a closed pipe (`| head`) is not an error.
 fn print(text: &str) -> Outcome {
     use std::io::Write;
     match std::io::stdout().lock().write_all(text.as_bytes()) {

@@ -13,7 +13,7 @@ impl Probe {
         match probe::serve(std::io::stdin().lock(), std::io::stdout().lock()) {
             Ok(true) => Ok(Answer::Yes),
             Ok(false) => Ok(Answer::Unanswered),
-            // a reader that has gone (`| head`) is not an error
+            // a closed pipe (`| head`) is not an error
             Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(Answer::Yes),
             Err(error) => Err(error.into()),
         }

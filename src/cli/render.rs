@@ -19,10 +19,10 @@ use super::{Answer, Outcome};
 pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The picture file: .png as shown on a screen, .exr for linear radiance
+    /// The picture file: .png for display, .exr for linear radiance
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Render a part only: X,Y,WxH from the top left
+    /// Render only a part: X,Y,WxH from the top left
     #[arg(long, value_name = "X,Y,WxH")]
     crop: Option<CropArgument>,
     /// How the two images of a stereo pair are written; side-by-side if left out
@@ -38,14 +38,14 @@ pub struct Render {
 enum Pair {
     /// One picture: both images and the gap between them
     SideBySide,
-    /// One picture for glasses, red over the left eye and cyan over the right one
+    /// One picture for glasses with a red filter on the left eye and a cyan one on the right eye
     Anaglyph,
     /// Two pictures, -left and -right added to the name
     TwoFiles,
 }
 
-/// How long an interrupted rendering may take to finish the pixels it is at.
-const PATIENCE: Duration = Duration::from_secs(1);
+/// The time that an interrupted rendering has to finish the current pixels.
+const GRACE_PERIOD: Duration = Duration::from_secs(1);
 
 impl Render {
     pub fn run(&self) -> Outcome {
@@ -78,15 +78,15 @@ impl Render {
             let mut interrupted: Option<Instant> = None;
             while !rendering.is_finished() {
                 if canvas.is_cancelled()
-                    && interrupted.get_or_insert_with(Instant::now).elapsed() > PATIENCE
+                    && interrupted.get_or_insert_with(Instant::now).elapsed() > GRACE_PERIOD
                 {
-                    // a pixel whose rays double at every depth may take for ever
+                    // a pixel whose number of rays doubles at every depth may take too long
                     bar.finish_and_clear();
                     eprintln!("interrupted; nothing was written");
                     std::process::exit(130);
                 }
                 bar.set_position(canvas.progress().0);
-                // wakes at once when the rendering ends
+                // returns early when the rendering ends
                 std::thread::park_timeout(Duration::from_millis(5));
             }
         });
@@ -115,7 +115,7 @@ impl Render {
         Ok(Answer::Yes)
     }
 
-    /// How a pair is to be written, if that can be done.
+    /// How a stereo pair is written; fails if the scene or the crop does not allow it.
     fn pair(&self, world: &World) -> Result<Pair, &'static str> {
         match self.stereo {
             None => Ok(Pair::SideBySide),

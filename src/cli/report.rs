@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use groundtruth::report::{self, PAGES, Page, Settings, Watch};
+use groundtruth::report::{self, PAGES, Page, Progress, Settings};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::scene::start_threads;
@@ -13,23 +13,24 @@ use super::{Answer, Outcome};
 
 #[derive(Args)]
 pub struct Report {
-    /// The folder for index.html and report.json; made if it is not there
+    /// The folder for index.html and report.json; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Make this page only: intersections, acceleration, samplers, light or textures (may be repeated)
+    /// Write only this page: intersections, acceleration, samplers, light or textures (may be
+    /// repeated)
     #[arg(long, value_name = "PAGE")]
     only: Vec<String>,
-    /// Measure little, in a few seconds, to see what a report looks like
+    /// Measure only a few seconds, as a preview of a report
     #[arg(long)]
     quick: bool,
     /// Intersections: rays for each shape and family of hard cases
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     cases: Option<u32>,
-    /// Acceleration: the most objects
+    /// Acceleration: the largest number of objects
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(100..=1_000_000))]
     objects: Option<u32>,
-    /// Samplers, light and textures: the most samples for each pixel; light takes 1024 at most, textures 256,
-    /// and 16 times as many for their references
+    /// Samplers, light and textures: the largest number of samples per pixel; at most 1024 for
+    /// light and 256 for textures, and 16 times as many for their references
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=65536))]
     samples: Option<u32>,
     /// The seed of all random choices
@@ -40,8 +41,8 @@ pub struct Report {
     threads: Option<u16>,
 }
 
-/// How long an interrupted measurement may take to finish what it is at.
-const PATIENCE: Duration = Duration::from_secs(1);
+/// The time that an interrupted measurement has to finish the current step.
+const GRACE_PERIOD: Duration = Duration::from_secs(1);
 
 impl Report {
     pub fn run(&self) -> Outcome {
@@ -51,12 +52,12 @@ impl Report {
         start_threads(self.threads)?;
         let settings = self.settings();
 
-        let watch = Arc::new(Watch::default());
-        let on_interrupt = Arc::clone(&watch);
+        let progress = Arc::new(Progress::default());
+        let on_interrupt = Arc::clone(&progress);
         ctrlc::set_handler(move || on_interrupt.interrupt())?;
         let finished = std::thread::scope(|scope| {
-            let measuring = scope.spawn(|| report::run(&pages, &settings, &watch));
-            show(&watch, || measuring.is_finished());
+            let measuring = scope.spawn(|| report::run(&pages, &settings, &progress));
+            show(&progress, || measuring.is_finished());
             measuring.join()
         });
         let report = match finished {
@@ -84,7 +85,7 @@ impl Report {
         for name in &self.only {
             report::page(name).ok_or_else(|| unknown(name))?;
         }
-        // each once, in the report's own order
+        // each once, in the order of the report
         let wanted = |page: &&dyn Page| self.only.iter().any(|name| name == page.name());
         Ok(PAGES.iter().copied().filter(wanted).collect())
     }
@@ -101,21 +102,22 @@ impl Report {
     }
 }
 
-/// Shows the progress until it has finished; ends the program if it is interrupted and does not.
-fn show(watch: &Watch, is_finished: impl Fn() -> bool) {
+/// Shows the progress until it is finished; exits if an interrupted measurement does not end in
+/// time.
+fn show(progress: &Progress, is_finished: impl Fn() -> bool) {
     let bar = ProgressBar::new(1);
     let style = "{bar:40} {percent}%  {elapsed} elapsed, {eta} to go";
     bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
     let mut interrupted: Option<Instant> = None;
     while !is_finished() {
-        if watch.is_interrupted()
-            && interrupted.get_or_insert_with(Instant::now).elapsed() > PATIENCE
+        if progress.is_interrupted()
+            && interrupted.get_or_insert_with(Instant::now).elapsed() > GRACE_PERIOD
         {
             bar.finish_and_clear();
             eprintln!("interrupted; nothing was written");
             std::process::exit(130);
         }
-        let (done, total) = watch.progress();
+        let (done, total) = progress.steps();
         bar.set_length(total);
         bar.set_position(done);
         std::thread::park_timeout(Duration::from_millis(20));

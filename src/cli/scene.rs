@@ -1,4 +1,4 @@
-//! The arguments that name a scene and change how it is rendered, the same for every command.
+//! The arguments that select a scene and change its settings, the same for every command.
 
 use std::error::Error;
 use std::path::Path;
@@ -15,18 +15,18 @@ use groundtruth::world::{DEEPEST, DEFAULT_SEED, MOST_PIXELS, MOST_SAMPLES, World
 pub struct SceneArguments {
     /// A gallery name such as ch28/glass-sphere (see `list`), or a scene file
     scene: String,
-    /// Width and height of the picture in pixels, as 300x200; the view stays the same. Of a stereo
-    /// pair: of each eye's image
+    /// Width and height of the picture in pixels, such as 300x200; the view stays the same. For a
+    /// stereo pair: of each eye's image
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
-    /// Samples for each pixel
+    /// Samples per pixel
     #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
-    /// How light is followed, instead of as the scene says: ray_cast, whitted,
-    /// path_trace, global_trace or path
+    /// The tracer, instead of that of the scene: ray_cast, whitted, path_trace, global_trace or
+    /// path
     #[arg(long, value_name = "NAME")]
     tracer: Option<Tracer>,
-    /// The largest number of edges from the camera's ray to one that is still cast
+    /// The largest depth of a ray that is traced; the camera's ray has depth 0
     #[arg(long, value_name = "N", value_parser = depth())]
     max_depth: Option<u32>,
     /// The seed of all random choices
@@ -35,7 +35,7 @@ pub struct SceneArguments {
 }
 
 impl SceneArguments {
-    /// The scene as asked for, and its world.
+    /// The scene with these settings, and its world.
     pub fn load(&self) -> Result<(Scene, World), Box<dyn Error>> {
         let (as_written, source) = self.open()?;
         let mut scene = as_written.clone();
@@ -52,7 +52,8 @@ impl SceneArguments {
             None => World::build_seeded(scene, Path::new(""), self.seed),
         };
         let world = build(&scene).map_err(|error| match (error, self.size) {
-            // with its own size the scene is right: no line of it is at fault
+            // the scene is valid with its own size, so the error is in --size, not in a line of the
+            // file
             (SceneError::Invalid { invalid, .. }, Some(size)) if build(&as_written).is_ok() => {
                 let Size { width, height } = size;
                 format!("--size {width}x{height}: {}", invalid.problem).into()
@@ -76,12 +77,12 @@ impl SceneArguments {
         }
     }
 
-    /// Whether another seed than the usual one is asked for.
-    pub fn names_a_seed(&self) -> bool {
+    /// Whether the seed is not the default.
+    pub fn has_seed(&self) -> bool {
         self.seed != DEFAULT_SEED
     }
 
-    /// The scene by its name, and its text if it is a file.
+    /// The scene of the gallery or of a file, with its source if it is a file.
     fn open(&self) -> Result<(Scene, Option<Source>), Box<dyn Error>> {
         if let Some(entry) = gallery::find(&self.scene) {
             return Ok(((entry.build)(), None));
@@ -95,12 +96,12 @@ impl SceneArguments {
     }
 }
 
-/// Reads how many samples a pixel has.
+/// Parses a number of samples per pixel.
 pub fn samples() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES))
 }
 
-/// Reads how deep rays are followed.
+/// Parses a maximum depth.
 pub fn depth() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(0..=i64::from(DEEPEST))
 }
@@ -149,7 +150,7 @@ impl FromStr for CropArgument {
 }
 
 impl CropArgument {
-    /// The part, if it lies inside the picture.
+    /// The part; fails if it is not inside the picture.
     pub fn inside(self, world: &World) -> Result<Crop, Box<dyn Error>> {
         let Crop { x, y, width, height } = self.0;
         let fits = |start: u32, length: u32, whole: u32| {
@@ -163,7 +164,7 @@ impl CropArgument {
     }
 }
 
-/// Starts the rayon pool with this many threads; all cores if none is named.
+/// Starts the rayon pool with this many threads; one per core if left out.
 pub fn start_threads(threads: Option<u16>) -> Result<(), Box<dyn Error>> {
     let threads = threads.map_or(0, usize::from);
     Ok(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?)

@@ -22,12 +22,12 @@ pub const SCENES: List = &[
         sinusoid("25 multi-jittered samples", MultiJittered {}, 25)
     }),
     ("ch04/sinusoid-hammersley", || {
-        sinusoid("25 samples of Hammersley's one set", Hammersley { shifted: false }, 25)
+        sinusoid("25 Hammersley samples", Hammersley { shifted: false }, 25)
     }),
     ("ch04/sinusoid-correlated-multi-jittered", || {
         sinusoid("25 correlated multi-jittered samples", CorrelatedMultiJittered {}, 25)
     }),
-    ("ch04/sinusoid-sobol", || sinusoid("32 samples of Sobol's scrambled sequence", Sobol {}, 32)),
+    ("ch04/sinusoid-sobol", || sinusoid("32 scrambled Sobol samples", Sobol {}, 32)),
     ("ch04/jagged-sphere", || ball("figure 4.4a: a sphere with one sample a pixel", 1)),
     ("ch04/smooth-sphere", || ball("figure 4.4b: a sphere with 16 samples a pixel", 16)),
     ("ch04/checker", || checker("figure 4.8: a checker to the horizon, 64 samples", Box {}.into())),
@@ -41,7 +41,7 @@ pub const SCENES: List = &[
     ("ch04/checker-mitchell", || {
         let filter = Mitchell { b: 1.0 / 3.0, c: 1.0 / 3.0 };
         let mut scene = checker("figure 4.8's checker through Mitchell's filter", filter.into());
-        // negative weights add noise, least so with the best spread samples
+        // negative weights amplify noise, so this uses the sampler with the least noise
         scene.image.sampler = Some(MultiJittered {}.into());
         scene
     }),

@@ -1,4 +1,4 @@
-//! Chapter 5: sampling techniques, seen in the soft shadow that an area light (chapter 18) throws.
+//! Chapter 5: sampling techniques, shown by the soft shadow of an area light (chapter 18).
 
 use super::List;
 use super::parts::*;
@@ -30,12 +30,12 @@ pub const SCENES: List = &[
     }),
 ];
 
-/// Figure 5.13; of the sphere's and the ground's materials the numbers are ours. (The book's subject,
-/// patterns from samples that two uses draw in the same order, cannot arise here: every draw has a
-/// permutation of its own.)
+/// Figure 5.13; the materials of sphere and ground are ours. (The artefacts that the book shows,
+/// patterns from two uses that draw samples in the same order, cannot occur here: every use has its
+/// own permutation.)
 fn under_a_lamp(about: &str, samples: u32, sampler: Option<Sampler>) -> Scene {
-    let stand = [point(30.0, 13.0, 20.0), point(0.0, -2.0, 0.0)];
-    let mut scene = pinhole(about, [400, 400], stand, 12_000.0);
+    let view = [point(30.0, 13.0, 20.0), point(0.0, -2.0, 0.0)];
+    let mut scene = pinhole(about, [400, 400], view, 12_000.0);
     scene.image.samples = samples;
     scene.image.sampler = sampler;
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });

@@ -1,4 +1,4 @@
-//! Chapter 6: mapping samples to a disk. Its use is the lens of chapter 10.
+//! Chapter 6: mapping samples to a disk, which chapter 10 uses for the lens.
 
 use super::List;
 use super::parts::*;

@@ -13,13 +13,13 @@ pub const SCENES: List = &[
         from_the_front("figure 8.16: a sphere, a box and a triangle in perspective", 250.0, 200.0)
     }),
     ("ch08/close-up", || {
-        from_the_front("figure 8.19: the same from close by, strongly distorted", 75.0, 100.0)
+        from_the_front("figure 8.19: the same close up, strongly distorted", 75.0, 100.0)
     }),
     ("ch08/spheres-from-above", spheres_from_above),
     ("ch08/wireframe-box", wireframe),
 ];
 
-/// The three objects from the z axis, the view plane at a distance.
+/// The three objects from the z axis.
 fn from_the_front(about: &str, eye: f64, distance: f64) -> Scene {
     let lens = Pinhole { distance, zoom: 1.0 };
     let camera = Viewpoint::new(point(0.0, 0.0, eye), Point::ORIGIN, lens);
@@ -29,12 +29,12 @@ fn from_the_front(about: &str, eye: f64, distance: f64) -> Scene {
     scene
 }
 
-/// Figure 8.21 and the picture of page one: spheres seen from right above the middle one.
+/// Figure 8.21 and the picture of page one: spheres from directly above the middle one.
 fn spheres_from_above() -> Scene {
     let lens = Pinhole { distance: 73.0, zoom: 1.0 };
     let camera = Viewpoint::new(point(0.0, 2.0, 0.0), Point::ORIGIN, lens);
     let image = Image { samples: 16, ..Image::new(500, 500) };
-    let about = "figure 8.21: 25 spheres from above, the outer ones drawn out by perspective";
+    let about = "figure 8.21: 25 spheres from above, the outer ones stretched by perspective";
     let mut scene = Scene::new(about, image, camera);
     scene.lights.push(ambient(1.0));
     scene.lights.push(directional("sun", vector(0.0, 1.0, 1.0), 3.0).without_shadows());
@@ -46,7 +46,7 @@ fn spheres_from_above() -> Scene {
         for column in -2..=2 {
             let center = 2.0 * vector(f64::from(column), 0.0, f64::from(row));
             let name = format!("sphere {column} {row}");
-            // moved, so that each carries the same checks
+            // instances, so that each has the same checker
             scene.objects.push(Object::new(&name, "sphere", moved(first.shape.clone(), center)));
         }
     }

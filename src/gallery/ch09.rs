@@ -13,12 +13,12 @@ pub const SCENES: List = &[
     ("ch09/canyon", rows_of_boxes),
     ("ch09/tilted-up", || {
         let eye = point(0.0, 0.0, 500.0);
-        let about = "figure 9.11a: the up direction (1, 1, 0) turns the picture by 45°";
+        let about = "figure 9.11a: the up vector (1, 1, 0) rotates the picture by 45°";
         turned(about, camera(eye, Point::ORIGIN, 500.0, vector(1.0, 1.0, 0.0)))
     }),
     ("ch09/from-the-side", || {
         let eye = point(500.0, 0.0, 0.0);
-        let about = "figure 9.11b: from the x axis, the up direction (0, 1, −1)";
+        let about = "figure 9.11b: from the x axis, with the up vector (0, 1, −1)";
         turned(about, camera(eye, Point::ORIGIN, 400.0, vector(0.0, 1.0, -1.0)))
     }),
     ("ch09/rolled", || {
@@ -55,7 +55,7 @@ fn rows_of_boxes() -> Scene {
     scene
 }
 
-/// Figures 9.11: one sample a pixel.
+/// Figures 9.11: one sample per pixel.
 fn turned(about: &str, camera: Viewpoint) -> Scene {
     let mut scene = Scene::new(about, Image::new(300, 300), camera);
     basic_objects(&mut scene);

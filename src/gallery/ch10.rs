@@ -15,11 +15,11 @@ pub const SCENES: List = &[
     ("ch10/middle-focus", || boxes("figure 10.9a: the middle box in focus", 74.0, 1.0)),
     ("ch10/far-focus", || boxes("figure 10.10: the far box in focus", 98.0, 1.0)),
     ("ch10/focus-at-infinity", || {
-        boxes("figure 10.11: focused far behind everything, by a small lens", 1e5, 0.25)
+        boxes("figure 10.11: a small lens focused far behind all objects", 1e5, 0.25)
     }),
     ("ch10/mirror", mirror),
     ("ch10/regular-lens", || {
-        let mut scene = boxes("figure 10.13: regular samples show as copies", 50.0, 1.0);
+        let mut scene = boxes("figure 10.13: regular lens samples give visible copies", 50.0, 1.0);
         scene.image.sampler = Some(Regular {}.into());
         scene
     }),
@@ -39,13 +39,13 @@ fn boxes(about: &str, focal_distance: f64, lens_radius: f64) -> Scene {
     scene
 }
 
-/// Figure 10.12: a mirror block, and a box behind the eye's back that is seen in it. The way from the
-/// lens to the mirror and on to the box has the focal distance: the box is sharp, the mirror's own
-/// edges and the box beside it are not.
+/// Figure 10.12: a mirror block that reflects a box behind the camera. The path from the lens over
+/// the mirror to the box has the length of the focal distance: the reflected box is sharp, the
+/// edges of the mirror and the box beside it are not.
 fn mirror() -> Scene {
     let view = camera(point(15.0, 25.0, 50.0), point(0.0, 8.0, 0.0), 100.0, 1.0);
     let image = Image { pixel_size: 0.05, samples: 100, ..Image::new(400, 300) };
-    let about = "figure 10.12: a mirror block out of focus, what it reflects is in focus";
+    let about = "figure 10.12: a mirror block out of focus, its reflection in focus";
     let mut scene = Scene::new(about, image, view);
     daylight(&mut scene);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });

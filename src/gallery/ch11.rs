@@ -10,9 +10,9 @@ use crate::scene::{Image, Scene};
 pub const SCENES: List = &[
     ("ch11/fisheye-120", || fisheye("figure 11.7a: a canyon of boxes, fisheye of 120°", 120.0)),
     ("ch11/fisheye-180", || fisheye("figure 11.7b: a canyon of boxes, fisheye of 180°", 180.0)),
-    ("ch11/fisheye-360", || fisheye("figure 11.7c: all around is in the disk", 360.0)),
+    ("ch11/fisheye-360", || fisheye("figure 11.7c: all directions, fisheye of 360°", 360.0)),
     ("ch11/fisheye-rectangular", || {
-        let mut scene = fisheye("the fisheye of 180° without its mask", 180.0);
+        let mut scene = fisheye("the fisheye of 180° with the corners outside the circle", 180.0);
         scene.camera.lens = Fisheye { fov: 180.0, rectangular: true }.into();
         scene
     }),
@@ -21,17 +21,17 @@ pub const SCENES: List = &[
         panorama(about, [600, 400], FROM_OUTSIDE, [84.0, 56.0])
     }),
     ("ch11/city-180", || {
-        let about = "figure 11.12a: from within the city, 180° by 120°";
-        panorama(about, [600, 400], FROM_WITHIN, [180.0, 120.0])
+        let about = "figure 11.12a: from inside the city, 180° by 120°";
+        panorama(about, [600, 400], FROM_INSIDE, [180.0, 120.0])
     }),
     ("ch11/city-360", || {
-        let about = "figure 11.12b: from within the city, all of 360° by 180°";
-        panorama(about, [800, 400], FROM_WITHIN, [360.0, 180.0])
+        let about = "figure 11.12b: from inside the city, 360° by 180°";
+        panorama(about, [800, 400], FROM_INSIDE, [360.0, 180.0])
     }),
     ("ch11/city-cylindrical", || {
-        let about = "from within the city on a cylinder: all around, and upright lines straight";
+        let about = "a cylindrical panorama of 360° inside the city: vertical lines are straight";
         let lens = CylindricalPanorama { horizontal_fov: 360.0, vertical_fov: 90.0 };
-        city_through(about, [800, 255], FROM_WITHIN, lens.into())
+        city_through(about, [800, 255], FROM_INSIDE, lens.into())
     }),
 ];
 
@@ -46,18 +46,18 @@ fn fisheye(about: &str, fov: f64) -> Scene {
     scene
 }
 
-/// Eye, and the point looked at.
-type Stand = [[f64; 3]; 2];
-const FROM_OUTSIDE: Stand = [[100.0, 100.0, 50.0], [0.0, -10.0, 0.0]];
-const FROM_WITHIN: Stand = [[10.0, 15.0, 13.0], [34.0, 15.0, 0.0]];
+/// The eye, and the point that it looks at.
+type View = [[f64; 3]; 2];
+const FROM_OUTSIDE: View = [[100.0, 100.0, 50.0], [0.0, -10.0, 0.0]];
+const FROM_INSIDE: View = [[10.0, 15.0, 13.0], [34.0, 15.0, 0.0]];
 
-fn panorama(about: &str, size: [u32; 2], stand: Stand, [horizontal, vertical]: [f64; 2]) -> Scene {
+fn panorama(about: &str, size: [u32; 2], view: View, [horizontal, vertical]: [f64; 2]) -> Scene {
     let lens = SphericalPanorama { horizontal_fov: horizontal, vertical_fov: vertical };
-    city_through(about, size, stand, lens.into())
+    city_through(about, size, view, lens.into())
 }
 
-fn city_through(about: &str, [width, height]: [u32; 2], stand: Stand, lens: Lens) -> Scene {
-    let [eye, look_at] = stand.map(Point::from);
+fn city_through(about: &str, [width, height]: [u32; 2], view: View, lens: Lens) -> Scene {
+    let [eye, look_at] = view.map(Point::from);
     let image = Image { samples: 16, ..Image::new(width, height) };
     let mut scene = Scene::new(about, image, Viewpoint::new(eye, look_at, lens));
     scene.background = rgb(0.6, 0.75, 0.95).into();

@@ -1,4 +1,4 @@
-//! Chapter 12: stereoscopy. Each picture is two, for eyes that look parallel.
+//! Chapter 12: stereoscopy. Each picture is a pair of images for parallel viewing.
 
 use super::List;
 use super::parts::*;
@@ -19,7 +19,7 @@ pub const SCENES: List = &[
         wireframe("figure 12.14: the edges of a box past a corner", point(1.5, 1.75, 3.0))
     }),
     ("ch12/thin-lens", thin_lens),
-    ("ch12/fisheye", || columns("figure 12.16: columns all around, fisheye of 200°", 200.0)),
+    ("ch12/fisheye", || columns("figure 12.16: rings of columns, fisheye of 200°", 200.0)),
     ("ch12/city", city_around),
     ("ch12/page-one", || columns("the picture of page one: a fisheye of 130°", 130.0)),
 ];
@@ -29,12 +29,13 @@ fn eyes(eye: Point, look_at: Point, separation: f64, lens: impl Into<Lens>) -> V
     Viewpoint { stereo: Some(stereo), ..Viewpoint::new(eye, look_at, lens) }
 }
 
-/// Figure 12.12: nearer than, at, and behind the plane of no parallax.
+/// Figure 12.12: spheres in front of, on and behind the plane of zero parallax.
 fn three_spheres() -> Scene {
     let (eye, look_at) = (point(5.0, 0.0, 100.0), Point::ORIGIN);
     let lens = Pinhole { distance: 100.0, zoom: 1.0 };
     let image = Image { pixel_size: 0.05, samples: 16, ..Image::new(200, 200) };
-    let about = "figure 12.12: three spheres; the red one before the picture, the blue behind";
+    let about =
+        "figure 12.12: three spheres; the red one in front of the picture, the blue one behind";
     let mut scene = Scene::new(about, image, eyes(eye, look_at, 0.75, lens));
     scene.lights.push(ambient(1.0));
     scene.lights.push(directional("sun", vector(1.0, 1.0, 1.0), 2.5).without_shadows());
@@ -87,7 +88,7 @@ fn city_around() -> Scene {
     let lens = SphericalPanorama { horizontal_fov: 180.0, vertical_fov: 180.0 };
     let (eye, look_at) = (point(10.0, 15.0, 13.0), point(34.0, 15.0, 0.0));
     let image = Image { samples: 64, ..Image::new(200, 200) };
-    let about = "figure 12.17 without clouds: the city, half of all around, with ambient occlusion";
+    let about = "figure 12.17 without clouds: the city in 180° by 180°, with ambient occlusion";
     let mut scene = Scene::new(about, image, eyes(eye, look_at, 5.0, lens));
     scene.background = rgb(0.6, 0.75, 0.95).into();
     city(&mut scene, occluder(0.5));

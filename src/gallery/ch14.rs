@@ -1,4 +1,4 @@
-//! Chapter 14: lights and materials. No light casts shadows yet.
+//! Chapter 14: lights and materials. Lights have no shadows yet.
 
 use super::List;
 use super::parts::*;
@@ -17,7 +17,7 @@ pub const SCENES: List = &[
         spheres("the picture of page one: 35 matte spheres under a directional light", 3.0)
     }),
     ("ch14/ambient-set", || {
-        set("figure 14.5: the set in ambient light only: every object has one even colour", None)
+        set("figure 14.5: the set in ambient light only: every object has a constant colour", None)
     }),
     ("ch14/set", || {
         let about =
@@ -37,7 +37,7 @@ pub const SCENES: List = &[
     }),
     ("ch14/two-spheres", two_spheres),
     ("ch14/out-of-gamut", || {
-        let about = "figure 14.22: 35 spheres in too much light; colours above 1 are shown in red";
+        let about = "figure 14.22: 35 overexposed spheres; colours above 1 are shown in red";
         let mut scene = spheres(about, 4.5);
         scene.image.out_of_gamut = OutOfGamut::ClampToColor;
         scene
@@ -68,13 +68,13 @@ fn set(about: &str, light: Option<Light>) -> Scene {
     matte_set(before_the_set(about), light)
 }
 
-/// Figure 14.11. From where the book looks at the set, the lamp is not in the picture.
+/// Figure 14.11. In the book's view the lamp is not in the picture.
 fn attenuated_set() -> Scene {
-    let about = "figure 14.11 from farther away, to see the lamp: its light falls off as 1/d²";
-    let stand = [point(18.0, 9.0, 30.0), point(3.5, 6.5, 0.0)];
+    let about = "figure 14.11 from farther away, with the lamp: its light decreases as 1/d²";
+    let view = [point(18.0, 9.0, 30.0), point(3.5, 6.5, 0.0)];
     let source = PointLight { ls: 600.0, color: Rgb::WHITE, location: LAMP, attenuation: 2.0 };
     let light = Light::new("lamp light", source).without_shadows();
-    let mut scene = matte_set(pinhole(about, [600, 400], stand, 500.0), Some(light));
+    let mut scene = matte_set(pinhole(about, [600, 400], view, 500.0), Some(light));
     let (mut lamp, glow) = object("lamp", sphere(LAMP, 0.75), Emissive::new(1.0, Rgb::WHITE));
     lamp.casts_shadows = false;
     scene.objects.push(lamp);
@@ -99,7 +99,7 @@ fn spot_set() -> Scene {
 
 /// Figure 14.21.
 fn two_spheres() -> Scene {
-    let about = "figure 14.21: two matte spheres before a wall; nothing throws a shadow";
+    let about = "figure 14.21: two matte spheres in front of a wall, without shadows";
     let mut scene = two_spheres_before_a_wall(about);
     for light in &mut scene.lights {
         light.shadows = false;
@@ -109,8 +109,8 @@ fn two_spheres() -> Scene {
 
 /// Figures 14.24 and 14.26.
 fn four_spheres(about: &str, color: Rgb) -> Scene {
-    let stand = [point(0.0, 25.0, 100.0), Point::ORIGIN];
-    let mut scene = pinhole(about, [600, 300], stand, 6500.0);
+    let view = [point(0.0, 25.0, 100.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [600, 300], view, 6500.0);
     scene.lights.push(ambient(1.0));
     let source = Directional { ls: 3.0, color, direction: vector(200.0, 250.0, 300.0) };
     scene.lights.push(Light::new("sun", source).without_shadows());

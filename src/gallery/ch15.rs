@@ -1,4 +1,4 @@
-//! Chapter 15: specular reflection. No light casts shadows yet.
+//! Chapter 15: specular reflection. Lights have no shadows yet.
 
 use super::List;
 use super::parts::*;
@@ -14,7 +14,7 @@ pub const SCENES: List = &[
         spheres("the picture of page one: 35 spheres with highlights of e = 10", 10.0)
     }),
     ("ch15/exponents", || {
-        let about = "figure 15.7: highlights of e = 5, 20, 100 and 1000, narrower and narrower";
+        let about = "figure 15.7: highlights of e = 5, 20, 100 and 1000, from wide to narrow";
         let exponents = [5.0, 20.0, 100.0, 1000.0];
         four_cylinders(about, exponents.map(|e| phong(0.25, 0.6, grey(0.5), 0.2, e).into()))
     }),
@@ -33,7 +33,7 @@ fn spheres(about: &str, exponent: f64) -> Scene {
     })
 }
 
-/// The bright colours darker, to leave room for highlights.
+/// Makes bright colours darker, so that highlights are not out of range.
 fn toned_down(color: Rgb) -> Rgb {
     if [YELLOW, ORANGE, LIGHT_GREEN].contains(&color) { 0.75 * color } else { color }
 }

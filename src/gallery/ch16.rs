@@ -11,22 +11,22 @@ use crate::shapes::{Compound, Materials, SolidCylinder, Triangle};
 
 pub const SCENES: List = &[
     ("ch16/page-one", || {
-        let about = "the picture of page one: 35 spheres that shade one another";
+        let about = "the picture of page one: 35 spheres with shadows on one another";
         let lamp = point_light("lamp", point(100.0, 100.0, 200.0), 3.0);
         thirty_five_spheres(about, lamp, |color| phong(0.25, 0.75, color, 0.12, 20.0).into())
     }),
     ("ch16/no-shadows", || {
-        floating("figure 16.1a: without shadows it is hard to say what stands where", false)
+        floating("figure 16.1a: without shadows the positions of objects are unclear", false)
     }),
     ("ch16/shadows", || {
-        floating("figure 16.1b: the shadows of two lights tell what stands where", true)
+        floating("figure 16.1b: the shadows of two lights make the positions clear", true)
     }),
     ("ch16/canyon", || {
-        let about = "figure 16.5a: rows of boxes throw shadows on one another";
+        let about = "figure 16.5a: rows of boxes with shadows on one another";
         canyon(about, [point(350.0, 1000.0, 500.0), point(-175.0, 550.0, -40.0)], 350.0)
     }),
     ("ch16/canyon-from-the-light", || {
-        let about = "figure 16.5b: seen from where the light is, nothing is in shadow";
+        let about = "figure 16.5b: from the position of the light, no shadow is visible";
         canyon(about, [CANYON_LAMP, point(-50.0, 300.0, -600.0)], 650.0)
     }),
     ("ch16/two-spheres", || {
@@ -34,19 +34,19 @@ pub const SCENES: List = &[
     }),
     ("ch16/coloured-shadows", coloured_shadows),
     ("ch16/surface-acne", || {
-        let about = "surface acne: so far from the origin, coordinates are rounded to 3 cm and the book's \
-                     epsilon is 1 mm: planet and moon are speckled with their own shadow";
+        let about = "surface acne: far from the origin, coordinates are rounded to 3 cm, but the book's \
+                     epsilon is 1 mm: planet and moon have spots of their own shadow";
         Scene { intersect: Intersect::Textbook, ..eclipse(about) }
     }),
     ("ch16/surface-acne-cured", || {
-        eclipse("the same by robust routines: the moon's shadow, and no speckles")
+        eclipse("the same with robust routines: the moon's shadow without spots")
     }),
 ];
 
 /// Figure 16.1.
 fn floating(about: &str, shadows: bool) -> Scene {
-    let stand = [point(2.0, 2.5, 15.0), point(3.0, 2.5, 0.0)];
-    let mut scene = pinhole(about, [300, 200], stand, 400.0);
+    let view = [point(2.0, 2.5, 15.0), point(3.0, 2.5, 0.0)];
+    let mut scene = pinhole(about, [300, 200], view, 400.0);
     scene.lights.push(ambient(1.0));
     let sun = directional("sun", vector(200.0, 150.0, 125.0), 4.0);
     scene.lights.push(Light { shadows, ..sun });
@@ -69,9 +69,10 @@ fn floating(about: &str, shadows: bool) -> Scene {
 /// The lamp of figures 16.5.
 const CANYON_LAMP: Point = Point::new(1500.0, 750.0, 250.0);
 
-/// Figures 16.5: three rows of boxes, 50 wide and 100 apart, the higher the farther left.
-fn canyon(about: &str, stand: [Point; 2], distance: f64) -> Scene {
-    let mut scene = pinhole(about, [600, 400], stand, distance);
+/// Figures 16.5: three rows of boxes, 50 wide and 100 apart, with heights that increase to the
+/// left.
+fn canyon(about: &str, view: [Point; 2], distance: f64) -> Scene {
+    let mut scene = pinhole(about, [600, 400], view, distance);
     scene.lights.push(ambient(1.0));
     scene.lights.push(point_light("lamp", CANYON_LAMP, 4.5));
     for (name, right, count, height, color) in [
@@ -93,9 +94,9 @@ fn canyon(about: &str, stand: [Point; 2], distance: f64) -> Scene {
 /// Figure 16.11b.
 fn coloured_shadows() -> Scene {
     let about =
-        "figure 16.11b: three coloured point lights; where one is blocked, the other two mix";
-    let stand = [point(0.0, 7.0, 10.0), point(0.0, -1.5, 0.0)];
-    let mut scene = pinhole(about, [600, 540], stand, 1200.0);
+        "figure 16.11b: three coloured point lights; where one is blocked, the other two add up";
+    let view = [point(0.0, 7.0, 10.0), point(0.0, -1.5, 0.0)];
+    let mut scene = pinhole(about, [600, 540], view, 1200.0);
     for (name, color, location) in [
         ("red light", rgb(1.0, 0.0, 0.0), point(3.0, 10.0, 2.0)),
         ("green light", rgb(0.0, 1.0, 0.0), point(-3.0, 10.0, 2.0)),
@@ -110,12 +111,12 @@ fn coloured_shadows() -> Scene {
     scene
 }
 
-/// A planet in the shadow of its moon, in metres, a thousand times as far from the origin as the Earth is
-/// from the sun.
+/// A planet in the shadow of its moon, in metres, a thousand times as far from the origin as the
+/// Earth is from the sun.
 fn eclipse(about: &str) -> Scene {
     let x = 1.5e14;
-    let stand = [point(x, 3e7, 1.5e8), point(x, 0.0, 0.0)];
-    let mut scene = pinhole(about, [300, 200], stand, 480.0);
+    let view = [point(x, 3e7, 1.5e8), point(x, 0.0, 0.0)];
+    let mut scene = pinhole(about, [300, 200], view, 480.0);
     scene.image = Image { samples: 1, ..scene.image };
     scene.background = rgb(0.02, 0.02, 0.04).into();
     scene.lights.push(ambient(0.4));

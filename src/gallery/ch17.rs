@@ -13,7 +13,7 @@ use crate::shapes::{PartCylinder, Rectangle, TessellatedSphere};
 
 pub const SCENES: List = &[
     ("ch17/regular", || {
-        let about = "figure 17.4: 64 regular samples, which give the occlusion in steps";
+        let about = "figure 17.4: 64 regular samples give bands of constant occlusion";
         let mut scene = sphere_on_a_plane(about, 64);
         scene.image.sampler = Some(Regular {}.into());
         scene
@@ -25,13 +25,13 @@ pub const SCENES: List = &[
         scene
     }),
     ("ch17/one-sample", || {
-        sphere_on_a_plane("figure 17.7a: with one sample every pixel is open or blocked", 1)
+        sphere_on_a_plane("figure 17.7a: with one sample every pixel is either lit or black", 1)
     }),
     ("ch17/sphere", || {
-        sphere_on_a_plane("figure 17.7c: 64 samples; it is dark where the sphere stands", 64)
+        sphere_on_a_plane("figure 17.7c: 64 samples; the plane is dark below the sphere", 64)
     }),
     ("ch17/sphere-in-sunlight", || {
-        let about = "figure 17.8: the sphere with a directional light too";
+        let about = "figure 17.8: the sphere with a directional light";
         let mut scene = sphere_on_a_plane(about, 64);
         for material in &mut scene.materials {
             material.recipe = match material.name.as_str() {
@@ -43,7 +43,7 @@ pub const SCENES: List = &[
         scene
     }),
     ("ch17/two-colours", || {
-        let about = "the chapter's exercise: blue light where something is in the way";
+        let about = "the chapter's exercise: blue light where ambient light is blocked";
         let mut scene = sphere_on_a_plane(about, 64);
         let source = AmbientOccluder {
             ls: 1.0,
@@ -56,25 +56,25 @@ pub const SCENES: List = &[
         scene
     }),
     ("ch17/one-sided", || {
-        let about = "figure 17.9: outward normals only: the inside is lit as the outside is";
+        let about = "figure 17.9: outward normals only: the inside is shaded like the outside";
         half_cylinder(about, FROM_THE_FRONT, false)
     }),
     ("ch17/half-cylinder", || {
-        let about = "figure 17.10: two-sided, the inside of half a cylinder is shaded as well";
+        let about = "figure 17.10: two-sided: the inside of half a cylinder is shaded correctly";
         half_cylinder(about, FROM_THE_FRONT, true)
     }),
     ("ch17/half-cylinder-in-sunlight", || {
-        let about = "figure 17.11: half a cylinder with a directional light too";
+        let about = "figure 17.11: half a cylinder with a directional light";
         let mut scene = half_cylinder(about, FROM_THE_FRONT, true);
         scene.lights.push(directional("sun", SUN, 1.5));
         scene
     }),
     ("ch17/corner-ambient", || corner("as figure 17.12a: ambient light without occlusion", 1.0)),
     ("ch17/corner", || corner("as figure 17.12b: a bumpy mesh in a corner, min_amount 0.25", 0.25)),
-    ("ch17/corner-dark", || corner("as figure 17.12c: min_amount 0 lets corners be black", 0.0)),
+    ("ch17/corner-dark", || corner("as figure 17.12c: with min_amount 0, corners are black", 0.0)),
     ("ch17/city", city),
     ("ch17/half-cylinder-inside", || {
-        let about = "figure 17.14: straight into the half cylinder, darker towards the ground";
+        let about = "figure 17.14: the inside of the half cylinder, darker towards the ground";
         half_cylinder(about, INTO_IT, true)
     }),
 ];
@@ -84,8 +84,8 @@ const SUN: Vector = Vector::new(0.0, 150.0, 200.0);
 
 /// Figures 17.4 to 17.7.
 fn sphere_on_a_plane(about: &str, samples: u32) -> Scene {
-    let stand = [point(25.0, 20.0, 45.0), point(0.0, 1.0, 0.0)];
-    let mut scene = pinhole(about, [400, 400], stand, 5000.0);
+    let view = [point(25.0, 20.0, 45.0), point(0.0, 1.0, 0.0)];
+    let mut scene = pinhole(about, [400, 400], view, 5000.0);
     scene.image.samples = samples;
     scene.lights.push(occluder(0.0));
     let yellow = matte(0.75, 0.0, rgb(1.0, 1.0, 0.0));
@@ -94,14 +94,14 @@ fn sphere_on_a_plane(about: &str, samples: u32) -> Scene {
     scene
 }
 
-/// Eye, the point looked at, and the distance of the view plane.
+/// The eye, the point that it looks at, and the distance of the view plane.
 type View = ([Point; 2], f64);
 const FROM_THE_FRONT: View = ([Point::new(-5.0, 2.0, 10.0), Point::new(0.35, 0.45, 0.0)], 2000.0);
 const INTO_IT: View = ([Point::new(-10.0, 2.0, 0.0), Point::new(0.35, 0.45, 0.0)], 1500.0);
 
 /// Figures 17.9 to 17.11, and 17.14.
-fn half_cylinder(about: &str, (stand, distance): View, two_sided: bool) -> Scene {
-    let mut scene = pinhole(about, [400, 400], stand, distance);
+fn half_cylinder(about: &str, (view, distance): View, two_sided: bool) -> Scene {
+    let mut scene = pinhole(about, [400, 400], view, distance);
     scene.image.samples = 64;
     scene.lights.push(occluder(0.0));
     let wall = PartCylinder { y0: 0.0, y1: 1.0, radius: 1.0, phi: [0.0, 180.0], inward: false };
@@ -113,10 +113,10 @@ fn half_cylinder(about: &str, (stand, distance): View, two_sided: bool) -> Scene
     scene
 }
 
-/// As figure 17.12: a bumpy sphere of our own for the book's bunny, in the book's corner.
+/// As figure 17.12: a bumpy sphere instead of the book's bunny, in the book's corner.
 fn corner(about: &str, min_amount: f64) -> Scene {
-    let stand = [point(20.0, 10.0, 40.0), point(-0.025, 0.11, 0.0)];
-    let mut scene = pinhole(about, [400, 400], stand, 70_000.0);
+    let view = [point(20.0, 10.0, 40.0), point(-0.025, 0.11, 0.0)];
+    let mut scene = pinhole(about, [400, 400], view, 70_000.0);
     scene.image.samples = 64;
     scene.lights.push(occluder(min_amount));
     scene.lights.push(directional("sun", vector(20.0, 40.0, 20.0), 1.5));
@@ -140,8 +140,8 @@ fn corner(about: &str, min_amount: f64) -> Scene {
 /// Figure 17.13b.
 fn city() -> Scene {
     let about = "figure 17.13b: the city through an orthographic camera, min_amount 0.25";
-    let stand = [point(100.0, 100.0, 50.0), point(0.0, 10.0, 0.0)];
-    let mut scene = pinhole(about, [600, 400], stand, 1.0);
+    let view = [point(100.0, 100.0, 50.0), point(0.0, 10.0, 0.0)];
+    let mut scene = pinhole(about, [600, 400], view, 1.0);
     scene.camera.lens = Orthographic { zoom: 1.0 }.into();
     scene.image.pixel_size = 0.31;
     scene.image.samples = 36;

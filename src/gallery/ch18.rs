@@ -11,13 +11,13 @@ use crate::shapes::{Disk, Kind, Materials, Rectangle, SolidCylinder};
 
 pub const SCENES: List = &[
     ("ch18/rectangle-one-sample", || {
-        let about = "figure 18.4a: a rectangular light, one sample a pixel: noise in the shadows";
+        let about = "figure 18.4a: a rectangular light, one sample per pixel: noise in the shadows";
         let mut scene = lit_boxes(about, 40.0, square(4.0, 7.0));
         scene.image.samples = 1;
         scene
     }),
     ("ch18/rectangle", || {
-        let about = "figure 18.4b: a rectangular light; shadows grow softer with the distance";
+        let about = "figure 18.4b: a rectangular light; shadows are softer at larger distances";
         lit_boxes(about, 40.0, square(4.0, 7.0))
     }),
     ("ch18/small-rectangle", || {
@@ -34,7 +34,7 @@ pub const SCENES: List = &[
         lit_boxes(about, 20.0, sphere(LAMP, LAMP_RADIUS))
     }),
     ("ch18/on-the-ground", || {
-        let about = "figure 18.6: a rectangular light that stands on the ground: long shadows";
+        let about = "figure 18.6: a rectangular light on the ground: long shadows";
         lit_boxes(about, 40.0, square(4.0, 2.0))
     }),
     ("ch18/fake-spherical", fake_spherical),
@@ -52,12 +52,12 @@ pub const SCENES: List = &[
     }),
     ("ch18/blue-sky", || solids("figure 18.8b: a blue sky", rgb(0.5, 0.65, 0.75), BOTH, plain)),
     ("ch18/sunset", || {
-        let about = "figure 18.9: an orange sun under a white sky; its shadows are lit by the sky";
+        let about = "figure 18.9: an orange sun and a white sky, which lights the shadows";
         let source = Directional { ls: SUN_LS, color: SUN_COLOR, direction: SUN };
         with_sun(about, Light::new("sun", source))
     }),
     ("ch18/page-one", || {
-        let about = "as the picture of page one: the sun jittered by 0.2 throws soft shadows";
+        let about = "as the picture of page one: a sun jittered by 0.2 has soft shadows";
         let (ls, color, direction) = (SUN_LS, SUN_COLOR, SUN);
         with_sun(
             about,
@@ -66,22 +66,22 @@ pub const SCENES: List = &[
     }),
     ("ch18/glossy-10", || {
         let about =
-            "figure 18.11a: red highlights of e = 10, where the mirrored direction meets the sky";
+            "figure 18.11a: red highlights of e = 10, where the mirror direction points to the sky";
         solids(about, Rgb::WHITE, BOTH, |matte| glossy(matte, 10.0))
     }),
     ("ch18/glossy-200", || {
         let about =
-            "figure 18.11c: highlights of e = 200 gather little of the sky, so their red is faint";
+            "figure 18.11c: highlights of e = 200 collect little light of the sky: a faint red";
         solids(about, Rgb::WHITE, BOTH, |matte| glossy(matte, 200.0))
     }),
 ];
 
-/// The middle of the lamps of figures 18.4 and 18.5.
+/// The centre of the lamps of figures 18.4 and 18.5.
 const LAMP: Point = Point::new(0.0, 7.0, -7.0);
-/// The radius of the round ones.
+/// The radius of the disk and of the sphere.
 const LAMP_RADIUS: f64 = 2.24;
 
-/// A square in the plane of the lamps that faces the boxes, its middle at this height.
+/// A square in the plane of the lamps that faces the boxes, with its centre at height `y`.
 fn square(side: f64, y: f64) -> Rectangle {
     let corner = point(-0.5 * side, y - 0.5 * side, LAMP.z());
     Rectangle { corner, a: side * Vector::X, b: side * Vector::Y }
@@ -100,7 +100,7 @@ fn lit_boxes(about: &str, ls: f64, lamp: impl Into<Kind>) -> Scene {
 
 /// Figure 18.12.
 fn fake_spherical() -> Scene {
-    let about = "figure 18.12: a point light jittered in a cube, like a sphere that nobody sees";
+    let about = "figure 18.12: a point light jittered in a cube, like an invisible sphere";
     let source = FakeSpherical {
         ls: 250.0,
         color: Rgb::WHITE,
@@ -112,8 +112,8 @@ fn fake_spherical() -> Scene {
 }
 
 fn boxes(about: &str, light: Light) -> Scene {
-    let stand = [point(-20.0, 10.0, 20.0), point(0.0, 2.0, 0.0)];
-    let mut scene = pinhole(about, [600, 600], stand, 1080.0);
+    let view = [point(-20.0, 10.0, 20.0), point(0.0, 2.0, 0.0)];
+    let mut scene = pinhole(about, [600, 600], view, 1080.0);
     scene.image.samples = 64;
     scene.background = grey(0.5).into();
     scene.lights.push(ambient(1.0));
@@ -126,7 +126,7 @@ fn boxes(about: &str, light: Light) -> Scene {
     scene
 }
 
-/// What lights the solids of figures 18.7 to 18.11.
+/// The lights of the solids of figures 18.7 to 18.11.
 #[derive(Clone, Copy)]
 pub(super) enum Part {
     Occlusion,
@@ -140,15 +140,15 @@ const SUN_LS: f64 = 4.0;
 const SUN_COLOR: Rgb = Rgb::new(1.0, 0.25, 0.0);
 
 /// Figures 18.7 to 18.11: solids under a sky of this colour; `finish` makes their materials. The
-/// scene's background is the sky that is seen, and that the environment light shines with.
+/// scene's background is the visible sky and the radiance of the environment light.
 pub(super) fn solids(
     about: &str,
     sky: Rgb,
     parts: &[Part],
     finish: impl Fn(Matte) -> MaterialKind,
 ) -> Scene {
-    let stand = [point(100.0, 45.0, 100.0), point(-10.0, 40.0, 0.0)];
-    let mut scene = pinhole(about, [600, 400], stand, 400.0);
+    let view = [point(100.0, 45.0, 100.0), point(-10.0, 40.0, 0.0)];
+    let mut scene = pinhole(about, [600, 400], view, 400.0);
     scene.image.samples = 64;
     scene.background = (0.9 * sky).into();
     scene.lights.extend(parts.iter().map(|part| match part {

@@ -1,4 +1,4 @@
-//! Chapter 19: every object of the book, and objects made of them.
+//! Chapter 19: the objects of the book, and compound objects.
 
 use super::List;
 use super::parts::*;
@@ -23,16 +23,16 @@ pub const SCENES: List = &[
     ("ch19/more-objects", more_objects),
     ("ch19/algebraic", algebraic),
     ("ch19/lost-roots", || {
-        let about = "lost roots: from 3000 radii away, the book's quartic loses the digits that tell a hit \
-                     from a miss, and the torus frays";
+        let about = "lost roots: at a distance of 3000 radii, rounding errors of the book's quartic turn \
+                     hits into misses and misses into hits: the outline of the torus is ragged";
         Scene { intersect: Intersect::Textbook, ..far_torus(about) }
     }),
     ("ch19/lost-roots-cured", || {
-        far_torus("the same by robust routines: the torus is whole, its outline sharp")
+        far_torus("the same with robust routines: the torus is complete, its outline sharp")
     }),
 ];
 
-/// A view from above and the right, with a lamp over the right shoulder.
+/// A view from above and the right, with light from the right behind the camera.
 fn stage(about: &str, look_at: Point, distance: f64) -> Scene {
     let lens = Pinhole { distance, zoom: 1.0 };
     let camera = Viewpoint::new(point(4.0, 6.0, 10.0), look_at, lens);
@@ -44,12 +44,12 @@ fn stage(about: &str, look_at: Point, distance: f64) -> Scene {
     scene
 }
 
-/// Room for two rows of objects.
+/// A wider view for two rows of objects.
 fn wide_stage(about: &str, distance: f64) -> Scene {
     let mut scene = stage(about, Point::ORIGIN, distance);
     scene.camera.eye = point(0.0, 6.0, 11.0);
     scene.image = Image { samples: 16, ..Image::new(600, 400) };
-    scene.lights[1].shadows = false; // each is to be seen whole
+    scene.lights[1].shadows = false; // so that no object shades another
     scene
 }
 
@@ -238,13 +238,13 @@ fn algebraic() -> Scene {
     scene.camera.eye = point(2.0, 3.0, 12.0);
     scene.image = Image { samples: 16, ..Image::new(400, 200) };
     let term = |coefficient, powers| Term { coefficient, powers };
-    let box_around = |reach: f64| (point(-reach, -reach, -reach), point(reach, reach, reach));
+    let cube = |half: f64| (point(-half, -half, -half), point(half, half, half));
     let mut tangle = vec![term(11.8, [0; 3])];
     for axis in 0..3 {
         let power = |n| std::array::from_fn(|i| if i == axis { n } else { 0 });
         tangle.extend([term(1.0, power(4)), term(-5.0, power(2))]);
     }
-    let (min, max) = box_around(2.5);
+    let (min, max) = cube(2.5);
     let tangle = Algebraic { terms: tangle, min, max };
     let factorial = |n: u32| f64::from((1..=n).product::<u32>());
     let mut heart = vec![term(-1.0, [2, 3, 0]), term(-9.0 / 80.0, [0, 3, 2])];
@@ -259,7 +259,7 @@ fn algebraic() -> Scene {
             [2 * i, 2 * j, 2 * k],
         ));
     }
-    let (min, max) = box_around(1.5);
+    let (min, max) = cube(1.5);
     let heart = Algebraic { terms: heart, min, max };
     let beside = |x: f64, size: f64| {
         vec![Step::Scale(vector(size, size, size)), Step::Translate(vector(x, 0.0, 0.0))]
@@ -269,10 +269,10 @@ fn algebraic() -> Scene {
     scene
 }
 
-/// A torus through a long lens.
+/// A torus from far away with a small field of view.
 fn far_torus(about: &str) -> Scene {
-    let stand = [point(2000.0, 3000.0, 5000.0), Point::ORIGIN];
-    let mut scene = pinhole(about, [300, 200], stand, 250_000.0);
+    let view = [point(2000.0, 3000.0, 5000.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [300, 200], view, 250_000.0);
     scene.image.samples = 1;
     scene.background = rgb(0.02, 0.02, 0.04).into();
     scene.lights.push(ambient(0.4));

@@ -1,4 +1,5 @@
-//! Chapter 20: affine transformations of a sphere. The checkers of figure 20.6 come with chapter 30.
+//! Chapter 20: affine transformations of a sphere, without the checkers of figure 20.6 (chapter
+//! 30).
 
 use super::List;
 use super::parts::*;

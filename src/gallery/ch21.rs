@@ -25,7 +25,7 @@ pub const SCENES: List = &[
     ("ch21/bowl", bowl),
 ];
 
-/// What the figures of this chapter stand in.
+/// The view and the ambient light of the figures of this chapter.
 pub(super) fn stage(about: &str, eye: Point, look_at: Point, distance: f64) -> Scene {
     let camera = Viewpoint::new(eye, look_at, Pinhole { distance, zoom: 1.0 });
     let image = Image { samples: 16, ..Image::new(400, 400) };
@@ -39,17 +39,17 @@ fn random_colors(seed: u64) -> Paint {
 }
 
 fn many_meshes() -> Scene {
-    let about = "as figure 21.4: 8 × 8 instances of one bumpy mesh, turned at random, in a grid";
+    let about = "as figure 21.4: 8 × 8 instances of one bumpy mesh, rotated at random, in a grid";
     let mut scene = stage(about, point(20.0, 30.0, 40.0), Point::ORIGIN, 800.0);
     scene.lights.push(directional("light", vector(1.0, 2.0, 0.5), 3.0));
     let mesh = TessellatedSphere { bumps: 0.15, ..TessellatedSphere::new(96, 48, true) };
     let mut random = Pcg32::new(1000, 0);
     let instance = |i: u32| {
-        let place = |k: u32| 2.5 * f64::from(k) - 8.75;
+        let coordinate = |k: u32| 2.5 * f64::from(k) - 8.75;
         let steps = vec![
             Step::RotateX(360.0 * random.uniform()),
             Step::RotateY(360.0 * random.uniform()),
-            Step::Translate(vector(place(i % 8), 0.0, place(i / 8))),
+            Step::Translate(vector(coordinate(i % 8), 0.0, coordinate(i / 8))),
         ];
         transformed(mesh.clone(), steps)
     };
@@ -61,8 +61,7 @@ fn many_meshes() -> Scene {
 }
 
 fn ellipsoid() -> Scene {
-    let about =
-        "figure 21.5b, plain: a unit sphere scaled (2, 3, 1), turned by −45° about x, raised by 1";
+    let about = "figure 21.5b, plain: a unit sphere scaled by (2, 3, 1), rotated by −45° about x, raised by 1";
     let mut scene = stage(about, point(100.0, 0.0, 100.0), Point::new(0.0, 1.0, 0.0), 8000.0);
     scene.lights.push(point_light("lamp", point(100.0, 100.0, 60.0), 3.0));
     let steps =
@@ -77,7 +76,7 @@ fn ellipsoid() -> Scene {
     scene
 }
 
-/// Puts a shape of this colour into the scene.
+/// Adds a shape of this colour to the scene.
 fn add(scene: &mut Scene, name: &str, shape: impl Into<Kind>, color: Rgb) {
     let (object, material) = object(name, shape, phong(0.25, 0.75, color, 0.2, 50.0));
     scene.objects.push(object);
@@ -88,7 +87,7 @@ fn beveled() -> Scene {
     let about = "figures 21.6 and 21.7: cylinder, ring and box, plain above and beveled below";
     let mut scene = stage(about, point(2.0, 5.0, 14.0), point(0.0, -0.1, 0.0), 680.0);
     let light = directional("light", vector(8.0, 14.0, 10.0), 3.0);
-    scene.lights.push(light.without_shadows()); // the upper row would darken the lower
+    scene.lights.push(light.without_shadows()); // the upper row would shade the lower one
     let m = Materials::new;
     let (y0, y1, radius, bevel) = (-0.5, 0.5, 1.0, 0.05);
     let (inner_radius, outer_radius) = (0.6, 1.0);
@@ -109,8 +108,8 @@ fn beveled() -> Scene {
         (["beveled cylinder", "beveled ring", "beveled box"], round, -1.2),
     ] {
         for (i, (name, shape)) in names.into_iter().zip(shapes).enumerate() {
-            let place = vector(2.4 * (i as f64 - 1.0), y, 0.0);
-            add(&mut scene, name, moved(shape, place), colors[i]);
+            let by = vector(2.4 * (i as f64 - 1.0), y, 0.0);
+            add(&mut scene, name, moved(shape, by), colors[i]);
         }
     }
     scene
@@ -182,7 +181,7 @@ fn archway() -> Scene {
 }
 
 fn nested_instance() -> Scene {
-    let about = "figure 21.14: a ring and an instance of it, turned by −45° about z and moved by 1";
+    let about = "figure 21.14: a ring and an instance, rotated by −45° about z and moved by 1";
     let mut scene = stage(about, point(4.0, 5.0, 10.0), point(0.5, 0.0, 0.0), 1100.0);
     scene.lights.push(directional("light", vector(10.0, 12.0, 8.0), 3.0));
     let ring = transformed(
@@ -216,9 +215,8 @@ fn squashed_spheres() -> Scene {
     let mut random = Pcg32::new(1000, 0);
     let ellipsoid = |i: u32| -> Kind {
         let height = 4.0 * random.uniform();
-        let place =
-            vector(2.25 * (f64::from(i % 5) - 2.0), height, 2.25 * (f64::from(i / 5) - 2.0));
-        let steps = vec![Step::Scale(vector(1.0, height, 1.0)), Step::Translate(place)];
+        let by = vector(2.25 * (f64::from(i % 5) - 2.0), height, 2.25 * (f64::from(i / 5) - 2.0));
+        let steps = vec![Step::Scale(vector(1.0, height, 1.0)), Step::Translate(by)];
         transformed(sphere(Point::ORIGIN, 1.0), steps)
     };
     let spheres = Compound::of((0..25).map(ellipsoid));

@@ -1,4 +1,4 @@
-//! Chapter 22: regular grids, and what they are good for.
+//! Chapter 22: regular grids.
 
 use super::List;
 use super::parts::*;
@@ -11,16 +11,16 @@ use crate::textures::{Paint, RandomColors};
 
 pub const SCENES: List = &[
     ("ch22/thousand-spheres", || {
-        far_away("figure 22.11: a thousand random spheres, a tenth of a unit volume in all", 1000)
+        far_away("figure 22.11: a thousand random spheres of total volume 0.1", 1000)
     }),
     ("ch22/hundred-thousand-spheres", || {
-        far_away("figure 22.11: a hundred thousand spheres of the same volume in all", 100_000)
+        far_away("figure 22.11: a hundred thousand spheres of the same total volume", 100_000)
     }),
     ("ch22/in-the-grid", in_the_grid),
     ("ch22/squashed", squashed),
 ];
 
-/// Random spheres that fill the same share of the cube however many they are, in a grid.
+/// Random spheres in a grid; their total volume does not depend on their number.
 fn random_spheres(count: u32) -> RandomSpheres {
     let volume = 0.1 / f64::from(count);
     let radius = cbrt(0.75 * volume / std::f64::consts::PI);
@@ -51,7 +51,7 @@ fn far_away(about: &str, count: u32) -> Scene {
 }
 
 fn in_the_grid() -> Scene {
-    let about = "figure 22.16: the camera stands in the grid, in a box that is in it too";
+    let about = "figure 22.16: the camera inside the grid, in a box that is part of the grid";
     let eye = point(0.0, 0.0, 0.9);
     let room = boxed(point(-1.1, -1.1, -1.1), point(1.1, 1.1, 1.1));
     let mut scene = stage(about, eye, Point::ORIGIN, 150.0, random_spheres(1000));

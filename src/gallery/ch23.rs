@@ -18,18 +18,18 @@ pub const SCENES: List = &[
     ("ch23/penguins", penguins),
     ("ch23/nested-grids", nested),
     ("ch23/leaks", || {
-        let about = "leaks: the book's triangles miss rays that meet their common edges, and light shines \
-                     through the umbrella's ribs";
+        let about = "leaks: the book's triangles miss rays through their common edges, so that the \
+                     background is visible along the ribs of the umbrella";
         Scene { intersect: Intersect::Textbook, ..umbrella(about) }
     }),
-    ("ch23/leaks-cured", || umbrella("the same by robust routines: the umbrella is tight")),
+    ("ch23/leaks-cured", || umbrella("the same with robust routines: the umbrella has no gaps")),
 ];
 
 fn tessellated(horizontal: u32, vertical: u32, smooth: bool) -> Scene {
     let about = match (horizontal, smooth) {
         (4, _) => "figure 23.1: a sphere of 4 × 2 steps, flat: an octahedron",
-        (100, _) => "figure 23.1: a sphere of 100 × 50 steps, flat: its 9800 triangles hardly show",
-        (_, false) => "figure 23.1: a sphere of 10 × 5 steps, flat: every triangle shows",
+        (100, _) => "figure 23.1: a sphere of 100 × 50 steps, flat: 9800 hardly visible triangles",
+        (_, false) => "figure 23.1: a sphere of 10 × 5 steps, flat: every triangle is visible",
         (_, true) => {
             "as figure 23.1, smooth: shaded as a sphere, but the outline is still a polygon"
         }
@@ -51,15 +51,16 @@ fn with_mesh(about: &str, shape: TessellatedSphere) -> Scene {
     scene
 }
 
-/// Figure 23.3: the coarsest sphere there is, three steps around and two down, shaded smoothly.
+/// Figure 23.3: the coarsest possible sphere, three horizontal and two vertical steps, shaded
+/// smoothly.
 fn coarsest() -> Scene {
     let about = "figure 23.3: six triangles shaded as a sphere";
     let shape = TessellatedSphere::new(3, 2, true);
     with_mesh(about, shape)
 }
 
-/// Figure 23.10 without the book's file: a penguin of twelve meshes, each a scaled sphere of few
-/// triangles, of materials of their own; flat on the left, smooth on the right.
+/// Figure 23.10 without the book's file: a penguin of twelve meshes, each a scaled tessellated
+/// sphere with its own material; flat on the left, smooth on the right.
 fn penguins() -> Scene {
     let camera = Viewpoint::new(
         point(6.0, 4.0, 20.0),
@@ -91,9 +92,9 @@ fn penguins() -> Scene {
 
 fn penguin(smooth: bool) -> Compound {
     let sphere = TessellatedSphere::new(20, 10, smooth);
-    let part = |material: &str, scale: [f64; 3], tilt: f64, place: [f64; 3]| {
+    let part = |material: &str, scale: [f64; 3], tilt: f64, center: [f64; 3]| {
         let steps =
-            vec![Step::Scale(scale.into()), Step::RotateZ(tilt), Step::Translate(place.into())];
+            vec![Step::Scale(scale.into()), Step::RotateZ(tilt), Step::Translate(center.into())];
         Part::new(transformed(sphere.clone(), steps)).of_material(material)
     };
     let pair = |material: &str, scale: [f64; 3], tilt: f64, [x, y, z]: [f64; 3]| {
@@ -112,7 +113,7 @@ fn penguin(smooth: bool) -> Compound {
     Compound { accel: None, parts }
 }
 
-/// As figure 23.12: eight levels of ten by ten, each copied from the one before.
+/// As figure 23.12: eight levels of ten by ten instances of the previous level.
 fn nested() -> Scene {
     let size = 0.2; // the width of a bumpy sphere of radius 0.1, and room for its bumps
     let mut shape = Kind::from(TessellatedSphere {
@@ -139,7 +140,7 @@ fn nested() -> Scene {
         Pinhole { distance: 350.0, zoom: 1.0 },
     );
     let image = Image { samples: 16, ..Image::new(600, 400) };
-    let about = "as figure 23.12: 100⁸ instances of one mesh, eight grids inside each other";
+    let about = "as figure 23.12: 100⁸ instances of one mesh in eight nested grids";
     let mut scene = Scene::new(about, image, camera);
     scene.background = rgb(0.7, 0.8, 1.0).into();
     scene.lights.push(ambient(0.25));
@@ -150,8 +151,8 @@ fn nested() -> Scene {
     scene
 }
 
-/// Eight triangles around the camera's axis, so that their edges are seen in the middle of a row, a column
-/// and two diagonals of pixels: the sides of the picture are odd.
+/// Eight triangles around the camera's axis. The picture has an odd width and height, so that the
+/// edges go through the centres of a row, a column and two diagonals of pixels.
 fn umbrella(about: &str) -> Scene {
     let eye = point(1.0, 4.0, 4.0);
     let away = (eye - Point::ORIGIN).length();
@@ -169,7 +170,7 @@ fn umbrella(about: &str) -> Scene {
     };
     let mut vertices = vec![Point::ORIGIN + 0.5 * w];
     vertices.extend((0..8).map(rib));
-    // the book's formula is exact to the sign for edges of the same first corner: so these are not
+    // with the same first corner, the book's formula has no gap at a common edge: so these differ
     let triangle = |k: u32| {
         let (this, next) = (1 + k, 1 + (k + 1) % 8);
         if k.is_multiple_of(2) { [this, next, 0] } else { [0, this, next] }

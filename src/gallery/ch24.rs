@@ -1,4 +1,4 @@
-//! Chapter 24: mirror reflection; rooms and sets.
+//! Chapter 24: mirror reflection: the reflective set and the hall of mirrors.
 
 use super::List;
 use super::parts::*;
@@ -21,7 +21,7 @@ pub const SCENES: List = &[
         reflective_set("as figure 24.6 at depth 2: reflections of reflections", 2)
     }),
     ("ch24/reflective-set", || {
-        let about = "figure 24.6: mirrors among matte things, up to ten reflections of one another";
+        let about = "figure 24.6: mirrors and matte objects, with up to ten reflections";
         reflective_set(about, 10)
     }),
     ("ch24/hall-of-mirrors-depth-2", || {
@@ -83,9 +83,11 @@ fn reflective_set(about: &str, max_depth: u32) -> Scene {
     scene
 }
 
-/// Figures 24.17 and 24.18: half the size of the room, of its mirrors, and the gap before a mirror.
+/// Figures 24.17 and 24.18: half the size of the room.
 const ROOM: f64 = 11.0;
+/// Half the size of the mirrors.
 const MIRROR: f64 = 8.0;
+/// The distance of a mirror from its wall.
 const GAP: f64 = 1.0;
 
 pub(super) fn hall_of_mirrors() -> Scene {

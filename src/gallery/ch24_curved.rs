@@ -1,4 +1,4 @@
-//! Chapter 24: mirror reflection; spheres, a cone and a cylinder that mirror what is around them.
+//! Chapter 24: mirror reflection: spheres, a cone and a cylinder.
 
 use super::List;
 use super::parts::*;
@@ -18,7 +18,7 @@ pub const SCENES: List = &[
         four_spheres(about, [point(0.0, 3.7, -9.4), point(0.0, 0.35, 0.0)], 1000.0)
     }),
     ("ch24/inside-four-spheres", || {
-        let about = "figure 24.20b: from between four mirror spheres, straight up";
+        let about = "figure 24.20b: the view upward from between four mirror spheres";
         four_spheres(about, [point(0.0, 0.05, 0.0), point(0.0, 1.0, 0.0)], 300.0)
     }),
     ("ch24/gold-box", gold_box),
@@ -29,9 +29,9 @@ pub const SCENES: List = &[
     ("ch24/sphere-over-checker", sphere_over_checker),
 ];
 
-/// A scene whose mirrors are followed to this depth.
-fn mirrored(about: &str, size: [u32; 2], stand: [Point; 2], distance: f64, depth: u32) -> Scene {
-    let mut scene = pinhole(about, size, stand, distance);
+/// An empty scene with the Whitted tracer of this depth.
+fn mirrored(about: &str, size: [u32; 2], view: [Point; 2], distance: f64, depth: u32) -> Scene {
+    let mut scene = pinhole(about, size, view, distance);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: depth });
     scene
 }
@@ -41,7 +41,7 @@ fn pure(kr: f64, cr: Rgb) -> Reflective {
     mirror(Phong::default(), kr, cr)
 }
 
-/// Level squares with lines between them.
+/// A checker in the xz plane with lines between the squares.
 fn squares(size: f64, color1: Rgb, color2: Rgb) -> Paint {
     let outline_width = 0.1 * size;
     let outline_color = Rgb::BLACK;
@@ -54,12 +54,12 @@ fn squares(size: f64, color1: Rgb, color2: Rgb) -> Paint {
     })
 }
 
-/// The spheres are the book's; the view, the sky and the ground are ours (the book has a picture of a
-/// hall all around).
+/// The spheres are the book's; the view, the sky and the ground are ours (the book has an
+/// environment map of a hall).
 fn seven_spheres() -> Scene {
     let about = "figure 24.10 under a plain sky: six mirror spheres that touch a seventh";
-    let stand = [point(0.0, 300.0, 2000.0), Point::ORIGIN];
-    let mut scene = mirrored(about, [400, 400], stand, 1150.0, 10);
+    let view = [point(0.0, 300.0, 2000.0), Point::ORIGIN];
+    let mut scene = mirrored(about, [400, 400], view, 1150.0, 10);
     scene.background = rgb(0.75, 0.85, 1.0).into();
     scene.lights.push(ambient(1.0));
     let turn = [Step::RotateX(40.0), Step::RotateZ(-40.0)];
@@ -83,9 +83,9 @@ fn seven_spheres() -> Scene {
 
 /// The spheres and the eyes are the book's; the colours and the view are ours.
 fn stereo() -> Scene {
-    let about = "figure 24.16: a mirror sphere in a checkered sphere that shines, for two eyes";
-    let stand = [point(0.0, 6.0, 20.0), Point::ORIGIN];
-    let mut scene = mirrored(about, [300, 300], stand, 700.0, 1);
+    let about = "figure 24.16: a mirror sphere in an emissive checkered sphere, for two eyes";
+    let view = [point(0.0, 6.0, 20.0), Point::ORIGIN];
+    let mut scene = mirrored(about, [300, 300], view, 700.0, 1);
     scene.camera.stereo = Some(Stereo { viewing: Viewing::Parallel, gap: 5, separation: 1.5 });
     add(&mut scene, "mirror sphere", sphere(Point::ORIGIN, 3.0), pure(0.9, Rgb::WHITE));
     let checks = checker3d(8.0, rgb(1.0, 0.9, 0.6), rgb(0.15, 0.3, 0.5));
@@ -94,9 +94,10 @@ fn stereo() -> Scene {
     scene
 }
 
-/// The spheres are the book's; the lamps before three of the four openings between them are ours.
-fn four_spheres(about: &str, stand: [Point; 2], distance: f64) -> Scene {
-    let mut scene = mirrored(about, [400, 400], stand, distance, 12);
+/// The spheres are the book's; the lamps in front of three of the four openings between them are
+/// ours.
+fn four_spheres(about: &str, view: [Point; 2], distance: f64) -> Scene {
+    let mut scene = mirrored(about, [400, 400], view, distance, 12);
     scene.camera.up = Vector::Z;
     scene.background = grey(0.8).into();
     let centers = [(0.0, 1.414, 0.0), (0.0, 0.0, 1.0), (0.866, 0.0, -0.5), (-0.866, 0.0, -0.5)];
@@ -116,12 +117,12 @@ fn four_spheres(about: &str, stand: [Point; 2], distance: f64) -> Scene {
     scene
 }
 
-/// The gold is the book's; the sizes and what is around are ours.
+/// The gold is the book's; the sizes and the surroundings are ours.
 fn gold_box() -> Scene {
     let about =
-        "as figure 24.29c under a plain sky: a golden box whose round edges mirror all around";
-    let stand = [point(5.0, 5.0, 9.0), point(0.0, 0.9, 0.0)];
-    let mut scene = mirrored(about, [400, 400], stand, 1000.0, 5);
+        "as figure 24.29c under a plain sky: a golden box whose round edges reflect all directions";
+    let view = [point(5.0, 5.0, 9.0), point(0.0, 0.9, 0.0)];
+    let mut scene = mirrored(about, [400, 400], view, 1000.0, 5);
     scene.background = rgb(0.75, 0.85, 1.0).into();
     scene.lights.push(ambient(1.0));
     let (min, max) = (point(-1.5, 0.0, -1.0), point(1.5, 2.0, 1.0));
@@ -135,9 +136,9 @@ fn gold_box() -> Scene {
 /// The numbers are ours.
 fn mirror_meshes() -> Scene {
     let about =
-        "as figure 24.30: a mirror sphere of flat triangles, of smooth ones, and a true one";
-    let stand = [point(0.0, 3.0, 12.0), point(0.0, 1.0, 0.0)];
-    let mut scene = mirrored(about, [600, 250], stand, 950.0, 5);
+        "as figure 24.30: a mirror sphere of flat triangles, of smooth ones, and an exact sphere";
+    let view = [point(0.0, 3.0, 12.0), point(0.0, 1.0, 0.0)];
+    let mut scene = mirrored(about, [600, 250], view, 950.0, 5);
     scene.background = rgb(0.75, 0.85, 1.0).into();
     scene.lights.push(ambient(1.0));
     for (name, smooth, x) in [("flat mesh", false, -2.3), ("smooth mesh", true, 0.0)] {
@@ -153,9 +154,9 @@ fn mirror_meshes() -> Scene {
 
 /// The numbers are ours.
 fn mirror_cone() -> Scene {
-    let about = "as figure 24.36: a mirror cone from above shows the ground around it inside out";
-    let stand = [point(0.0, 10.0, 0.0), Point::ORIGIN];
-    let mut scene = mirrored(about, [400, 400], stand, 700.0, 2);
+    let about = "as figure 24.36: a mirror cone from above reflects the ground inside out";
+    let view = [point(0.0, 10.0, 0.0), Point::ORIGIN];
+    let mut scene = mirrored(about, [400, 400], view, 700.0, 2);
     scene.camera.up = -Vector::Z;
     scene.lights.push(ambient(1.0));
     let cone = Cone { height: 2.0, radius: 1.5, inward: false };
@@ -167,10 +168,9 @@ fn mirror_cone() -> Scene {
 
 /// Radius and lamp are the book's; the rest of the numbers is ours.
 fn mirror_cylinder() -> Scene {
-    let about =
-        "as figure 24.39: a lamp in a mirror cylinder, from its axis: arcs, one pair a reflection";
-    let stand = [point(0.0, 60.0, 0.0), Point::ORIGIN];
-    let mut scene = mirrored(about, [400, 400], stand, 220.0, 10);
+    let about = "as figure 24.39: a lamp in a mirror cylinder, from its axis: a pair of arcs per reflection";
+    let view = [point(0.0, 60.0, 0.0), Point::ORIGIN];
+    let mut scene = mirrored(about, [400, 400], view, 220.0, 10);
     scene.camera.up = -Vector::Z;
     let wall = OpenCylinder { y0: 0.0, y1: 60.0, radius: 10.0, inward: true };
     add(&mut scene, "wall", wall, pure(0.9, Rgb::WHITE));
@@ -181,7 +181,7 @@ fn mirror_cylinder() -> Scene {
 
 /// The pixels are the book's; the colours and the light are ours.
 fn three_spheres() -> Scene {
-    let about = "figure 24.40: three mirror spheres in contact, seen by parallel rays";
+    let about = "figure 24.40: three mirror spheres in contact, with an orthographic camera";
     let camera = Viewpoint::new(point(0.0, 0.0, 100.0), Point::ORIGIN, Orthographic { zoom: 1.0 });
     let image = Image { samples: 16, pixel_size: 0.0073, ..Image::new(600, 600) };
     let mut scene = Scene::new(about, image, camera);
@@ -200,9 +200,9 @@ fn three_spheres() -> Scene {
 
 /// The squares are the book's; the rest of the numbers is ours.
 fn sphere_over_checker() -> Scene {
-    let about = "figure 24.41: a mirror sphere shows all of a checkered plane and the sky";
-    let stand = [point(0.0, 4.0, 20.0), point(0.0, 2.8, 0.0)];
-    let mut scene = mirrored(about, [400, 400], stand, 1100.0, 2);
+    let about = "figure 24.41: a mirror sphere reflects a whole checkered plane and the sky";
+    let view = [point(0.0, 4.0, 20.0), point(0.0, 2.8, 0.0)];
+    let mut scene = mirrored(about, [400, 400], view, 1100.0, 2);
     scene.background = rgb(0.6, 0.75, 0.95).into();
     scene.lights.push(ambient(1.0));
     add(&mut scene, "sphere", sphere(point(0.0, 3.0, 0.0), 2.5), pure(0.9, Rgb::WHITE));

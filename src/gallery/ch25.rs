@@ -13,12 +13,11 @@ use crate::shapes::{Disk, Rectangle};
 pub const SCENES: List = &[
     ("ch25/sphere", || {
         let about =
-            "figure 25.7: a glossy sphere (e = 10) in uniform surroundings: the same everywhere";
+            "figure 25.7: a glossy sphere (e = 10) in uniform surroundings: a constant colour";
         in_uniform_surroundings(about, GlossyRule::Book)
     }),
     ("ch25/sphere-normalised", || {
-        let about =
-            "as figure 25.7, normalised: light is lost where the lobe reaches below the surface";
+        let about = "as figure 25.7, normalised: darker where the lobe extends below the surface";
         in_uniform_surroundings(about, GlossyRule::Normalised)
     }),
     ("ch25/boxes", boxes),
@@ -37,8 +36,8 @@ fn glossy(phong: Phong, kr: f64, exponent: f64) -> GlossyReflector {
 }
 
 fn in_uniform_surroundings(about: &str, rule: GlossyRule) -> Scene {
-    let stand = [point(0.0, 0.0, 20.0), Point::ORIGIN];
-    let mut scene = pinhole(about, [400, 400], stand, 3500.0);
+    let view = [point(0.0, 0.0, 20.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [400, 400], view, 3500.0);
     scene.image.samples = 100;
     scene.background = rgb(0.8, 0.9, 1.0).into();
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
@@ -47,7 +46,7 @@ fn in_uniform_surroundings(about: &str, rule: GlossyRule) -> Scene {
     scene
 }
 
-/// The exponents are the book's; where the boxes stand is ours.
+/// The exponents are the book's; the positions of the boxes are ours.
 fn boxes() -> Scene {
     let about = "figure 25.9: four boxes of e = 100000, 10000, 1000 and 100 over a checker";
     let mut scene =
@@ -72,8 +71,7 @@ fn boxes() -> Scene {
 
 fn glossy_hall() -> Scene {
     let mut scene = hall_of_mirrors();
-    scene.about =
-        "figure 25.10: the hall of mirrors, its mirrors blurred with e = 25000".to_owned();
+    scene.about = "figure 25.10: the hall of mirrors with glossy mirrors (e = 25000)".to_owned();
     scene.image.samples = 64;
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
     for material in &mut scene.materials {
@@ -90,7 +88,7 @@ fn glossy_hall() -> Scene {
 
 /// The exponent is the book's; the rest of the numbers is ours.
 fn over_checker() -> Scene {
-    let about = "figure 25.12: a glossy sphere (e = 100) over a checker, sharp where they are near";
+    let about = "figure 25.12: a glossy sphere (e = 100) over a checker, sharp near the contact";
     let mut scene =
         pinhole(about, [400, 400], [point(4.0, 3.5, 9.0), point(0.0, 0.9, 0.0)], 1100.0);
     scene.image.samples = 100;

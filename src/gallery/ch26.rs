@@ -13,30 +13,30 @@ use crate::shapes::{Kind, PartCylinder, Rectangle};
 
 pub const SCENES: List = &[
     ("ch26/dome-direct", || {
-        let about = "as figure 26.5: solids under a shining dome, direct light alone";
+        let about = "as figure 26.5: solids under an emissive dome, direct light only";
         under_a_dome(about, Tracer::RayCast)
     }),
     ("ch26/dome-depth-1", || {
-        let about = "as figure 26.5 by path_trace of depth 1: the same light, found by chance";
+        let about =
+            "as figure 26.5 by path_trace of depth 1: the same light without light sampling";
         under_a_dome(about, Tracer::PathTrace(Depth { max_depth: 1 }))
     }),
     ("ch26/dome", || {
-        let about =
-            "as figure 26.6: with light between the solids shadows are brighter and coloured";
+        let about = "as figure 26.6: light reflected between the solids makes shadows brighter and coloured";
         under_a_dome(about, Tracer::PathTrace(Depth { max_depth: 5 }))
     }),
     ("ch26/cornell-box-one-sample", || {
-        let about = "as figure 26.7a: path_trace with one path a pixel; few find the lamp";
+        let about = "as figure 26.7a: path_trace with one path per pixel; few hit the lamp";
         let mut scene = cornell_box(about, Tracer::PathTrace(DEPTH));
         scene.image.samples = 1;
         scene
     }),
     ("ch26/cornell-box-path-trace", || {
-        let about = "figure 26.10a: path_trace with 100 paths a pixel is still noisy";
+        let about = "figure 26.10a: path_trace with 100 paths per pixel is still noisy";
         cornell_box(about, Tracer::PathTrace(DEPTH))
     }),
     ("ch26/cornell-box-direct", || {
-        let about = "figure 26.10b: direct light alone: a black ceiling and black shadows";
+        let about = "figure 26.10b: direct light only: a black ceiling and black shadows";
         cornell_box(about, Tracer::RayCast)
     }),
     ("ch26/mirror-caustic", mirror_caustic),
@@ -47,7 +47,7 @@ pub const SCENES: List = &[
     }),
     ("ch26/cornell-box", || {
         let about =
-            "figure 26.12: the Cornell box, whose red and green walls colour the white ones";
+            "figure 26.12: the Cornell box, with colour bleeding from the red and green walls";
         cornell_box(about, Tracer::Path(DEPTH))
     }),
 ];
@@ -55,7 +55,7 @@ pub const SCENES: List = &[
 /// The depth of the Cornell box's paths.
 const DEPTH: Depth = Depth { max_depth: 10 };
 
-/// The colours and the dome's radiance are the book's, the solids and the view those of figure 18.7.
+/// Colours and the dome's radiance are the book's, solids and view those of figure 18.7.
 fn under_a_dome(about: &str, tracer: Tracer) -> Scene {
     let mut scene = solids(about, Rgb::WHITE, &[Part::Sky], plain);
     scene.tracer = tracer;
@@ -77,9 +77,9 @@ fn under_a_dome(about: &str, tracer: Tracer) -> Scene {
 
 /// The lamp and the mirror's colour are the book's; the rest of the numbers is ours.
 fn mirror_caustic() -> Scene {
-    let about = "as figure 26.8: a sphere shines on a mirror, which throws its light on the ground";
-    let stand = [point(9.0, 10.0, 16.0), point(-1.5, 2.5, 2.5)];
-    let mut scene = pinhole(about, [400, 400], stand, 680.0);
+    let about = "as figure 26.8: a mirror reflects the light of a sphere to the ground: a caustic";
+    let view = [point(9.0, 10.0, 16.0), point(-1.5, 2.5, 2.5)];
+    let mut scene = pinhole(about, [400, 400], view, 680.0);
     scene.image.samples = 256;
     scene.tracer = Tracer::Path(Depth { max_depth: 5 });
     add_lamp(&mut scene, sphere(point(-2.0, 7.0, 6.0), 1.0), 20.0, rgb(0.75, 1.0, 0.75));
@@ -91,9 +91,9 @@ fn mirror_caustic() -> Scene {
 
 /// The cylinder and the lamp's radiance are the book's; the rest of the numbers is ours.
 fn half_cylinder_caustic() -> Scene {
-    let about = "figure 26.9: a half cylinder, a mirror inside, throws a cardioid on the ground";
-    let stand = [point(0.0, 16.0, 1.0), point(0.0, -1.0, 0.2)];
-    let mut scene = pinhole(about, [400, 400], stand, 750.0);
+    let about = "figure 26.9: the caustic of a half cylinder with a mirror inside: a cardioid";
+    let view = [point(0.0, 16.0, 1.0), point(0.0, -1.0, 0.2)];
+    let mut scene = pinhole(about, [400, 400], view, 750.0);
     scene.image.samples = 256;
     scene.tracer = Tracer::Path(Depth { max_depth: 5 });
     add_lamp(&mut scene, sphere(point(0.0, 3.0, 3.0), 0.5), 30.0, Rgb::WHITE);
@@ -103,13 +103,13 @@ fn half_cylinder_caustic() -> Scene {
     scene
 }
 
-/// Adds a shape that shines, and its light.
+/// Adds an emissive shape and its light.
 fn add_lamp(scene: &mut Scene, shape: impl Into<Kind>, ls: f64, color: Rgb) {
     scene.lights.push(Light::new("lamp", Area { object: "lamp".to_owned(), sampling: None }));
     add(scene, "lamp", shape, Emissive::new(ls, color));
 }
 
-/// The box of the figures 26.7 to 26.12, in units of 10 cm; rectangles by a corner and two sides.
+/// The box of figures 26.7 to 26.12, in units of 10 cm: rectangles as a corner and two sides.
 const WHITE: [([f64; 3], [f64; 3], [f64; 3]); 13] = [
     // back wall, floor, ceiling
     ([0.0, 0.0, 55.92], [0.0, 54.88, 0.0], [55.28, 0.0, 0.0]),
@@ -129,8 +129,8 @@ const WHITE: [([f64; 3], [f64; 3], [f64; 3]); 13] = [
     ([47.2, 0.0, 40.6], [-4.9, 0.0, -15.9], [0.0, 33.0, 0.0]),
 ];
 
-/// The published sides are not quite perpendicular: the second is turned in the plane of both until it
-/// is.
+/// The published sides are not exactly perpendicular: the second side is made perpendicular to the
+/// first.
 fn rectangle(corner: [f64; 3], a: [f64; 3], b: [f64; 3]) -> Rectangle {
     let (a, b) = (Vector::from(a), Vector::from(b));
     let b = b - (a.dot(b) / a.length_squared()) * a;
@@ -144,7 +144,7 @@ fn cornell_box(about: &str, tracer: Tracer) -> Scene {
     let mut scene = Scene::new(about, image, camera);
     scene.tracer = tracer;
     let lamp = rectangle([21.3, 54.879, 22.7], [0.0, 0.0, 10.5], [13.0, 0.0, 0.0]);
-    // it faces down
+    // its normal points down
     let lamp = Rectangle { corner: lamp.corner + lamp.b, b: -lamp.b, ..lamp };
     add_lamp(&mut scene, lamp, 100.0, rgb(1.0, 0.73, 0.4));
     let left = rectangle([55.28, 0.0, 0.0], [0.0, 0.0, 55.92], [0.0, 54.88, 0.0]);

@@ -15,31 +15,29 @@ use crate::textures::{Checker3d, Paint};
 
 pub const SCENES: List = &[
     ("ch27/common-set", || {
-        let about = "the common set of chapter 27: a glass sphere over a checker, before a red \
+        let about = "the common set of chapter 27: a glass sphere over a checker, in front of a red \
                      mirror sphere";
         with_sphere(about, glass(1.5))
     }),
     ("ch27/from-above", || {
-        let about =
-            "figure 27.12: from above: a dark spot of the ground, in the focus, fills the ball";
+        let about = "figure 27.12: from above: the ball is filled with a dark spot of the ground at its focus";
         let mut scene = with_sphere(about, glass(1.5));
         scene.camera.eye = point(2.0, 50.0, -3.0);
         scene.camera.lens = Pinhole { distance: 1800.0, zoom: 1.0 }.into();
         scene
     }),
     ("ch27/no-refraction", || {
-        let about = "figure 27.13: η = 1 bends nothing: only its reflections show the sphere";
+        let about = "figure 27.13: η = 1, no refraction: only reflections show the sphere";
         with_sphere(about, glass(1.0))
     }),
     ("ch27/slight-refraction", || {
         with_sphere(
-            "figure 27.14: η = 1.1: the near sphere upright, the ground upside down",
+            "figure 27.14: η = 1.1: the red sphere is upright, the ground upside down",
             glass(1.1),
         )
     }),
     ("ch27/mirror-ring", || {
-        let about =
-            "figure 27.15b: η = 0.75 reflects totally outside 3/4 of the radius: a mirror ring";
+        let about = "figure 27.15b: η = 0.75: total internal reflection outside 3/4 of the radius: a mirror ring";
         with_sphere(about, glass(0.75))
     }),
     ("ch27/cylinder", cylinder),
@@ -51,22 +49,22 @@ pub const SCENES: List = &[
     ("ch27/bowl", bowl),
     ("ch27/beveled-box", beveled_box),
     ("ch27/disks", || {
-        disks("figure 27.21: two disks, normals outward: both together hardly darken", -Vector::Z)
+        disks("figure 27.21: two disks with outward normals: the factors η² cancel", -Vector::Z)
     }),
     ("ch27/disks-same-normals", || {
-        let about = "figure 27.26: both normals to the front: 1/η² darkens twice";
+        let about = "figure 27.26: both normals to the front: darker by 1/η² twice";
         disks(about, Vector::Z)
     }),
     ("ch27/far-sphere", || {
-        let about = "figure 27.23: from afar, a ball of green glass turns the checker upside down";
+        let about = "figure 27.23: from far away, a ball of green glass inverts the checker";
         tinted_sphere(about, 20.0, 4500.0)
     }),
     ("ch27/near-sphere", || {
-        let about = "figure 27.23: the eye close to it: upright in the middle, inverted around it";
+        let about = "figure 27.23: close to the ball: upright in the middle, inverted around it";
         tinted_sphere(about, 1.25, 180.0)
     }),
     ("ch27/ellipsoid", || {
-        with_ellipsoid("figure 27.24a: an ellipsoid of glass that lies on the ground", 1.5)
+        with_ellipsoid("figure 27.24a: an ellipsoid of glass on the ground", 1.5)
     }),
     ("ch27/ellipsoid-of-air", || {
         with_ellipsoid(
@@ -75,18 +73,18 @@ pub const SCENES: List = &[
         )
     }),
     ("ch27/torus", || {
-        let about = "figure 27.29: a torus of glass; black strips where the depth of 5 ends a path";
+        let about = "figure 27.29: a torus of glass; black strips where paths end at depth 5";
         let torus = Torus { swept_radius: 3.0, tube_radius: 0.8, inward: false };
         let steps = vec![Step::RotateX(90.0), Step::RotateY(20.0), RAISED];
         common_set_of(about, "glass torus", transformed(torus, steps), glass(1.5))
     }),
     ("ch27/mesh", || {
-        let about = "as figure 27.30: a closed mesh of glass; each facet shows a piece";
+        let about = "as figure 27.30: a closed mesh of glass; each facet refracts differently";
         let mesh = TessellatedSphere { radius: 3.0, ..TessellatedSphere::new(16, 8, false) };
         common_set_of(about, "glass mesh", transformed(mesh, vec![RAISED]), glass(1.5))
     }),
     ("ch27/ring-on-white", || {
-        let about = "figure 27.32: the ring on white, at depth 3: black where paths end in it";
+        let about = "figure 27.32: the ring on white, at depth 3: black where paths end inside it";
         let mut scene = ring(about);
         scene.camera = from(point(0.0, 1.0, 4.0), point(0.0, 1.25, 0.0), 700.0);
         scene.background = Rgb::WHITE.into();
@@ -96,7 +94,7 @@ pub const SCENES: List = &[
     }),
 ];
 
-/// To the place of the glass sphere.
+/// The translation to the position of the glass sphere.
 const RAISED: Step = Step::Translate(Vector::new(0.0, 4.5, 0.0));
 
 /// The material of most figures; its highlights are those of Phong.
@@ -114,7 +112,7 @@ pub(super) fn with_sphere(about: &str, glass: MaterialKind) -> Scene {
     common_set_of(about, "glass sphere", sphere(point(0.0, 4.5, 0.0), 3.0), glass)
 }
 
-/// The chapter's set with this thing of glass in it.
+/// The chapter's set with this glass object.
 fn common_set_of(about: &str, name: &str, shape: impl Into<Kind>, glass: MaterialKind) -> Scene {
     let camera = from(point(-8.0, 5.5, 40.0), point(1.0, 4.0, 0.0), 2400.0);
     let image = Image { samples: 16, ..Image::new(600, 600) };
@@ -151,8 +149,7 @@ pub(super) fn lights() -> [Light; 4] {
 }
 
 fn cylinder() -> Scene {
-    let about =
-        "figure 27.19a: a solid cylinder of glass; its top and bottom mirror what its wall shows";
+    let about = "figure 27.19a: a solid cylinder of glass; its top and bottom reflect what its wall refracts";
     let solid = SolidCylinder { y0: 0.0, y1: 2.25, radius: 1.5, materials: Materials::new() };
     let mut scene = common_set_of(about, "glass cylinder", solid, glass(1.5));
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
@@ -188,13 +185,13 @@ fn bowl() -> Scene {
     add(&mut scene, "large sphere", sphere(point(-0.2, 0.56, 0.0), 0.4), yellow);
     let blue = phong(0.4, 0.5, rgb(0.3, 0.5, 1.0), 0.2, 100.0);
     add(&mut scene, "small sphere", sphere(point(0.42, 0.55, 0.15), 0.25), blue);
-    scene.materials[0].casts_shadows = false; // or the spheres would lie in the bowl's shadow
+    scene.materials[0].casts_shadows = false; // else the spheres would be in the bowl's shadow
     scene
 }
 
 /// The bevel and the material are the book's, the size is ours.
 fn beveled_box() -> Scene {
-    let about = "figure 27.20: a beveled box of yellow glass: edges bend more than faces";
+    let about = "figure 27.20: a beveled box of yellow glass: edges refract more than faces";
     let shape = BeveledBox {
         min: point(-2.5, 0.01, -2.0),
         max: point(2.5, 5.01, 2.0),
@@ -225,8 +222,8 @@ fn disks(about: &str, back: Vector) -> Scene {
 
 /// Camera and glass are the book's, the checker is ours.
 fn tinted_sphere(about: &str, eye_z: f64, distance: f64) -> Scene {
-    let stand = [point(0.0, 0.0, eye_z), Point::ORIGIN];
-    let mut scene = pinhole(about, [600, 600], stand, distance);
+    let view = [point(0.0, 0.0, eye_z), Point::ORIGIN];
+    let mut scene = pinhole(about, [600, 600], view, distance);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 5 });
     scene.background = rgb(0.6, 0.75, 0.95).into();
     scene.lights.push(ambient(0.5));

@@ -1,5 +1,5 @@
-//! Chapter 29: images on surfaces, and as skies. The images are drawn by formulas: the book's belong
-//! to their owners.
+//! Chapter 29: images on surfaces and as environment light. The images are drawn by formulas,
+//! because the book's images may not be copied.
 
 use super::List;
 use super::parts::*;
@@ -18,7 +18,7 @@ pub const SCENES: List = &[
     ("ch29/country", country),
     ("ch29/sphere-grid", || {
         let about =
-            "figure 29.9: a grid on a sphere by the spherical mapping: lines meet at the poles";
+            "figure 29.9: a grid on a sphere by the spherical mapping; lines meet at the poles";
         let mut scene = on_sphere(about, matte(0.4, 0.8, drawn(Picture::UvGrid, 960, 480, SPHERE)));
         scene.camera.eye = point(2.0, 3.0, 5.0);
         scene
@@ -31,19 +31,18 @@ pub const SCENES: List = &[
         scene
     }),
     ("ch29/earth", || {
-        let about =
-            "as figures 29.12 and 29.13: a globe in the light of a sun; the other side is dark";
+        let about = "as figures 29.12 and 29.13: a globe in sunlight with a dark night side";
         let mut scene = on_sphere(about, matte(0.0, 1.0, drawn(Picture::Globe, 1024, 512, SPHERE)));
         scene.lights = vec![directional("sun", vector(5.0, 2.0, 2.0), 4.0)];
         scene
     }),
     ("ch29/light-probe", light_probe),
     ("ch29/earth-nearest", || {
-        let about = "figure 29.19a: a globe of 64 × 32 texels from near: each is seen";
+        let about = "figure 29.19a: a globe of 64 × 32 texels in close-up: texels are visible";
         near_earth(about, Filtering::Nearest)
     }),
     ("ch29/earth-bilinear", || {
-        let about = "figure 29.19b: the same, bilinear: soft borders";
+        let about = "figure 29.19b: the same with bilinear interpolation: soft borders";
         near_earth(about, Filtering::Bilinear)
     }),
     ("ch29/uv-triangles", uv_triangles),
@@ -59,8 +58,7 @@ fn drawn(picture: Picture, width: u32, height: u32, mapping: Option<Mapping>) ->
 
 /// Figure 29.4: the generic rectangle −1 … 1 in x and z, scaled.
 fn lace() -> Scene {
-    let about =
-        "as figure 29.4: lace on a rectangle three halves as long as wide, by the square mapping";
+    let about = "as figure 29.4: lace on a rectangle of ratio 3 : 2 by the square mapping";
     let mut scene = pinhole(about, [400, 400], [point(2.0, 4.0, 3.0), Point::ORIGIN], 600.0);
     scene.background = grey(0.3).into();
     scene.lights.push(ambient(0.4));
@@ -97,21 +95,21 @@ fn on_sphere(about: &str, recipe: impl Into<crate::materials::Kind>) -> Scene {
     scene
 }
 
-/// Figure 29.16: the camera is where the probe was.
+/// Figure 29.16: the camera is at the position of the probe.
 fn light_probe() -> Scene {
-    let about = "as figure 29.16: a light probe as the sky, through a fisheye of 360°";
+    let about = "as figure 29.16: a light probe as background, with a fisheye of 360°";
     let lens = Fisheye { fov: 360.0, rectangular: false };
     let camera = Viewpoint::new(Point::ORIGIN, point(0.0, 0.0, -1.0), lens);
     let image = scene::Image { samples: 16, ..scene::Image::new(400, 400) };
     let mut scene = Scene::new(about, image, camera);
     let probe = Drawn { picture: Picture::Courtyard, width: 800, height: 800 };
-    // half of what it measured: the windows are brighter than a screen
+    // halved, because the windows are brighter than 1
     let sky = background::Image { ls: 0.5, ..background::Image::of_drawn(probe, Dome::LightProbe) };
     scene.background = sky.into();
     scene
 }
 
-/// Figure 29.19: some dozen texels across.
+/// Figure 29.19: the picture is some dozen texels wide.
 fn near_earth(about: &str, filtering: Filtering) -> Scene {
     let image = Image { filtering, ..drawn(Picture::Globe, 64, 32, SPHERE) };
     let mut scene = on_sphere(about, matte(0.4, 1.0, image));
@@ -120,10 +118,10 @@ fn near_earth(about: &str, filtering: Filtering) -> Scene {
     scene
 }
 
-/// Figure 29.22: corners of the image at the corners of two triangles of different shape.
+/// Figure 29.22: two triangles of different shape with the corners of the image at their corners.
 fn uv_triangles() -> Scene {
     let about =
-        "as figure 29.22: a grid on two triangles by their texture coordinates, without a mapping";
+        "as figure 29.22: a grid on two triangles by texture coordinates, without a mapping";
     let mut scene = pinhole(about, [400, 400], [point(0.0, 0.0, 10.0), Point::ORIGIN], 1250.0);
     scene.lights.push(ambient(1.0));
     scene.background = grey(0.3).into();
@@ -135,13 +133,13 @@ fn uv_triangles() -> Scene {
     scene
 }
 
-/// Figure 29.26. The label is the wall of the beveled body, which is centred so that the wall is the
-/// generic cylinder in units of half its height.
+/// Figure 29.26. The label is on the wall of the beveled cylinder, which is centred at the origin,
+/// so that the wall is the generic cylinder in units of half its height.
 fn jar() -> Scene {
     const HEIGHT: f64 = 3.6;
     const BEVEL: f64 = 0.5;
     let about =
-        "as figure 29.26: a jar with a label on the wall of a beveled cylinder, turned by 100°";
+        "as figure 29.26: a jar with a label on the wall of a beveled cylinder, rotated by 100°";
     let mut scene =
         pinhole(about, [400, 400], [point(0.0, 6.0, 14.0), point(0.0, 2.0, 0.0)], 700.0);
     scene.background = grey(0.5).into();
@@ -171,8 +169,7 @@ fn jar() -> Scene {
 
 /// Figure 29.27: the sky is the only light.
 fn sky_dome() -> Scene {
-    let about =
-        "as figure 29.27: things in the light of a sky with clouds and a sun, all of one image";
+    let about = "as figure 29.27: objects lit by an image of a sky with clouds and a sun";
     let mut scene =
         pinhole(about, [600, 400], [point(0.0, 2.0, 12.0), point(0.0, 1.6, 0.0)], 620.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 5 });

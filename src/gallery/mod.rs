@@ -41,9 +41,9 @@ use crate::scene::Scene;
 /// A scene by its name, `chNN/some-scene`.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// As typed on the command line.
+    /// The name on the command line.
     pub name: &'static str,
-    /// Builds it.
+    /// Builds the scene.
     pub build: fn() -> Scene,
 }
 
@@ -89,7 +89,7 @@ pub fn find(name: &str) -> Option<Entry> {
     scenes().find(|entry| entry.name == name)
 }
 
-/// What to say of a name that is neither a scene's nor a file's.
+/// The error message for a name that is neither a scene nor a file.
 pub fn unknown(name: &str) -> String {
     let problem = format!(
         "no scene `{name}`: neither a gallery name (`groundtruth list` shows them) nor a file"
@@ -98,9 +98,10 @@ pub fn unknown(name: &str) -> String {
     problem + &did_you_mean(name, &names)
 }
 
-/// `; did you mean …?` with the names that are like this one; nothing if none is.
+/// `; did you mean …?` with similar names; empty if there are none.
 pub fn did_you_mean(name: &str, known: &[&str]) -> String {
-    let quoted: Vec<String> = alike(name, known).iter().map(|known| format!("`{known}`")).collect();
+    let similar = similar_names(name, known);
+    let quoted: Vec<String> = similar.iter().map(|known| format!("`{known}`")).collect();
     match &quoted[..] {
         [] => String::new(),
         [one] => format!("; did you mean {one}?"),
@@ -108,30 +109,31 @@ pub fn did_you_mean(name: &str, known: &[&str]) -> String {
     }
 }
 
-/// The names that contain `name`; or else those with the fewest edits to it, of the whole name or of
-/// the part after the chapter, if they are few.
-fn alike<'a>(name: &str, known: &[&'a str]) -> Vec<&'a str> {
-    /// Fewer letters are part of too many names.
-    const SHORTEST: usize = 3;
-    /// More suggestions are no help.
-    const MOST: usize = 8;
-    let mut alike: Vec<&str> = known.to_vec();
-    if name.len() >= SHORTEST && known.iter().any(|known| known.contains(name)) {
-        alike.retain(|known| known.contains(name));
+/// The names that contain `name`; if there are none, those with the smallest edit distance to it
+/// (of the whole name or of the part after the chapter), if the distance is at most a third of its
+/// length.
+fn similar_names<'a>(name: &str, known: &[&'a str]) -> Vec<&'a str> {
+    /// Shorter texts are part of too many names.
+    const MIN_LENGTH: usize = 3;
+    const MAX_SUGGESTIONS: usize = 8;
+    let mut similar: Vec<&str> = known.to_vec();
+    if name.len() >= MIN_LENGTH && known.iter().any(|known| known.contains(name)) {
+        similar.retain(|known| known.contains(name));
     } else {
         let distance = |known: &str| {
             let after_chapter = known.split_once('/').map_or(known, |(_, rest)| rest);
-            edits(name, known).min(edits(name, after_chapter))
+            edit_distance(name, known).min(edit_distance(name, after_chapter))
         };
         let least = known.iter().map(|known| distance(known)).min().unwrap_or(usize::MAX);
-        alike.retain(|known| distance(known) == least && least <= name.len() / 3);
+        similar.retain(|known| distance(known) == least && least <= name.len() / 3);
     }
-    alike.truncate(MOST);
-    alike
+    similar.truncate(MAX_SUGGESTIONS);
+    similar
 }
 
-/// How many bytes must be put in, left out or changed to make `a` into `b` (Levenshtein 1965).
-fn edits(a: &str, b: &str) -> usize {
+/// The number of bytes that must be inserted, deleted or changed to turn `a` into `b` (Levenshtein
+/// 1965).
+fn edit_distance(a: &str, b: &str) -> usize {
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, byte) in a.bytes().take(100).enumerate() {
         let mut diagonal = std::mem::replace(&mut row[0], i + 1);
@@ -144,5 +146,5 @@ fn edits(a: &str, b: &str) -> usize {
     row[b.len()]
 }
 
-/// What a chapter's file lists: names and build functions.
+/// The scenes of a chapter: names and build functions.
 type List = &'static [(&'static str, fn() -> Scene)];

@@ -1,4 +1,4 @@
-//! What the chapters' scenes are put together from.
+//! Building blocks of the scenes: short constructors for shapes, materials and lights.
 
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::lights::{Ambient, AmbientOccluder, Directional, Point as PointLight};
@@ -9,10 +9,10 @@ use crate::scene::{Image, Light, Material, Object, Scene};
 use crate::shapes::{self, Plane, Sphere};
 use crate::textures::{Checker3d, Paint};
 
-/// An empty scene through a pinhole camera, 16 samples a pixel; `stand` is the eye and the point it
-/// looks at.
-pub fn pinhole(about: &str, size: [u32; 2], stand: [Point; 2], distance: f64) -> Scene {
-    let ([width, height], [eye, look_at]) = (size, stand);
+/// An empty scene with a pinhole camera and 16 samples per pixel; `view` is the eye and the point
+/// that it looks at.
+pub fn pinhole(about: &str, size: [u32; 2], view: [Point; 2], distance: f64) -> Scene {
+    let ([width, height], [eye, look_at]) = (size, view);
     let camera = Viewpoint::new(eye, look_at, Pinhole { distance, zoom: 1.0 });
     let image = Image { samples: 16, ..Image::new(width, height) };
     Scene::new(about, image, camera)
@@ -62,7 +62,7 @@ pub fn phong(ka: f64, kd: f64, cd: impl Into<Paint>, ks: f64, exponent: f64) -> 
     }
 }
 
-/// A mirror of reflectance `kr · cr` over this base.
+/// A mirror of reflectance `kr · cr` over a Phong material.
 pub fn mirror(phong: Phong, kr: f64, cr: Rgb) -> Reflective {
     Reflective { phong, kr: kr.into(), cr: cr.into() }
 }
@@ -71,7 +71,7 @@ pub fn ambient(ls: f64) -> Light {
     Light::new("ambient", Ambient { ls, color: Rgb::WHITE })
 }
 
-/// White ambient light that objects hold off; `min_amount` of it stays.
+/// White ambient light with ambient occlusion; `min_amount` of it remains where it is blocked.
 pub fn occluder(min_amount: f64) -> Light {
     let source = AmbientOccluder {
         ls: 1.0,
@@ -91,7 +91,7 @@ pub fn point_light(name: &str, location: Point, ls: f64) -> Light {
     Light::new(name, PointLight { ls, color: Rgb::WHITE, location, attenuation: 0.0 })
 }
 
-/// The shape moved by this vector.
+/// The shape translated by this vector.
 pub fn moved(shape: impl Into<shapes::Kind>, by: Vector) -> shapes::Kind {
     transformed(shape, vec![Step::Translate(by)])
 }
@@ -101,7 +101,7 @@ pub fn transformed(shape: impl Into<shapes::Kind>, steps: Vec<Step>) -> shapes::
     shapes::Instance::new(shape, steps).into()
 }
 
-/// An object and a material of its own, of the same name.
+/// An object and its material, with the same name.
 pub fn object(
     name: &str,
     shape: impl Into<shapes::Kind>,
@@ -122,14 +122,14 @@ pub fn add(
     scene.materials.push(material);
 }
 
-/// Cubes of two colours, through all of space.
+/// A solid checker of two colours.
 pub fn checker3d(size: f64, color1: Rgb, color2: Rgb) -> Paint {
     Checker3d { size, color1: color1.into(), color2: color2.into() }.into()
 }
 
-/// The absorption of a medium of which a unit length filters light by the book's `cf`: `σ = −ln cf`.
+/// The absorption of a medium with the book's filter colour `cf` per unit length: `σ = −ln cf`.
 pub fn filter(cf: Rgb) -> Rgb {
-    /// Stands for the infinite absorption of a channel that is 0: files hold finite numbers.
-    const MOST: f64 = 100.0;
-    cf.map(|c| ln(1.0 / c).min(MOST))
+    /// Replaces the infinite absorption of a channel that is 0: scene files need finite numbers.
+    const MAX: f64 = 100.0;
+    cf.map(|c| ln(1.0 / c).min(MAX))
 }

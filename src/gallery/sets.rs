@@ -1,5 +1,5 @@
-//! What several chapters look at: the objects of chapter 8, the wireframe box, the box canyon, the
-//! city.
+//! Objects that several chapters use: the objects of chapter 8, the wireframe box, the box canyon,
+//! the city, the columns of chapter 12 and the boxes of chapter 10.
 
 use super::parts::*;
 use crate::cameras::ThinLens;
@@ -41,7 +41,7 @@ pub fn wireframe_box(half: f64, radius: f64) -> Compound {
 
 /// The four rows of boxes of figures 9.10 and 11.7.
 pub struct Canyon {
-    /// The right side of the rightmost row, in x.
+    /// The x coordinate of the right side of the rightmost row.
     pub right: f64,
     /// The height of the third row from the right.
     pub tallest: f64,
@@ -84,8 +84,9 @@ pub fn city_on(scene: &mut Scene, sky: Light, [lawn, streets]: [Matte; 2]) {
     const COLUMNS: u32 = 12;
     /// A block, along x and z.
     const BLOCK: [f64; 2] = [10.0, 12.0];
-    /// The least side of a building, and how far it stands from its block's edges.
-    const LEAST: f64 = 6.0;
+    /// The smallest side of a building.
+    const MIN_SIDE: f64 = 6.0;
+    /// The smallest distance of a building from the edges of its block.
     const OFFSET: f64 = 1.0;
     scene.lights.push(sky);
     scene.lights.push(point_light("lamp", point(150.0, 500.0, 300.0), 3.75));
@@ -100,9 +101,9 @@ pub fn city_on(scene: &mut Scene, sky: Light, [lawn, streets]: [Matte; 2]) {
             let block = [column, row];
             let [x, z] = [0, 1].map(|i| {
                 let start = corner[i] + BLOCK[i] * f64::from(block[i]);
-                let free = BLOCK[i] - 2.0 * OFFSET - LEAST;
-                let side = LEAST + free * random.uniform();
-                let from = start + OFFSET + (LEAST + free - side) * random.uniform();
+                let free = BLOCK[i] - 2.0 * OFFSET - MIN_SIDE;
+                let side = MIN_SIDE + free * random.uniform();
+                let from = start + OFFSET + (MIN_SIDE + free - side) * random.uniform();
                 [from, from + side]
             });
             let inner = row == 1 || row == ROWS - 2 || column == 1 || column == COLUMNS - 2;
@@ -120,7 +121,7 @@ pub fn city_on(scene: &mut Scene, sky: Light, [lawn, streets]: [Matte; 2]) {
     add(scene, "ground", ground(0.01), streets);
 }
 
-/// Rings of columns around the eye: how many, how far, how high, and turned by how many degrees.
+/// Rings of columns around the eye: number, distance, height, and rotation in degrees.
 const RINGS: [(u32, f64, f64, f64); 3] =
     [(12, 150.0, 500.0, 0.0), (16, 350.0, 450.0, 0.0), (16, 500.0, 325.0, 10.0)];
 

@@ -1,4 +1,4 @@
-//! What the chapters on light and shading look at: the 35 spheres, the set of chapter 14, the four
+//! Objects of the chapters on light and shading: the 35 spheres, the set of chapter 14, the four
 //! cylinders, the two spheres before a wall.
 
 use super::parts::*;
@@ -18,7 +18,7 @@ const DARK_YELLOW: Rgb = Rgb::new(0.61, 0.61, 0.0);
 const LIGHT_PURPLE: Rgb = Rgb::new(0.65, 0.3, 1.0);
 const DARK_PURPLE: Rgb = Rgb::new(0.5, 0.0, 1.0);
 
-/// The 35 spheres: centre, radius, and which of the colours.
+/// The 35 spheres: centre, radius and colour.
 const SPHERES: [([f64; 3], f64, Rgb); 35] = [
     ([5.0, 3.0, 0.0], 30.0, YELLOW),
     ([45.0, -7.0, -60.0], 20.0, BROWN),
@@ -57,14 +57,14 @@ const SPHERES: [([f64; 3], f64, Rgb); 35] = [
     ([-3.0, -72.0, -130.0], 12.0, LIGHT_PURPLE),
 ];
 
-/// The 35 spheres of several pictures of page one, each of the material made for its colour.
+/// The 35 spheres of several pictures of page one; `finish` makes the material of a colour.
 pub fn thirty_five_spheres(
     about: &str,
     light: Light,
     finish: impl Fn(Rgb) -> MaterialKind,
 ) -> Scene {
-    let stand = [point(0.0, 0.0, 10_000.0), Point::ORIGIN];
-    let mut scene = pinhole(about, [600, 600], stand, 15_000.0);
+    let view = [point(0.0, 0.0, 10_000.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [600, 600], view, 15_000.0);
     scene.image.pixel_size = 0.5;
     scene.lights.push(ambient(1.0));
     scene.lights.push(light);
@@ -75,19 +75,19 @@ pub fn thirty_five_spheres(
     scene
 }
 
-/// The book's view of the set, still empty.
+/// An empty scene with the book's view of the set.
 pub fn before_the_set(about: &str) -> Scene {
-    let stand = [point(7.5, 4.0, 10.0), point(-1.0, 3.7, 0.0)];
-    pinhole(about, [600, 400], stand, 340.0)
+    let view = [point(7.5, 4.0, 10.0), point(-1.0, 3.7, 0.0)];
+    pinhole(about, [600, 400], view, 340.0)
 }
 
-/// The two spheres, cylinder, box and plane of figures 14.5 to 14.11, put into an empty scene.
+/// Adds the two spheres, cylinder, box and plane of figures 14.5 to 14.11 to an empty scene.
 pub fn matte_set(scene: Scene, light: Option<Light>) -> Scene {
     set_of(scene, light, |_, matte| matte.into())
 }
 
-/// The set of other materials: `finish` makes one from the object's name and from what chapter 14
-/// gives it.
+/// The set with other materials: `finish` makes one from the object's name and its material in
+/// chapter 14.
 pub fn set_of(
     mut scene: Scene,
     light: Option<Light>,
@@ -118,11 +118,11 @@ pub fn set_of(
     scene
 }
 
-/// The four beveled cylinders of figures 14.15 and 15.7, from left to right of these materials, lit
-/// from the right.
+/// The four beveled cylinders of figures 14.15 and 15.7, with these materials from left to right
+/// and light from the right.
 pub fn four_cylinders(about: &str, finishes: [MaterialKind; 4]) -> Scene {
-    let stand = [point(0.0, 0.0, 100.0), Point::ORIGIN];
-    let mut scene = pinhole(about, [650, 300], stand, 6000.0);
+    let view = [point(0.0, 0.0, 100.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [650, 300], view, 6000.0);
     scene.lights.push(ambient(1.0));
     scene.lights.push(directional("sun", vector(20.0, 0.0, 20.0), 3.0).without_shadows());
     for (i, finish) in (0_u32..).zip(finishes) {
@@ -142,8 +142,8 @@ pub fn four_cylinders(about: &str, finishes: [MaterialKind; 4]) -> Scene {
 
 /// The two spheres and the wall of figures 14.21 and 16.10a, and their lamp.
 pub fn two_spheres_before_a_wall(about: &str) -> Scene {
-    let stand = [point(0.0, 0.0, 500.0), point(-5.0, 0.0, 0.0)];
-    let mut scene = pinhole(about, [400, 400], stand, 850.0);
+    let view = [point(0.0, 0.0, 500.0), point(-5.0, 0.0, 0.0)];
+    let mut scene = pinhole(about, [400, 400], view, 850.0);
     scene.image.pixel_size = 0.5;
     scene.lights.push(ambient(1.0));
     scene.lights.push(point_light("lamp", point(100.0, 50.0, 150.0), 3.0));

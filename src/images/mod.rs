@@ -1,4 +1,4 @@
-//! Images as textures and skies read them: from files, or drawn by a formula (Suffern, ch. 29).
+//! Images for textures and environment lights: from files, or drawn by a formula (Suffern, ch. 29).
 
 mod drawn;
 mod file;
@@ -21,19 +21,19 @@ impl Texels {
     /// An image of these colours, from the top row down, from left to right.
     ///
     /// # Panics
-    /// If there are not `width · height` of them, or none.
+    /// If there are not `width · height` colours, or none.
     pub fn new(width: u32, height: u32, colors: Vec<[f32; 3]>) -> Self {
         assert_eq!(colors.len() as u64, u64::from(width) * u64::from(height), "a colour each");
         assert!(!colors.is_empty(), "an image has at least one texel");
         Self { width, height, colors }
     }
 
-    /// Columns.
+    /// The number of columns.
     pub fn width(&self) -> u32 {
         self.width
     }
 
-    /// Rows.
+    /// The number of rows.
     pub fn height(&self) -> u32 {
         self.height
     }
@@ -41,7 +41,7 @@ impl Texels {
     /// The colour at a column from the left and a row from the bottom, as the book counts.
     ///
     /// # Panics
-    /// If the image has no such texel.
+    /// If the column or the row is out of range.
     pub fn color(&self, column: u32, row: u32) -> Rgb {
         let from_top = self.height - 1 - row;
         let index = from_top as usize * self.width as usize + column as usize;

@@ -1,4 +1,4 @@
-//! What can be wrong with a mesh file, in words for the person who has it.
+//! The errors of mesh files, worded for the person who has the file.
 
 use std::fmt;
 use std::path::PathBuf;
@@ -7,21 +7,21 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshFileError {
-    /// The file system's answer.
+    /// The file system reports an error.
     #[error("{}: the file cannot be read: {source}", path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What the file system says.
+        /// The error of the file system.
         source: std::io::Error,
     },
-    /// Neither PLY nor OBJ, by its name.
+    /// The extension is neither `.ply` nor `.obj`.
     #[error("{}: the name of a mesh file ends in .ply or .obj", path.display())]
     Extension {
         /// The file.
         path: PathBuf,
     },
-    /// The file was opened; `source` says what is wrong in it.
+    /// The file was read; `source` says what is wrong in it.
     #[error("{}: {source}", path.display())]
     InFile {
         /// The file.
@@ -32,10 +32,10 @@ pub enum MeshFileError {
     /// Not a PLY file at all.
     #[error("line 1: not a PLY file; the first line of a PLY file is `ply`")]
     NotPly,
-    /// A PLY header that does not end.
+    /// A PLY header without the line `end_header`.
     #[error("the header has no line `end_header`; the file is cut off: copy or export it again")]
-    EndlessHeader,
-    /// A line that cannot be understood.
+    UnterminatedHeader,
+    /// A line or word that does not follow the format.
     #[error("line {line}: found `{found}`, expected {expected}")]
     Syntax {
         /// Counted from 1.
@@ -45,19 +45,19 @@ pub enum MeshFileError {
         /// What would be right.
         expected: &'static str,
     },
-    /// No vertices, or no faces, in a PLY header.
+    /// A PLY header without the element `vertex` or `face`.
     #[error("the header has no element `{element}`; a mesh needs `vertex` and `face`")]
     MissingElement {
         /// The element's name.
         element: &'static str,
     },
-    /// An element that occurs twice, where it is not clear which one is meant.
+    /// An element `vertex` or `face` that is declared twice.
     #[error("the header has two elements `{element}`; remove or rename one")]
     RepeatedElement {
         /// The element's name.
         element: &'static str,
     },
-    /// A property without which there is no mesh.
+    /// A PLY header without a property that every mesh needs.
     #[error("element `{element}` has no property {property}; export the mesh again with it")]
     MissingProperty {
         /// The element's name.
@@ -65,7 +65,7 @@ pub enum MeshFileError {
         /// The property's name, or names, quoted.
         property: &'static str,
     },
-    /// A property that occurs twice, where it is not clear which one is meant.
+    /// A property that the reader needs and the header declares twice.
     #[error("element `{element}` has two properties `{property}`; remove or rename one")]
     RepeatedProperty {
         /// The element's name.
@@ -73,7 +73,7 @@ pub enum MeshFileError {
         /// The property's name.
         property: String,
     },
-    /// A list where a number is needed, or the other way round.
+    /// A list where a single number is needed, or a single number where a list is needed.
     #[error("property `{property}` of element `{element}` has to be {expected}")]
     PropertyType {
         /// The element's name.
@@ -83,28 +83,28 @@ pub enum MeshFileError {
         /// What would be right.
         expected: &'static str,
     },
-    /// Triangle strips.
+    /// Triangle strips, which are not supported.
     #[error(
         "element `tristrips`: triangle strips are not read; \
          convert them to triangles and export the mesh again"
     )]
     TriangleStrips,
-    /// More elements than the rest of the file can hold.
+    /// A declared count of elements that needs more bytes than the rest of the file has.
     #[error(
         "element `{element}`: the header promises {count} of at least {size} bytes each, but \
          only {left} bytes are left; the file is cut off or its header is wrong"
     )]
-    Promise {
+    DeclaredCount {
         /// The element's name.
         element: String,
-        /// As the header says.
+        /// The declared count.
         count: u64,
-        /// The least that one takes, in bytes.
+        /// The smallest possible size of one element, in bytes.
         size: u64,
-        /// Bytes that follow.
+        /// The bytes that follow.
         left: usize,
     },
-    /// More than indices can count.
+    /// More than `u32::MAX`: indices are `u32`.
     #[error("{count} {what} are too many: {} is the most; split the mesh into parts", u32::MAX)]
     TooMany {
         /// Vertices or triangles.
@@ -134,31 +134,31 @@ pub enum MeshFileError {
         /// The value.
         found: String,
     },
-    /// A value that is out of range, or none.
+    /// A value that is out of range or not a number.
     #[error("{place}: `{found}` found for `{property}`, expected {expected}")]
     Value {
-        /// Where it stands.
+        /// The line or element of the value.
         place: Place,
         /// The property's name.
         property: String,
-        /// The value as it stands, shortened.
+        /// The value as written in the file, shortened.
         found: String,
         /// What would be right.
         expected: &'static str,
     },
-    /// An index of nothing.
+    /// An index out of range.
     #[error("{place}: {what} {index} does not exist; {allowed}")]
     Index {
         /// The face.
         place: Place,
         /// Vertex, normal or texture coordinate.
         what: &'static str,
-        /// As the file has it.
+        /// The index as written in the file.
         index: i64,
-        /// What would be right.
+        /// The valid range.
         allowed: String,
     },
-    /// A face without area, by its very number of corners.
+    /// A face with fewer than 3 vertices.
     #[error("{place}: a face with {count} vertices; it needs at least 3")]
     FewCorners {
         /// The face.
@@ -166,9 +166,9 @@ pub enum MeshFileError {
         /// How many it has.
         count: usize,
     },
-    /// A face whose triangles would take too long to find.
+    /// A face with too many corners for ear clipping, whose time can grow as their cube.
     #[error(
-        "{place}: a face of {count} corners that is not convex; at most {most} can be split into \
+        "{place}: a face of {count} corners that is not convex; at most {max} can be split into \
          triangles: cut it into smaller faces"
     )]
     ManyCorners {
@@ -176,24 +176,24 @@ pub enum MeshFileError {
         place: Place,
         /// How many it has.
         count: usize,
-        /// How many it may have.
-        most: usize,
+        /// The maximum.
+        max: usize,
     },
-    /// More data than the header of a PLY file says.
+    /// More data than the header of a PLY file declares.
     #[error(
         "{left} bytes are left over after the last element; \
          the header's counts are too small, or the file is damaged"
     )]
     LeftOver {
-        /// How many.
+        /// The number of bytes.
         left: usize,
     },
-    /// Nothing to hit.
+    /// A file without faces.
     #[error("no faces; a mesh needs at least one triangle (is it a point cloud, or damaged?)")]
     NoFaces,
 }
 
-/// Where in a mesh file.
+/// A location in a mesh file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// A line of a text file, counted from 1.
@@ -216,19 +216,19 @@ impl fmt::Display for Place {
     }
 }
 
-/// Bytes of a file in a message: at most 40 characters, nothing that moves the cursor.
+/// Bytes of a file, shortened to 40 characters for a message; control characters are replaced.
 pub(super) fn quoted(bytes: &[u8]) -> String {
-    const MOST: usize = 40;
-    // a character has at most 4 bytes: no more of a long line is looked at
-    let start = &bytes[..bytes.len().min(4 * MOST + 4)];
+    const MAX_CHARS: usize = 40;
+    // a character has at most 4 bytes: the rest of a long line is not decoded
+    let start = &bytes[..bytes.len().min(4 * MAX_CHARS + 4)];
     let text = String::from_utf8_lossy(start);
     let mut shown: String = text
         .trim()
         .chars()
-        .take(MOST)
+        .take(MAX_CHARS)
         .map(|c| if c.is_control() { '\u{FFFD}' } else { c })
         .collect();
-    if text.trim().chars().nth(MOST).is_some() {
+    if text.trim().chars().nth(MAX_CHARS).is_some() {
         shown.push('…');
     }
     shown

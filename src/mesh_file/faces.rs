@@ -1,18 +1,19 @@
 //! The faces of a mesh file: polygons, and their triangulation.
 //!
-//! A convex polygon becomes a fan around its first corner. Any other is cut ear by ear (Meisters,
-//! *Polygons have ears*, American Mathematical Monthly 82, 1975): an ear is a triangle of three corners
-//! that follow each other, inside the polygon and with no other corner in it. Every side of the
-//! polygon becomes a side of one triangle, also where corners lie on a straight line: a triangle that
-//! passed over such a corner would leave a crack beside the face that shares it. That is why
-//! `earcut` 0.4, which leaves out corners on straight lines, is not for us.
+//! A convex polygon becomes a triangle fan around its first corner. Any other polygon is
+//! triangulated by ear clipping (Meisters, *Polygons have ears*, American Mathematical Monthly 82,
+//! 1975): an ear is a triangle of three consecutive corners that lies inside the polygon and
+//! contains no other corner. Every side of the polygon becomes a side of one triangle, also where
+//! corners are collinear: a triangle that skipped such a corner would leave a crack beside the
+//! neighbouring face. `earcut` 0.4 skips collinear corners, so it is not used.
 
 use std::iter::repeat_n;
 
 use super::{MeshFileError, Place};
 
-/// The most corners of a polygon that is not convex: cutting ears can take time as their cube.
-const MOST_CORNERS: usize = 10_000;
+/// The largest number of corners of a polygon that is not convex: the time of ear clipping can grow
+/// as the cube of this number.
+const MAX_CORNERS: usize = 10_000;
 
 const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 
@@ -20,17 +21,17 @@ const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 #[derive(Default)]
 pub(super) struct Faces {
     corners: Vec<u32>,
-    /// For each polygon where its corners end.
+    /// For each polygon the end of its range of `corners`.
     ends: Vec<usize>,
 }
 
 impl Faces {
-    /// None yet, with room for this many triangles.
+    /// No polygons, with capacity for this many triangles.
     pub(super) fn with_capacity(triangles: usize) -> Self {
         Self { corners: Vec::with_capacity(3 * triangles), ends: Vec::with_capacity(triangles) }
     }
 
-    /// Takes the next polygon.
+    /// Appends a polygon.
     pub(super) fn push(
         &mut self,
         corners: &[u32],
@@ -44,8 +45,8 @@ impl Faces {
         Ok(())
     }
 
-    /// The triangles of all polygons, wound as these; two less than a polygon has corners. A polygon
-    /// that crosses itself is split somehow.
+    /// The triangles of all polygons, with the winding of the polygons; a polygon of n corners has
+    /// n − 2. The triangles of a polygon that crosses itself are unspecified.
     pub(super) fn triangles(&self, vertices: &[[f64; 3]]) -> Result<Vec<[u32; 3]>, MeshFileError> {
         let mut triangles = Vec::with_capacity(self.corners.len() - 2 * self.ends.len());
         let mut start = 0;
@@ -59,12 +60,12 @@ impl Faces {
             let ring = Ring::new(corners, vertices);
             if ring.is_fan() {
                 triangles.extend(fan(corners));
-            } else if corners.len() <= MOST_CORNERS {
-                ring.cut_into(&mut triangles);
+            } else if corners.len() <= MAX_CORNERS {
+                ring.clip_ears(&mut triangles);
             } else {
                 let place = Place::Element { name: "face".into(), index: index as u64 };
-                let (count, most) = (corners.len(), MOST_CORNERS);
-                return Err(MeshFileError::ManyCorners { place, count, most });
+                let (count, max) = (corners.len(), MAX_CORNERS);
+                return Err(MeshFileError::ManyCorners { place, count, max });
             }
         }
         Ok(triangles)
@@ -85,52 +86,52 @@ fn fan<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 3]> {
     corners[1..].windows(2).map(|side| [corners[0], side[0], side[1]])
 }
 
-/// A corner of a polygon, and its position in a coordinate plane in which the polygon is
+/// A corner of a polygon, and its projection to a coordinate plane in which the polygon is
 /// counter-clockwise.
 #[derive(Clone, Copy)]
 struct Corner {
     vertex: u32,
-    at: [f64; 2],
+    position: [f64; 2],
 }
 
-/// What is left of a polygon.
+/// The corners of a polygon that ear clipping has not removed yet.
 struct Ring(Vec<Corner>);
 
 impl Ring {
-    /// Seen in the coordinate plane in which the polygon is largest: its coordinates are the
-    /// vertices' own, so that straight lines stay straight to the last bit.
+    /// Projects to the coordinate plane in which the polygon has the largest area. This copies two
+    /// coordinates of each vertex without rounding, so collinear corners stay collinear.
     fn new(corners: &[u32], vertices: &[[f64; 3]]) -> Self {
         let points = corners.iter().map(|&corner| vertices[corner as usize]);
         let largest = points.clone().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // a power of two, so that no bit is lost, where areas would leave the range of numbers
+        // prevents overflow and underflow of areas; exact, because it is a power of two
         let unit = match largest {
             ..1e-100 => TWO_TO_600,
             1e100.. => 1.0 / TWO_TO_600,
             _ => 1.0,
         };
         let points: Vec<_> = points.map(|point| point.map(|x| unit * x)).collect();
-        let seen_along = |axis: usize, p: [f64; 3]| [p[(axis + 1) % 3], p[(axis + 2) % 3]];
+        let projected_along = |axis: usize, p: [f64; 3]| [p[(axis + 1) % 3], p[(axis + 2) % 3]];
         let areas = [0, 1, 2].map(|axis| {
-            let seen = |triangle: [_; 3]| triangle.map(|p| seen_along(axis, p));
-            fan(&points).map(|triangle| doubled_area(seen(triangle))).sum::<f64>()
+            let projected = |triangle: [_; 3]| triangle.map(|p| projected_along(axis, p));
+            fan(&points).map(|triangle| doubled_area(projected(triangle))).sum::<f64>()
         });
         let largest = |a: &usize, b: &usize| areas[*a].abs().total_cmp(&areas[*b].abs());
         let axis = (0..3).max_by(largest).expect("three axes");
         let corner = |(&vertex, &point)| {
-            let [x, y] = seen_along(axis, point);
-            Corner { vertex, at: if areas[axis] < 0.0 { [y, x] } else { [x, y] } }
+            let [x, y] = projected_along(axis, point);
+            Corner { vertex, position: if areas[axis] < 0.0 { [y, x] } else { [x, y] } }
         };
         Self(corners.iter().zip(&points).map(corner).collect())
     }
 
-    /// Whether all triangles of the fan around the first corner have an area, on the same side.
+    /// Whether all triangles of the fan around the first corner have a positive area.
     fn is_fan(&self) -> bool {
-        fan(&self.0).all(|triangle| doubled_area(triangle.map(|corner| corner.at)) > 0.0)
+        fan(&self.0).all(|triangle| doubled_area(triangle.map(|corner| corner.position)) > 0.0)
     }
 
-    /// Cuts ears until a triangle is left, or none is found: then the polygon crosses itself or has
-    /// no area, and a fan is as good as anything.
-    fn cut_into(mut self, triangles: &mut Vec<[u32; 3]>) {
+    /// Clips ears until a triangle is left. If there is no ear, the polygon crosses itself or has
+    /// no area, and the rest becomes a fan.
+    fn clip_ears(mut self, triangles: &mut Vec<[u32; 3]>) {
         let (mut at, mut tried) = (0, 0);
         while self.0.len() > 3 && tried < self.0.len() {
             at %= self.0.len();
@@ -150,14 +151,14 @@ impl Ring {
     fn ear(&self, at: usize) -> Option<[Corner; 3]> {
         let count = self.0.len();
         let ear = [at + count - 1, at, at + 1].map(|i| self.0[i % count]);
-        let [a, b, c] = ear.map(|corner| corner.at);
-        // a corner at the same position as one of these is the other end of a cut to a hole
+        let [a, b, c] = ear.map(|corner| corner.position);
+        // a corner at the same position as a, b or c is the other end of a cut to a hole
         let inside = |p: [f64; 2]| {
             ![a, b, c].contains(&p)
                 && [[a, b, p], [b, c, p], [c, a, p]].into_iter().all(|t| doubled_area(t) >= 0.0)
         };
         let is_ear =
-            doubled_area([a, b, c]) > 0.0 && !self.0.iter().any(|corner| inside(corner.at));
+            doubled_area([a, b, c]) > 0.0 && !self.0.iter().any(|corner| inside(corner.position));
         is_ear.then_some(ear)
     }
 }

@@ -1,14 +1,15 @@
-//! Mesh files: PLY (all three encodings) and Wavefront OBJ, read into plain arrays (Suffern, ch. 23).
+//! Mesh files (Suffern, ch. 23): PLY (all three encodings) and Wavefront OBJ, read into arrays.
 //!
-//! A file is read whole. The counts in its header are limited by the bytes that follow: besides the file
-//! itself, reading takes less than 64 bytes for each byte of the file. The result is complete and in
-//! range: finite numbers, indices of existing vertices, one normal and one uv per vertex or none at all.
-//! The mesh handles triangles without area, normals that are not unit and unused vertices.
+//! A file is read whole. The counts in its header are checked against the bytes that follow:
+//! besides the file itself, reading needs less than 64 bytes of memory for each byte of the file.
+//! The result is checked: finite numbers, indices of existing vertices, one normal and one
+//! uv per vertex or none at all. Triangles without area, normals that are not unit and unused
+//! vertices are left to the mesh.
 //!
-//! The readers are our own. `tobj` 4.0 overflows on a texture or normal index out of range, shifts
-//! the texture coordinates when only some corners have one, turns polylines into triangles and
-//! knows no line numbers; `ply-rs-bw` 4.0 allocates whatever a header promises for an element
-//! without properties, misreads a property that is declared twice and refuses `.5` and `1.`.
+//! No crate is used. `tobj` 4.0 overflows on a texture or normal index out of range, shifts the
+//! texture coordinates when only some corners have one, turns polylines into triangles and reports
+//! no line numbers; `ply-rs-bw` 4.0 allocates what a header declares for an element without
+//! properties, misreads a property that is declared twice and rejects `.5` and `1.`.
 
 mod error;
 mod faces;
@@ -28,22 +29,23 @@ pub use ply::{Encoding, parse_ply, write_ply};
 pub struct MeshData {
     /// Positions, finite.
     pub vertices: Vec<[f64; 3]>,
-    /// One for each vertex, as the file has them: finite, perhaps not unit; zero where only others have
-    /// any.
+    /// One for each vertex, as in the file: finite, not necessarily unit; zero for a vertex without
+    /// one if other vertices have one.
     pub normals: Option<Vec<[f64; 3]>>,
-    /// Texture coordinates, one for each vertex, finite; zero where only others have any.
+    /// Texture coordinates, one pair for each vertex, finite; zero for a vertex without them if
+    /// other vertices have them.
     pub uvs: Option<Vec<[f64; 2]>>,
     /// Indices into `vertices`, wound as in the file; at least one triangle, and less than 2³².
     pub triangles: Vec<[u32; 3]>,
-    /// For each triangle the number of the file's face that it is a part of, ascending; empty if all
-    /// faces are triangles.
+    /// For each triangle the index of its face in the file, ascending; empty if all faces are
+    /// triangles.
     pub faces: Vec<u32>,
-    /// For each vertex the first one of the same position of the file, where that tells positions
-    /// from corners; empty if no two vertices share one.
-    pub first_at: Vec<u32>,
+    /// For each vertex the first vertex with the same position index in the OBJ file; empty if no
+    /// two vertices share a position index.
+    pub first_at_position: Vec<u32>,
 }
 
-/// Reads a `.ply` or `.obj` file; upper and lower case are the same.
+/// Reads a `.ply` or `.obj` file; the case of the extension does not matter.
 ///
 /// # Errors
 /// A file that cannot be opened, has another extension or is damaged; the message has the path.
@@ -60,8 +62,8 @@ pub fn read(path: &Path) -> Result<MeshData, MeshFileError> {
         .map_err(|source| MeshFileError::InFile { path: path.into(), source: Box::new(source) })
 }
 
-/// The data with the faces' triangles, unless there is none or more than an index can count.
-fn checked(mut data: MeshData, faces: &Faces) -> Result<MeshData, MeshFileError> {
+/// Adds the triangles of the faces; fails if there are none or more than `u32::MAX`.
+fn with_triangles(mut data: MeshData, faces: &Faces) -> Result<MeshData, MeshFileError> {
     data.triangles = faces.triangles(&data.vertices)?;
     data.faces = faces.of_triangles();
     if data.triangles.is_empty() {
@@ -79,13 +81,13 @@ fn at_most_u32(what: &'static str, count: u64) -> Result<(), MeshFileError> {
     Ok(())
 }
 
-/// The bytes without the byte-order mark that some editors put in front.
-fn without_mark(bytes: &[u8]) -> &[u8] {
+/// The bytes without the UTF-8 byte-order mark that some editors write.
+fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
-/// The byte that ends a line: `\r` where the first line ends in a lone one, else `\n`, with a `\r`
-/// before it counted as white space.
+/// The byte that ends a line: `\r` if the first line ends with `\r` alone, else `\n` (a `\r` before
+/// it counts as white space).
 fn line_end(bytes: &[u8]) -> u8 {
     match bytes.iter().position(|b| matches!(b, b'\r' | b'\n')) {
         Some(at) if bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n') => b'\r',
@@ -93,12 +95,10 @@ fn line_end(bytes: &[u8]) -> u8 {
     }
 }
 
-/// The words of a line.
 fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
-/// The word as a number of type `T`, if it is one.
 fn parse_word<T: FromStr>(word: &[u8]) -> Option<T> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }

@@ -1,9 +1,10 @@
 //! Wavefront OBJ (*Advanced Visualizer manual*, appendix B): `v`, `vt`, `vn` and `f`.
 //!
-//! A face's corner names a position, a texture coordinate and a normal apart; a mesh has one index
-//! for all three. So each different corner becomes a vertex, in the order of first use, and a
-//! position used with two normals becomes two. Groups, materials, lines and all else is passed
-//! over. The text is read twice: first the points, so that a face may name one that comes later.
+//! A corner of a face has separate indices for position, texture coordinate and normal; a mesh has
+//! one index for all three. So each distinct corner becomes a vertex, in the order of first use,
+//! and a position used with two normals becomes two vertices. Groups, materials, lines and all
+//! other statements are skipped. The text is read twice: first the points, because a face may use a
+//! point that comes later.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -11,14 +12,14 @@ use std::collections::HashMap;
 use super::error::quoted;
 use super::faces::Faces;
 use super::{MeshData, MeshFileError, Place};
-use super::{at_most_u32, checked, line_end, parse_word, without_mark, words};
+use super::{at_most_u32, line_end, parse_word, with_triangles, without_byte_order_mark, words};
 
 /// Reads the bytes of an OBJ file.
 ///
 /// # Errors
 /// The first thing that is wrong; the message says in which line.
 pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
-    let bytes = without_mark(bytes);
+    let bytes = without_byte_order_mark(bytes);
     let points = Points::read(bytes)?;
     let mut vertices = Vertices::default();
     let mut faces = Faces::default();
@@ -41,10 +42,11 @@ pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
             _ => {}
         }
     }
-    checked(vertices.into_data(&points), &faces)
+    with_triangles(vertices.into_data(&points), &faces)
 }
 
-/// The file's lines with their numbers, without comments; a `\` at the end joins the next line on.
+/// The lines with their numbers, without comments; a line that ends with `\` continues on the next
+/// line.
 fn statements(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
     let end = line_end(bytes);
     let mut lines = bytes.split(move |&b| b == end).zip(1..);
@@ -67,7 +69,7 @@ fn code(line: &[u8]) -> &[u8] {
     line.split(|&b| b == b'#').next().unwrap_or_default().trim_ascii()
 }
 
-/// All points of the file, in their order.
+/// All points of the file, in file order.
 #[derive(Default)]
 struct Points {
     positions: Vec<[f64; 3]>,
@@ -81,7 +83,8 @@ impl Points {
         for (line, text) in statements(bytes) {
             let mut words = words(&text);
             match words.next() {
-                // what may follow, a weight or a colour, is not for us; nor is a third uvw
+                // a weight or colour after a position is ignored, and so is a third texture
+                // coordinate
                 Some(b"v") => points.positions.push(numbers(line, ["x", "y", "z"], words)?),
                 Some(b"vt") => points.uvs.push(uv(line, words)?),
                 Some(b"vn") => points.normals.push(numbers(line, ["nx", "ny", "nz"], words)?),
@@ -117,7 +120,7 @@ fn numbers<'a, const N: usize>(
     Ok(values)
 }
 
-/// A second coordinate that is left out is 0.
+/// A texture coordinate; `v` is 0 if it is left out.
 fn uv<'a>(
     line: usize,
     mut words: impl Iterator<Item = &'a [u8]>,
@@ -128,7 +131,7 @@ fn uv<'a>(
     Ok([u, v])
 }
 
-/// Places in the lists of positions, texture coordinates and normals, counted from 0.
+/// Indices into the lists of positions, texture coordinates and normals, from 0.
 type Corner = (u32, Option<u32>, Option<u32>);
 
 /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
@@ -159,7 +162,8 @@ fn parse_corner(
 
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
-/// From 1 up to `count`, or from −1 back to −`before`; 0 is neither.
+/// The index from 0 of an OBJ index: from 1 to `count`, or from −`before` to −1, counted back from
+/// the current line; 0 is invalid.
 fn resolve(
     line: usize,
     what: &'static str,
@@ -181,7 +185,7 @@ fn resolve(
     Err(MeshFileError::Index { place: Place::Line(line), what, index, allowed })
 }
 
-/// The different corners of all faces.
+/// The distinct corners of all faces.
 #[derive(Default)]
 struct Vertices {
     corners: Vec<Corner>,
@@ -204,14 +208,14 @@ impl Vertices {
         let corners = self.corners.iter();
         MeshData {
             vertices: corners.clone().map(|c| points.positions[c.0 as usize]).collect(),
-            uvs: of_any(corners.clone().map(|c| c.1.map(|at| points.uvs[at as usize]))),
-            normals: of_any(corners.map(|c| c.2.map(|at| points.normals[at as usize]))),
-            first_at: self.first_at(),
+            uvs: zeros_for_missing(corners.clone().map(|c| c.1.map(|at| points.uvs[at as usize]))),
+            normals: zeros_for_missing(corners.map(|c| c.2.map(|at| points.normals[at as usize]))),
+            first_at_position: self.first_at_position(),
             ..MeshData::default()
         }
     }
 
-    fn first_at(&self) -> Vec<u32> {
+    fn first_at_position(&self) -> Vec<u32> {
         let mut first = HashMap::new();
         let positions = self.corners.iter().zip(0..);
         let all = positions.map(|(c, index)| *first.entry(c.0).or_insert(index)).collect();
@@ -219,8 +223,8 @@ impl Vertices {
     }
 }
 
-/// If one corner has any, zeros for those that have none.
-fn of_any<const N: usize>(
+/// All values, with zeros for the missing ones; `None` if all are missing.
+fn zeros_for_missing<const N: usize>(
     all: impl Iterator<Item = Option<[f64; N]>> + Clone,
 ) -> Option<Vec<[f64; N]>> {
     all.clone().any(|one| one.is_some()).then(|| all.map(|one| one.unwrap_or([0.0; N])).collect())

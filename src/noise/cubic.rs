@@ -2,27 +2,27 @@
 
 use std::ops::{Add, Mul};
 
-use super::lattice::{Knot, cell};
+use super::lattice::{LatticePoint, cell};
 use crate::math::Point;
 
-/// The splines' value, which may overshoot what stands at the lattice points.
-pub fn noise<T>(p: Point, knot: impl Fn(Knot) -> T) -> T
+/// The value of the splines, which may overshoot the values at the lattice points.
+pub fn noise<T>(p: Point, knot: impl Fn(LatticePoint) -> T) -> T
 where
     T: Copy + Add<Output = T>,
     f64: Mul<T, Output = T>,
 {
     let [(ix, fx), (iy, fy), (iz, fz)] = p.to_array().map(cell);
-    let row = |iy, iz| spline(fx, around(ix).map(|ix| knot([ix, iy, iz])));
-    let slice = |iz| spline(fy, around(iy).map(|iy| row(iy, iz)));
-    spline(fz, around(iz).map(slice))
+    let row = |iy, iz| spline(fx, four_planes(ix).map(|ix| knot([ix, iy, iz])));
+    let slice = |iz| spline(fy, four_planes(iy).map(|iy| row(iy, iz)));
+    spline(fz, four_planes(iz).map(slice))
 }
 
-/// The planes −1, 0, 1, 2 of the lattice, counted from that at or below a point.
-fn around(i: u8) -> [u8; 4] {
+/// The indices of four lattice planes: −1, 0, 1 and 2 planes from plane `i`.
+fn four_planes(i: u8) -> [u8; 4] {
     [i.wrapping_sub(1), i, i.wrapping_add(1), i.wrapping_add(2)]
 }
 
-/// The four-knot spline: `k₁` at `x = 0`, `k₂` at `x = 1`, where it goes on smoothly.
+/// The four-knot spline: `k₁` at `x = 0`, `k₂` at `x = 1`, with continuous derivatives at both.
 fn spline<T>(x: f64, [k0, k1, k2, k3]: [T; 4]) -> T
 where
     T: Copy + Add<Output = T>,
@@ -39,8 +39,8 @@ where
 mod tests {
     use super::spline;
 
-    /// Law: data on a parabola are continued by it, constants by themselves: the weights of Catmull's and
-    /// Rom's spline add up to 1 and keep first and second moments. Oracle: the parabola. (Rounding: a
+    /// Law: the spline of knots on a parabola is the parabola: the weights of the Catmull–Rom
+    /// spline add up to 1 and preserve first and second moments. Oracle: the parabola. (Rounding: a
     /// dozen terms of at most 30.)
     #[test]
     fn spline_goes_through_parabolas() {

@@ -1,15 +1,15 @@
-//! What stands at the points of the lattice: tables, looked up by a permutation (Peachey's method).
+//! The values at the lattice points: tables, indexed through a permutation (Peachey's method).
 
 use crate::math::{Pcg32, Vector, cos, floor, sin};
 use crate::samplers::{MultiJittered, Sampler};
 
-/// The entries of each table; the lattice repeats after as many points.
+/// The size of each table, and the period of the lattice.
 const TABLE_SIZE: usize = 256;
 
-/// The place of a lattice point in its period: its coordinates modulo 256.
-pub type Knot = [u8; 3];
+/// A lattice point: its coordinates modulo 256.
+pub type LatticePoint = [u8; 3];
 
-/// A number and a unit vector for each point of whole coordinates.
+/// A number and a unit vector for each point of integer coordinates.
 #[derive(Clone, Debug)]
 pub struct Lattice {
     permutation: [u8; TABLE_SIZE],
@@ -18,7 +18,7 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The tables of a seed. The permutation is always the same.
+    /// The tables of a seed. The permutation does not depend on the seed.
     pub fn new(seed: u64) -> Self {
         let mut permutation: [u8; TABLE_SIZE] = std::array::from_fn(|i| i as u8);
         Pcg32::new(31, 0).shuffle(&mut permutation);
@@ -45,23 +45,23 @@ impl Lattice {
     }
 
     /// The number at a point of the lattice.
-    pub fn value(&self, knot: Knot) -> f64 {
+    pub fn value(&self, knot: LatticePoint) -> f64 {
         self.values[self.index(knot)]
     }
 
     /// The vector at a point of the lattice.
-    pub fn vector(&self, knot: Knot) -> Vector {
+    pub fn vector(&self, knot: LatticePoint) -> Vector {
         self.vectors[self.index(knot)]
     }
 
     /// `PERM(ix + PERM(iy + PERM(iz)))`, the sums modulo 256.
-    fn index(&self, [ix, iy, iz]: Knot) -> usize {
+    fn index(&self, [ix, iy, iz]: LatticePoint) -> usize {
         let perm = |i: u8| self.permutation[usize::from(i)];
         usize::from(perm(ix.wrapping_add(perm(iy.wrapping_add(perm(iz))))))
     }
 }
 
-/// The point of the unit sphere for a point of the unit square; areas keep their ratios.
+/// The map from the unit square to the unit sphere that preserves ratios of areas.
 fn on_sphere([r1, r2]: [f64; 2]) -> Vector {
     let z = 1.0 - 2.0 * r1;
     let r = (1.0 - z * z).sqrt();
@@ -69,16 +69,16 @@ fn on_sphere([r1, r2]: [f64; 2]) -> Vector {
     Vector::new(r * cos(phi), r * sin(phi), z)
 }
 
-/// The lattice plane at or below a coordinate, modulo 256, and how far above it the coordinate is, in
-/// `[0, 1)`.
+/// The lattice plane at or below a coordinate, modulo 256, and the distance from the plane, in `[0,
+/// 1)`.
 pub fn cell(x: f64) -> (u8, f64) {
-    /// From here on numbers are multiples of 256.
+    /// All larger numbers are multiples of 256.
     const WHOLE_PERIODS: f64 = (1_u64 << 60) as f64;
-    // also where a coordinate has overflowed, or is no number
+    // also for infinite and NaN coordinates
     if !(-WHOLE_PERIODS..WHOLE_PERIODS).contains(&x) {
         return (0, 0.0);
     }
     let plane = floor(x);
-    // the lowest byte of the two's complement is the remainder, for negative numbers too
+    // the low byte in two's complement is the remainder modulo 256, for negative numbers too
     (plane as i64 as u8, x - plane)
 }

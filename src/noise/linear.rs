@@ -1,12 +1,11 @@
-//! Linear noise (Suffern, ch. 31): trilinear interpolation of the corners of a cell.
+//! Linear noise (Suffern, ch. 31): trilinear interpolation of the 8 corners of a cell.
 
 use std::ops::{Add, Mul, Sub};
 
-use super::lattice::{Knot, cell};
+use super::lattice::{LatticePoint, cell};
 use crate::math::Point;
 
-/// The blend of what stands at the 8 corners of the cell.
-pub fn noise<T>(p: Point, corner: impl Fn(Knot) -> T) -> T
+pub fn noise<T>(p: Point, corner: impl Fn(LatticePoint) -> T) -> T
 where
     T: Copy + Add<Output = T> + Sub<Output = T>,
     f64: Mul<T, Output = T>,

@@ -1,7 +1,8 @@
 //! Lattice noise and its sums (Suffern, ch. 31): the book's `LatticeNoise`.
 //!
-//! Random numbers and unit vectors stand at the points of whole coordinates; between them they are
-//! interpolated, linearly or by cubics. The edge of a cell is 1 here; textures divide by their size.
+//! Points of integer coordinates have random numbers and unit vectors; between them these are
+//! interpolated, linearly or by cubics. The edge of a cell is 1 here; textures divide by their
+//! size.
 
 mod cubic;
 mod lattice;
@@ -17,35 +18,35 @@ use crate::math::{Point, Vector};
 
 pub use lattice::Lattice;
 
-/// More octaves change nothing that could be seen: the last of these has 2³¹ times the frequency of the
-/// first.
-pub const MOST_OCTAVES: u32 = 32;
+/// More octaves make no visible difference: with lacunarity 2, the frequency of the last octave is
+/// 2³¹ times that of the first.
+pub const MAX_OCTAVES: u32 = 32;
 
-/// A noise and how its octaves are added up.
+/// A lattice noise and the sum of its octaves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Noise {
-    /// What is between the lattice points.
+    /// The interpolation between the lattice points.
     pub interpolation: Interpolation,
-    /// How many noises of rising frequency are added up; from 1 to 32.
+    /// The number of noises of increasing frequency that are added; from 1 to 32.
     pub octaves: u32,
-    /// The amplitude of an octave over that of the one before it; positive. fBm alone has it: fractal
-    /// sum and turbulence have 1/2.
+    /// The ratio of the amplitudes of an octave and the previous one; positive. Used by fBm only:
+    /// fractal sum and turbulence use 1/2.
     pub gain: f64,
-    /// The frequency of an octave over that of the one before it; positive. fBm alone has it: fractal
-    /// sum and turbulence have 2.
+    /// The ratio of the frequencies of an octave and the previous one; positive. Used by fBm only:
+    /// fractal sum and turbulence use 2.
     pub lacunarity: f64,
-    /// Chooses the numbers at the lattice points.
+    /// The seed of the random numbers at the lattice points.
     pub seed: u64,
 }
 
-/// How noise goes on between the points of its lattice.
+/// The interpolation between lattice points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "interpolations")]
 pub enum Interpolation {
-    /// Linear along each axis, of the 8 corners of the cell: continuous, but the planes of the lattice
-    /// show.
+    /// Linear along each axis, of the 8 corners of the cell: continuous, but the planes of the
+    /// lattice are visible.
     Linear,
     /// Cubic along each axis, of 64 points: smooth.
     #[default]
@@ -53,7 +54,7 @@ pub enum Interpolation {
 }
 
 impl Default for Noise {
-    /// The book's: one octave, lacunarity 2, gain 1/2, seed 253.
+    /// As in the book: one octave, lacunarity 2, gain 1/2, seed 253.
     fn default() -> Self {
         let interpolation = Interpolation::default();
         Self { interpolation, octaves: 1, gain: 0.5, lacunarity: 2.0, seed: 253 }
@@ -61,7 +62,7 @@ impl Default for Noise {
 }
 
 impl Noise {
-    /// So many octaves, the rest as in the book.
+    /// This number of octaves, the rest as in the book.
     pub fn of_octaves(octaves: u32) -> Self {
         Self { octaves, ..Self::default() }
     }
@@ -69,11 +70,11 @@ impl Noise {
     /// Checks the data and fills the tables.
     ///
     /// # Errors
-    /// [`Invalid`] names the field that does not fit.
+    /// [`Invalid`] names the invalid field.
     pub fn build(&self) -> Result<LatticeNoise, Invalid> {
         let Self { interpolation, octaves, gain, lacunarity, seed } = *self;
-        if !(1..=MOST_OCTAVES).contains(&octaves) {
-            let problem = format!("found {octaves}, but 1 to {MOST_OCTAVES} fit");
+        if !(1..=MAX_OCTAVES).contains(&octaves) {
+            let problem = format!("found {octaves}, but 1 to {MAX_OCTAVES} fit");
             return Err(Invalid::field("octaves", problem));
         }
         for (field, factor) in [("gain", gain), ("lacunarity", lacunarity)] {
@@ -97,15 +98,16 @@ impl Noise {
     }
 }
 
-/// `Σ gainʲ` over the octaves: no sum of noises, which are between −1 and 1, is larger.
+/// `Σ gainʲ` over the octaves: a bound of the sum of noises, because each noise is between −1 and
+/// 1.
 ///
-/// It is `(1 − gainⁿ)/(1 − gain)`, or `n` for gain 1. Added up one by one as the noises are, it is a
-/// bound to the last bit: roundings keep order.
+/// It is `(1 − gainⁿ)/(1 − gain)`, or `n` for gain 1. It is added term by term like the noises, so
+/// that it bounds also the rounded sum: rounding is monotone.
 fn bound(gain: f64, octaves: u32) -> f64 {
     sum(octaves, gain, 1.0, |_| 1.0)
 }
 
-/// `Σ gainʲ noise(lacunarityʲ)`, for `j` from 0 below the number of octaves.
+/// `Σ gainʲ noise(lacunarityʲ)`, for `j` from 0 to `octaves` − 1.
 fn sum<T>(octaves: u32, gain: f64, lacunarity: f64, noise: impl Fn(f64) -> T) -> T
 where
     T: Add<Output = T>,
@@ -121,7 +123,7 @@ where
     sum
 }
 
-/// Noise ready to be asked. It has the period 256 along each axis.
+/// A built noise. It has the period 256 along each axis.
 #[derive(Clone, Debug)]
 pub struct LatticeNoise {
     interpolation: Interpolation,
@@ -129,14 +131,14 @@ pub struct LatticeNoise {
     octaves: u32,
     gain: f64,
     lacunarity: f64,
-    /// The largest sum of fBm; the smallest is its negative.
+    /// The bound of the fBm sum; its negative is the lower bound.
     fbm_max: f64,
-    /// The same for a gain of 1/2: of fractal sum and turbulence, whatever the gain of fBm.
+    /// The bound for a gain of 1/2, of fractal sum and turbulence.
     half_max: f64,
 }
 
 impl LatticeNoise {
-    /// What stands at the lattice points.
+    /// The values at the lattice points.
     pub fn lattice(&self) -> &Lattice {
         &self.lattice
     }
@@ -145,7 +147,7 @@ impl LatticeNoise {
     pub fn value(&self, p: Point) -> f64 {
         match self.interpolation {
             Interpolation::Linear => linear::noise(p, |corner| self.lattice.value(corner)),
-            // cubics overshoot
+            // the splines overshoot
             Interpolation::Cubic => {
                 cubic::noise(p, |knot| self.lattice.value(knot)).clamp(-1.0, 1.0)
             }
@@ -157,44 +159,44 @@ impl LatticeNoise {
         match self.interpolation {
             Interpolation::Linear => linear::noise(p, |corner| self.lattice.vector(corner)),
             Interpolation::Cubic => {
-                let overshot = cubic::noise(p, |knot| self.lattice.vector(knot));
-                Vector::from(overshot.to_array().map(|c| c.clamp(-1.0, 1.0)))
+                let vector = cubic::noise(p, |knot| self.lattice.vector(knot));
+                Vector::from(vector.to_array().map(|c| c.clamp(-1.0, 1.0)))
             }
         }
     }
 
-    /// `Σ 2⁻ʲ noise(2ʲ p)`, brought from its bounds to 0 … 1.
+    /// `Σ 2⁻ʲ noise(2ʲ p)`, scaled from its bounds to 0 … 1.
     pub fn value_fractal_sum(&self, p: Point) -> f64 {
         let sum = sum(self.octaves, 0.5, 2.0, |frequency| self.value(p.scaled(frequency)));
-        between(-self.half_max, self.half_max, sum)
+        normalised(-self.half_max, self.half_max, sum)
     }
 
-    /// `Σ 2⁻ʲ noise(2ʲ p)` of vectors, not brought to a range.
+    /// `Σ 2⁻ʲ noise(2ʲ p)` of vectors, not scaled to a range.
     pub fn vector_fractal_sum(&self, p: Point) -> Vector {
         sum(self.octaves, 0.5, 2.0, |frequency| self.vector(p.scaled(frequency)))
     }
 
-    /// `Σ 2⁻ʲ |noise(2ʲ p)|`, brought from its bounds to 0 … 1.
+    /// `Σ 2⁻ʲ |noise(2ʲ p)|`, scaled from its bounds to 0 … 1.
     pub fn value_turbulence(&self, p: Point) -> f64 {
         let sum = sum(self.octaves, 0.5, 2.0, |frequency| self.value(p.scaled(frequency)).abs());
-        between(0.0, self.half_max, sum)
+        normalised(0.0, self.half_max, sum)
     }
 
-    /// Fractional Brownian motion: `Σ gainʲ noise(lacunarityʲ p)`, brought from its bounds to 0 … 1.
+    /// Fractional Brownian motion: `Σ gainʲ noise(lacunarityʲ p)`, scaled from its bounds to 0 … 1.
     pub fn value_fbm(&self, p: Point) -> f64 {
         let noise = |frequency| self.value(p.scaled(frequency));
         let sum = sum(self.octaves, self.gain, self.lacunarity, noise);
-        between(-self.fbm_max, self.fbm_max, sum)
+        normalised(-self.fbm_max, self.fbm_max, sum)
     }
 
-    /// `Σ gainʲ noise(lacunarityʲ p)` of vectors, not brought to a range.
+    /// `Σ gainʲ noise(lacunarityʲ p)` of vectors, not scaled to a range.
     pub fn vector_fbm(&self, p: Point) -> Vector {
         let noise = |frequency| self.vector(p.scaled(frequency));
         sum(self.octaves, self.gain, self.lacunarity, noise)
     }
 }
 
-/// Where between the bounds a sum is, from 0 to 1.
-fn between(min: f64, max: f64, sum: f64) -> f64 {
+/// Maps `sum` from `min` … `max` to 0 … 1.
+fn normalised(min: f64, max: f64, sum: f64) -> f64 {
     (sum - min) / (max - min)
 }

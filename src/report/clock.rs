@@ -16,8 +16,8 @@ pub struct Time {
 }
 
 impl Time {
-    /// Whether the two differ by more than a tenth: other programs took turns on the core, and emptied
-    /// its caches.
+    /// Whether the two differ by more than 10 %: other programs ran on the core and evicted its
+    /// caches.
     pub fn is_disturbed(self) -> bool {
         (self.wall - self.cpu).abs() > 0.1 * self.wall.max(self.cpu)
     }
@@ -31,8 +31,8 @@ pub fn time<T>(job: impl FnOnce() -> T) -> (T, Time) {
     (result, Time { cpu: cpu.as_secs_f64(), wall: wall.as_secs_f64() })
 }
 
-/// The median times of each job over `rounds` rounds. The jobs take turns, so that other load on the
-/// machine affects all of them equally.
+/// The median times of each job over `rounds` rounds. Each round runs every job, so that other load
+/// on the machine affects all of them equally.
 pub fn medians(rounds: usize, jobs: &mut [&mut dyn FnMut()]) -> Vec<Time> {
     let mut times = vec![Vec::with_capacity(rounds); jobs.len()];
     for _ in 0..rounds {
@@ -53,8 +53,8 @@ mod tests {
 
     use super::*;
 
-    /// Law: a thread that waits spends no processor time, and its time is flagged; one that computes
-    /// all the while is not flagged. Oracle: the length of the sleep; the definition of a tenth.
+    /// Law: a waiting thread uses no processor time, and its time is flagged; a computing thread is
+    /// not flagged. Oracle: the length of the sleep; the definition of 10 %.
     #[test]
     fn waiting_is_not_work() {
         let (_, waited) = time(|| std::thread::sleep(Duration::from_millis(50)));

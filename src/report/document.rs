@@ -1,4 +1,4 @@
-//! The report as files: `index.html`, which needs nothing beside it, and `report.json`.
+//! The report as files: `index.html`, which is self-contained, and `report.json`.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -81,37 +81,37 @@ fn measured(provenance: &Provenance, seed: u64) -> String {
     };
     format!(
         "<p class=\"about\">Measured by groundtruth {version}, commit {}, on {} ({platform}), \
-         threads: {threads}, seed: {seed}.{warning} Times are of that machine: compare ratios. \
-         Rays and samples are timed by the processor time of one thread; ‡ marks a row where that and \
-         the clock on the wall differ by more than a tenth, as other programs were running. \
-         Everything else is the same for the same seed. The numbers behind every table and picture \
-         are in <code>report.json</code>, beside this page.</p>\n",
+         threads: {threads}, seed: {seed}.{warning} Times are those of that machine: compare ratios. \
+         Rays and samples are timed by the processor time of one thread; ‡ marks a row where processor \
+         time and elapsed time differ by more than 10 %, because other programs were running. \
+         Everything else is determined by the seed. The numbers of every table and picture are in \
+         <code>report.json</code>, in the same folder.</p>\n",
         escaped(commit),
         escaped(processor),
     )
 }
 
-/// Writes both files into the folder, which is made if it is not there. Each is whole, or not there
-/// at all.
+/// Writes both files into the folder, which is created if it does not exist. An error leaves no
+/// partial file.
 ///
 /// # Errors
-/// Says which file or folder cannot be written, and why.
+/// If a file or folder cannot be written.
 pub fn write(report: &Report, folder: &Path) -> io::Result<[PathBuf; 2]> {
     let json = report.json().map_err(io::Error::other)?;
-    std::fs::create_dir_all(folder).map_err(|e| about(folder, &e))?;
+    std::fs::create_dir_all(folder).map_err(|e| unwritable(folder, &e))?;
     let files = ["index.html", "report.json"].map(|name| folder.join(name));
     for (path, text) in files.iter().zip([report.html(), json]) {
-        replace(path, text.as_bytes()).map_err(|e| about(path, &e))?;
+        replace(path, text.as_bytes()).map_err(|e| unwritable(path, &e))?;
     }
     Ok(files)
 }
 
-/// Whether the report can be written there, found out before it is measured; leaves nothing behind.
+/// Checks, before the measurement, that the report can be written to the folder; leaves no file.
 ///
 /// # Errors
-/// Says what is in the way.
+/// If a file or folder cannot be written.
 pub fn check_folder(folder: &Path) -> io::Result<()> {
-    // the nearest ancestor that is there: what is missing below it will be made
+    // the nearest existing ancestor: missing folders below it will be created
     let here = || if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let mut known = here();
     while !known.exists() {
@@ -121,17 +121,18 @@ pub fn check_folder(folder: &Path) -> io::Result<()> {
         };
     }
     if !known.is_dir() {
-        return Err(about(folder, &io::Error::other(format!("{} is a file", known.display()))));
+        let problem = io::Error::other(format!("{} is a file", known.display()));
+        return Err(unwritable(folder, &problem));
     }
     for name in ["index.html", "report.json"] {
         if folder.join(name).is_dir() {
-            return Err(about(&folder.join(name), &io::Error::other("it is a folder")));
+            return Err(unwritable(&folder.join(name), &io::Error::other("it is a folder")));
         }
     }
     let probe = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(known);
-    probe.map(drop).map_err(|e| about(folder, &io::Error::from(e.kind())))
+    probe.map(drop).map_err(|e| unwritable(folder, &io::Error::from(e.kind())))
 }
 
-fn about(path: &Path, error: &io::Error) -> io::Error {
+fn unwritable(path: &Path, error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("{}: cannot be written: {error}", path.display()))
 }

@@ -1,27 +1,26 @@
-//! Words, numbers and tables as HTML. Everything is written so that it is XML too.
+//! Texts, numbers and tables as HTML that is also well-formed XML.
 
 use std::fmt::Write;
 
-/// Text in which nothing is markup.
+/// The text with the characters of markup escaped.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A table; cells are HTML already.
+/// A table; its cells are HTML.
 #[derive(Debug, Default)]
 pub struct Table {
-    /// What it shows, above it.
+    /// The caption above the table.
     pub caption: String,
-    /// Headings that span columns, above the others; none if empty.
+    /// Headings of groups of columns, with the number of columns; none if empty.
     pub groups: Vec<(String, usize)>,
-    /// One for each column.
+    /// The headings of the columns.
     pub headings: Vec<String>,
-    /// The first cell of a row is its name.
+    /// The rows; the first cell of a row is its name.
     pub rows: Vec<Vec<String>>,
 }
 
 impl Table {
-    /// As HTML.
     pub fn html(&self) -> String {
         let mut html = format!("<table>\n<caption>{}</caption>\n<thead>\n", self.caption);
         if !self.groups.is_empty() {
@@ -49,7 +48,7 @@ impl Table {
         html + "</tbody>\n</table>\n"
     }
 
-    /// The columns at which a group starts, but for the first.
+    /// The columns at which a group starts, except the first.
     fn starts(&self) -> Vec<usize> {
         let ends = self.groups.iter().scan(0, |end, (_, columns)| {
             *end += columns;
@@ -59,17 +58,17 @@ impl Table {
     }
 }
 
-/// Content behind a line that says the essential; a click opens it.
+/// Content that is hidden below a summary line until a click.
 pub fn folded(summary: &str, content: &str) -> String {
     format!("<details>\n<summary>{summary}</summary>\n{content}</details>\n")
 }
 
-/// A picture and the words below it.
+/// A picture with a caption below it.
 pub fn figure(svg: &str, caption: &str) -> String {
     format!("<figure>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>\n")
 }
 
-/// With a capital first letter.
+/// The words with a capital first letter.
 pub fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
@@ -91,13 +90,13 @@ pub fn short(x: f64) -> String {
     }
 }
 
-/// A number, or a dash where there is none.
+/// A number to two digits, or a dash for `None`.
 pub fn short_or_dash(x: Option<f64>) -> String {
     x.map_or_else(|| "–".to_owned(), short)
 }
 
-/// A power of ten is written so: `10⁻⁷`.
-pub fn superscript(whole: &str) -> String {
+/// An integer in superscript, for powers of ten: `⁻⁷`.
+pub fn superscript(integer: &str) -> String {
     let raised = |c: char| match c {
         '-' => '⁻',
         '0' => '⁰',
@@ -106,15 +105,15 @@ pub fn superscript(whole: &str) -> String {
         '3' => '³',
         _ => c.to_digit(10).and_then(|d| char::from_u32('⁰' as u32 + d)).unwrap_or(c),
     };
-    whole.chars().map(raised).collect()
+    integer.chars().map(raised).collect()
 }
 
-/// A time, marked if its measurement was disturbed.
+/// A time, with a mark if its measurement was disturbed.
 pub fn flagged(time: String, disturbed: bool) -> String {
     if disturbed { format!("{time} <span class=\"bad\">‡</span>") } else { time }
 }
 
-/// Seconds in a unit that suits them: `35 ns`, `1.2 ms`.
+/// Seconds with a suitable unit: `35 ns`, `1.2 ms`.
 pub fn time(seconds: f64) -> String {
     for (unit, size) in [("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)] {
         if seconds >= size {
@@ -124,7 +123,7 @@ pub fn time(seconds: f64) -> String {
     format!("{} ns", short(seconds / 1e-9))
 }
 
-/// Bytes in a unit that suits them.
+/// Bytes with a suitable unit.
 pub fn bytes(count: f64) -> String {
     for (unit, size) in [("GB", 1e9), ("MB", 1e6), ("kB", 1e3)] {
         if count >= size {
@@ -134,13 +133,13 @@ pub fn bytes(count: f64) -> String {
     format!("{count} B")
 }
 
-/// A count with its thousands apart: `31 623`.
+/// A count with spaces between groups of three digits: `31 623`.
 pub fn count(n: usize) -> String {
     let digits = n.to_string();
     let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) && digits.len() > 4 {
-            text.push('\u{202f}'); // a narrow space that does not break
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) && digits.len() > 4 {
+            text.push('\u{202f}'); // narrow no-break space
         }
         text.push(digit);
     }

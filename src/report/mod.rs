@@ -1,7 +1,7 @@
-//! The report: evidence for choices. One HTML page and its data, measured on this machine.
+//! The report: measurements on this machine as a basis for choices, as one HTML page and its data.
 //!
-//! A [`Page`] answers one question. It measures and returns [`Findings`]: data that can be written as
-//! JSON, and a drawing of that data alone. A new page is a folder here and a line in [`PAGES`].
+//! A [`Page`] answers one question. It measures and returns [`Findings`]: the data for JSON, and
+//! the HTML made from these data alone. A new page is a folder here and a line in [`PAGES`].
 //! Everything except the times is determined by the seed.
 
 mod acceleration;
@@ -12,18 +12,18 @@ mod intersections;
 mod light;
 mod picture;
 mod plot;
+mod progress;
 mod provenance;
 mod samplers;
 mod textures;
-mod watch;
 
 use serde_json::{Value, json};
 
 pub use document::{check_folder, write};
+pub use progress::{Interrupted, Progress};
 pub use provenance::Provenance;
-pub use watch::{Interrupted, Watch};
 
-/// A part of the report: one question, measured.
+/// A part of the report that answers one question by measurements.
 pub trait Page: Sync {
     /// Its name for `--only`.
     fn name(&self) -> &'static str;
@@ -31,17 +31,21 @@ pub trait Page: Sync {
     /// Its heading.
     fn title(&self) -> &'static str;
 
-    /// The question that it answers, in words for the reader.
+    /// The question that it answers.
     fn question(&self) -> &'static str;
 
-    /// The number of steps of the watch that [`Page::run`] takes.
+    /// The number of progress steps of [`Page::run`].
     fn steps(&self, settings: &Settings) -> u64;
 
-    /// Measures. Anything that takes long takes steps of the watch in between.
+    /// Measures, with calls of [`Progress::step`] in between.
     ///
     /// # Errors
-    /// [`Interrupted`], as soon as the watch says so.
-    fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted>;
+    /// [`Interrupted`].
+    fn run(
+        &self,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Result<Box<dyn Findings>, Interrupted>;
 }
 
 /// The results of a page.
@@ -49,11 +53,11 @@ pub trait Findings: Send {
     /// For `report.json`.
     ///
     /// # Errors
-    /// If something in it is no JSON.
+    /// If the data cannot be serialised.
     fn data(&self) -> serde_json::Result<Value>;
 
-    /// For `index.html`: the content of a section, below its heading and question. It describes what is
-    /// compared, how to read it, and what to choose.
+    /// For `index.html`: the content of a section below its heading and question. It describes what
+    /// is compared, how to read the results, and what to choose.
     fn drawing(&self) -> String;
 }
 
@@ -76,20 +80,20 @@ pub fn page(name: &str) -> Option<&'static dyn Page> {
 pub struct Settings {
     /// The seed of all random choices.
     pub seed: u64,
-    /// Intersections: rays for each shape and family.
+    /// Intersections: the number of rays for each shape and family.
     pub cases: usize,
-    /// Acceleration: the most objects.
+    /// Acceleration: the largest number of objects.
     pub objects: u32,
-    /// Acceleration: pixels along each side of the picture.
+    /// Acceleration: the width and height of the picture in pixels.
     pub side: u32,
-    /// Samplers, light and textures: the most samples for each pixel; light takes 1024 at most, textures
-    /// 256, and 16 times as many for their references.
+    /// Samplers, light and textures: the largest number of samples per pixel; at most 1024 for
+    /// light and 256 for textures, and 16 times as many for their references.
     pub samples: u32,
-    /// Samplers: pixels, each with a function of its own.
+    /// Samplers: the number of pixels, each with its own function.
     pub pixels: u32,
-    /// Samplers, light and textures: seeds.
+    /// Samplers, light and textures: the number of seeds.
     pub seeds: u32,
-    /// Light and textures: pixels across the pictures.
+    /// Light and textures: the width of the pictures in pixels.
     pub width: u32,
 }
 
@@ -105,7 +109,7 @@ impl Settings {
         seeds: 16,
         width: 24,
     };
-    /// A few seconds, to see what the report looks like; its numbers mean little.
+    /// A few seconds, as a preview of the report; its numbers are not reliable.
     pub const QUICK: Self = Self {
         seed: 1,
         cases: 60,
@@ -132,22 +136,21 @@ pub struct Report {
 pub fn run(
     pages: &[&'static dyn Page],
     settings: &Settings,
-    watch: &Watch,
+    progress: &Progress,
 ) -> Result<Report, Interrupted> {
-    watch.begin(pages.iter().map(|page| page.steps(settings)).sum());
+    progress.begin(pages.iter().map(|page| page.steps(settings)).sum());
     let mut chapters = Vec::new();
     for &page in pages {
-        chapters.push((page, page.run(settings, watch)?));
+        chapters.push((page, page.run(settings, progress)?));
     }
-    Ok(Report { provenance: Provenance::here(), settings: settings.clone(), chapters })
+    Ok(Report { provenance: Provenance::current(), settings: settings.clone(), chapters })
 }
 
 impl Report {
-    /// Where, of what, and with which seed everything was measured; then the data of each page under
-    /// its name.
+    /// The provenance and the seed, and the data of each page under its name.
     ///
     /// # Errors
-    /// If something in it is no JSON.
+    /// If the data cannot be serialised.
     pub fn json(&self) -> serde_json::Result<String> {
         let mut pages = serde_json::Map::new();
         for (page, findings) in &self.chapters {
@@ -161,7 +164,7 @@ impl Report {
         Ok(serde_json::to_string_pretty(&whole)? + "\n")
     }
 
-    /// The page to read or print; it needs nothing beside it.
+    /// The HTML page; it is self-contained.
     pub fn html(&self) -> String {
         document::html(self)
     }

@@ -1,10 +1,10 @@
-//! Pictures whose time is measured.
+//! Pictures for time measurements.
 
 use crate::film::Film;
 use crate::render;
 use crate::world::World;
 
-/// A whole picture, on this thread alone.
+/// Renders a whole picture on this thread.
 pub fn picture(world: &World) -> Film {
     let [width, height] = world.picture_size();
     let mut film = Film::new(width, height);

@@ -10,37 +10,37 @@ use super::html::superscript;
 use crate::math::{exp, ln, power};
 use crate::verify::slope::PowerLaw;
 
-/// Points of one kind.
+/// A series of points.
 #[derive(Clone, Debug, Default)]
 pub struct Series {
-    /// What the legend says.
+    /// The name in the legend.
     pub name: String,
-    /// What is drawn; only where both numbers are positive and finite.
+    /// The points; only those with positive and finite coordinates are drawn.
     pub points: Vec<(f64, f64)>,
-    /// Words beside the points; none, or one for each.
+    /// Labels beside the points; none, or one for each.
     pub labels: Vec<String>,
-    /// A line through the points at these `x`; otherwise they are joined if `joined`.
+    /// A fitted line between these two `x`.
     pub fit: Option<(PowerLaw, [f64; 2])>,
-    /// Whether points are joined by a line.
+    /// Whether points are joined by a line, if there is no fit.
     pub joined: bool,
 }
 
 /// A plot with logarithmic axes.
 #[derive(Clone, Debug, Default)]
 pub struct Plot {
-    /// What x is, and in which unit.
+    /// The quantity and unit of x.
     pub x: String,
-    /// What y is, and in which unit.
+    /// The quantity and unit of y.
     pub y: String,
-    /// Series tell apart by mark as well as by colour: at most five.
+    /// At most five series, distinguished by marker and colour.
     pub series: Vec<Series>,
-    /// A horizontal line at this value, and what it means.
+    /// A horizontal line at this value, and its label.
     pub limit: Option<(f64, String)>,
 }
 
 const SIZE: (u32, u32) = (640, 440);
 const FONT: &str = "sans-serif";
-/// Dark enough for paper, and different in grey too.
+/// Dark enough for paper, and different as shades of grey.
 const COLORS: [RGBColor; 5] = [
     RGBColor(0, 0, 0),
     RGBColor(196, 78, 0),
@@ -53,11 +53,11 @@ const GRID: RGBColor = RGBColor(205, 205, 205);
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 impl Plot {
-    /// As an `svg` element.
+    /// The plot as an `svg` element.
     pub fn svg(&self) -> String {
         let mut text = String::new();
         let drawn = self.draw(&SVGBackend::with_string(&mut text, SIZE).into_drawing_area());
-        drawn.expect("a string takes everything");
+        drawn.expect("writing to a string does not fail");
         text
     }
 
@@ -97,7 +97,7 @@ impl Plot {
             let words = Text::new(words.clone(), (4, -16), style);
             chart.draw_series([EmptyElement::at((x0, *y)) + words])?;
         }
-        let mut labels = Labels { x: [x0, x1], y: [y0, y1], taken: Vec::new() };
+        let mut labels = Labels { x: [x0, x1], y: [y0, y1], positions: Vec::new() };
         for (index, series) in self.series.iter().enumerate() {
             let color = COLORS[index % COLORS.len()];
             let line: Vec<(f64, f64)> = match series.fit {
@@ -106,7 +106,7 @@ impl Plot {
                 None => Vec::new(),
             };
             chart.draw_series(LineSeries::new(line, color.stroke_width(1)))?;
-            let (outline, filled) = mark(index);
+            let (outline, filled) = marker(index);
             let fill = if filled { color } else { WHITE }.filled();
             let drawn = {
                 let outline = outline.clone();
@@ -124,7 +124,7 @@ impl Plot {
             });
             let words = series.points.iter().zip(&series.labels).map(|(&at, label)| {
                 let style = (FONT, 11).into_font().color(&color);
-                EmptyElement::at(at) + Text::new(label.clone(), labels.place(at), style)
+                EmptyElement::at(at) + Text::new(label.clone(), labels.offset(at), style)
             });
             chart.draw_series(words)?;
         }
@@ -140,38 +140,38 @@ impl Plot {
     }
 }
 
-/// Where words beside points stand: not on each other, as far as there is a place.
+/// The labels beside points, placed without overlap if possible.
 struct Labels {
     x: [f64; 2],
     y: [f64; 2],
-    /// In pixels.
-    taken: Vec<(i32, i32)>,
+    /// The positions of the labels so far, in pixels.
+    positions: Vec<(i32, i32)>,
 }
 
 impl Labels {
-    /// The offset in pixels of the words of a point.
-    fn place(&mut self, (x, y): (f64, f64)) -> (i32, i32) {
-        let pixel = |share: f64, pixels: u32| (share * f64::from(pixels)) as i32;
-        let at =
-            (pixel(share(x, self.x), SIZE.0 - 100), pixel(1.0 - share(y, self.y), SIZE.1 - 60));
+    /// The offset of the label of a point, in pixels.
+    fn offset(&mut self, (x, y): (f64, f64)) -> (i32, i32) {
+        let pixel = |fraction: f64, pixels: u32| (fraction * f64::from(pixels)) as i32;
+        let (across, up) = (axis_fraction(x, self.x), axis_fraction(y, self.y));
+        let at = (pixel(across, SIZE.0 - 100), pixel(1.0 - up, SIZE.1 - 60));
         let moved = |&(dx, dy): &(i32, i32)| (at.0 + dx, at.1 + dy);
         let free = |offset: &&(i32, i32)| {
             let (x, y) = moved(offset);
-            self.taken.iter().all(|t| (t.0 - x).abs() > 12 || (t.1 - y).abs() > 10)
+            self.positions.iter().all(|p| (p.0 - x).abs() > 12 || (p.1 - y).abs() > 10)
         };
         let offsets = [(6, -12), (6, 3), (-16, -12), (-16, 3), (-4, -20), (-4, 10), (-4, -30)];
         let offset = offsets.iter().find(free).unwrap_or(&offsets[0]);
-        self.taken.push(moved(offset));
+        self.positions.push(moved(offset));
         *offset
     }
 }
 
-/// How far along a logarithmic axis a value lies, from 0 to 1.
-fn share(value: f64, [low, high]: [f64; 2]) -> f64 {
+/// The position of a value on a logarithmic axis, from 0 to 1.
+fn axis_fraction(value: f64, [low, high]: [f64; 2]) -> f64 {
     ln(value / low) / ln(high / low)
 }
 
-/// The corner for a legend of so many lines: the one with the fewest points.
+/// The corner with the fewest points, for a legend of `lines` lines.
 fn emptiest_corner(
     points: &[(f64, f64)],
     x_range: [f64; 2],
@@ -180,11 +180,12 @@ fn emptiest_corner(
 ) -> SeriesLabelPosition {
     let (width, height) = (0.35, 0.05 + 0.06 * lines as f64);
     let inside = |left: bool, upper: bool| {
-        let beside = |share: f64, low: bool, size: f64| {
-            if low { share < size } else { share > 1.0 - size }
+        let near_end = |fraction: f64, low: bool, size: f64| {
+            if low { fraction < size } else { fraction > 1.0 - size }
         };
         let here = |&&(x, y): &&(f64, f64)| {
-            beside(share(x, x_range), left, width) && beside(share(y, y_range), !upper, height)
+            near_end(axis_fraction(x, x_range), left, width)
+                && near_end(axis_fraction(y, y_range), !upper, height)
         };
         points.iter().filter(here).count()
     };
@@ -198,7 +199,7 @@ fn emptiest_corner(
     others.into_iter().fold(first, |best, other| if other.0 < best.0 { other } else { best }).1
 }
 
-/// Powers of ten; where these are few, also twice and five times them.
+/// Powers of ten; if there are fewer than four, also 2 and 5 times these.
 fn ticks(low: f64, high: f64) -> Vec<f64> {
     let decades = || {
         (-30..=30).map(|n| if n < 0 { 1.0 / power(10.0, -n as f64) } else { power(10.0, n as f64) })
@@ -225,8 +226,8 @@ fn tick(x: f64) -> String {
     }
 }
 
-/// The outline of a mark in pixels, and whether it is filled: no two alike.
-fn mark(index: usize) -> (Vec<(i32, i32)>, bool) {
+/// The outline of the marker of a series in pixels, and whether it is filled.
+fn marker(index: usize) -> (Vec<(i32, i32)>, bool) {
     let disk = [(4, 0), (3, 3), (0, 4), (-3, 3), (-4, 0), (-3, -3), (0, -4), (3, -3), (4, 0)];
     let square = [(-4, -4), (4, -4), (4, 4), (-4, 4), (-4, -4)];
     let triangle = [(0, -5), (5, 4), (-5, 4), (0, -5)];
@@ -240,7 +241,7 @@ fn mark(index: usize) -> (Vec<(i32, i32)>, bool) {
     }
 }
 
-/// Into the middle of a line of the legend.
+/// The outline moved to the middle of a line of the legend.
 fn shifted(outline: &[(i32, i32)]) -> Vec<(i32, i32)> {
     outline.iter().map(|(x, y)| (x + 10, *y)).collect()
 }
@@ -250,7 +251,7 @@ fn visible(points: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> + '_ {
     points.iter().copied().filter(move |&(x, y)| fits(x) && fits(y))
 }
 
-/// A little more than the values, in the logarithm.
+/// The range of the values, with a margin as a fraction of the logarithmic range.
 fn range(values: impl Iterator<Item = f64>, margin: f64) -> [f64; 2] {
     let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
     if low > high {

@@ -1,32 +1,32 @@
-//! Where a report comes from: machine, version, commit.
+//! The provenance of a report: machine, version, commit.
 
 use std::process::Command;
 use std::time::{Duration, UNIX_EPOCH};
 
 use serde::Serialize;
 
-/// What a reader must know before comparing times.
+/// The data that a reader needs to compare times.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Provenance {
     /// The version of this program.
     pub version: &'static str,
-    /// The commit of the folder it was built in, as it is now; `-dirty` if files there were changed
-    /// since, `-or-earlier` if the program was built before that commit was made; `unknown` without
-    /// git or without that folder.
+    /// The current commit of the folder in which the program was built: `-dirty` if files were
+    /// changed since, `-or-earlier` if the program is older than the commit, `unknown` without git
+    /// or without the folder.
     pub commit: String,
-    /// Whether the compiler left its own checks in: then times mean little.
+    /// Whether debug assertions are enabled: then times are too long.
     pub debug: bool,
-    /// The processor's name, as the system says it.
+    /// The name of the processor, from the operating system.
     pub processor: String,
     /// Operating system and architecture.
     pub platform: String,
-    /// Threads of this run. Rays are always timed on one.
+    /// The number of threads. Rays are always timed on one.
     pub threads: usize,
 }
 
 impl Provenance {
-    /// Of this program, here and now.
-    pub fn here() -> Self {
+    /// The provenance of this run.
+    pub fn current() -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION"),
             commit: commit().unwrap_or_else(|| "unknown".to_owned()),
@@ -46,7 +46,7 @@ fn commit() -> Option<String> {
     Some(if built < Duration::from_secs(committed) { name + "-or-earlier" } else { name })
 }
 
-/// What git says of the folder this was built in.
+/// The output of a git command in the folder in which the program was built.
 fn git(words: &[&str]) -> Option<String> {
     let folder = env!("CARGO_MANIFEST_DIR");
     let output = Command::new("git").args(["-C", folder]).args(words).output().ok()?;

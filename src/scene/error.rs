@@ -1,4 +1,4 @@
-//! What can be wrong with a scene.
+//! The errors of reading, building and writing scenes.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -14,21 +14,21 @@ pub enum SceneError {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// The error of the file system.
         source: std::io::Error,
     },
-    /// A value that does not fit, a key that is not known, or a text that is not TOML.
+    /// An invalid value, an unknown key, or a text that is not TOML.
     #[error("{place}{invalid}")]
     Invalid {
-        /// File and line, if the scene came from a file.
+        /// File and line, if the scene was read from a file.
         place: Place,
-        /// Object, field, what was found and what would fit.
+        /// Object, field, what was found and what would be valid.
         invalid: Invalid,
     },
-    /// A scene that a file cannot say.
+    /// A scene with a part of a custom kind: it cannot be written to a file.
     #[error("{invalid}")]
     NotPlain {
-        /// The object that is no plain data.
+        /// The part that cannot be written.
         invalid: Invalid,
     },
 }
@@ -38,7 +38,7 @@ pub enum SceneError {
 pub struct Place(Option<(PathBuf, Option<usize>)>);
 
 impl Place {
-    /// Whether the scene came from no file.
+    /// Whether the scene was built in code.
     pub fn is_unknown(&self) -> bool {
         self.0.is_none()
     }

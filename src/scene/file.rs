@@ -1,16 +1,16 @@
-//! Scenes as TOML text.
+//! Reads and writes scenes as TOML.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::error::Place;
-use super::{Scene, SceneError, places};
+use super::{Scene, SceneError, locations};
 use crate::invalid::{Invalid, Key};
 
-/// Larger files are no scenes: large things are procedural kinds or mesh files.
+/// The maximum size in bytes; large scenes use procedural kinds or mesh files.
 const LARGEST_FILE: u64 = 8 << 20;
 
-/// The text of a scene, kept to say where in it something is wrong.
+/// The text of a scene, kept to find the line of an error.
 #[derive(Debug)]
 pub struct Source {
     text: String,
@@ -18,17 +18,17 @@ pub struct Source {
 }
 
 impl Source {
-    /// The folder that the files named by the scene are relative to.
+    /// The folder to which the file names in the scene are relative.
     pub fn folder(&self) -> &Path {
         self.path.parent().unwrap_or(Path::new(""))
     }
 
-    /// An error of a scene of this text, with file and line.
+    /// The error with the file and line of its field in this text.
     #[must_use]
     pub fn located(&self, error: SceneError) -> SceneError {
         match error {
             SceneError::Invalid { invalid, .. } => {
-                let line = places::line_of(&self.text, &invalid.path);
+                let line = locations::line_of(&self.text, &invalid.path);
                 SceneError::Invalid { place: Place::line(&self.path, line), invalid }
             }
             other => other,
@@ -44,7 +44,7 @@ pub fn open(path: &Path) -> Result<(Scene, Source), SceneError> {
     let unreadable = |source| SceneError::Unreadable { path: path.to_owned(), source };
     let file = std::fs::File::open(path).map_err(unreadable)?;
     let mut text = String::new();
-    // no more than fits is read, whatever the file says about its size: it may be a pipe
+    // limits the bytes that are read, not the reported size: the file may be a pipe
     file.take(LARGEST_FILE + 1).read_to_string(&mut text).map_err(unreadable)?;
     if text.len() as u64 > LARGEST_FILE {
         let problem = format!("it is too large for a scene (at most {LARGEST_FILE} bytes fit)");
@@ -53,42 +53,43 @@ pub fn open(path: &Path) -> Result<(Scene, Source), SceneError> {
     parse(text, path)
 }
 
-/// The scene in a text; `path` is for error messages and for files it names.
+/// Parses a scene; `path` is for error messages and for relative file names.
 ///
 /// # Errors
 /// [`SceneError`] with file, line and field.
 pub fn parse(text: String, path: &Path) -> Result<(Scene, Source), SceneError> {
-    let scene: Scene = toml::from_str(&text).map_err(|e| places::unreadable(&text, path, &e))?;
+    let scene: Scene =
+        toml::from_str(&text).map_err(|e| locations::parse_error(&text, path, &e))?;
     Ok((scene, Source { text, path: path.to_owned() }))
 }
 
-/// The scene as text that reads back to the same scene, every bit of it.
+/// The scene as TOML; [`parse`] returns the same scene, bit for bit.
 ///
 /// # Errors
-/// [`SceneError::NotPlain`] names what is of a custom kind.
+/// [`SceneError::NotPlain`] names the part that is of a custom kind.
 pub fn to_toml(scene: &Scene) -> Result<String, SceneError> {
-    all_plain(scene).map_err(|invalid| SceneError::NotPlain { invalid })?;
+    check_plain(scene).map_err(|invalid| SceneError::NotPlain { invalid })?;
     toml::to_string(scene)
         .map_err(|e| SceneError::NotPlain { invalid: Invalid::new(e.to_string()) })
 }
 
-/// Whether nothing is of a user's own kind, which has no text.
-pub(super) fn all_plain(scene: &Scene) -> Result<(), Invalid> {
+/// Fails if a part of the scene is of a custom kind.
+pub(super) fn check_plain(scene: &Scene) -> Result<(), Invalid> {
     for (i, object) in scene.objects.iter().enumerate() {
-        plain(&object.shape, &["shape"], Some(("objects", i, &object.name)))?;
+        check_part(&object.shape, &["shape"], Some(("objects", i, &object.name)))?;
     }
     for (i, light) in scene.lights.iter().enumerate() {
-        plain(&light.source, &["source"], Some(("lights", i, &light.name)))?;
+        check_part(&light.source, &["source"], Some(("lights", i, &light.name)))?;
     }
     for (i, material) in scene.materials.iter().enumerate() {
-        plain(&material.recipe, &["recipe"], Some(("materials", i, &material.name)))?;
+        check_part(&material.recipe, &["recipe"], Some(("materials", i, &material.name)))?;
     }
-    plain(&scene.camera.lens, &["camera", "lens"], None)?;
-    plain(&scene.image, &["image", "sampler"], None)
+    check_part(&scene.camera.lens, &["camera", "lens"], None)?;
+    check_part(&scene.image, &["image", "sampler"], None)
 }
 
-/// Whether serde can write it: it refuses the variants of users' own kinds, which carry no data.
-fn plain(
+/// Fails if serde cannot serialise `data`: the variants of custom kinds have no data.
+fn check_part(
     data: &impl serde::Serialize,
     fields: &[&str],
     item: Option<(&str, usize, &str)>,

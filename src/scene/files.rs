@@ -1,4 +1,4 @@
-//! The files that a scene names.
+//! File names in scenes, made independent of the scene's folder.
 
 use std::path::{Path, PathBuf};
 
@@ -9,34 +9,34 @@ use super::{Scene, SceneError, file};
 use crate::invalid::Invalid;
 
 impl Scene {
-    /// The same scene whose file names, relative to `folder` before, are independent of it.
+    /// The same scene, with `folder` joined to its relative file names.
     ///
-    /// Every field called `file` is the name of a file, at whatever depth of shapes and textures: so
-    /// the scene's data is walked, and no kind is asked.
+    /// Every field called `file` is a file name, at any depth of shapes and textures; so this walks
+    /// the serialised scene instead of asking each kind.
     ///
     /// # Errors
-    /// [`SceneError::NotPlain`] for a scene or a folder that has no text.
+    /// [`SceneError::NotPlain`] if the scene has custom kinds or the folder's name is not UTF-8.
     pub fn files_from(&self, folder: &Path) -> Result<Self, SceneError> {
-        file::all_plain(self)
+        file::check_plain(self)
             .and_then(|()| {
                 let mut data = Value::try_from(self).map_err(|e| Invalid::new(e.to_string()))?;
-                rename(&mut data, folder)?;
+                join_files(&mut data, folder)?;
                 Self::deserialize(data).map_err(|e| Invalid::new(e.to_string()))
             })
             .map_err(|invalid| SceneError::NotPlain { invalid })
     }
 }
 
-fn rename(data: &mut Value, folder: &Path) -> Result<(), Invalid> {
+fn join_files(data: &mut Value, folder: &Path) -> Result<(), Invalid> {
     match data {
         Value::Table(table) => table.iter_mut().try_for_each(|(key, value)| match value {
             Value::String(name) if key == "file" => {
                 *name = text(folder.join(&*name))?;
                 Ok(())
             }
-            value => rename(value, folder),
+            value => join_files(value, folder),
         }),
-        Value::Array(all) => all.iter_mut().try_for_each(|value| rename(value, folder)),
+        Value::Array(all) => all.iter_mut().try_for_each(|value| join_files(value, folder)),
         _ => Ok(()),
     }
 }

@@ -1,4 +1,4 @@
-//! Which intersection routines a scene asks for.
+//! The choice between the library's intersection routines and the book's.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -8,11 +8,11 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "intersection routines")]
 pub enum Intersect {
-    /// The library's own: no epsilon, no lost roots, no leaks.
+    /// The routines of this library: no epsilon, no lost roots, no gaps between triangles.
     #[default]
     Robust,
-    /// As the book prints them (chapters 3 and 19), with rays that start at the hit point and a constant
-    /// epsilon, to see how they fail: surface acne, lost roots, leaks.
+    /// The routines as printed in the book (chapters 3 and 19), with rays that start at the hit
+    /// point and a constant epsilon. They show surface acne, lost roots and gaps between triangles.
     Textbook,
 }
 
@@ -20,7 +20,7 @@ impl Intersect {
     /// Every choice.
     pub const ALL: [Self; 2] = [Self::Robust, Self::Textbook];
 
-    /// What scene files call it.
+    /// The name in scene files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Robust => "robust",

@@ -5,7 +5,7 @@ mod error;
 mod file;
 mod files;
 mod intersect;
-mod places;
+mod locations;
 mod schema;
 mod tracer;
 mod transparency;
@@ -27,36 +27,36 @@ pub use schema::schema;
 pub use tracer::{Depth, Tracer, Whitted};
 pub use transparency::{Transparency, TransparentShadows};
 
-/// Everything a picture needs.
+/// All data of a picture.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
-    /// What it shows, in one line.
+    /// What the picture shows, in one line.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub about: String,
-    /// How light is followed: `"ray_cast"` for direct light only, `whitted` for mirrors and glass, or one
-    /// of the path tracers for light that bounces between all surfaces.
+    /// The tracer: `"ray_cast"` for direct light only, `whitted` for mirrors and glass, or one of
+    /// the path tracers for light that is reflected between all surfaces.
     #[serde(default)]
     pub tracer: Tracer,
-    /// What shadow rays and radiance do at transparent surfaces; as in the book if left out.
+    /// Shadow rays and radiance at transparent surfaces; as in the book if left out.
     #[serde(default, skip_serializing_if = "Transparency::is_default")]
     pub transparency: Transparency,
-    /// How rays find objects. The picture is the same; only the time differs.
+    /// The acceleration structure. It changes only the time, not the picture.
     #[serde(default)]
     pub accel: accel::Method,
-    /// How rays are intersected with objects that do not say so themselves.
+    /// The intersection routines of objects that have no `intersect` of their own.
     #[serde(default, skip_serializing_if = "Intersect::is_default")]
     pub intersect: Intersect,
-    /// The textbook's epsilon: hits nearer than this to a ray's origin do not count. A length; 0.001 if
-    /// left out. Only where something is intersected by the textbook.
+    /// The epsilon of the textbook routines: hits nearer to the ray's origin are ignored. A length;
+    /// 0.001 if left out. Only allowed if the scene or an object uses the textbook routines.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub epsilon: Option<f64>,
-    /// What a ray sees that hits nothing.
+    /// The radiance of rays that hit nothing.
     #[serde(default)]
     pub background: Background,
-    /// The size and quality of the picture.
+    /// The size of the picture and its sampling.
     pub image: Image,
-    /// Where it is seen from.
+    /// The camera.
     pub camera: Viewpoint,
     /// The lights, each a `[[lights]]`.
     #[serde(default)]
@@ -64,7 +64,8 @@ pub struct Scene {
     /// The materials that objects name, each a `[[materials]]`.
     #[serde(default)]
     pub materials: Vec<Material>,
-    /// The objects, each an `[[objects]]`. Of two hit at the same distance, the first is seen.
+    /// The objects, each an `[[objects]]`. If a ray hits two at the same distance, the first one
+    /// counts.
     #[serde(default)]
     pub objects: Vec<Object>,
 }
@@ -73,29 +74,29 @@ pub struct Scene {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Image {
-    /// How many pixels there are across; at least 1.
+    /// The number of pixel columns; at least 1.
     pub width: u32,
-    /// How many pixels there are down; at least 1.
+    /// The number of pixel rows; at least 1.
     pub height: u32,
     /// The side of a pixel on the view plane, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub pixel_size: f64,
-    /// How many samples each pixel has: from 1 to 65536, rounded up where the sampler's pattern needs
-    /// it. 16 gives smooth edges.
+    /// The number of samples per pixel: from 1 to 65536, rounded up to a number that the sampler's
+    /// pattern allows. 16 gives smooth edges.
     #[serde(default = "one_sample")]
     pub samples: u32,
-    /// How they are spread. If left out: multi-jittered, as in the book; but a single sample lies in the
-    /// middle of pixel and lens.
+    /// The pattern of the samples. If left out: multi-jittered, as in the book; but a single sample
+    /// is at the centre of pixel and lens.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sampler: Option<samplers::Kind>,
-    /// How what lies around a pixel's centre counts; the box if left out.
+    /// The weight of a sample by its offset from the pixel's centre; the box if left out.
     #[serde(default, skip_serializing_if = "filters::Kind::is_default")]
     pub filter: filters::Kind,
-    /// Colours are shown to the power of 1/gamma; positive. 1 shows them as they are, 2.2 is that of
-    /// most screens.
+    /// Colours are raised to the power 1/gamma for display; positive. 1 leaves them as they are,
+    /// 2.2 is the gamma of most screens.
     #[serde(default = "kinds::one")]
     pub gamma: f64,
-    /// What becomes of colours above 1.
+    /// How colours above 1 are displayed.
     #[serde(default)]
     pub out_of_gamut: OutOfGamut,
 }
@@ -104,69 +105,69 @@ fn one_sample() -> u32 {
     1
 }
 
-/// A light and its switches.
+/// A light.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Light {
-    /// What people call it; no two lights share a name.
+    /// The name; no two lights have the same name.
     pub name: String,
     /// Whether it is on.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub enabled: bool,
-    /// Whether objects stand in its way; by default on here, off in the sample code of the book.
+    /// Whether objects block its light; on by default (off in the sample code of the book).
     #[serde(default = "kinds::yes")]
     pub shadows: bool,
-    /// What kind of light it is.
+    /// The kind of light.
     pub source: lights::Kind,
 }
 
-/// A material and its switches.
+/// A material.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
-    /// What objects call it; no two materials share a name.
+    /// The name that objects use; no two materials have the same name.
     pub name: String,
-    /// Whether the back of a surface is shaded as its front, with the normal turned around. For
-    /// open surfaces; never for transparent ones, which must know their inside.
+    /// Whether the back of a surface is shaded like its front, with the normal reversed. For open
+    /// surfaces; not for transparent ones, where the normal tells the inside from the outside.
     #[serde(default, skip_serializing_if = "kinds::is_no")]
     pub two_sided: bool,
-    /// Whether objects of it stand in the way of light.
+    /// Whether objects of this material cast shadows.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub casts_shadows: bool,
-    /// What kind of material it is.
+    /// The kind of material.
     pub recipe: materials::Kind,
-    /// What turns its normals, so that it looks rough. Refraction and the mirrors of glass go by the
-    /// true normal, as on smooth meshes.
+    /// Bump mapping: perturbs the shading normal, so that the surface looks rough. Refraction and
+    /// the mirror reflection of glass use the true normal, as on smooth meshes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bump: Option<bumps::Kind>,
 }
 
-/// An object and its switches.
+/// An object.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
-    /// What people call it; no two objects share a name. As for lights and materials, an empty name is
-    /// one as any other.
+    /// The name; no two objects have the same name. As for lights and materials, a name may be
+    /// empty.
     pub name: String,
     /// The `name` of a material.
     pub material: String,
-    /// Whether it is there at all.
+    /// Whether the object is part of the scene.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub enabled: bool,
-    /// Whether it stands in the way of light.
+    /// Whether it casts shadows.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub casts_shadows: bool,
-    /// How rays are intersected with it; as the scene says if left out.
+    /// The intersection routines of this object; those of the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub intersect: Option<Intersect>,
-    /// The textbook's epsilon for this object; the scene's if left out.
+    /// The epsilon of the textbook routines for this object; that of the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub epsilon: Option<f64>,
-    /// What shape it has.
+    /// The shape.
     pub shape: shapes::Kind,
 }
 
@@ -191,8 +192,8 @@ impl Image {
         ViewPlane { width, height }
     }
 
-    /// The same view in another number of pixels: their size is changed so that the width of the
-    /// view plane stays.
+    /// The same view with another number of pixels: the pixel size changes, the width of the view
+    /// plane does not.
     pub fn resize(&mut self, width: u32, height: u32) {
         self.pixel_size *= f64::from(self.width) / f64::from(width);
         (self.width, self.height) = (width, height);
@@ -221,14 +222,14 @@ impl Material {
 }
 
 impl Object {
-    /// An object that is there and casts shadows.
+    /// An enabled object that casts shadows.
     pub fn new(name: &str, material: &str, shape: impl Into<shapes::Kind>) -> Self {
         let (name, material, shape) = (name.to_owned(), material.to_owned(), shape.into());
         let (enabled, casts_shadows, intersect, epsilon) = (true, true, None, None);
         Self { name, material, enabled, casts_shadows, intersect, epsilon, shape }
     }
 
-    /// The same object, intersected in this way.
+    /// The same object with these intersection routines.
     #[must_use]
     pub fn intersected(self, intersect: Intersect) -> Self {
         Self { intersect: Some(intersect), ..self }
@@ -254,20 +255,20 @@ impl Scene {
         }
     }
 
-    /// Whether the scene or one of its objects asks for the textbook's routines.
-    pub(crate) fn names_textbook(&self) -> bool {
+    /// Whether the scene or one of its objects sets `intersect` to the textbook routines.
+    pub(crate) fn uses_textbook(&self) -> bool {
         let named = self.objects.iter().filter_map(|object| object.intersect);
         named.chain([self.intersect]).any(|intersect| intersect == Intersect::Textbook)
     }
 
-    /// The routines of all objects, whether enabled or not; `None` where they are not the same.
+    /// The routines of all objects, enabled or not; `None` if they differ.
     pub fn intersections(&self) -> Option<Intersect> {
         let of = |object: &Object| object.intersect.unwrap_or(self.intersect);
         let first = self.objects.first().map_or(self.intersect, of);
         self.objects.iter().all(|object| of(object) == first).then_some(first)
     }
 
-    /// Intersects all objects in one way; epsilons stay only where the textbook needs them.
+    /// Sets the routines of all objects; removes epsilons that are not used any more.
     pub fn set_intersections(&mut self, intersect: Intersect) {
         let needed = |epsilon: Option<f64>| epsilon.filter(|_| intersect == Intersect::Textbook);
         self.intersect = intersect;
@@ -278,7 +279,7 @@ impl Scene {
         }
     }
 
-    /// The epsilon with which an object is intersected by the textbook; `None` if it is not.
+    /// The epsilon of an object with the textbook routines; `None` for the robust routines.
     pub(crate) fn textbook_epsilon(&self, object: &Object) -> Option<f64> {
         match object.intersect.unwrap_or(self.intersect) {
             Intersect::Robust => None,
@@ -302,7 +303,7 @@ impl Scene {
             material.recipe = material.recipe.scaled(factor);
             material.bump = material.bump.as_ref().map(|bump| bump.scaled(factor));
         }
-        if self.names_textbook() {
+        if self.uses_textbook() {
             scene.epsilon = Some(factor * self.epsilon.unwrap_or(EPSILON));
         }
         for object in &mut scene.objects {

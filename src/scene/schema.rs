@@ -1,5 +1,5 @@
-//! What a scene file can say, as a JSON schema: from the doc comments, types and defaults of the
-//! plain data, and from the kinds' specimens.
+//! The JSON schema of scene files, generated from the doc comments, types and defaults of the
+//! scene's types, and from the specimens of the kinds.
 
 use std::sync::LazyLock;
 
@@ -19,7 +19,7 @@ pub fn schema() -> &'static Value {
     &SCHEMA
 }
 
-/// Takes out of a schema what only Rust and JSON know, in all its parts.
+/// Removes what applies to Rust and JSON but not to TOML, recursively.
 fn tidy(schema: &mut Value) {
     match schema {
         Value::Array(parts) => {
@@ -32,7 +32,7 @@ fn tidy(schema: &mut Value) {
                 *of = of[0].clone(); // the other is null
             }
             if let Some(Value::String(text)) = keywords.get_mut("description") {
-                *text = flowing(text);
+                *text = unwrapped(text);
             }
             keywords.values_mut().for_each(tidy);
             show_false(keywords);
@@ -41,15 +41,14 @@ fn tidy(schema: &mut Value) {
     }
 }
 
-/// The paragraphs of a doc comment, each on one line and without links.
-fn flowing(text: &str) -> String {
+/// A doc comment with each paragraph on one line, without links.
+fn unwrapped(text: &str) -> String {
     let unlinked = text.replace("[`", "`").replace("`]", "`");
     let paragraphs = unlinked.split("\n\n").map(|paragraph| paragraph.replace('\n', " "));
     paragraphs.collect::<Vec<_>>().join("\n\n")
 }
 
-/// Adds the default `false` of switches. Where `false` is not written to files, it is not in the
-/// generated schema either.
+/// Adds the default `false` of Boolean fields: schemars omits a default that serde does not write.
 fn show_false(table: &mut Map<String, Value>) {
     let required = table.get("required").cloned().unwrap_or_default();
     let is_required =

@@ -1,47 +1,48 @@
-//! The tracers, as scenes name them.
+//! The tracers, as scene files name them.
 
 use std::str::FromStr;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How light is followed: the book's tracers as settings of one recursion.
+/// Which light paths are traced: the book's tracers as settings of one recursion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "tracers")]
 pub enum Tracer {
-    /// Direct light only (chapter 14): mirrors and glass are not followed.
+    /// Direct light only (chapter 14): no reflected or refracted rays.
     #[default]
     RayCast,
-    /// Mirrors and glass are followed (chapter 24).
+    /// Direct light and the reflected and refracted rays of mirrors and glass (chapter 24).
     Whitted(Whitted),
-    /// Paths that end on what shines, lights never sampled (chapter 26): light bounces between all
-    /// surfaces. It sees emissive surfaces and the background, no point, directional or spot lights.
+    /// Path tracing without sampling of lights (chapter 26): light is reflected between all
+    /// surfaces. A path collects the emission of the surfaces and of the background that it hits;
+    /// point, directional and spot lights contribute nothing.
     PathTrace(Depth),
-    /// Paths whose direct light is sampled at the first hit (chapter 26).
+    /// Path tracing that samples the lights at the first hit only (chapter 26).
     GlobalTrace(Depth),
-    /// Paths whose lights are sampled at every hit and met as well, each weighted by how likely the
-    /// other was, and ended by chance where they carry little. Not in the book: the one to choose.
+    /// The recommended path tracer (not in the book): it samples the lights at every hit, with
+    /// multiple importance sampling and Russian roulette.
     Path(Depth),
 }
 
-/// The setting of the path tracers.
+/// The depth of the path tracers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(example = Depth { max_depth: 8 })]
 pub struct Depth {
-    /// The largest number of edges from the camera's ray to a ray that is still cast; what lies
-    /// beyond is black. From 0 to 128; 10 is enough for most rooms.
+    /// The largest depth of a ray that is traced; deeper rays are black. The camera's ray has depth
+    /// 0, each reflection or refraction adds 1. From 0 to 128; 10 is enough for most rooms.
     pub max_depth: u32,
 }
 
-/// The setting of the Whitted tracer.
+/// The depth of the Whitted tracer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(example = Whitted { max_depth: 5 })]
 pub struct Whitted {
-    /// The largest number of edges from the camera's ray to a ray that is still cast; what lies
-    /// beyond is black. From 0 to 128; 5 to 10 is enough for most scenes.
+    /// The largest depth of a ray that is traced; deeper rays are black. The camera's ray has depth
+    /// 0, each reflection or refraction adds 1. From 0 to 128; 5 to 10 is enough for most scenes.
     pub max_depth: u32,
 }
 
@@ -55,7 +56,7 @@ impl Tracer {
         Self::Path(Depth { max_depth: 10 }),
     ];
 
-    /// What scene files call it.
+    /// The name in scene files.
     pub fn name(self) -> &'static str {
         match self {
             Self::RayCast => "ray_cast",
@@ -66,7 +67,7 @@ impl Tracer {
         }
     }
 
-    /// How deep it follows rays; `None` if it follows none.
+    /// Its depth; `None` for ray casting.
     pub fn max_depth(&mut self) -> Option<&mut u32> {
         match self {
             Self::RayCast => None,
@@ -77,21 +78,21 @@ impl Tracer {
         }
     }
 
-    /// Another tracer, as deep as this one if both have a depth.
+    /// Another tracer, with the depth of this one if both have a depth.
     #[must_use]
-    pub fn exchanged(mut self, mut other: Self) -> Self {
+    pub fn replaced_by(mut self, mut other: Self) -> Self {
         if let (Some(depth), Some(other_depth)) = (self.max_depth(), other.max_depth()) {
             *other_depth = *depth;
         }
         other
     }
 
-    /// Exchanges the tracer, and then sets the depth, where these are named.
+    /// Replaces the tracer by `other` and sets the depth, where given.
     ///
     /// # Errors
-    /// Says so if a depth is named, but the tracer follows no rays.
+    /// If a depth is given but the tracer has none.
     pub fn change(&mut self, other: Option<Self>, max_depth: Option<u32>) -> Result<(), String> {
-        *self = other.map_or(*self, |other| self.exchanged(other));
+        *self = other.map_or(*self, |other| self.replaced_by(other));
         let name = self.name();
         match (self.max_depth(), max_depth) {
             (Some(depth), Some(wanted)) => *depth = wanted,
@@ -115,7 +116,6 @@ impl Tracer {
 impl FromStr for Tracer {
     type Err = String;
 
-    /// A tracer by its name.
     fn from_str(name: &str) -> Result<Self, String> {
         let named = Self::ALL.into_iter().find(|tracer| tracer.name() == name);
         named.ok_or_else(|| format!("there are: {}", Self::ALL.map(Self::name).join(", ")))

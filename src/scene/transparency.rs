@@ -1,41 +1,42 @@
-//! What a scene may choose of transparent surfaces.
+//! Scene settings for transparent surfaces.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::kinds;
 
-/// What shadow rays and radiance do at transparent surfaces (chapters 27 and 28).
+/// Shadow rays and radiance at transparent surfaces (chapters 27 and 28).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(example = Transparency { shadows: TransparentShadows::Attenuated, ..Transparency::default() })]
 pub struct Transparency {
-    /// What a shadow ray does that meets a transparent surface.
+    /// Whether transparent surfaces block shadow rays.
     #[serde(default)]
     pub shadows: TransparentShadows,
-    /// Whether refraction multiplies radiance by `1/η²`: the same light fills a smaller cone of
-    /// directions in the denser medium. Off, a picture compares with those of renderers that leave
-    /// the factor out: the same where the eye and all that shines or is lit are in one medium.
+    /// Whether refraction multiplies radiance by `1/η²`: in the denser medium the same light fills
+    /// a smaller cone of directions. Switch it off to compare with renderers that omit the factor;
+    /// it makes no difference if the camera, the lights and the lit surfaces are all in the same
+    /// medium.
     #[serde(default = "kinds::yes")]
     pub scales_radiance: bool,
 }
 
-/// What a shadow ray does that meets a transparent surface.
+/// Whether transparent surfaces block shadow rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TransparentShadows {
-    /// It ends: glass has a full shadow, as in the book.
+    /// They do: glass casts a full shadow, as in the book.
     #[default]
     Opaque,
-    /// It goes straight on, and each surface counts what it transmits at that angle (in the medium of the
-    /// smaller index), each stretch what its medium absorbs: an approximation, as light does not go
-    /// straight. Path tracers do so only
-    /// for lights that their paths cannot meet.
+    /// They do not: the shadow ray goes straight on. It is attenuated by the transmittance of each
+    /// surface at that angle (in the medium of smaller index) and by the absorption of each medium.
+    /// This is an approximation, because it ignores refraction. Path tracers use it only for lights
+    /// that their paths cannot hit.
     Attenuated,
 }
 
 impl Transparency {
-    /// Whether it need not be written.
+    /// Whether it can be left out of a scene file.
     pub(super) fn is_default(&self) -> bool {
         *self == Self::default()
     }

@@ -1,4 +1,4 @@
-//! The words of scene files: the tables, lists of kinds, fields and types of the [`schema()`].
+//! The vocabulary of scene files: the tables, lists of kinds, fields and types of the [`schema()`].
 
 use serde_json::{Map, Value};
 
@@ -6,7 +6,7 @@ use super::schema;
 use crate::invalid::Key;
 use crate::kinds::tag;
 
-/// A named part of the schema: a table with fields, a list of kinds to choose from, or a plain value.
+/// A named part of the schema: a table with fields, a list of kinds, or a plain value.
 #[derive(Clone, Copy, Debug)]
 pub struct Definition {
     /// The name in the schema, or the tag of a kind.
@@ -17,9 +17,9 @@ pub struct Definition {
 /// A field of a table.
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
-    /// As scene files write it.
+    /// The name in scene files.
     pub name: &'static str,
-    /// Whether it must be written.
+    /// Whether it has no default.
     pub required: bool,
     schema: &'static Value,
 }
@@ -27,9 +27,9 @@ pub struct Field {
 /// One of the kinds of a list.
 #[derive(Clone, Copy, Debug)]
 pub struct Choice {
-    /// As scene files write it.
+    /// The name in scene files.
     pub tag: &'static str,
-    /// `None` for a kind that is a mere text.
+    /// `None` for a kind that is written as a string.
     content: Option<&'static Value>,
     schema: &'static Value,
 }
@@ -40,14 +40,14 @@ impl Definition {
         Self { name: "Scene", schema: schema() }
     }
 
-    /// Everything that has a name, the scene first.
+    /// All definitions, the scene first.
     pub fn all() -> impl Iterator<Item = Self> {
         let others = entries(schema(), "definitions");
         std::iter::once(Self::scene())
             .chain(others.map(|(name, schema)| Self { name: name.as_str(), schema }))
     }
 
-    /// The name for people: lists of kinds are plural.
+    /// The name in the documentation; plural for lists of kinds.
     pub fn title(&self) -> String {
         match self.schema["title"].as_str() {
             Some(title) if self.is_list() => title.to_owned(),
@@ -113,7 +113,7 @@ impl Definition {
         self.schema["examples"].as_array()?.first()
     }
 
-    /// What the value of this key is, if a table or list has the key.
+    /// The definition of the value of this key, if the table or list has the key.
     fn inside(&self, key: &str) -> Option<Self> {
         if self.is_list() {
             return self.choices().into_iter().find(|choice| choice.tag == key)?.table();
@@ -121,7 +121,7 @@ impl Definition {
         self.fields().find(|field| field.name == key)?.content()
     }
 
-    /// The innermost table, list or kind that a path leads into.
+    /// The innermost table, list or kind on a path.
     pub fn at(path: &[Key]) -> Self {
         let keys = path.iter().filter_map(|key| match key {
             Key::Field(name) => Some(name.as_str()),
@@ -142,29 +142,29 @@ impl Field {
         self.schema["description"].as_str().unwrap_or_default()
     }
 
-    /// What it is if it is left out, where that is a value.
+    /// The default, if it is a value.
     pub fn default(&self) -> Option<&'static Value> {
         self.schema.get("default")
     }
 
-    /// What values it has, in words.
+    /// The type of its value, in words.
     pub fn values(&self) -> String {
         values(self.schema)
     }
 
-    /// The table or list of kinds that its value is, or that the elements of its list are.
+    /// The table or list of kinds of its value, or of the elements if it is a list.
     pub fn content(&self) -> Option<Definition> {
         content(self.schema)
     }
 
-    /// Whether it is a list of things.
+    /// Whether its value is a list.
     pub fn is_array(&self) -> bool {
         self.schema["type"] == "array"
     }
 }
 
 impl Choice {
-    /// The chapter that brings it, as `ch19`.
+    /// The chapter that introduces it, such as `ch19`.
     pub fn chapter(&self) -> Option<&'static str> {
         self.schema["x-chapter"].as_str()
     }
@@ -175,12 +175,13 @@ impl Choice {
         own.or(self.table().map(|table| table.description())).unwrap_or_default()
     }
 
-    /// What follows the tag, in words; nothing for a kind that is a mere text.
+    /// The type of the value after the tag, in words; `None` for a kind that is written as a
+    /// string.
     pub fn values(&self) -> Option<String> {
         self.content.map(values)
     }
 
-    /// The table that follows the tag, under the name of the tag.
+    /// The table after the tag, named like the tag.
     pub fn table(&self) -> Option<Definition> {
         let schema = self.content?;
         if schema["type"] == "object" {
@@ -190,7 +191,7 @@ impl Choice {
         Some(Definition { name: self.tag, ..table })
     }
 
-    /// An example of what follows the tag.
+    /// An example of the value after the tag.
     pub fn example(&self) -> Option<&'static Value> {
         let own = self.schema["examples"].as_array().and_then(|all| all.first());
         own.or_else(|| self.table()?.example())
@@ -211,13 +212,13 @@ fn named(schema: &'static Value) -> Option<Definition> {
     Some(Definition { name, schema: self::schema()["definitions"].get(name)? })
 }
 
-/// The schemas of which one or all must hold.
+/// The subschemas of `allOf` and `anyOf`.
 fn parts(schema: &'static Value) -> impl Iterator<Item = &'static Value> {
     let of = |keyword| schema[keyword].as_array().into_iter().flatten();
     of("allOf").chain(of("anyOf"))
 }
 
-/// The table or list of kinds that a value of this schema, or an element of it, is.
+/// The table or list of kinds of a value of this schema, or of its elements.
 fn content(schema: &'static Value) -> Option<Definition> {
     if let Some(definition) = named(schema) {
         let found = definition.is_table() || definition.is_list();
@@ -226,7 +227,7 @@ fn content(schema: &'static Value) -> Option<Definition> {
     parts(schema).chain(schema.get("items")).find_map(content)
 }
 
-/// What values a schema admits, in words.
+/// The type of a schema's values, in words.
 fn values(schema: &'static Value) -> String {
     if let Some(definition) = named(schema) {
         return values_of(&definition);

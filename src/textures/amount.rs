@@ -1,4 +1,4 @@
-//! Numbers of materials: plain or textured; as scenes say them, and built.
+//! Numbers of materials, plain or textured: as scene data ([`Amount`]) and built ([`Value`]).
 
 use std::borrow::Cow;
 use std::fmt;
@@ -13,18 +13,18 @@ use super::{Kind, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative};
 use crate::resources::Resources;
 
-/// A number of a material, not negative: in scene files a number, or a texture whose red channel it
-/// is, as `{ image = { file = "gloss.png", encoding = "linear" } }`.
+/// A number of a material, not negative: in scene files a number, or a texture whose red channel is
+/// the number, such as `{ image = { file = "gloss.png", encoding = "linear" } }`.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Amount {
     /// The same everywhere.
     Plain(f64),
-    /// One that varies.
+    /// The red channel of a texture.
     Textured(Box<Kind>),
 }
 
-/// A number ready to be asked; a plain one looks nothing up.
+/// A built number.
 #[derive(Clone, Debug)]
 pub enum Value {
     /// The same everywhere.
@@ -70,13 +70,13 @@ impl Amount {
         }
     }
 
-    /// The default of many factors in scene files.
+    /// The default of factors in scene files.
     pub(crate) fn one() -> Self {
         Self::Plain(1.0)
     }
 }
 
-/// Nothing.
+/// Zero.
 impl Default for Amount {
     fn default() -> Self {
         Self::Plain(0.0)
@@ -103,7 +103,7 @@ impl JsonSchema for Amount {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         json_schema!({
             "description": "A number of at least 0, or a texture as `{ kind = { … } }`, whose red \
-                channel it is; an image of numbers says `encoding = \"linear\"`.",
+                channel is the number; an image of numbers needs `encoding = \"linear\"`.",
             "anyOf": [{ "type": "number", "minimum": 0 }, generator.subschema_for::<Kind>()],
         })
     }

@@ -1,4 +1,5 @@
-//! Cells of two colours in turn, with lines along their borders: what the checkers share (Suffern, ch. 30).
+//! Cells of alternating colours with lines along their borders, shared by the checkers (Suffern,
+//! ch. 30).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,53 +10,53 @@ use crate::math::floor;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// The book's odd offset, added before rounding down, so that a face that lies on a border of cells has
-/// one colour. Here it is a fraction of the size: the book's absolute one would not scale with the
-/// scene.
+/// The book's offset, added before rounding down, so that a face that lies exactly on a border of
+/// cells has one colour. Here it is relative to the size, so that it scales with the scene; in the
+/// book it is absolute.
 pub const OFFSET: f64 = -0.000_187_453_738;
 
-/// Where a point is in a row of cells.
+/// The position of a point in a row of cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {
-    /// The number of the cell: a whole number, negative before the first.
+    /// The index of the cell: an integer, negative before the first cell.
     pub index: f64,
-    /// How much of the cell is before the point, from 0 to 1.
+    /// The position inside the cell, from 0 to 1.
     pub fraction: f64,
 }
 
 impl Cell {
-    /// Of cells of length 1 without end.
+    /// The cell of `x` in an infinite row of cells of length 1.
     pub fn at(x: f64) -> Self {
         let index = floor(x);
         Self { index, fraction: x - index }
     }
 
-    /// Of `count` cells that divide 0 … 1; the end of the last is in it, also if rounding leads there.
+    /// The cell of `x` among `count` cells that divide 0 … 1; the last cell contains 1.
     pub fn of_range(x: f64, count: f64) -> Self {
         let index = floor(count * x).min(count - 1.0);
         Self { index, fraction: count * x - index }
     }
 
-    /// Whether it is closer to the border, before or behind, than this.
+    /// Whether the point is nearer to a border of its cell than `distance`.
     fn is_near_border(self, distance: f64) -> bool {
         self.fraction < distance || self.fraction > 1.0 - distance
     }
 }
 
-/// Whether a whole number is even. The remainder is Euclidean: that of a negative number is not
-/// negative.
+/// Whether an integer is even. The Euclidean remainder is not negative for negative numbers.
 pub fn is_even(number: f64) -> bool {
     number.rem_euclid(2.0) == 0.0
 }
 
-/// Lines along the borders of checkers, one half of each on either side.
+/// Lines centred on the borders of checkers.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Lines {
-    /// The full width of the lines between rows of checkers, as a fraction of a checker, from 0 (none)
-    /// to 1 (nothing else).
+    /// The full width of the lines between rows of checkers, as a fraction of a checker, from 0 (no
+    /// lines) to 1 (lines only).
     pub horizontal: f64,
-    /// The full width of the lines between columns of checkers, likewise.
+    /// The full width of the lines between columns of checkers, as a fraction of a checker, from 0
+    /// to 1.
     pub vertical: f64,
     /// The colour of the lines.
     pub color: Paint,
@@ -85,18 +86,17 @@ impl Lines {
     }
 }
 
-/// Lines ready to be asked.
+/// Built lines.
 #[derive(Debug)]
 pub struct BuiltLines {
-    /// Half the width of the lines that border columns, and of those that border rows, as fractions of a
-    /// cell.
+    /// Half the widths of the lines between columns and between rows, as fractions of a cell.
     pub half_widths: [f64; 2],
     /// Their colour.
     pub color: Color,
 }
 
 impl BuiltLines {
-    /// The colour of the line that a point of this column and row is on, if it is on one.
+    /// The colour of the line at a point in these cells; `None` if no line is there.
     pub fn on(&self, [column, row]: [Cell; 2]) -> Option<&Color> {
         let [beside_columns, beside_rows] = self.half_widths;
         let on_line = column.is_near_border(beside_columns) || row.is_near_border(beside_rows);
@@ -104,12 +104,12 @@ impl BuiltLines {
     }
 }
 
-/// A checker ready to be asked: the colours of even and of odd cells, and lines.
+/// A built checker: the colours of even and of odd cells, and lines.
 #[derive(Debug)]
 pub struct Checkers {
-    /// Where column and row together are even, and where they are odd.
+    /// The colours where column + row is even, and where it is odd.
     pub colors: [Color; 2],
-    /// Along the borders.
+    /// The lines along the borders.
     pub lines: BuiltLines,
 }
 
@@ -124,7 +124,7 @@ impl Checkers {
         Ok(Self { colors, lines: lines.build(resources)? })
     }
 
-    /// The colour at a point of this column and row.
+    /// The colour at a point in these cells.
     pub fn color(&self, cells @ [column, row]: [Cell; 2]) -> &Color {
         let [even, odd] = &self.colors;
         let in_cell = || if is_even(column.index + row.index) { even } else { odd };
@@ -132,7 +132,7 @@ impl Checkers {
     }
 }
 
-/// How many columns or rows of checkers there are; at least 1.
+/// Checks a number of columns or rows: at least 1.
 pub(super) fn count(field: &str, count: u32) -> Result<f64, Invalid> {
     if count == 0 {
         return Err(Invalid::field(field, "found 0, but at least 1 is needed"));
@@ -145,12 +145,12 @@ pub(super) fn half_grey() -> Paint {
     Rgb::grey(0.5).into()
 }
 
-/// The book's numbers of checkers, the defaults of scene files.
+/// The book's number of columns of checkers, the default in scene files.
 pub(crate) fn twenty() -> u32 {
     20
 }
 
-/// See [`twenty`].
+/// The book's number of rows of checkers, the default in scene files.
 pub(crate) fn ten() -> u32 {
     10
 }

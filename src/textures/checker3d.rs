@@ -13,9 +13,9 @@ use crate::math::floor;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Cubes of alternating colours, in the local coordinates of the object. The cube of a point is
-/// `floor(x / size − 0.000187453738)` on each axis, so that its borders are a little beyond the
-/// multiples of the size: a face at a whole coordinate lies in one cube, whatever way it is rounded.
+/// Cubes of alternating colours, in the local coordinates of the object. The index of a cube on
+/// each axis is `floor(x / size − 0.000187453738)`: the borders are slightly above the multiples of
+/// the size, so that rounding cannot give two colours to a face at such a multiple.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Checker3d {
@@ -25,7 +25,7 @@ pub struct Checker3d {
     /// The colour of the cube at the origin.
     #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
-    /// The colour of its neighbours.
+    /// The colour of the cubes beside it.
     #[serde(default = "cells::half_grey")]
     pub color2: Paint,
 }

@@ -6,40 +6,40 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
-use super::mapping::around;
+use super::mapping::azimuth;
 use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Checkers on the open cylinder about the y axis with y from −1 to 1 and any radius: by the azimuth φ and by
-/// the height `y/2 + 1/2`. Beyond its ends the rows go on. With an odd num_horizontal, two neighbours
-/// at φ = 0 are alike.
+/// Checkers on the open cylinder about the y axis with y from −1 to 1 and any radius: columns by
+/// the azimuth φ, rows by the height `y/2 + 1/2`. Above and below the cylinder the rows continue.
+/// With an odd num_horizontal, the two columns beside φ = 0 have the same colour.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CylinderChecker {
-    /// The length of 1: half the height of the cylinder; positive.
+    /// The length of one unit: half the height of the cylinder; positive.
     #[serde(default = "kinds::one")]
     pub unit: f64,
-    /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
+    /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
     #[serde(default = "cells::twenty")]
     pub num_horizontal: u32,
-    /// How many there are from y = −1 to y = 1; at least 1.
+    /// The number of checkers from y = −1 to y = 1; at least 1.
     #[serde(default = "cells::ten")]
     pub num_vertical: u32,
     /// The colour of the first checker, at the lower end and at φ = 0.
     #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
-    /// The colour of its neighbours.
+    /// The colour of the other checkers.
     #[serde(default = "cells::half_grey")]
     pub color2: Paint,
-    /// Lines along the borders; at each end of the cylinder is half a line. None if left out.
+    /// Lines along the borders; half a line at each end of the cylinder. None if left out.
     #[serde(default)]
     pub lines: Lines,
 }
 
-/// The book's numbers of checkers, white and grey.
+/// White and grey, with the numbers of checkers of the book.
 impl Default for CylinderChecker {
     fn default() -> Self {
         Self {
@@ -94,7 +94,7 @@ impl Specification for CylinderChecker {
 impl Chooser for CylinderCheckerTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let [x, y, z] = at.local.to_array().map(|c| c / self.unit);
-        let column = Cell::of_range(around(x, z), self.columns);
+        let column = Cell::of_range(azimuth(x, z), self.columns);
         let row = Cell::at(self.rows * (0.5 * y + 0.5));
         self.checkers.color([column, row])
     }

@@ -6,41 +6,41 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
-use super::mapping::{around, distance};
+use super::mapping::{azimuth, distance};
 use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Checkers on the disk of radius 1 about the y axis: by the azimuth φ, and in rings of the width
-/// 1/num_radial. Beyond its rim the rings go on; along y the colour does not change. With an odd
-/// num_angular, two neighbours at φ = 0 are alike.
+/// Checkers on the disk of radius 1 about the y axis: columns by the azimuth φ, rings of width
+/// 1/num_radial. Outside the rim the rings continue; the colour does not depend on y. With an odd
+/// num_angular, the two columns beside φ = 0 have the same colour.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DiskChecker {
-    /// The length of 1: the radius of the disk; positive.
+    /// The length of one unit: the radius of the disk; positive.
     #[serde(default = "kinds::one")]
     pub unit: f64,
-    /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
+    /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
     #[serde(default = "cells::twenty")]
     pub num_angular: u32,
-    /// How many there are from the middle to the rim; at least 1.
+    /// The number of checkers from the centre to the rim; at least 1.
     #[serde(default = "cells::ten")]
     pub num_radial: u32,
     /// The colour of the first checker, in the middle and at φ = 0.
     #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
-    /// The colour of its neighbours.
+    /// The colour of the other checkers.
     #[serde(default = "cells::half_grey")]
     pub color2: Paint,
-    /// Lines along the borders: the horizontal ones are circles, the vertical ones run outward. The middle and
-    /// the rim have half a line. None if left out.
+    /// Lines along the borders: the horizontal ones are circles, the vertical ones radial. Half a
+    /// line at the centre and at the rim. None if left out.
     #[serde(default)]
     pub lines: Lines,
 }
 
-/// The book's numbers of checkers, white and grey.
+/// White and grey, with the numbers of checkers of the book.
 impl Default for DiskChecker {
     fn default() -> Self {
         Self {
@@ -95,7 +95,7 @@ impl Specification for DiskChecker {
 impl Chooser for DiskCheckerTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         let [x, _, z] = at.local.to_array().map(|c| c / self.unit);
-        let column = Cell::of_range(around(x, z), self.columns);
+        let column = Cell::of_range(azimuth(x, z), self.columns);
         let row = Cell::at(self.rows * distance(x, z));
         self.checkers.color([column, row])
     }

@@ -13,30 +13,31 @@ use crate::noise::Noise;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Fractional Brownian motion as brightness: `min + (max − min) fBm` times a colour. Where that number
-/// is not from 0 to 1 the texture is red, as in the book, so that min and max can be found by eye.
+/// Fractional Brownian motion as brightness: `min + (max − min) fBm` times a colour. Where this
+/// number is not between 0 and 1 the texture is red, as in the book, which helps to choose min and
+/// max.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fbm {
     /// The noise.
     #[serde(default)]
     pub noise: Noise,
-    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// The brightness for an fBm of 0; of any sign.
+    /// The brightness where fBm is 0; may be negative.
     #[serde(default)]
     pub min: f64,
-    /// The brightness for an fBm of 1; of any sign.
+    /// The brightness where fBm is 1; may be negative.
     #[serde(default = "kinds::one")]
     pub max: f64,
-    /// The colour of brightness 1.
+    /// The colour at brightness 1.
     #[serde(default = "kinds::white::<Paint>")]
     pub color: Paint,
 }
 
 impl Fbm {
-    /// From black to white, in cells of this size.
+    /// Black to white, in cells of this size.
     pub fn new(noise: Noise, size: f64) -> Self {
         Self { noise, size, min: 0.0, max: 1.0, color: Rgb::WHITE.into() }
     }
@@ -90,7 +91,7 @@ impl Texture for FbmTexture {
         value * self.color.at(at)
     }
 
-    /// Without the red, which warns of colours only.
+    /// Without the red: it marks only colours out of range.
     fn number(&self, at: &TexturePoint<'_>) -> f64 {
         self.value(at) * self.color.number(at)
     }

@@ -15,50 +15,51 @@ use crate::math::Point;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// An image laid on a surface: by a mapping of the local point, or by the texture coordinates of a mesh.
-/// u goes to the right in the image, v up.
+/// An image mapped to a surface: by a mapping of the local point, or by the texture coordinates of
+/// a mesh. In the image, u increases to the right and v upward.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Image {
-    /// The file, relative to the scene file: PNG, PPM, HDR or EXR. An alpha channel is left out. Either
-    /// this, or `drawn`.
+    /// The file, relative to the scene file: PNG, PPM, HDR or EXR. An alpha channel is ignored.
+    /// Either this, or `drawn`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
-    /// In place of a file: an image drawn by a formula.
+    /// Instead of a file: an image drawn by a formula.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawn: Option<Drawn>,
-    /// How the image is laid on the surface; if left out, by the surface's own texture coordinates, which
-    /// meshes may have.
+    /// How the image is mapped to the surface; if left out, by the texture coordinates of the
+    /// surface, which meshes may have.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mapping: Option<Mapping>,
-    /// The length of 1 for the mapping: the radius of the cylinder, half the side of the rectangle;
-    /// positive.
+    /// The length of one unit of the mapping: the radius of the cylinder, half the side of the
+    /// rectangle; positive.
     #[serde(default = "kinds::one")]
     pub unit: f64,
-    /// Which texels count; the nearest if left out, as in the book.
+    /// Which texels are used; the nearest if left out, as in the book.
     #[serde(default)]
     pub filtering: Filtering,
-    /// How u is brought back to 0 … 1; if left out, as fits the mapping, and `repeat` without one.
+    /// How u outside 0 … 1 is treated; if left out, as the mapping needs, and `repeat` without a
+    /// mapping.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap_u: Option<Wrap>,
     /// The same for v.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap_v: Option<Wrap>,
-    /// Which part of the image a texel covers.
+    /// The part of the image that each texel covers.
     #[serde(default)]
     pub rule: Rule,
-    /// What the numbers of a PNG or PPM file mean; `srgb` if left out. Those of HDR and EXR are linear.
+    /// How a PNG or PPM file encodes colours; `srgb` if left out. HDR and EXR files are linear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,
 }
 
 impl Image {
-    /// The image of a file, with this mapping or by the surface's own coordinates.
+    /// The image of a file, with this mapping or with the surface's texture coordinates.
     pub fn of_file(file: impl Into<PathBuf>, mapping: Option<Mapping>) -> Self {
         Self { file: Some(file.into()), ..Self::empty(mapping) }
     }
 
-    /// A drawn image, with this mapping or by the surface's own coordinates.
+    /// A drawn image, with this mapping or with the surface's texture coordinates.
     pub fn of_drawn(drawn: Drawn, mapping: Option<Mapping>) -> Self {
         Self { drawn: Some(drawn), ..Self::empty(mapping) }
     }
@@ -131,7 +132,7 @@ impl ImageTexture {
                 let local = at.local.to_array().map(|c| c / self.unit);
                 mapping.uv(Point::from(local))
             }
-            // worlds are built of surfaces that have some only
+            // building the world checks that the surface has texture coordinates
             None => at.uv().unwrap_or_default(),
         }
     }

@@ -1,5 +1,5 @@
 //! Textures: colours that vary over a surface (Suffern, ch. 29–31). Every colour or number of a
-//! material may be one.
+//! material may be a texture.
 
 mod checker3d;
 mod cone_checker;
@@ -54,23 +54,23 @@ pub(crate) use sphere_cells::SphereCells;
 
 /// A colour for each point of a surface. Contract: `tests/contracts/texture.rs`.
 pub trait Texture: Debug + Send + Sync {
-    /// The colour at a point; solid textures look at the local point.
+    /// The colour at a point; solid textures use the local point.
     fn color(&self, at: &TexturePoint<'_>) -> Rgb;
 
-    /// The number there, for a field that is no colour: the red channel.
+    /// The number at a point, for a field that is not a colour: the red channel.
     fn number(&self, at: &TexturePoint<'_>) -> f64 {
         self.color(at).r
     }
 
-    /// The texel of an image at a point, for explanations; `None` for textures without images.
+    /// The texel at a point, for explanations; `None` for textures without an image.
     fn texel(&self, _at: &TexturePoint<'_>) -> Option<Texel> {
         None
     }
 }
 
-/// A texture that has one of several colours at each point.
+/// A texture that chooses one of several colours at each point.
 trait Chooser: Debug + Send + Sync {
-    /// The colour at a point.
+    /// The chosen colour at a point.
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color;
 }
 
@@ -100,8 +100,7 @@ pub struct Texel {
 }
 
 crate::kinds! {
-    /// A colour that varies over a surface. It may be written wherever a material has a colour; where
-    /// it has a number, the red channel is that number.
+    /// A colour of a material that varies over a surface, or a number: the red channel.
     Kind builds dyn Texture with Resources;
     ch29 constant::Constant,
     ch29 image::Image,

@@ -1,11 +1,11 @@
-//! A noise in the coordinates of a texture (Suffern, ch. 31): what the noise textures share.
+//! Noise in the coordinates of a texture, shared by the noise textures (Suffern, ch. 31).
 
 use super::TexturePoint;
 use crate::invalid::{Invalid, length, not_negative};
 use crate::math::{Point, floor};
 use crate::noise::{LatticeNoise, Noise};
 
-/// Noise whose cells have edges of this length.
+/// Noise with lattice cells of edge `size`.
 #[derive(Debug)]
 pub(super) struct NoiseField {
     pub noise: LatticeNoise,
@@ -19,7 +19,7 @@ impl NoiseField {
         Ok(Self { noise, size: length("size", size)? })
     }
 
-    /// The point, measured in cells.
+    /// The point in units of lattice cells.
     pub fn point(&self, at: &TexturePoint<'_>) -> Point {
         Point::from(at.local.to_array().map(|c| c / self.size))
     }
@@ -30,7 +30,7 @@ impl NoiseField {
     }
 }
 
-/// The values that stand for 0 and 1 of a noise.
+/// The values to which 0 and 1 of a noise are mapped.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Range {
     pub min: f64,
@@ -49,7 +49,7 @@ impl Range {
     }
 }
 
-/// The part of a noise after the whole number, in `[0, 1)`: noise over 1 starts again at 0.
+/// The fractional part of a noise, in `[0, 1)`.
 pub(super) fn wrapped(noise: f64) -> f64 {
     noise - floor(noise)
 }

@@ -1,4 +1,4 @@
-//! Colours of materials: plain or textured; as scenes say them, and built.
+//! Colours of materials, plain or textured: as scene data ([`Paint`]) and built ([`Color`]).
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -11,22 +11,22 @@ use crate::invalid::Invalid;
 use crate::resources::Resources;
 use crate::rgb::{ColorOr, Colorful, Rgb};
 
-/// A colour of a material: in scene files `[r, g, b]`, one number for a grey, or a texture, as
+/// A colour of a material: in scene files `[r, g, b]`, one number for a grey, or a texture, such as
 /// `{ checker3d = { size = 4.0 } }`.
 #[derive(Clone, Debug)]
 pub enum Paint {
     /// One colour everywhere.
     Plain(Rgb),
-    /// One that varies.
+    /// A colour that varies.
     Textured(Box<Kind>),
 }
 
-/// A colour ready to be asked; a plain one looks nothing up.
+/// A built colour.
 #[derive(Clone, Debug)]
 pub enum Color {
     /// One colour everywhere.
     Plain(Rgb),
-    /// One that varies.
+    /// A colour that varies.
     Textured(Arc<dyn Texture>),
 }
 
@@ -39,7 +39,7 @@ impl Color {
         }
     }
 
-    /// Its red channel, or the number of its texture.
+    /// The red channel, or the number of the texture.
     pub(super) fn number(&self, at: &TexturePoint<'_>) -> f64 {
         match self {
             Self::Plain(color) => color.r,
@@ -47,7 +47,7 @@ impl Color {
         }
     }
 
-    /// What of an image is seen at a point.
+    /// The texel at a point; `None` without an image.
     pub(super) fn texel(&self, at: &TexturePoint<'_>) -> Option<Texel> {
         self.texture()?.texel(at)
     }

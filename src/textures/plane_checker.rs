@@ -12,16 +12,16 @@ use crate::kinds::Specification;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Squares of alternating colours in the local xz plane, with lines along their borders. For level
-/// surfaces: along y the colour does not change.
+/// Squares of alternating colours in the local xz plane, with lines along their borders. For
+/// horizontal surfaces: the colour does not depend on y.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlaneChecker {
     /// The side of a square, in the unit of the scene; positive.
     pub size: f64,
-    /// The colour of the square in the first quadrant at the origin.
+    /// The colour of the square at the origin in the first quadrant.
     pub color1: Paint,
-    /// The colour of its neighbours.
+    /// The colour of the squares beside it.
     pub color2: Paint,
     /// The full width of the lines, centred on the borders, in the unit of the scene; 0 for none.
     #[serde(default)]

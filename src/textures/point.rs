@@ -3,13 +3,13 @@
 use crate::math::{Point, Vector};
 use crate::shapes::{Candidate, Facet, Shape, Surface};
 
-/// A point of a surface with the data for textures: a hit, or a point drawn on a lamp.
+/// A point of a surface with the data for textures: a hit, or a sample point on an area light.
 #[derive(Clone, Copy, Debug)]
 pub struct TexturePoint<'a> {
-    /// The surface there.
+    /// The surface at the point.
     pub surface: &'a Surface,
-    /// The point in the coordinates of the texture: the surface's local point, moved by texture
-    /// instances.
+    /// The point in the coordinates of the texture: the surface's local point, transformed by
+    /// texture instances.
     pub local: Point,
     details: Details<'a>,
 }
@@ -17,9 +17,9 @@ pub struct TexturePoint<'a> {
 /// Texture coordinates, computed only when a texture needs them.
 #[derive(Clone, Copy, Debug)]
 enum Details<'a> {
-    /// Texture coordinates that are known, if there are any.
+    /// Known texture coordinates, if there are any.
     Known(Option<[f64; 2]>),
-    /// Those of a shape at this hit, or beside it by this vector in local coordinates.
+    /// The texture coordinates of a shape at a hit, displaced by a vector in local coordinates.
     Of(&'a dyn Shape, &'a Candidate, Vector),
 }
 
@@ -34,21 +34,21 @@ impl<'a> TexturePoint<'a> {
         Self { details: Details::Known(Some(uv)), ..Self::new(surface) }
     }
 
-    /// The hit of a shape.
+    /// A hit of a shape.
     pub fn of_hit(surface: &'a Surface, shape: &'a dyn Shape, at: &'a Candidate) -> Self {
         Self { details: Details::Of(shape, at, Vector::ZERO), ..Self::new(surface) }
     }
 
-    /// The same point for a texture that is moved against its object.
+    /// The same point of the surface with another `local` point, for texture instances.
     #[must_use]
     pub fn moved_to(self, local: Point) -> Self {
         Self { local, ..self }
     }
 
-    /// A point beside this one on the surface, for slopes: by a short vector in the surface's local
-    /// coordinates.
+    /// The point displaced along the surface by a short vector in local coordinates, for finite
+    /// differences.
     #[must_use]
-    pub fn beside(self, by: Vector) -> Self {
+    pub fn displaced(self, by: Vector) -> Self {
         let details = match self.details {
             Details::Of(shape, at, so_far) => Details::Of(shape, at, so_far + by),
             known @ Details::Known(_) => known,
@@ -56,7 +56,7 @@ impl<'a> TexturePoint<'a> {
         Self { local: self.local + by, details, ..self }
     }
 
-    /// The texture coordinates of the shape itself, if it has any, as meshes have.
+    /// The texture coordinates of the shape; `None` if it has none. Meshes may have them.
     pub fn uv(&self) -> Option<[f64; 2]> {
         match self.details {
             Details::Known(uv) => uv,
@@ -65,7 +65,7 @@ impl<'a> TexturePoint<'a> {
         }
     }
 
-    /// The triangle it is on, if it is on one.
+    /// The triangle of the point, if the shape is a mesh.
     pub fn facet(&self) -> Option<Facet> {
         match self.details {
             Details::Known(_) => None,
@@ -74,7 +74,7 @@ impl<'a> TexturePoint<'a> {
         }
     }
 
-    /// Which of the shapes nested in the object's it is on, as in [`Candidate::leaf`].
+    /// The index of the nested shape of the point, as in [`Candidate::leaf`].
     pub fn leaf(&self) -> u64 {
         match self.details {
             Details::Known(_) => 0,

@@ -1,4 +1,4 @@
-//! The ramp: colours that pass into one another along an axis (Suffern, ch. 30).
+//! The ramp: colours interpolated along an axis (Suffern, ch. 30).
 
 use std::sync::Arc;
 
@@ -12,20 +12,20 @@ use crate::math::{Axis, floor};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Colours at equal distances along an axis of the object's own coordinates, and what is between them in
-/// proportion.
+/// Colours at equal distances along an axis of the object's own coordinates, with linear
+/// interpolation between them.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ramp {
     /// The axis along which the colours change.
     pub axis: Axis,
-    /// Where on the axis the first colour is, in the unit of the scene.
+    /// The coordinate of the first colour, in the unit of the scene.
     pub from: f64,
-    /// Where the last colour is; elsewhere than the first.
+    /// The coordinate of the last colour; not equal to `from`.
     pub to: f64,
     /// The colours, two or more.
     pub colors: Vec<Paint>,
-    /// How it goes on beyond its ends; if left out, with the colours there.
+    /// How the ramp continues beyond its ends; `clamp` if left out.
     #[serde(default = "clamp")]
     pub wrap: Wrap,
 }
@@ -89,7 +89,7 @@ impl Texture for RampTexture {
         let before = floor(s);
         let i = before as usize;
         let [a, b] = [i, (i + 1).min(last)].map(|i| self.colors[i].at(at).to_array());
-        // this way round two equal colours have nothing else between them, to the last bit
+        // in this form, interpolation between equal colours is exact
         Rgb::from([0, 1, 2].map(|c: usize| a[c] + (s - before) * (b[c] - a[c])))
     }
 }

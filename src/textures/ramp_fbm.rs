@@ -15,9 +15,9 @@ use crate::noise::Noise;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Layers across the y axis, disturbed by noise: the colour of a ramp at `(1 + sin(y + a fBm))/2`. With
-/// a large `a`, the perturbation, it is marble, with a small one and many octaves sandstone. Layers are
-/// 2π sizes high.
+/// Layers perpendicular to the y axis, perturbed by noise: the colour of a ramp at `(1 + sin(y + a
+/// fBm))/2`. With a large perturbation `a` it is marble, with a small one and many octaves
+/// sandstone. The layers have the period 2π in units of `size`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RampFbm {
@@ -26,10 +26,12 @@ pub struct RampFbm {
     /// The noise.
     #[serde(default)]
     pub noise: Noise,
-    /// The edge of a cell of the noise's lattice, and the unit of y, in the unit of the scene; positive.
+    /// The edge of a cell of the noise lattice and the unit of y, in the unit of the scene;
+    /// positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// The book's perturbation `a`, in sizes: how far the noise moves the layers.
+    /// The book's perturbation `a`, in units of `size`: the displacement of the layers by the
+    /// noise.
     #[serde(default = "three")]
     pub perturbation: f64,
 }
@@ -64,7 +66,7 @@ impl Specification for RampFbm {
     fn specimens() -> Vec<Self> {
         let colors = [Rgb::new(0.9, 0.9, 1.0), Rgb::new(0.1, 0.2, 0.5), Rgb::new(0.6, 0.7, 0.9)];
         let marble = Self {
-            ramp: ColorTable::mixed(colors),
+            ramp: ColorTable::interpolated(colors),
             noise: Noise::of_octaves(4),
             size: 0.5,
             perturbation: 8.0,

@@ -1,4 +1,4 @@
-//! A random colour for each shape of many (Suffern, ch. 22: the spheres of a grid).
+//! A random colour for each of many shapes (Suffern, ch. 22: the spheres of a grid).
 
 use std::sync::Arc;
 
@@ -12,12 +12,12 @@ use crate::math::{Pcg32, hash};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// A colour for each shape nested in a compound, lattice or set of random spheres, uniform in the
-/// cube of colours and the same wherever the shape is seen.
+/// A random colour for each shape in a compound, lattice or set of random spheres, uniform in the
+/// RGB cube and constant over the shape.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RandomColors {
-    /// Chooses the colours: another seed, other colours.
+    /// The seed of the random colours.
     #[serde(default)]
     pub seed: u64,
 }

@@ -12,33 +12,33 @@ use crate::kinds::{self, Specification};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Checkers on the rectangle −1 … 1 in x and z: by `x/2 + 1/2` and `z/2 + 1/2`. Beyond its sides they go on;
-/// along y the colour does not change.
+/// Checkers on the rectangle −1 … 1 in x and z: columns by `x/2 + 1/2`, rows by `z/2 + 1/2`.
+/// Outside the rectangle they continue; the colour does not depend on y.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RectangleChecker {
-    /// The length of 1: half the side of the rectangle; positive.
+    /// The length of one unit: half the side of the rectangle; positive.
     #[serde(default = "kinds::one")]
     pub unit: f64,
-    /// How many checkers there are from x = −1 to x = 1; at least 1.
+    /// The number of checkers from x = −1 to x = 1; at least 1.
     #[serde(default = "cells::twenty")]
     pub num_horizontal: u32,
-    /// How many there are from z = −1 to z = 1; at least 1.
+    /// The number of checkers from z = −1 to z = 1; at least 1.
     #[serde(default = "cells::ten")]
     pub num_vertical: u32,
     /// The colour of the first checker, in the corner x = z = −1.
     #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
-    /// The colour of its neighbours.
+    /// The colour of the other checkers.
     #[serde(default = "cells::half_grey")]
     pub color2: Paint,
-    /// Lines along the borders: the horizontal ones run along x, the vertical ones along z. At each side of the
-    /// rectangle is half a line. None if left out.
+    /// Lines along the borders: the horizontal ones run along x, the vertical ones along z. Half a
+    /// line at each side of the rectangle. None if left out.
     #[serde(default)]
     pub lines: Lines,
 }
 
-/// The book's numbers of checkers, white and grey.
+/// White and grey, with the numbers of checkers of the book.
 impl Default for RectangleChecker {
     fn default() -> Self {
         Self {

@@ -8,46 +8,46 @@ use crate::images::Texels;
 use crate::math::floor;
 use crate::rgb::Rgb;
 
-/// Which texels count.
+/// Which texels are used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "filtering")]
 pub enum Filtering {
-    /// The one that the point is in: squares when seen from near.
+    /// The texel that contains the point: squares are visible from nearby.
     #[default]
     Nearest,
-    /// The four around the point, by their distance.
+    /// Bilinear interpolation of the four texels around the point.
     Bilinear,
 }
 
-/// Which part of an image a texel covers.
+/// The part of the image that each texel covers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "rules for texels")]
 pub enum Rule {
-    /// `1/n` of it, each of the `n` alike: column `⌊n u⌋`.
+    /// Each of the `n` texels covers `1/n`: column `⌊n u⌋`.
     #[default]
     Even,
-    /// As in the book, `1/(n − 1)`, so that the last column and row are reached at 1 only: column
-    /// `⌊(n − 1) u⌋`.
+    /// As in the book, each texel covers `1/(n − 1)`, and the last column and row only the
+    /// coordinate 1: column `⌊(n − 1) u⌋`.
     Book,
 }
 
-/// How coordinates beyond 0 … 1 are brought back.
+/// How coordinates outside 0 … 1 are treated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "wraps")]
 pub enum Wrap {
-    /// The image again and again.
+    /// The image repeats.
     Repeat,
-    /// The texels at the border go on.
+    /// The texels at the border continue.
     Clamp,
-    /// The image and its mirror image in turn.
+    /// The image alternates with its mirror image.
     Mirror,
 }
 
 impl Wrap {
-    /// A coordinate from 0 to 1; those that are, stay.
+    /// The coordinate mapped to 0 … 1; unchanged if it is already there.
     pub(super) fn coordinate(self, x: f64) -> f64 {
         if (0.0..=1.0).contains(&x) {
             return x;
@@ -59,7 +59,7 @@ impl Wrap {
         }
     }
 
-    /// The index of the texel beside a border, which is at most one beyond.
+    /// The index of a texel, where `i` is at most one outside 0 … `count` − 1.
     pub(crate) fn index(self, i: f64, count: u32) -> u32 {
         let last = count - 1;
         match self {
@@ -90,12 +90,12 @@ impl Sampling {
         }
     }
 
-    /// The texel there; for a bilinear look-up, the texel of the largest weight.
+    /// The texel at texture coordinates; for a bilinear look-up, the texel of the largest weight.
     pub fn texel(&self, texels: &Texels, uv: [f64; 2]) -> Texel {
         let [column, row] = match self.filtering {
             Filtering::Nearest => self.nearest(texels, uv),
             Filtering::Bilinear => {
-                let [x, y] = self.between_centers(texels, uv);
+                let [x, y] = self.texel_position(texels, uv);
                 let nearest =
                     |axis: usize, x: f64, count| self.wraps[axis].index(floor(x + 0.5), count);
                 [nearest(0, x, texels.width()), nearest(1, y, texels.height())]
@@ -114,20 +114,20 @@ impl Sampling {
         [index(0, texels.width()), index(1, texels.height())]
     }
 
-    /// The position of the point, in texels from the centre of the first.
-    fn between_centers(&self, texels: &Texels, uv: [f64; 2]) -> [f64; 2] {
-        let place = |axis: usize, count: u32| {
+    /// The position of the point in texels, from the centre of the first texel.
+    fn texel_position(&self, texels: &Texels, uv: [f64; 2]) -> [f64; 2] {
+        let position = |axis: usize, count: u32| {
             let x = self.wraps[axis].coordinate(uv[axis]);
             match self.rule {
                 Rule::Even => f64::from(count) * x - 0.5,
                 Rule::Book => f64::from(count - 1) * x,
             }
         };
-        [place(0, texels.width()), place(1, texels.height())]
+        [position(0, texels.width()), position(1, texels.height())]
     }
 
     fn bilinear(&self, texels: &Texels, uv: [f64; 2]) -> Rgb {
-        let [x, y] = self.between_centers(texels, uv);
+        let [x, y] = self.texel_position(texels, uv);
         let [left, bottom] = [floor(x), floor(y)];
         let column = |i: f64| self.wraps[0].index(i, texels.width());
         let [column0, column1] = [column(left), column(left + 1.0)];
@@ -139,7 +139,7 @@ impl Sampling {
     }
 }
 
-/// `a + t (b − a)`: exactly `a` where the two are equal.
+/// `a + t (b − a)`: exactly `a` if both are equal.
 fn mix(a: Rgb, b: Rgb, t: f64) -> Rgb {
     a + t * (b + -1.0 * a)
 }

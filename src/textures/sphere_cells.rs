@@ -3,11 +3,12 @@
 use std::f64::consts::PI;
 
 use super::cells::{self, Cell};
-use super::mapping::{around, from_axis};
+use super::mapping::{azimuth, polar_angle};
 use crate::invalid::Invalid;
 use crate::math::Point;
 
-/// A sphere about the origin, divided into columns by the azimuth φ and into rows by the polar angle θ.
+/// A sphere about the origin, divided into columns by the azimuth φ and into rows by the polar
+/// angle θ.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereCells {
     columns: f64,
@@ -21,30 +22,29 @@ impl SphereCells {
         Ok(Self { columns, rows: cells::count("num_vertical", num_vertical)? })
     }
 
-    /// How many there are.
-    pub(crate) fn number(&self) -> u64 {
+    pub(crate) fn count(&self) -> u64 {
         self.columns as u64 * self.rows as u64
     }
 
     /// The column `φ/(2π/n_h)` and the row `θ/(π/n_v)` of the direction of a point.
     pub(super) fn cell(&self, local: Point) -> [Cell; 2] {
         let [x, y, z] = local.to_array();
-        let theta = from_axis(x, z, y) / PI;
-        [Cell::of_range(around(x, z), self.columns), Cell::of_range(theta, self.rows)]
+        let theta = polar_angle(x, z, y) / PI;
+        [Cell::of_range(azimuth(x, z), self.columns), Cell::of_range(theta, self.rows)]
     }
 
-    /// The number of the checker in the direction of a point: row by row from the north pole, and in each
-    /// row from φ = 0 on.
+    /// The index of the checker in the direction of a point: row by row from the north pole, each
+    /// row from φ = 0.
     pub(crate) fn index(&self, local: Point) -> u64 {
         let [column, row] = self.cell(local);
         row.index as u64 * self.columns as u64 + column.index as u64
     }
 
-    /// Refuses a list of things for the checkers that is empty, or longer than they are many.
+    /// Checks the length of a list: from 1 to the number of checkers.
     pub(crate) fn check_list(&self, field: &str, length: usize) -> Result<(), Invalid> {
-        let most = self.number();
-        if length == 0 || length as u64 > most {
-            let problem = format!("found {length}, but from 1 to {most} fit, one for each checker");
+        let max = self.count();
+        if length == 0 || length as u64 > max {
+            let problem = format!("found {length}, but from 1 to {max} fit, one for each checker");
             return Err(Invalid::field(field, problem));
         }
         Ok(())

@@ -12,30 +12,31 @@ use crate::kinds::{self, Specification};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Checkers of equal angles on a sphere about the origin of its own coordinates, of any radius: even
-/// numbers of the column φ/(2π/num_horizontal) and the row θ/(π/num_vertical) together have the first
-/// colour. With an odd num_horizontal, two neighbours at φ = 0 are alike.
+/// Checkers of equal angles on a sphere of any radius about the origin of its own coordinates. The
+/// first colour is where the sum of the column ⌊φ/(2π/num_horizontal)⌋ and the row
+/// ⌊θ/(π/num_vertical)⌋ is even. With an odd num_horizontal, the two columns beside φ = 0 have the
+/// same colour.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereChecker {
-    /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
+    /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
     #[serde(default = "cells::twenty")]
     pub num_horizontal: u32,
-    /// How many there are from the north pole, on the y axis, to the south pole; at least 1.
+    /// The number of checkers from the north pole (on the +y axis) to the south pole; at least 1.
     #[serde(default = "cells::ten")]
     pub num_vertical: u32,
     /// The colour of the first checker, which touches the north pole.
     #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
-    /// The colour of its neighbours.
+    /// The colour of the other checkers.
     #[serde(default = "cells::half_grey")]
     pub color2: Paint,
-    /// Lines along the borders; a horizontal line covers the poles, too. None if left out.
+    /// Lines along the borders; half a horizontal line at each pole. None if left out.
     #[serde(default)]
     pub lines: Lines,
 }
 
-/// The book's numbers of checkers, white and grey.
+/// White and grey, with the numbers of checkers of the book.
 impl Default for SphereChecker {
     fn default() -> Self {
         Self {

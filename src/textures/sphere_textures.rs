@@ -16,14 +16,14 @@ use crate::rgb::Rgb;
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereTextures {
-    /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
+    /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
     #[serde(default = "cells::twenty")]
     pub num_horizontal: u32,
-    /// How many there are from the north pole, on the y axis, to the south pole; at least 1.
+    /// The number of checkers from the north pole (on the +y axis) to the south pole; at least 1.
     #[serde(default = "cells::ten")]
     pub num_vertical: u32,
-    /// The textures: row by row from the north pole, in each row from the +z axis on. If there are fewer
-    /// than checkers, they begin again.
+    /// The textures: row by row from the north pole, each row from the +z axis. If there are fewer
+    /// textures than checkers, they repeat.
     pub textures: Vec<Paint>,
     /// Lines along the borders; none if left out.
     #[serde(default)]
@@ -68,8 +68,8 @@ impl Specification for SphereTextures {
 impl Chooser for SphereTexturesTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
         self.lines.on(self.cells.cell(at.local)).unwrap_or_else(|| {
-            let turn = self.cells.index(at.local) % self.textures.len() as u64;
-            &self.textures[turn as usize]
+            let index = self.cells.index(at.local) % self.textures.len() as u64;
+            &self.textures[index as usize]
         })
     }
 }

@@ -13,9 +13,9 @@ use crate::math::{Axis, floor};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Layers of two colours in turn, all through the object, across an axis of its own coordinates. Their
-/// borders are a little beyond the multiples of the size, as those of `checker3d`, so that a face at a
-/// whole coordinate lies in one layer.
+/// Layers of two alternating colours, perpendicular to an axis of the object's own coordinates. As
+/// for `checker3d`, the borders are slightly above the multiples of the size, so that a face at
+/// such a multiple has one colour.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stripes {
@@ -24,10 +24,10 @@ pub struct Stripes {
     /// The width of a stripe, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// The colour of the stripe from 0 to the size.
+    /// The colour of the stripe from 0 to `size`.
     #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
-    /// The colour of its neighbours.
+    /// The colour of the stripes beside it.
     #[serde(default = "cells::half_grey")]
     pub color2: Paint,
 }

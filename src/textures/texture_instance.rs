@@ -1,5 +1,4 @@
-//! The instance of a texture, the book's `TInstance` (Suffern, ch. 30): a texture seen through a
-//! transformation.
+//! The instance of a texture, the book's `TInstance` (Suffern, ch. 30): a transformed texture.
 
 use std::sync::Arc;
 
@@ -14,15 +13,16 @@ use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::shapes::transform_of;
 
-/// A texture moved, turned, stretched or sheared against its object: the colour at a local point p is that of
-/// the texture at M⁻¹p. What belongs to the surface itself stays as it is: the texture coordinates and the
-/// triangles of a mesh.
+/// A texture that is translated, rotated, scaled or sheared relative to its object: the colour at a
+/// local point p is that of the texture at M⁻¹p. The texture coordinates and the triangles of a
+/// mesh belong to the surface and are not transformed.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TextureInstance {
-    /// What is transformed; it may be an instance itself, whose steps come first.
+    /// The texture to transform; it may be an instance itself, whose steps are applied first.
     pub of: Paint,
-    /// The steps, in the order in which they are applied, about the origin of the object's own coordinates.
+    /// The steps, in the order in which they are applied, about the origin of the object's own
+    /// coordinates.
     pub transform: Vec<Step>,
 }
 

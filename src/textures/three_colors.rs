@@ -14,33 +14,33 @@ use crate::noise::Noise;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// As `wrapped_fbm`, with three colours between two thresholds of `expansion · fBm`.
+/// As `wrapped_fbm`, with three colours separated by two thresholds of `expansion · fBm`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThreeColors {
     /// The noise.
     #[serde(default)]
     pub noise: Noise,
-    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// The book's expansion number: the noise goes from 0 to it; positive.
+    /// The book's expansion number: the noise has values from 0 to this number; positive.
     #[serde(default = "three")]
     pub expansion: f64,
-    /// Where the second and the third colour begin; the second is not below the first.
+    /// The noise at which the second and the third colour begin; ascending.
     #[serde(default = "thresholds", deserialize_with = "lists::exactly")]
     pub thresholds: [f64; 2],
-    /// The brightness above a line; not negative.
+    /// The brightness where the fractional part is 0; not negative.
     #[serde(default)]
     pub min: f64,
-    /// The brightness below it; not negative.
+    /// The brightness where the fractional part approaches 1; not negative.
     #[serde(default = "kinds::one")]
     pub max: f64,
     /// The colour where the noise is below both thresholds.
     pub color1: Paint,
-    /// The colour where it is between them.
+    /// The colour where the noise is between the thresholds.
     pub color2: Paint,
-    /// The colour elsewhere.
+    /// The colour where the noise is above both thresholds.
     pub color3: Paint,
 }
 
@@ -53,7 +53,7 @@ fn thresholds() -> [f64; 2] {
 }
 
 impl ThreeColors {
-    /// Three colours, each from black, in cells of this size.
+    /// Three colours, each mixed with black, in cells of this size.
     pub fn new(noise: Noise, size: f64, expansion: f64, colors: [Paint; 3]) -> Self {
         let [color1, color2, color3] = colors;
         let thresholds = thresholds();

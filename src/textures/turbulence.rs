@@ -13,31 +13,31 @@ use crate::noise::Noise;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// Turbulence as brightness: `min + (max − min) turbulence` times a colour. It has dark veins where the
-/// noise changes its sign.
+/// Turbulence as brightness: `min + (max − min) turbulence` times a colour. It has dark veins where
+/// the noise changes sign.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Turbulence {
-    /// The noise; gain and lacunarity do not matter.
+    /// The noise; gain and lacunarity are not used.
     #[serde(default)]
     pub noise: Noise,
-    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// The brightness for a turbulence of 0; not negative.
+    /// The brightness where the turbulence is 0; not negative.
     #[serde(default)]
     pub min: f64,
-    /// The brightness for a turbulence of 1; not negative. It may be above 1, as few points have much
-    /// turbulence.
+    /// The brightness where the turbulence is 1; not negative. It may be above 1, because few
+    /// points have a turbulence near 1.
     #[serde(default = "kinds::one")]
     pub max: f64,
-    /// The colour of brightness 1.
+    /// The colour at brightness 1.
     #[serde(default = "kinds::white::<Paint>")]
     pub color: Paint,
 }
 
 impl Turbulence {
-    /// From black to white, in cells of this size.
+    /// Black to white, in cells of this size.
     pub fn new(noise: Noise, size: f64) -> Self {
         Self { noise, size, min: 0.0, max: 1.0, color: Rgb::WHITE.into() }
     }

@@ -1,4 +1,5 @@
-//! Wrapped noise of two colours (Suffern, ch. 31): the book's `WrappedTwoColors` and `NestedNoises`.
+//! Wrapped noise of two colours (Suffern, ch. 31): the book's `WrappedTwoColors` and
+//! `NestedNoises`.
 
 use std::sync::Arc;
 
@@ -13,29 +14,29 @@ use crate::noise::Noise;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// As `wrapped_fbm`, with a colour where `expansion · fBm` is below 1 and another where it is not. If the
-/// second is a texture of noise itself, these are the book's nested noises.
+/// As `wrapped_fbm`, with one colour where `expansion · fBm` is below 1 and another elsewhere. If
+/// the second is a noise texture, these are the book's nested noises.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TwoColors {
     /// The noise.
     #[serde(default)]
     pub noise: Noise,
-    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// The book's expansion number: the noise goes from 0 to it; positive.
+    /// The book's expansion number: the noise has values from 0 to this number; positive.
     #[serde(default = "two")]
     pub expansion: f64,
-    /// The brightness above a line; not negative.
+    /// The brightness where the fractional part is 0; not negative.
     #[serde(default)]
     pub min: f64,
-    /// The brightness below it; not negative.
+    /// The brightness where the fractional part approaches 1; not negative.
     #[serde(default = "kinds::one")]
     pub max: f64,
     /// The colour where the noise is below 1.
     pub color1: Paint,
-    /// The colour elsewhere.
+    /// The colour where the noise is at least 1.
     pub color2: Paint,
 }
 
@@ -44,7 +45,7 @@ fn two() -> f64 {
 }
 
 impl TwoColors {
-    /// Two colours, each from black, in cells of this size.
+    /// Two colours, each mixed with black, in cells of this size.
     pub fn new(noise: Noise, size: f64, expansion: f64, colors: [Paint; 2]) -> Self {
         let [color1, color2] = colors;
         Self { noise, size, expansion, min: 0.0, max: 1.0, color1, color2 }

@@ -13,19 +13,19 @@ use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::shapes::Facet;
 
-/// Lines along the edges of the triangles of a mesh. Shapes without triangles have the colour between
-/// them. It belongs to the triangles: it moves and stretches with them in instances, and instances of
-/// textures do not move it.
+/// Lines along the edges of the triangles of a mesh. Shapes without triangles have the colour
+/// `color` everywhere. The lines belong to the triangles: instances of the mesh transform them,
+/// texture instances do not.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Wireframe {
-    /// The full width of a line, one half of it on each of the two triangles, in the unit of the mesh; not
+    /// The full width of a line, half of it on each side of the edge, in the unit of the mesh; not
     /// negative.
     pub line_width: f64,
     /// The colour of the lines.
     #[serde(default = "black")]
     pub line_color: Paint,
-    /// The colour between them.
+    /// The colour between the lines.
     #[serde(default = "kinds::white::<Paint>")]
     pub color: Paint,
 }
@@ -69,18 +69,19 @@ impl Specification for Wireframe {
 
 impl Chooser for WireframeTexture {
     fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
-        let on_line = |facet: &Facet| from_edges(facet) < 0.5 * self.line_width;
+        let on_line = |facet: &Facet| edge_distance(facet) < 0.5 * self.line_width;
         if at.facet().as_ref().is_some_and(on_line) { &self.line_color } else { &self.color }
     }
 }
 
-/// The distance of the point from the nearest edge: from the edge opposite to a corner it is the corner's
-/// barycentric coordinate times the height of the triangle there, twice its area over the edge.
-fn from_edges(facet: &Facet) -> f64 {
+/// The distance of the point from the nearest edge. The distance from the edge opposite a corner is
+/// the barycentric coordinate of the corner times the height of the triangle: twice the area over
+/// the edge's length.
+fn edge_distance(facet: &Facet) -> f64 {
     let ([a, b, c], [beta, gamma]) = (facet.corners, facet.barycentric);
-    let shares = [1.0 - beta - gamma, beta, gamma];
+    let weights = [1.0 - beta - gamma, beta, gamma];
     let twice_area = exact_cross(a, b, c).length();
     let lengths = [b.distance(c), c.distance(a), a.distance(b)];
-    let distances = [0, 1, 2].map(|i: usize| shares[i] * twice_area / lengths[i]);
+    let distances = [0, 1, 2].map(|i: usize| weights[i] * twice_area / lengths[i]);
     distances.into_iter().fold(f64::INFINITY, f64::min)
 }

@@ -14,8 +14,8 @@ use crate::noise::{LatticeNoise, Noise};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// A trunk along the y axis: rings of light and dark wood, uneven and wobbling, with grain along the
-/// trunk. Lengths and frequencies are counted in sizes.
+/// A trunk along the y axis: irregular rings of light and dark wood, with grain along the trunk.
+/// Lengths and frequencies are in units of `size`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Wood {
@@ -29,19 +29,19 @@ pub struct Wood {
     pub dark: Paint,
     /// Rings per unit length.
     pub ring_frequency: f64,
-    /// How much rings differ in width, as a share of a ring.
+    /// The variation of the width of rings, as a fraction of a ring.
     pub ring_unevenness: f64,
-    /// How far fine noise moves the rings.
+    /// The displacement of the rings by fine noise.
     pub ring_noise: f64,
-    /// The frequency of that noise.
+    /// The frequency of `ring_noise`.
     pub ring_noise_frequency: f64,
-    /// How far the axis of the trunk wanders.
+    /// The displacement of the axis of the trunk by noise.
     pub trunk_wobble: f64,
-    /// The frequency with which it does, along y.
+    /// The frequency of `trunk_wobble` along y.
     pub trunk_wobble_frequency: f64,
-    /// How much rings are no circles, in rings.
+    /// The deviation of rings from circles, in rings.
     pub angular_wobble: f64,
-    /// The frequency of that, around the trunk.
+    /// The frequency of `angular_wobble` around the trunk.
     pub angular_wobble_frequency: f64,
     /// Grains per unit length across the trunk; along it they are 20 times as long.
     pub grain_frequency: f64,
@@ -75,8 +75,8 @@ impl Default for Wood {
 
 impl Wood {
     fn check(&self) -> Result<(), Invalid> {
-        /// Far more than any tree has; their products with coordinates do not overflow.
-        const MOST: f64 = 1e9;
+        /// Products with coordinates do not overflow.
+        const MAX: f64 = 1e9;
         for (field, value) in [
             ("ring_frequency", self.ring_frequency),
             ("ring_unevenness", self.ring_unevenness),
@@ -88,7 +88,7 @@ impl Wood {
             ("angular_wobble_frequency", self.angular_wobble_frequency),
             ("grain_frequency", self.grain_frequency),
         ] {
-            within(field, value, -MOST..=MOST)?;
+            within(field, value, -MAX..=MAX)?;
         }
         for (field, share) in [("grainy", self.grainy), ("ringy", self.ringy)] {
             within(field, share, 0.0..=1.0)?;
@@ -136,7 +136,7 @@ impl Specification for Wood {
 impl Texture for WoodTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         let (wood, noise) = (&self.data, &self.field.noise);
-        let p = wood.bent(noise, self.field.point(at));
+        let p = wood.displaced(noise, self.field.point(at));
         let in_ring = wood.in_ring(noise, p);
         let (in_ring, grain) = wood.grain(noise, p, in_ring);
         let dark = lerp(grain, wood.ringy * in_ring, 1.0);
@@ -145,15 +145,15 @@ impl Texture for WoodTexture {
 }
 
 impl Wood {
-    /// The point in a trunk that is straight and whose rings are smooth.
-    fn bent(&self, noise: &LatticeNoise, p: Point) -> Point {
+    /// The corresponding point in a straight trunk with smooth rings.
+    fn displaced(&self, noise: &LatticeNoise, p: Point) -> Point {
         let q = p + self.ring_noise * noise.vector_fbm(p.scaled(self.ring_noise_frequency));
         let along = Point::new(0.0, 0.0, q.y() * self.trunk_wobble_frequency);
         let w = self.trunk_wobble * noise.vector(along);
         q + Vector::new(w.x(), 0.0, w.z())
     }
 
-    /// How much of the dark part of a ring is at a point, from 0 to 1.
+    /// The amount of the dark part of a ring at a point, from 0 to 1.
     fn in_ring(&self, noise: &LatticeNoise, p: Point) -> f64 {
         let [x, y, z] = p.to_array();
         let mut r = self.ring_frequency * (x * x + z * z).sqrt();
@@ -163,8 +163,8 @@ impl Wood {
         smooth_pulse([0.1, 0.55, 0.7, 0.95], r - floor(r))
     }
 
-    /// What grain leaves of the ring, and how much grain there is, from 0 to 1. It is added up from
-    /// coarse to fine.
+    /// The amounts of ring (reduced by grain) and of grain, from 0 to 1: two octaves of grain,
+    /// coarse and fine.
     fn grain(&self, noise: &LatticeNoise, p: Point, in_ring: f64) -> (f64, f64) {
         let [x, y, z] = p.to_array();
         let f = self.grain_frequency;
@@ -182,7 +182,7 @@ impl Wood {
     }
 }
 
-/// 0 below `a`, 1 from `b` on, a cubic between: no kink anywhere.
+/// 0 below `a`, 1 above `b`, and a cubic between with a continuous derivative.
 fn smooth_step(a: f64, b: f64, x: f64) -> f64 {
     let y = ((x - a) / (b - a)).clamp(0.0, 1.0);
     y * y * (3.0 - 2.0 * y)

@@ -13,27 +13,27 @@ use crate::noise::Noise;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// `noise = expansion · fBm`, of which the part after the whole number is the brightness: it falls from
-/// `max` to `min` along lines where the noise is a whole number.
+/// The brightness is the fractional part of `noise = expansion · fBm`, mapped to `min` … `max`: it
+/// jumps from `max` to `min` along lines where the noise is an integer.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WrappedFbm {
     /// The noise.
     #[serde(default)]
     pub noise: Noise,
-    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// The book's expansion number: the noise goes from 0 to it; positive.
+    /// The book's expansion number: the noise has values from 0 to this number; positive.
     #[serde(default = "two")]
     pub expansion: f64,
-    /// The brightness above a line; not negative.
+    /// The brightness where the fractional part is 0; not negative.
     #[serde(default)]
     pub min: f64,
-    /// The brightness below it; not negative.
+    /// The brightness where the fractional part approaches 1; not negative.
     #[serde(default = "kinds::one")]
     pub max: f64,
-    /// The colour of brightness 1.
+    /// The colour at brightness 1.
     #[serde(default = "kinds::white::<Paint>")]
     pub color: Paint,
 }
@@ -43,7 +43,7 @@ fn two() -> f64 {
 }
 
 impl WrappedFbm {
-    /// From black to white, in cells of this size.
+    /// Black to white, in cells of this size.
     pub fn new(noise: Noise, size: f64, expansion: f64) -> Self {
         Self { noise, size, expansion, min: 0.0, max: 1.0, color: Rgb::WHITE.into() }
     }

@@ -14,7 +14,7 @@ use crate::noise::Noise;
 use crate::resources::Resources;
 use crate::rgb::Rgb;
 
-/// The colour of a ramp at the part of `expansion · fBm` after the whole number.
+/// The colour of a ramp at the fractional part of `expansion · fBm`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WrappedRamp {
@@ -23,10 +23,10 @@ pub struct WrappedRamp {
     /// The noise.
     #[serde(default)]
     pub noise: Noise,
-    /// The edge of a cell of the noise's lattice, in the unit of the scene; positive.
+    /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
     pub size: f64,
-    /// The book's expansion number: the noise goes from 0 to it; positive.
+    /// The book's expansion number: the noise has values from 0 to this number; positive.
     #[serde(default = "two")]
     pub expansion: f64,
 }
@@ -61,7 +61,7 @@ impl Specification for WrappedRamp {
     fn specimens() -> Vec<Self> {
         let colors = [Rgb::new(0.9, 0.8, 0.6), Rgb::new(0.5, 0.2, 0.1), Rgb::new(0.9, 0.6, 0.3)];
         vec![Self {
-            ramp: ColorTable::mixed(colors),
+            ramp: ColorTable::interpolated(colors),
             noise: Noise::of_octaves(3),
             size: 1.0,
             expansion: 8.0,

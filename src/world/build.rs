@@ -124,7 +124,7 @@ pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
     // twice as far out as the corners: intermediate sums inside the picture cannot overflow either
     let [x, y] = [image.width, image.height].map(|n| image.pixel_size * f64::from(n));
     for corner in [[x, y], [-x, y], [x, -y], [-x, -y]] {
-        if !view.reaches(corner) {
+        if !view.has_finite_rays(corner) {
             let size = shown(image.pixel_size);
             let problem = format!("found {size}, but the picture is then too large for this lens");
             return Err(Invalid::field("pixel_size", problem).inside("image"));

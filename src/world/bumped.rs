@@ -10,7 +10,7 @@ impl Hit<'_> {
         let Some(bump) = &self.material.bump else { return self.surface.shading };
         let space = self.object.shape.texture_space(&self.candidate);
         let turned = Normal::new(space.inverse().covector(self.surface.shading))
-            .and_then(|local| Normal::new(bump.turned(&self.texture_point(), local)))
+            .and_then(|local| Normal::new(bump.perturbed(&self.texture_point(), local)))
             .and_then(|local| Normal::new(space.covector(local)));
         raised(turned.unwrap_or(self.surface.shading), self.surface.normal)
     }

@@ -140,7 +140,7 @@ pub(super) fn placed_objects(
         .map(|m| (m.name.clone(), PartMaterial { index: m.index, casts_shadows: m.casts_shadows }))
         .collect();
     unique("objects", scene.objects.iter().map(|object| object.name.as_str()))?;
-    check_epsilon(scene.epsilon, scene.names_textbook())?;
+    check_epsilon(scene.epsilon, scene.uses_textbook())?;
     let mut context = Context::new(resources, scene.accel).with_materials(known);
     let mut objects = Vec::new();
     for (index, object) in scene.objects.iter().enumerate() {

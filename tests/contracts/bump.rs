@@ -27,8 +27,8 @@ fn built(kind: &Kind) -> Arc<dyn Bump> {
     kind.build(&mut Resources::default()).expect("specimens are valid")
 }
 
-fn turned(bump: &dyn Bump, at: &Surface) -> Vector {
-    bump.turned(&TexturePoint::new(at), at.normal)
+fn perturbed(bump: &dyn Bump, at: &Surface) -> Vector {
+    bump.perturbed(&TexturePoint::new(at), at.normal)
 }
 
 /// Law: there is an answer everywhere, always the same, and a specimen turns many normals.
@@ -36,9 +36,9 @@ fn normals_are_turned_everywhere(kind: &Kind) -> Holds {
     let bump = built(kind);
     let mut changed = 0;
     for at in surfaces() {
-        let found = turned(&*bump, &at);
+        let found = perturbed(&*bump, &at);
         ensure!(found.is_finite(), "{:?}: {found:?}", at.local);
-        ensure!(turned(&*bump, &at) == found, "{:?}: two answers", at.local);
+        ensure!(perturbed(&*bump, &at) == found, "{:?}: two answers", at.local);
         let tilt = found.cross(at.normal).length();
         changed += u32::from(tilt > 1e-3);
     }
@@ -52,7 +52,7 @@ fn the_bump_moves_with_the_object(kind: &Kind) -> Holds {
     let bump = built(kind);
     for at in surfaces() {
         let moved = Surface { point: at.point + Vector::new(0.3, -7.0, 11.1), ..at };
-        let (here, there) = (turned(&*bump, &at), turned(&*bump, &moved));
+        let (here, there) = (perturbed(&*bump, &at), perturbed(&*bump, &moved));
         ensure!(here == there, "{:?}: {here:?}, moved {there:?}", at.local);
     }
     Ok(())
@@ -64,7 +64,7 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
         let larger = built(&kind.scaled(power_of_two(k)));
         for at in surfaces() {
             let (here, there) =
-                (turned(&*bump, &at), turned(&*larger, &scaled(&at, power_of_two(k))));
+                (perturbed(&*bump, &at), perturbed(&*larger, &scaled(&at, power_of_two(k))));
             ensure!(here == there, "{:?}, 2^{k}: {there:?}, not {here:?}", at.local);
         }
     }

@@ -128,7 +128,7 @@ fn counts_that_lie_are_refused_at_once() {
                 assert!(
                     matches!(
                         error,
-                        MeshFileError::Promise { .. }
+                        MeshFileError::DeclaredCount { .. }
                             | MeshFileError::TooMany { .. }
                             | MeshFileError::Syntax { .. }
                     ),

@@ -221,7 +221,7 @@ fn any_mesh() -> impl Strategy<Value = MeshData> {
                 uvs: uvs.then_some(t),
                 triangles,
                 faces: Vec::new(),
-                first_at: Vec::new(),
+                first_at_position: Vec::new(),
             })
     })
 }

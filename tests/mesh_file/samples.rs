@@ -18,7 +18,7 @@ pub fn pyramid() -> MeshData {
         uvs: Some(vec![[0., 0.], [1., 0.], [1., 1.], [0., 1.], [0.5, 0.5]]),
         triangles: vec![[0, 1, 2], [0, 2, 3], [0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0]],
         faces: vec![0, 0, 1, 2, 3, 4],
-        first_at: Vec::new(),
+        first_at_position: Vec::new(),
     }
 }
 

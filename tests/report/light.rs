@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use groundtruth::report::{self, Settings, Watch};
+use groundtruth::report::{self, Progress, Settings};
 use serde_json::Value;
 
 use super::{REPORT, SMALL, list, timeless};
@@ -186,14 +186,15 @@ fn light_is_the_same_on_one_thread_and_two() {
     let [one, two] = [1, 2].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         let page = report::page("light").expect("the page");
-        let run = || report::run(&[page], &tiny, &Watch::default()).expect("nobody interrupts");
+        let run = || report::run(&[page], &tiny, &Progress::default()).expect("nobody interrupts");
         let json = pool.install(run).json().expect("its data are JSON");
         serde_json::from_str::<Value>(&json).expect("JSON")["pages"].clone()
     });
     assert!(timeless(&one) == timeless(&two));
     let other = Settings { seed: 6, ..tiny };
     let page = report::page("light").expect("the page");
-    let json = report::run(&[page], &other, &Watch::default()).expect("nobody interrupts").json();
+    let json =
+        report::run(&[page], &other, &Progress::default()).expect("nobody interrupts").json();
     let other: Value = serde_json::from_str(&json.expect("JSON")).expect("JSON");
     assert!(timeless(&one) != timeless(&other["pages"]), "another seed is another report");
 }

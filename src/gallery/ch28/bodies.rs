@@ -11,20 +11,19 @@ use crate::scene::{Object, Scene, Tracer, Whitted};
 use crate::shapes::{ConcaveLens, Materials, SolidCylinder};
 
 pub fn glass_sphere() -> Scene {
-    let about = "a glass sphere with Fresnel reflection over a checker, before a red mirror sphere";
+    let about = "a glass sphere with Fresnel reflection over a checker, and a red mirror sphere";
     ch27::with_sphere(about, in_air(Medium::clear(1.5)).into())
 }
 
 pub fn air_in_glass() -> Scene {
-    let about =
-        "figure 28.5: η = 0.75: the mirror ring begins softly, as Fresnel reflection rises to 1";
+    let about = "figure 28.5: η = 0.75: the mirror ring begins softly, because Fresnel reflection rises to 1";
     ch27::with_sphere(about, in_air(Medium::clear(0.75)).into())
 }
 
 /// Figure 28.6.
 pub fn on_white(about: &str, max_depth: u32) -> Scene {
-    let stand = [point(0.0, 0.0, 50.0), Point::ORIGIN];
-    let mut scene = pinhole(about, [600, 600], stand, 4200.0);
+    let view = [point(0.0, 0.0, 50.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [600, 600], view, 4200.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth });
     scene.background = Rgb::WHITE.into();
     scene.lights.extend(ch27::lights());
@@ -32,10 +31,9 @@ pub fn on_white(about: &str, max_depth: u32) -> Scene {
     scene
 }
 
-/// Figure 28.6, close-up: a hundredth of a unit across.
+/// Figure 28.6 in close-up: the picture is 0.01 units wide.
 pub fn limb() -> Scene {
-    let about =
-        "figure 28.6: the limb at depth 3, magnified: dark just inside, white at the very edge";
+    let about = "figure 28.6: the limb at depth 3, magnified: dark inside, white at the edge";
     let mut scene = on_white(about, 3);
     scene.camera.eye = point(0.0, 0.0, 500.0);
     scene.camera.look_at = point(-3.0, 0.0, 0.0);
@@ -43,13 +41,13 @@ pub fn limb() -> Scene {
     scene
 }
 
-/// Figure 28.8. Size and camera are the book's; where the filters lie and their thickness are ours,
-/// and that they reflect nothing.
+/// Figure 28.8. Size and camera are the book's; the positions and the thickness of the filters are
+/// ours, and that they do not reflect.
 pub fn three_filters() -> Scene {
     let about =
-        "figure 28.8: cyan, yellow and magenta filters over white; all three let nothing through";
-    let stand = [point(0.0, 10.0, 0.0), Point::ORIGIN];
-    let mut scene = pinhole(about, [400, 400], stand, 1.0);
+        "figure 28.8: cyan, yellow and magenta filters over white; all three together are black";
+    let view = [point(0.0, 10.0, 0.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [400, 400], view, 1.0);
     scene.camera.lens = Orthographic { zoom: 1.0 }.into();
     scene.image.pixel_size = 0.012;
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 6 });
@@ -69,12 +67,11 @@ pub fn three_filters() -> Scene {
     scene
 }
 
-/// Figure 28.9; where the spheres lie and the camera are ours.
+/// Figure 28.9; the positions of the spheres and the camera are ours.
 pub fn falling_sizes() -> Scene {
-    let about =
-        "figure 28.9: five spheres of one medium, each half as large and paler than the last";
-    let stand = [point(0.0, 0.0, 50.0), Point::ORIGIN];
-    let mut scene = pinhole(about, [600, 300], stand, 2200.0);
+    let about = "figure 28.9: five spheres of one medium, each half as large as the last and paler";
+    let view = [point(0.0, 0.0, 50.0), Point::ORIGIN];
+    let mut scene = pinhole(about, [600, 300], view, 2200.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 5 });
     scene.background = Rgb::WHITE.into();
     let amber = in_air(medium(1.5, rgb(0.65, 0.45, 0.0)));
@@ -91,9 +88,10 @@ pub fn falling_sizes() -> Scene {
     scene
 }
 
-/// Over a checker of low `kd`, so that the lamp of figure 28.20 does not make it too bright.
-fn over_checker(about: &str, stand: [Point; 2], distance: f64, floor: f64) -> Scene {
-    let mut scene = pinhole(about, [600, 400], stand, distance);
+/// An empty scene with a checker of low `kd`, so that the lamp of figure 28.20 does not overexpose
+/// it.
+fn over_checker(about: &str, view: [Point; 2], distance: f64, floor: f64) -> Scene {
+    let mut scene = pinhole(about, [600, 400], view, distance);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 8 });
     scene.background = rgb(0.7, 0.8, 0.95).into();
     scene.lights.push(ambient(0.5));
@@ -106,8 +104,8 @@ fn over_checker(about: &str, stand: [Point; 2], distance: f64, floor: f64) -> Sc
 pub fn concave_lens() -> Scene {
     let about =
         "figure 28.11: a concave lens shows the checker smaller, darker where it is thicker";
-    let stand = [point(0.0, 12.0, 14.0), Point::ORIGIN];
-    let mut scene = over_checker(about, stand, 900.0, -3.0);
+    let view = [point(0.0, 12.0, 14.0), Point::ORIGIN];
+    let mut scene = over_checker(about, view, 900.0, -3.0);
     scene.lights.push(directional("sun", vector(1.0, 3.0, 1.0), 12.5));
     let (radius, thickness, min_distance) = (4.0, 2.0, 0.35);
     let lens = ConcaveLens { radius, thickness, min_distance, materials: Materials::new() };
@@ -119,9 +117,9 @@ pub fn concave_lens() -> Scene {
 /// Figure 28.20. Glass and lamp are the book's, ground and camera are ours.
 pub fn glass_box() -> Scene {
     let about =
-        "figure 28.20: a glass box, whose neighbouring faces are perfect mirrors from within";
-    let stand = [point(4.0, 4.0, 7.0), point(0.0, -0.2, 0.0)];
-    let mut scene = over_checker(about, stand, 1100.0, -1.01);
+        "figure 28.20: a glass box, whose neighbouring faces are perfect mirrors from inside";
+    let view = [point(4.0, 4.0, 7.0), point(0.0, -0.2, 0.0)];
+    let mut scene = over_checker(about, view, 1100.0, -1.01);
     scene.lights.push(point_light("lamp", point(10.0, 20.0, 20.0), 15.0));
     let green = in_air(medium(1.5, rgb(0.64, 0.98, 0.88)));
     let corners = boxed(point(-1.0, -1.0, -1.0), point(1.0, 1.0, 1.0));
@@ -134,8 +132,8 @@ pub fn ten_blocks() -> Scene {
     const THICKNESS: f64 = 0.25;
     const GAP: f64 = 0.5;
     let about = "figure 28.22: ten blocks of glass, each longer by 1 and deeper in colour";
-    let stand = [point(-3.0, 5.5, 16.0), point(-6.4, 1.4, -2.0)];
-    let mut scene = pinhole(about, [600, 400], stand, 1100.0);
+    let view = [point(-3.0, 5.5, 16.0), point(-6.4, 1.4, -2.0)];
+    let mut scene = pinhole(about, [600, 400], view, 1100.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 15 });
     scene.background = Rgb::WHITE.into();
     scene.lights.push(ambient(0.5));

@@ -1,4 +1,4 @@
-//! Boundaries between several media, and the eye in one that is not air.
+//! Boundaries between several media, and cameras in a medium other than air.
 
 use super::super::parts::*;
 use super::{dielectric, in_air, medium};
@@ -11,10 +11,10 @@ use crate::shapes::{
     BoundaryMaterials, FishBowl, GlassOfWater, Kind, OpenCylinder, PartSphere, Sphere,
 };
 
-/// Figure 28.7. Camera and height of the water are the book's; that the eye is in the water, and what
-/// there is to see, are ours.
+/// Figure 28.7. Camera and height of the water are the book's; the medium of the camera and the
+/// objects are ours.
 pub fn snell_window() -> Scene {
-    let about = "figure 28.7: under water: all of the sky in a disk, the bottom mirrored around it";
+    let about = "figure 28.7: under water: the sky in a disk, the reflected bottom around it";
     let lens = Fisheye { fov: 265.0, rectangular: true };
     let mut camera = Viewpoint::new(point(0.0, 0.1, 0.0), point(0.0, 10.0, 0.0), lens);
     let water = Medium::clear(1.33);
@@ -29,28 +29,28 @@ pub fn snell_window() -> Scene {
     add(&mut scene, "bottom", ground(0.0), bottom);
     add(&mut scene, "surface", ground(10.0), in_air(water));
     scene.materials[1].casts_shadows = false;
-    for (i, place) in (1..).zip(around(18.0, 20)) {
-        let at = place + 12.0 * Vector::Y;
+    for (i, point) in (1..).zip(ring(18.0, 20)) {
+        let at = point + 12.0 * Vector::Y;
         let tint = [rgb(1.0, 0.2, 0.1), rgb(1.0, 0.8, 0.1)][i % 2];
         add(&mut scene, &format!("ball {i}"), sphere(at, 2.0), matte(0.5, 0.6, tint));
     }
     scene
 }
 
-/// Places on the ground at this distance from the origin, so many degrees apart.
-fn around(distance: f64, degrees: u32) -> impl Iterator<Item = Point> {
+/// Points on the ground at this distance from the origin, at intervals of `degrees`.
+fn ring(distance: f64, degrees: u32) -> impl Iterator<Item = Point> {
     (0..360 / degrees).map(move |i| {
         let azimuth = f64::from(i * degrees);
         point(distance * sin_degrees(azimuth), 0.0, distance * cos_degrees(azimuth))
     })
 }
 
-/// Figures 28.15 with these indices on the outer side of the inner boundaries. Spheres, light and the
-/// height of the checker are the book's; its colours and the camera are ours.
+/// Figures 28.15 with these indices outside the inner boundaries. Spheres, light and the height of
+/// the checker are the book's; its colours and the camera are ours.
 pub fn nested_spheres(about: &str, around_diamond: f64, around_water: f64) -> Scene {
     let center = point(0.5, 0.0, 0.5);
-    let stand = [point(5.0, 8.0, 20.0), point(0.5, -0.5, 0.5)];
-    let mut scene = pinhole(about, [400, 400], stand, 950.0);
+    let view = [point(5.0, 8.0, 20.0), point(0.5, -0.5, 0.5)];
+    let mut scene = pinhole(about, [400, 400], view, 950.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 7 });
     scene.background = rgb(0.6, 0.75, 0.9).into();
     scene.lights.push(ambient(0.3));
@@ -72,12 +72,12 @@ pub fn nested_spheres(about: &str, around_diamond: f64, around_water: f64) -> Sc
     scene
 }
 
-/// Figure 28.34. Diamond, ring and exposure are the book's, the place of the eye is ours.
+/// Figure 28.34. Diamond, ring and exposure are the book's, the position of the eye is ours.
 pub fn in_a_diamond() -> Scene {
     let about =
-        "figure 28.34: in a diamond: a ring of spheres outside, and its fainter reflections";
-    let stand = [point(0.0, 0.4, -2.0), point(0.0, 0.4, -30.0)];
-    let mut scene = pinhole(about, [600, 400], stand, 300.0);
+        "figure 28.34: inside a diamond: a ring of spheres outside, and its fainter reflections";
+    let view = [point(0.0, 0.4, -2.0), point(0.0, 0.4, -30.0)];
+    let mut scene = pinhole(about, [600, 400], view, 300.0);
     let diamond = Medium::clear(2.42);
     scene.camera.medium = diamond;
     scene.camera.exposure_time = 0.17;
@@ -91,7 +91,7 @@ pub fn in_a_diamond() -> Scene {
         [("top", [0.0, 90.0], rgb(1.0, 0.5, 0.0)), ("bottom", [90.0, 180.0], rgb(0.1, 0.7, 0.2))]
     {
         scene.materials.push(Material::new(half, matte(0.5, 0.6, color)));
-        for (i, center) in (1..).zip(around(20.0, 20)) {
+        for (i, center) in (1..).zip(ring(20.0, 20)) {
             let shape = PartSphere { center, radius: 3.5, phi: [0.0, 360.0], theta, inward: false };
             scene.objects.push(Object::new(&format!("{half} {i}"), half, shape));
         }
@@ -126,9 +126,9 @@ fn boundary_materials() -> BoundaryMaterials {
 
 /// Figure 28.38. Glass, straw and camera are the book's; ground and lights are ours.
 pub fn glass_of_water() -> Scene {
-    let about = "figure 28.38: a glass of water; the straw looks broken where it meets the water";
-    let stand = [point(5.0, 6.0, 10.0), point(0.0, 1.0, 0.0)];
-    let mut scene = pinhole(about, [600, 600], stand, 2000.0);
+    let about = "figure 28.38: a glass of water; the straw looks broken at the water surface";
+    let view = [point(5.0, 6.0, 10.0), point(0.0, 1.0, 0.0)];
+    let mut scene = pinhole(about, [600, 600], view, 2000.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 10 });
     scene.background = rgb(0.85, 0.9, 0.95).into();
     scene.lights.push(ambient(0.7));
@@ -147,7 +147,7 @@ pub fn glass_of_water() -> Scene {
     scene
 }
 
-/// Where bubbles are in the water of the bowl.
+/// The centres of the bubbles in the bowl.
 const BUBBLES: [[f64; 3]; 6] = [
     [-0.35, -0.5, 0.2],
     [-0.3, -0.25, 0.15],
@@ -157,12 +157,12 @@ const BUBBLES: [[f64; 3]; 6] = [
     [0.35, 0.1, 0.05],
 ];
 
-/// Figure 28.39 without the fish. Bowl and media are the book's; camera, ground, lights and the places
-/// of the bubbles are ours.
+/// Figure 28.39 without the fish. Bowl and media are the book's; camera, ground, lights and the
+/// positions of the bubbles are ours.
 pub fn fish_bowl() -> Scene {
-    let about = "as figure 28.39: a fish bowl of water with bubbles, which are dark-rimmed lenses";
-    let stand = [point(0.0, 2.2, 8.0), point(0.0, -0.1, 0.0)];
-    let mut scene = pinhole(about, [400, 400], stand, 1200.0);
+    let about = "as figure 28.39: a fish bowl of water with bubbles: lenses with dark rims";
+    let view = [point(0.0, 2.2, 8.0), point(0.0, -0.1, 0.0)];
+    let mut scene = pinhole(about, [400, 400], view, 1200.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 8 });
     scene.background = rgb(0.85, 0.9, 0.95).into();
     scene.lights.push(ambient(0.7));

@@ -1,4 +1,4 @@
-//! What transparent things do to the light on others.
+//! Caustics and shadows of transparent objects.
 
 use super::super::parts::*;
 use super::{in_air, medium};
@@ -11,9 +11,9 @@ use crate::shapes::{Materials, Rectangle, SolidCylinder};
 
 /// Figure 28.42. Sphere and samples are as in the book, the other numbers are ours.
 pub fn caustic() -> Scene {
-    let about = "figure 28.42: a red glass sphere gathers light into a caustic in its shadow";
-    let stand = [point(0.0, 4.5, 9.0), point(0.3, 0.6, 0.0)];
-    let mut scene = pinhole(about, [400, 300], stand, 700.0);
+    let about = "figure 28.42: a red glass sphere focuses light to a caustic in its shadow";
+    let view = [point(0.0, 4.5, 9.0), point(0.3, 0.6, 0.0)];
+    let mut scene = pinhole(about, [400, 300], view, 700.0);
     scene.image.samples = 256;
     scene.tracer = Tracer::Path(Depth { max_depth: 8 });
     scene.background = grey(0.2).into();
@@ -32,8 +32,8 @@ pub fn caustic() -> Scene {
 /// Three filters and a ball of tinted glass over a white floor, with these shadows.
 pub fn shadows(about: &str, shadows: TransparentShadows) -> Scene {
     const THICKNESS: f64 = 0.05;
-    let stand = [point(0.0, 4.5, 10.0), point(0.2, 0.8, 0.0)];
-    let mut scene = pinhole(about, [600, 400], stand, 950.0);
+    let view = [point(0.0, 4.5, 10.0), point(0.2, 0.8, 0.0)];
+    let mut scene = pinhole(about, [600, 400], view, 950.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 6 });
     scene.transparency = Transparency { shadows, ..Transparency::default() };
     scene.background = rgb(0.7, 0.8, 0.95).into();

@@ -13,9 +13,9 @@ use crate::scene::TransparentShadows::{Attenuated, Opaque};
 pub const SCENES: List = &[
     ("ch28/glass-sphere", bodies::glass_sphere),
     ("ch28/air-in-glass", bodies::air_in_glass),
-    ("ch28/depth-1", || bodies::on_white("figure 28.6: depth 1: what glass reflects, no more", 1)),
+    ("ch28/depth-1", || bodies::on_white("figure 28.6: depth 1: only the first reflection", 1)),
     ("ch28/depth-3", || {
-        bodies::on_white("figure 28.6: depth 3: white again, but for 1/650 of it and the limb", 3)
+        bodies::on_white("figure 28.6: depth 3: white, except for 1/650 and the limb", 3)
     }),
     ("ch28/limb", bodies::limb),
     ("ch28/snell-window", boundaries::snell_window),
@@ -27,7 +27,7 @@ pub const SCENES: List = &[
         boundaries::nested_spheres(about, 1.5, 2.42)
     }),
     ("ch28/nested-spheres-wrong", || {
-        let about = "figure 28.15c: the same, with air outside of the inner boundaries by mistake";
+        let about = "figure 28.15c: the same, with wrong media (air) outside the inner boundaries";
         boundaries::nested_spheres(about, 1.0, 1.0)
     }),
     ("ch28/glass-box", bodies::glass_box),
@@ -43,7 +43,7 @@ pub const SCENES: List = &[
         )
     }),
     ("ch28/tinted-shadows", || {
-        let about = "the same where shadow rays go straight through glass: shadows in its colours";
+        let about = "the same with attenuated shadow rays: shadows in the colours of the glass";
         light::shadows(about, Attenuated)
     }),
 ];
@@ -53,7 +53,7 @@ fn dielectric(inside: Medium, outside: Medium) -> Dielectric {
     Dielectric { phong: phong(0.0, 0.0, Rgb::BLACK, 0.2, 2000.0), inside, outside }
 }
 
-/// The medium of this index and this colour filter of a unit length.
+/// The medium with this index and the filter colour `cf` per unit length.
 fn medium(eta: f64, cf: Rgb) -> Medium {
     Medium { eta, absorption: filter(cf) }
 }

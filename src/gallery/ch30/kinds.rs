@@ -1,4 +1,5 @@
-//! One scene for each kind of texture on surfaces. What is not said to be the book's is ours.
+//! One scene for each kind of texture on surfaces. Numbers are ours unless a comment names the
+//! book.
 
 use super::super::parts::*;
 use super::{lines, lit, show};
@@ -12,7 +13,8 @@ use crate::textures::{
     RectangleChecker, SphereChecker, SphereTextures, Stripes, Wireframe, Wrap,
 };
 
-/// A ball about the origin of its own coordinates, as the checkers of spheres want it, at this point.
+/// A sphere at this point, centred at the origin of its own coordinates, as sphere checkers need
+/// it.
 fn ball(radius: f64, at: Point) -> Kind {
     moved(sphere(Point::ORIGIN, radius), at.to_vector())
 }
@@ -20,8 +22,8 @@ fn ball(radius: f64, at: Point) -> Kind {
 /// Figures 30.7 and 30.8: the radii are the book's.
 pub fn sphere_checkers() -> Scene {
     let about = "figures 30.7 and 30.8: sphere checkers on spheres of six sizes, some with lines";
-    let stand = [point(0.0, 9.0, 40.0), point(0.0, 2.4, 0.0)];
-    let mut scene = lit(pinhole(about, [600, 400], stand, 1500.0));
+    let view = [point(0.0, 9.0, 40.0), point(0.0, 2.4, 0.0)];
+    let mut scene = lit(pinhole(about, [600, 400], view, 1500.0));
     let blue = rgb(0.1, 0.3, 0.75);
     let balls = [
         (3.0, [-4.5, 0.0], [20, 10], lines(0.1, 0.1)),
@@ -47,8 +49,8 @@ pub fn sphere_checkers() -> Scene {
 /// The checkers of the other generic shapes.
 pub fn checkers() -> Scene {
     let about = "checkers with lines on a cylinder, a cone, a disk and a rectangle";
-    let stand = [point(0.0, 14.0, 30.0), point(0.0, 0.6, 0.0)];
-    let mut scene = lit(pinhole(about, [600, 400], stand, 1650.0));
+    let view = [point(0.0, 14.0, 30.0), point(0.0, 0.6, 0.0)];
+    let mut scene = lit(pinhole(about, [600, 400], view, 1650.0));
     let [red, green, blue, gold] =
         [[0.75, 0.2, 0.1], [0.1, 0.5, 0.2], [0.1, 0.3, 0.75], [0.8, 0.6, 0.1]]
             .map(|c| Paint::from(Rgb::from(c)));
@@ -85,11 +87,11 @@ pub fn checkers() -> Scene {
     scene
 }
 
-/// Ramps that end, that begin again, and that turn round.
+/// Clamped, repeated and mirrored ramps.
 pub fn ramp() -> Scene {
-    let about = "ramps of three colours: from pole to pole, again and again, and there and back";
-    let stand = [point(0.0, 3.0, 20.0), point(0.0, 0.0, 0.0)];
-    let mut scene = lit(pinhole(about, [600, 250], stand, 1500.0));
+    let about = "ramps of three colours: from pole to pole, repeated, and mirrored";
+    let view = [point(0.0, 3.0, 20.0), point(0.0, 0.0, 0.0)];
+    let mut scene = lit(pinhole(about, [600, 250], view, 1500.0));
     let colors = [[0.7, 0.1, 0.05], [0.95, 0.85, 0.3], [0.05, 0.3, 0.7]];
     let colors = colors.map(|c| Paint::from(Rgb::from(c))).to_vec();
     let along_y = |half: f64, wrap| Ramp {
@@ -112,8 +114,8 @@ pub fn ramp() -> Scene {
 /// The edges of triangles.
 pub fn wireframe() -> Scene {
     let about = "the wireframe of a sphere of 264 triangles, shaded smooth, and of one with bumps";
-    let stand = [point(0.0, 4.0, 20.0), Point::ORIGIN];
-    let mut scene = lit(pinhole(about, [600, 350], stand, 2000.0));
+    let view = [point(0.0, 4.0, 20.0), Point::ORIGIN];
+    let mut scene = lit(pinhole(about, [600, 350], view, 2000.0));
     let wires = |line_width, color: [f64; 3]| Wireframe {
         line_width,
         line_color: Rgb::BLACK.into(),
@@ -129,10 +131,9 @@ pub fn wireframe() -> Scene {
 
 /// A texture for each checker.
 pub fn sphere_textures() -> Scene {
-    let about =
-        "a texture for each checker of a sphere: plain, solid checker, stripes and ramp in turn";
-    let stand = [point(0.0, 4.0, 12.0), Point::ORIGIN];
-    let mut scene = lit(pinhole(about, [400, 400], stand, 1600.0));
+    let about = "a texture for each checker of a sphere: plain, solid checker, stripes and ramp";
+    let view = [point(0.0, 4.0, 12.0), Point::ORIGIN];
+    let mut scene = lit(pinhole(about, [400, 400], view, 1600.0));
     let stripes = Stripes {
         axis: Axis::X,
         size: 0.06,
@@ -164,8 +165,8 @@ pub fn sphere_textures() -> Scene {
 /// A material for each checker.
 pub fn sphere_materials() -> Scene {
     let about = "a material for each checker of a sphere: mirror, matte and glossy, over a checker";
-    let stand = [point(0.0, 3.5, 12.0), point(0.0, 1.2, 0.0)];
-    let mut scene = lit(pinhole(about, [400, 400], stand, 1400.0));
+    let view = [point(0.0, 3.5, 12.0), point(0.0, 1.2, 0.0)];
+    let mut scene = lit(pinhole(about, [400, 400], view, 1400.0));
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
     scene.background = rgb(0.6, 0.75, 1.0).into();
     let chrome = mirror(phong(0.0, 0.0, Rgb::BLACK, 0.3, 200.0), 0.9, Rgb::WHITE);

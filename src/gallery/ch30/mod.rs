@@ -12,12 +12,11 @@ pub const SCENES: List = &[
     ("ch30/cut-cube", solids::cut_cube),
     ("ch30/solid-checkers", solids::row),
     ("ch30/stretched-checker", || {
-        let about = "figure 30.11: a box stretched along x takes its solid checker with it";
+        let about = "figure 30.11: a box stretched along x with its solid checker";
         solids::stretched(about, solids::checker().into())
     }),
     ("ch30/texture-instance", || {
-        let about =
-            "figure 30.11: a texture instance, half as long along x, makes cubes of them again";
+        let about = "figure 30.11: a texture instance scaled by 1/2 along x restores the cubes";
         solids::stretched(about, solids::halved_along_x(solids::checker()))
     }),
     ("ch30/sphere-checkers", kinds::sphere_checkers),
@@ -28,14 +27,14 @@ pub const SCENES: List = &[
     ("ch30/sphere-materials", kinds::sphere_materials),
 ];
 
-/// Light from the left and above, with shadows, and a little from all sides.
+/// Adds ambient light and a directional light from the left and above.
 fn lit(mut scene: Scene) -> Scene {
     scene.lights.push(ambient(0.6));
     scene.lights.push(directional("sun", vector(-2.0, 4.0, 3.0), 2.75));
     scene
 }
 
-/// Adds a matte object that shows a texture.
+/// Adds a matte object with a texture.
 fn show(
     scene: &mut Scene,
     name: &str,
@@ -45,7 +44,7 @@ fn show(
     add(scene, name, shape, matte(0.4, 0.8, paint));
 }
 
-/// Lines of these widths, black.
+/// Black lines of these widths.
 fn lines(horizontal: f64, vertical: f64) -> Lines {
     Lines { horizontal, vertical, ..Lines::default() }
 }

@@ -1,4 +1,4 @@
-//! Textures all through a body.
+//! Solid textures.
 
 use super::super::parts::*;
 use super::{lit, show};
@@ -30,14 +30,14 @@ pub fn cut_cube_shape() -> Kind {
     Compound::of(parts.collect::<Vec<Kind>>()).into()
 }
 
-/// The faces x = 1, y = 1 and z = 1: squares without a quarter of a disk about (1, 1, 1), each a fan of
-/// triangles about its opposite corner.
+/// The faces x = 1, y = 1 and z = 1: squares without a quarter of a disk about (1, 1, 1), each a
+/// fan of triangles about its opposite corner.
 fn cut_faces() -> Mesh {
-    /// An arc of so many chords is 0.0001 inside the circle.
+    /// With this number, chords are at most 0.0001 inside the circle.
     const CHORDS: u32 = 64;
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for axis in 0..3 {
-        // b follows a as y follows x: counter-clockwise for an eye outside
+        // (a, b) are the next two axes in cyclic order: counter-clockwise from outside
         let on_face = |a: f64, b: f64| {
             let mut p = [1.0; 3];
             (p[(axis + 1) % 3], p[(axis + 2) % 3]) = (a, b);
@@ -64,7 +64,7 @@ fn of_cut_cube(about: &str) -> Scene {
 /// Figure 30.1, with stripes; the lights and the tilt of the stripes are ours.
 pub fn cut_cube() -> Scene {
     let mut scene =
-        of_cut_cube("figure 30.1: stripes go on through a cube from its faces into its hollow");
+        of_cut_cube("figure 30.1: stripes continue from the faces of a cube into its hollow");
     let stripes = Stripes {
         axis: Axis::Y,
         size: 0.2,
@@ -80,10 +80,10 @@ pub fn cut_cube() -> Scene {
 pub fn row() -> Scene {
     let about =
         "figures 30.2 and 30.4: a solid checker cut by a sphere, cylinder, cone, box and plane";
-    let stand = [point(100.0, 100.0, 300.0), point(0.0, 1.0, 0.0)];
-    let mut scene = lit(pinhole(about, [880, 300], stand, 12_000.0));
+    let view = [point(100.0, 100.0, 300.0), point(0.0, 1.0, 0.0)];
+    let mut scene = lit(pinhole(about, [880, 300], view, 12_000.0));
     let paint = |color2: Rgb| checker3d(1.0, Rgb::WHITE, color2);
-    // across the line of sight
+    // perpendicular to the view direction
     let along = vector(3.0, 0.0, -1.0).unit().expect("not zero");
     let materials = Materials::new;
     let cylinder = SolidCylinder { y0: -1.5, y1: 1.5, radius: 1.5, materials: materials() };
@@ -118,8 +118,8 @@ pub fn halved_along_x(texture: impl Into<Texture>) -> Paint {
 
 /// Figure 30.11: a box with this texture, twice as long along x. Camera and lights are ours.
 pub fn stretched(about: &str, paint: Paint) -> Scene {
-    let stand = [point(4.0, 5.0, 10.0), Point::ORIGIN];
-    let mut scene = lit(pinhole(about, [600, 400], stand, 1500.0));
+    let view = [point(4.0, 5.0, 10.0), Point::ORIGIN];
+    let mut scene = lit(pinhole(about, [600, 400], view, 1500.0));
     let block = boxed(point(-0.9, -0.9, -0.9), point(0.9, 0.9, 0.9));
     let long = transformed(block, vec![Step::Scale(vector(2.0, 1.0, 1.0))]);
     show(&mut scene, "box", long, paint);

@@ -18,12 +18,12 @@ fn bumped_sphere(about: &str, bump: impl Into<bumps::Kind>) -> Scene {
 }
 
 pub fn by_noise() -> Scene {
-    let about = "a smooth sphere whose normals are turned by noise: it looks rough, like an orange";
+    let about = "a smooth sphere with normals perturbed by noise: it looks rough, like an orange";
     let noise = Noise::of_octaves(1);
     bumped_sphere(about, bumps::Noise { noise, size: 0.15, perturbation: 0.25 })
 }
 
 pub fn by_height() -> Scene {
-    let about = "a smooth sphere lit as if noise of six octaves lifted it: hills and valleys";
+    let about = "a smooth sphere bump-mapped by noise of six octaves: hills and valleys";
     bumped_sphere(about, Height::new(Fbm::new(Noise::of_octaves(6), 1.0), 0.5))
 }

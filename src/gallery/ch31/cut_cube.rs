@@ -1,4 +1,4 @@
-//! A cube with a corner cut out, of solid materials: their patterns go on around every edge.
+//! A cube with a corner cut out and solid textures, whose patterns continue across every edge.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,17 +10,17 @@ use crate::scene::Scene;
 use crate::shapes::{Compound, Mesh, Part, PartSphere};
 use crate::textures::{Paint, RampFbm, Wood};
 
-/// The radius of the ball about the corner (1, 1, 1) that is taken out.
+/// The radius of the ball about the corner (1, 1, 1) that is cut out.
 const RADIUS: f64 = 1.5;
-/// Straight pieces of each rounded edge: it is off by less than 3e-5.
+/// The number of straight segments of each rounded edge, whose error is less than 3e-5.
 const PIECES: u32 = 128;
 
-/// The flat faces: triangles about the corner of a face that is opposite to the cut.
+/// The flat faces: triangle fans about the corner of each face that is opposite to the cut.
 fn flat_faces() -> Mesh {
     let mut vertices = Vec::new();
     let mut triangles = Vec::new();
     for axis in 0..3 {
-        // counter-clockwise from outside, in the two other coordinates
+        // counter-clockwise in the two other coordinates
         let whole = vec![[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
         let on_arc = |i: u32| {
             let angle = FRAC_PI_2 * (2.0 + f64::from(i) / f64::from(PIECES));
@@ -43,8 +43,8 @@ fn flat_faces() -> Mesh {
 }
 
 fn cut_cube(about: &str, paint: impl Into<Paint>) -> Scene {
-    let stand = [point(6.0, 8.0, 12.0), point(0.0, -0.1, 0.0)];
-    let mut scene = pinhole(about, [600, 600], stand, 2850.0);
+    let view = [point(6.0, 8.0, 12.0), point(0.0, -0.1, 0.0)];
+    let mut scene = pinhole(about, [600, 600], view, 2850.0);
     scene.background = grey(0.5).into();
     scene.lights.push(ambient(0.4));
     scene.lights.push(directional("sun", vector(5.0, 12.0, 8.0), 2.5));
@@ -66,7 +66,7 @@ pub fn of_wood() -> Scene {
 }
 
 pub fn of_sandstone() -> Scene {
-    let about = "figure 31.41: a cut cube of sandstone, its layers through all of it";
+    let about = "figure 31.41: a cut cube of sandstone with layers through the whole cube";
     let noise = Noise::of_octaves(4);
     cut_cube(about, RampFbm { ramp: sand_ramp(), noise, size: 0.15, perturbation: 1.0 })
 }

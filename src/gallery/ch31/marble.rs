@@ -23,19 +23,20 @@ pub fn four_marbles() -> Scene {
     let about = "figure 31.34: marbles with a = 8, 6, 40, 8";
     let mut scene = lit_stage(about, 2700.0);
     scene.background = WALL.into();
-    let white = ColorTable::mixed([rgb(0.25, 0.25, 0.28), grey(0.85), grey(0.9), grey(0.8)]);
+    let white = ColorTable::interpolated([rgb(0.25, 0.25, 0.28), grey(0.85), grey(0.9), grey(0.8)]);
     let green =
-        ColorTable::mixed([rgb(0.02, 0.1, 0.05), rgb(0.05, 0.3, 0.15), rgb(0.7, 0.85, 0.7)]);
-    let red = ColorTable::mixed([rgb(0.3, 0.02, 0.02), rgb(0.6, 0.15, 0.1), rgb(0.95, 0.8, 0.75)]);
+        ColorTable::interpolated([rgb(0.02, 0.1, 0.05), rgb(0.05, 0.3, 0.15), rgb(0.7, 0.85, 0.7)]);
+    let red =
+        ColorTable::interpolated([rgb(0.3, 0.02, 0.02), rgb(0.6, 0.15, 0.1), rgb(0.95, 0.8, 0.75)]);
     let paints = [(blue_ramp(), 8.0), (white, 6.0), (red, 40.0), (green, 8.0)];
     let paints = paints.map(|(ramp, perturbation)| marble(ramp, perturbation));
     four(&mut scene, 5.0, || sphere(Point::ORIGIN, 5.0).into(), paints);
     scene
 }
 
-/// Layers lean, and are twice as thick as noise is fine.
+/// The layers are tilted, and the texture is stretched by 2 along y.
 pub fn four_sandstones() -> Scene {
-    let about = "as figure 31.38: sandstones of four ramps, their layers hardly disturbed";
+    let about = "as figure 31.38: sandstones of four ramps, with slightly perturbed layers";
     let mut scene = lit_stage(about, 4600.0);
     scene.background = WALL.into();
     let ramps = [
@@ -43,7 +44,7 @@ pub fn four_sandstones() -> Scene {
         vec![rgb(0.6, 0.3, 0.2), rgb(0.85, 0.7, 0.6), rgb(0.45, 0.2, 0.12), rgb(0.7, 0.4, 0.3)],
         vec![rgb(0.4, 0.4, 0.35), rgb(0.7, 0.68, 0.6), rgb(0.3, 0.28, 0.25), rgb(0.8, 0.78, 0.7)],
     ];
-    let [a, b, c] = ramps.map(ColorTable::mixed);
+    let [a, b, c] = ramps.map(ColorTable::interpolated);
     let paints = [a, b, c, sand_ramp()].map(|ramp| {
         let noise = Noise::of_octaves(4);
         Paint::from(RampFbm { ramp, noise, size: 0.1, perturbation: 0.05 / 0.1 })

@@ -1,7 +1,7 @@
 //! Chapter 31: noise-based textures.
 //!
-//! Noises, octaves and the numbers of textures are the book's; ramps, lights and where its bunnies stood
-//! are ours.
+//! Noises, octaves and the numbers of textures are the book's; ramps, lights and the objects that
+//! replace its bunnies are ours.
 
 mod bumped;
 mod cut_cube;
@@ -20,7 +20,7 @@ use crate::textures::{ColorTable, Paint};
 
 pub const SCENES: List = &[
     ("ch31/linear-noise", || {
-        let about = "figure 31.18: one octave of linear noise: the planes of the lattice show";
+        let about = "figure 31.18: one octave of linear noise: the lattice planes are visible";
         planes::noise(about, Noise { interpolation: Interpolation::Linear, ..Noise::default() })
     }),
     ("ch31/cubic-noise", || {
@@ -29,7 +29,7 @@ pub const SCENES: List = &[
     ("ch31/fbm", || planes::noise("figure 31.21: eight octaves", Noise::of_octaves(8))),
     ("ch31/turbulence", planes::turbulence),
     ("ch31/gain-2", || {
-        let about = "figure 31.25: gain 2, six octaves: the finest is the strongest";
+        let about = "figure 31.25: gain 2, six octaves: the finest octave is the strongest";
         planes::noise(about, Noise { gain: 2.0, ..Noise::of_octaves(6) })
     }),
     ("ch31/lacunarity-8", || {
@@ -41,10 +41,10 @@ pub const SCENES: List = &[
     ("ch31/wrapped-b", wrapped::b),
     ("ch31/wrapped-c", wrapped::c),
     ("ch31/marble-layers", || {
-        marble::sphere_of("figure 31.32: a = 0: layers across the y axis", 0.0)
+        marble::sphere_of("figure 31.32: a = 0: layers perpendicular to the y axis", 0.0)
     }),
     ("ch31/marble-30", || {
-        marble::sphere_of("figure 31.33: a = 30: nothing is left of the layers", 30.0)
+        marble::sphere_of("figure 31.33: a = 30: the layers are not recognisable", 30.0)
     }),
     ("ch31/marble", marble::four_marbles),
     ("ch31/sandstone", marble::four_sandstones),
@@ -57,13 +57,14 @@ pub const SCENES: List = &[
     ("ch31/height-bump", bumped::by_height),
 ];
 
-/// Looks along −z from far away; `distance` is that of the view plane of a picture 600 pixels wide.
+/// A view along −z from far away; `distance` is that of the view plane, for a picture 600 pixels
+/// wide.
 fn from_the_front(about: &str, distance: f64) -> Scene {
-    let stand = [point(0.0, 0.0, 100.0), Point::ORIGIN];
-    pinhole(about, [600, 600], stand, distance)
+    let view = [point(0.0, 0.0, 100.0), Point::ORIGIN];
+    pinhole(about, [600, 600], view, distance)
 }
 
-/// The same with a lamp from above on the right.
+/// The same with ambient light and a directional light from above on the right.
 fn lit_stage(about: &str, distance: f64) -> Scene {
     let mut scene = from_the_front(about, distance);
     scene.lights.push(ambient(0.4));
@@ -71,17 +72,18 @@ fn lit_stage(about: &str, distance: f64) -> Scene {
     scene
 }
 
-/// A shape that keeps its form while its texture is stretched by these factors and then turned about the
-/// z axis: an instance that leaves the texture behind, in one that takes it along.
+/// A shape whose texture is scaled by these factors and then rotated about the z axis, while the
+/// shape does not change: the outer instance transforms shape and texture, the inner one transforms
+/// only the shape back.
 fn texture_stretched(shape: impl Into<shapes::Kind>, by: Vector, degrees: f64) -> shapes::Kind {
     let back = Vector::from(by.to_array().map(|factor| 1.0 / factor));
-    let undone = vec![Step::RotateZ(-degrees), Step::Scale(back)];
-    let inner = Instance { transform_texture: false, ..Instance::new(shape, undone) };
+    let inverse = vec![Step::RotateZ(-degrees), Step::Scale(back)];
+    let inner = Instance { transform_texture: false, ..Instance::new(shape, inverse) };
     transformed(inner, vec![Step::Scale(by), Step::RotateZ(degrees)])
 }
 
 fn blue_ramp() -> ColorTable {
-    ColorTable::mixed([
+    ColorTable::interpolated([
         rgb(0.02, 0.04, 0.12),
         rgb(0.1, 0.2, 0.45),
         rgb(0.35, 0.45, 0.7),
@@ -90,7 +92,7 @@ fn blue_ramp() -> ColorTable {
 }
 
 fn sand_ramp() -> ColorTable {
-    ColorTable::mixed([
+    ColorTable::interpolated([
         rgb(0.75, 0.5, 0.3),
         rgb(0.55, 0.25, 0.1),
         rgb(0.8, 0.6, 0.4),
@@ -99,17 +101,17 @@ fn sand_ramp() -> ColorTable {
     ])
 }
 
-/// A dull surface of a paint.
+/// A matte material with this texture.
 fn dull(paint: impl Into<Paint>) -> crate::materials::Matte {
     matte(0.5, 0.75, paint)
 }
 
-/// Four spheres of these paints.
+/// Adds four spheres with these textures.
 fn four(scene: &mut Scene, radius: f64, shape: impl Fn() -> shapes::Kind, paints: [Paint; 4]) {
-    let places = [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
-    for (i, (paint, (x, y))) in (1..).zip(paints.into_iter().zip(places)) {
-        let place = 1.05 * radius * vector(x, y, 0.0);
-        add(scene, &format!("sphere {i}"), moved(shape(), place), dull(paint));
+    let quadrants = [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    for (i, (paint, (x, y))) in (1..).zip(paints.into_iter().zip(quadrants)) {
+        let center = 1.05 * radius * vector(x, y, 0.0);
+        add(scene, &format!("sphere {i}"), moved(shape(), center), dull(paint));
     }
 }
 

@@ -1,4 +1,4 @@
-//! Noise itself, on a plane before the camera.
+//! Noise on a plane in front of the camera.
 
 use super::super::parts::*;
 use super::{WALL, dull, from_the_front, lit_stage};
@@ -8,11 +8,12 @@ use crate::scene::Scene;
 use crate::shapes::Plane;
 use crate::textures::{Fbm, Paint, Turbulence};
 
-/// Ten cells of a lattice across, in ambient light: what is seen is the texture.
+/// A plane with ten lattice cells across, in ambient light only, so that the picture is the
+/// texture.
 fn plane(about: &str, paint: impl Into<Paint>) -> Scene {
     let mut scene = from_the_front(about, 6000.0);
     scene.lights.push(ambient(1.0));
-    // between two planes of the lattice: on one, noise of one octave would be that of two dimensions
+    // between two lattice planes: on a lattice plane, one octave would be two-dimensional noise
     let wall = Plane { point: point(0.0, 0.0, -0.3), normal: Vector::Z };
     add(&mut scene, "plane", wall, matte(1.0, 0.0, paint));
     scene

@@ -26,12 +26,12 @@ pub fn a() -> Scene {
 }
 
 pub fn b() -> Scene {
-    let about = "figure 31.29b: wrapped noise of four octaves, ten times around";
+    let about = "figure 31.29b: wrapped noise of four octaves, expansion number 10";
     wrapped(about, WrappedFbm::new(Noise::of_octaves(4), 1.5, 10.0), vector(1.0, 1.0, 1.0))
 }
 
 pub fn c() -> Scene {
-    let about = "figure 31.29c: wrapped noise of six octaves, three times around: frayed edges";
+    let about = "figure 31.29c: wrapped noise of six octaves, expansion number 3: rough edges";
     let noise = Noise { lacunarity: 6.0, ..Noise::of_octaves(6) };
     wrapped(about, WrappedFbm::new(noise, 1.0, 3.0), vector(1.0, 1.0, 1.0))
 }
@@ -75,16 +75,16 @@ pub fn nested_noises() -> Scene {
     scene
 }
 
-/// A torus and a bumpy mesh stand for the book's bunnies.
+/// A torus and a bumpy mesh replace the book's bunnies.
 pub fn ramp() -> Scene {
-    let about = "as figure 31.42: wrapped noise, eight times through a ramp";
+    let about = "as figure 31.42: a ramp of wrapped noise, expansion number 8";
     let mut scene = from_the_front(about, 5000.0);
     scene.image.height = 300;
     scene.background = WALL.into();
     scene.lights.push(ambient(0.4));
     scene.lights.push(directional("sun", vector(1.0, 1.0, 1.5), 2.0));
     let agate = WrappedRamp {
-        ramp: ColorTable::mixed([
+        ramp: ColorTable::interpolated([
             rgb(0.9, 0.85, 0.75),
             rgb(0.75, 0.35, 0.15),
             rgb(0.3, 0.08, 0.04),

@@ -1,4 +1,4 @@
-//! Pictures of directions: on spheres, and of skies.
+//! Images that are functions of a direction: for spheres and skies.
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
@@ -31,10 +31,10 @@ pub fn globe(u: f64, v: f64) -> Rgb {
     }
 }
 
-/// The spots are about +z and −z; the 8 is two rings.
+/// The spots are centred at +z and −z; the 8 is two rings.
 pub fn billiard_ball(u: f64, v: f64) -> Rgb {
     let [x, y, z] = spherical(TAU * u, PI * (1.0 - v)).to_array();
-    // from the left of the 8, seen from outside
+    // x to the right of the 8, as viewed from outside
     let x = if z < 0.0 { -x } else { x };
     let ring = |center: f64, radius: f64| {
         let distance = (x * x + (y - center) * (y - center)).sqrt();
@@ -45,10 +45,10 @@ pub fn billiard_ball(u: f64, v: f64) -> Rgb {
     if in_spot && !in_digit { Rgb::new(0.85, 0.82, 0.72) } else { Rgb::grey(0.03) }
 }
 
-/// Blue that pales towards the horizon, thin clouds, and the sun halfway up.
+/// Blue, paler towards the horizon, with thin clouds and a sun at an elevation of 45°.
 pub fn sky_dome(u: f64, v: f64) -> Rgb {
     const SUN: f64 = 1500.0;
-    /// Six times the true one, so that a small image shows it.
+    /// Six times the true radius, so that a small image shows the sun.
     const SUN_RADIUS: f64 = 0.028;
     let direction = spherical(TAU * u, 0.5 * PI * (1.0 - v));
     let to_sun = spherical(FRAC_PI_4, FRAC_PI_4);
@@ -59,7 +59,7 @@ pub fn sky_dome(u: f64, v: f64) -> Rgb {
     let up = direction.y();
     let haze = (1.0 - up) * (1.0 - up);
     let blue = Rgb::new(0.12, 0.3, 0.75) + haze * Rgb::new(0.5, 0.42, 0.15);
-    // streaks: a layer seen under perspective
+    // streaks: a layer of clouds in perspective
     let (x, z) = (direction.x() / (up + 0.3), direction.z() / (up + 0.3));
     let wave =
         sin(5.0 * x + 2.0 * sin(3.0 * z)) + 0.6 * sin(11.0 * z + 3.0 * x) + 0.3 * sin(23.0 * x);
@@ -68,7 +68,7 @@ pub fn sky_dome(u: f64, v: f64) -> Rgb {
     blue + cloud * Rgb::new(0.6, 0.55, 0.3) + glow * Rgb::new(1.0, 0.85, 0.5)
 }
 
-/// What is seen from the middle of a box without a lid, three times as long along z as it is wide.
+/// The view from inside an open box that is three times as long (z) as it is wide (x).
 pub fn courtyard(u: f64, v: f64) -> Rgb {
     let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
     let r = (x * x + y * y).sqrt();

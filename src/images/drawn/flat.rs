@@ -1,4 +1,4 @@
-//! Pictures for rectangles and cylinders.
+//! Images for rectangles and cylinders.
 
 use std::f64::consts::TAU;
 
@@ -21,7 +21,8 @@ pub fn checker(u: f64, v: f64) -> Rgb {
     if is_even { Rgb::WHITE } else { Rgb::grey(0.02) }
 }
 
-/// Threads along curves of polar coordinates about the middle of each rosette, and along its diagonals.
+/// Threads along curves in polar coordinates about the centre of each rosette, and along its
+/// diagonals.
 pub fn lace(u: f64, v: f64) -> Rgb {
     const ROSETTES: f64 = 4.0;
     let within = |x: f64| 2.0 * (ROSETTES * x - floor(ROSETTES * x)) - 1.0;
@@ -39,17 +40,17 @@ pub fn lace(u: f64, v: f64) -> Rgb {
     if is_thread { Rgb::new(0.9, 0.87, 0.78) } else { Rgb::new(0.1, 0.04, 0.14) }
 }
 
-/// Rows of hills in front of one another, paler with the distance. Their waves have whole numbers of
-/// periods around, so that there is no seam.
+/// Rows of hills, paler with distance. Their waves have a whole number of periods around the
+/// cylinder, so that there is no seam.
 pub fn country(u: f64, v: f64) -> Rgb {
     let hills = |periods: f64, phase: f64| {
         sin(TAU * (periods * u + phase)) + 0.4 * sin(TAU * (3.0 * periods * u - phase))
     };
     let tree = {
-        // one in each of 24 places around, of its own height
-        let place = 24.0 * u;
-        let height = 0.1 + 0.08 * (hash(&[place as u64]) % 8) as f64 / 8.0;
-        let across = 2.0 * (place - floor(place)) - 1.0;
+        // one in each of 24 columns, of random height
+        let column = 24.0 * u;
+        let height = 0.1 + 0.08 * (hash(&[column as u64]) % 8) as f64 / 8.0;
+        let across = 2.0 * (column - floor(column)) - 1.0;
         let (x, y) = (across / 0.8, (v - 0.3 - 0.5 * height) / height);
         x * x + y * y < 0.6
     };
@@ -68,10 +69,10 @@ pub fn country(u: f64, v: f64) -> Rgb {
     }
 }
 
-/// A red frame, an orange with its leaf, and lines of writing that cannot be read.
+/// A red frame, an orange with a leaf, and lines of illegible text.
 pub fn label(u: f64, v: f64) -> Rgb {
-    // in halves of the height, on the jar of figure 29.26; the front is at u = 0.72, which its turn by
-    // 100° brings before a viewer at +z
+    // circumference over half the height of the jar of figure 29.26; the front is at u = 0.72,
+    // which the rotation of the jar by 100° turns to +z
     const AROUND: f64 = 14.5;
     let around = u + 0.78 - floor(u + 0.78);
     let (x, y) = (AROUND * (around - 0.5), 2.0 * v - 1.0);

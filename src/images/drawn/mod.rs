@@ -1,4 +1,5 @@
-//! Images drawn by a formula: the book's own belong to their owners, and a scene file stays small.
+//! Images drawn by a formula. They replace the book's images, which may not be copied, and need no
+//! file.
 
 mod directions;
 mod flat;
@@ -27,15 +28,16 @@ pub struct Drawn {
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "pictures")]
 pub enum Picture {
-    /// Lines every 1/24 of the width and 1/12 of the height; redder to the right, greener upward.
+    /// Lines every 1/24 of the width and 1/12 of the height; red increases to the right, green
+    /// upward.
     UvGrid,
-    /// Eight by eight squares, black and white.
+    /// 8 × 8 squares, black and white.
     Checker,
-    /// A made-up Earth: seas, land and ice, for the spherical mapping.
+    /// An invented planet with seas, land and ice, for the spherical mapping.
     Globe,
-    /// Four by four rosettes of pale thread on a dark ground.
+    /// 4 × 4 rosettes of pale thread on a dark background.
     Lace,
-    /// Fields, hills and a sky, all around: for the cylindrical mapping.
+    /// A panorama of fields, hills and sky, for the cylindrical mapping.
     Country,
     /// A black ball with an 8 on both sides, for the spherical mapping.
     BilliardBall,
@@ -43,8 +45,8 @@ pub enum Picture {
     Label,
     /// A clear sky with a sun of radiance 1500, for the hemispherical mapping.
     SkyDome,
-    /// A courtyard with lit windows under a bright sky: a light probe (angular map) with values above
-    /// 1.
+    /// A courtyard with lit windows under a bright sky: a light probe (angular map) with values
+    /// above 1.
     Courtyard,
 }
 

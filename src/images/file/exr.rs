@@ -1,14 +1,14 @@
-//! OpenEXR, as pictures are written.
+//! OpenEXR, the format in which pictures are written.
 
 use exr::meta::{BlockDescription, MetaData};
 
-use super::{Problem, check_size, light};
+use super::{Problem, check_size, radiance};
 use crate::film;
 use crate::images::Texels;
 
 /// The first layer that has channels R, G and B.
-pub fn decode(bytes: &[u8], most_texels: u64) -> Result<Texels, Problem> {
-    check_headers(bytes, most_texels)?;
+pub fn decode(bytes: &[u8], max_texels: u64) -> Result<Texels, Problem> {
+    check_headers(bytes, max_texels)?;
     type Pixels = (u32, u32, Vec<[f32; 3]>);
     let read = film::decode_exr(
         bytes,
@@ -20,18 +20,18 @@ pub fn decode(bytes: &[u8], most_texels: u64) -> Result<Texels, Problem> {
         },
     );
     let (width, height, colors) = read.map_err(damaged)?;
-    light(width, height, colors)
+    radiance(width, height, colors)
 }
 
-/// Refuses what would take much memory, before it does.
-fn check_headers(bytes: &[u8], most_texels: u64) -> Result<(), Problem> {
-    /// Of one texel, and of the texels that are compressed together.
-    const MOST_BYTES_OF_A_TEXEL: usize = 1 << 10;
-    const MOST_BYTES_OF_A_BLOCK: u64 = 1 << 30;
+/// Checks sizes before memory is allocated.
+fn check_headers(bytes: &[u8], max_texels: u64) -> Result<(), Problem> {
+    /// The limits for one texel, and for the texels that are compressed together.
+    const MAX_BYTES_PER_TEXEL: usize = 1 << 10;
+    const MAX_BYTES_PER_BLOCK: u64 = 1 << 30;
     let meta = MetaData::read_from_buffered(bytes, false).map_err(|e| damaged(e.to_string()))?;
     for header in &meta.headers {
         let [width, height] = [header.layer_size.width(), header.layer_size.height()];
-        check_size([width as u64, height as u64], most_texels)?;
+        check_size([width as u64, height as u64], max_texels)?;
         let texel = header.channels.bytes_per_pixel;
         let texels = match header.blocks {
             BlockDescription::Tiles(tiles) => {
@@ -43,10 +43,10 @@ fn check_headers(bytes: &[u8], most_texels: u64) -> Result<(), Problem> {
             }
         };
         let block = texels.saturating_mul(texel as u64);
-        if texel > MOST_BYTES_OF_A_TEXEL || block > MOST_BYTES_OF_A_BLOCK {
+        if texel > MAX_BYTES_PER_TEXEL || block > MAX_BYTES_PER_BLOCK {
             return Err(format!(
                 "{texel} bytes a texel, {block} in a block, are too many; at most \
-                 {MOST_BYTES_OF_A_TEXEL} and {MOST_BYTES_OF_A_BLOCK} fit"
+                 {MAX_BYTES_PER_TEXEL} and {MAX_BYTES_PER_BLOCK} fit"
             ));
         }
     }

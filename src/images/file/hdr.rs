@@ -6,17 +6,17 @@ use std::io::Read;
 use image::DynamicImage;
 use image::codecs::hdr::{HdrDecoder, HdrMetadata};
 
-use super::{Problem, check_size, damaged, light, samples};
+use super::{Problem, check_size, damaged, radiance, samples};
 use crate::images::Texels;
 
-/// What the header multiplied the radiance by (EXPOSURE and COLORCORR) is divided out again, as the
-/// format asks for.
-pub fn decode(bytes: &[u8], most_texels: u64) -> Result<Texels, Problem> {
+/// The radiance is divided by the factors of the header (EXPOSURE and COLORCORR), as the format
+/// requires.
+pub fn decode(bytes: &[u8], max_texels: u64) -> Result<Texels, Problem> {
     let rest = after_signature(bytes)?;
     let whole = || USUAL_SIGNATURE.chain(rest);
     let mut raster = whole();
     let header = HdrDecoder::new(&mut raster).map_err(damaged)?.metadata();
-    check_size([header.width, header.height].map(u64::from), most_texels)?;
+    check_size([header.width, header.height].map(u64::from), max_texels)?;
     let mut all = Vec::new();
     raster.read_to_end(&mut all).expect("nothing fails that is read from memory");
     check_scanlines(&all, header.width, header.height)?;
@@ -27,10 +27,10 @@ pub fn decode(bytes: &[u8], most_texels: u64) -> Result<Texels, Problem> {
     };
     let color = |c: [f32; 3]| std::array::from_fn(|i| (f64::from(c[i]) / factor[i]) as f32);
     let colors = image.pixels().map(|pixel| color(pixel.0)).collect();
-    light(header.width, header.height, colors)
+    radiance(header.width, header.height, colors)
 }
 
-/// The one that the decoder knows; the other is right, too.
+/// The signature that the decoder accepts; `#?RGBE` is valid, too.
 const USUAL_SIGNATURE: &[u8] = b"#?RADIANCE";
 
 fn after_signature(bytes: &[u8]) -> Result<&[u8], Problem> {
@@ -39,7 +39,7 @@ fn after_signature(bytes: &[u8]) -> Result<&[u8], Problem> {
     rest.ok_or_else(|| problem.to_owned())
 }
 
-/// What the radiance of each channel was multiplied by.
+/// The factors by which the radiance of each channel was multiplied.
 fn factors(header: &HdrMetadata) -> Result<[f64; 3], Problem> {
     let exposure = f64::from(header.exposure.unwrap_or(1.0));
     let (r, g, b) = header.color_correction.unwrap_or((1.0, 1.0, 1.0));
@@ -50,8 +50,8 @@ fn factors(header: &HdrMetadata) -> Result<[f64; 3], Problem> {
     Err(format!("EXPOSURE and COLORCORR multiply by {factors:?}; these are finite and positive"))
 }
 
-/// Whether the scanlines have the lengths that they should, and nothing follows them. (The decoder does
-/// not look at the length that a scanline says, and counts with too many run lengths in a row.)
+/// Checks the lengths of the scanlines, and that nothing follows them. (The decoder ignores the
+/// length that a scanline declares, and overflows with too many consecutive run lengths.)
 fn check_scanlines(raster: &[u8], width: u32, height: u32) -> Result<(), Problem> {
     let mut rest = raster;
     for row in 0..height {
@@ -76,7 +76,7 @@ fn check_scanlines(raster: &[u8], width: u32, height: u32) -> Result<(), Problem
     ))
 }
 
-/// What follows one component of a scanline: runs (128 + length, value) and literals (length, values).
+/// Skips one component of a scanline: runs (128 + length, value) and literals (length, values).
 fn component(mut rest: &[u8], width: u32) -> Option<&[u8]> {
     let mut length = 0;
     while length < width {
@@ -88,8 +88,8 @@ fn component(mut rest: &[u8], width: u32) -> Option<&[u8]> {
     (length == width).then_some(rest)
 }
 
-/// What follows a scanline of the old form: texels, and repetitions (1, 1, 1, length) of the one before;
-/// each that follows another counts 256 times as much.
+/// Skips a scanline of the old form: texels, and repetitions (1, 1, 1, length) of the previous
+/// texel; the length of each consecutive repetition counts 256 times as much as that before.
 fn old_scanline(mut rest: &[u8], width: u32) -> Option<&[u8]> {
     let mut length = 0;
     let mut shift = 0;

@@ -1,7 +1,7 @@
 //! Image files: PNG and PPM, HDR and EXR.
 //!
-//! The decoders of others do the work. What they let pass is checked here: sizes before any memory is
-//! taken, checksums, counts, and values that are no light.
+//! The decoders are those of other crates. What they accept is checked here: sizes before memory is
+//! allocated, checksums, counts, and values that are not radiance (negative or not finite).
 
 mod exr;
 mod hdr;
@@ -26,23 +26,23 @@ pub struct ImageFileError {
     pub path: PathBuf,
     /// What is wrong, and what would be right.
     pub problem: String,
-    /// Whether what was said of the file does not fit, and not the file itself.
+    /// Whether the `encoding` that was requested is wrong, and not the file.
     pub wrong_encoding: bool,
 }
 
-/// What the numbers of a file mean.
+/// How the numbers of an image file encode colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "encodings")]
 pub enum Encoding {
-    /// Steps that look alike, as pictures for eyes have them; they are decoded (IEC 61966-2-1).
+    /// Gamma-encoded for display (IEC 61966-2-1); decoded to linear values when read.
     Srgb,
-    /// Twice the number is twice the light; the book takes all images so.
+    /// Proportional to radiance; the book uses all images like this.
     Linear,
 }
 
-/// Larger files are not read: they are kept in memory while they are decoded.
-const MOST_BYTES: u64 = 1 << 29;
+/// The maximum size of a file, which is kept in memory while it is decoded.
+const MAX_BYTES: u64 = 1 << 29;
 
 /// What is wrong with a file, and what would be right.
 type Problem = String;
@@ -72,74 +72,71 @@ impl Format {
         }
     }
 
-    /// Whether it holds radiance, and not colours for eyes.
+    /// Whether its numbers are radiance, not display colours.
     fn is_linear(self) -> bool {
         matches!(self, Self::Hdr | Self::Exr)
     }
 }
 
-/// The texels of a file, at most so many.
+/// The texels of a file, at most `max_texels`.
 ///
 /// # Errors
-/// [`ImageFileError`] for what is no image, or a damaged or too large one.
+/// [`ImageFileError`] for a file that is not an image, is damaged, or is too large.
 pub fn read(
     path: &Path,
     encoding: Option<Encoding>,
-    most_texels: u64,
+    max_texels: u64,
 ) -> Result<Texels, ImageFileError> {
     let path_of = |problem, wrong_encoding| {
         let path = path.to_owned();
         ImageFileError { path, problem, wrong_encoding }
     };
-    let bytes = whole(path).map_err(|problem| path_of(problem, false))?;
+    let bytes = read_bytes(path).map_err(|problem| path_of(problem, false))?;
     let format = Format::of(&bytes).map_err(|problem| path_of(problem, false))?;
     if format.is_linear() && encoding == Some(Encoding::Srgb) {
         let problem = "the numbers of HDR and EXR files are linear; leave `encoding` out";
         return Err(path_of(problem.to_owned(), true));
     }
-    decode(&bytes, encoding, most_texels).map_err(|problem| path_of(problem, false))
+    decode(&bytes, encoding, max_texels).map_err(|problem| path_of(problem, false))
 }
 
-/// The texels of the bytes of a file, at most so many. HDR and EXR are linear, whatever `encoding` says.
+/// The texels of the bytes of a file, at most `max_texels`. HDR and EXR are linear, whatever
+/// `encoding` is.
 ///
 /// # Errors
-/// What is wrong with them.
-pub fn decode(
-    bytes: &[u8],
-    encoding: Option<Encoding>,
-    most_texels: u64,
-) -> Result<Texels, String> {
+/// A text that says what is wrong with the bytes.
+pub fn decode(bytes: &[u8], encoding: Option<Encoding>, max_texels: u64) -> Result<Texels, String> {
     match Format::of(bytes)? {
-        Format::Png => png::decode(bytes, encoding, most_texels),
-        Format::Pnm => pnm::decode(bytes, encoding, most_texels),
-        Format::Hdr => hdr::decode(bytes, most_texels),
-        Format::Exr => exr::decode(bytes, most_texels),
+        Format::Png => png::decode(bytes, encoding, max_texels),
+        Format::Pnm => pnm::decode(bytes, encoding, max_texels),
+        Format::Hdr => hdr::decode(bytes, max_texels),
+        Format::Exr => exr::decode(bytes, max_texels),
     }
 }
 
-/// All bytes of a file of a size that fits.
-fn whole(path: &Path) -> Result<Vec<u8>, Problem> {
+/// All bytes of a file; fails if it is too large.
+fn read_bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     let metadata = std::fs::metadata(path).map_err(|e| e.to_string())?;
     if !metadata.is_file() {
         return Err("not a file".to_owned());
     }
-    if metadata.len() > MOST_BYTES {
-        return Err(format!("{} bytes are too many; at most {MOST_BYTES} fit", metadata.len()));
+    if metadata.len() > MAX_BYTES {
+        return Err(format!("{} bytes are too many; at most {MAX_BYTES} fit", metadata.len()));
     }
     let file = std::fs::File::open(path).map_err(|e| e.to_string())?;
     let mut bytes = Vec::new();
-    file.take(MOST_BYTES).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
+    file.take(MAX_BYTES).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
     Ok(bytes)
 }
 
-/// Refuses sizes that are none, or too large.
-fn check_size([width, height]: [u64; 2], most_texels: u64) -> Result<(), Problem> {
+/// Fails if the size is zero or too large.
+fn check_size([width, height]: [u64; 2], max_texels: u64) -> Result<(), Problem> {
     match width.checked_mul(height) {
         Some(0) => Err(format!("{width} × {height} texels; an image has at least one")),
-        Some(texels) if texels <= most_texels => Ok(()),
+        Some(texels) if texels <= max_texels => Ok(()),
         _ => Err(format!(
             "{width} × {height} texels, with the images before it, are too many; at most \
-             {most_texels} more fit"
+             {max_texels} more fit"
         )),
     }
 }
@@ -151,7 +148,7 @@ fn samples(decoder: impl ImageDecoder) -> Result<DynamicImage, Problem> {
     DynamicImage::from_decoder(decoder).map_err(damaged)
 }
 
-/// So many bytes for the samples, and some for what comes with them.
+/// A memory limit of `bytes` for the samples, and some more for metadata.
 fn limits(bytes: u64) -> Limits {
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(bytes.saturating_add(1 << 26));
@@ -167,8 +164,8 @@ fn damaged(error: image::ImageError) -> Problem {
     }
 }
 
-/// The colours of integer samples, of which `largest` stands for 1: grey or red, green and blue, with or
-/// without alpha, which is left out.
+/// The colours of integer samples, where `largest` means 1: grey, or red, green and blue; alpha is
+/// ignored.
 fn integers(
     image: DynamicImage,
     largest: u16,
@@ -181,7 +178,7 @@ fn integers(
             Some(Encoding::Srgb) | None => srgb_decoded(value) as f32,
         }
     };
-    // a table: there are fewer samples of different values than texels
+    // a table, because many texels have the same sample values
     let table: Vec<f32> = (0..=u32::from(largest)).map(linear).collect();
     let (width, height) = (image.width(), image.height());
     let channels = usize::from(image.color().channel_count());
@@ -220,10 +217,10 @@ fn colors(
     Ok(colors)
 }
 
-/// The colours of a file of radiance, which is finite and not negative.
-fn light(width: u32, height: u32, colors: Vec<[f32; 3]>) -> Result<Texels, Problem> {
-    let is_light = |color: &[f32; 3]| color.iter().all(|c| c.is_finite() && *c >= 0.0);
-    if let Some(at) = colors.iter().position(|color| !is_light(color)) {
+/// Radiance from a file; fails unless it is finite and not negative.
+fn radiance(width: u32, height: u32, colors: Vec<[f32; 3]>) -> Result<Texels, Problem> {
+    let is_radiance = |color: &[f32; 3]| color.iter().all(|c| c.is_finite() && *c >= 0.0);
+    if let Some(at) = colors.iter().position(|color| !is_radiance(color)) {
         let (column, row) = (at % width as usize, at / width as usize);
         return Err(format!(
             "the texel in column {column} from the left, row {row} from the top, both from 0, is \
@@ -234,7 +231,7 @@ fn light(width: u32, height: u32, colors: Vec<[f32; 3]>) -> Result<Texels, Probl
     Ok(Texels::new(width, height, colors))
 }
 
-/// The linear value of an sRGB one (IEC 61966-2-1).
+/// The linear value of an sRGB value (IEC 61966-2-1).
 fn srgb_decoded(c: f64) -> f64 {
     if c <= 0.04045 { c / 12.92 } else { power((c + 0.055) / 1.055, 2.4) }
 }

@@ -1,4 +1,4 @@
-//! PNG (W3C, *Portable Network Graphics*): 1 to 16 bits; grey, colour or palette; interlaced or not.
+//! PNG (W3C, *Portable Network Graphics*): 1 to 16 bits; grey, colour or palette; also interlaced.
 
 use std::io::{Cursor, Read};
 
@@ -9,16 +9,16 @@ use png::{ColorType, Decoder, Reader};
 use super::{Encoding, Problem, check_size, damaged, integers, limits, samples};
 use crate::images::Texels;
 
-/// Samples of fewer than 8 bits come spread to 8, exactly: `255/(2ⁿ − 1)` is whole. Colour profiles are
-/// left out.
+/// The decoder scales samples of fewer than 8 bits to 8, exactly: `255/(2ⁿ − 1)` is an integer.
+/// Colour profiles are ignored.
 pub fn decode(
     bytes: &[u8],
     encoding: Option<Encoding>,
-    most_texels: u64,
+    max_texels: u64,
 ) -> Result<Texels, Problem> {
     let chunks = checked_chunks(bytes)?;
     let [width, height] = size(&chunks)?.map(u64::from);
-    check_size([width, height], most_texels)?;
+    check_size([width, height], max_texels)?;
     // four channels of two bytes
     let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits(8 * width * height));
     let image = samples(decoder.map_err(damaged)?)?;
@@ -32,8 +32,8 @@ struct Chunk<'a> {
     data: &'a [u8],
 }
 
-/// All chunks, if each is whole and has its checksum. (The decoder skips damaged chunks that it does not
-/// need, and stops at the last texel.)
+/// All chunks; fails if one is incomplete or has a wrong checksum. (The decoder skips damaged
+/// chunks that it does not need, and stops at the last texel.)
 fn checked_chunks(bytes: &[u8]) -> Result<Vec<Chunk<'_>>, Problem> {
     let ends = || "the file ends before its last chunk; it is damaged".to_owned();
     let mut chunks: Vec<Chunk<'_>> = Vec::new();
@@ -58,7 +58,7 @@ fn checked_chunks(bytes: &[u8]) -> Result<Vec<Chunk<'_>>, Problem> {
     Ok(chunks)
 }
 
-/// Width and height, of the first chunk.
+/// Width and height, from the first chunk.
 fn size(chunks: &[Chunk<'_>]) -> Result<[u32; 2], Problem> {
     match (chunks[0].kind, chunks[0].data) {
         (b"IHDR", &[a, b, c, d, e, f, g, h, ..]) => {
@@ -68,8 +68,8 @@ fn size(chunks: &[Chunk<'_>]) -> Result<[u32; 2], Problem> {
     }
 }
 
-/// Refuses what the decoder lets pass: it stops at the last texel, leaves out the checksum of the data,
-/// and takes samples beyond the palette as black.
+/// Checks what the decoder does not check: it stops at the last texel, ignores the checksum of the
+/// data, and reads samples beyond the palette as black.
 fn check_data(bytes: &[u8], chunks: &[Chunk<'_>]) -> Result<(), Problem> {
     let reader = || Decoder::new(Cursor::new(bytes)).read_info().map_err(|e| e.to_string());
     let data = chunks.iter().filter(|chunk| chunk.kind == b"IDAT");
@@ -78,7 +78,7 @@ fn check_data(bytes: &[u8], chunks: &[Chunk<'_>]) -> Result<(), Problem> {
     check_palette(reader()?)
 }
 
-/// The bytes of all rows, interlaced or not, each with one that tells its filter.
+/// The number of bytes of all rows, interlaced or not, each with one byte for its filter type.
 fn row_bytes(mut reader: Reader<Cursor<&[u8]>>) -> Result<u64, Problem> {
     let mut bytes = 0;
     while let Some(row) = reader.next_row().map_err(|e| e.to_string())? {
@@ -87,7 +87,7 @@ fn row_bytes(mut reader: Reader<Cursor<&[u8]>>) -> Result<u64, Problem> {
     Ok(bytes)
 }
 
-/// Refuses compressed data of another length, or with a wrong checksum (Adler-32).
+/// Fails if the decompressed data have another length or a wrong checksum (Adler-32).
 fn check_length(data: &[u8], expected: u64) -> Result<(), Problem> {
     let mut inflated = ZlibDecoder::new(data).take(expected + 1);
     let found = std::io::copy(&mut inflated, &mut std::io::sink());

@@ -1,4 +1,4 @@
-//! PPM and its kin PGM and PBM (Netpbm's `ppm(5)`, `pgm(5)`, `pbm(5)`): P1 to P6, the book's format.
+//! PPM, PGM and PBM (Netpbm's `ppm(5)`, `pgm(5)`, `pbm(5)`): P1 to P6, the format of the book.
 
 use std::io::{Cursor, Read};
 
@@ -7,15 +7,15 @@ use image::codecs::pnm::{GraymapHeader, PixmapHeader, PnmDecoder, PnmHeader};
 use super::{Encoding, Problem, check_size, damaged, integers, samples};
 use crate::images::Texels;
 
-/// Samples are divided by maxval. The decoder would round them to 8 or 16 bits and hide those above
-/// maxval, so it gets a header whose maxval asks for no scaling.
+/// Samples are divided by maxval. The decoder would round them to 8 or 16 bits and hide samples
+/// above maxval, so it gets a header whose maxval needs no scaling.
 pub fn decode(
     bytes: &[u8],
     encoding: Option<Encoding>,
-    most_texels: u64,
+    max_texels: u64,
 ) -> Result<Texels, Problem> {
     let (raster, header) = PnmDecoder::new(Cursor::new(bytes)).map_err(damaged)?.into_inner();
-    check_size([header.width(), header.height()].map(u64::from), most_texels)?;
+    check_size([header.width(), header.height()].map(u64::from), max_texels)?;
     let (unscaled, largest) = unscaled(header);
     let mut start = Vec::new();
     unscaled.write(&mut start).expect("nothing fails that is written to memory");
@@ -33,7 +33,8 @@ pub fn decode(
     integers(image, largest, encoding)
 }
 
-/// The same header with the largest maxval that needs no more bytes, and the sample that stands for 1.
+/// The same header with the largest maxval of the same number of bytes, and the sample that means
+/// 1.
 fn unscaled(header: PnmHeader) -> (PnmHeader, u16) {
     let full = |maxval: u32| if maxval <= 255 { 255 } else { u32::from(u16::MAX) };
     if let Some(&PixmapHeader { encoding, height, width, maxval }) = header.as_pixmap() {

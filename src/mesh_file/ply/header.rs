@@ -1,16 +1,16 @@
-//! The text at the top of a PLY file: its encoding, and what its elements are made of.
+//! The header of a PLY file: its encoding, its elements and their properties.
 
 use super::super::error::quoted;
 use super::super::{MeshFileError, line_end, parse_word, words};
 
-/// How the numbers of a PLY file are written.
+/// The encoding of a PLY file's body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
-    /// In words, one element to a line.
+    /// Text, one element per line.
     Ascii,
-    /// In bytes, the lowest first.
+    /// Binary, the least significant byte first.
     LittleEndian,
-    /// In bytes, the highest first.
+    /// Binary, the most significant byte first.
     BigEndian,
 }
 
@@ -28,7 +28,7 @@ pub(super) enum Scalar {
 }
 
 impl Scalar {
-    /// Both families of names are in use: by C type and by size.
+    /// Both sets of names are in use: by C type and by size.
     fn named(name: &str) -> Option<Scalar> {
         Some(match name {
             "char" | "int8" => Scalar::I8,
@@ -43,7 +43,7 @@ impl Scalar {
         })
     }
 
-    /// In bytes, in a binary file.
+    /// The size in a binary file, in bytes.
     pub(super) fn size(self) -> usize {
         match self {
             Scalar::I8 | Scalar::U8 => 1,
@@ -66,7 +66,7 @@ pub(super) struct Property<'a> {
     pub(super) scalar: Scalar,
 }
 
-/// `count` things with the same properties.
+/// `count` records with the same properties.
 pub(super) struct Element<'a> {
     pub(super) name: &'a str,
     pub(super) count: u64,
@@ -74,9 +74,9 @@ pub(super) struct Element<'a> {
 }
 
 impl Element<'_> {
-    /// The least that one element takes in the file, in bytes: an empty list still has a length,
-    /// and a value in words has a digit and, but for the file's last one, white space after it.
-    pub(super) fn least_size(&self, encoding: Encoding) -> u64 {
+    /// The smallest size of one record in the file, in bytes: an empty list still has a length, and
+    /// a value in ASCII has a digit and white space after it (except the last one of the file).
+    pub(super) fn min_size(&self, encoding: Encoding) -> u64 {
         let size = |p: &Property| match encoding {
             Encoding::Ascii => 2,
             _ => p.length.unwrap_or(p.scalar).size() as u64,
@@ -85,13 +85,12 @@ impl Element<'_> {
     }
 }
 
-/// All that stands before the first element.
+/// The header, and the bytes that follow it.
 pub(super) struct Header<'a> {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element<'a>>,
-    /// What follows the header.
     pub(super) body: &'a [u8],
-    /// The number of the body's first line, for messages.
+    /// The line number of the body's first line, for messages.
     pub(super) body_line: usize,
     /// The byte that ends a line.
     pub(super) line_end: u8,
@@ -136,7 +135,7 @@ impl<'a> Header<'a> {
                         elements.last_mut().ok_or_else(|| wrong(ELEMENT))?;
                     element.properties.push(parse_property(text).ok_or_else(|| wrong(PROPERTY))?);
                 }
-                // without its line end the header may be cut off here
+                // without its line end, the file may be cut off here
                 b"end_header" if text.trim() == "end_header" && line.ends_with(&[line_end]) => {
                     let encoding = encoding.ok_or_else(|| wrong(FORMAT))?;
                     let (body, body_line) = (&bytes[read..], number + 1);
@@ -146,7 +145,7 @@ impl<'a> Header<'a> {
                 _ => return Err(wrong(if encoding.is_none() { FORMAT } else { KEYWORD })),
             }
         }
-        Err(MeshFileError::EndlessHeader)
+        Err(MeshFileError::UnterminatedHeader)
     }
 }
 

@@ -1,9 +1,9 @@
 //! PLY, the Stanford triangle format (Greg Turk, *The PLY Polygon File Format*, 1994).
 //!
-//! A header in words declares elements (`vertex`, `face`, …) and the properties each has; the body
-//! has their values in that order. Of `vertex` we take `x y z`, `nx ny nz` and the first complete
-//! pair of `u v`, `s t`, `texture_u texture_v`, `texture_s texture_t`; of `face` the list
-//! `vertex_indices` or `vertex_index`. Everything else is passed over, whatever it holds.
+//! The header, a text, declares elements (`vertex`, `face`, …) and their properties; the body has
+//! the values in that order. The reader uses `x y z`, `nx ny nz` and the first complete pair of `u
+//! v`, `s t`, `texture_u texture_v`, `texture_s texture_t` of `vertex`, and the list
+//! `vertex_indices` or `vertex_index` of `face`. All other elements and properties are skipped.
 
 mod header;
 mod values;
@@ -11,19 +11,19 @@ mod write;
 
 use super::error::quoted;
 use super::faces::Faces;
-use super::{MeshData, MeshFileError, at_most_u32, checked, without_mark};
+use super::{MeshData, MeshFileError, at_most_u32, with_triangles, without_byte_order_mark};
 use header::{Element, Header, Property};
 use values::{Binary, Text, Values};
 
 pub use header::Encoding;
 pub use write::write_ply;
 
-/// Reads the bytes of a PLY file, in words or in bytes of either order.
+/// Reads the bytes of a PLY file, ASCII or binary.
 ///
 /// # Errors
 /// The first thing that is wrong; the message says where.
 pub fn parse_ply(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
-    let header = Header::parse(without_mark(bytes))?;
+    let header = Header::parse(without_byte_order_mark(bytes))?;
     match header.encoding {
         Encoding::Ascii => parse_body(&header, Text::new(&header)),
         _ => parse_body(&header, Binary::new(&header)),
@@ -34,27 +34,30 @@ fn parse_body(header: &Header, mut values: impl Values) -> Result<MeshData, Mesh
     if header.elements.iter().any(|e| e.name == "tristrips") {
         return Err(MeshFileError::TriangleStrips);
     }
-    let vertices = only(header, "vertex")?;
-    let faces = only(header, "face")?;
+    let vertices = unique_element(header, "vertex")?;
+    let faces = unique_element(header, "face")?;
     at_most_u32("vertices", vertices.count)?;
     let (columns, corners) = (Columns::find(vertices)?, corner_list(faces)?);
     let (mut data, mut polygons) = (MeshData::default(), Faces::default());
     for element in &header.elements {
-        check_promise(element, header.encoding, &values)?;
+        check_declared_count(element, header.encoding, &values)?;
         match element.name {
             "vertex" => read_vertices(&mut data, &mut values, element, &columns)?,
             "face" => polygons = read_faces(&mut values, element, corners, vertices.count)?,
-            _ => pass_over(&mut values, element)?,
+            _ => skip_element(&mut values, element)?,
         }
     }
-    if !values.left().trim_ascii().is_empty() {
-        return Err(MeshFileError::LeftOver { left: values.left().len() });
+    if !values.remaining().trim_ascii().is_empty() {
+        return Err(MeshFileError::LeftOver { left: values.remaining().len() });
     }
-    checked(data, &polygons)
+    with_triangles(data, &polygons)
 }
 
-/// The one element of this name.
-fn only<'a>(header: &'a Header, name: &'static str) -> Result<&'a Element<'a>, MeshFileError> {
+/// The element of this name; fails if there is none, or more than one.
+fn unique_element<'a>(
+    header: &'a Header,
+    name: &'static str,
+) -> Result<&'a Element<'a>, MeshFileError> {
     let mut found = header.elements.iter().filter(|e| e.name == name);
     let element = found.next().ok_or(MeshFileError::MissingElement { element: name })?;
     match found.next() {
@@ -63,8 +66,8 @@ fn only<'a>(header: &'a Header, name: &'static str) -> Result<&'a Element<'a>, M
     }
 }
 
-/// The place of the property in its element, if it is there; more than one are an error.
-fn position(
+/// The index of the property in its element, `None` if it is missing; fails if there are two.
+fn property_index(
     element: &Element,
     of: &'static str,
     property: &str,
@@ -79,27 +82,27 @@ fn position(
     }
 }
 
-/// A header that lies is found out here, before anything is allocated for it.
-fn check_promise(
+/// Checks the declared count against the rest of the file, before memory is allocated for it.
+fn check_declared_count(
     element: &Element,
     encoding: Encoding,
     values: &impl Values,
 ) -> Result<(), MeshFileError> {
-    let (size, left) = (element.least_size(encoding), values.left().len());
-    // one more: the last word of a file may lack its white space
+    let (size, left) = (element.min_size(encoding), values.remaining().len());
+    // one more: the last word of a file may have no white space after it
     if element.count.saturating_mul(size) > left as u64 + 1 {
         let (element, count) = (quoted(element.name.as_bytes()), element.count);
-        return Err(MeshFileError::Promise { element, count, size, left });
+        return Err(MeshFileError::DeclaredCount { element, count, size, left });
     }
     Ok(())
 }
 
-/// The most columns a vertex has: position, normal, texture coordinates.
+/// The columns of a vertex: position, normal, texture coordinates.
 const COLUMNS: usize = 8;
 
-/// Which property of a vertex goes where.
+/// The columns of the properties of a vertex.
 struct Columns {
-    /// For each property its column, or `None` to pass over it.
+    /// For each property its column; `None` to skip it.
     of_property: Vec<Option<usize>>,
     has_normals: bool,
     has_uvs: bool,
@@ -112,12 +115,10 @@ impl Columns {
             has_normals: false,
             has_uvs: false,
         };
-        for (name, in_words) in [("x", "`x`"), ("y", "`y`"), ("z", "`z`")] {
-            if position(vertex, "vertex", name)?.is_none() {
-                return Err(MeshFileError::MissingProperty {
-                    element: "vertex",
-                    property: in_words,
-                });
+        for (name, quoted) in [("x", "`x`"), ("y", "`y`"), ("z", "`z`")] {
+            if property_index(vertex, "vertex", name)?.is_none() {
+                let (element, property) = ("vertex", quoted);
+                return Err(MeshFileError::MissingProperty { element, property });
             }
         }
         columns.assign(vertex, 0, ["x", "y", "z"])?;
@@ -129,24 +130,24 @@ impl Columns {
         Ok(columns)
     }
 
-    /// Gives these properties the columns from `first` on, if all of them are there.
+    /// Assigns the columns from `first` on to these properties, if the element has all of them.
     fn assign<const N: usize>(
         &mut self,
         vertex: &Element,
         first: usize,
         names: [&str; N],
     ) -> Result<bool, MeshFileError> {
-        let mut places = [0; N];
-        for (place, name) in places.iter_mut().zip(names) {
-            let Some(at) = position(vertex, "vertex", name)? else { return Ok(false) };
+        let mut indices = [0; N];
+        for (index, name) in indices.iter_mut().zip(names) {
+            let Some(at) = property_index(vertex, "vertex", name)? else { return Ok(false) };
             if vertex.properties[at].length.is_some() {
                 let (element, property) = ("vertex", name.into());
                 let expected = "a single number, not a list";
                 return Err(MeshFileError::PropertyType { element, property, expected });
             }
-            *place = at;
+            *index = at;
         }
-        for (column, at) in (first..).zip(places) {
+        for (column, at) in (first..).zip(indices) {
             self.of_property[at] = Some(column);
         }
         Ok(true)
@@ -159,7 +160,7 @@ fn read_vertices(
     element: &Element,
     columns: &Columns,
 ) -> Result<(), MeshFileError> {
-    let capacity = element.count as usize; // not more than bytes are left
+    let capacity = element.count as usize; // at most the number of remaining bytes
     data.vertices = Vec::with_capacity(capacity);
     data.normals = columns.has_normals.then(|| Vec::with_capacity(capacity));
     data.uvs = columns.has_uvs.then(|| Vec::with_capacity(capacity));
@@ -194,10 +195,10 @@ fn finite(values: &mut impl Values, property: &Property) -> Result<f64, MeshFile
     })
 }
 
-/// The place of the list of a face's corners.
+/// The index of the property that lists a face's vertices.
 fn corner_list(face: &Element) -> Result<usize, MeshFileError> {
     for name in ["vertex_indices", "vertex_index"] {
-        let Some(at) = position(face, "face", name)? else { continue };
+        let Some(at) = property_index(face, "face", name)? else { continue };
         let property = &face.properties[at];
         if property.length.is_none() || !property.scalar.is_integer() {
             let (element, property) = ("face", name.into());
@@ -216,7 +217,7 @@ fn read_faces(
     corner_list: usize,
     vertices: u64,
 ) -> Result<Faces, MeshFileError> {
-    let mut faces = Faces::with_capacity(element.count as usize); // not more than bytes are left
+    let mut faces = Faces::with_capacity(element.count as usize); // at most the remaining bytes
     let mut corners = Vec::new();
     for index in 0..element.count {
         values.begin(element.name, index)?;
@@ -237,7 +238,7 @@ fn read_faces(
     Ok(faces)
 }
 
-/// The next index, if there is such a vertex.
+/// The next vertex index; fails if it is out of range.
 fn corner(
     values: &mut impl Values,
     property: &Property,
@@ -266,8 +267,8 @@ fn skip(values: &mut impl Values, property: &Property) -> Result<(), MeshFileErr
     values.skip(count, property)
 }
 
-/// An element we have no use for; without properties it takes no room, whatever its count.
-fn pass_over(values: &mut impl Values, element: &Element) -> Result<(), MeshFileError> {
+/// Skips an unused element; without properties it has no bytes, whatever its count.
+fn skip_element(values: &mut impl Values, element: &Element) -> Result<(), MeshFileError> {
     if element.properties.is_empty() {
         return Ok(());
     }

@@ -1,6 +1,6 @@
-//! The numbers of a PLY file's body, one after the other, from words or from bytes.
+//! The numbers of a PLY file's body, one after the other, from ASCII or binary.
 //!
-//! Every type a PLY file knows fits an `f64` exactly, so each number comes out as one.
+//! An `f64` represents every number type of PLY exactly, so each number is returned as `f64`.
 
 use super::super::error::quoted;
 use super::super::{MeshFileError, Place, parse_word};
@@ -8,25 +8,25 @@ use super::header::{Encoding, Header, Property, Scalar};
 
 /// A body, read forwards.
 pub(super) trait Values {
-    /// Goes to the next element; `name` and `index` are for messages.
+    /// Starts the next element; `name` and `index` are for messages.
     fn begin(&mut self, name: &str, index: u64) -> Result<(), MeshFileError>;
 
-    /// The element has to be used up now.
+    /// Ends the element; fails if a value is left.
     fn end(&mut self) -> Result<(), MeshFileError>;
 
-    /// The next number, of this type; the property is for messages.
+    /// The next number, of type `scalar`; the property is for messages.
     fn value(&mut self, scalar: Scalar, property: &Property) -> Result<f64, MeshFileError>;
 
-    /// Passes over the next numbers.
+    /// Skips the next `count` numbers.
     fn skip(&mut self, count: u64, property: &Property) -> Result<(), MeshFileError>;
 
-    /// Where the element stands.
+    /// The location of the element, for messages.
     fn place(&self) -> Place;
 
     /// Bytes not read yet.
-    fn left(&self) -> &[u8];
+    fn remaining(&self) -> &[u8];
 
-    /// The length of a list, which the numbers follow.
+    /// The length of a list; the numbers of the list follow it.
     fn length(&mut self, length: Scalar, property: &Property) -> Result<u64, MeshFileError> {
         let count = self.value(length, property)?;
         if count < 0.0 {
@@ -38,7 +38,7 @@ pub(super) trait Values {
     }
 }
 
-/// A body in words: one element to a line, empty lines are passed over.
+/// A body in ASCII: one element per line, empty lines are skipped.
 pub(super) struct Text<'a> {
     left: &'a [u8],
     line_end: u8,
@@ -107,7 +107,7 @@ impl Values for Text<'_> {
             Scalar::U32 => {
                 (parse_word::<u32>(word).map(f64::from), "an integer from 0 to 4294967295")
             }
-            // through f32: the same number as in a binary file
+            // rounded to f32: the same number as in a binary file
             Scalar::F32 => (parse_word::<f32>(word).map(f64::from), "a number"),
             Scalar::F64 => (parse_word::<f64>(word), "a number"),
         };
@@ -127,12 +127,12 @@ impl Values for Text<'_> {
         Place::Line(self.line)
     }
 
-    fn left(&self) -> &[u8] {
+    fn remaining(&self) -> &[u8] {
         self.left
     }
 }
 
-/// A body in bytes, one number directly after the other.
+/// A binary body: one number directly after the other.
 pub(super) struct Binary<'a> {
     left: &'a [u8],
     big_endian: bool,
@@ -150,7 +150,7 @@ impl<'a> Binary<'a> {
         MeshFileError::CutOff { place: self.place() }
     }
 
-    /// The next `N` bytes, the lowest first.
+    /// The next `N` bytes in little-endian order.
     fn bytes<const N: usize>(&mut self) -> Result<[u8; N], MeshFileError> {
         let (bytes, rest) = self.left.split_first_chunk().ok_or_else(|| self.cut_off())?;
         self.left = rest;
@@ -199,7 +199,7 @@ impl Values for Binary<'_> {
         Place::Element { name: self.name.clone(), index: self.index }
     }
 
-    fn left(&self) -> &[u8] {
+    fn remaining(&self) -> &[u8] {
         self.left
     }
 }

@@ -1,10 +1,10 @@
-//! Writes what `parse_ply` reads, for example meshes and for the tests.
+//! Writes PLY files, for example meshes and for the tests.
 
 use super::super::MeshData;
 use super::Encoding;
 
-/// The mesh as a PLY file of triangles, without its `faces`. Numbers are doubles and survive the way
-/// back bit for bit.
+/// The mesh as a PLY file of triangles, without its `faces`. [`parse_ply`](super::parse_ply)
+/// returns the same numbers bit for bit.
 ///
 /// # Panics
 /// If there are fewer normals or texture coordinates than vertices.

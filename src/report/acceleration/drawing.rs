@@ -1,4 +1,4 @@
-//! Page 2 as tables and pictures, from its data alone.
+//! Page 2 as tables and plots, from its data alone.
 
 use std::collections::BTreeSet;
 
@@ -9,11 +9,11 @@ use crate::report::html::{
 use crate::report::plot::{Plot, Series};
 use crate::verify::slope::{PowerLaw, power_law};
 
-/// Slopes are fitted from so many objects on, if there are enough.
+/// Slopes are fitted from this number of objects on, if there are at least three sizes.
 const FITTED_FROM: usize = 1000;
-/// Of slopes.
+/// The confidence level of the intervals of slopes.
 const CONFIDENCE: f64 = 0.95;
-/// A structure is as good as the best if it takes no more than this times its time.
+/// A structure is as good as the best if its time is at most this multiple of the best time.
 const AS_GOOD: f64 = 1.1;
 
 pub fn page(data: &Data) -> String {
@@ -33,7 +33,7 @@ pub fn page(data: &Data) -> String {
         let work = figure(&picture(stage, WORK, work).svg(), &caption(stage, work));
         html += &(work + "</div>\n");
         html += &table(stage).html();
-        html += &left_out(stage);
+        html += &skipped(stage);
     }
     html
 }
@@ -41,16 +41,15 @@ pub fn page(data: &Data) -> String {
 fn explanation(data: &Data) -> String {
     let side = data.side;
     format!(
-        "<p>Compared are the ways to search a scene: every object in a <em>list</em>, a regular \
-         <em>grid</em>, grids within a grid, a tree of boxes (<em>bvh</em>), as far as this version \
-         has them. All find the same first hit. The time for a picture is that of the first hit of \
-         {side} × {side} rays on one thread, without shading; tests, and nodes or cells, are counted \
-         for each ray.</p>\n\
-         <p>On logarithmic axes a power of the number of objects is a straight line, and its slope \
-         is the exponent: 1 for a list, about 1/3 for a grid over evenly spread objects, near 0 for \
-         what hardly notices how many there are. Slopes are fitted from {FITTED_FROM} objects on \
-         (from the first, if fewer than three sizes are as large), with an interval of {:.0} % \
-         confidence. Where not every ray is timed, the rest is its share.</p>\n",
+        "<p>The acceleration structures are compared: a <em>list</em> of all objects, a regular \
+         <em>grid</em>, grids within a grid, and a bounding volume hierarchy (<em>bvh</em>). All find \
+         the same first hit. The time for a picture is that of the first hits of {side} × {side} rays \
+         on one thread, without shading; tests, and nodes or cells, are counted per ray.</p>\n\
+         <p>On logarithmic axes a power of the number of objects is a straight line, and its slope is \
+         the exponent: 1 for a list, about 1/3 for a grid over evenly spread objects, near 0 for \
+         a structure whose time hardly depends on the number of objects. Slopes are fitted from \
+         {FITTED_FROM} objects on (from the first, if fewer than three sizes are as large), with an \
+         interval of {:.0} % confidence. Where not every ray is timed, the time is extrapolated.</p>\n",
         100.0 * CONFIDENCE
     )
 }
@@ -70,8 +69,8 @@ fn runs<'a>(stage: &'a StageData, structure: &'a str) -> impl Iterator<Item = &'
     stage.runs.iter().filter(move |run| run.structure == structure)
 }
 
-/// How much longer than the best one of its scene and size a structure takes, at worst, and where;
-/// `None` if it was left out of a scene for its slowness.
+/// The largest ratio of a structure's time to the best time of the scene and size, with scene and
+/// size; `None` if the structure was skipped in a scene.
 fn regret<'a>(data: &'a Data, structure: &str, from: usize) -> Option<(f64, &'a StageData, usize)> {
     let mut worst: Option<(f64, &StageData, usize)> = None;
     for stage in &data.stages {
@@ -93,7 +92,7 @@ fn best(stage: &StageData, objects: usize) -> Option<&Run> {
     rivals.min_by(|a, b| a.picture_seconds.total_cmp(&b.picture_seconds))
 }
 
-/// What follows from the numbers.
+/// The recommendation.
 fn pick(data: &Data) -> String {
     let names = structures(&data.stages);
     let largest = data.stages.iter().flat_map(|s| &s.runs).map(|run| run.objects).max();
@@ -102,16 +101,16 @@ fn pick(data: &Data) -> String {
     let mut regrets: Vec<_> = regrets.collect();
     regrets.sort_by(|(_, a), (_, b)| a.0.total_cmp(&b.0));
     let Some((name, (ratio, stage, objects))) = regrets.first() else {
-        return "Nothing: every structure was too slow somewhere.".to_owned();
+        return "None: every structure was too slow in some scene.".to_owned();
     };
-    let mut text = format!("The {name}, if you know nothing of the scene: from {from} objects on ");
+    let mut text =
+        format!("The {name}, if nothing is known about the scene: from {from} objects on ");
     text += &if *ratio <= AS_GOOD {
-        "it is the fastest everywhere, or as fast. ".to_owned()
+        "it is the fastest in every scene, or as fast as the fastest. ".to_owned()
     } else {
         let (ratio, stage) = (short(*ratio), &stage.stage);
         format!(
-            "it never takes more than {ratio} times the time of the best (there: {stage}, {} \
-             objects). ",
+            "it takes at most {ratio} times the time of the best (in {stage}, {} objects). ",
             count(*objects)
         )
     };
@@ -144,7 +143,7 @@ fn of_each_scene(data: &Data) -> String {
     format!("The fastest at the largest sizes: {}. ", listed(&words))
 }
 
-/// Up to how many objects a list pays.
+/// The scenes in which a list is the fastest for few objects.
 fn lists(data: &Data, pick: &str) -> String {
     let pays = |stage: &&StageData| {
         stage.runs.iter().any(|run| {
@@ -156,22 +155,22 @@ fn lists(data: &Data, pick: &str) -> String {
         data.stages.iter().filter(pays).map(|stage| stage.stage.clone()).collect();
     if scenes.is_empty() && pick != "list" {
         let least = data.stages.iter().flat_map(|s| &s.runs).map(|run| run.objects).min();
-        return format!("A list does not pay, even for {} objects.", least.unwrap_or(0));
+        return format!("A list is not the fastest even for {} objects.", least.unwrap_or(0));
     }
-    format!("A list is the fastest of all for few objects of: {}.", listed(&scenes))
+    format!("A list is the fastest for few objects of: {}.", listed(&scenes))
 }
 
-/// What is drawn of a run.
+/// The quantity of a run that is drawn.
 type Quantity = fn(&Run) -> f64;
 
 fn picture_time(run: &Run) -> f64 {
     run.picture_seconds
 }
 
-/// What [`work`] is.
-const WORK: &str = "tests, nodes and cells for each ray";
+/// The axis label of [`work`].
+const WORK: &str = "tests, nodes and cells per ray";
 
-/// Tests, and what is counted of nodes or cells.
+/// Tests, and nodes or cells if they are counted.
 fn work(run: &Run) -> f64 {
     run.tests_per_ray + run.steps_per_ray.unwrap_or(0.0)
 }
@@ -180,7 +179,7 @@ fn work(run: &Run) -> f64 {
 fn slope(stage: &StageData, structure: &str, of: Quantity) -> Option<(PowerLaw, [f64; 2])> {
     let all: Vec<(f64, f64)> =
         runs(stage, structure).map(|run| (run.objects as f64, of(run))).collect();
-    // a scene's "thousand" may be a few less: a mesh cannot have any number of triangles
+    // 0.9: a mesh cannot have every number of triangles, so "1000" may be a few less
     let large: Vec<_> = all.iter().copied().filter(|p| p.0 >= 0.9 * FITTED_FROM as f64).collect();
     let fitted = if large.len() >= 3 { large } else { all };
     let ends = [fitted.first()?.0, fitted.last()?.0];
@@ -188,7 +187,6 @@ fn slope(stage: &StageData, structure: &str, of: Quantity) -> Option<(PowerLaw, 
 }
 
 fn signed(x: f64) -> String {
-    // no interval of a slope is worth more digits
     let text = format!("{x:.2}");
     if text == "-0.00" { "0.00".to_owned() } else { text.replace('-', "−") }
 }
@@ -219,7 +217,7 @@ fn caption(stage: &StageData, of: Quantity) -> String {
     format!("{}. Slopes: {}.", capital(&stage.stage), listed(&slopes))
 }
 
-/// The tenfold sizes only; all are in `report.json`.
+/// The powers of ten only; all sizes are in `report.json`.
 fn table(stage: &StageData) -> Table {
     let objects: BTreeSet<usize> = stage.runs.iter().map(|run| run.objects).collect();
     let shown: BTreeSet<usize> = objects.into_iter().step_by(2).collect();
@@ -243,8 +241,8 @@ fn table(stage: &StageData) -> Table {
         "build",
         "memory",
         "picture",
-        "tests a ray",
-        "nodes or cells a ray",
+        "tests per ray",
+        "nodes or cells per ray",
         "rays timed",
     ];
     Table {
@@ -255,8 +253,8 @@ fn table(stage: &StageData) -> Table {
     }
 }
 
-/// What was not measured, and why: one sentence for each structure.
-fn left_out(stage: &StageData) -> String {
+/// One sentence for each structure that was skipped.
+fn skipped(stage: &StageData) -> String {
     let mut html = String::new();
     let mut names: Vec<&str> = stage.skipped.iter().map(|s| &*s.structure).collect();
     names.dedup();
@@ -267,7 +265,7 @@ fn left_out(stage: &StageData) -> String {
         let sizes: Vec<String> = skipped.iter().map(|s| count(s.objects)).collect();
         let why = skipped.first().map_or("", |s| &*s.why);
         html += &format!(
-            "<p class=\"about\">Left out: {name}, for {} objects ({}).</p>\n",
+            "<p class=\"about\">Skipped: {name}, for {} objects ({}).</p>\n",
             listed(&sizes),
             escaped(why)
         );

@@ -1,26 +1,30 @@
-//! Each structure on each scene, for more and more objects.
+//! Measures each structure on each scene, for increasing numbers of objects.
 
 use std::hint::black_box;
 
-use super::stages::{Stage, Things};
+use super::stages::{Objects, Stage};
 use super::structures::{BuiltStructure, Counts, Structure};
 use super::{Run, Skipped, StageData, sizes};
 use crate::math::Ray;
 use crate::report::clock::{medians, time};
-use crate::report::{Interrupted, Settings, Watch};
+use crate::report::{Interrupted, Progress, Settings};
 
-/// Rays whose answers are compared and whose costs are counted first.
+/// The number of rays whose hits are compared and whose tests are counted first.
 const PROBES: usize = 256;
-/// Rays whose costs are counted where that does not take long.
+/// The number of rays whose tests are counted if they are few.
 const COUNTED: usize = 4096;
-/// Structures that test more objects for each ray are left out: they are lists, nearly.
-const MOST_TESTS: f64 = 2e5;
-/// Tests in one round of timing, about: a tenth of a second.
+/// Structures that test more objects per ray are skipped: they are almost lists.
+const MAX_TESTS: f64 = 2e5;
+/// The approximate number of tests in one round of timing: a tenth of a second.
 const TESTS: f64 = 1e7;
-/// Rounds of timing.
+/// The number of rounds of timing.
 const ROUNDS: usize = 3;
 
-pub fn stage(stage: &Stage, settings: &Settings, watch: &Watch) -> Result<StageData, Interrupted> {
+pub fn stage(
+    stage: &Stage,
+    settings: &Settings,
+    progress: &Progress,
+) -> Result<StageData, Interrupted> {
     let rays = stage.rays(settings.side);
     let mut data = StageData {
         stage: stage.name.to_owned(),
@@ -30,61 +34,61 @@ pub fn stage(stage: &Stage, settings: &Settings, watch: &Watch) -> Result<StageD
         agree: true,
     };
     for n in sizes(settings.objects) {
-        let things = (stage.things)(n, settings.seed);
+        let objects = (stage.objects)(n, settings.seed);
         let mut expected = None;
         for structure in Structure::all() {
-            match run(structure, &things, &rays) {
+            match run(structure, &objects, &rays) {
                 Ok((run, answers)) => {
                     data.agree &= *expected.get_or_insert_with(|| answers.clone()) == answers;
                     data.runs.push(run);
                 }
                 Err(why) => {
-                    let (structure, objects) = (structure.name(), things.count());
+                    let (structure, objects) = (structure.name(), objects.count());
                     data.skipped.push(Skipped { structure, objects, why });
                 }
             }
-            watch.step()?;
+            progress.step()?;
         }
     }
     Ok(data)
 }
 
-/// The distances that some rays find.
+/// The distances of the hits of some rays.
 type Answers = Vec<Option<f64>>;
 
-/// Builds, counts, then times as many rays as there is time for; or says why not.
-fn run(structure: Structure, things: &Things, rays: &[Ray]) -> Result<(Run, Answers), String> {
-    if let Some(why) = structure.unfit(things) {
+/// Builds the structure, counts tests, and times some rays; an error is the reason to skip it.
+fn run(structure: Structure, objects: &Objects, rays: &[Ray]) -> Result<(Run, Answers), String> {
+    if let Some(why) = structure.unsupported(objects) {
         return Err(why.to_owned());
     }
     let many = |tests: f64| format!("each ray tests {tests:.0} objects");
-    if structure.is_exhaustive() && things.count() as f64 > MOST_TESTS {
-        return Err(many(things.count() as f64));
+    if structure.is_exhaustive() && objects.count() as f64 > MAX_TESTS {
+        return Err(many(objects.count() as f64));
     }
-    // by all threads: the time of this one says nothing
-    let (built, building) = time(|| structure.build(things));
-    let counted = structure.build_counted(things);
+    // on all threads: only the elapsed time is meaningful
+    let (built, building) = time(|| structure.build(objects));
+    let counted = structure.build_counted(objects);
     let probes = spread(rays, PROBES);
-    let (mut tests, mut steps) = count(&counted, things, &probes);
-    if tests > MOST_TESTS {
+    let (mut tests, mut steps) = count(&counted, objects, &probes);
+    if tests > MAX_TESTS {
         return Err(many(tests));
     }
-    let answers = probes.iter().map(|ray| built.nearest(things, ray, None)).collect();
+    let answers = probes.iter().map(|ray| built.nearest(objects, ray, None)).collect();
     if tests * (COUNTED as f64) < TESTS {
-        (tests, steps) = count(&counted, things, &spread(rays, COUNTED));
+        (tests, steps) = count(&counted, objects, &spread(rays, COUNTED));
     }
 
     let affordable = (TESTS / tests.max(1.0)) as usize;
     let timed = spread(rays, affordable.max(PROBES));
     let mut picture = || {
         for ray in &timed {
-            black_box(built.nearest(things, black_box(ray), None));
+            black_box(built.nearest(objects, black_box(ray), None));
         }
     };
     let round = medians(ROUNDS, &mut [&mut picture])[0];
     let run = Run {
         structure: structure.name(),
-        objects: things.count(),
+        objects: objects.count(),
         build_seconds: building.wall,
         memory_bytes: counted.memory_bytes(),
         picture_seconds: round.cpu * rays.len() as f64 / timed.len() as f64,
@@ -96,23 +100,23 @@ fn run(structure: Structure, things: &Things, rays: &[Ray]) -> Result<(Run, Answ
     Ok((run, answers))
 }
 
-/// At most so many of the rays, spread over the picture by the golden ratio, in their order.
-fn spread(rays: &[Ray], most: usize) -> Vec<&Ray> {
-    if most >= rays.len() {
+/// At most `max` of the rays, spread over the picture by the golden ratio, in order.
+fn spread(rays: &[Ray], max: usize) -> Vec<&Ray> {
+    if max >= rays.len() {
         return rays.iter().collect();
     }
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let place = |i: usize| ((i as f64 * golden).fract() * rays.len() as f64) as usize;
-    let mut places: Vec<usize> = (0..most).map(place).collect();
-    places.sort_unstable();
-    places.into_iter().map(|i| &rays[i]).collect()
+    let index = |i: usize| ((i as f64 * golden).fract() * rays.len() as f64) as usize;
+    let mut indices: Vec<usize> = (0..max).map(index).collect();
+    indices.sort_unstable();
+    indices.into_iter().map(|i| &rays[i]).collect()
 }
 
-/// Tests, and nodes or cells, for each ray.
-fn count(built: &BuiltStructure, things: &Things, rays: &[&Ray]) -> (f64, Option<f64>) {
+/// Tests, and nodes or cells, per ray.
+fn count(built: &BuiltStructure, objects: &Objects, rays: &[&Ray]) -> (f64, Option<f64>) {
     let counts = Counts::default();
     for ray in rays {
-        built.nearest(things, ray, Some(&counts));
+        built.nearest(objects, ray, Some(&counts));
     }
     let each = |total: u64| total as f64 / rays.len() as f64;
     (each(counts.tests.get()), counts.steps.get().map(each))

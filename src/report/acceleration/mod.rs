@@ -1,4 +1,4 @@
-//! Page 2: acceleration, time against number of objects.
+//! Page 2: acceleration structures, time against number of objects.
 
 mod drawing;
 mod measuring;
@@ -9,17 +9,17 @@ use serde::Serialize;
 
 use self::stages::STAGES;
 use self::structures::Structure;
-use super::{Findings, Interrupted, Page, Settings, Watch};
+use super::{Findings, Interrupted, Page, Progress, Settings};
 
-/// Which acceleration structure to use: by time, memory and tests, over the number of objects.
+/// Compares acceleration structures by time, memory and tests, over the number of objects.
 pub struct Acceleration;
 
-/// What the page shows.
+/// The data of the page.
 #[derive(Clone, Debug, Serialize)]
 pub struct Data {
-    /// Pixels along each side of the picture.
+    /// The width and height of the picture in pixels.
     pub side: u32,
-    /// One for each kind of scene.
+    /// The results for each kind of scene.
     pub stages: Vec<StageData>,
 }
 
@@ -28,55 +28,56 @@ pub struct Data {
 pub struct StageData {
     /// Its name.
     pub stage: String,
-    /// What it is made of, and why it is here.
+    /// Its contents and purpose.
     pub about: String,
-    /// What was measured.
+    /// The measurements.
     pub runs: Vec<Run>,
-    /// What was not, and why.
+    /// The structures that were not measured.
     pub skipped: Vec<Skipped>,
-    /// Whether all structures gave the same distances, to the last bit, on the rays that were
+    /// Whether all structures gave the same distances, bit for bit, for the rays that were
     /// compared.
     pub agree: bool,
 }
 
-/// One structure over so many objects.
+/// The measurement of one structure and number of objects.
 #[derive(Clone, Debug, Serialize)]
 pub struct Run {
     /// The structure's name.
     pub structure: String,
-    /// Objects, or triangles.
+    /// The number of objects or triangles.
     pub objects: usize,
-    /// Seconds to build it, on all threads, by the clock on the wall.
+    /// The elapsed time to build it, on all threads.
     pub build_seconds: f64,
-    /// What the structure takes, without the objects.
+    /// The memory of the structure, without the objects.
     pub memory_bytes: Option<u64>,
-    /// Seconds to find the first hit of the ray of every pixel, on one thread.
+    /// The time to find the first hit of the ray of every pixel, on one thread.
     pub picture_seconds: f64,
-    /// Whether other programs took turns with the measurement of `picture_seconds`.
+    /// Whether other programs disturbed the measurement of `picture_seconds`.
     pub disturbed: bool,
-    /// So many of those rays were timed, evenly spread; the rest is their share.
+    /// The number of rays that were timed, evenly spread over the picture; `picture_seconds` is
+    /// extrapolated from them.
     pub timed_rays: usize,
-    /// Objects tested for each ray.
+    /// The number of objects tested per ray.
     pub tests_per_ray: f64,
-    /// Nodes or cells visited for each ray.
+    /// The number of nodes or cells visited per ray.
     pub steps_per_ray: Option<f64>,
 }
 
-/// One structure that would take too long.
+/// A structure that was not measured.
 #[derive(Clone, Debug, Serialize)]
 pub struct Skipped {
     /// The structure's name.
     pub structure: String,
-    /// Objects, or triangles.
+    /// The number of objects or triangles.
     pub objects: usize,
-    /// Why.
+    /// The reason.
     pub why: String,
 }
 
-/// Numbers of objects, two for each factor of ten, up to `most`.
-fn sizes(most: u32) -> Vec<u32> {
+/// Numbers of objects, two for each factor of ten, up to `max`.
+fn sizes(max: u32) -> Vec<u32> {
     let all = [100, 316, 1000, 3162, 10_000, 31_623, 100_000, 316_228, 1_000_000];
-    all.into_iter().filter(|&n| n <= most.max(all[0])).collect()
+    all.into_iter().filter(|&n| n <= max.max(all[0])).collect()
 }
 
 impl Page for Acceleration {
@@ -89,17 +90,21 @@ impl Page for Acceleration {
     }
 
     fn question(&self) -> &'static str {
-        "Which structure finds the first hit soonest, among how many objects, in which scenes?"
+        "Which structure finds the first hit fastest, for how many objects, in which scenes?"
     }
 
     fn steps(&self, settings: &Settings) -> u64 {
         (STAGES.len() * sizes(settings.objects).len() * Structure::all().len()) as u64
     }
 
-    fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted> {
+    fn run(
+        &self,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Result<Box<dyn Findings>, Interrupted> {
         let mut data = Data { side: settings.side, stages: Vec::new() };
         for stage in STAGES {
-            data.stages.push(measuring::stage(stage, settings, watch)?);
+            data.stages.push(measuring::stage(stage, settings, progress)?);
         }
         Ok(Box::new(data))
     }

@@ -1,18 +1,18 @@
-//! The structures that are compared, built over the same things.
+//! The structures that are compared, built over the same objects.
 
 use std::cell::Cell;
 
-use super::stages::Things;
+use super::stages::Objects;
 use crate::accel::{self, Accel, Method, Primitives};
 use crate::math::{Aabb, Ray, Span};
 use crate::shapes::{Candidate, Shape};
 
-/// How a scene is searched.
+/// The acceleration structure of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Structure {
     /// One method over all objects.
     Plain(Method),
-    /// One method over groups, and within each group again (section 22.7).
+    /// One method over groups, and again within each group (section 22.7).
     Nested(Method),
 }
 
@@ -23,7 +23,7 @@ impl Structure {
         vec![list, grid, Self::Nested(Method::Grid), bvh]
     }
 
-    /// As the tables call it.
+    /// The name in the tables.
     pub fn name(self) -> String {
         match self {
             Self::Plain(method) => method.name().to_owned(),
@@ -36,75 +36,74 @@ impl Structure {
         self == Self::Plain(Method::List)
     }
 
-    /// Why it cannot be built over these things, if so.
-    pub fn unfit(self, things: &Things) -> Option<&'static str> {
+    /// The reason why it cannot be built over these objects; `None` if it can.
+    pub fn unsupported(self, objects: &Objects) -> Option<&'static str> {
         let nests = matches!(self, Self::Nested(_));
-        (nests && things.groups.is_empty()).then_some("the scene has no groups to nest")
+        (nests && objects.groups.is_empty()).then_some("the scene has no groups to nest")
     }
 
-    /// Builds it.
-    pub fn build(self, things: &Things) -> BuiltStructure {
+    pub fn build(self, objects: &Objects) -> BuiltStructure {
         match self {
-            Self::Plain(method) => match &things.mesh {
+            Self::Plain(method) => match &objects.mesh {
                 Some(mesh) => BuiltStructure::Mesh(Box::new(mesh.clone().accelerated(method))),
-                None => BuiltStructure::Plain(Accel::build(method, &things.bounds)),
+                None => BuiltStructure::Plain(Accel::build(method, &objects.bounds)),
             },
             Self::Nested(method) => {
-                let boxes = |group: &std::ops::Range<usize>| &things.bounds[group.clone()];
+                let boxes = |group: &std::ops::Range<usize>| &objects.bounds[group.clone()];
                 let whole = |all: &[Aabb]| all.iter().fold(Aabb::EMPTY, |a, b| a.union(*b));
-                let bounds: Vec<Aabb> = things.groups.iter().map(|g| whole(boxes(g))).collect();
+                let bounds: Vec<Aabb> = objects.groups.iter().map(|g| whole(boxes(g))).collect();
                 BuiltStructure::Nested {
                     outer: Accel::build(method, &bounds),
-                    inner: things.groups.iter().map(|g| Accel::build(method, boxes(g))).collect(),
+                    inner: objects.groups.iter().map(|g| Accel::build(method, boxes(g))).collect(),
                 }
             }
         }
     }
 
-    /// The same search with its costs open to be counted: a mesh's own is hidden inside it, and the
-    /// one over its triangles has the same boxes.
-    pub fn build_counted(self, things: &Things) -> BuiltStructure {
+    /// The structure for counting tests: for a mesh, one over its triangles as shapes, with the
+    /// same boxes.
+    pub fn build_counted(self, objects: &Objects) -> BuiltStructure {
         match self {
-            Self::Plain(method) => BuiltStructure::Plain(Accel::build(method, &things.bounds)),
-            Self::Nested(_) => self.build(things),
+            Self::Plain(method) => BuiltStructure::Plain(Accel::build(method, &objects.bounds)),
+            Self::Nested(_) => self.build(objects),
         }
     }
 }
 
-/// A structure, built.
+/// A built structure.
 pub enum BuiltStructure {
     Plain(Accel),
     Nested { outer: Accel, inner: Vec<Accel> },
     Mesh(Box<dyn Shape>),
 }
 
-/// What searches cost.
+/// The cost of traversals.
 #[derive(Debug, Default)]
 pub struct Counts {
-    /// Objects tested.
+    /// The number of objects tested.
     pub tests: Cell<u64>,
-    /// Nodes or cells visited, if they are counted.
+    /// The number of nodes or cells visited, if counted.
     pub steps: Cell<Option<u64>>,
 }
 
 impl BuiltStructure {
-    /// The first hit, and what it costs to find, added to `counts` if there are any.
-    pub fn nearest(&self, things: &Things, ray: &Ray, counts: Option<&Counts>) -> Option<f64> {
+    /// The distance of the first hit; adds the cost to `counts`.
+    pub fn nearest(&self, objects: &Objects, ray: &Ray, counts: Option<&Counts>) -> Option<f64> {
         let hit = match self {
             Self::Mesh(shape) => return shape.hit(ray, Span::AHEAD).map(|hit| hit.t),
             Self::Plain(accel) => {
-                let seen = Seen { things, first: 0, ray, counts };
-                search(accel, &seen, ray, Span::AHEAD, counts)
+                let query = RayQuery { objects, first: 0, ray, counts };
+                search(accel, &query, ray, Span::AHEAD, counts)
             }
             Self::Nested { outer, inner } => {
-                let groups = Groups { things, inner, ray, counts };
+                let groups = GroupQuery { objects, inner, ray, counts };
                 search(outer, &groups, ray, Span::AHEAD, counts)
             }
         };
         hit.map(|hit| hit.t)
     }
 
-    /// What it takes in memory, without the objects; `None` for what hides it.
+    /// The memory of the structure, without the objects; `None` for a mesh.
     pub fn memory_bytes(&self) -> Option<u64> {
         match self {
             Self::Mesh(_) => None,
@@ -117,13 +116,11 @@ impl BuiltStructure {
     }
 }
 
-/// What an acceleration takes.
 fn memory_bytes(accel: &Accel) -> u64 {
     accel.memory_bytes() as u64
 }
 
-/// One search of one acceleration. Tests of objects are counted where they are made, nodes and cells
-/// here.
+/// One traversal of one structure. This counts nodes and cells; the queries count tests of objects.
 fn search(
     accel: &Accel,
     primitives: &impl Primitives,
@@ -140,37 +137,37 @@ fn search(
     found.map(|(_, hit)| hit)
 }
 
-/// The objects from `first` on, as one ray sees them.
-struct Seen<'a> {
-    things: &'a Things,
+/// The objects from `first` on, for one ray.
+struct RayQuery<'a> {
+    objects: &'a Objects,
     first: usize,
     ray: &'a Ray,
     counts: Option<&'a Counts>,
 }
 
-impl Primitives for Seen<'_> {
+impl Primitives for RayQuery<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         if let Some(counts) = self.counts {
             counts.tests.set(counts.tests.get() + 1);
         }
-        self.things.shapes[self.first + index as usize].hit(self.ray, span)
+        self.objects.shapes[self.first + index as usize].hit(self.ray, span)
     }
 }
 
-/// The groups, as one ray sees them.
-struct Groups<'a> {
-    things: &'a Things,
+/// The groups, for one ray.
+struct GroupQuery<'a> {
+    objects: &'a Objects,
     inner: &'a [Accel],
     ray: &'a Ray,
     counts: Option<&'a Counts>,
 }
 
-impl Primitives for Groups<'_> {
+impl Primitives for GroupQuery<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        let Self { things, ray, counts, .. } = *self;
-        let first = things.groups[index as usize].start;
-        let seen = Seen { things, first, ray, counts };
-        search(&self.inner[index as usize], &seen, ray, span, counts)
+        let Self { objects, ray, counts, .. } = *self;
+        let first = objects.groups[index as usize].start;
+        let query = RayQuery { objects, first, ray, counts };
+        search(&self.inner[index as usize], &query, ray, span, counts)
     }
 }
 
@@ -179,38 +176,38 @@ mod tests {
     use super::super::stages::STAGES;
     use super::*;
 
-    /// Law: whatever is compared gives the same distances, to the last bit, nested or not, in a mesh
-    /// or over its triangles. Oracle: the list.
+    /// Law: all structures give the same distances, bit for bit, nested or not, in a mesh or over
+    /// its triangles. Oracle: the list.
     #[test]
     fn structures_give_equal_answers() {
         for stage in STAGES {
-            let things = (stage.things)(300, 7);
+            let objects = (stage.objects)(300, 7);
             let rays = stage.rays(24);
-            let list = Structure::Plain(Method::List).build(&things);
+            let list = Structure::Plain(Method::List).build(&objects);
             let expected: Vec<_> =
-                rays.iter().map(|ray| list.nearest(&things, ray, None)).collect();
+                rays.iter().map(|ray| list.nearest(&objects, ray, None)).collect();
             let hits = expected.iter().flatten().count();
             assert!(hits > rays.len() / 8, "{}: {hits} rays hit", stage.name);
             let nested = Structure::Nested(Method::Bvh);
             let all = Structure::all().into_iter().chain([nested]);
-            for structure in all.filter(|structure| structure.unfit(&things).is_none()) {
-                for built in [structure.build(&things), structure.build_counted(&things)] {
-                    let found = rays.iter().map(|ray| built.nearest(&things, ray, None));
+            for structure in all.filter(|structure| structure.unsupported(&objects).is_none()) {
+                for built in [structure.build(&objects), structure.build_counted(&objects)] {
+                    let found = rays.iter().map(|ray| built.nearest(&objects, ray, None));
                     assert!(found.eq(expected.iter().copied()), "{}: {structure:?}", stage.name);
                 }
             }
         }
     }
 
-    /// Law: a list tests every object for every ray; a tree tests few, but at least one for each ray
-    /// that hits.
+    /// Law: a list tests every object for every ray; a tree tests few, but at least one for each
+    /// ray that hits.
     #[test]
     fn tests_are_counted() {
-        let things = (STAGES[0].things)(500, 7);
+        let objects = (STAGES[0].objects)(500, 7);
         let rays = STAGES[0].rays(16);
         let cost = |method| {
-            let (counts, built) = (Counts::default(), Structure::Plain(method).build(&things));
-            let found = |ray: &&Ray| built.nearest(&things, ray, Some(&counts)).is_some();
+            let (counts, built) = (Counts::default(), Structure::Plain(method).build(&objects));
+            let found = |ray: &&Ray| built.nearest(&objects, ray, Some(&counts)).is_some();
             let hits = rays.iter().filter(found).count() as u64;
             (hits, counts.tests.get())
         };

@@ -1,4 +1,4 @@
-//! Page 1 as tables and a picture, from its data alone.
+//! Page 1 as tables and a plot, from its data alone.
 
 use super::{Data, FamilyData, KindData, Routine};
 use crate::report::html::{Table, count, figure, flagged, folded, listed, short, short_or_dash};
@@ -6,53 +6,50 @@ use crate::report::plot::{Plot, Series};
 use crate::verify::backward_error::ALLOWED;
 use crate::verify::quantile;
 
-/// Errors below are drawn there: a logarithmic axis has no 0.
-const LEAST_DRAWN: f64 = 0.01;
+/// Smaller errors are drawn at this value: a logarithmic axis has no 0.
+const MIN_DRAWN: f64 = 0.01;
 
 pub fn page(data: &Data) -> String {
     let mut html = explanation(data);
     html += &format!("<p class=\"pick\"><strong>What to pick.</strong> {}</p>\n", pick(data));
     html += &overview(data).html();
     html += &figure(&picture(data).svg(), CAPTION);
-    html.push_str(
-        "<h3>Each shape, family by family</h3>\n<p>A click opens the table of a shape.</p>\n",
-    );
+    html.push_str("<h3>Each shape and family</h3>\n<p>Click on a shape to see its table.</p>\n");
     data.kinds.iter().for_each(|kind| html += &folded(&summary(kind), &details(kind).html()));
     html
 }
 
-const CAPTION: &str = "Speed against error. Each number is a shape of the table above: across, \
-    what a hit costs on ordinary rays; up, the 99.9th percentile of its error in the family where \
-    that is largest. Down and left is better. Errors of 0.01 or less are drawn at 0.01. Lost and \
-    wrong hits do not show here.";
+const CAPTION: &str = "Speed against error. Each number is a shape of the table above. The x axis is \
+    the time of a hit on ordinary rays, the y axis the 99.9th percentile of the error in the family \
+    where it is largest; lower left is better. Errors of 0.01 or less are drawn at 0.01. Lost and \
+    wrong hits are not shown.";
 
 fn explanation(data: &Data) -> String {
     let (kinds, cases) = (data.kinds.len(), data.cases);
     format!(
-        "<p>Compared are this library's routine for each of {kinds} shapes and the textbook's: the \
-         formula as the book prints it, with its constant epsilon (for algebraic surfaces, of which the \
-         book says nothing, a sign change among samples along the ray). Solids and compounds \
-         are the same parts for both, which the textbook tries in turn; copies, random \
-         spheres and triangles are searched alike. Both get the same rays, {cases} for each shape (a \
-         quarter or a sixteenth for surfaces of high degree and shapes of many parts, whose truth \
-         takes long) in each of twelve families: ordinary ones, and those on which formulas fail (far \
-         origins, grazing and tangent rays, tiny, huge and thin shapes, …). The truth is computed with \
-         512 bits.</p>\n\
-         <p>An error is counted in units of u·cond: how far the distance moves if the input is \
-         wrong in its last bit. An error of 1 is as good as any routine can promise, up to {ALLOWED} \
-         is good, and 10⁶ means that six digits are lost. (Inside an instance, roundings count as much \
-         more as its matrix squeezes the wall that is hit.) A hit is <em>lost</em> if the nearest was \
-         not found, and <em>wrong</em> if there was none to find; rays whose answer turns on the \
-         rounding of their input (a relative change by 10⁻¹³ would change it) are not judged. Of rays \
-         from the surface, what they meet beyond a millionth of the shape's size is judged; ours is \
-         asked for that alone, while the textbook's has its epsilon. A constant epsilon loses every \
-         hit that is nearer than it. Times are medians for one call on one thread, of both for the \
-         question that a ray asks of every shape: is there a hit, and at which t? (The nearest; what \
-         follows for the one that wins, its point and normal, is not in them, of either.)</p>\n"
+        "<p>For each of {kinds} shapes, this library's routine is compared with the textbook's: the \
+         formula as printed in the book, with its constant epsilon (for algebraic surfaces, which are \
+         not in the book, a sign change among samples along the ray). Solids and compounds have the \
+         same parts for both, and the textbook tests all of them; copies, random spheres and triangles \
+         have the same acceleration structure for both. Both get the same rays, {cases} for each shape \
+         (a quarter or a sixteenth for surfaces of high degree and shapes of many parts, whose exact \
+         answer takes long) in each of twelve families: ordinary rays, and those for which formulas \
+         fail (far origins, grazing and tangent rays, tiny, huge and thin shapes, …). The exact \
+         answer is computed with 512 bits.</p>\n\
+         <p>The unit of errors is u·cond: the change of the distance if the last bit of the input \
+         changes. An error of 1 is the best that any routine can guarantee, up to {ALLOWED} is good, \
+         and 10⁶ means that six digits are lost. (Inside an instance, the unit is multiplied by the \
+         condition number of its matrix.) A hit is <em>lost</em> if the nearest was not found, and \
+         <em>wrong</em> if there is none; rays whose answer depends on the rounding of their input (a \
+         relative change by 10⁻¹³ would change it) are not judged. For rays that start on the surface, \
+         only hits beyond a millionth of the shape's size are judged; the library's routine is called \
+         with this span, the textbook's with its epsilon. A constant epsilon loses every nearer \
+         hit. Times are medians for one call on one thread that finds the distance of the nearest hit, \
+         without its point and normal.</p>\n"
     )
 }
 
-/// The families' routines of one kind.
+/// One routine of one kind, over all families.
 fn routines<'a>(kind: &'a KindData, of: impl Fn(&'a FamilyData) -> &'a Routine) -> Option<Summary> {
     let routines: Vec<&Routine> = kind.families.iter().map(&of).collect();
     let largest = |values: Vec<Option<f64>>| values.into_iter().flatten().reduce(f64::max);
@@ -85,7 +82,7 @@ fn textbook(kind: &KindData) -> Option<Summary> {
     routines(kind, |family| &family.textbook)
 }
 
-/// `OpenCylinder` as a reader writes it: `open cylinder`.
+/// The name in the page: `open cylinder` for `OpenCylinder`.
 fn words(name: &str) -> String {
     match name {
         "Cuboid" => "box".to_owned(),
@@ -93,7 +90,7 @@ fn words(name: &str) -> String {
     }
 }
 
-/// What follows from the numbers.
+/// The recommendation.
 fn pick(data: &Data) -> String {
     let judged: usize = data.kinds.iter().flat_map(|k| &k.families).map(|f| f.judged).sum();
     let judged = count(judged);
@@ -109,14 +106,14 @@ fn pick(data: &Data) -> String {
         both.iter().filter_map(|(_, ours, book)| Some(ours.hit_ns? / book.hit_ns?)).collect();
     let mut text = if sound {
         format!(
-            "Ours, for anything but ordinary rays: of {judged} rays it lost none and invented none, \
-             and its worst error is {} u·cond. ",
+            "The library's routine, except for ordinary rays: of {judged} rays it had no lost and no \
+             wrong hit, and its worst error is {} u·cond. ",
             short_or_dash(worst)
         )
     } else {
         format!(
-            "Neither without care: of {judged} rays ours got {} wrong, and its worst error is {} \
-             u·cond, which is a bug to be reported. ",
+            "Neither is safe: of {judged} rays the library's routine had {} lost or wrong hits, and \
+             its worst error is {} u·cond; please report this bug. ",
             failed(ours),
             short_or_dash(worst)
         )
@@ -124,10 +121,10 @@ fn pick(data: &Data) -> String {
     if both.is_empty() {
         return text;
     }
-    text += &format!("The textbook's got {} hits wrong or lost. ", count(failed(textbook)));
+    text += &format!("The textbook's had {} lost or wrong hits. ", count(failed(textbook)));
     let [least, middle, most] = [0.0, 0.5, 1.0].map(|share| short_or_dash(quantile(&costs, share)));
     text += &format!(
-        "An ordinary hit costs {middle} times the textbook's in the median, {least} to {most}. "
+        "An ordinary hit takes {middle} times the textbook's time in the median, {least} to {most}. "
     );
     let good: Vec<String> = both
         .iter()
@@ -165,8 +162,8 @@ fn overview(data: &Data) -> Table {
         row
     };
     Table {
-        caption: "All families together: errors in u·cond of the family where they are largest; \
-                  times on ordinary rays"
+        caption: "All families: errors in u·cond of the family where they are largest; times on \
+                  ordinary rays"
             .to_owned(),
         groups: groups(2, columns.len()),
         headings: headings(&["shape", "rays judged"], &columns),
@@ -174,11 +171,11 @@ fn overview(data: &Data) -> Table {
     }
 }
 
-/// One line for a shape: how wrong each routine is at worst, how often it fails, and what it costs.
+/// One line for a shape: the worst error, the failures and the time of each routine.
 fn summary(kind: &KindData) -> String {
     let one = |name: &str, found: Option<Summary>| match found {
         Some(s) => format!(
-            "; {name}: worst error {}, {} lost or wrong, {} ns a hit",
+            "; {name}: worst error {}, {} lost or wrong, {} ns per hit",
             error(s.worst),
             failures(s.lost + s.wrong),
             short_or_dash(s.hit_ns)
@@ -231,7 +228,7 @@ fn headings(before: &[&str], columns: &[&str]) -> Vec<String> {
     [before, columns, columns].concat().into_iter().map(str::to_owned).collect()
 }
 
-/// An error; bold if it is more than a good routine may have.
+/// An error; bold if it is larger than [`ALLOWED`].
 fn error(x: Option<f64>) -> String {
     match x {
         Some(x) if x > ALLOWED => format!("<span class=\"bad\">{}</span>", short(x)),
@@ -250,7 +247,7 @@ fn picture(data: &Data) -> Plot {
         let (points, labels) = numbered
             .filter_map(|(index, kind)| {
                 let summary = of(kind)?;
-                let error = summary.p999?.max(LEAST_DRAWN);
+                let error = summary.p999?.max(MIN_DRAWN);
                 Some(((summary.hit_ns?, error), (index + 1).to_string()))
             })
             .unzip();

@@ -1,4 +1,4 @@
-//! The error of each intersection routine against the exact answer.
+//! Compares each intersection routine with the exact answer.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use crate::verify::backward_error::{
 };
 use crate::verify::{composites, quantile};
 
-/// The shape that is judged: one with a formula, or a composite.
+/// The kind of shape that is judged: a single shape or a composite.
 #[derive(Clone, Copy, Debug)]
 pub enum Subject {
     One(hard::Kind),
@@ -30,11 +30,11 @@ struct Question {
     condition: f64,
 }
 
-/// A ray and the shape that it is tested against, in both forms.
+/// A ray, and the shape for both routines.
 #[derive(Debug)]
 pub struct Case {
     pub ray: Ray,
-    /// The span of hits.
+    /// The span of valid hits.
     pub span: Span,
     pub ours: Arc<dyn Shape>,
     pub textbook: Arc<dyn Shape>,
@@ -48,7 +48,7 @@ impl Case {
     }
 }
 
-/// One kind and family, judged, and the rays to be timed.
+/// The results of one kind and family, and the rays for timing.
 pub struct Judged {
     pub data: FamilyData,
     pub hits: Vec<Case>,
@@ -56,13 +56,13 @@ pub struct Judged {
 }
 
 impl Subject {
-    /// All of them.
+    /// All kinds.
     pub fn all() -> impl Iterator<Item = Self> {
         let one = hard::Kind::ALL.into_iter().map(Subject::One);
         one.chain(composites::Kind::ALL.into_iter().map(Subject::Composite))
     }
 
-    /// As the enumerations have it.
+    /// The name of the enum variant.
     pub fn name(self) -> String {
         match self {
             Subject::One(kind) => format!("{kind:?}"),
@@ -70,7 +70,7 @@ impl Subject {
         }
     }
 
-    /// Rays that are timed together: their shapes fit into the processor's caches.
+    /// The number of rays that are timed together: their shapes fit into the processor's caches.
     fn timed(self) -> usize {
         match self {
             Subject::One(_) => 256,
@@ -81,7 +81,7 @@ impl Subject {
         }
     }
 
-    /// The questions of a family; `None` for shapes that the library refuses.
+    /// The questions of a family; `None` for shapes that the library rejects.
     fn questions(
         self,
         family: Family,
@@ -132,7 +132,7 @@ impl Question {
 }
 
 impl Judged {
-    /// Judges the cases whose answer rounding cannot change.
+    /// Judges the cases whose answer does not depend on rounding.
     pub fn new(subject: Subject, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
@@ -147,8 +147,8 @@ impl Judged {
             }
             judged += 1;
             let found = case.ours.hit(&case.ray, case.span).map(|found| found.t);
-            ours.meet(found, case.span, &exact);
-            book.meet(case.textbook_hit(), case.span, &exact);
+            ours.add(found, case.span, &exact);
+            book.add(case.textbook_hit(), case.span, &exact);
             hit_count += usize::from(!exact.roots.is_empty());
             let timed = if exact.roots.is_empty() { &mut misses } else { &mut hits };
             if timed.len() < subject.timed() {
@@ -177,10 +177,11 @@ struct Tally {
 }
 
 impl Tally {
-    fn meet(&mut self, found: Option<f64>, span: Span, answer: &Answer) {
+    /// Adds the distance that was found for one case.
+    fn add(&mut self, found: Option<f64>, span: Span, answer: &Answer) {
         match (found, answer.roots.first()) {
             (None, None) => {}
-            // what the ray starts on
+            // the surface on which the ray starts
             (Some(t), _) if t <= span.min => self.wrong += 1,
             (Some(_), None) => self.wrong += 1,
             (None, Some(_)) => self.lost += 1,

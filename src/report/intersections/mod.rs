@@ -1,4 +1,4 @@
-//! Page 1: intersections, ours beside the textbook's: error against time.
+//! Page 1: the intersection routines of the library and of the textbook, error against time.
 
 mod drawing;
 mod judging;
@@ -9,17 +9,17 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use self::judging::{Judged, Subject};
-use super::{Findings, Interrupted, Page, Settings, Watch};
+use super::{Findings, Interrupted, Page, Progress, Settings};
 
-/// Which intersection routine to use: by error, lost and wrong hits, and nanoseconds.
+/// Compares intersection routines by error, lost and wrong hits, and time.
 pub struct Intersections;
 
-/// What the page shows.
+/// The data of the page.
 #[derive(Clone, Debug, Serialize)]
 pub struct Data {
-    /// Rays for each shape and family, but for those whose exact answer takes long.
+    /// The number of rays for each shape and family, except those whose exact answer takes long.
     pub cases: usize,
-    /// One for each kind of shape that the oracle knows, then one for each composite kind.
+    /// The kinds of shapes of the oracle, then the composite kinds.
     pub kinds: Vec<KindData>,
 }
 
@@ -28,9 +28,9 @@ pub struct Data {
 pub struct KindData {
     /// Its name.
     pub kind: String,
-    /// Rays for each family.
+    /// The number of rays for each family.
     pub cases: usize,
-    /// One for each family of hard cases.
+    /// The results for each family of hard cases.
     pub families: Vec<FamilyData>,
 }
 
@@ -39,32 +39,32 @@ pub struct KindData {
 pub struct FamilyData {
     /// Its name.
     pub family: String,
-    /// Shapes that the library refuses to build; their rays are left out.
+    /// The number of shapes that the library rejects; their rays are skipped.
     pub refused: usize,
-    /// Rays whose answer does not turn on rounding.
+    /// The number of rays whose answer does not depend on rounding.
     pub judged: usize,
-    /// Those of them that hit.
+    /// The number of judged rays that hit.
     pub hits: usize,
     /// The library's routine.
     pub ours: Routine,
-    /// The textbook's.
+    /// The textbook's routine.
     pub textbook: Routine,
-    /// Whether other programs took turns with the measurement of any of the times.
+    /// Whether other programs disturbed the measurement of any of the times.
     pub disturbed: bool,
 }
 
-/// How good one routine is.
+/// The errors and times of one routine.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Routine {
     /// The median error of the distance, in units of u · cond.
     pub median: Option<f64>,
-    /// The 99.9th percentile of the error; of fewer than 1000 hits, the worst.
+    /// The 99.9th percentile of the error; the worst error for fewer than 1000 hits.
     pub p999: Option<f64>,
     /// The worst error.
     pub worst: Option<f64>,
-    /// Rays whose nearest hit was not found: a later one, or none.
+    /// The number of rays whose nearest hit was not found: a later one was found, or none.
     pub lost: usize,
-    /// Rays that hit nothing, for which a hit was found.
+    /// The number of rays that miss, for which a hit was found.
     pub wrong: usize,
     /// Nanoseconds for a ray that hits.
     pub hit_ns: Option<f64>,
@@ -72,8 +72,7 @@ pub struct Routine {
     pub miss_ns: Option<f64>,
 }
 
-/// Of degree 4 and above, or of some parts: their exact answers take ten times as long as the
-/// others'.
+/// Shapes of degree 4 and above, or of several parts: their exact answers take ten times as long.
 const SLOW: [&str; 12] = [
     "Torus",
     "PartTorus",
@@ -88,18 +87,18 @@ const SLOW: [&str; 12] = [
     "Lattice",
     "TessellatedSphere",
 ];
-/// Of parts of degree 4, or of some dozens of parts.
+/// Shapes with parts of degree 4, or of dozens of parts.
 const SLOWEST: [&str; 5] =
     ["RoundRimmedBowl", "BeveledBox", "BeveledCylinder", "BeveledRing", "BeveledWedge"];
 
 /// The number of rays for each family of a kind.
 fn rays(kind: &str, settings: &Settings) -> usize {
-    let share = match kind {
+    let divisor = match kind {
         kind if SLOW.contains(&kind) => 4,
         kind if SLOWEST.contains(&kind) => 16,
         _ => 1,
     };
-    settings.cases.div_ceil(share)
+    settings.cases.div_ceil(divisor)
 }
 
 impl Page for Intersections {
@@ -112,28 +111,33 @@ impl Page for Intersections {
     }
 
     fn question(&self) -> &'static str {
-        "What does an intersection that is right on hard cases cost, beside the book's formula?"
+        "What is the cost of an intersection routine that is right on hard cases, compared with the \
+         book's formula?"
     }
 
-    /// Each kind and family is judged, and each kind is timed.
+    /// One step for each kind and family that is judged, and one for each kind that is timed.
     fn steps(&self, _: &Settings) -> u64 {
         ((Family::ALL.len() + 1) * Subject::all().count()) as u64
     }
 
-    fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted> {
+    fn run(
+        &self,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Result<Box<dyn Findings>, Interrupted> {
         let mut kinds = Vec::new();
         for subject in Subject::all() {
             let name = subject.name();
             let cases = rays(&name, settings);
             let judge = |&family: &Family| {
-                watch.step()?;
+                progress.step()?;
                 Ok(Judged::new(subject, family, settings.seed, cases))
             };
             let judged: Vec<Judged> =
                 Family::ALL.par_iter().map(judge).collect::<Result<_, _>>()?;
-            // when all threads are at rest
+            // after the parallel part, so that other threads do not disturb the times
             let families = judged.into_iter().map(timing::timed).collect();
-            watch.step()?;
+            progress.step()?;
             kinds.push(KindData { kind: name, cases, families });
         }
         Ok(Box::new(Data { cases: settings.cases, kinds }))

@@ -6,14 +6,14 @@ use super::FamilyData;
 use super::judging::{Case, Judged};
 use crate::report::clock::{Time, medians, time};
 
-/// The least and the largest number of rounds in which the two routines are timed in turn.
+/// The smallest and the largest number of rounds; each round times both routines.
 const ROUNDS: [usize; 2] = [3, 41];
-/// Calls in one round, about, of quick ones: some tens of microseconds.
+/// The approximate number of calls in one round of a fast routine: some tens of microseconds.
 const CALLS: usize = 2048;
-/// What the rounds of slow ones may take together, in seconds.
-const PATIENCE: f64 = 0.01;
+/// The time for all rounds of a slow routine, in seconds.
+const TIME_LIMIT: f64 = 0.01;
 
-/// With the times of its rays filled in.
+/// The data with the times of the rays.
 pub fn timed(Judged { mut data, hits, misses }: Judged) -> FamilyData {
     let ([ours, textbook], hits_disturbed) = nanoseconds(&hits);
     let ([ours_miss, textbook_miss], misses_disturbed) = nanoseconds(&misses);
@@ -23,9 +23,10 @@ pub fn timed(Judged { mut data, hits, misses }: Judged) -> FamilyData {
     data
 }
 
-/// Nanoseconds for one call of our routine and of the textbook's, and whether a measurement was disturbed.
-/// Both are called through a trait object for the same rays, and only `t` is kept. (Keeping the whole
-/// [`Candidate`] would also time its copy: 4 ns that no caller spends.)
+/// The nanoseconds for one call of the library's and of the textbook's routine, and whether a
+/// measurement was disturbed. Both are called through a trait object for the same rays, and only
+/// `t` is kept. (Keeping the whole [`Candidate`] would add 4 ns for a copy that callers do not
+/// make.)
 ///
 /// [`Candidate`]: crate::shapes::Candidate
 fn nanoseconds(cases: &[Case]) -> ([Option<f64>; 2], bool) {
@@ -51,10 +52,10 @@ fn nanoseconds(cases: &[Case]) -> ([Option<f64>; 2], bool) {
         ours(1);
         textbook(1);
     });
-    let [fewest, most] = ROUNDS;
-    let affordable = PATIENCE / once.cpu.max(1e-9);
-    let repeats = CALLS.div_ceil(cases.len()).min((affordable / most as f64) as usize).max(1);
-    let rounds = ((affordable / repeats as f64) as usize).clamp(fewest, most);
+    let [min, max] = ROUNDS;
+    let affordable = TIME_LIMIT / once.cpu.max(1e-9);
+    let repeats = CALLS.div_ceil(cases.len()).min((affordable / max as f64) as usize).max(1);
+    let rounds = ((affordable / repeats as f64) as usize).clamp(min, max);
     let calls = (repeats * cases.len()) as f64;
     let times = medians(rounds, &mut [&mut || ours(repeats), &mut || textbook(repeats)]);
     let one = |time: Time| Some(1e9 * time.cpu / calls);

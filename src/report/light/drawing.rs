@@ -1,4 +1,4 @@
-//! Page 4 as tables and pictures, from its data alone.
+//! Page 4 as tables and plots, from its data alone.
 
 use super::{BiasData, ChoiceData, Data, Level, SceneData};
 use crate::film::{Film, OutOfGamut, Tone, data_uri};
@@ -10,7 +10,7 @@ use crate::report::plot::{Plot, Series};
 use crate::shapes::Sampling;
 use crate::verify::quantile;
 
-/// A choice is as good as the best if it takes no more than this times its time.
+/// A choice is as good as the best if its time is at most this multiple of the best time.
 const AS_GOOD: f64 = 1.5;
 
 pub fn page(data: &Data) -> String {
@@ -24,28 +24,28 @@ pub fn page(data: &Data) -> String {
 fn explanation(data: &Data) -> String {
     let depth = data.depth;
     format!(
-        "<p>Small pictures of each scene are made by every tracer and every way to sample its lamps, \
-         with 1 to 1024 multi-jittered samples for each pixel and max_depth {depth}, and compared with \
-         a picture of reference. The <em>relative error</em> is the root mean square over pixels and \
-         channels of what they are off, each in units of the brightness of its pixel (and a tenth of \
-         the picture's mean, so that black ones count); it is what the eye goes by. The plain root mean \
-         square error is in the table behind a click: the brightest pixels, such as the edge of a lamp, \
-         make most of it. The error of the reference is taken off, in squares; where the rest is \
-         smaller than that, there is a dash. Noise alone is the <em>variance</em>, from one picture to \
-         the next of another seed; <em>efficiency</em> is 1/(variance × time), so that a choice of \
-         twice the efficiency takes half the time for the same noise, and a choice with a bias may be \
-         efficient and wrong. Where rare paths are very bright, as in caustics, few of them make the \
-         variance: there, ratios of efficiency below {AS_GOOD} mean little, and an interval may be too \
+        "<p>Small pictures of each scene are rendered by every tracer and every sampling of its area \
+         lights, with 1 to 1024 multi-jittered samples per pixel and max_depth {depth}, and compared \
+         with a reference picture. The <em>relative error</em> is the root mean square over pixels and \
+         channels of the differences, each relative to the brightness of its pixel (plus a tenth of the \
+         picture's mean, in squares, because black pixels have the brightness 0); it corresponds to the \
+         visible error. The absolute root mean square error is in the hidden table: the brightest pixels, \
+         such as the edge of a light, dominate it. The error of the reference is subtracted, in squares; \
+         a dash means that the rest is smaller than that. The noise is the <em>variance</em> between \
+         pictures of different seeds; <em>efficiency</em> is 1/(variance × time), so that a choice with \
+         twice the efficiency takes half the time for the same noise. A choice with bias may be efficient \
+         and wrong. If rare paths are very bright, as in caustics, a few of them dominate the variance: \
+         then ratios of efficiency below {AS_GOOD} are not significant, and an interval may be too \
          short.</p>\n\
          <p><em>Bias</em> is the difference of the mean radiances of whole pictures, with its interval \
-         of 95 % confidence: light that is left out, or put in. path_trace, global_trace and path leave \
-         nothing out but what lies beyond max_depth, if lamps are surfaces; ray_cast and whitted show \
-         direct light (and mirrors), which is less work and another picture: on logarithmic axes their \
-         errors become level where those of the others fall, with slope −1/2 or steeper.</p>\n"
+         of 95 % confidence. path_trace, global_trace and path include all light paths up to max_depth, \
+         if lights are surfaces; ray_cast and whitted include only direct light (and mirrors), which \
+         takes less time but gives another picture: on logarithmic axes their errors become constant, \
+         while those of the others fall with slope −1/2 or steeper.</p>\n"
     )
 }
 
-/// The choice of this name in a scene, or that of its tracer if no lamps are sampled there.
+/// The same choice in a scene, or that of its tracer if the tracer does not sample lights there.
 fn named<'a>(scene: &'a SceneData, choice: &ChoiceData) -> Option<&'a ChoiceData> {
     let same = |c: &&ChoiceData| {
         c.tracer == choice.tracer && (c.sampling == choice.sampling || c.sampling.is_none())
@@ -59,62 +59,62 @@ fn highest(scene: &SceneData) -> Option<f64> {
     unbiased.filter_map(ChoiceData::efficiency).reduce(f64::max)
 }
 
-/// How many times as long as the best a choice takes for the same noise.
-fn times_longer(scene: &SceneData, choice: &ChoiceData) -> Option<f64> {
+/// The ratio of a choice's time to that of the best, for the same noise.
+fn time_ratio(scene: &SceneData, choice: &ChoiceData) -> Option<f64> {
     Some(highest(scene)? / choice.efficiency()?)
 }
 
 /// One choice in all scenes.
 struct Record<'a> {
     choice: &'a ChoiceData,
-    /// How many times as long as the best it takes, in each scene where it applies and has no bias.
-    times: Vec<Option<f64>>,
+    /// The time ratio in each scene; `None` where it does not apply or has bias.
+    ratios: Vec<Option<f64>>,
 }
 
 impl Record<'_> {
-    fn longest(&self) -> f64 {
-        self.times.iter().flatten().copied().fold(0.0, f64::max)
+    fn worst(&self) -> f64 {
+        self.ratios.iter().flatten().copied().fold(0.0, f64::max)
     }
 
     /// The geometric mean over the scenes where it applies and has no bias.
-    fn typical(&self) -> f64 {
-        let logs: Vec<f64> = self.times.iter().flatten().map(|times| ln(*times)).collect();
+    fn mean(&self) -> f64 {
+        let logs: Vec<f64> = self.ratios.iter().flatten().map(|ratio| ln(*ratio)).collect();
         exp(logs.iter().sum::<f64>() / logs.len() as f64)
     }
 
     fn applies_everywhere(&self) -> bool {
-        self.times.iter().all(Option::is_some)
+        self.ratios.iter().all(Option::is_some)
     }
 
-    /// In how many scenes it is as good as the best.
+    /// The number of scenes in which it is as good as the best.
     fn wins(&self) -> usize {
-        self.times.iter().flatten().filter(|times| **times <= AS_GOOD).count()
+        self.ratios.iter().flatten().filter(|ratio| **ratio <= AS_GOOD).count()
     }
 }
 
-/// Every choice of the scene with the most.
+/// The choices of the scene that has the largest number of them.
 fn all_choices(data: &Data) -> &[ChoiceData] {
     let most = data.scenes.iter().max_by_key(|scene| scene.choices.len());
     most.map_or(&[], |scene| &scene.choices)
 }
 
-/// Every choice that has no bias somewhere.
+/// The choices that have no bias in some scene.
 fn records(data: &Data) -> Vec<Record<'_>> {
     let record = |choice| {
-        let times = |scene| {
+        let ratio = |scene| {
             let here = named(scene, choice).filter(|here| here.unbiased)?;
-            times_longer(scene, here)
+            time_ratio(scene, here)
         };
-        Record { choice, times: data.scenes.iter().map(times).collect() }
+        Record { choice, ratios: data.scenes.iter().map(ratio).collect() }
     };
-    all_choices(data).iter().map(record).filter(|r| r.times.iter().any(Option::is_some)).collect()
+    all_choices(data).iter().map(record).filter(|r| r.ratios.iter().any(Option::is_some)).collect()
 }
 
-/// One sentence for all scenes: the choice without bias that takes least in the mean, what the others
-/// take, and what those with a bias leave out.
+/// One sentence for all scenes: the choice without bias that has the smallest mean time, the times
+/// of the others, and the bias of the biased ones.
 fn pick(data: &Data) -> String {
     let records = records(data);
-    let by_mean = |a: &&Record<'_>, b: &&Record<'_>| a.typical().total_cmp(&b.typical());
+    let by_mean = |a: &&Record<'_>, b: &&Record<'_>| a.mean().total_cmp(&b.mean());
     let everywhere = records.iter().filter(|record| record.applies_everywhere());
     let Some(best) = everywhere.min_by(by_mean) else {
         return "No choice is without bias in every scene.".to_owned();
@@ -123,7 +123,7 @@ fn pick(data: &Data) -> String {
         let of_tracer =
             |r: &&Record<'_>| r.choice.tracer == tracer && r.choice.choice != best.choice.choice;
         let other = records.iter().filter(of_tracer).min_by(by_mean)?;
-        Some(format!("{} {} times", words(other.choice), short(other.typical())))
+        Some(format!("{} {} times", words(other.choice), short(other.mean())))
     });
     let others = listed(&others.collect::<Vec<String>>());
     let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
@@ -134,38 +134,40 @@ fn pick(data: &Data) -> String {
     });
     let missed = listed(&missed.collect::<Vec<String>>());
     format!(
-        "Choose {}: of the choices without bias it takes the least time for the same noise, or at most \
-         {AS_GOOD} times that, in {} of {} scenes, {} times the least in their geometric mean and {} \
-         times in the worst of them (in the mean {others}); a picture's mean is off by up to {missed}.",
+        "Choose {}: for the same noise, its time is the shortest of all choices without bias, or at most \
+         {AS_GOOD} times the shortest, in {} of {} scenes; {} times the shortest in the geometric mean and \
+         {} times in the worst scene (the others in the mean: {others}). The bias of the mean is up to \
+         {missed}.",
         words(best.choice),
         best.wins(),
         data.scenes.len(),
-        short(best.typical()),
-        short(best.longest()),
+        short(best.mean()),
+        short(best.worst()),
     )
 }
 
-/// A choice in a sentence.
+/// The words for a choice in a sentence.
 fn words(choice: &ChoiceData) -> String {
-    match choice.sampling {
-        None => choice.tracer.clone(),
-        Some(Sampling::Area) => format!("{} with lamps by area", choice.tracer),
-        Some(Sampling::SolidAngle) => format!("{} with lamps by solid angle", choice.tracer),
-    }
+    let measure = match choice.sampling {
+        None => return choice.tracer.clone(),
+        Some(Sampling::Area) => "area",
+        Some(Sampling::SolidAngle) => "solid-angle",
+    };
+    format!("{} with {measure} sampling of lights", choice.tracer)
 }
 
-/// Time for the same noise, of all.
+/// The table of the times for the same noise.
 fn summary(data: &Data) -> String {
     let row = |choice: &ChoiceData| {
         let of = |scene: &SceneData| match named(scene, choice) {
             None => "–".to_owned(),
             Some(here) if !here.unbiased => "biased".to_owned(),
-            Some(here) => short_or_dash(times_longer(scene, here)),
+            Some(here) => short_or_dash(time_ratio(scene, here)),
         };
         std::iter::once(choice.choice.clone()).chain(data.scenes.iter().map(of)).collect()
     };
     Table {
-        caption: "Time for the same noise, as a multiple of the least".to_owned(),
+        caption: "Time for the same noise, as a multiple of the shortest".to_owned(),
         headings: std::iter::once("choice".to_owned())
             .chain(data.scenes.iter().map(|scene| scene.scene.clone()))
             .collect(),
@@ -186,7 +188,7 @@ fn section(scene: &SceneData) -> String {
     html.push_str("<div class=\"pictures\">\n");
     let samples = |level: &Level| f64::from(level.samples);
     html += &figure(
-        &picture(scene, "samples for each pixel", samples).svg(),
+        &picture(scene, "samples per pixel", samples).svg(),
         "Relative error against samples.",
     );
     let seconds = |level: &Level| level.picture_seconds;
@@ -198,14 +200,14 @@ fn section(scene: &SceneData) -> String {
     html += &equal_time(scene);
     html += &table(scene).html();
     html += &biases(scene).html();
-    html + &folded("Errors, noise and time of every number of samples", &levels(scene).html())
+    html + &folded("Errors, noise and time for every number of samples", &levels(scene).html())
 }
 
 fn reference(scene: &SceneData) -> String {
     let r = &scene.reference;
     format!(
-        "{} × {} pixels; the reference is {} with {} samples for each pixel, whose own standard error \
-         is {} % (radiance: {} of a mean of {}).",
+        "{} × {} pixels; the reference is {} with {} samples per pixel; its standard error is {} % \
+         (radiance: {}, the mean is {}).",
         scene.width,
         scene.height,
         r.choice,
@@ -216,24 +218,25 @@ fn reference(scene: &SceneData) -> String {
     )
 }
 
-/// The best without bias, those that are as good, and how much sooner and how wrong the biased are.
+/// The best choice without bias, those that are as good, the time ratios of the others, and the
+/// bias of the biased ones.
 fn pick_here(scene: &SceneData) -> String {
-    let times = |choice: &ChoiceData| times_longer(scene, choice).unwrap_or(f64::INFINITY);
+    let ratio = |choice: &ChoiceData| time_ratio(scene, choice).unwrap_or(f64::INFINITY);
     let mut unbiased: Vec<&ChoiceData> = scene.choices.iter().filter(|c| c.unbiased).collect();
-    unbiased.sort_by(|a, b| times(a).total_cmp(&times(b)));
+    unbiased.sort_by(|a, b| ratio(a).total_cmp(&ratio(b)));
     let Some((best, others)) = unbiased.split_first() else { return String::new() };
     let as_good: Vec<String> = others
         .iter()
-        .filter(|choice| times(choice) <= AS_GOOD)
+        .filter(|choice| ratio(choice) <= AS_GOOD)
         .map(|choice| choice.choice.clone())
         .collect();
     let beside = match as_good.len() {
         0 => String::new(),
         _ => format!(" (or {}, about as good)", listed(&as_good)),
     };
-    let slower = others.iter().filter(|choice| times(choice) > AS_GOOD);
+    let slower = others.iter().filter(|choice| ratio(choice) > AS_GOOD);
     let slower: Vec<String> =
-        slower.map(|c| format!("{} takes {} times", c.choice, short(times(c)))).collect();
+        slower.map(|c| format!("{} takes {} times", c.choice, short(ratio(c)))).collect();
     let slower = match slower.len() {
         0 => String::new(),
         _ => format!("; for the same noise {} its time", listed(&slower)),
@@ -243,7 +246,7 @@ fn pick_here(scene: &SceneData) -> String {
         let word = if bias < 0.0 { "too dark" } else { "too bright" };
         Some(format!("{} {} % {word}", choice.choice, short(100.0 * bias.abs())))
     };
-    // both samplings of a lamp give the same mean
+    // both samplings of area lights have the same mean
     let biased = scene.choices.iter().filter(|c| !c.unbiased && is_drawn(c));
     let biased: Vec<String> = biased.filter_map(darker).collect();
     let biased = match biased.len() {
@@ -253,7 +256,7 @@ fn pick_here(scene: &SceneData) -> String {
     format!("the best is {}{beside}{slower}{biased}.", best.choice)
 }
 
-/// At most five choices are drawn: lamps by solid angle.
+/// Whether the choice is in the plots, which have at most five series: all but area sampling.
 fn is_drawn(choice: &ChoiceData) -> bool {
     choice.sampling != Some(Sampling::Area)
 }
@@ -273,7 +276,7 @@ fn picture(scene: &SceneData, x: &str, along: impl Fn(&Level) -> f64) -> Plot {
         x: x.to_owned(),
         y: "relative error".to_owned(),
         series: scene.choices.iter().filter(|c| is_drawn(c)).map(series).collect(),
-        limit: (own > 0.0).then(|| (own, "the reference's own error".to_owned())),
+        limit: (own > 0.0).then(|| (own, "error of the reference".to_owned())),
     }
 }
 
@@ -286,7 +289,7 @@ fn equal_time(scene: &SceneData) -> String {
         format!("<img alt=\"{}\" src=\"{}\"/>", escaped(what), data_uri(film, &tone))
     };
     let mut html = format!(
-        "<p>About {} each, on one thread, and last what they should look like:</p>\n<div class=\"crops\">\n",
+        "<p>About {} each, on one thread; the last one is the reference:</p>\n<div class=\"crops\">\n",
         time(scene.equal_time.seconds)
     );
     for crop in &scene.equal_time.crops {
@@ -322,7 +325,7 @@ fn table(scene: &SceneData) -> Table {
             flagged(time(choice.sample_seconds()), disturbed),
             short_or_dash(choice.efficiency()),
             match choice.unbiased {
-                true => short_or_dash(times_longer(scene, choice)),
+                true => short_or_dash(time_ratio(scene, choice)),
                 false => "biased".to_owned(),
             },
             percent(&choice.bias),
@@ -331,7 +334,7 @@ fn table(scene: &SceneData) -> Table {
     };
     let mut headings = vec!["choice".to_owned()];
     headings.extend(shown.iter().map(u32::to_string));
-    let rest = ["time for a sample of each pixel", "efficiency, 1/s", "time for the same noise"];
+    let rest = ["time per sample of all pixels", "efficiency, 1/s", "time for the same noise"];
     headings.extend(rest.map(str::to_owned));
     headings.push("bias, %".to_owned());
     Table {
@@ -348,16 +351,16 @@ fn table(scene: &SceneData) -> Table {
 }
 
 fn biases(scene: &SceneData) -> Table {
-    let against = |whom: &str| {
-        let whom = whom.to_owned();
-        move |bias: &BiasData| vec![bias.name.clone(), whom.clone(), percent(bias)]
+    let against = |other: &str| {
+        let other = other.to_owned();
+        move |bias: &BiasData| vec![bias.name.clone(), other.clone(), percent(bias)]
     };
     let deepest = format!("max_depth {}", scene.deepest);
     let depths = scene.depths.iter().map(against(&deepest));
     let rules = scene.rules.iter().map(against("the book's rule"));
     Table {
         caption: "Bias of depth limits and rules: difference of the mean, %".to_owned(),
-        headings: ["choice", "against", "bias, %"].map(str::to_owned).to_vec(),
+        headings: ["choice", "compared with", "bias, %"].map(str::to_owned).to_vec(),
         rows: depths.chain(rules).collect(),
         ..Table::default()
     }
@@ -380,7 +383,7 @@ fn levels(scene: &SceneData) -> Table {
     let headings = [
         "choice",
         "samples",
-        "pictures made",
+        "pictures",
         "RMSE",
         "relative RMSE",
         "relative variance",

@@ -1,4 +1,4 @@
-//! Pictures by every choice, from 1 to 1024 samples, and what is wrong with them.
+//! Measures the errors of pictures by every choice, from 1 to 1024 samples.
 
 use std::path::Path;
 
@@ -12,47 +12,46 @@ use crate::lobes::GlossyRule;
 use crate::math::hash;
 use crate::report::clock::{self, Time};
 use crate::report::picture::picture;
-use crate::report::{Interrupted, Settings, Watch};
+use crate::report::{Interrupted, Progress, Settings};
 use crate::scene::{Depth, Scene, Tracer};
 use crate::verify::means::{difference, interval};
 use crate::verify::quantile;
 use crate::world::World;
 
-/// The most samples for each pixel, whatever the settings.
-const MOST_SAMPLES: u32 = 1024;
-/// Where there are many samples, so many of all pictures together for each pixel are enough.
+/// The largest number of samples per pixel, whatever the settings.
+const MAX_SAMPLES: u32 = 1024;
+/// The number of samples per pixel in all replicas together that is enough.
 const ENOUGH: u32 = 512;
-/// Of intervals.
+/// The confidence level of intervals.
 pub const CONFIDENCE: f64 = 0.95;
-/// The depths whose bias is measured …
+/// The depth limits whose bias is measured, compared with [`DEEPEST`].
 const DEPTHS: [u32; 4] = [1, 2, 4, DEPTH];
-/// … against this one.
+/// The reference of [`DEPTHS`].
 const DEEPEST: u32 = 32;
 
 /// 1, 4, 16 … 1024: squares, and powers of two.
 fn counts(settings: &Settings) -> Vec<u32> {
-    let most = settings.samples.clamp(4, MOST_SAMPLES);
-    (0..=5).map(|k| 1_u32 << (2 * k)).filter(|n| *n <= most).collect()
+    let max = settings.samples.clamp(4, MAX_SAMPLES);
+    (0..=5).map(|k| 1_u32 << (2 * k)).filter(|n| *n <= max).collect()
 }
 
-/// How many pictures of so many samples: always two, so that their scatter is known.
+/// The number of pictures with `samples` samples: at least two, to estimate their variance.
 fn replicas(samples: u32, settings: &Settings) -> u32 {
     (ENOUGH / samples).clamp(2, settings.seeds.max(2))
 }
 
-/// Pictures of one kind, that differ in their seed alone.
+/// Pictures that differ only in their seed.
 struct Series {
     scene: Scene,
     replicas: u32,
-    /// Of all random choices.
     seed: u64,
 }
 
-/// What became of a series.
+/// The pictures of a series.
 #[derive(Clone)]
 struct Pictures {
     films: Vec<Film>,
-    /// For one picture on one thread: the median.
+    /// The median time for one picture on one thread.
     time: Time,
 }
 
@@ -74,18 +73,18 @@ impl Series {
     }
 }
 
-/// Renders all pictures of all series, each on one thread. A step of the watch for each picture.
-fn rendered(series: &[Series], watch: &Watch) -> Result<Vec<Pictures>, Interrupted> {
+/// Renders all pictures of all series, each on one thread and with one progress step.
+fn rendered(series: &[Series], progress: &Progress) -> Result<Vec<Pictures>, Interrupted> {
     let jobs: Vec<(&Series, u32)> =
         series.iter().flat_map(|s| (0..s.replicas).map(move |replica| (s, replica))).collect();
-    // collected in their order, so that everything is the same on any number of threads
+    // in order, so that the results do not depend on the number of threads
     let shots: Result<Vec<(Film, Time)>, Interrupted> = jobs
         .into_par_iter()
         .with_max_len(1)
         .map(|(series, replica)| {
             let world = series.world(replica);
             let shot = clock::time(|| picture(&world));
-            watch.step()?;
+            progress.step()?;
             Ok(shot)
         })
         .collect();
@@ -102,14 +101,14 @@ fn rendered(series: &[Series], watch: &Watch) -> Result<Vec<Pictures>, Interrupt
     Ok(series.iter().map(of_series).collect())
 }
 
-/// Everything that is rendered of a scene but for the pictures of equal time.
+/// All pictures of a scene except those of equal time.
 struct Plan {
     reference: Series,
-    /// For each choice, by rising number of samples.
+    /// For each choice, by increasing number of samples.
     levels: Vec<Vec<Series>>,
-    /// Those of [`DEPTHS`], and of the deepest.
+    /// For each of [`DEPTHS`], and for [`DEEPEST`].
     depths: Vec<Series>,
-    /// The normalised rule of glossy reflection by whitted and path, beside the book's.
+    /// The book's and the normalised rule of glossy reflection, by whitted and path.
     rules: Vec<(Tracer, [Series; 2])>,
 }
 
@@ -119,7 +118,7 @@ impl Plan {
         let best = *choices.last().expect("every scene has choices");
         let counts = counts(settings);
         let most = counts.last().copied().unwrap_or(1);
-        // names a series: no two pictures share a seed
+        // `what` and `which` identify a series: no two pictures have the same seed
         let seed = |what: u64, which: u64| hash(&[settings.seed, index, what, which]);
         let scene = |choice: Choice| subject.scene(choice, settings.width);
         let many = settings.seeds.max(2);
@@ -135,22 +134,22 @@ impl Plan {
         let depth = |max_depth: u32| {
             let tracer = Tracer::Path(Depth { max_depth });
             let deep = scene(Choice { tracer, ..best });
-            // one seed for all: the same paths, cut off
+            // one seed for all: the same paths, of different depths
             Series::new(deep, few, many, seed(99, 0))
         };
         let by_rule = |tracer: Tracer| {
             let rules = [GlossyRule::Book, GlossyRule::Normalised].map(|rule| {
                 let mut scene = scene(Choice { tracer, ..best });
-                // one seed for both: the same directions, if they lie above the surface
+                // one seed for both: the same directions, where they are above the surface
                 set_rule(&mut scene, rule).then(|| Series::new(scene, few, many, seed(100, 0)))
             });
             let [Some(book), Some(normalised)] = rules else { return None };
             Some((tracer, [book, normalised]))
         };
-        let followed =
+        let compared =
             |choice: &&Choice| matches!(choice.tracer, Tracer::Whitted(_) | Tracer::Path(_));
         let mut tracers: Vec<Tracer> =
-            choices.iter().filter(followed).map(|choice| choice.tracer).collect();
+            choices.iter().filter(compared).map(|choice| choice.tracer).collect();
         tracers.dedup();
         Self {
             reference: Series::new(scene(best), (most / 4).max(4), many, seed(0, 0)),
@@ -160,7 +159,7 @@ impl Plan {
         }
     }
 
-    /// How many pictures it has.
+    /// The number of pictures.
     fn pictures(&self) -> u64 {
         let levels = self.levels.iter().flatten();
         let rules = self.rules.iter().flat_map(|(_, both)| both);
@@ -177,10 +176,10 @@ pub fn steps(settings: &Settings) -> u64 {
     (0..).zip(&SUBJECTS).map(of).sum()
 }
 
-pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> {
+pub fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
     let mut scenes = Vec::new();
     for (index, subject) in (0..).zip(&SUBJECTS) {
-        scenes.push(measure_scene(subject, index, settings, watch)?);
+        scenes.push(measure_scene(subject, index, settings, progress)?);
     }
     Ok(Data { depth: DEPTH, scenes })
 }
@@ -189,39 +188,39 @@ fn measure_scene(
     subject: &Subject,
     index: u64,
     settings: &Settings,
-    watch: &Watch,
+    progress: &Progress,
 ) -> Result<SceneData, Interrupted> {
     let plan = Plan::new(subject, index, settings);
     let choices = subject.choices();
     let best = *choices.last().expect("every scene has choices");
 
-    let replicas = rendered(std::slice::from_ref(&plan.reference), watch)?.remove(0);
+    let replicas = rendered(std::slice::from_ref(&plan.reference), progress)?.remove(0);
     let reference = Reference::new(&replicas.films);
     let truth = replicas.brightnesses();
     let [width, height] = [reference.film.width(), reference.film.height()];
 
     let series: Vec<Series> = plan.levels.into_iter().flatten().collect();
-    let pictures = rendered(&series, watch)?;
+    let pictures = rendered(&series, progress)?;
     let per_choice = series.len() / choices.len();
     let mut found = Vec::new();
     for (i, choice) in choices.iter().enumerate() {
         let range = i * per_choice..(i + 1) * per_choice;
         let levels = series[range.clone()].iter().zip(&pictures[range.clone()]);
         let levels = levels.map(|(series, pictures)| level(series, pictures, &reference)).collect();
-        // the most samples of which there are enough pictures for an interval
-        let told = pictures[range].iter().max_by_key(|pictures| pictures.films.len().min(8));
-        let told = told.expect("a level").brightnesses();
+        // the largest number of samples with enough pictures for an interval
+        let level = pictures[range].iter().max_by_key(|pictures| pictures.films.len().min(8));
+        let brightnesses = level.expect("a level").brightnesses();
         found.push(ChoiceData {
             choice: choice.name(),
             tracer: choice.tracer.name().to_owned(),
             sampling: choice.sampling,
             unbiased: choice.is_unbiased(),
-            bias: BiasData::new(choice.name(), &told, &truth),
+            bias: BiasData::new(choice.name(), &brightnesses, &truth),
             levels,
         });
     }
 
-    let depths = rendered(&plan.depths, watch)?;
+    let depths = rendered(&plan.depths, progress)?;
     let (deepest, others) = depths.split_last().expect("the deepest is there");
     let deepest = deepest.brightnesses();
     let of_depth = |(depth, pictures): (u32, &Pictures)| {
@@ -232,13 +231,13 @@ fn measure_scene(
 
     let mut rules = Vec::new();
     for (tracer, series) in plan.rules {
-        let both = rendered(&series, watch)?;
+        let both = rendered(&series, progress)?;
         let name = format!("{}, normalised rule", tracer.name());
         rules.push(BiasData::paired(name, &both[1].brightnesses(), &both[0].brightnesses()));
     }
 
     let of_best = found.last().expect("every scene has choices");
-    let equal_time = equal_time(subject, index, settings, watch, (&found, of_best))?;
+    let equal_time = equal_time(subject, index, settings, progress, (&found, of_best))?;
     let own = reference.own_error();
     Ok(SceneData {
         scene: subject.name.to_owned(),
@@ -276,24 +275,25 @@ fn level(series: &Series, pictures: &Pictures, reference: &Reference) -> Level {
     }
 }
 
-/// A picture of each choice, with as many samples as fit into the time that the best takes for some.
+/// A picture of each choice, with as many samples as fit into the time of the best choice for 16
+/// samples.
 fn equal_time(
     subject: &Subject,
     index: u64,
     settings: &Settings,
-    watch: &Watch,
+    progress: &Progress,
     (found, of_best): (&[ChoiceData], &ChoiceData),
 ) -> Result<EqualTime, Interrupted> {
-    /// Samples of the best.
+    /// Samples per pixel of the best choice.
     const SAMPLES: u32 = 16;
-    /// Of what they should look like.
+    /// Samples per pixel of the reference.
     const TRUE_SAMPLES: u32 = 256;
-    /// They have so many times the pixels of the others along each side.
+    /// The ratio of the width of these pictures to that of the others.
     const LARGER: u32 = 2;
     let longer = f64::from(LARGER * LARGER);
     let seconds = longer * f64::from(SAMPLES) * of_best.sample_seconds();
     let fits = |choice: &ChoiceData| {
-        // a square: the sampler rounds up to one
+        // a square, because the sampler rounds up to a square
         let side = (seconds / (longer * choice.sample_seconds())).sqrt().round();
         let side = if side.is_finite() { side.clamp(1.0, 32.0) as u32 } else { 1 };
         side * side
@@ -303,7 +303,7 @@ fn equal_time(
         Series::new(subject.scene(choice, LARGER * settings.width), samples, 1, seed)
     };
     let choices = subject.choices();
-    // the last is the truth
+    // the last one is the reference
     let best = *choices.last().expect("every scene has choices");
     let truth = one(u64::MAX, best, TRUE_SAMPLES.min(settings.samples));
     let timed = (0..).zip(choices).zip(found);
@@ -316,18 +316,18 @@ fn equal_time(
         film: pictures.films.into_iter().next().expect("one picture"),
         seconds: pictures.time.cpu,
     };
-    let pictures = rendered(&series, watch)?;
+    let pictures = rendered(&series, progress)?;
     let crops = series.iter().zip(pictures).zip(names).map(crop).collect();
     Ok(EqualTime { seconds, crops })
 }
 
 impl BiasData {
-    /// The difference of the means of pictures, in units of the second.
+    /// The difference of the means of `values` and `truth`, relative to the mean of `truth`.
     fn new(name: String, values: &[f64], truth: &[f64]) -> Self {
         Self::relative(name, difference(values, truth, CONFIDENCE), truth)
     }
 
-    /// The same for pictures in pairs of one seed, whose noise is about the same.
+    /// The same for pairs of pictures with the same seed, whose noise is correlated.
     fn paired(name: String, values: &[f64], truth: &[f64]) -> Self {
         let differences: Vec<f64> = values.iter().zip(truth).map(|(a, b)| a - b).collect();
         Self::relative(name, interval(&differences, CONFIDENCE), truth)

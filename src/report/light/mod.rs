@@ -1,4 +1,4 @@
-//! Page 4: tracers and the sampling of lamps, error against samples and time.
+//! Page 4: tracers and the sampling of area lights, error against samples and time.
 
 mod drawing;
 mod measuring;
@@ -7,19 +7,19 @@ mod scenes;
 
 use serde::Serialize;
 
-use super::{Findings, Interrupted, Page, Settings, Watch};
+use super::{Findings, Interrupted, Page, Progress, Settings};
 use crate::film::Film;
 use crate::shapes::Sampling;
 
-/// Which tracer to use, and how to sample lamps: by error, time and bias, in scenes of the book.
+/// Compares tracers and the sampling of area lights by error, time and bias, in scenes of the book.
 pub struct Light;
 
-/// What the page shows.
+/// The data of the page.
 #[derive(Clone, Debug, Serialize)]
 pub struct Data {
-    /// The `max_depth` of every tracer that has one, but where depths are compared.
+    /// The `max_depth` of every tracer that has one, except where depths are compared.
     pub depth: u32,
-    /// One for each scene.
+    /// The results for each scene.
     pub scenes: Vec<SceneData>,
 }
 
@@ -28,107 +28,108 @@ pub struct Data {
 pub struct SceneData {
     /// Its name.
     pub scene: String,
-    /// What it is.
+    /// A description.
     pub about: String,
-    /// Pixels across.
+    /// The number of pixel columns.
     pub width: u32,
-    /// Pixels down.
+    /// The number of pixel rows.
     pub height: u32,
-    /// What errors are measured against.
+    /// The reference for errors.
     pub reference: ReferenceData,
-    /// One for each tracer and way to sample lamps.
+    /// The results for each tracer and sampling of area lights.
     pub choices: Vec<ChoiceData>,
-    /// Depth limits of path against the deepest.
+    /// The bias of depth limits of `path`, compared with `deepest`.
     pub depths: Vec<BiasData>,
-    /// The deepest.
+    /// The largest depth limit.
     pub deepest: u32,
-    /// The normalised rule of glossy reflection against the book's, by tracer; none without gloss.
+    /// The normalised rule of glossy reflection compared with the book's, by tracer; empty without
+    /// glossy materials.
     pub rules: Vec<BiasData>,
-    /// Pictures that took the same time.
+    /// Pictures of equal rendering time.
     pub equal_time: EqualTime,
 }
 
 /// A picture with many samples.
 #[derive(Clone, Debug, Serialize)]
 pub struct ReferenceData {
-    /// How it was made.
+    /// Its tracer and sampling.
     pub choice: String,
-    /// Samples for each pixel, of all replicas together.
+    /// The number of samples per pixel, in all replicas together.
     pub samples: u32,
     /// The mean of its channels.
     pub mean: f64,
-    /// The root mean square of the standard errors of its channels, as its replicas show them.
+    /// The root mean square of the standard errors of its channels, estimated from its replicas.
     pub standard_error: f64,
-    /// The same, each relative to the brightness of its pixel.
+    /// The same, with each error relative to the brightness of its pixel.
     pub relative_standard_error: f64,
 }
 
-/// One way to follow light.
+/// One tracer and sampling of area lights.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChoiceData {
-    /// Tracer and sampling of lamps.
+    /// The names of tracer and sampling.
     pub choice: String,
-    /// The tracer alone.
+    /// The name of the tracer.
     pub tracer: String,
-    /// How lamps are sampled; none if they are not.
+    /// How area lights are sampled; `None` if they are not.
     pub sampling: Option<Sampling>,
-    /// Whether it finds all light of the scene, but for what lies beyond the depth.
+    /// Whether it includes all light paths of the scene up to the depth limit.
     pub unbiased: bool,
-    /// Its mean against that of the reference.
+    /// Its mean compared with that of the reference.
     pub bias: BiasData,
-    /// By rising number of samples.
+    /// The results, by increasing number of samples.
     pub levels: Vec<Level>,
 }
 
-/// What so many samples give.
+/// The result for a number of samples.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Level {
-    /// Samples for each pixel.
+    /// The number of samples per pixel.
     pub samples: u32,
-    /// How many pictures were made.
+    /// The number of pictures.
     pub pictures: u32,
-    /// Root mean square error of channels, that of the reference taken off; `None` if it is smaller
-    /// than that.
+    /// The root mean square error of channels, with the error of the reference subtracted (in
+    /// squares); `None` if the rest is smaller than the error of the reference.
     pub rmse: Option<f64>,
-    /// The same, each error relative to the brightness of its pixel.
+    /// The same, with each error relative to the brightness of its pixel.
     pub relative_rmse: Option<f64>,
-    /// From picture to picture, relative to the square of the brightness of each pixel.
+    /// The variance between pictures, relative to the square of the brightness of each pixel.
     pub relative_variance: Option<f64>,
-    /// For one picture on one thread.
+    /// The time for one picture on one thread.
     pub picture_seconds: f64,
     /// `1/(relative_variance · picture_seconds)`, per second.
     pub efficiency: Option<f64>,
-    /// Whether other programs took turns with the measurement of `picture_seconds`.
+    /// Whether other programs disturbed the measurement of `picture_seconds`.
     pub disturbed: bool,
 }
 
 /// The difference of two mean radiances of a picture.
 #[derive(Clone, Debug, Serialize)]
 pub struct BiasData {
-    /// Whose mean is compared.
+    /// The tracer, sampling or setting that is compared.
     pub name: String,
-    /// The difference, and the ends of its interval of 95 % confidence, in units of the mean it is
-    /// compared to.
+    /// The difference and the ends of its interval of 95 % confidence, relative to the mean that it
+    /// is compared with.
     pub difference: Option<[f64; 3]>,
 }
 
-/// Pictures that took the same time. It depends on the clock.
+/// Pictures of equal rendering time. They depend on the speed of the machine.
 #[derive(Clone, Debug, Serialize)]
 pub struct EqualTime {
-    /// About the time of each, on one thread.
+    /// The approximate time of each, on one thread.
     pub seconds: f64,
-    /// One for each choice, and one more by the last of them with many samples, which took longer.
+    /// A picture for each choice, and one by the last choice with many samples and a longer time.
     pub crops: Vec<Crop>,
 }
 
 /// A picture of equal time.
 #[derive(Clone, Debug, Serialize)]
 pub struct Crop {
-    /// Tracer and sampling of lamps, or that it is what the others should look like.
+    /// The names of tracer and sampling, or `many samples` for the reference.
     pub choice: String,
-    /// Samples for each pixel.
+    /// The number of samples per pixel.
     pub samples: u32,
-    /// What it took.
+    /// The rendering time.
     pub seconds: f64,
     /// The picture.
     #[serde(skip)]
@@ -136,12 +137,12 @@ pub struct Crop {
 }
 
 impl ChoiceData {
-    /// Seconds for one sample of each pixel.
+    /// The time for one sample of every pixel.
     fn sample_seconds(&self) -> f64 {
         self.levels.last().map_or(f64::NAN, |l| l.picture_seconds / f64::from(l.samples))
     }
 
-    /// That of the most samples.
+    /// The efficiency with the largest number of samples.
     fn efficiency(&self) -> Option<f64> {
         self.levels.last()?.efficiency
     }
@@ -157,16 +158,20 @@ impl Page for Light {
     }
 
     fn question(&self) -> &'static str {
-        "Which tracer, and which way to sample lamps, shows a scene's light with the least error for \
-         the time, and what does each leave out?"
+        "Which tracer and which sampling of area lights has the smallest error for the time, and which \
+         light is missing in each?"
     }
 
     fn steps(&self, settings: &Settings) -> u64 {
         measuring::steps(settings)
     }
 
-    fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted> {
-        Ok(Box::new(measuring::measure(settings, watch)?))
+    fn run(
+        &self,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Result<Box<dyn Findings>, Interrupted> {
+        Ok(Box::new(measuring::measure(settings, progress)?))
     }
 }
 

@@ -1,10 +1,10 @@
-//! How far pictures are from the truth: errors, noise and brightness.
+//! The error, variance and mean brightness of pictures.
 
 use crate::film::Film;
 use crate::rgb::Rgb;
 
-/// How much of the picture's mean is added to a pixel's brightness where errors are relative, so that
-/// black pixels count too.
+/// The fraction of the picture's mean that is added (in squares) to a pixel's brightness for
+/// relative errors, because black pixels have the brightness 0.
 const FLOOR: f64 = 0.1;
 
 /// The mean of pictures of one size, pixel by pixel.
@@ -15,13 +15,12 @@ fn mean(films: &[Film]) -> Vec<Rgb> {
     (0..pixels).map(|i| of_pixel(i) / count).collect()
 }
 
-/// The variance of each channel of each pixel from one picture to the next, as these replicas show it;
-/// `None` for fewer than two.
+/// The variance of each channel of each pixel between these replicas; `None` for fewer than two.
 fn variances(films: &[Film]) -> Option<Vec<Rgb>> {
-    let freedom = films.len().checked_sub(1).filter(|freedom| *freedom > 0)? as f64;
+    let degrees_of_freedom = films.len().checked_sub(1).filter(|count| *count > 0)? as f64;
     let of_pixel = |(i, mean): (usize, Rgb)| {
         let squares = films.iter().map(|film| squared(film.pixels()[i] + -1.0 * mean));
-        squares.fold(Rgb::BLACK, |sum, square| sum + square) / freedom
+        squares.fold(Rgb::BLACK, |sum, square| sum + square) / degrees_of_freedom
     };
     Some(mean(films).into_iter().enumerate().map(of_pixel).collect())
 }
@@ -35,29 +34,30 @@ pub fn brightness(film: &Film) -> f64 {
     film.pixels().iter().map(|pixel| pixel.average()).sum::<f64>() / film.pixels().len() as f64
 }
 
-/// What errors are measured against: the mean of replicas.
+/// The reference for errors: the mean of replicas.
 pub struct Reference {
     /// The picture.
     pub film: Film,
     /// The mean of all its channels.
     pub mean: f64,
-    /// The square of its own standard error, radiance and relative, in the mean over the picture.
+    /// The mean square of its own standard error, absolute and relative.
     own: Squares,
-    /// What squared errors of a pixel are multiplied by, to be relative.
+    /// For each pixel the factor that makes squared errors relative.
     weights: Vec<f64>,
 }
 
-/// A mean of squares over channels and pixels, of radiance and relative to each pixel's own.
+/// A mean of squares over channels and pixels, absolute and relative to the brightness of each
+/// pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Squares {
-    /// Of radiance.
+    /// The mean of the squares of radiance.
     pub radiance: f64,
-    /// Each pixel's square over that of its brightness in the reference and a tenth of the picture's.
+    /// The mean of the squares relative to `brightness² + (FLOOR · mean)²` of the reference.
     pub relative: f64,
 }
 
 impl Reference {
-    /// From two replicas or more.
+    /// The mean of these replicas.
     ///
     /// # Panics
     /// With fewer than two.
@@ -90,13 +90,13 @@ impl Reference {
         }
     }
 
-    /// Its own standard error.
+    /// The standard error of the reference.
     pub fn own_error(&self) -> Squares {
         Squares { radiance: self.own.radiance.sqrt(), relative: self.own.relative.sqrt() }
     }
 
-    /// The mean squared error of pictures, that of the reference taken off. `None` where what is left is
-    /// smaller than that: it cannot be told.
+    /// The mean squared error of pictures minus that of the reference; `None` if the difference is
+    /// smaller than that of the reference, and so not significant.
     pub fn squared_error(&self, films: &[Film]) -> [Option<f64>; 2] {
         let of_film = |film: &Film| {
             let differences = film.pixels().iter().zip(self.film.pixels());
@@ -111,7 +111,7 @@ impl Reference {
         [left(|s| s.radiance), left(|s| s.relative)]
     }
 
-    /// The variance of one picture, relative, as replicas show it; `None` for fewer than two.
+    /// The relative variance of one picture, estimated from replicas; `None` for fewer than two.
     pub fn relative_variance(&self, films: &[Film]) -> Option<f64> {
         Some(self.averaged(&variances(films)?).relative)
     }
@@ -129,8 +129,9 @@ mod tests {
         film
     }
 
-    /// Law: a mean, the variance of one picture, and the standard error of the mean. Oracle: by hand: 1 and 3
-    /// have the mean 2, the variance 2, and 2/2 = 1 is that of their mean; 4 and 4 have none.
+    /// Law: a mean, the variance of one picture, and the standard error of the mean. Oracle: by
+    /// hand: 1 and 3 have the mean 2, the variance 2, and 2/2 = 1 is that of their mean; 4 and 4
+    /// have none.
     #[test]
     fn a_reference_knows_its_own_error() {
         let replicas = [film(1.0, 4.0), film(3.0, 4.0)];
@@ -144,8 +145,9 @@ mod tests {
         assert!((own.relative * own.relative - relative).abs() < 1e-15);
     }
 
-    /// Law: the error of a picture is the mean of squares, that of the reference taken off. Oracle: by
-    /// hand: 5 and 7 are 3 and 3 off 2 and 4: the squares' mean is 9, and 8.5 without the reference's 0.5.
+    /// Law: the error of a picture is the mean of squares minus that of the reference. Oracle: by
+    /// hand: 5 and 7 are 3 and 3 off 2 and 4: the squares' mean is 9, and 8.5 without the
+    /// reference's 0.5.
     #[test]
     fn errors_are_those_found_by_hand() {
         let reference = Reference::new(&[film(1.0, 4.0), film(3.0, 4.0)]);
@@ -165,7 +167,8 @@ mod tests {
         assert!((square.expect("an error") - (0.5 * 9.0 / 3.0 - 0.5)).abs() < 1e-14);
     }
 
-    /// Law: noise is what scatters, whatever the bias. Oracle: by hand: 6 and 8 have the variance 2 about 7.
+    /// Law: the variance does not depend on the bias. Oracle: by hand: 6 and 8 have the variance 2
+    /// about 7.
     #[test]
     fn variance_is_blind_to_bias() {
         let reference = Reference::new(&[film(1.0, 4.0), film(3.0, 4.0)]);

@@ -1,4 +1,4 @@
-//! The scenes of the page, and which ways to follow light apply to each.
+//! The scenes of the page, and the tracers and samplings that are compared in each.
 
 use crate::gallery::parts::{add, boxed, checker3d, grey, ground, matte, pinhole, point, sphere};
 use crate::gallery::{self};
@@ -12,81 +12,85 @@ use crate::scene::{Depth, Light, Scene, Tracer, Whitted};
 use crate::shapes::{Rectangle, Sampling};
 use crate::trace::Strategy;
 
-/// A scene to compare in.
+/// A scene of the page.
 pub struct Subject {
     /// Its name.
     pub name: &'static str,
-    /// What it is, and what is hard in it.
+    /// A description, and its difficulty.
     pub about: &'static str,
-    /// Builds it, in any size.
+    /// Builds the scene.
     pub scene: fn() -> Scene,
-    /// Whether mirrors, gloss or glass are in it: without them `whitted` is `ray_cast`.
+    /// Whether it has mirrors, glossy or transparent materials: without them `whitted` is
+    /// `ray_cast`.
     pub has_mirrors: bool,
-    /// Its pictures have a side of this part of the others': for what takes long.
+    /// The width of its pictures is divided by this number, for slow scenes.
     pub part: u32,
 }
 
-/// How deep every tracer follows light, and the picture of reference.
+/// The `max_depth` of every tracer and of the reference.
 pub const DEPTH: u32 = 10;
 
 pub const SUBJECTS: [Subject; 5] = [
     Subject {
         name: "Cornell box",
-        about: "Matte walls and blocks under a small lamp (figure 26.12): light goes from wall to wall.",
+        about: "Matte walls and blocks under a small area light (figure 26.12), with light reflected \
+                between the walls.",
         scene: || of_gallery("ch26/cornell-box"),
         has_mirrors: false,
         part: 1,
     },
     Subject {
         name: "glossy hall",
-        about: "The hall of mirrors, blurred with e = 25000 (figure 25.10), lit by four balls in the \
-                places of the book's point lights: light goes to and fro between mirrors.",
+        about: "The hall of mirrors with glossy reflection, e = 25000 (figure 25.10), lit by four spheres \
+                at the positions of the book's point lights: light is reflected many times between \
+                mirrors.",
         scene: glossy_hall,
         has_mirrors: true,
         part: 1,
     },
     Subject {
         name: "glass over checker",
-        about: "A glass ball over a checker, under a square lamp: light through the glass is found \
-                only by paths that come upon the lamp.",
+        about: "A glass ball over a checker, under a square area light: only paths that hit the light by \
+                chance find the light through the glass.",
         scene: glass_over_checker,
         has_mirrors: true,
         part: 1,
     },
     Subject {
         name: "caustic ring",
-        about: "Half a cylinder, a mirror inside, throws a cardioid on the ground (figure 26.9): only \
-                paths that come upon the small lamp by way of the mirror find it.",
+        about: "Half a cylinder with a mirror inside, whose caustic on the ground is a cardioid (figure \
+                26.9): only paths that hit the small light by chance through the mirror find it.",
         scene: || of_gallery("ch26/half-cylinder-caustic"),
         has_mirrors: true,
         part: 1,
     },
     Subject {
         name: "many small lights",
-        about: "36 small lamps above matte balls, out of view: all of them are sampled at a hit, which \
-                takes long; a path that samples none seldom meets one.",
+        about: "36 small area lights above matte balls, not in the picture: all of them are sampled at \
+                each hit, which takes long; paths without sampling rarely hit one.",
         scene: many_small_lights,
         has_mirrors: false,
         part: 2,
     },
 ];
 
-/// One way to follow light.
+/// A tracer and a sampling of area lights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {
-    /// Which rays are followed.
+    /// The tracer.
     pub tracer: Tracer,
-    /// How lamps are sampled; `None` if they are not.
+    /// How area lights are sampled; `None` if they are not.
     pub sampling: Option<Sampling>,
 }
 
 impl Choice {
-    /// Whether it finds all light, but for what lies beyond the depth: every lamp is a surface.
+    /// Whether it includes all light paths up to the depth limit (every light of these scenes is a
+    /// surface).
     pub fn is_unbiased(self) -> bool {
         Strategy::of(self.tracer).is_path()
     }
 
-    /// For people.
+    /// The name in the tables.
     pub fn name(self) -> String {
         let tracer = self.tracer.name();
         match self.sampling {
@@ -98,7 +102,7 @@ impl Choice {
 }
 
 impl Subject {
-    /// Every way that applies, the least noisy one without bias last.
+    /// All choices for the scene; the last one has no bias and the least noise.
     pub fn choices(&self) -> Vec<Choice> {
         let of_tracer = |tracer: Tracer| {
             let samplings = match tracer {
@@ -119,7 +123,7 @@ impl Subject {
         tracers.into_iter().filter(applies).flat_map(of_tracer).collect()
     }
 
-    /// The scene as this choice renders it, so many pixels across (or that part of them).
+    /// The scene with this choice, `width` (divided by `part`) pixels wide.
     pub fn scene(&self, choice: Choice, width: u32) -> Scene {
         let mut scene = (self.scene)();
         let width = (width / self.part).max(1);
@@ -136,7 +140,7 @@ impl Subject {
     }
 }
 
-/// Makes every glossy reflector of a scene go by this rule; `false` if there is none.
+/// Sets the rule of every glossy reflector of a scene; `false` if there is none.
 pub fn set_rule(scene: &mut Scene, wanted: GlossyRule) -> bool {
     let mut found = false;
     for material in &mut scene.materials {
@@ -152,7 +156,7 @@ fn of_gallery(name: &str) -> Scene {
     (gallery::find(name).expect("a scene of the gallery").build)()
 }
 
-/// The lights are balls, as no path meets a point.
+/// The point lights are replaced by spheres, because paths cannot hit a point.
 fn glossy_hall() -> Scene {
     let mut scene = of_gallery("ch25/glossy-hall");
     scene.lights.clear();
@@ -168,9 +172,9 @@ fn add_lamp(scene: &mut Scene, name: &str, shape: impl Into<crate::shapes::Kind>
 }
 
 fn glass_over_checker() -> Scene {
-    let stand = [point(-2.0, 4.5, 12.0), point(0.3, 1.4, 0.0)];
-    let mut scene = pinhole("a glass ball over a checker", [400, 300], stand, 620.0);
-    // it faces down
+    let view = [point(-2.0, 4.5, 12.0), point(0.3, 1.4, 0.0)];
+    let mut scene = pinhole("a glass ball over a checker", [400, 300], view, 620.0);
+    // its normal points down
     let corner = point(1.0, 7.0, -3.5);
     let lamp = Rectangle { corner, a: 3.0 * Vector::X, b: 3.0 * Vector::Z };
     add_lamp(&mut scene, "lamp", lamp, 12.0);
@@ -184,11 +188,11 @@ fn glass_over_checker() -> Scene {
 
 fn many_small_lights() -> Scene {
     const SIDE: u32 = 6;
-    let stand = [point(0.0, 4.0, 14.0), point(0.0, 0.2, 1.0)];
-    let mut scene = pinhole("36 small lamps above balls", [400, 300], stand, 560.0);
+    let view = [point(0.0, 4.0, 14.0), point(0.0, 0.2, 1.0)];
+    let mut scene = pinhole("36 small lamps above balls", [400, 300], view, 560.0);
     for i in 0..SIDE * SIDE {
         let along = |k: u32| 2.0 * (f64::from(k) - 0.5 * f64::from(SIDE - 1));
-        // of many heights, so that shadows are of many lengths
+        // at different heights, so that shadows have different lengths
         let height = 6.0 + 0.5 * f64::from(i % 5);
         let at = point(along(i % SIDE), height, along(i / SIDE));
         add_lamp(&mut scene, &format!("lamp {}", i + 1), sphere(at, 0.1), 60.0);

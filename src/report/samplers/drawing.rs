@@ -1,13 +1,13 @@
-//! Page 3 as tables and pictures, from its data alone.
+//! Page 3 as tables and plots, from its data alone.
 
 use super::{CONFIDENCE, Data, FITTED_FROM, IntegrandData, SamplerData};
 use crate::report::html::{Table, capital, count, escaped, figure, flagged, listed, short, time};
 use crate::report::plot::{Plot, Series};
 
-/// A sampler is as good as the best if it takes no more than this times its time.
+/// A sampler is as good as the best if it needs at most this multiple of its samples.
 const AS_GOOD: f64 = 1.2;
-/// The book's, for the first plot of each integrand; the others are in the second, beside the first
-/// of these.
+/// The book's samplers, in the first plot of each integrand; the second plot has the others and
+/// random.
 const BOOKS: [&str; 5] = ["random", "regular", "jittered", "n rooks", "multi jittered"];
 
 pub fn page(data: &Data) -> String {
@@ -34,20 +34,20 @@ fn explanation(data: &Data) -> String {
     let Data { pixels, seeds, .. } = data;
     format!(
         "<p>Each integrand is a family of functions whose means are known, one function for each of \
-         {pixels} pixels. A sampler's error is the root mean square of what its mean is off, over \
-         these pixels and {seeds} seeds; of white for things that are black or white, of the mean for \
-         the others. Draws are made as a renderer makes them: one of 83 sets and an order for each \
-         pixel and use.</p>\n\
-         <p>On logarithmic axes a power of the number of samples is a straight line: random samples \
-         fall with slope −1/2, whatever the function. Slopes are fitted from {FITTED_FROM} samples \
-         on, with an interval of {:.0} % confidence. Seconds are for one pixel on one thread, draws \
-         and the function itself; tracing a ray costs far more, so that where rays are traced the \
-         number of samples decides.</p>\n",
+         {pixels} pixels. A sampler's error is the root mean square difference of its mean from the \
+         exact one, over these pixels and {seeds} seeds; relative to white for functions that are black \
+         or white, relative to the mean for the others. Samples are drawn as in a renderer: one of 83 \
+         sets and a permutation for each pixel and use.</p>\n\
+         <p>On logarithmic axes a power of the number of samples is a straight line: the error of random \
+         samples falls with slope −1/2, whatever the function. Slopes are fitted from {FITTED_FROM} \
+         samples on, with an interval of {:.0} % confidence. Seconds are for one pixel on one thread, \
+         for samples and function; tracing a ray takes much longer, so that in a renderer the number \
+         of samples decides.</p>\n",
         100.0 * CONFIDENCE
     )
 }
 
-/// Samples for an error of 1 %, of all.
+/// The table of the samples for an error of 1 %.
 fn summary(data: &Data) -> String {
     let Some(first) = data.integrands.first() else { return String::new() };
     let row = |(i, sampler): (usize, &SamplerData)| {
@@ -57,7 +57,7 @@ fn summary(data: &Data) -> String {
     };
     let names = data.integrands.iter().map(|integrand| integrand.name.clone());
     Table {
-        caption: "To reach an error of 1 %: samples for each pixel".to_owned(),
+        caption: "Samples per pixel for an error of 1 %".to_owned(),
         headings: std::iter::once("sampler".to_owned()).chain(names).collect(),
         rows: first.samplers.iter().enumerate().map(row).collect(),
         ..Table::default()
@@ -78,18 +78,19 @@ fn picture(samplers: &[&SamplerData]) -> Plot {
         ..Series::default()
     };
     Plot {
-        x: "samples for each pixel".to_owned(),
+        x: "samples per pixel".to_owned(),
         y: "root mean square error".to_owned(),
         series: samplers.iter().map(series).collect(),
         limit: Some((super::ONE_PERCENT, "1 %".to_owned())),
     }
 }
 
-/// The same in every pixel: what they get wrong forms patterns, which a mean of squares does not see.
+/// Samplers with the same samples in every pixel: their errors form patterns, which the root mean
+/// square does not show.
 const FIXED: [&str; 2] = ["regular", "hammersley"];
 
-/// One sentence: the sampler with the fewest samples for 1 %, those that are as good, what random
-/// samples need, and the fixed sampler that needs fewer still.
+/// One sentence: the sampler with the fewest samples for 1 %, those that are as good, the number of
+/// random samples, and a fixed sampler that needs even fewer.
 fn pick(integrand: &IntegrandData) -> String {
     let needs = |s: &&SamplerData| s.samples_for_one_percent;
     let by_need = |fixed: bool| {
@@ -105,7 +106,7 @@ fn pick(integrand: &IntegrandData) -> String {
         let all = integrand.samplers.iter();
         let best = all.min_by(|a, b| last(a).total_cmp(&last(b)));
         return best.map_or(String::new(), |best| {
-            format!("None reaches 1 %; {} comes nearest.", best.sampler)
+            format!("None reaches 1 %; {} has the smallest error.", best.sampler)
         });
     };
     let fewest = needs(best).unwrap_or(f64::NAN);
@@ -122,7 +123,7 @@ fn pick(integrand: &IntegrandData) -> String {
     };
     let fixed = match by_need(true).first() {
         Some(fixed) if needs(fixed).is_some_and(|n| n < fewest) => format!(
-            "; {} needs only {}, but errs alike in all pixels, which shows as patterns",
+            "; {} needs only {}, but has the same error in all pixels, which is visible as patterns",
             fixed.sampler,
             needs(fixed).map_or(String::new(), short),
         ),

@@ -1,4 +1,4 @@
-//! What is integrated: functions of a pixel's samples whose means are known.
+//! The integrands: functions of a pixel's samples whose means are known.
 
 use std::f64::consts::PI;
 
@@ -8,26 +8,26 @@ use crate::math::{Pcg32, acos, cos_degrees, exp, exp_m1, floor, maps, power, sin
 pub struct Integrand {
     /// Its name.
     pub name: &'static str,
-    /// What it is, and what it stands for.
+    /// A description, and the case in a picture that it represents.
     pub about: &'static str,
-    /// Whether it needs a second draw, for the lens.
+    /// Whether it needs a second sample, for the lens.
     pub four_dimensional: bool,
     /// The function of a pixel, from random numbers.
     pub problem: fn(&mut Pcg32) -> Problem,
 }
 
-/// A function of a sample of the pixel and one of the lens, and its mean.
+/// A function of a pixel sample and a lens sample, and its mean.
 pub struct Problem {
     /// The mean over both unit squares.
     pub exact: f64,
-    /// What an error of 100 % is.
+    /// The difference that counts as an error of 100 %.
     pub scale: f64,
     /// The function.
     pub value: Box<dyn Fn([f64; 2], [f64; 2]) -> f64 + Send + Sync>,
 }
 
 impl Problem {
-    /// White on black: an error of 100 % is white for black.
+    /// White inside a region, black outside; the scale is 1, the difference of white and black.
     fn of_white(
         exact: f64,
         inside: impl Fn([f64; 2], [f64; 2]) -> bool + Send + Sync + 'static,
@@ -36,7 +36,7 @@ impl Problem {
         Self { exact, scale: 1.0, value: Box::new(value) }
     }
 
-    /// An error of 100 % is as large as the mean.
+    /// A function whose scale is its mean.
     fn relative(
         exact: f64,
         value: impl Fn([f64; 2], [f64; 2]) -> f64 + Send + Sync + 'static,
@@ -45,11 +45,10 @@ impl Problem {
     }
 }
 
-/// All of them.
 pub const INTEGRANDS: [Integrand; 7] = [
     Integrand {
         name: "edge",
-        about: "A straight edge through the pixel, at any angle: the outline of things.",
+        about: "A straight edge through the pixel, at any angle: the outline of an object.",
         four_dimensional: false,
         problem: edge,
     },
@@ -61,28 +60,27 @@ pub const INTEGRANDS: [Integrand; 7] = [
     },
     Integrand {
         name: "disk",
-        about: "A disk within the pixel: small things, seen whole.",
+        about: "A disk inside the pixel: a small object.",
         four_dimensional: false,
         problem: disk,
     },
     Integrand {
         name: "checker to the horizon",
         about: "A checkered ground in perspective, from one to 16 pixels below the horizon \
-                (figure 4.8): detail finer than pixels.",
+                (figure 4.8): details smaller than pixels.",
         four_dimensional: false,
         problem: checker,
     },
     Integrand {
         name: "cosine power",
-        about: "2π cosᵉ θ over directions spread evenly over the hemisphere, e from 1 to 20: a \
-                glossy highlight without importance sampling.",
+        about: "2π cosᵉ θ over directions uniform on the hemisphere, e from 1 to 20: a glossy \
+                highlight without importance sampling.",
         four_dimensional: false,
         problem: cosine_power,
     },
     Integrand {
         name: "smooth product",
-        about: "A product of four exponentials, of pixel and lens: what soft light on smooth \
-                things looks like.",
+        about: "A product of four exponentials of the pixel and lens coordinates: smooth shading.",
         four_dimensional: true,
         problem: smooth_product,
     },
@@ -104,7 +102,8 @@ fn edge(random: &mut Pcg32) -> Problem {
 
 /// The part of the unit square where `a x + b y < c`.
 ///
-/// With a, b ≥ 0 it is a triangle less the two that stick out; mirroring makes them so.
+/// With a, b ≥ 0 it is a triangle minus the parts outside the square; other signs are mirrored to
+/// this case.
 fn below_line(a: f64, b: f64, c: f64) -> f64 {
     if a < 0.0 {
         return below_line(-a, b, c - a);
@@ -113,7 +112,7 @@ fn below_line(a: f64, b: f64, c: f64) -> f64 {
         return below_line(a, -b, c - b);
     }
     if a * b < 1e-12 {
-        // so nearly along an axis that triangles are rounding
+        // almost parallel to an axis: the triangles would cancel
         return (c / a.max(b)).clamp(0.0, 1.0);
     }
     let triangle = |c: f64| {
@@ -135,21 +134,21 @@ fn disk(random: &mut Pcg32) -> Problem {
     Problem::of_white(PI * r * r, inside)
 }
 
-/// A pixel of the ground, rows counted from the horizon down. The view plane is 20 pixels away, and
-/// a square half as wide as the eye is high.
+/// A pixel of the ground, with rows counted downward from the horizon. The view plane is at the
+/// distance of 20 pixels; the side of a square is half the height of the eye.
 fn checker(random: &mut Pcg32) -> Problem {
     const DISTANCE: f64 = 20.0;
     const SQUARE: f64 = 0.5;
     let row = 1.0 + f64::from(random.below(16));
     let column = f64::from(random.below(40)) - 20.0;
-    // where the ray of film point (x, −y) meets the ground, in squares
+    // the point where the ray of film point (x, −y) hits the ground, in squares
     let ahead = move |y: f64| DISTANCE / (SQUARE * y);
     let aside = move |x: f64, y: f64| x / (SQUARE * y);
     let odd = |a: f64| floor(a).rem_euclid(2.0) == 1.0;
 
-    // along x the mean is that of a square wave, whose integral is a triangle wave of x/y: between
-    // the rows where a square begins, and those where one leaves a side of the pixel, y times it is
-    // a straight line, which the trapezoidal rule integrates exactly
+    // Along x the function is a square wave, whose integral is y times a triangle wave of x/y. The
+    // integral is linear in y between `breaks`: the y where a square begins, or where an edge of a
+    // square crosses a side of the pixel. So the midpoint rule between them is exact.
     let mut breaks = vec![row, row + 1.0];
     for numerator in [DISTANCE / SQUARE, column / SQUARE, (column + 1.0) / SQUARE] {
         let ends = [numerator / (row + 1.0), numerator / row];
@@ -158,7 +157,8 @@ fn checker(random: &mut Pcg32) -> Problem {
         breaks.extend((first..last).map(|k| numerator / k as f64).filter(|y| y.is_finite()));
     }
     breaks.sort_by(f64::total_cmp);
-    // the integral of the square wave from 0: up to 1 in squares 0, down again in squares 1
+    // the integral of the square wave from 0: it rises to 1 in even squares and falls to 0 in odd
+    // ones
     let wave = |a: f64| {
         let a = a.rem_euclid(2.0);
         if a < 1.0 { a } else { 2.0 - a }
@@ -168,7 +168,6 @@ fn checker(random: &mut Pcg32) -> Problem {
         .filter(|pair| pair[1] > pair[0])
         .map(|pair| {
             let middle = 0.5 * (pair[0] + pair[1]);
-            // linear in between, so its middle is its mean
             let sign = if odd(ahead(middle)) { -1.0 } else { 1.0 };
             let across = wave(aside(column + 1.0, middle)) - wave(aside(column, middle));
             (pair[1] - pair[0]) * 0.5 * (1.0 + sign * SQUARE * middle * across)
@@ -186,7 +185,7 @@ fn cosine_power(random: &mut Pcg32) -> Problem {
     Problem::relative(2.0 * PI / (e + 1.0), value)
 }
 
-/// `∏ exp(aₖ xₖ)`, a from −2 to 2: the mean of each is `(eᵃ − 1)/a`.
+/// `∏ exp(aₖ xₖ)`, a from −2 to 2: the mean of each factor is `(eᵃ − 1)/a`.
 fn smooth_product(random: &mut Pcg32) -> Problem {
     let a = [0; 4].map(|_| 4.0 * random.uniform() - 2.0);
     let mean = |a: f64| if a == 0.0 { 1.0 } else { exp_m1(a) / a };
@@ -196,33 +195,34 @@ fn smooth_product(random: &mut Pcg32) -> Problem {
     Problem::relative(a.map(mean).iter().product(), value)
 }
 
-/// `x + r l < c`: x across the pixel, l across the lens, whose blur is `2r` pixels wide.
+/// `x + r l < c`, where x is the pixel coordinate, l the lens coordinate, and the blur is `2r`
+/// pixels wide.
 fn defocused_edge(random: &mut Pcg32) -> Problem {
     let r = 0.5 + 3.5 * random.uniform();
     let c = 0.5 + r * (2.0 * random.uniform() - 1.0);
-    let exact = r * (beyond(c / r) - beyond((c - 1.0) / r));
+    let exact = r * (mean_excess(c / r) - mean_excess((c - 1.0) / r));
     let inside = move |[x, _]: [f64; 2], lens| x + r * maps::disk(lens)[0] < c;
     Problem::of_white(exact, inside)
 }
 
-/// The mean of `max(z − l, 0)` for l the first coordinate of a point of the unit disk, whose density
-/// is `2/π √(1 − l²)`.
-fn beyond(z: f64) -> f64 {
+/// The mean of `max(z − l, 0)`, where l is the first coordinate of a point of the unit disk, with
+/// the density `2/π √(1 − l²)`.
+fn mean_excess(z: f64) -> f64 {
     if z.abs() >= 1.0 {
         return z.max(0.0);
     }
     let root = ((1.0 - z) * (1.0 + z)).sqrt();
     let arc_sine = 0.5 * PI - acos(z);
-    let share = 0.5 + (z * root + arc_sine) / PI;
-    z * share + 2.0 / (3.0 * PI) * root * root * root
+    let probability = 0.5 + (z * root + arc_sine) / PI; // of l < z
+    z * probability + 2.0 / (3.0 * PI) * root * root * root
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Law: the mean of each function is what it says. Oracle: 2¹⁸ random points; five of their
-    /// standard errors, for 7 × 24 problems (level 1e-4 together).
+    /// Law: `exact` is the mean of each function. Oracle: 2¹⁸ random points; five of their standard
+    /// errors, for 7 × 24 problems (level 1e-4 together).
     #[test]
     fn means_are_exact() {
         for integrand in INTEGRANDS {
@@ -246,12 +246,12 @@ mod tests {
         }
     }
 
-    /// Law: an edge whose blur stays within the pixel covers on the average what it would sharp.
-    /// Oracle: symmetry.
+    /// Law: if the blur stays inside the pixel, the mean is that of the sharp edge. Oracle:
+    /// symmetry.
     #[test]
     fn the_blurred_edge_is_a_straight_line_for_small_lenses() {
         for (c, r) in [(0.5, 0.4), (0.3, 0.1), (0.25, 0.25)] {
-            let exact = r * (beyond(c / r) - beyond((c - 1.0) / r));
+            let exact = r * (mean_excess(c / r) - mean_excess((c - 1.0) / r));
             assert!((exact - c).abs() < 1e-15, "{exact} {c}");
         }
     }

@@ -1,16 +1,16 @@
-//! Errors and times, measured.
+//! Measures errors and times.
 
 use rayon::prelude::*;
 
 use super::integrands::{INTEGRANDS, Integrand, Problem};
-use super::{Data, Error, IntegrandData, Interrupted, SamplerData, Settings, Watch};
+use super::{Data, Error, IntegrandData, Interrupted, Progress, SamplerData, Settings};
 use crate::math::{Pcg32, hash};
 use crate::report::clock;
 use crate::samplers::{self, Key, Kind, Purpose, SampleSets};
 
-/// 1, 4, 16 … up to `most`: squares, and powers of two.
-fn counts(most: u32) -> impl Iterator<Item = u32> {
-    (0..=8).map(|k| 1_u32 << (2 * k)).filter(move |&n| n <= most.max(4))
+/// 1, 4, 16 … up to `max`: squares, and powers of two.
+fn counts(max: u32) -> impl Iterator<Item = u32> {
+    (0..=8).map(|k| 1_u32 << (2 * k)).filter(move |&n| n <= max.max(4))
 }
 
 pub fn steps(settings: &Settings) -> u64 {
@@ -20,7 +20,7 @@ pub fn steps(settings: &Settings) -> u64 {
 /// A problem of each integrand for each pixel.
 type Problems = Vec<Vec<Problem>>;
 
-pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> {
+pub fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
     let problem = |integrand: &Integrand, pixel: u32| {
         (integrand.problem)(&mut Pcg32::new(hash(&[settings.seed, pixel.into()]), 1))
     };
@@ -42,10 +42,10 @@ pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> 
             for (errors, rms) in errors.iter_mut().zip(rms_errors(&kind, n, &problems, settings)) {
                 errors.push(Error { samples: n, rms });
             }
-            watch.step()?;
+            progress.step()?;
         }
         for (data, errors) in data.iter_mut().zip(errors) {
-            let samples_for_one_percent = SamplerData::reach(&errors);
+            let samples_for_one_percent = SamplerData::samples_for_one_percent(&errors);
             let (sampler, sample_seconds) = (sampler.clone(), f64::NAN);
             let mut found = SamplerData {
                 sampler,
@@ -59,7 +59,7 @@ pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> 
             data.samplers.push(found);
         }
     }
-    time_samples(&mut data, &problems, settings, watch)?;
+    time_samples(&mut data, &problems, settings, progress)?;
     Ok(Data { pixels: settings.pixels, seeds: settings.seeds, integrands: data })
 }
 
@@ -81,7 +81,7 @@ fn rms_errors(kind: &Kind, n: u32, problems: &Problems, settings: &Settings) -> 
         };
         INTEGRANDS.iter().zip(problems).map(squares).collect()
     };
-    // collected in the order of the seeds, so that sums are the same on any number of threads
+    // in the order of the seeds, so that the sum does not depend on the number of threads
     let seeds: Vec<Vec<f64>> = (0..u64::from(settings.seeds))
         .into_par_iter()
         .map(|i| of_seed(hash(&[settings.seed, i])))
@@ -91,7 +91,7 @@ fn rms_errors(kind: &Kind, n: u32, problems: &Problems, settings: &Settings) -> 
     (0..INTEGRANDS.len()).map(|i| (of_integrand(i) / count).sqrt()).collect()
 }
 
-/// The sum of the samples of a pixel, drawn as a renderer does.
+/// The sum over the samples of a pixel, drawn as in a renderer.
 fn sum(integrand: &Integrand, problem: &Problem, sets: &SampleSets, seed: u64, pixel: u32) -> f64 {
     let key = |purpose| Key::new(seed, [pixel, 0], purpose);
     let (film, lens) = (key(Purpose::Pixel), key(Purpose::Lens));
@@ -102,13 +102,13 @@ fn sum(integrand: &Integrand, problem: &Problem, sets: &SampleSets, seed: u64, p
     (0..sets.per_set()).map(value).sum()
 }
 
-/// Seconds for a sample of each integrand by each sampler, on one thread: the median of some rounds,
-/// in which all samplers take turns.
+/// Measures the seconds for a sample of each integrand by each sampler on one thread: the median of
+/// rounds that run all samplers.
 fn time_samples(
     data: &mut [IntegrandData],
     problems: &Problems,
     settings: &Settings,
-    watch: &Watch,
+    progress: &Progress,
 ) -> Result<(), Interrupted> {
     const ROUNDS: usize = 9;
     let n = settings.samples.min(256);
@@ -122,14 +122,14 @@ fn time_samples(
             std::hint::black_box((0..).zip(problems).map(each).sum::<f64>());
         };
         let mut jobs: Vec<_> = all.iter().map(|sets| move || job(sets)).collect();
-        let mut turns: Vec<&mut dyn FnMut()> = Vec::new();
-        jobs.iter_mut().for_each(|job| turns.push(job));
-        let times = clock::medians(ROUNDS, &mut turns);
+        let mut all_jobs: Vec<&mut dyn FnMut()> = Vec::new();
+        jobs.iter_mut().for_each(|job| all_jobs.push(job));
+        let times = clock::medians(ROUNDS, &mut all_jobs);
         for ((found, sets), time) in data.samplers.iter_mut().zip(&all).zip(times) {
             found.disturbed = time.is_disturbed();
             found.sample_seconds = time.cpu / (f64::from(sets.per_set()) * problems.len() as f64);
         }
-        watch.step()?;
+        progress.step()?;
     }
     Ok(())
 }

@@ -6,20 +6,20 @@ mod measuring;
 
 use serde::Serialize;
 
-use super::{Findings, Interrupted, Page, Settings, Watch};
+use super::{Findings, Interrupted, Page, Progress, Settings};
 use crate::verify::slope::{PowerLaw, power_law};
 
-/// Which sampler to use, and how many samples: by error and time, over integrands of known value.
+/// Compares samplers by error and time, on integrands whose mean is known.
 pub struct Samplers;
 
-/// What the page shows.
+/// The data of the page.
 #[derive(Clone, Debug, Serialize)]
 pub struct Data {
-    /// Errors are root mean squares over so many pixels …
+    /// The number of pixels over which errors are averaged.
     pub pixels: u32,
-    /// … and seeds.
+    /// The number of seeds over which errors are averaged.
     pub seeds: u32,
-    /// One for each integrand.
+    /// The results for each integrand.
     pub integrands: Vec<IntegrandData>,
 }
 
@@ -28,9 +28,9 @@ pub struct Data {
 pub struct IntegrandData {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// A description.
     pub about: String,
-    /// One for each sampler.
+    /// The results for each sampler.
     pub samplers: Vec<SamplerData>,
 }
 
@@ -39,34 +39,34 @@ pub struct IntegrandData {
 pub struct SamplerData {
     /// Its name.
     pub sampler: String,
-    /// By rising number of samples.
+    /// The errors, by increasing number of samples.
     pub errors: Vec<Error>,
-    /// Seconds for one sample, drawn and put into the integrand, on one thread.
+    /// The time to draw one sample and evaluate the integrand, on one thread.
     pub sample_seconds: f64,
-    /// Whether other programs took turns with the measurement of `sample_seconds`.
+    /// Whether other programs disturbed the measurement of `sample_seconds`.
     pub disturbed: bool,
     /// The slope of log error over log samples, from 16 samples on, and its interval of 95 %
     /// confidence; `None` if some error is 0.
     pub slope: Option<[f64; 3]>,
-    /// Samples for an error of 1 %: between those measured, by the straight line of the logarithms.
-    /// `None` if the most were not enough.
+    /// The number of samples for an error of 1 %, by linear interpolation of the logarithms; `None`
+    /// if the largest measured number is not enough.
     pub samples_for_one_percent: Option<f64>,
 }
 
-/// An error and the number of samples that it is for.
+/// The error for a number of samples.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Error {
-    /// Samples for each pixel.
+    /// The number of samples per pixel.
     pub samples: u32,
     /// The root mean square of `(estimate − exact)/scale`.
     pub rms: f64,
 }
 
-/// The error that the table is about.
+/// The error for which the tables give the number of samples.
 const ONE_PERCENT: f64 = 0.01;
-/// Slopes are fitted from so many samples on.
+/// Slopes are fitted from this number of samples on.
 const FITTED_FROM: u32 = 16;
-/// Of slopes.
+/// The confidence level of the intervals of slopes.
 const CONFIDENCE: f64 = 0.95;
 
 impl SamplerData {
@@ -76,8 +76,8 @@ impl SamplerData {
         power_law(&points, CONFIDENCE)
     }
 
-    /// Where the error reaches 1 %.
-    fn reach(errors: &[Error]) -> Option<f64> {
+    /// The number of samples from which on the error is at most 1 %.
+    fn samples_for_one_percent(errors: &[Error]) -> Option<f64> {
         let last = errors.iter().rposition(|e| e.rms > ONE_PERCENT);
         let Some(before) = last else { return errors.first().map(|e| f64::from(e.samples)) };
         let (a, b) = (errors[before], errors.get(before + 1)?);
@@ -86,11 +86,11 @@ impl SamplerData {
         }
         let points =
             [a, *b].map(|e| (crate::math::ln(f64::from(e.samples)), crate::math::ln(e.rms)));
-        let share = (points[0].1 - crate::math::ln(ONE_PERCENT)) / (points[0].1 - points[1].1);
-        Some(crate::math::exp(points[0].0 + share * (points[1].0 - points[0].0)))
+        let t = (points[0].1 - crate::math::ln(ONE_PERCENT)) / (points[0].1 - points[1].1);
+        Some(crate::math::exp(points[0].0 + t * (points[1].0 - points[0].0)))
     }
 
-    /// Seconds for an error of 1 % in one pixel.
+    /// The time for an error of 1 % in one pixel.
     pub fn seconds_for_one_percent(&self) -> Option<f64> {
         Some(self.samples_for_one_percent? * self.sample_seconds)
     }
@@ -106,15 +106,19 @@ impl Page for Samplers {
     }
 
     fn question(&self) -> &'static str {
-        "Which sampler comes nearest to the truth, with how many samples, in how much time?"
+        "Which sampler has the smallest error, with how many samples, in how much time?"
     }
 
     fn steps(&self, settings: &Settings) -> u64 {
         measuring::steps(settings)
     }
 
-    fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted> {
-        Ok(Box::new(measuring::measure(settings, watch)?))
+    fn run(
+        &self,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Result<Box<dyn Findings>, Interrupted> {
+        Ok(Box::new(measuring::measure(settings, progress)?))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Page 5 as tables and pictures, from its data alone.
+//! Page 5 as tables and plots, from its data alone.
 
 use super::{ChoiceData, Data, Level, SceneData};
 use crate::film::{Film, OutOfGamut, Tone, data_uri};
@@ -16,13 +16,13 @@ pub fn page(data: &Data) -> String {
 }
 
 fn explanation() -> String {
-    "<p>An image is looked up at a point: the colour of the <em>nearest</em> texel, as in the book, or the \
-     <em>bilinear</em> mean of the four around it. Neither is a filter over the pixel: that is what \
-     samples are for. Each picture is compared with one of the same look-up and very many samples, so \
-     that the error (root mean square over pixels and channels, of radiance from 0 to 1) is that of too \
-     few samples alone: jagged edges, and false patterns where many texels fall into a pixel. Samples \
-     are multi-jittered. What the look-up itself changes, however many samples there are, is the \
-     difference of the two references: bilinear look-up blurs what is smaller than two texels.</p>\n"
+    "<p>The colour at a point of an image is that of the <em>nearest</em> texel, as in the book, or the \
+     <em>bilinear</em> interpolation of the four texels around it. Neither filters over the pixel: \
+     samples do this. Each picture is compared with a reference of the same look-up and very many \
+     samples, so that the error (root mean square over pixels and channels, of radiance from 0 to 1) is \
+     caused only by too few samples: jagged edges, and moiré patterns where a pixel has many texels. \
+     Samples are multi-jittered. The difference of the two references is the effect of the look-up \
+     itself: bilinear look-up blurs details smaller than two texels.</p>\n"
         .to_owned()
 }
 
@@ -33,8 +33,8 @@ fn name(choice: &ChoiceData) -> &'static str {
     }
 }
 
-/// The error of bilinear look-up with the most samples, and its time, in units of those of the nearest
-/// texel.
+/// The error of bilinear look-up with the largest number of samples, and its time, relative to
+/// those of nearest look-up.
 fn ratios(scene: &SceneData) -> Option<[f64; 2]> {
     let [nearest, bilinear] = &scene.choices[..] else { return None };
     let error = bilinear.levels.last()?.rmse / nearest.levels.last()?.rmse;
@@ -56,9 +56,9 @@ fn pick(data: &Data) -> String {
     let flattest = slopes.map(|[slope, ..]| slope).fold(f64::NEG_INFINITY, f64::max);
     let words = listed(&words.collect::<Vec<String>>());
     format!(
-        "Choose the look-up by what should be seen from near, squares or a blur, and fight false patterns \
-         with samples: with as many samples bilinear look-up has {words}; the error of either falls with \
-         N to the power of {} to {}.",
+        "Choose the look-up by the appearance of texels in close-up, squares or a blur, and reduce moiré \
+         patterns by more samples. With the same number of samples, bilinear look-up has {words}; the \
+         errors of both fall with N to the power of {} to {}.",
         short(flattest).replace('-', "−"),
         short(steepest).replace('-', "−"),
     )
@@ -72,14 +72,13 @@ fn section(scene: &SceneData) -> String {
         escaped(&scene.about),
         scene.width,
         scene.height,
-        if scene.moments == 1 { String::new() } else { format!(", {} moments", scene.moments) },
+        if scene.moments == 1 { String::new() } else { format!(", {} frames", scene.moments) },
         scene.reference_samples,
         short(scene.difference),
     );
     html.push_str("<div class=\"pictures\">\n");
     let samples = |level: &Level| f64::from(level.samples);
-    html +=
-        &figure(&plot(scene, "samples for each pixel", samples).svg(), "Error against samples.");
+    html += &figure(&plot(scene, "samples per pixel", samples).svg(), "Error against samples.");
     let seconds = |level: &Level| level.picture_seconds;
     html += &figure(
         &plot(scene, "seconds for the picture, on one thread", seconds).svg(),
@@ -134,7 +133,7 @@ fn table(scene: &SceneData) -> Table {
     };
     let mut headings = vec!["look-up".to_owned()];
     headings.extend(counts.iter().map(u32::to_string));
-    headings.extend(["time for a sample of each pixel", "slope"].map(str::to_owned));
+    headings.extend(["time per sample of all pixels", "slope"].map(str::to_owned));
     Table {
         caption: format!("{}: error and time", capital(&scene.scene)),
         groups: vec![

@@ -1,4 +1,4 @@
-//! Pictures by either look-up, from 1 to 256 samples, and what is wrong with them.
+//! Measures the errors of pictures by either look-up, from 1 to 256 samples.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::film::Film;
 use crate::math::hash;
 use crate::report::clock::{self, Time};
 use crate::report::picture::picture;
-use crate::report::{Interrupted, Settings, Watch};
+use crate::report::{Interrupted, Progress, Settings};
 use crate::textures::Filtering;
 use crate::verify::quantile;
 use crate::verify::slope::power_law;
@@ -20,21 +20,21 @@ const FILTERINGS: [Filtering; 2] = [Filtering::Nearest, Filtering::Bilinear];
 
 /// 1, 4, 16, 64, 256: squares, and powers of two.
 fn counts(settings: &Settings) -> Vec<u32> {
-    let most = settings.samples.clamp(16, 256);
-    (0..=4).map(|k| 1_u32 << (2 * k)).filter(|n| *n <= most).collect()
+    let max = settings.samples.clamp(16, 256);
+    (0..=4).map(|k| 1_u32 << (2 * k)).filter(|n| *n <= max).collect()
 }
 
-/// Samples of a reference: 65 536 of a full report.
+/// The number of samples of a reference: 65 536 in a full report.
 fn reference_samples(settings: &Settings) -> u32 {
     (16 * settings.samples.max(64)).min(MOST_SAMPLES)
 }
 
-/// How many pictures of each moment, of different seeds.
+/// The number of pictures of each frame, with different seeds.
 fn replicas(settings: &Settings) -> u32 {
     settings.seeds.clamp(2, 8)
 }
 
-/// One picture to be made.
+/// One picture to render.
 #[derive(Clone, Copy)]
 struct Job<'a> {
     subject: &'a Subject,
@@ -53,14 +53,14 @@ impl Job<'_> {
     }
 }
 
-/// Renders all, each on one thread. A step of the watch for each.
-fn rendered(jobs: &[Job<'_>], watch: &Watch) -> Result<Vec<(Film, Time)>, Interrupted> {
+/// Renders all pictures, each on one thread and with one progress step.
+fn rendered(jobs: &[Job<'_>], progress: &Progress) -> Result<Vec<(Film, Time)>, Interrupted> {
     jobs.par_iter()
         .with_max_len(1)
         .map(|job| {
             let world = job.world();
             let shot = clock::time(|| picture(&world));
-            watch.step()?;
+            progress.step()?;
             Ok(shot)
         })
         .collect()
@@ -72,9 +72,9 @@ pub fn steps(settings: &Settings) -> u64 {
     FILTERINGS.len() as u64 * moments * pictures
 }
 
-pub fn measure(settings: &Settings, watch: &Watch) -> Result<Data, Interrupted> {
+pub fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
     let subjects = (0..).zip(&SUBJECTS);
-    let scenes = subjects.map(|(index, subject)| measure_scene(subject, index, settings, watch));
+    let scenes = subjects.map(|(index, subject)| measure_scene(subject, index, settings, progress));
     Ok(Data { scenes: scenes.collect::<Result<_, _>>()? })
 }
 
@@ -82,12 +82,12 @@ fn measure_scene(
     subject: &Subject,
     index: u64,
     settings: &Settings,
-    watch: &Watch,
+    progress: &Progress,
 ) -> Result<SceneData, Interrupted> {
     let mut choices = Vec::new();
     let mut all_references = Vec::new();
     for filtering in FILTERINGS {
-        // seeds do not depend on the look-up: both see the same points
+        // seeds do not depend on the look-up: both use the same sample points
         let job = |moment, samples, replica: u32| Job {
             subject,
             filtering,
@@ -99,8 +99,8 @@ fn measure_scene(
         let samples = reference_samples(settings);
         let jobs: Vec<Job<'_>> = (0..subject.moments).map(|m| job(m, samples, 0)).collect();
         let references: Vec<Film> =
-            rendered(&jobs, watch)?.into_iter().map(|(film, _)| film).collect();
-        let (levels, first) = measure_levels(&job, &references, settings, watch)?;
+            rendered(&jobs, progress)?.into_iter().map(|(film, _)| film).collect();
+        let (levels, first) = measure_levels(&job, &references, settings, progress)?;
         let points: Vec<(f64, f64)> =
             levels.iter().map(|level| (f64::from(level.samples), level.rmse)).collect();
         let slope =
@@ -124,12 +124,12 @@ fn measure_scene(
     })
 }
 
-/// What each number of samples gives, and the first picture of one sample.
+/// The results for each number of samples, and the first picture of one sample.
 fn measure_levels<'a>(
     job: &impl Fn(u32, u32, u32) -> Job<'a>,
     references: &[Film],
     settings: &Settings,
-    watch: &Watch,
+    progress: &Progress,
 ) -> Result<(Vec<Level>, Film), Interrupted> {
     let mut levels = Vec::new();
     let mut first = None;
@@ -139,7 +139,7 @@ fn measure_levels<'a>(
             .flat_map(|moment| (1..=replicas(settings)).map(move |replica| (moment, replica)))
             .map(|(moment, replica)| job(moment, samples, replica))
             .collect();
-        let shots = rendered(&jobs, watch)?;
+        let shots = rendered(&jobs, progress)?;
         let errors = jobs.iter().zip(&shots);
         let square = mean(
             errors.map(|(job, (film, _))| mean_square(film, &references[job.moment as usize])),

@@ -1,4 +1,4 @@
-//! Page 5: look-ups of images, error against samples and time.
+//! Page 5: image look-up, error against samples and time.
 
 mod drawing;
 mod measuring;
@@ -6,17 +6,17 @@ mod scenes;
 
 use serde::Serialize;
 
-use super::{Findings, Interrupted, Page, Settings, Watch};
+use super::{Findings, Interrupted, Page, Progress, Settings};
 use crate::film::Film;
 use crate::textures::Filtering;
 
-/// How to look up images, and how many samples they need.
+/// Compares nearest and bilinear image look-up by error and time.
 pub struct Textures;
 
-/// What the page shows.
+/// The data of the page.
 #[derive(Clone, Debug, Serialize)]
 pub struct Data {
-    /// One for each scene.
+    /// The results for each scene.
     pub scenes: Vec<SceneData>,
 }
 
@@ -25,18 +25,18 @@ pub struct Data {
 pub struct SceneData {
     /// Its name.
     pub scene: String,
-    /// What it is.
+    /// A description.
     pub about: String,
-    /// Pixels across.
+    /// The number of pixel columns.
     pub width: u32,
-    /// Pixels down.
+    /// The number of pixel rows.
     pub height: u32,
-    /// How many pictures of different moments.
+    /// The number of frames of the animation.
     pub moments: u32,
-    /// Samples for each pixel of the references.
+    /// The number of samples per pixel of the references.
     pub reference_samples: u32,
-    /// The root mean square difference of the references of the two look-ups: what the choice changes,
-    /// however many samples there are.
+    /// The root mean square difference of the references of the two look-ups: the difference that
+    /// no number of samples removes.
     pub difference: f64,
     /// Nearest, then bilinear.
     pub choices: Vec<ChoiceData>,
@@ -45,35 +45,34 @@ pub struct SceneData {
 /// One way to look up an image.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChoiceData {
-    /// Which texels count.
+    /// Nearest or bilinear.
     pub filtering: Filtering,
-    /// By rising number of samples.
+    /// The results, by increasing number of samples.
     pub levels: Vec<Level>,
-    /// The exponent with which the error falls with the number of samples, and an interval of 95 %
-    /// confidence for it.
+    /// The slope of log error over log samples, and its interval of 95 % confidence.
     pub slope: Option<[f64; 3]>,
-    /// The first moment with one sample, and the reference.
+    /// The first frame with one sample, and its reference.
     #[serde(skip)]
     pub pictures: [Film; 2],
 }
 
-/// What so many samples give.
+/// The result for a number of samples.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Level {
-    /// Samples for each pixel.
+    /// The number of samples per pixel.
     pub samples: u32,
-    /// How many pictures were made.
+    /// The number of pictures.
     pub pictures: u32,
-    /// Root mean square error of channels against the reference of the same look-up.
+    /// The root mean square error of channels against the reference of the same look-up.
     pub rmse: f64,
-    /// For one picture on one thread.
+    /// The time for one picture on one thread.
     pub picture_seconds: f64,
-    /// Whether other programs took turns with the measurement of `picture_seconds`.
+    /// Whether other programs disturbed the measurement of `picture_seconds`.
     pub disturbed: bool,
 }
 
 impl ChoiceData {
-    /// Seconds for one sample of each pixel.
+    /// The time for one sample of every pixel.
     fn sample_seconds(&self) -> f64 {
         self.levels.last().map_or(f64::NAN, |l| l.picture_seconds / f64::from(l.samples))
     }
@@ -89,15 +88,19 @@ impl Page for Textures {
     }
 
     fn question(&self) -> &'static str {
-        "Does bilinear look-up of an image save samples, and how many does an image need?"
+        "Does bilinear image look-up save samples, and how many samples does an image need?"
     }
 
     fn steps(&self, settings: &Settings) -> u64 {
         measuring::steps(settings)
     }
 
-    fn run(&self, settings: &Settings, watch: &Watch) -> Result<Box<dyn Findings>, Interrupted> {
-        Ok(Box::new(measuring::measure(settings, watch)?))
+    fn run(
+        &self,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Result<Box<dyn Findings>, Interrupted> {
+        Ok(Box::new(measuring::measure(settings, progress)?))
     }
 }
 

@@ -1,4 +1,4 @@
-//! What is seen: images alone, that shine, so that nothing else errs.
+//! The scenes: emissive surfaces with images, so that only the look-up causes errors.
 
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::images::{Drawn, Picture};
@@ -14,7 +14,7 @@ use crate::textures::{Filtering, Image, Mapping, Wrap};
 pub struct Subject {
     pub name: &'static str,
     pub about: &'static str,
-    /// How many moments of it are rendered.
+    /// The number of frames that are rendered.
     pub moments: u32,
     build: fn(Filtering, u32, u32) -> Scene,
 }
@@ -23,28 +23,28 @@ pub const SUBJECTS: [Subject; 2] = [
     Subject {
         name: "checker to the horizon",
         about: "A checker of 8 × 8 squares, an image of 64 × 64 texels, repeated to the horizon: texels \
-                are larger than pixels in front, and far smaller behind.",
+                are larger than pixels in the foreground, and much smaller in the background.",
         moments: 1,
         build: checker,
     },
     Subject {
         name: "turning globe",
-        about: "A globe of 256 × 128 texels, turned by a little from picture to picture: an error here \
-                is a flicker in a film.",
+        about: "A globe of 256 × 128 texels, rotated a little from frame to frame: errors are visible as \
+                flicker in an animation.",
         moments: 4,
         build: globe,
     },
 ];
 
 impl Subject {
-    /// The scene at a moment, so many pixels wide.
+    /// A frame of the scene, `width` pixels wide.
     pub fn scene(&self, filtering: Filtering, width: u32, moment: u32) -> Scene {
         (self.build)(filtering, width, moment)
     }
 }
 
-/// A picture that shows one shape, which shines with an image.
-fn showing(
+/// A scene with one shape whose emission is an image.
+fn emissive_image(
     size: [u32; 2],
     [eye, look_at]: [Point; 2],
     distance: f64,
@@ -71,8 +71,8 @@ fn checker(filtering: Filtering, width: u32, _: u32) -> Scene {
         ..Image::of_drawn(drawn, Some(Mapping::Square))
     };
     let plane = Plane { point: Point::ORIGIN, normal: Vector::Y };
-    let stand = [Point::new(0.3, 1.0, 5.0), Point::new(0.0, 0.6, 0.0)];
-    showing([width, width * 2 / 3], stand, 0.8, (plane.into(), image))
+    let view = [Point::new(0.3, 1.0, 5.0), Point::new(0.0, 0.6, 0.0)];
+    emissive_image([width, width * 2 / 3], view, 0.8, (plane.into(), image))
 }
 
 fn globe(filtering: Filtering, width: u32, moment: u32) -> Scene {
@@ -80,6 +80,6 @@ fn globe(filtering: Filtering, width: u32, moment: u32) -> Scene {
     let image = Image { filtering, ..Image::of_drawn(drawn, Some(Mapping::Spherical)) };
     let sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
     let turned = Instance::new(sphere, vec![Step::RotateY(40.0 + 3.0 * f64::from(moment))]);
-    let stand = [Point::new(0.0, 0.8, 4.0), Point::ORIGIN];
-    showing([width, width], stand, 1.6, (turned.into(), image))
+    let view = [Point::new(0.0, 0.8, 4.0), Point::ORIGIN];
+    emissive_image([width, width], view, 1.6, (turned.into(), image))
 }

@@ -1,4 +1,10 @@
-//! Triangle meshes (Suffern, ch. 23), of a file or of lists in the scene.
+//! Triangle meshes (Suffern, ch. 23), from a file or from lists in the scene.
+//!
+//! Flat shading uses the face normal `(b − a) × (c − a)`, smooth shading the interpolated normal
+//! `(1 − β − γ) n_0 + β n_1 + γ n_2` of the vertices. The book computes `n_0, n_1, n_2` as means of
+//! face normals and lets the user reverse all normals where a file is wound clockwise; here normals
+//! of the file are used if there are any, and they also decide which side of the triangles is the
+//! front, so that such a file needs no flag.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -6,7 +12,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::vertex_normals::{are_opposed, mean_normals, turn};
+use super::vertex_normals::{are_opposed, mean_normals, reverse_winding};
 use crate::accel;
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
@@ -14,51 +20,51 @@ use crate::math::{Aabb, Normal, Point, Vector, lists};
 use crate::mesh_file::MeshData;
 use crate::shapes::{Context, Shape, TriangleMesh, mesh_lists, size_problem};
 
-/// The triangles of a PLY or OBJ file, or of lists that stand in the scene. A triangle's outside is
-/// from where its corners are seen counter-clockwise; but if there are vertex normals, and they are on
-/// the other side of most of its area, all triangles are turned.
+/// The triangles of a PLY or OBJ file, or of lists in the scene. The front of a triangle is the
+/// side from which its corners run counter-clockwise. If the given vertex normals are on the back
+/// of most of the area, the winding of all triangles is reversed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// The file, relative to the scene file; it ends in `.ply` or `.obj`. Either this, or `vertices`
-    /// and `triangles`.
+    /// The file, relative to the scene file; it ends in `.ply` or `.obj`. Either this, or
+    /// `vertices` and `triangles`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
-    /// In place of a file: the points that triangles share, as `[x, y, z]`; finite.
+    /// Instead of a file: the vertices that triangles share, as `[x, y, z]`; finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vertices: Option<Vec<Point>>,
-    /// In place of a file: three indices into `vertices`, counted from 0, for each triangle; at least
-    /// one triangle.
+    /// Instead of a file: three indices into `vertices`, counted from 0, for each triangle; at
+    /// least one triangle.
     #[serde(
         default,
         deserialize_with = "lists::of_rows_if_any",
         skip_serializing_if = "Option::is_none"
     )]
     pub triangles: Option<Vec<[u32; 3]>>,
-    /// In place of a file, if wanted: one normal for each vertex, of any length; one of zero stands
-    /// for the mean of the faces around the vertex.
+    /// Optional, with `vertices`: one normal for each vertex, of any length; a zero vector means
+    /// the mean normal of the faces around the vertex.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub normals: Option<Vec<Vector>>,
-    /// In place of a file, if wanted: texture coordinates `[u, v]` for each vertex; finite.
+    /// Optional, with `vertices`: texture coordinates `[u, v]` for each vertex; finite.
     #[serde(
         default,
         deserialize_with = "lists::of_rows_if_any",
         skip_serializing_if = "Option::is_none"
     )]
     pub uvs: Option<Vec<[f64; 2]>>,
-    /// Multiplies the coordinates; positive. To move or turn the mesh, wrap it in an `instance`.
+    /// Multiplies the coordinates; positive. To move or rotate the mesh, wrap it in an `instance`.
     #[serde(default = "kinds::one")]
     pub scale: f64,
     /// Whether shading uses normals interpolated between the vertices, so that edges do not show:
-    /// those given, or the book's mean of the adjacent faces' normals where there is none or a
-    /// zero.
+    /// the given vertex normals, or the mean normal of the adjacent faces where a normal is missing
+    /// or zero.
     #[serde(default)]
     pub smooth: bool,
-    /// Whether all normals are turned around, for files wound clockwise or with normals that point
-    /// inward.
+    /// Whether all normals are reversed, for files that are wound clockwise or have normals that
+    /// point inward.
     #[serde(default)]
     pub reverse_normals: bool,
-    /// How rays find its triangles; as the scene if left out.
+    /// The acceleration structure of its triangles; that of the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<accel::Method>,
 }
@@ -111,7 +117,7 @@ impl Mesh {
         accel: None,
     };
 
-    /// The mesh of these data; `field` is where they come from.
+    /// The mesh of `data`; `field` is the scene field that the data come from, for errors.
     fn build_of(
         &self,
         data: &MeshData,
@@ -128,10 +134,10 @@ impl Mesh {
             .map(|normals| normals.iter().map(|&normal| Normal::new(normal.into())).collect());
         let mut triangles = data.triangles.clone();
         if normals.as_ref().is_some_and(|normals| are_opposed(&vertices, &triangles, normals)) {
-            turn(&mut triangles);
+            reverse_winding(&mut triangles);
         }
         let shading = self.smooth.then(|| {
-            let mut means = means_at_positions(&vertices, &triangles, data);
+            let mut means = mean_normals_at_positions(&vertices, &triangles, data);
             for (mean, normal) in means.iter_mut().zip(normals.into_iter().flatten()) {
                 *mean = normal.unwrap_or(*mean);
             }
@@ -152,11 +158,11 @@ impl Mesh {
         if self.reverse_normals {
             mesh.reverse();
         }
-        Ok(mesh.searched(self.accel, context))
+        Ok(mesh.into_shape(self.accel, context))
     }
 }
 
-/// An octahedron as lists, of which only the poles have normals.
+/// An octahedron as lists; only the poles have normals.
 fn octahedron() -> Mesh {
     let vertices = [Vector::Z, Vector::X, -Vector::Z, -Vector::X, Vector::Y, -Vector::Y];
     let around = [[0, 1], [1, 2], [2, 3], [3, 0]];
@@ -171,10 +177,14 @@ fn octahedron() -> Mesh {
     }
 }
 
-/// The means of all faces at a position, also where they have different texture coordinates there, or
-/// where only some have a normal.
-fn means_at_positions(vertices: &[Point], triangles: &[[u32; 3]], data: &MeshData) -> Vec<Normal> {
-    let first = &data.first_at;
+/// For each vertex the mean normal of all faces at its position, also of faces that have another
+/// vertex there (with other texture coordinates, or without a normal).
+fn mean_normals_at_positions(
+    vertices: &[Point],
+    triangles: &[[u32; 3]],
+    data: &MeshData,
+) -> Vec<Normal> {
+    let first = &data.first_at_position;
     if first.is_empty() {
         return mean_normals(vertices, triangles, &data.faces);
     }

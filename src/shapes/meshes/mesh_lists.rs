@@ -1,11 +1,15 @@
-//! The lists of a mesh that stands in the scene itself, checked as the reader of a mesh file does.
+//! Meshes given as lists in the scene (Suffern, ch. 23): the vertices and the `vertex_faces`
+//! indices of the book's `Mesh`, without a file.
+//!
+//! The book trusts such lists; here they are checked like a mesh file (finite numbers, indices in
+//! range, one normal and one uv for each vertex), because scene files are written by hand.
 
 use crate::invalid::Invalid;
 use crate::math::Point;
 use crate::mesh_file::MeshData;
 use crate::shapes::Mesh;
 
-/// The lists of a mesh without a file, as a file would have said them.
+/// The lists of a mesh as the contents of a mesh file.
 pub fn data(mesh: &Mesh) -> Result<MeshData, Invalid> {
     let (Some(vertices), Some(triangles)) = (&mesh.vertices, &mesh.triangles) else {
         return Err(Invalid::new("needs either `file`, or `vertices` and `triangles`"));
@@ -34,7 +38,7 @@ pub fn data(mesh: &Mesh) -> Result<MeshData, Invalid> {
     })
 }
 
-/// Refuses a list beside a file.
+/// Fails if the mesh has both a file and a list.
 pub fn check_absent(mesh: &Mesh) -> Result<(), Invalid> {
     let given = [
         ("vertices", mesh.vertices.is_some()),
@@ -75,7 +79,7 @@ fn check_triangles(triangles: &[[u32; 3]], vertices: usize) -> Result<(), Invali
     })
 }
 
-/// Checks each element; an error names the first that does not fit.
+/// Checks each element; an error names the first invalid one.
 fn each<T>(
     list: &str,
     elements: &[T],

@@ -1,4 +1,5 @@
-//! Triangle meshes (Suffern, ch. 23).
+//! Triangle meshes (Suffern, ch. 23): flat triangles with the hit test of [`triangle_mesh`], shaded
+//! with the face normal or with interpolated vertex normals.
 
 // shared by the kinds
 pub mod mesh_lists;

@@ -1,4 +1,13 @@
-//! The tessellated sphere (Suffern, ch. 23), flat or smooth.
+//! The tessellated sphere (Suffern, ch. 23), flat or smooth: with `h` horizontal and `v` vertical
+//! steps the vertices are
+//!
+//! `p(j, k) = r (sin φ sin θ, cos θ, cos φ sin θ)` with `φ = 2πj/h`, `θ = πk/v`,
+//!
+//! and `2 h (v − 1)` triangles join neighbours. Smooth normals are `p/|p|`.
+//!
+//! The book computes the three corners of each triangle anew; here triangles share vertices, so
+//! that neighbours have the same bits along an edge and no ray passes between them. With bumps the
+//! normals are means of the adjacent faces, because `p/|p|` is normal to the sphere only.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -12,13 +21,14 @@ use crate::kinds::{self, Specification};
 use crate::math::{Normal, Point, cos, sin};
 use crate::shapes::{Context, Shape, TriangleMesh};
 
-/// A sphere about the origin made of `2 h (v − 1)` triangles, perhaps with bumps.
+/// A sphere about the origin made of `2 h (v − 1)` triangles (`h` = `horizontal`, `v` =
+/// `vertical`), optionally with bumps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TessellatedSphere {
-    /// How many steps there are around the y axis: from 3 to 4096.
+    /// The number of steps around the y axis: from 3 to 4096.
     pub horizontal: u32,
-    /// How many steps there are from pole to pole: from 2 to 4096.
+    /// The number of steps from pole to pole: from 2 to 4096.
     pub vertical: u32,
     /// The radius; positive.
     #[serde(default = "kinds::one")]
@@ -26,13 +36,13 @@ pub struct TessellatedSphere {
     /// Whether shading uses normals interpolated between the corners, so that edges do not show.
     #[serde(default)]
     pub smooth: bool,
-    /// The height of bumps, as a share of the radius below 1: a surface as uneven as a scanned one.
-    /// A vertex at azimuth φ and polar angle θ is moved out by
-    /// `bumps (2/3 sin 9φ sin 7θ + 1/3 sin 31θ)`.
+    /// The height of bumps, relative to the radius; at least 0, below 1. The distance of the vertex
+    /// at azimuth φ and polar angle θ from the origin is multiplied by `1 + bumps (2/3 sin 9φ sin
+    /// 7θ + 1/3 sin 31θ)`.
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(extend("default" = 0.0))]
     pub bumps: f64,
-    /// How rays find its triangles; as the scene if left out.
+    /// The acceleration structure of its triangles; that of the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
 }
@@ -61,7 +71,7 @@ impl Specification for TessellatedSphere {
         }
         context.shared(self, |context| {
             context.take_triangles(self.triangles())?;
-            Ok(self.mesh().searched(self.accel, context))
+            Ok(self.mesh().into_shape(self.accel, context))
         })
     }
 
@@ -79,7 +89,7 @@ impl Specification for TessellatedSphere {
 }
 
 impl TessellatedSphere {
-    /// A unit sphere of so many steps.
+    /// A unit sphere with these numbers of steps.
     pub fn new(horizontal: u32, vertical: u32, smooth: bool) -> Self {
         Self { horizontal, vertical, radius: 1.0, smooth, bumps: 0.0, accel: None }
     }
@@ -96,8 +106,8 @@ impl TessellatedSphere {
         2 * u64::from(self.horizontal) * (u64::from(self.vertical) - 1)
     }
 
-    /// The triangles: fans at the poles, two for each field between them, wound so that normals
-    /// point outward.
+    /// The mesh: triangle fans at the poles and two triangles for each quadrilateral between them,
+    /// wound so that normals point outward.
     pub fn mesh(&self) -> TriangleMesh {
         let (h, v) = (self.horizontal, self.vertical);
         let r = self.radius;

@@ -1,8 +1,18 @@
-//! Triangles on shared vertices (Suffern, ch. 23), searched by an acceleration of their own.
+//! Triangles on shared vertices (Suffern, ch. 23). A ray `o + t d` hits the triangle `(a, b, c)`
+//! where
+//!
+//! `o + t d = a + β (b − a) + γ (c − a)` with `β ≥ 0`, `γ ≥ 0` and `β + γ ≤ 1`.
+//!
+//! A flat triangle is shaded with the normal `(b − a) × (c − a)`, a smooth one with
+//! `(1 − β − γ) n_0 + β n_1 + γ n_2`, both normalised.
+//!
+//! The book solves the equation by Cramer's rule for each triangle alone, which rounds the common
+//! edge of two triangles differently for each: rays pass between them. Here the test is watertight
+//! ([`watertight`]). The mesh has an acceleration structure of its own, like the book's grid.
 
 use std::sync::Arc;
 
-use super::vertex_normals::{mean_normals, turn};
+use super::vertex_normals::{mean_normals, reverse_winding};
 use crate::accel::{self, Accel, Counter, Primitives};
 use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, Vector, exact_cross, maps};
 use crate::mesh_bvh::watertight::{self, ShearedRay};
@@ -12,27 +22,28 @@ use crate::shapes::{
     Candidate, Context, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface, textbook,
 };
 
-/// Triangles on shared vertices. Triangles of area zero are left out: no ray meets them.
+/// Triangles on shared vertices. Triangles of area zero are removed: no ray hits them.
 #[derive(Clone, Debug)]
 pub struct TriangleMesh {
     vertices: Vec<Point>,
     normals: Option<Vec<Normal>>,
     uvs: Option<Vec<[f64; 2]>>,
     triangles: Vec<[u32; 3]>,
-    /// The index of each in the list it comes from, where some of that were left out; else empty.
-    numbers: Vec<u32>,
+    /// The index of each triangle in the original list; empty if none was removed.
+    original_indices: Vec<u32>,
 }
 
 impl TriangleMesh {
     /// A flat mesh. Indices must be below the number of vertices.
     pub fn new(vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Self {
-        let mut mesh = Self { vertices, normals: None, uvs: None, triangles, numbers: Vec::new() };
+        let original_indices = Vec::new();
+        let mut mesh = Self { vertices, normals: None, uvs: None, triangles, original_indices };
         let has_area = |t: [u32; 3]| watertight::normal(mesh.corners(t)).is_some();
         if mesh.triangles.iter().all(|&t| has_area(t)) {
             return mesh;
         }
         let numbered = (0..).zip(&mesh.triangles).filter(|(_, t)| has_area(**t));
-        (mesh.numbers, mesh.triangles) = numbered.map(|(number, &t)| (number, t)).unzip();
+        (mesh.original_indices, mesh.triangles) = numbered.map(|(index, &t)| (index, t)).unzip();
         mesh
     }
 
@@ -46,21 +57,21 @@ impl TriangleMesh {
         Self { uvs: Some(uvs), ..self }
     }
 
-    /// For each vertex the normalised sum of the normals of its triangles, unweighted as in the book;
-    /// (0, 1, 0) where the sum is zero.
+    /// For each vertex the normalised sum of the normals of its triangles, unweighted as in the
+    /// book; (0, 1, 0) where the sum is zero.
     pub fn mean_normals(&self) -> Vec<Normal> {
         mean_normals(&self.vertices, &self.triangles, &[])
     }
 
-    /// Turns all normals around.
+    /// Reverses all normals.
     pub fn reverse(&mut self) {
-        turn(&mut self.triangles);
+        reverse_winding(&mut self.triangles);
         for normal in self.normals.iter_mut().flatten() {
             *normal = -*normal;
         }
     }
 
-    /// The corners that triangles share.
+    /// The vertices that triangles share.
     pub fn vertices(&self) -> &[Point] {
         &self.vertices
     }
@@ -70,13 +81,13 @@ impl TriangleMesh {
         self.normals.as_deref()
     }
 
-    /// The triangles, as places in [`TriangleMesh::vertices`].
+    /// The triangles, as indices into [`TriangleMesh::vertices`].
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// Ready for the rays of a scene; as the scene says where `method` is `None`.
-    pub(super) fn searched(
+    /// The shape with this acceleration structure, or with that of the scene if `method` is `None`.
+    pub(super) fn into_shape(
         self,
         method: Option<accel::Method>,
         context: &Context,
@@ -88,28 +99,27 @@ impl TriangleMesh {
         }
     }
 
-    /// Ready for rays.
+    /// The mesh with an acceleration structure.
     pub fn accelerated(self, method: accel::Method) -> AcceleratedMesh {
         self.accelerated_for(method, Kernel::best())
     }
 
-    /// The same for another kernel than the best, if the method is the bvh.
+    /// As [`TriangleMesh::accelerated`], with this kernel if the method is the bvh.
     pub fn accelerated_for(self, method: accel::Method, kernel: Kernel) -> AcceleratedMesh {
         let bounds = |triangle: &[u32; 3]| Aabb::around(self.corners(*triangle));
         let bounds: Vec<Aabb> = self.triangles.iter().map(bounds).collect();
         let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
-        let search = match method {
+        let structure = match method {
             accel::Method::Bvh => {
-                Structure::Fast(MeshBvh::build(&self.vertices, &self.triangles, kernel))
+                Structure::Mesh(MeshBvh::build(&self.vertices, &self.triangles, kernel))
             }
-            _ => Structure::Plain(Accel::build(method, &bounds)),
+            _ => Structure::General(Accel::build(method, &bounds)),
         };
-        AcceleratedMesh { search, bounds: whole, mesh: Arc::new(self) }
+        AcceleratedMesh { structure, bounds: whole, mesh: Arc::new(self) }
     }
 
-    /// The index of a triangle in the list from which the mesh was made.
-    fn number(&self, triangle: u32) -> u32 {
-        self.numbers.get(triangle as usize).copied().unwrap_or(triangle)
+    fn original_index(&self, triangle: u32) -> u32 {
+        self.original_indices.get(triangle as usize).copied().unwrap_or(triangle)
     }
 
     fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
@@ -120,42 +130,41 @@ impl TriangleMesh {
     fn surface_at(&self, triangle: usize, [beta, gamma]: [f64; 2]) -> Surface {
         let triangle = self.triangles[triangle];
         let corners = self.corners(triangle);
-        let normal = watertight::normal(corners).expect("triangles of area zero were left out");
+        let normal = watertight::normal(corners).expect("triangles of area zero were removed");
         let (point, error) = watertight::point_on(corners, [beta, gamma], normal);
         let mut surface = Surface::new(point, error, normal);
         if let Some(normals) = &self.normals {
             let [n0, n1, n2] = triangle.map(|vertex| normals[vertex as usize]);
-            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
-            // between normals that differ much it may be on the other side, where all light is lost
-            let seen = |shading: &Normal| shading.dot(normal) > 0.0;
-            surface.shading = Normal::new(mean).filter(seen).unwrap_or(normal);
+            let interpolated = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
+            // on the back of the triangle, the shading normal would make the surface black
+            let in_front = |shading: &Normal| shading.dot(normal) > 0.0;
+            surface.shading = Normal::new(interpolated).filter(in_front).unwrap_or(normal);
         }
         surface
     }
 }
 
-/// A mesh ready for rays.
+/// A mesh with its acceleration structure.
 #[derive(Debug)]
 pub struct AcceleratedMesh {
     mesh: Arc<TriangleMesh>,
-    search: Structure,
+    structure: Structure,
     bounds: Aabb,
 }
 
-/// How triangles are found.
 #[derive(Debug)]
 enum Structure {
-    Fast(MeshBvh),
-    Plain(Accel),
+    Mesh(MeshBvh),
+    General(Accel),
 }
 
-/// The triangles as one ray sees them.
-struct Seen<'a> {
+/// The triangles, prepared for one ray.
+struct RayQuery<'a> {
     mesh: &'a TriangleMesh,
     ray: ShearedRay,
 }
 
-impl Primitives for Seen<'_> {
+impl Primitives for RayQuery<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         let corners = self.mesh.corners(self.mesh.triangles[index as usize]);
         let meeting = self.ray.meet(&corners).filter(|meeting| span.contains(meeting.t))?;
@@ -165,31 +174,31 @@ impl Primitives for Seen<'_> {
 }
 
 impl AcceleratedMesh {
-    fn seen(&self, ray: &Ray) -> Seen<'_> {
-        Seen { mesh: &self.mesh, ray: ShearedRay::new(ray) }
+    fn query(&self, ray: &Ray) -> RayQuery<'_> {
+        RayQuery { mesh: &self.mesh, ray: ShearedRay::new(ray) }
     }
 
-    /// The first hit, and what it costs.
+    /// The first hit; `counter` counts the tests.
     pub fn hit_counted(
         &self,
         ray: &Ray,
         span: Span,
         counter: &mut impl Counter,
     ) -> Option<Candidate> {
-        match &self.search {
-            Structure::Fast(tree) => tree.nearest(ray, span, counter),
-            Structure::Plain(accel) => {
-                let first = accel.nearest_counted(&self.seen(ray), ray, span, counter);
+        match &self.structure {
+            Structure::Mesh(tree) => tree.nearest(ray, span, counter),
+            Structure::General(accel) => {
+                let first = accel.nearest_counted(&self.query(ray), ray, span, counter);
                 first.map(|(_, candidate)| candidate)
             }
         }
     }
 
-    /// What the structure takes, without vertices and triangles.
+    /// The memory of the acceleration structure, without vertices and triangles.
     pub fn memory_bytes(&self) -> usize {
-        match &self.search {
-            Structure::Fast(tree) => tree.memory_bytes(),
-            Structure::Plain(accel) => accel.memory_bytes(),
+        match &self.structure {
+            Structure::Mesh(tree) => tree.memory_bytes(),
+            Structure::General(accel) => accel.memory_bytes(),
         }
     }
 }
@@ -200,10 +209,10 @@ impl Shape for AcceleratedMesh {
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        match &self.search {
-            Structure::Fast(tree) => tree.any(ray, span).map(|candidate| candidate.t),
-            Structure::Plain(accel) => {
-                accel.any(&self.seen(ray), ray, span).map(|(_, candidate)| candidate.t)
+        match &self.structure {
+            Structure::Mesh(tree) => tree.any(ray, span).map(|candidate| candidate.t),
+            Structure::General(accel) => {
+                accel.any(&self.query(ray), ray, span).map(|(_, candidate)| candidate.t)
             }
         }
     }
@@ -240,13 +249,13 @@ impl Shape for AcceleratedMesh {
     }
 
     fn path(&self, at: &Candidate) -> PartPath {
-        PartPath::to(Level::Triangle(self.mesh.number(at.part)))
+        PartPath::to(Level::Triangle(self.mesh.original_index(at.part)))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        let seen = self.seen(ray);
+        let query = self.query(ray);
         let all = 0..self.mesh.triangles.len() as u32;
-        let mut roots: Vec<_> = all.filter_map(|index| seen.hit(index, span)).collect();
+        let mut roots: Vec<_> = all.filter_map(|index| query.hit(index, span)).collect();
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));
         roots
     }
@@ -262,11 +271,12 @@ impl Shape for AcceleratedMesh {
     }
 }
 
-/// A mesh on which points are drawn: first a triangle, as often as it is large, then a point of it.
+/// Samples the mesh uniformly by area: first a triangle with probability proportional to its area,
+/// then a point of it.
 #[derive(Debug)]
 struct SampledMesh {
     mesh: Arc<TriangleMesh>,
-    /// The areas of the triangles up to each, itself included.
+    /// The cumulative areas: entry i is the area of the triangles 0 to i.
     areas: Vec<f64>,
 }
 
@@ -281,15 +291,15 @@ impl SampledMesh {
         Self { areas: areas.collect(), mesh }
     }
 
-    /// The triangle and the barycentric coordinates for two numbers.
-    fn drawn(&self, [u, v]: [f64; 2]) -> (usize, [f64; 2]) {
+    /// The triangle and the barycentric coordinates of a sample of the unit square.
+    fn sample(&self, [u, v]: [f64; 2]) -> (usize, [f64; 2]) {
         let wanted = u * self.area();
         let last = self.areas.len() - 1;
         let triangle = self.areas.partition_point(|&sum| sum <= wanted).min(last);
         let before = if triangle == 0 { 0.0 } else { self.areas[triangle - 1] };
-        // where in its share u lies is a fresh number
-        let again = (wanted - before) / (self.areas[triangle] - before);
-        (triangle, maps::triangle([again.min(ONE_MINUS), v]))
+        // the position of `wanted` in the triangle's interval is uniform again
+        let rescaled = (wanted - before) / (self.areas[triangle] - before);
+        (triangle, maps::triangle([rescaled.min(ONE_MINUS), v]))
     }
 }
 
@@ -299,12 +309,12 @@ impl EvenSurface for SampledMesh {
     }
 
     fn point(&self, u: [f64; 2]) -> Surface {
-        let (triangle, barycentric) = self.drawn(u);
+        let (triangle, barycentric) = self.sample(u);
         self.mesh.surface_at(triangle, barycentric)
     }
 
     fn candidate(&self, u: [f64; 2]) -> Candidate {
-        let (triangle, parameters) = self.drawn(u);
+        let (triangle, parameters) = self.sample(u);
         Candidate { part: triangle as u32, parameters, ..Candidate::at(0.0) }
     }
 }

@@ -209,7 +209,8 @@ fn unperturbed_marble_has_layers() {
 /// mixed in even steps. Oracle: the straight line between two colours.
 #[test]
 fn ramps_are_mixed_in_even_steps() {
-    let ramp = ColorTable { columns: Some(5), ..ColorTable::mixed([Rgb::BLACK, Rgb::WHITE]) };
+    let ramp =
+        ColorTable { columns: Some(5), ..ColorTable::interpolated([Rgb::BLACK, Rgb::WHITE]) };
     let marble = RampFbm { ramp, ..layers(Rule::Even) };
     for column in 0..5 {
         // the middle of the column

@@ -1,10 +1,10 @@
-//! The progress of a report, and its interruption.
+//! The progress and the interruption of a report.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Shared by the measurement, the progress display and the interrupt handler.
 #[derive(Debug, Default)]
-pub struct Watch {
+pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     interrupted: AtomicBool,
@@ -15,21 +15,21 @@ pub struct Watch {
 #[error("interrupted")]
 pub struct Interrupted;
 
-impl Watch {
+impl Progress {
     pub(super) fn begin(&self, total: u64) {
         self.total.store(total, Ordering::Relaxed);
     }
 
-    /// One step is done.
+    /// Counts one finished step.
     ///
     /// # Errors
-    /// [`Interrupted`] if there is to be no next one.
+    /// [`Interrupted`] if the report was interrupted.
     pub fn step(&self) -> Result<(), Interrupted> {
         self.done.fetch_add(1, Ordering::Relaxed);
         if self.is_interrupted() { Err(Interrupted) } else { Ok(()) }
     }
 
-    /// Asks to stop.
+    /// Requests the end of the measurement.
     pub fn interrupt(&self) {
         self.interrupted.store(true, Ordering::Relaxed);
     }
@@ -39,8 +39,8 @@ impl Watch {
         self.interrupted.load(Ordering::Relaxed)
     }
 
-    /// Steps done, and steps in all.
-    pub fn progress(&self) -> (u64, u64) {
+    /// The finished steps, and all steps.
+    pub fn steps(&self) -> (u64, u64) {
         (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
     }
 }

@@ -1,4 +1,4 @@
-//! Where things stand in a scene file: from a path to its line, and from a place to its path.
+//! Locations in a scene file: the line of a path, and the path at a byte offset.
 
 use std::path::Path;
 
@@ -10,8 +10,8 @@ use super::error::Place;
 use super::vocabulary::Definition;
 use crate::invalid::{Invalid, Key, plain_words};
 
-/// The line (from 1) of the value at this path, or of the innermost part of the path that the text
-/// has: a field with a default need not be written.
+/// The line (from 1) of the value at this path. If the text does not contain the value (a default),
+/// the line of the innermost table on the path.
 pub(super) fn line_of(text: &str, path: &[Key]) -> usize {
     let Some(document) = parse(text) else { return 1 };
     let mut value = &document;
@@ -33,18 +33,18 @@ fn parse(text: &str) -> Option<Spanned<DeValue<'_>>> {
     Some(Spanned::new(document.span(), DeValue::Table(document.into_inner())))
 }
 
-/// The line (from 1) of a byte.
+/// The line (from 1) of a byte offset.
 fn line_at(text: &str, at: usize) -> usize {
     1 + text.as_bytes()[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
 }
 
-/// What the reader of a text says, with the line and the path of what it speaks of.
-pub(super) fn unreadable(text: &str, file: &Path, error: &toml::de::Error) -> SceneError {
+/// The error of the TOML parser with the line and the path of the value that caused it.
+pub(super) fn parse_error(text: &str, file: &Path, error: &toml::de::Error) -> SceneError {
     let problem = plain_words(error.message());
     let Some(span) = error.span() else {
         return SceneError::Invalid { place: Place::file(file), invalid: Invalid::new(problem) };
     };
-    // of a table with a header, the header's last key says which table it is
+    // for a table with a header `[a.b]`, the last key of the header is the table
     let header = text[span.start..].starts_with('[') && problem.starts_with("missing field");
     let end = if header { text[span.start..].find(']').unwrap_or(0) } else { 0 };
     let place = Place::line(file, line_at(text, span.start));
@@ -52,13 +52,13 @@ pub(super) fn unreadable(text: &str, file: &Path, error: &toml::de::Error) -> Sc
         return SceneError::Invalid { place, invalid: Invalid::new(problem) };
     };
     let path = path_at(&document, span.start + end);
-    let problem = with_pointer(&path, problem);
+    let problem = with_help(&path, problem);
     SceneError::Invalid { place, invalid: Invalid { path, problem } }
 }
 
-/// A problem of a text that is TOML, so that a field or kind is wrong, with where to read about it; and
-/// in place of the name of a Rust type, what a table looks like.
-fn with_pointer(path: &[Key], problem: String) -> String {
+/// Adds the command that describes the field or kind, and replaces the name of a Rust type by an
+/// example of a table.
+fn with_help(path: &[Key], problem: String) -> String {
     let definition = Definition::at(path);
     let topic = definition.title().replace(' ', "_");
     let key = path.iter().rev().find_map(|key| match key {
@@ -74,7 +74,7 @@ fn with_pointer(path: &[Key], problem: String) -> String {
     format!("{problem}; see `groundtruth kinds {topic}` (docs/scene.md)")
 }
 
-/// The path of the last key or element that begins at or before this byte.
+/// The path of the last key or element that begins at or before this byte offset.
 fn path_at(value: &Spanned<DeValue<'_>>, at: usize) -> Vec<Key> {
     let mut last = None;
     let mut path = Vec::new();
@@ -104,9 +104,9 @@ fn latest(
             }
         }
         DeValue::Array(array) => {
-            // numbers of a vector are not worth a path of their own
-            let things = array.iter().enumerate().filter(|(_, value)| value.as_ref().is_table());
-            for (index, value) in things {
+            // the numbers of a vector get no path of their own
+            let tables = array.iter().enumerate().filter(|(_, value)| value.as_ref().is_table());
+            for (index, value) in tables {
                 visit(Key::Item(index, name(value.as_ref())), value.span().start, value);
             }
         }
