@@ -12,6 +12,8 @@ mod inside;
 mod lines;
 #[path = "probe/radiance.rs"]
 mod radiance;
+#[path = "same_text.rs"]
+mod same_text;
 #[path = "chapters/support/cases.rs"]
 #[allow(dead_code)] // the chapters use the rest of it
 mod support;
