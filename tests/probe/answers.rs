@@ -23,8 +23,12 @@ proptest! {
     /// Oracle: the ray is built backwards from the hit, and the chord is `2 (−n·d) r / d·d`.
     #[test]
     fn intersect_finds_the_point_a_ray_was_aimed_at(
-        center in point(10.0), n in unit(), d in unit(), r in 0.1..10.0_f64, stretch in 0.25..4.0_f64,
-        t in 0.5..20.0_f64
+        center in point(10.0),
+        n in unit(),
+        d in unit(),
+        r in 0.1..10.0_f64,
+        stretch in 0.25..4.0_f64,
+        t in 0.5..20.0_f64,
     ) {
         let inward = -n.dot(d);
         prop_assume!(inward > 0.05);
@@ -70,7 +74,11 @@ proptest! {
     /// Law: a segment between two outer points is blocked by a sphere if and only if it comes nearer
     /// to the centre than the radius. Oracle: distance of a point and a segment.
     #[test]
-    fn occluded_is_the_distance_to_the_segment(a in point(5.0), b in point(5.0), r in 0.2..3.0_f64) {
+    fn occluded_is_the_distance_to_the_segment(
+        a in point(5.0),
+        b in point(5.0),
+        r in 0.2..3.0_f64,
+    ) {
         let along = b - a;
         prop_assume!(along.length() > 1e-3);
         let back = groundtruth::math::Point::ORIGIN - a;
@@ -105,7 +113,11 @@ proptest! {
         let up = s * (f64::from(h) / 2.0 - 1.0 - f64::from(y) + place.1);
         let length = (right * right + up * up + d * d).sqrt();
         prop_assert!(close(&answer["film"], &[right, up], ROUNDING * 100.0));
-        prop_assert!(close(&answer["direction"], &[right / length, up / length, -d / length], ROUNDING));
+        prop_assert!(close(
+            &answer["direction"],
+            &[right / length, up / length, -d / length],
+            ROUNDING
+        ));
         prop_assert!(close(&answer["origin"], &[0.0, 0.0, 7.0], 0.0));
     }
 
@@ -118,10 +130,14 @@ proptest! {
             points.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
             points
         };
-        let drawn: Vec<Vec<f64>> = (0..9).map(|index| {
-            let draw = json!({"pixel": [pixel.0, pixel.1], "index": index});
-            numbers(&ask(&json!({"samples": {"sampler": sampler, "n": 9, "seed": seed, "draw": draw}})))
-        }).collect();
+        let drawn: Vec<Vec<f64>> = (0..9)
+            .map(|index| {
+                let draw = json!({"pixel": [pixel.0, pixel.1], "index": index});
+                numbers(&ask(
+                    &json!({"samples": {"sampler": sampler, "n": 9, "seed": seed, "draw": draw}}),
+                ))
+            })
+            .collect();
         let drawn = sorted(drawn);
         let sets = sets.as_array().expect("sets");
         prop_assert_eq!(sets.len(), 83);
@@ -146,8 +162,11 @@ proptest! {
                 let side = (2.0 * u[0] - 1.0).abs().max((2.0 * u[1] - 1.0).abs());
                 prop_assert!((p[0] * p[0] + p[1] * p[1] - side * side).abs() < ROUNDING);
             } else {
-                let z =
-                    if to == hemisphere { power(1.0 - u[1], 1.0 / (e + 1.0)) } else { 1.0 - 2.0 * u[0] };
+                let z = if to == hemisphere {
+                    power(1.0 - u[1], 1.0 / (e + 1.0))
+                } else {
+                    1.0 - 2.0 * u[0]
+                };
                 prop_assert!((p[2] - z).abs() < ROUNDING);
             }
         }
@@ -213,7 +232,11 @@ proptest! {
     /// Law: albedos are as good as the document says. Oracle: for the glossy lobe the closed forms
     /// `2π/(e + 2)` straight on and, of exponent 0, `π (1 + cosθ)/2`; for the others their definitions.
     #[test]
-    fn albedos_are_as_good_as_documented(e in 0.0..300.0_f64, cosine in 0.001..1.0_f64, eta in 0.5..2.0_f64) {
+    fn albedos_are_as_good_as_documented(
+        e in 0.0..300.0_f64,
+        cosine in 0.001..1.0_f64,
+        eta in 0.5..2.0_f64,
+    ) {
         let albedo = |lobe: serde_json::Value, cosine: f64| {
             let wo = [((1.0 - cosine) * (1.0 + cosine)).sqrt(), 0.0, cosine];
             numbers(&ask(&json!({"lobe": {"lobe": lobe, "wo": wo}}))["albedo"])[0]
@@ -226,12 +249,16 @@ proptest! {
         let clear = json!({"perfect_transmitter": {"transmittance": 0.3, "eta": eta}});
         let passes = (1.0 - cosine) * (1.0 + cosine) < eta * eta;
         let expected = if passes { 0.3 / (eta * eta) } else { 0.0 };
-        prop_assert!((albedo(clear, cosine) - expected).abs() <= 3.0 * f64::EPSILON / 2.0 * expected);
+        prop_assert!(
+            (albedo(clear, cosine) - expected).abs() <= 3.0 * f64::EPSILON / 2.0 * expected
+        );
         let shares = ask(&json!({"fresnel": {"cos_i": cosine, "eta": eta}}));
         let mirror = albedo(json!({"fresnel_reflector": {"eta": eta}}), cosine);
         prop_assert!((mirror - shares["reflected"].as_f64().expect("a share")).abs() < ROUNDING);
         let refracting = albedo(json!({"fresnel_transmitter": {"eta": eta}}), cosine) * eta * eta;
-        prop_assert!((refracting - shares["transmitted"].as_f64().expect("a share")).abs() < ROUNDING);
+        prop_assert!(
+            (refracting - shares["transmitted"].as_f64().expect("a share")).abs() < ROUNDING
+        );
     }
 
     /// Law: a point light's radiance falls with the power of the distance.
@@ -245,14 +272,23 @@ proptest! {
             "from": from.to_array(),
         }}));
         let expected = 3.0 / (0..k).map(|_| distance).product::<f64>();
-        prop_assert!(close(&answer["radiance"], &[expected, 0.5 * expected, 0.0], ROUNDING * expected));
-        prop_assert!((answer["distance"].as_f64().expect("a distance") - distance).abs() < ROUNDING * 100.0);
+        prop_assert!(close(
+            &answer["radiance"],
+            &[expected, 0.5 * expected, 0.0],
+            ROUNDING * expected
+        ));
+        prop_assert!(
+            (answer["distance"].as_f64().expect("a distance") - distance).abs() < ROUNDING * 100.0
+        );
         prop_assert!(close(&answer["direction"], &(to_light / distance).to_array(), ROUNDING));
     }
 
     /// Law: cubes that share a face differ in colour, cubes that share an edge do not.
     #[test]
-    fn neighbours_on_a_checker_differ(cell in prop::array::uniform3(-50_i32..50), axis in 0_usize..3) {
+    fn neighbours_on_a_checker_differ(
+        cell in prop::array::uniform3(-50_i32..50),
+        axis in 0_usize..3,
+    ) {
         let color = |cell: [i32; 3]| {
             let point = cell.map(|c| 2.5 * (f64::from(c) + 0.5));
             let texture = json!({"checker3d": {"size": 2.5, "color1": 1, "color2": 0}});
@@ -289,8 +325,13 @@ proptest! {
     /// Law: a rotation about z and a move are `[c −s 0 x; s c 0 y; 0 0 1 z]`, and the inverse
     /// undoes the matrix. Oracle: the textbook's matrix, and a product written out here.
     #[test]
-    fn transform_gives_the_textbook_matrix(degrees in -360.0..360.0_f64, v in point(10.0), s in 0.5..2.0_f64) {
-        let steps = json!([{"scale": [s, s, 1]}, {"rotate_z": degrees}, {"translate": v.to_array()}]);
+    fn transform_gives_the_textbook_matrix(
+        degrees in -360.0..360.0_f64,
+        v in point(10.0),
+        s in 0.5..2.0_f64,
+    ) {
+        let steps =
+            json!([{"scale": [s, s, 1]}, {"rotate_z": degrees}, {"translate": v.to_array()}]);
         let answer = ask(&json!({"transform": {"steps": steps}}));
         let rows = |name: &str| {
             let rows = answer[name].as_array().expect("rows");
@@ -299,7 +340,8 @@ proptest! {
         let (m, inverse) = (rows("matrix"), rows("inverse"));
         let angle = degrees * PI / 180.0;
         let (sine, cosine) = (s * sin(angle), s * cos(angle));
-        let expected = [[cosine, -sine, 0.0, v.x()], [sine, cosine, 0.0, v.y()], [0.0, 0.0, 1.0, v.z()]];
+        let expected =
+            [[cosine, -sine, 0.0, v.x()], [sine, cosine, 0.0, v.y()], [0.0, 0.0, 1.0, v.z()]];
         for i in 0..3 {
             for j in 0..4 {
                 prop_assert!((m[i][j] - expected[i][j]).abs() < ROUNDING);
@@ -311,7 +353,9 @@ proptest! {
         }
         // norms: √(2s² + 1) and √(2/s² + 1)
         let condition = ((2.0 * s * s + 1.0) * (2.0 / (s * s) + 1.0)).sqrt();
-        prop_assert!((answer["condition"].as_f64().expect("a number") - condition).abs() < ROUNDING);
+        prop_assert!(
+            (answer["condition"].as_f64().expect("a number") - condition).abs() < ROUNDING
+        );
     }
 }
 

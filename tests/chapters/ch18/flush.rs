@@ -64,7 +64,7 @@ proptest! {
             let eye = (origin + 1e-3 * n).scaled(power_of_two(scale));
             view(&world, eye, -Vector::from(n))
         });
-        prop_assert!(!expected.is_black());
+        prop_assert!(!expected.is_black(), "the lamp does not light the floor");
         prop_assert_eq!(found, expected);
     }
 }
