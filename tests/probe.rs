@@ -10,6 +10,8 @@ mod grid;
 mod inside;
 #[path = "probe/lines.rs"]
 mod lines;
+#[path = "probe/lobes.rs"]
+mod lobes;
 #[path = "probe/radiance.rs"]
 mod radiance;
 #[path = "same_text.rs"]
