@@ -10,8 +10,12 @@ mod grid;
 mod inside;
 #[path = "probe/lines.rs"]
 mod lines;
+#[path = "probe/lobes.rs"]
+mod lobes;
 #[path = "probe/radiance.rs"]
 mod radiance;
+#[path = "same_text.rs"]
+mod same_text;
 #[path = "chapters/support/cases.rs"]
 #[allow(dead_code)] // the chapters use the rest of it
 mod support;

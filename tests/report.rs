@@ -23,7 +23,7 @@ use groundtruth::verify::composites;
 use oracle::hard::{Family, Kind};
 use serde_json::Value;
 
-/// Small, but not so small that the laws have nothing to hold on to.
+/// Small, but large enough for the laws to judge.
 const SMALL: Settings = Settings {
     seed: 5,
     cases: 60,
@@ -84,7 +84,7 @@ fn the_report_holds_every_shape_and_family() {
         let is_open = name == "EdgesAndCorners" || (kind, name) == ("Plane", "Tangent");
         assert!(is_open || family["judged"].as_u64() > Some(0), "{kind} {name}");
         let cases = kinds.iter().find(|k| k["kind"] == kind).and_then(|k| k["cases"].as_u64());
-        // whoever starts on a closed surface and goes in meets it again
+        // a ray that starts on a closed surface and goes in meets it again
         let is_closed = ["Sphere", "Cuboid", "Torus", "ThickRing", "RandomSpheres"];
         if name == "OnSurface" && is_closed.contains(&kind) {
             let [hits, judged] = ["hits", "judged"].map(|key| family[key].as_u64());

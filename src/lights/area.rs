@@ -9,6 +9,7 @@ use super::{Context, Light, LightContext, LightSample, Place, Segment, Target};
 use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
+use crate::math::{UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
 use crate::shapes::{SampledSurface, Sampling, Shape, Surface};
 use crate::textures::TexturePoint;
@@ -102,6 +103,15 @@ impl Lamp {
     }
 }
 
+/// Where the shadow ray to a point of a lamp ends: so far off the lamp that neither the lamp nor a surface
+/// in its plane shadows it, however flat the light leaves.
+fn end(from: Place, at: &Surface, direction: Vector) -> Place {
+    // of a hit on such a surface: a few u of the coordinates
+    let size = at.point.to_vector().max_abs() + from.to_vector().max_abs();
+    let error = at.error.max(32.0 * UNIT_ROUNDOFF * size);
+    Surface { error, ..*at }.leave(-direction)
+}
+
 impl Light for Lamp {
     fn object(&self) -> Option<&str> {
         Some(&self.object)
@@ -117,8 +127,7 @@ impl Light for Lamp {
         let direction = (at.point - from.point).unit()?;
         Some(LightSample {
             direction,
-            // where a ray would leave the lamp, so that the lamp does not shadow itself
-            segment: Some(Segment::To(at.leave(-direction))),
+            segment: Some(Segment::To(end(from.point, &at, direction))),
             radiance: self.radiance(from.point, u[0], &at, cosine),
             blocked: Rgb::BLACK,
             pdf: Some(pdf),

@@ -17,7 +17,7 @@ use crate::world::Hit;
 pub enum RayKind<Name = u32> {
     /// From the eye.
     Camera,
-    /// Mirrored.
+    /// Scattered to the side it came from: mirrored, or a bounce of a path.
     Reflected,
     /// Refracted.
     Transmitted,
@@ -39,7 +39,7 @@ pub enum Outcome<Met, Name = u32> {
     },
     /// It met nothing.
     Background,
-    /// It was beyond the largest depth and not cast.
+    /// It was not cast: deeper than `max_depth`, or sent when the recorder was full.
     TooDeep,
     /// A shadow ray that reached its light.
     Unblocked {
@@ -222,18 +222,19 @@ impl Recorder for () {
     fn leave(&mut self, _: Rgb, _: Rgb) {}
 }
 
-/// Counts rays.
+/// Counts rays, those that were too deep to be cast among them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RayCounts {
     /// From the eye.
     pub camera: u64,
-    /// Mirrored.
+    /// Scattered to the side they came from: mirrored, or the bounces of a path.
     pub reflected: u64,
     /// Refracted.
     pub transmitted: u64,
     /// Towards lights.
     pub shadow: u64,
-    /// Not cast, because they were too deep; they are also in the counts above.
+    /// Of `reflected` and `transmitted`, those deeper than the tracer's `max_depth`: black, and not cast.
+    /// The light samples that a path leaves out at its last hit are in no count.
     pub too_deep: u64,
     /// Pairs of random numbers drawn, without those of the camera.
     pub draws: u64,

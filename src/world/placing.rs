@@ -42,7 +42,10 @@ pub(super) fn placed_lights(
     let mut lights = Vec::new();
     for (index, light) in scene.lights.iter().enumerate() {
         let here = |e: Invalid| item("lights", index, &light.name)(e.inside("source"));
-        let lamp_is_hidden = matches!(&light.source, lights::Kind::Area(area) if context.hidden.contains(&area.object));
+        let lamp_is_hidden = match &light.source {
+            lights::Kind::Area(area) => context.hidden.contains(&area.object),
+            _ => false,
+        };
         if lamp_is_hidden && !light.enabled {
             continue; // both are switched off
         }

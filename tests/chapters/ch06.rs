@@ -6,9 +6,7 @@ use groundtruth::math::{ONE_MINUS, Pcg32, atan2, maps};
 use groundtruth::samplers::Jittered;
 use proptest::prelude::*;
 
-use crate::support::samples::random_points;
-use crate::support::samples::uniform;
-use crate::support::samples::{built, occupied, once_each};
+use crate::support::samples::{assert_once_each, assert_uniform, built, occupied, random_points};
 use crate::support::{U, laws};
 
 /// Places in the square: all over it, on the axes and diagonals, at the ends and next to the centre.
@@ -55,7 +53,7 @@ proptest! {
         let r = length(maps::disk(u));
         let expected = a.abs().max(b.abs());
         prop_assert!((r - expected).abs() <= ROUNDING * expected, "{r} for {expected}");
-        prop_assert!(r <= 1.0 + ROUNDING);
+        at_most!(r, 1.0 + ROUNDING);
     }
 
     /// Law: along the side of a square the angle grows evenly: φ = π/4 times the book's `b/a`,
@@ -100,7 +98,8 @@ proptest! {
         if i != j && i + j != 1 << 20 {
             prop_assert_eq!((turned, mirrored), ([-y, x], [y, x]));
         }
-        prop_assert!(distance(turned, [-y, x]) < ROUNDING && distance(mirrored, [y, x]) < ROUNDING);
+        below!(distance(turned, [-y, x]), ROUNDING);
+        below!(distance(mirrored, [y, x]), ROUNDING);
     }
 
     /// Law: the map is continuous and so is its inverse, across the seams too: a step of the square
@@ -109,7 +108,9 @@ proptest! {
     /// Jacobian π/4 over it; `a = 2 u − 1` doubles both.
     #[test]
     fn small_steps_stay_small(
-        u in place(), angle in 0.0..2.0 * PI, step in prop_oneof![Just(1e-12), Just(1e-6), Just(1e-3)]
+        u in place(),
+        angle in 0.0..2.0 * PI,
+        step in prop_oneof![Just(1e-12), Just(1e-6), Just(1e-3)],
     ) {
         use groundtruth::math::{cos, sin};
         let next = [u[0] + step * cos(angle), u[1] + step * sin(angle)];
@@ -145,7 +146,7 @@ proptest! {
         let back = maps::disk_inverse(maps::disk(u));
         prop_assert!(back.iter().all(|u| (0.0..1.0).contains(u)), "{back:?}");
         prop_assert!(distance(back, u) < ROUNDING, "{back:?}");
-        prop_assert!(distance(maps::disk(maps::disk_inverse([x, y])), [x, y]) < ROUNDING);
+        below!(distance(maps::disk(maps::disk_inverse([x, y])), [x, y]), ROUNDING);
     }
 }
 
@@ -184,7 +185,7 @@ fn disk_points_are_uniform() {
         let turns = atan2(y, x) / (2.0 * PI);
         [(x * x + y * y).min(ONE_MINUS), if turns < 0.0 { turns + 1.0 } else { turns }]
     });
-    assert!(uniform(&points.collect::<Vec<_>>(), 1));
+    assert_uniform("points", &points.collect::<Vec<_>>(), 1);
 }
 
 /// Law: the inverse makes uniform points of the disk uniform points of the square. Oracle: a second
@@ -192,7 +193,7 @@ fn disk_points_are_uniform() {
 #[test]
 fn the_inverse_makes_disk_points_uniform_in_the_square() {
     let points = maps::disk_by_rejection(random_points(130_000, 62)).map(maps::disk_inverse);
-    assert!(uniform(&points.collect::<Vec<_>>(), 1));
+    assert_uniform("points", &points.collect::<Vec<_>>(), 1);
 }
 
 /// Law: `E[r] = 2/3`, `E[r²] = 1/2`, `E[x²] = E[y²] = 1/4`, `E[x] = E[y] = E[x y] = 0`. Oracle: these
@@ -208,10 +209,10 @@ fn moments_are_those_of_the_disk() {
     let mean = |of: fn(f64, f64) -> f64| {
         points.iter().map(|&[x, y]| of(x, y)).sum::<f64>() / points.len() as f64
     };
-    assert!((mean(|x, y| length([x, y])) - 2.0 / 3.0).abs() < GRID);
-    assert!((mean(|x, y| x * x + y * y) - 0.5).abs() < GRID);
-    assert!((mean(|x, _| x * x) - 0.25).abs() < GRID);
-    assert!((mean(|_, y| y * y) - 0.25).abs() < GRID);
+    near!(mean(|x, y| length([x, y])), 2.0 / 3.0, GRID);
+    near!(mean(|x, y| x * x + y * y), 0.5, GRID);
+    near!(mean(|x, _| x * x), 0.25, GRID);
+    near!(mean(|_, y| y * y), 0.25, GRID);
     for odd in [mean(|x, _| x), mean(|_, y| y), mean(|x, y| x * y)] {
         assert!(odd.abs() < 1e-13, "{odd:e}");
     }
@@ -225,7 +226,7 @@ fn strata_stay_strata() {
     for side in [3, 8, 16] {
         let square = built(Jittered {}).fill(side * side, &mut random);
         let back: Vec<_> = square.into_iter().map(|u| maps::disk_inverse(maps::disk(u))).collect();
-        assert!(once_each(&occupied(&back, side, side)));
+        assert_once_each("back", &back, side, side);
     }
 }
 

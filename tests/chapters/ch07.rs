@@ -6,8 +6,7 @@ use groundtruth::math::{ONE_MINUS, Pcg32, Vector, acos, atan2, maps, power};
 use groundtruth::samplers::Jittered;
 use proptest::prelude::*;
 
-use crate::support::samples::{built, occupied, once_each};
-use crate::support::samples::{random_points, uniform};
+use crate::support::samples::{assert_once_each, assert_uniform, built, random_points};
 use crate::support::{U, laws};
 
 /// Exponents of the book's lobes, between and far beyond.
@@ -66,7 +65,7 @@ proptest! {
         for direction in [maps::hemisphere(u, e), maps::sphere(u)] {
             prop_assert!((direction.length() - 1.0).abs() < ROUNDING, "{direction:?}");
         }
-        prop_assert!(maps::hemisphere(u, e).z() >= 0.0);
+        at_least!(maps::hemisphere(u, e).z(), 0.0);
     }
 
     /// Law: an element of the square becomes a solid angle in inverse proportion to the density,
@@ -95,7 +94,8 @@ proptest! {
     /// binomial series of `1 − (1 − u)^x`, x = 2/(e + 1) ≤ 1: its terms are all positive.
     #[test]
     fn polar_angles_are_accurate_near_the_pole(
-        u in prop_oneof![0.0..0.5_f64, 0.0..1e-6, 0.0..1e-100], e in prop_oneof![1.0..1e3_f64, 1e3..1e6]
+        u in prop_oneof![0.0..0.5_f64, 0.0..1e-6, 0.0..1e-100],
+        e in prop_oneof![1.0..1e3_f64, 1e3..1e6],
     ) {
         let x = 2.0 / (e + 1.0);
         let (mut term, mut series) = (x * u, 0.0);
@@ -106,7 +106,12 @@ proptest! {
         let v = maps::hemisphere([0.0, u], e);
         prop_assert_eq!(v.y(), 0.0);
         // two square roots of numbers with a few roundings each, and the series' own 80 at most
-        prop_assert!((v.x() - series.sqrt()).abs() <= 10.0 * U * v.x(), "{} for {}", v.x(), series.sqrt());
+        prop_assert!(
+            (v.x() - series.sqrt()).abs() <= 10.0 * U * v.x(),
+            "{} for {}",
+            v.x(),
+            series.sqrt()
+        );
     }
 
     /// Law: near the poles of the sphere too `sinθ` keeps its relative accuracy. Oracle: `u₁ = sin² θ/2`,
@@ -126,7 +131,8 @@ proptest! {
     #[test]
     fn the_inverses_undo_the_maps(u in place(), e in exponent(), length in 0.1..10.0_f64) {
         // relative, near the poles too; squares of the smallest places are not normal numbers
-        let close = |found: f64, expected: f64| (found - expected).abs() <= 1e-13 * expected + 1e-300;
+        let close =
+            |found: f64, expected: f64| (found - expected).abs() <= 1e-13 * expected + 1e-300;
         let around = |found: f64| (found - u[0]).abs().min(1.0 - (found - u[0]).abs()) < ROUNDING;
         let back = maps::hemisphere_inverse(length * maps::hemisphere(u, e), e);
         prop_assert!(back.iter().all(|u| (0.0..1.0).contains(u)), "{back:?}");
@@ -146,13 +152,15 @@ fn special_places_are_where_they_belong() {
     for e in EXPONENTS {
         assert_eq!(maps::hemisphere([0.0, 0.0], e), Vector::new(0.0, 0.0, 1.0));
         let low = maps::hemisphere([0.25, ONE_MINUS], e);
-        assert!((low.z() - power(U, 1.0 / (e + 1.0))).abs() < U && low.y() > 0.0);
-        assert!(low.x().abs() < U && maps::hemisphere([0.5, 0.5], e).x() < 0.0);
+        near!(low.z(), power(U, 1.0 / (e + 1.0)), U);
+        above!(low.y(), 0.0);
+        near!(low.x(), 0.0, U);
+        below!(maps::hemisphere([0.5, 0.5], e).x(), 0.0);
     }
     assert_eq!(maps::hemisphere([0.3, 0.7], f64::INFINITY), Vector::new(0.0, 0.0, 1.0));
     assert_eq!(maps::sphere([0.0, 0.3]), Vector::new(0.0, 0.0, 1.0));
     assert_eq!(maps::sphere([0.5, 0.0]), Vector::new(1.0, 0.0, 0.0));
-    assert!(maps::sphere([ONE_MINUS, 0.3]).z() <= -1.0 + 2.0 * U);
+    at_most!(maps::sphere([ONE_MINUS, 0.3]).z(), -1.0 + 2.0 * U);
     assert_eq!(maps::sphere_inverse(Vector::new(0.0, 0.0, 1.0)), [0.0, 0.0]);
     assert_eq!(maps::sphere_inverse(Vector::new(0.0, 0.0, -1.0))[0], ONE_MINUS);
 }
@@ -167,7 +175,7 @@ fn directions_have_their_density() {
             // of acos, as z is not what the map works with; near the pole the sine tells the angle
             [(1.0 - power(v.z(), e + 1.0)).clamp(0.0, ONE_MINUS), turns(v)]
         });
-        assert!(uniform(&places.collect::<Vec<_>>(), EXPONENTS.len()), "{e}");
+        assert_uniform(&format!("{e}"), &places.collect::<Vec<_>>(), EXPONENTS.len());
     }
 }
 
@@ -212,11 +220,11 @@ fn the_cosine_density_is_a_lifted_disk() {
         maps::disk_inverse([v.x(), v.y()])
     };
     let disk = random_points(50_000, 81).into_iter().map(|u| lift(maps::disk(u)));
-    assert!(uniform(&disk.collect::<Vec<_>>(), 3));
+    assert_uniform("disk", &disk.collect::<Vec<_>>(), 3);
     let rejected = maps::disk_by_rejection(random_points(50_000, 82)).map(lift);
-    assert!(uniform(&rejected.collect::<Vec<_>>(), 3));
+    assert_uniform("rejected", &rejected.collect::<Vec<_>>(), 3);
     let lowered = random_points(50_000, 83).into_iter().map(seen);
-    assert!(uniform(&lowered.collect::<Vec<_>>(), 3));
+    assert_uniform("lowered", &lowered.collect::<Vec<_>>(), 3);
 }
 
 /// Law: directions of random points of a ball are uniform over the sphere, and those above over the
@@ -232,10 +240,10 @@ fn directions_from_a_ball_are_uniform_in_the_square() {
         .map(|v| (1.0 / v.length()) * v)
         .collect();
     let on_sphere: Vec<_> = directions.iter().map(|&v| maps::sphere_inverse(v)).collect();
-    assert!(uniform(&on_sphere, 2));
+    assert_uniform("on_sphere", &on_sphere, 2);
     let above = directions.iter().filter(|v| v.z() > 0.0);
     let above: Vec<_> = above.map(|&v| maps::hemisphere_inverse(v, 0.0)).collect();
-    assert!(uniform(&above, 2));
+    assert_uniform("above", &above, 2);
 }
 
 /// Law: as the exponent grows all directions near the pole; the mean polar angle nears `√(π/(2e))`.
@@ -262,11 +270,11 @@ fn sphere_points_are_uniform() {
         let v = maps::sphere(u);
         [(0.5 * (v.z() + 1.0)).min(ONE_MINUS), turns(v)]
     });
-    assert!(uniform(&places.collect::<Vec<_>>(), 1));
+    assert_uniform("places", &places.collect::<Vec<_>>(), 1);
     for axis in 0..3 {
         let component = |u: [f64; 2]| maps::sphere([u[1], u[0]]).to_array()[axis];
-        assert!(mean(component).abs() < 1e-13);
-        assert!((mean(|u| component(u) * component(u)) - 1.0 / 3.0).abs() < GRID);
+        near!(mean(component), 0.0, 1e-13);
+        near!(mean(|u| component(u) * component(u)), 1.0 / 3.0, GRID);
     }
 }
 
@@ -278,9 +286,9 @@ fn strata_stay_strata() {
     for e in EXPONENTS {
         let square = sampler.fill(64, &mut random);
         let back = |u: &[f64; 2]| maps::hemisphere_inverse(maps::hemisphere(*u, e), e);
-        assert!(once_each(&occupied(&square.iter().map(back).collect::<Vec<_>>(), 8, 8)), "{e}");
+        assert_once_each(&format!("{e}"), &square.iter().map(back).collect::<Vec<_>>(), 8, 8);
         let back = |u: &[f64; 2]| maps::sphere_inverse(maps::sphere(*u));
-        assert!(once_each(&occupied(&square.iter().map(back).collect::<Vec<_>>(), 8, 8)));
+        assert_once_each("square", &square.iter().map(back).collect::<Vec<_>>(), 8, 8);
     }
 }
 
@@ -291,10 +299,10 @@ fn whole_exponents_have_their_closed_forms() {
     for u2 in [0.0, 1e-9, 0.1, 0.25, 0.5, 0.75, 0.9, ONE_MINUS] {
         assert_eq!(maps::hemisphere([0.0, u2], 0.0).z(), 1.0 - u2);
         let v = maps::hemisphere([0.0, u2], 1.0);
-        assert!((v.z() - (1.0 - u2).sqrt()).abs() <= U * v.z());
-        assert!((v.x() - u2.sqrt()).abs() <= 2.0 * U * v.x());
+        near!(v.z(), (1.0 - u2).sqrt(), U * v.z());
+        near!(v.x(), u2.sqrt(), 2.0 * U * v.x());
         // two routes to one angle
         let theta = acos(v.z());
-        assert!((theta - atan2(v.x(), v.z())).abs() < 1e-8);
+        near!(theta, atan2(v.x(), v.z()), 1e-8);
     }
 }

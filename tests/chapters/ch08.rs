@@ -43,11 +43,15 @@ proptest! {
     /// Law: every ray starts at the eye, is unit, and goes forward, so that what is between eye and
     /// view plane is seen, and nothing behind the eye.
     #[test]
-    fn rays_start_at_the_eye_and_are_unit(x in -1e3..1e3_f64, y in -1e3..1e3_f64, d in 0.01..1e3_f64) {
+    fn rays_start_at_the_eye_and_are_unit(
+        x in -1e3..1e3_f64,
+        y in -1e3..1e3_f64,
+        d in 0.01..1e3_f64,
+    ) {
         let ray = pinhole(75.0, d).seen([x, y]);
         prop_assert_eq!(ray.origin, Point::new(0.0, 0.0, 75.0));
-        prop_assert!((ray.direction.length() - 1.0).abs() <= 4.0 * U);
-        prop_assert!(ray.direction.z() < 0.0);
+        near!(ray.direction.length(), 1.0, 4.0 * U);
+        below!(ray.direction.z(), 0.0);
     }
 
     /// Law: a point X to the right at the depth D is seen at `d X/D`. Oracle: similar triangles; the
@@ -59,8 +63,8 @@ proptest! {
         let p = Point::new(p.x(), p.y(), eye - depth);
         let ray = pinhole(eye, d).seen([d * p.x() / depth, d * p.y() / depth]);
         let to = p - ray.origin;
-        prop_assert!(to.cross(ray.direction).length() < 16.0 * U * (to.length() + 100.0));
-        prop_assert!(to.dot(ray.direction) > 0.0);
+        below!(to.cross(ray.direction).length(), 16.0 * U * (to.length() + 100.0));
+        above!(to.dot(ray.direction), 0.0);
     }
 
     /// Law: twice the distance makes the picture twice as large, to the bit; so does any factor up to
@@ -72,21 +76,26 @@ proptest! {
         let near = pinhole(0.0, d).seen([x, y]);
         prop_assert_eq!(pinhole(0.0, 2.0 * d).seen([2.0 * x, 2.0 * y]), near);
         let far = pinhole(0.0, k * d).seen([k * x, k * y]);
-        prop_assert!((far.direction - near.direction).length() < 8.0 * U);
+        near!(far.direction, near.direction, 8.0 * U);
     }
 
     /// Law: a sphere of radius R at the axial distance D is seen as a disc of radius `d R/√(D² − R²)`.
     /// Oracle: the tangent's right triangle; rays a billionth inside hit, outside miss.
     #[test]
     fn a_sphere_on_the_axis_is_seen_as_a_disc(
-        radius in 0.1..10.0_f64, ratio in 1.1..100.0_f64, d in 0.5..500.0_f64, angle in 0.0..std::f64::consts::TAU,
+        radius in 0.1..10.0_f64,
+        ratio in 1.1..100.0_f64,
+        d in 0.5..500.0_f64,
+        angle in 0.0..std::f64::consts::TAU,
     ) {
         let (view, away) = (pinhole(0.0, d), ratio * radius);
         let disc = d * radius / ((away - radius) * (away + radius)).sqrt();
         let at = |r: f64| [r * sin(angle), r * groundtruth::math::cos(angle)];
         let ball = || Sphere { center: Point::new(0.0, 0.0, -away), radius, inward: false };
-        prop_assert!(hits(&view, ball(), at(disc * (1.0 - 1e-9))));
-        prop_assert!(!hits(&view, ball(), at(disc * (1.0 + 1e-9))));
+        for (share, inside) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
+            let found = hits(&view, ball(), at(share * disc));
+            prop_assert_eq!(found, inside, "at {} of the disc's radius {}", share, disc);
+        }
     }
 
     /// Law: off the axis a sphere is seen as an ellipse, drawn out away from the centre: from `d tan(α
@@ -100,12 +109,17 @@ proptest! {
         let ball = || Sphere { center, radius: away * sin(beta), inward: false };
         let (inner, outer) = (d * tan(alpha - beta), d * tan(alpha + beta));
         let slack = 1e-9 * (outer - inner);
-        prop_assert!(hits(&view, ball(), [inner + slack, 0.0]));
-        prop_assert!(!hits(&view, ball(), [inner - slack, 0.0]));
-        prop_assert!(hits(&view, ball(), [outer - slack, 0.0]));
-        prop_assert!(!hits(&view, ball(), [outer + slack, 0.0]));
+        for (x, inside) in [
+            (inner + slack, true),
+            (inner - slack, false),
+            (outer - slack, true),
+            (outer + slack, false),
+        ] {
+            let found = hits(&view, ball(), [x, 0.0]);
+            prop_assert_eq!(found, inside, "x = {}, from {} to {}", x, inner, outer);
+        }
         // farther off the axis the same sphere is longer than it is on it
-        prop_assert!(outer - inner > 2.0 * d * tan(beta));
+        above!(outer - inner, 2.0 * d * tan(beta));
     }
 
     /// Law: parallel lines meet in the vanishing point `(d x/−z, d y/−z)` of their direction. Oracle:
@@ -118,10 +132,10 @@ proptest! {
     ) {
         let (view, along) = (pinhole(20.0, d), Vector::new(x, y, z));
         let ray = view.seen([d * x / -z, d * y / -z]);
-        prop_assert!(ray.direction.cross(along).length() < 8.0 * U * along.length());
+        below!(ray.direction.cross(along).length(), 8.0 * U * along.length());
         let far = (start + 1e9 * along) - Point::new(0.0, 0.0, 20.0);
         let seen = far.unit().expect("far away");
-        prop_assert!((seen - ray.direction).length() < 1e-6);
+        near!(seen, ray.direction, 1e-6);
     }
 
     /// Law: straight lines are seen straight: rays through three points of a line of the view plane
@@ -131,7 +145,7 @@ proptest! {
         let view = pinhole(7.0, 60.0);
         let on = |s: f64| [a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y())];
         let [p, q, r] = [0.0, 1.0, s].map(|s| view.seen(on(s)).direction);
-        prop_assert!(p.dot(q.cross(r)).abs() < 32.0 * U);
+        near!(p.dot(q.cross(r)), 0.0, 32.0 * U);
     }
 
     /// Law: with the eye going to infinity and the distance with it, rays become those of the
@@ -139,7 +153,10 @@ proptest! {
     /// similar triangles.
     #[test]
     fn from_infinity_perspective_is_parallel(
-        x in -100.0..100.0_f64, y in -100.0..100.0_f64, h in -50.0..50.0_f64, exponent in 10..40_i32,
+        x in -100.0..100.0_f64,
+        y in -100.0..100.0_f64,
+        h in -50.0..50.0_f64,
+        exponent in 10..40_i32,
     ) {
         let eye = groundtruth::math::power_of_two(exponent);
         let ray = pinhole(eye, eye).seen([x, y]);
@@ -177,11 +194,17 @@ fn from_far_away_the_picture_is_orthographic() {
 fn what_is_before_the_view_plane_is_drawn() {
     let view = pinhole(0.0, 100.0);
     let ball = |z: f64| Sphere { center: Point::new(0.0, 0.0, z), radius: 1.0, inward: false };
-    assert!(hits(&view, ball(-50.0), [1.99, 0.0]) && !hits(&view, ball(-50.0), [2.01, 0.0]));
-    assert!(hits(&view, ball(-200.0), [0.49, 0.0]) && !hits(&view, ball(-200.0), [0.51, 0.0]));
-    assert!(!hits(&view, ball(50.0), [0.0, 0.0]));
-    // the eye inside: whatever is looked at is the far side
-    assert!(hits(&view, ball(0.0), [70.0, -80.0]));
+    for (z, film, seen) in [
+        (-50.0, [1.99, 0.0], true),
+        (-50.0, [2.01, 0.0], false),
+        (-200.0, [0.49, 0.0], true),
+        (-200.0, [0.51, 0.0], false),
+        (50.0, [0.0, 0.0], false),
+        // the eye inside: whatever is looked at is the far side
+        (0.0, [70.0, -80.0], true),
+    ] {
+        assert_eq!(hits(&view, ball(z), film), seen, "the ball at z = {z}, at {film:?}");
+    }
 }
 
 /// Law: `project` is the other way round: a point X to the right at the depth D is seen at `d X/D`;

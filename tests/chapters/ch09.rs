@@ -53,9 +53,9 @@ proptest! {
         {
             prop_assert!((a.dot(b) - product).abs() < 24.0 * U, "{frame:?}");
         }
-        prop_assert!((u.cross(v) - w).length() < 24.0 * U);
+        near!(u.cross(v), w, 24.0 * U);
         let back = viewpoint.eye.to_vector();
-        prop_assert!((back.length() * w - back).length() < 8.0 * U * back.length());
+        near!(back.length() * w, back, 8.0 * U * back.length());
     }
 
     /// Law: the point looked at is in the middle of the picture: the ray there is −w from the eye.
@@ -65,8 +65,8 @@ proptest! {
         let ray = view.seen([0.0, 0.0]);
         prop_assert_eq!(ray.origin, viewpoint.eye);
         let distance = viewpoint.eye.to_vector().length();
-        prop_assert!((ray.at(distance) - Point::ORIGIN).length() < 16.0 * U * distance);
-        prop_assert!((ray.direction + view.frame().w).length() < 4.0 * U);
+        near!(ray.at(distance), Point::ORIGIN, 16.0 * U * distance);
+        near!(ray.direction, -view.frame().w, 4.0 * U);
     }
 
     /// Law: the pixel (x, y) looks along `x u + y v − d w`; x to the right, y up. Oracle: the formula.
@@ -76,7 +76,7 @@ proptest! {
         let frame = view.frame();
         let expected = x * frame.u + y * frame.v + -500.0 * frame.w;
         let ray = view.seen([x, y]);
-        prop_assert!((expected.length() * ray.direction - expected).length() < 1e-12 * 500.0);
+        near!(expected.length() * ray.direction, expected, 1e-12 * 500.0);
     }
 
     /// Law: zooming by k is the same as k times the distance, or pixels of size 1/k; to the bit for
@@ -102,8 +102,8 @@ proptest! {
         let view = view(&Viewpoint { lens, ..viewpoint.clone() });
         let (ray, frame) = (view.seen([x, y]), view.frame());
         let start = viewpoint.eye + (x * frame.u + y * frame.v);
-        prop_assert!((ray.origin - start).length() < 8.0 * U * 700.0);
-        prop_assert!((ray.direction + frame.w).length() < 4.0 * U);
+        near!(ray.origin, start, 8.0 * U * 700.0);
+        near!(ray.direction, -frame.w, 4.0 * U);
     }
 
     /// Law: a roll of 360° changes no bit; 180° turns the picture upside down; 90° turns it clockwise
@@ -118,7 +118,7 @@ proptest! {
         prop_assert_eq!(rolled(-90.0, [-y, x]), still);
         // two turns are one turn by the sum
         let (s, c) = (0.5, 0.75_f64.sqrt());
-        prop_assert!(apart(&rolled(30.0, [c * x + s * y, c * y - s * x]), &still) < 16.0 * U);
+        below!(apart(&rolled(30.0, [c * x + s * y, c * y - s * x]), &still), 16.0 * U);
     }
 
     /// Law: `up` reversed turns the picture by 180°, to the bit; its length does not matter, nor how
@@ -133,7 +133,7 @@ proptest! {
         prop_assert_eq!(with(0.125 * Vector::Y, [x, y]), ray);
         let tilted = Vector::Y + 0.01 * along * eye.to_vector();
         prop_assume!(tilted.unit().is_some_and(|up| up.cross(eye.to_vector()).length() > 0.5));
-        prop_assert!(apart(&with(tilted, [x, y]), &ray) < 1e-11);
+        below!(apart(&with(tilted, [x, y]), &ray), 1e-11);
     }
 
     /// Law: another point looked at on the same line of sight changes nothing; nor does moving eye and
@@ -147,21 +147,27 @@ proptest! {
         for (k, tolerance) in [(k, 4e4 * U), (2.0, 4e2 * U)] {
             let look_at = viewpoint.eye - k * viewpoint.eye.to_vector();
             let other = view(&Viewpoint { look_at, ..viewpoint.clone() }).seen(at);
-            prop_assert!(apart(&other, &ray) < tolerance);
+            below!(apart(&other, &ray), tolerance);
         }
         let shift = Vector::new(3.0, -64.0, 17.0);
         let (eye, look_at) = (viewpoint.eye + shift, Point::ORIGIN + shift);
         let moved = view(&Viewpoint { eye, look_at, ..viewpoint.clone() }).seen(at);
         prop_assert_eq!(moved.origin, eye);
-        prop_assert!((moved.direction - ray.direction).length() < 1e-10);
+        near!(moved.direction, ray.direction, 1e-10);
     }
 
     /// Law: `project` turns with the camera: the point looked at is in the middle, and each point of a
     /// ray is seen where the ray is, also straight up and down and rolled. Oracle: the place that was
     /// asked for.
     #[test]
-    fn project_turns_with_the_camera(viewpoint in viewpoint(), at in [-0.5..0.5_f64, -0.5..0.5_f64], away in 0.1..1e3_f64) {
-        for lens in [Pinhole { distance: 0.7, zoom: 1.25 }.into(), Orthographic { zoom: 0.3 }.into()] {
+    fn project_turns_with_the_camera(
+        viewpoint in viewpoint(),
+        at in [-0.5..0.5_f64, -0.5..0.5_f64],
+        away in 0.1..1e3_f64,
+    ) {
+        for lens in
+            [Pinhole { distance: 0.7, zoom: 1.25 }.into(), Orthographic { zoom: 0.3 }.into()]
+        {
             let view = view(&Viewpoint { lens, ..viewpoint.clone() });
             let eye = &view.eyes()[0];
             let middle = eye.project(Point::ORIGIN).expect("it is looked at");
@@ -188,7 +194,8 @@ fn straight_down_and_up_have_the_books_frames() {
     let mut sideways = Viewpoint::new(Point::new(5.0, 0.0, 0.0), Point::ORIGIN, LENS);
     sideways.up = Vector::X;
     let frame = *view(&sideways).frame();
-    assert!((frame.u.cross(frame.v) - Vector::X).length() < 8.0 * U && frame.w == Vector::X);
+    near!(frame.u.cross(frame.v), Vector::X, 8.0 * U);
+    assert_eq!(frame.w, Vector::X);
 }
 
 /// Where the only sphere of a 9 × 9 picture is seen.

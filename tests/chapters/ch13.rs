@@ -130,8 +130,8 @@ proptest! {
     fn reflection_is_reciprocal_and_never_negative(a in local(), b in local()) {
         for lobe in every_lobe().filter(|lobe| lobe.claims().reciprocal) {
             let (there, back) = (lobe.f(a, b), lobe.f(b, a));
-            prop_assert!(close(there, back, 4.0 * U), "{lobe:?}: {there:?} {back:?}");
-            prop_assert!(there.to_array().into_iter().all(|c| c >= 0.0));
+            close!(there, back, 4.0 * U, "{lobe:?}");
+            there.to_array().into_iter().for_each(|c| at_least!(c, 0.0, "{lobe:?}"));
         }
     }
 
@@ -143,18 +143,25 @@ proptest! {
         let glossy = |reflectance| Lobe::from(GlossySpecular { reflectance, exponent: e });
         prop_assert_eq!(diffuse(0.5 * reflectance).f(a, b), 0.5 * diffuse(reflectance).f(a, b));
         prop_assert_eq!(glossy(0.5 * reflectance).f(a, b), 0.5 * glossy(reflectance).f(a, b));
-        prop_assert!(diffuse(reflectance).f(a, b).g > 0.0);
+        above!(diffuse(reflectance).f(a, b).g, 0.0);
     }
 
     /// Law: a sample's weight is `f cosθ_i / pdf`. Oracle: that quotient from `f` and `pdf` (the Monte
     /// Carlo estimator of the reflection equation).
     #[test]
-    fn a_sample_weighs_its_brdf_by_its_density(wo in local(), u in 0.0..1.0_f64, v in 0.0..1.0_f64) {
+    fn a_sample_weighs_its_brdf_by_its_density(
+        wo in local(),
+        u in 0.0..1.0_f64,
+        v in 0.0..1.0_f64,
+    ) {
         for lobe in every_lobe().filter(|lobe| !lobe.is_specular()) {
             let Some(sample) = lobe.sample(wo, [u, v]) else { continue };
             let expected = (sample.wi.z() / lobe.pdf(wo, sample.wi)) * lobe.f(wo, sample.wi);
-            prop_assert!((sample.wi.length() - 1.0).abs() <= 16.0 * U);
-            prop_assert!(close(sample.weight, expected, 8.0 * U), "{lobe:?} {sample:?} {expected:?}");
+            near!(sample.wi.length(), 1.0, 16.0 * U);
+            prop_assert!(
+                close(sample.weight, expected, 8.0 * U),
+                "{lobe:?} {sample:?} {expected:?}"
+            );
         }
     }
 
@@ -169,8 +176,9 @@ proptest! {
         let lobe = Lobe::from(Lambertian { reflectance: Rgb::grey(0.7) });
         let Some(sample) = lobe.sample(wo, [u, v]) else { return Ok(()) };
         prop_assert_eq!(sample.weight, Rgb::grey(0.7));
-        let estimate = lobe.f(wo, sample.wi).r * sample.wi.z() / sample.pdf.expect("no single direction");
-        prop_assert!((estimate - 0.7).abs() <= 4.0 * U);
+        let estimate =
+            lobe.f(wo, sample.wi).r * sample.wi.z() / sample.pdf.expect("no single direction");
+        near!(estimate, 0.7, 4.0 * U);
     }
 
     /// Law: radiance does not change along a ray: an emitter is as bright from any distance and at
@@ -249,7 +257,7 @@ fn a_convex_body_in_a_furnace_shines_with_its_albedo() {
             let eye = Point::new(x, y, z);
             let seen = look(&world, eye, Point::new(0.1, 0.0, -0.1) - eye);
             let expected = 0.5 * Rgb::new(1.0, 0.5, 0.2);
-            assert!(close(seen, expected, FURNACE_ERROR), "{seen:?} {expected:?}");
+            close!(seen, expected, FURNACE_ERROR);
         }
     }
 }

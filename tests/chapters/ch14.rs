@@ -73,7 +73,7 @@ proptest! {
     fn light_of_strength_pi_makes_a_white_surface_white(n in unit()) {
         let mut scene = lit_plane(n, matte(0.0, 1.0, Rgb::WHITE));
         shine(&mut scene, sun(PI, Rgb::WHITE, n.into()));
-        prop_assert!(close(seen(&scene, at_angle(n, 0.5, 1.0)), Rgb::WHITE, PRODUCTS));
+        close!(seen(&scene, at_angle(n, 0.5, 1.0)), Rgb::WHITE, PRODUCTS);
     }
 
     /// Law: lights add, and two equal ones are one of twice the strength, bit for bit. Oracle: the
@@ -100,7 +100,10 @@ proptest! {
     /// Law: a directional light is the same everywhere, and only its direction counts, not its
     /// length. Oracle: the same scene moved, and the direction doubled; bit for bit.
     #[test]
-    fn a_directional_light_knows_no_place((n, wi) in normal_and_direction_above(), at in point(1e6)) {
+    fn a_directional_light_knows_no_place(
+        (n, wi) in normal_and_direction_above(),
+        at in point(1e6),
+    ) {
         let shading = |at: Point, wi: Vector| {
             let mut scene = stage(Rgb::BLACK);
             put(&mut scene, Plane { point: at, normal: n.into() }, matte(0.0, 1.0, Rgb::WHITE));
@@ -110,7 +113,7 @@ proptest! {
         };
         prop_assert_eq!(shading(at, wi), shading(Point::ORIGIN, wi));
         prop_assert_eq!(shading(at, 2.0 * wi), shading(at, wi));
-        prop_assert!(close(shading(at, 0.3 * wi), shading(at, wi), 8.0 * U / n.dot(wi)));
+        close!(shading(at, 0.3 * wi), shading(at, wi), 8.0 * U / n.dot(wi));
     }
 
     /// Law: a point light straight above at distance d gives `k_d l_s/(π d^k)`; k = 0 knows no distance.
@@ -127,18 +130,21 @@ proptest! {
         // the hit is a few u of the eye's distance off, which counts against a near lamp
         let tolerance = PRODUCTS + f64::from(k + 1) * 64.0 * U / d;
         let seen = seen(&scene, n.into());
-        prop_assert!(close(seen, Rgb::grey(expected), tolerance), "{seen:?} {expected}");
+        close!(seen, Rgb::grey(expected), tolerance);
     }
 
     /// Law: twice as far, `2^k` times as dark, for fractional k too. Oracle: that factor.
     #[test]
-    fn doubling_the_distance_divides_by_two_to_the_exponent(d in 0.5..100.0_f64, k in 0.0..4.0_f64) {
+    fn doubling_the_distance_divides_by_two_to_the_exponent(
+        d in 0.5..100.0_f64,
+        k in 0.0..4.0_f64,
+    ) {
         let at = |d: f64| {
             let mut scene = lit_plane(Normal::Y, matte(0.0, 1.0, Rgb::WHITE));
             shine(&mut scene, lamp(1.0, Point::new(0.0, d, 0.0), k));
             seen(&scene, Vector::Y).r
         };
-        prop_assert!((at(d) / at(2.0 * d) / power(2.0, k) - 1.0).abs() <= 2.0 * PRODUCTS);
+        near!(at(d) / at(2.0 * d) / power(2.0, k), 1.0, 2.0 * PRODUCTS);
     }
 
     /// Law: a point that faces away from a light gets ambient light only, and no shadow ray is cast
@@ -146,7 +152,11 @@ proptest! {
     #[test]
     fn points_that_face_away_get_ambient_light_only((n, up) in normal_and_direction_above()) {
         let mut scene = stage(Rgb::BLACK);
-        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }, matte(0.5, 1.0, Rgb::WHITE));
+        put(
+            &mut scene,
+            Sphere { center: Point::ORIGIN, radius: 1.0, inward: false },
+            matte(0.5, 1.0, Rgb::WHITE),
+        );
         shine(&mut scene, sun(1.0, Rgb::WHITE, -up));
         shine(&mut scene, lamp(1.0, Point::ORIGIN - 5.0 * up, 0.0));
         shine(&mut scene, Ambient { ls: 0.5, color: Rgb::WHITE });
@@ -161,7 +171,8 @@ proptest! {
     fn moving_everything_changes_nothing(by in point(100.0), a in unit(), b in unit()) {
         let shading = |by: Vector| {
             let mut scene = stage(Rgb::BLACK);
-            let ball = Sphere { center: Point::new(0.5, 0.0, 0.0) + by, radius: 1.0, inward: false };
+            let ball =
+                Sphere { center: Point::new(0.5, 0.0, 0.0) + by, radius: 1.0, inward: false };
             put(&mut scene, ball, matte(0.25, 0.75, Rgb::WHITE));
             shine(&mut scene, lamp(2.0, Point::ORIGIN + 4.0 * a + by, 2.0));
             shine(&mut scene, sun(1.0, Rgb::new(1.0, 0.5, 0.0), a.cross(b) + b));
@@ -186,7 +197,7 @@ proptest! {
         };
         let front = shading(true, 1.0);
         prop_assert_eq!(front, shading(false, 1.0));
-        prop_assert!(close(front, shading(true, -1.0), 4.0 * U));
+        close!(front, shading(true, -1.0), 4.0 * U);
         prop_assert_eq!(shading(false, -1.0), 0.25 * Rgb::new(0.9, 0.6, 0.3));
     }
 
@@ -209,7 +220,10 @@ proptest! {
     /// Law: an emitter shines on its outer side only, `l_s c_e` in each direction; turned to the eye it
     /// shines on both. Oracle: the product.
     #[test]
-    fn an_emitter_is_one_sided((n, wo) in normal_and_direction_above(), two_sided in any::<bool>()) {
+    fn an_emitter_is_one_sided(
+        (n, wo) in normal_and_direction_above(),
+        two_sided in any::<bool>(),
+    ) {
         let mut scene = stage(Rgb::new(0.0, 0.0, 1.0));
         let ce = Rgb::new(1.0, 0.5, 0.0);
         let plane = Plane { point: Point::ORIGIN, normal: n.into() };
@@ -231,7 +245,7 @@ proptest! {
             prop_assert_eq!(shown.max(), 1.0);
             for (a, b) in [(0, 1), (1, 2), (2, 0)] {
                 let (s, r) = (shown.to_array(), radiance.to_array());
-                prop_assert!((s[a] * r[b] - s[b] * r[a]).abs() <= 4.0 * U * r[a].max(r[b]));
+                near!(s[a] * r[b], s[b] * r[a], 4.0 * U * r[a].max(r[b]));
             }
             prop_assert_eq!(flagged, Rgb::new(1.0, 0.0, 0.0));
         } else {
@@ -284,6 +298,6 @@ fn a_rectangle_faces_along_a_cross_b() {
         let corner = Point::ORIGIN - 0.5 * (a + b);
         put(&mut scene, Rectangle { corner, a, b }, matte(0.0, 1.0, Rgb::WHITE));
         shine(&mut scene, sun(1.0, Rgb::WHITE, Vector::Y));
-        assert!(close(seen(&scene, Vector::Y), Rgb::grey(expected), PRODUCTS));
+        close!(seen(&scene, Vector::Y), Rgb::grey(expected), PRODUCTS);
     }
 }

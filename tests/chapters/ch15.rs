@@ -85,7 +85,7 @@ proptest! {
         let (wi, wo) = (at_angle(n, cos_i, phi), at_angle(n, cos_i, phi + PI));
         let seen = plane_seen(n, phong(0.0, 0.0, Rgb::BLACK, 0.5, cs, e), wi, wo);
         let expected = (0.5 * n.dot(wi)) * (cs * LIGHT);
-        prop_assert!(close(seen, expected, rounding(e) / cos_i), "{seen:?} {expected:?}");
+        close!(seen, expected, rounding(e) / cos_i);
     }
 
     /// Law: `f = k_s c_s cosᵉα`, α the angle between the mirror direction of the light and the eye; the
@@ -103,7 +103,7 @@ proptest! {
         let seen = plane_seen(Normal::Z, recipe, wi, wo);
         let expected = (cos(theta) * (0.4 / PI + 0.5 * power(cos(alpha), e))) * LIGHT;
         let tolerance = rounding(e) / cos(alpha) + 16.0 * U / cos(theta);
-        prop_assert!(close(seen, expected, tolerance), "{seen:?} {expected:?}");
+        close!(seen, expected, tolerance);
     }
 
     /// Law: the lobe is the same if light and eye change places, bit for bit, and if both are turned
@@ -119,7 +119,7 @@ proptest! {
         let f = lobe(0.5, e).f(a, b);
         prop_assert_eq!(f, lobe(0.5, e).f(b, a));
         // the value, not its relative error: far from the peak the cosine itself is rounding
-        prop_assert!((f.r - lobe(0.5, e).f(c, d).r).abs() <= rounding(e));
+        near!(f.r, lobe(0.5, e).f(c, d).r, rounding(e));
     }
 
     /// Law: there is no highlight behind the mirror direction's hemisphere or below the surface, and it
@@ -139,7 +139,7 @@ proptest! {
     #[test]
     fn a_larger_exponent_is_nowhere_brighter(wo in local(), wi in local(), e in 0.0..100.0_f64) {
         let (broad, narrow) = (lobe(1.0, e).f(wo, wi).r, lobe(1.0, e + 1.0).f(wo, wi).r);
-        prop_assert!(narrow <= broad * (1.0 + rounding(e)) + f64::MIN_POSITIVE);
+        at_most!(narrow, broad * (1.0 + rounding(e)) + f64::MIN_POSITIVE);
     }
 
     /// Law: the brightest point of a shiny sphere under parallel light, seen by parallel rays, is where
@@ -221,7 +221,7 @@ fn a_highlight_in_a_picture_has_the_size_of_its_exponent() {
         (scene.image.width, scene.image.height, scene.image.pixel_size) = (101, 101, 0.02);
         let film = render::render(&built(&scene));
         let peak = film.get([50, 50]).r;
-        assert!((peak - LIGHT.r).abs() < 1e-12);
+        near!(peak, LIGHT.r, 1e-12);
         for (i, pixel) in film.pixels().iter().enumerate() {
             let (x, y) = ((i % 101) as f64 - 50.0, (i / 101) as f64 - 50.0);
             // the surface is turned by θ, sinθ = distance from the middle; then α = 2θ

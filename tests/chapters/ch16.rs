@@ -84,7 +84,7 @@ fn shadows_never_brighten() {
     let free = render(&built(&scene));
     let mut taken = 0;
     for (a, b) in shadowed.pixels().iter().zip(free.pixels()) {
-        assert!(a == b || a.is_black());
+        assert!(a == b || a.is_black(), "{a:?} in shadow, expected {b:?} or black");
         taken += u32::from(a != b);
     }
     assert!(taken > 100, "{taken}");
@@ -147,7 +147,7 @@ fn three_coloured_lights_cast_complementary_shadows() {
             lit * 12.0 * wi.y() * (0.35 * 0.7 * FRAC_1_PI)
         });
         let (seen, [r, g, b]) = (pixel(&world, at), arriving);
-        assert!(close(seen, Rgb::new(r, g, b), 1e-12), "{seen:?} {arriving:?}");
+        close!(seen, Rgb::new(r, g, b), 1e-12);
         regions[arriving.iter().fold(0, |code, c| 2 * code + usize::from(*c > 0.0))] += 1;
     }
     let [_, .., white] = regions;
@@ -170,13 +170,19 @@ fn blocked(source: impl Into<lights::Kind>, switch: impl Fn(&mut Scene)) -> bool
 #[test]
 fn a_shadow_needs_the_switches_of_light_object_and_material() {
     let source = || sun(Vector::new(1.0, 1.0, 0.0));
-    assert!(blocked(source(), |_| ()));
-    assert!(!blocked(source(), |scene| scene.lights[0].shadows = false));
-    assert!(!blocked(source(), |scene| scene.objects[1].casts_shadows = false));
-    assert!(!blocked(source(), |scene| scene.materials[1].casts_shadows = false));
-    assert!(blocked(source(), |scene| scene.objects[0].casts_shadows = false));
-    assert!(blocked(source(), |scene| scene.materials[0].casts_shadows = false));
-    assert!(!blocked(source(), |scene| scene.objects[1].enabled = false));
+    type Switch = fn(&mut Scene);
+    let switches: [(&str, bool, Switch); 7] = [
+        ("nothing", true, |_| ()),
+        ("the light", false, |scene| scene.lights[0].shadows = false),
+        ("the object", false, |scene| scene.objects[1].casts_shadows = false),
+        ("its material", false, |scene| scene.materials[1].casts_shadows = false),
+        ("the receiver", true, |scene| scene.objects[0].casts_shadows = false),
+        ("its material", true, |scene| scene.materials[0].casts_shadows = false),
+        ("the object itself", false, |scene| scene.objects[1].enabled = false),
+    ];
+    for (off, expected, switch) in switches {
+        assert_eq!(blocked(source(), switch), expected, "a shadow with {off} switched off");
+    }
 }
 
 /// Law: an object behind a point light casts no shadow, one before it does; behind the sun there is
@@ -185,12 +191,14 @@ fn a_shadow_needs_the_switches_of_light_object_and_material() {
 fn shadow_ray_stops_at_the_light() {
     let along = |s: f64| lamp(Point::new(2.0 + s, s, 0.0));
     // the ball covers 1 ± 0.5/√2 of this line
-    assert!(!blocked(along(0.6), |_| ()));
-    assert!(blocked(along(0.7), |_| ()), "the light is inside the ball");
-    assert!(blocked(along(1.4), |_| ()));
-    assert!(blocked(sun(Vector::new(1.0, 1.0, 0.0)), |scene| {
+    // at 0.7 the light is inside the ball
+    for (s, expected) in [(0.6, false), (0.7, true), (1.4, true)] {
+        assert_eq!(blocked(along(s), |_| ()), expected, "a shadow with the light at {s}");
+    }
+    let far = blocked(sun(Vector::new(1.0, 1.0, 0.0)), |scene| {
         scene.objects[1].shape = ball(1e9, 1e9, 0.0, 1e8).into();
-    }));
+    });
+    assert!(far, "a ball far away casts no shadow in the sun");
 }
 
 /// Law: a plane stands in the way of a lamp on its other side, though it has no bounds. Oracle: the
@@ -203,8 +211,11 @@ fn a_plane_casts_a_shadow() {
             scene.objects[1].shape = wall.clone().into()
         })
     };
-    assert!(with(2.5) && !with(1.9));
-    assert!(blocked(sun(Vector::Y), |scene| scene.objects[1].shape = wall.clone().into()));
+    for (height, expected) in [(2.5, true), (1.9, false)] {
+        assert_eq!(with(height), expected, "a shadow with the lamp at height {height}");
+    }
+    let sun = blocked(sun(Vector::Y), |scene| scene.objects[1].shape = wall.clone().into());
+    assert!(sun, "the plane casts no shadow in the sun");
 }
 
 proptest! {
@@ -225,7 +236,8 @@ proptest! {
         let at = |p: Point| p.scaled(s);
         let tiny = 1e-3 * n.x().abs() + 1e-4;
         let big = Sphere { center: at(place) - s / tiny * n, radius: s / tiny, inward: false };
-        let block = Cuboid { min: at(Point::new(-1.5, -2.0, -1.1)), max: at(Point::new(1.2, 1.0, 2.0)) };
+        let block =
+            Cuboid { min: at(Point::new(-1.5, -2.0, -1.1)), max: at(Point::new(1.2, 1.0, 2.0)) };
         let shape: shapes::Kind = match kind {
             0 => Plane { point: at(place), normal: n.into() }.into(),
             1 => big.into(),
@@ -239,7 +251,11 @@ proptest! {
             scene.lights[0].source = lamp(at(place) + 0.5 * s * wi).into();
         }
         let eye = at(place) + 4.0 * s * at_angle(n, 0.4, 1.0);
-        let target = if kind < 2 { at(place) + 0.1 * s * n.cross(Vector::new(0.3, 0.5, 0.7)) } else { at(spot) };
+        let target = if kind < 2 {
+            at(place) + 0.1 * s * n.cross(Vector::new(0.3, 0.5, 0.7))
+        } else {
+            at(spot)
+        };
         let mut shading = |shadows| {
             scene.lights[0].shadows = shadows;
             look(&built(&scene), eye, target - eye)

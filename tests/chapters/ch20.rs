@@ -81,28 +81,33 @@ proptest! {
         let t = transform(&steps);
         let identity = Transform::IDENTITY.rows();
         let scale = size(&t) * size(&t.inverse());
-        prop_assert!(difference(product(&t, &t.inverse()), identity) < 1e-12_f64.min(COMPOSED * scale));
-        prop_assert!(difference(product(&t.inverse(), &t), identity) < 1e-12_f64.min(COMPOSED * scale));
+        below!(difference(product(&t, &t.inverse()), identity), 1e-12_f64.min(COMPOSED * scale));
+        below!(difference(product(&t.inverse(), &t), identity), 1e-12_f64.min(COMPOSED * scale));
     }
 
     /// Law: steps are applied first to last, `M = Tₙ … T₂ T₁`. Oracle: a point moved step by step.
     #[test]
     fn steps_are_applied_in_their_order(steps in steps(), p in point(3.0)) {
-        let one_by_one = steps.iter().fold(p, |p, step| transform(std::slice::from_ref(step)).point(p));
+        let one_by_one =
+            steps.iter().fold(p, |p, step| transform(std::slice::from_ref(step)).point(p));
         let at_once = transform(&steps).point(p);
-        let stretch: f64 = steps.iter().map(|s| size(&transform(std::slice::from_ref(s)))).product();
-        prop_assert!(one_by_one.distance(at_once) <= COMPOSED * stretch * 10.0);
+        let stretch: f64 =
+            steps.iter().map(|s| size(&transform(std::slice::from_ref(s)))).product();
+        at_most!(one_by_one.distance(at_once), COMPOSED * stretch * 10.0);
     }
 
     /// Law: `(A B)⁻¹ = B⁻¹ A⁻¹`, and `after` composes. Oracle: the schoolbook product.
     #[test]
-    fn the_inverse_of_a_product_is_the_product_of_inverses_turned_round(a in steps(), b in steps()) {
+    fn the_inverse_of_a_product_is_the_product_of_inverses_turned_round(
+        a in steps(),
+        b in steps(),
+    ) {
         let (a, b) = (transform(&a), transform(&b));
         let both = a.after(&b);
-        prop_assert!(difference(both.rows(), product(&a, &b)) <= COMPOSED * size(&a) * size(&b));
+        at_most!(difference(both.rows(), product(&a, &b)), COMPOSED * size(&a) * size(&b));
         let (x, y) = (a.inverse(), b.inverse());
         let wrong = difference(both.inverse().rows(), product(&y, &x));
-        prop_assert!(wrong <= COMPOSED * size(&x) * size(&y) * size(&a) * size(&b));
+        at_most!(wrong, COMPOSED * size(&x) * size(&y) * size(&a) * size(&b));
     }
 
     /// Law: determinants: rotation +1, reflection −1, translation 1, scale `abc`, shear
@@ -118,12 +123,17 @@ proptest! {
         let expected: f64 = steps.iter().map(of).product();
         let t = transform(&steps);
         let scale = size(&t) * size(&t) * size(&t);
-        prop_assert!((determinant(&t) - expected).abs() <= COMPOSED * scale);
+        near!(determinant(&t), expected, COMPOSED * scale);
     }
 
     /// Law: vectors ignore translation, points do not, and `M p − M q = M (p − q)`.
     #[test]
-    fn vectors_ignore_translation(steps in steps(), shift in point(9.0), p in point(3.0), q in point(3.0)) {
+    fn vectors_ignore_translation(
+        steps in steps(),
+        shift in point(9.0),
+        p in point(3.0),
+        q in point(3.0),
+    ) {
         let t = transform(&steps);
         let mut more = steps;
         more.push(Step::Translate(shift.to_vector()));
@@ -131,35 +141,47 @@ proptest! {
         let v = p - q;
         prop_assert_eq!(shifted.vector(v), t.vector(v));
         let rounding = COMPOSED * (9.0 + 10.0 * size(&t));
-        prop_assert!(((shifted.point(p) - t.point(p)) - shift.to_vector()).length() <= rounding);
-        prop_assert!(((t.point(p) - t.point(q)) - t.vector(v)).length() <= rounding);
+        near!(shifted.point(p) - t.point(p), shift.to_vector(), rounding);
+        near!(t.point(p) - t.point(q), t.vector(v), rounding);
     }
 
     /// Law: affine maps keep parallels, ratios and midpoints. Oracle: the midpoint moved.
     #[test]
-    fn midpoints_stay_midpoints(steps in steps(), p in point(3.0), q in point(3.0), f in 0.0..1.0_f64) {
+    fn midpoints_stay_midpoints(
+        steps in steps(),
+        p in point(3.0),
+        q in point(3.0),
+        f in 0.0..1.0_f64,
+    ) {
         let t = transform(&steps);
         let between = t.point(p + f * (q - p));
         let moved = t.point(p) + f * (t.point(q) - t.point(p));
-        prop_assert!(between.distance(moved) <= COMPOSED * 10.0 * size(&t));
+        at_most!(between.distance(moved), COMPOSED * 10.0 * size(&t));
     }
 
     /// Law: a turn about a line fixes its points, keeps distances to it, turns by its angle
     /// counter-clockwise for an eye the direction points to, and 360° do nothing. Oracle: geometry.
     #[test]
-    fn a_turn_about_a_line_keeps_it(q in point(3.0), n in unit(), degrees in -180.0..180.0_f64, p in point(3.0), s in -3.0..3.0_f64) {
-        let about = |degrees| transform(&[Step::RotateAbout { point: q, direction: 2.5 * n, degrees }]);
+    fn a_turn_about_a_line_keeps_it(
+        q in point(3.0),
+        n in unit(),
+        degrees in -180.0..180.0_f64,
+        p in point(3.0),
+        s in -3.0..3.0_f64,
+    ) {
+        let about =
+            |degrees| transform(&[Step::RotateAbout { point: q, direction: 2.5 * n, degrees }]);
         let t = about(degrees);
         let on_line = q + s * n;
-        prop_assert!(t.point(on_line).distance(on_line) <= COMPOSED * 10.0);
-        prop_assert!(about(degrees + 360.0).point(p).distance(t.point(p)) <= 1e4 * U);
+        at_most!(t.point(on_line).distance(on_line), COMPOSED * 10.0);
+        at_most!(about(degrees + 360.0).point(p).distance(t.point(p)), 1e4 * U);
         let across = |p: Point| (p - q) - (p - q).dot(n) * n;
         let (before, after) = (across(p), across(t.point(p)));
-        prop_assert!((before.length() - after.length()).abs() <= COMPOSED * 10.0);
+        near!(before.length(), after.length(), COMPOSED * 10.0);
         let square = before.length_squared();
-        prop_assert!((before.dot(after) - square * cos_degrees(degrees)).abs() <= COMPOSED * 100.0);
+        near!(before.dot(after), square * cos_degrees(degrees), COMPOSED * 100.0);
         let sine = before.cross(after).dot(n);
-        prop_assert!((sine - square * sin_degrees(degrees)).abs() <= COMPOSED * 100.0);
+        near!(sine, square * sin_degrees(degrees), COMPOSED * 100.0);
     }
 
     /// Law: a covector stays perpendicular to what moves with the surface: `(M⁻ᵀ n)·(M v) = n·v`.
@@ -167,29 +189,35 @@ proptest! {
     fn covectors_pair_with_vectors_as_before(steps in steps(), n in unit(), v in point(3.0)) {
         let (t, v) = (transform(&steps), v.to_vector());
         let paired = t.covector(n).dot(t.vector(v));
-        prop_assert!((paired - n.dot(v)).abs() <= COMPOSED * 10.0 * size(&t) * size(&t.inverse()));
+        near!(paired, n.dot(v), COMPOSED * 10.0 * size(&t) * size(&t.inverse()));
     }
 
     /// Law: a singular map is refused, with its condition number in the message; one that is nearly
     /// so is accepted up to 1e12. Oracle: the condition of `diag(1, 1, s)`, `√(2 + s²)·√(2 + s⁻²)`.
     #[test]
-    fn singular_maps_are_refused_with_their_condition(exponent in -320..-1_i32, turn in -180.0..180.0_f64) {
+    fn singular_maps_are_refused_with_their_condition(
+        exponent in -320..-1_i32,
+        turn in -180.0..180.0_f64,
+    ) {
         let s = groundtruth::math::power(10.0, f64::from(exponent));
         let flat = [Step::RotateX(turn), Step::Scale(Vector::new(1.0, 1.0, s))];
         let condition = (2.0 + s * s).sqrt() * (2.0 * s * s + 1.0).sqrt() / s;
         match Transform::from_steps(&flat) {
             Ok(t) => {
-                prop_assert!(condition < 1.001e12);
-                prop_assert!((t.condition() / condition - 1.0).abs() < 1e-6);
+                below!(condition, 1.001e12);
+                near!(t.condition() / condition, 1.0, 1e-6);
             }
             Err(singular) => {
-                prop_assert!(condition > 0.999e12);
+                above!(condition, 0.999e12);
                 let same = singular.condition == condition
                     || (singular.condition / condition - 1.0).abs() < 1e-6
                     || (singular.condition.is_infinite() && condition > 1e150);
                 prop_assert!(same, "{} for {condition:e}", singular);
                 let number = format!("{:.1e}", singular.condition);
-                prop_assert!(singular.to_string().contains(&number));
+                prop_assert!(
+                    singular.to_string().contains(&number),
+                    "{singular}, expected {number}"
+                );
             }
         }
     }
@@ -238,7 +266,10 @@ proptest! {
     /// Law: the inverse is as good as the whole map's condition, however bad its steps are: here
     /// stretched and put back. Oracle: the schoolbook product.
     #[test]
-    fn the_inverse_is_right_whatever_the_steps_between(degrees in -180.0..180.0_f64, exponent in 0.0..6.0_f64) {
+    fn the_inverse_is_right_whatever_the_steps_between(
+        degrees in -180.0..180.0_f64,
+        exponent in 0.0..6.0_f64,
+    ) {
         let stretch = groundtruth::math::power(10.0, exponent);
         let t = transform(&[
             Step::RotateX(degrees),
@@ -249,8 +280,8 @@ proptest! {
             Step::RotateZ(-0.5 * degrees),
             Step::Scale(Vector::new(1.0, 1.0, 1.0 / stretch)),
         ]);
-        prop_assert!(t.condition() < 4.0);
-        prop_assert!(difference(product(&t, &t.inverse()), Transform::IDENTITY.rows()) <= COMPOSED);
+        below!(t.condition(), 4.0);
+        at_most!(difference(product(&t, &t.inverse()), Transform::IDENTITY.rows()), COMPOSED);
     }
 }
 
@@ -266,7 +297,7 @@ fn quarter_turns_send_axes_to_axes() {
         direction: Vector::new(1.0, 1.0, 1.0),
         degrees: 120.0,
     };
-    assert!((turned(about, Vector::X) - Vector::Y).length() < 8.0 * U);
+    near!(turned(about, Vector::X), Vector::Y, 8.0 * U);
 }
 
 /// Law: a reflection is its own inverse and turns one coordinate. Oracle: the coordinates.

@@ -60,9 +60,10 @@ proptest! {
         put(&mut scene, Plane { point: Point::ORIGIN, normal: n.into() }, mirror(1.0, Rgb::WHITE));
         let tree = recorded(&built(&scene), Point::ORIGIN + 2.0 * wo, -wo);
         let [before, after] = path(&tree)[..] else { panic!("two rays") };
-        prop_assert!((after.length() - 1.0).abs() <= 8.0 * U);
-        prop_assert!((after.cross(n) - before.cross(n)).length() <= 16.0 * U);
-        prop_assert!((after.dot(n) + before.dot(n)).abs() <= 16.0 * U && after.dot(n) > 0.0);
+        near!(after.length(), 1.0, 8.0 * U);
+        near!(after.cross(n), before.cross(n), 16.0 * U);
+        near!(after.dot(n), -before.dot(n), 16.0 * U);
+        above!(after.dot(n), 0.0);
     }
 
     /// Law: reflected twice, a direction is itself again, bit for bit. Oracle: itself.
@@ -85,10 +86,15 @@ proptest! {
         back in any::<bool>(),
     ) {
         let side = if back { -1.0 } else { 1.0 };
-        for (depth, expected) in [(0, Rgb::BLACK), (1, kr * cr * BACKGROUND), (7, kr * cr * BACKGROUND)] {
+        for (depth, expected) in
+            [(0, Rgb::BLACK), (1, kr * cr * BACKGROUND), (7, kr * cr * BACKGROUND)]
+        {
             let mut scene = deep_stage(BACKGROUND, depth);
             put(&mut scene, Plane { point: Point::ORIGIN, normal: n.into() }, mirror(kr, cr));
-            prop_assert_eq!(look(&built(&scene), Point::ORIGIN + 2.0 * side * wo, -side * wo), expected);
+            prop_assert_eq!(
+                look(&built(&scene), Point::ORIGIN + 2.0 * side * wo, -side * wo),
+                expected
+            );
         }
     }
 
@@ -110,7 +116,7 @@ proptest! {
         let world = built(&scene);
         let seen = look(&world, Point::ORIGIN, d.into());
         let expected = cr.map(|cr| geometric(0.3, kr * cr, depth));
-        prop_assert!(close(seen, expected, 256.0 * U), "{seen:?} {expected:?}");
+        close!(seen, expected, 256.0 * U);
         let counts = counted(&world, Point::ORIGIN, d.into());
         // a mirror that reflects nothing sends no ray
         let reflected = if cr.is_black() { 0 } else { u64::from(depth) + 1 };
@@ -166,17 +172,36 @@ proptest! {
         let spot = spot.with(1, 0.0);
         let mut scene = deep_stage(BACKGROUND, 3);
         let phong = Phong {
-            ka: 0.2.into(), kd: 0.6.into(), cd: Rgb::new(1.0, 0.5, 0.2).into(), ks: 0.3.into(), exponent: 5.0.into(),
+            ka: 0.2.into(),
+            kd: 0.6.into(),
+            cd: Rgb::new(1.0, 0.5, 0.2).into(),
+            ks: 0.3.into(),
+            exponent: 5.0.into(),
             ..Phong::default()
         };
         put(&mut scene, ball(Point::new(0.0, 2.0, 0.0), 1.5), phong.clone());
         put(&mut scene, ball(Point::new(2.0, 1.0, 1.5), 0.9), phong.clone());
-        put(&mut scene, Cuboid { min: Point::new(-3.0, 0.5, -3.0), max: Point::new(-1.0, 3.0, -1.0) }, phong);
+        put(
+            &mut scene,
+            Cuboid { min: Point::new(-3.0, 0.5, -3.0), max: Point::new(-1.0, 3.0, -1.0) },
+            phong,
+        );
         let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
         let floor = put(&mut scene, floor, mirror(1.0, Rgb::WHITE));
         ambient(&mut scene);
-        shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::new(1.0, 2.0, 0.5) });
-        shine(&mut scene, Lamp { ls: 2.0, color: BACKGROUND, location: Point::new(0.0, 6.0, 3.0), attenuation: 1.0 });
+        shine(
+            &mut scene,
+            Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::new(1.0, 2.0, 0.5) },
+        );
+        shine(
+            &mut scene,
+            Lamp {
+                ls: 2.0,
+                color: BACKGROUND,
+                location: Point::new(0.0, 6.0, 3.0),
+                attenuation: 1.0,
+            },
+        );
         let world = built(&scene);
         let tree = recorded(&world, eye, spot - eye);
         let Outcome::Hit { hit } = &tree.root().outcome else { return Ok(()) };
@@ -184,7 +209,11 @@ proptest! {
         scene.objects[floor].enabled = false;
         let mirrored = eye.with(1, -eye.y());
         let expected = look(&built(&scene), mirrored, spot - mirrored);
-        prop_assert!(close(tree.root().radiance, expected, 1e-9), "{:?} {expected:?}", tree.root().radiance);
+        prop_assert!(
+            close(tree.root().radiance, expected, 1e-9),
+            "{:?} {expected:?}",
+            tree.root().radiance
+        );
     }
 
     /// Law: at depth 0 a reflective surface is its Phong base, and ray casting sees no mirrors either.
@@ -192,14 +221,22 @@ proptest! {
     #[test]
     fn without_depth_a_mirror_is_its_base((n, wo) in normal_and_direction_above(), sun in unit()) {
         let base = Phong {
-            ka: 0.2.into(), kd: 0.6.into(), cd: Rgb::new(1.0, 0.5, 0.2).into(), ks: 0.3.into(), exponent: 5.0.into(),
+            ka: 0.2.into(),
+            kd: 0.6.into(),
+            cd: Rgb::new(1.0, 0.5, 0.2).into(),
+            ks: 0.3.into(),
+            exponent: 5.0.into(),
             ..Phong::default()
         };
         let seen = |mirrored: bool, tracer: Tracer| {
             let mut scene = Scene { tracer, ..stage(BACKGROUND) };
             let plane = Plane { point: Point::ORIGIN, normal: n.into() };
             match mirrored {
-                true => put(&mut scene, plane, Reflective { phong: base.clone(), ..mirror(0.5, Rgb::WHITE) }),
+                true => put(
+                    &mut scene,
+                    plane,
+                    Reflective { phong: base.clone(), ..mirror(0.5, Rgb::WHITE) },
+                ),
                 false => put(&mut scene, plane, base.clone()),
             };
             ambient(&mut scene);
@@ -222,18 +259,26 @@ proptest! {
         prop_assume!(d.x() * d.y() * d.z() < -1e-6);
         let mut scene = deep_stage(BACKGROUND, 3);
         for normal in [Vector::X, Vector::Y, Vector::Z] {
-            put(&mut scene, Plane { point: Point::new(-1.0, -1.0, -1.0), normal }, mirror(1.0, Rgb::WHITE));
+            put(
+                &mut scene,
+                Plane { point: Point::new(-1.0, -1.0, -1.0), normal },
+                mirror(1.0, Rgb::WHITE),
+            );
         }
         let path = path(&recorded(&built(&scene), from, d));
         prop_assert_eq!(path.len(), 4);
-        prop_assert!((path[3] + path[0]).length() <= 32.0 * U);
+        at_most!((path[3] + path[0]).length(), 32.0 * U);
         prop_assert_eq!(look(&built(&scene), from, d), BACKGROUND);
     }
 
     /// Law: a smooth mesh mirrors by its smoothed normal, and where that would send a ray into the mesh by
     /// the flat one: no ray goes inside, and none is left out. Oracle: both normals, for the angle.
     #[test]
-    fn a_smooth_mirror_sends_no_ray_inside(to_eye in unit(), phi in 0.0..TAU, far in 0.4..0.95_f64) {
+    fn a_smooth_mirror_sends_no_ray_inside(
+        to_eye in unit(),
+        phi in 0.0..TAU,
+        far in 0.4..0.95_f64,
+    ) {
         let mut scene = deep_stage(BACKGROUND, 1);
         let mesh = TessellatedSphere::new(5, 4, true);
         put(&mut scene, mesh, mirror(1.0, Rgb::WHITE));
@@ -245,7 +290,7 @@ proptest! {
         let before = tree.root().ray.direction;
         match path(&tree)[..] {
             [_, after, ..] => {
-                prop_assert!(after.dot(hit.normal) > 0.0);
+                above!(after.dot(hit.normal), 0.0);
                 let n = Vector::from(hit.shading);
                 let into = (before - 2.0 * before.dot(n) * n).dot(hit.normal);
                 // at the limit rounding decides
@@ -277,7 +322,7 @@ fn an_emitter_over_k_mirrors_weighs_the_kth_power() {
         let slope = 2.0 * f64::from(k) / 10.0;
         let seen = look(&world, Point::ORIGIN, Vector::new(1.0, slope, 0.0));
         let expected = cr.map(|c| 2.0 * power(0.8 * c, f64::from(k)));
-        assert!(close(seen, expected, 64.0 * U), "{k}: {seen:?} {expected:?}");
+        close!(seen, expected, 64.0 * U, "{k}");
     }
 }
 
@@ -302,5 +347,5 @@ fn a_mirror_throws_no_light() {
         look(&built(&scene), Point::new(1.0, 1.0, 0.0), -Vector::Y)
     };
     assert_eq!(seen(true), seen(false));
-    assert!(seen(true).r > 0.0);
+    above!(seen(true).r, 0.0);
 }

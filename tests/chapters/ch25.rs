@@ -224,7 +224,8 @@ fn highlight_and_reflection_have_exponents_of_their_own() {
         put(&mut scene, floor(), GlossyReflector { phong, ..glossy(0.5, 10.0, GlossyRule::Book) });
         look(&built(&scene), Point::new(-1.0, 2.0, 0.1), Vector::new(1.0, -2.0, 0.0)).g
     };
-    assert!((bright(1.0.into()) - 0.5).abs() < 1e-14 && bright(1.0.into()) == bright(1e3.into()));
+    near!(bright(1.0.into()), 0.5, 1e-14);
+    assert_eq!(bright(1.0.into()), bright(1e3.into()));
 }
 
 /// Law: a glossy hit casts one ray and draws one pair of numbers; ray casting neither. Oracle: counting.

@@ -184,7 +184,7 @@ fn what_is_left_out_is_said() {
         assert!(said.len() == 1 && said[0].contains("leaves out the light \"1\""), "{said:?}");
     }
     scene.tracer = Tracer::RayCast;
-    assert!(left_out(&built(&scene)).is_empty());
+    assert_eq!(left_out(&built(&scene)), Vec::<String>::new());
     let location = Point::new(0.0, 5.0, 0.0);
     let lamp = PointLight { ls: 1.0, color: Rgb::WHITE, location, attenuation: 0.0 };
     let lamp = format!("the light \"{}\"", shine(&mut scene, lamp));

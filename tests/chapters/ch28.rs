@@ -87,7 +87,7 @@ fn the_centre_of_a_glass_ball_has_the_values_of_the_book() {
         let mut scene = deep_stage(Rgb::WHITE, depth);
         put(&mut scene, ball(), clear(1.5));
         let seen = look(&built(&scene), Point::new(0.0, 0.0, 3.0), -Vector::Z);
-        assert!(close(seen, Rgb::grey(expected), 16.0 * U), "{depth}: {seen:?}");
+        close!(seen, Rgb::grey(expected), 16.0 * U, "{depth}");
     }
 }
 
@@ -103,7 +103,7 @@ fn a_slab_divides_light_as_all_its_inner_reflections_do() {
         let lit = Plane { point: Point::new(0.0, height, 0.0), normal };
         put(&mut scene, lit, Emissive::new(1.0, Rgb::WHITE));
         let seen = look(&built(&scene), Point::new(0.3, 4.0, 0.2), -Vector::Y);
-        assert!(close(seen, Rgb::grey(expected), 64.0 * U), "{seen:?} {expected}");
+        close!(seen, Rgb::grey(expected), 64.0 * U);
     }
 }
 
@@ -141,7 +141,7 @@ proptest! {
         let seen = look(&built(&scene), eye, d);
         // the chord's end is known to some u over the cosine
         let tolerance = 64.0 * U * (1.0 + 6.0 / chord.max(1e-9));
-        prop_assert!(close(seen, expected, tolerance), "{seen:?} {expected:?}");
+        close!(seen, expected, tolerance);
     }
 
     /// Law: two slabs multiply: `cf^(t₁ + t₂)`, at an angle `cf^((t₁ + t₂)/cosθ)`; and lengths times s equal
@@ -165,7 +165,7 @@ proptest! {
         let seen = look(&built(&scene), Point::ORIGIN + 2.0 * to_eye, -to_eye);
         let length = (t1 + t2 + 2e-3) / cosine;
         let expected = sigma.map(|sigma| exp(-sigma * length)) * BACKGROUND;
-        prop_assert!(close(seen, expected, 1e-12), "{seen:?} {expected:?}");
+        close!(seen, expected, 1e-12);
         let s = groundtruth::math::power_of_two(exponent);
         let eye = (Point::ORIGIN + 2.0 * to_eye).scaled(s);
         prop_assert_eq!(look(&built(&scene.scaled(exponent)), eye, -to_eye), seen);
@@ -185,7 +185,10 @@ proptest! {
             tinted(outer, Rgb::new(0.1, 0.2, 0.3)),
             tinted(inner, Rgb::new(0.7, 0.0, 0.4)),
         ];
-        let balls = [Sphere { radius: 2.0, ..ball() }, Sphere { center: Point::new(0.5, 0.0, 0.3), radius: 0.9, inward: false }];
+        let balls = [
+            Sphere { radius: 2.0, ..ball() },
+            Sphere { center: Point::new(0.5, 0.0, 0.3), radius: 0.9, inward: false },
+        ];
         let mut scene = deep_stage(BACKGROUND, 5);
         put(&mut scene, balls[0].clone(), glass(media[1], media[0]));
         put(&mut scene, balls[1].clone(), glass(media[2], media[1]));
@@ -200,7 +203,7 @@ proptest! {
             prop_assume!(hit.t > 1e-9);
             let sigma = media[within(node.ray.at(0.5 * hit.t))].absorption;
             let expected = sigma.map(|sigma| exp(-sigma * hit.t));
-            prop_assert!(close(node.transmittance, expected, 8.0 * U), "{node:?} {expected:?}");
+            close!(node.transmittance, expected, 8.0 * U);
             prop_assert_eq!(tree.folded(node), node.radiance);
         }
     }
@@ -229,7 +232,8 @@ proptest! {
         } else {
             let r = optics::by_angles(outside, 1.33);
             let sky = (1.33 * 1.33) * (1.0 - r);
-            prop_assert!((seen.b - sky).abs() < 1e-11 && (seen.r - sky - 0.5 * r).abs() < 1e-11);
+            near!(seen.b, sky, 1e-11);
+            near!(seen.r - sky, 0.5 * r, 1e-11);
         }
     }
 }
@@ -246,9 +250,9 @@ fn an_eye_in_glass_sees_2_16() {
     // the reflected part ends in nothing
     let dark = Plane { point: Point::new(0.0, 0.0, -9.0), normal: -Vector::Z };
     put(&mut scene, dark, Emissive::new(0.0, Rgb::WHITE));
-    assert!(close(pixel(&built(&scene), [0, 0]), Rgb::grey(2.16), 16.0 * U));
+    close!(pixel(&built(&scene), [0, 0]), Rgb::grey(2.16), 16.0 * U);
     scene.camera.exposure_time = 1.0 / 2.25;
-    assert!(close(pixel(&built(&scene), [0, 0]), Rgb::grey(0.96), 16.0 * U));
+    close!(pixel(&built(&scene), [0, 0]), Rgb::grey(0.96), 16.0 * U);
 }
 
 /// Law: in a medium that absorbs, what is infinitely far away is black, in the channels that it absorbs
@@ -284,7 +288,7 @@ fn no_light_leaves_a_glass_block_by_the_next_face() {
         count
     };
     assert_eq!((escapes(1.5), escapes(1.42)), (0, 0));
-    assert!(escapes(1.33) > 50);
+    above!(escapes(1.33), 50);
 }
 
 /// Law: only the ratio of the indices bends light: glass in water is η = 1.5/1.33, with R = .003608
@@ -297,5 +301,5 @@ fn glass_in_water_hardly_reflects() {
     assert!((seen - 0.003_608).abs() < 5e-7, "{seen}");
     let tree = recorded(&built(&scene), Point::ORIGIN, Vector::Z);
     let weight = child(&tree, tree.root(), RayKind::Reflected).expect("a little").weight.r;
-    assert!((weight - seen).abs() < 1e-15);
+    near!(weight, seen, 1e-15);
 }

@@ -3,8 +3,10 @@
 //! One binary with a module for each chapter. The contracts of traits and the golden images are in
 //! `tests/contracts`, under the same names.
 
-mod calibration;
+#[macro_use]
 mod support;
+
+mod calibration;
 
 mod ch01;
 mod ch02;

@@ -14,7 +14,7 @@ use groundtruth::shapes::{Rectangle, Sampling, Sphere};
 use groundtruth::trace::{RayKind, TermSource};
 use groundtruth::world::World;
 
-use crate::{all, nested_glass};
+use crate::{all, nested_glass, reads_as_before};
 
 /// The side of the lamp, and its height.
 const SIDE: f64 = 2.0;
@@ -285,5 +285,5 @@ fn the_lines_of_a_path_read_as_before() {
         Row::Local { term, indent } => format!("{}{}", "    ".repeat(*indent), term.line()),
         Row::Folded { .. } => panic!("nothing is small"),
     });
-    insta::assert_snapshot!(said.collect::<Vec<_>>().join("\n"));
+    reads_as_before!(said.collect::<Vec<_>>().join("\n"));
 }

@@ -151,6 +151,29 @@ fn the_normalised_rule_is_darker() {
     }
 }
 
+/// Law: the square of the error of what has no bias is its variance. Oracle: the variance, which is from
+/// picture to picture and needs no reference. Rare bright paths count in both, as both are of the same
+/// pictures; of some levels the reference is too noisy, so the median of the ratios is judged.
+#[test]
+fn the_error_without_bias_is_the_noise() {
+    /// Half of the levels are within 4 % of 1; a mistake by a factor is at least √2 in the square.
+    const ALLOWED: f64 = 0.1;
+    let unbiased = choices().filter(|(_, choice)| choice["unbiased"] == true);
+    let levels = unbiased.flat_map(|(_, choice)| list(&choice["levels"]));
+    let ratio = |level: &Value| {
+        let error = level["relative_rmse"].as_f64()?;
+        Some(error * error / number(&level["relative_variance"]))
+    };
+    let mut ratios: Vec<f64> = levels.filter_map(ratio).collect();
+    ratios.sort_by(f64::total_cmp);
+    assert!(ratios.len() > 100, "only {} levels have an error", ratios.len());
+    let median = ratios[ratios.len() / 2];
+    assert!(
+        (median - 1.0).abs() < ALLOWED,
+        "the squared error is {median} of the variance, expected 1: {ratios:?}"
+    );
+}
+
 /// Law: the error of what has no bias falls with more samples, of ray_cast it stays at its bias. Oracle:
 /// theory: 64 times the samples make an eighth of the error of independent ones; a third is asked for,
 /// as rare bright paths make errors uncertain.

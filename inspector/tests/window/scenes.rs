@@ -149,7 +149,10 @@ fn the_window_does_not_wait_for_the_picture() {
     // hours of work
     scene.image.samples = 10_000;
     let mut window = open(scene.clone());
-    let running = |window: &Window| matches!(window.state().rendering.progress(), Progress::Running(part, _) if part < 0.5);
+    let running = |window: &Window| match window.state().rendering.progress() {
+        Progress::Running(part, _) => part < 0.5,
+        _ => false,
+    };
     window.run_steps(5);
     assert!(running(&window));
     let old = window.state().rendering.canvas.clone();

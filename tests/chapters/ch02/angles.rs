@@ -15,8 +15,8 @@ use crate::support::{U, laws, unit};
 fn half_a_turn_is_pi() {
     assert_eq!((to_radians(180.0), to_degrees(PI)), (PI, 180.0));
     assert_eq!(to_radians(90.0), FRAC_PI_2);
-    assert!((to_degrees(1.0) - 57.295_779_513_082_32).abs() < 1e-14);
-    assert!((to_radians(1.0) - 0.017_453_292_519_943_295).abs() < 1e-17);
+    near!(to_degrees(1.0), 57.295_779_513_082_32, 1e-14);
+    near!(to_radians(1.0), 0.017_453_292_519_943_295, 1e-17);
 }
 
 /// Law: sines and cosines of quarter turns are exact, however many turns. Oracle: 0, 1, 0, −1.
@@ -47,11 +47,11 @@ proptest! {
         prop_assert_eq!(cos_degrees(turned), cos_degrees(x));
         prop_assert_eq!(sin_degrees(-x), -sin_degrees(x));
         prop_assert_eq!(cos_degrees(-x), cos_degrees(x));
-        prop_assert!((cos_degrees(x) - sin_degrees(90.0 - x)).abs() < SINE);
-        prop_assert!((cos_degrees(x + 90.0) + sin_degrees(x)).abs() < SINE);
-        prop_assert!((cos_degrees(x - 90.0) - sin_degrees(x)).abs() < SINE);
+        near!(cos_degrees(x), sin_degrees(90.0 - x), SINE);
+        near!(cos_degrees(x + 90.0), -sin_degrees(x), SINE);
+        near!(cos_degrees(x - 90.0), sin_degrees(x), SINE);
         let (s, c) = (sin_degrees(x), cos_degrees(x));
-        prop_assert!((s * s + c * c - 1.0).abs() < 2.0 * SINE);
+        near!(s * s + c * c, 1.0, 2.0 * SINE);
     }
 
     /// Law: `sin(a + b) = sin a cos b + cos a sin b`, in degrees and in radians alike.
@@ -60,15 +60,15 @@ proptest! {
         let sum = sin_degrees(a) * cos_degrees(b) + cos_degrees(a) * sin_degrees(b);
         // a + b is rounded: half a unit of 720, in radians
         let rounding = 4.0 * SINE + to_radians(720.0) * U;
-        prop_assert!((sin_degrees(a + b) - sum).abs() < rounding);
-        prop_assert!((sin_degrees(a) - sin(to_radians(a))).abs() < SINE + 8.0 * to_radians(360.0) * U);
-        prop_assert!((tan(to_radians(a)) * cos(to_radians(a)) - sin(to_radians(a))).abs() < SINE);
+        near!(sin_degrees(a + b), sum, rounding);
+        near!(sin_degrees(a), sin(to_radians(a)), SINE + 8.0 * to_radians(360.0) * U);
+        near!(tan(to_radians(a)) * cos(to_radians(a)), sin(to_radians(a)), SINE);
     }
 
     /// Law: degrees to radians and back.
     #[test]
     fn degrees_survive_radians(degrees in -1e6..1e6_f64) {
-        prop_assert!((to_degrees(to_radians(degrees)) - degrees).abs() <= 4.0 * U * degrees.abs());
+        near!(to_degrees(to_radians(degrees)), degrees, 4.0 * U * degrees.abs());
     }
 
     /// Law: (θ, φ) → point → (θ, φ), with θ from +y and φ from +z towards +x, as the book counts.
@@ -89,8 +89,8 @@ proptest! {
         let Frame { u, v, w } = Frame::around(n);
         let volume = u.dot(v.cross(w));
         let omega = 2.0 * atan2(volume, 1.0 + u.dot(v) + v.dot(w) + w.dot(u));
-        prop_assert!((omega - FRAC_PI_2).abs() < 1e-14);
-        prop_assert!((8.0 * omega - 4.0 * PI).abs() < 1e-13);
+        near!(omega, FRAC_PI_2, 1e-14);
+        near!(8.0 * omega, 4.0 * PI, 1e-13);
     }
 }
 

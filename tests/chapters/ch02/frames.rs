@@ -41,7 +41,7 @@ proptest! {
         let frame = Frame::around(n);
         prop_assert_eq!(frame.w, Vector::from(n));
         prop_assert!(deviation(frame) < ORTHONORMAL, "{}", deviation(frame) / U);
-        prop_assert!((frame.u.cross(frame.v) - frame.w).length() < ORTHONORMAL);
+        near!(frame.u.cross(frame.v), frame.w, ORTHONORMAL);
     }
 
     /// Law: in the frame's own coordinates u is (1, 0, 0), and so on; going there and back changes
@@ -53,10 +53,10 @@ proptest! {
         prop_assert_eq!(frame.to_world(Vector::Y), frame.v);
         prop_assert_eq!(frame.to_world(Vector::Z), frame.w);
         let (local, tolerance) = (frame.to_local(v), 4.0 * ORTHONORMAL * length);
-        prop_assert!((frame.to_world(local) - v).length() < tolerance);
-        prop_assert!((frame.to_local(frame.to_world(v)) - v).length() < tolerance);
-        prop_assert!((local.length() - length).abs() < tolerance);
-        prop_assert!((local.z() - v.dot(n)).abs() < tolerance);
+        near!(frame.to_world(local), v, tolerance);
+        near!(frame.to_local(frame.to_world(v)), v, tolerance);
+        near!(local.length(), length, tolerance);
+        near!(local.z(), v.dot(n), tolerance);
     }
 
     /// Law: a viewing frame has w along `back`, u level (perpendicular to `up`), v on the side of
@@ -68,11 +68,11 @@ proptest! {
         prop_assume!(sine > 1e-6);
         let frame = Frame::looking(scale * back, (1.0 / scale) * up).expect("not parallel");
         prop_assert!(deviation(frame) < 2.0 * ORTHONORMAL, "{}", deviation(frame) / U);
-        prop_assert!((frame.u.cross(frame.v) - frame.w).length() < 2.0 * ORTHONORMAL);
-        prop_assert!((frame.w - back).length() < ORTHONORMAL);
-        prop_assert!(frame.u.dot(up).abs() < 2.0 * ORTHONORMAL / sine);
-        prop_assert!((frame.v.dot(up) - sine).abs() < 2.0 * ORTHONORMAL);
-        prop_assert!(frame.u.dot(Vector::from(up).cross(back)) > 0.0);
+        near!(frame.u.cross(frame.v), frame.w, 2.0 * ORTHONORMAL);
+        near!(frame.w, back, ORTHONORMAL);
+        near!(frame.u.dot(up), 0.0, 2.0 * ORTHONORMAL / sine);
+        near!(frame.v.dot(up), sine, 2.0 * ORTHONORMAL);
+        above!(frame.u.dot(Vector::from(up).cross(back)), 0.0);
     }
 
     /// Law: with `up` along y, u is horizontal, exactly.

@@ -14,7 +14,7 @@ proptest! {
     fn whole_powers_are_repeated_products(base in 0.0..3.0_f64, n in 0..200_u32) {
         let product = (0..n).fold(1.0, |product, _| product * base);
         let rounding = 2.0 * f64::from(n) * U * product + f64::MIN_POSITIVE;
-        prop_assert!((power(base, f64::from(n)) - product).abs() <= rounding);
+        near!(power(base, f64::from(n)), product, rounding);
     }
 
     /// Law: powers of small whole numbers are exact. Oracle: 64-bit whole numbers.
@@ -26,11 +26,11 @@ proptest! {
     /// Law: `x^½ · x^½ = x`, `x^(a+b) = x^a x^b`, `x^−a = 1/x^a`, `x^a = exp(a ln x)`.
     #[test]
     fn powers_obey_their_laws(x in 1e-3..1e3_f64, a in -4.0..4.0_f64, b in -4.0..4.0_f64) {
-        let close = |p: f64, q: f64| (p - q).abs() <= 1e-13 * q.abs();
-        prop_assert!(close(power(x, 0.5), x.sqrt()));
-        prop_assert!(close(power(x, a + b), power(x, a) * power(x, b)));
-        prop_assert!(close(power(x, -a), 1.0 / power(x, a)));
-        prop_assert!(close(power(x, a), exp(a * ln(x))));
+        let [product, inverse] = [power(x, a) * power(x, b), 1.0 / power(x, a)];
+        near!(power(x, 0.5), x.sqrt(), 1e-13 * x.sqrt());
+        near!(power(x, a + b), product, 1e-13 * product);
+        near!(power(x, -a), inverse, 1e-13 * inverse);
+        near!(power(x, a), exp(a * ln(x)), 1e-13 * power(x, a));
     }
 
     /// Law: powers of two are exact, by doubling and halving.
@@ -47,13 +47,14 @@ proptest! {
     fn geometric_series_add_up(a in 0.1..10.0_f64, r in 0.0..0.99_f64, n in 0..60_u32) {
         let sum: f64 = (0..n).map(|j| a * power(r, f64::from(j))).sum();
         let closed = a * (1.0 - power(r, f64::from(n))) / (1.0 - r);
-        prop_assert!((sum - closed).abs() <= 1e-12 * a / (1.0 - r));
+        near!(sum, closed, 1e-12 * a / (1.0 - r));
     }
 
     /// Law: the largest whole number not above x.
     #[test]
     fn floors_are_whole(x in -1e6..1e6_f64) {
-        prop_assert!(floor(x) <= x && x < floor(x) + 1.0);
+        at_most!(floor(x), x);
+        below!(x, floor(x) + 1.0);
         prop_assert_eq!(floor(x), floor(x) as i64 as f64);
     }
 }

@@ -4,7 +4,7 @@ use groundtruth::math::{Pcg32, hash, splitmix};
 use proptest::prelude::*;
 
 use crate::support::laws;
-use crate::support::statistics::{all_equal, moments, most_sigmas, sigmas};
+use crate::support::statistics::{assert_all_equal, moments, most_sigmas, sigmas};
 
 /// Law: PCG32 is the published generator. Oracle: the demo of O'Neill's minimal C library (seed 42,
 /// stream 54).
@@ -36,10 +36,15 @@ fn splitmix_gives_the_published_numbers() {
 fn hashes_of_different_words_differ() {
     let mut seen = std::collections::HashSet::new();
     for a in 0..20 {
-        assert!(seen.insert(hash(&[a])));
+        assert!(seen.insert(hash(&[a])), "the hash of {a} is that of other words");
         for b in 0..20 {
-            assert!(seen.insert(hash(&[a, b])));
-            (0..20).for_each(|c| assert!(seen.insert(hash(&[a, b, c])), "{a} {b} {c}"));
+            assert!(seen.insert(hash(&[a, b])), "the hash of {a} {b} is that of other words");
+            (0..20).for_each(|c| {
+                assert!(
+                    seen.insert(hash(&[a, b, c])),
+                    "the hash of {a} {b} {c} is that of other words"
+                )
+            });
         }
     }
 }
@@ -68,14 +73,15 @@ fn uniform_numbers_are_half_open_with_53_fair_bits() {
     let mut ones = [0_u64; 53];
     for _ in 0..DRAWS {
         let u = random.uniform();
-        assert!((0.0..1.0).contains(&u));
+        at_least!(u, 0.0);
+        below!(u, 1.0);
         let scaled = u * 9_007_199_254_740_992.0;
         assert_eq!(scaled, scaled.floor());
         let bits = scaled as u64;
         (0..53).for_each(|i| ones[i] += bits >> i & 1);
     }
     for (i, &count) in ones.iter().enumerate() {
-        assert!(all_equal(&[count, u64::from(DRAWS) - count], 5e4, 53), "bit {i}: {count}");
+        assert_all_equal(&format!("bit {i}: {count}"), &[count, u64::from(DRAWS) - count], 5e4, 53);
     }
 }
 
@@ -89,12 +95,12 @@ fn uniform_numbers_are_uniform() {
         for _ in 0..cells * each {
             counts[(random.uniform() * cells as f64) as usize] += 1;
         }
-        assert!(all_equal(&counts, each as f64, 4));
+        assert_all_equal("counts", &counts, each as f64, 4);
     }
     let draws: Vec<f64> = (0..1_000_000).map(|_| random.uniform()).collect();
-    assert!(sigmas(&draws, 0.5).abs() < most_sigmas(4));
+    near!(sigmas(&draws, 0.5), 0.0, most_sigmas(4));
     let (_, variance) = moments(&draws);
-    assert!((variance - 1.0 / 12.0).abs() < most_sigmas(4) * (1.0_f64 / 180.0 / 1e6).sqrt());
+    near!(variance, 1.0 / 12.0, most_sigmas(4) * (1.0_f64 / 180.0 / 1e6).sqrt());
 }
 
 /// Law: successive numbers, and those of neighbouring seeds and streams, have nothing to do with
@@ -112,7 +118,7 @@ fn pairs_of_uniform_numbers_are_uniform() {
         cells[2][cell(first, seed.uniform())] += 1;
     }
     for counts in cells {
-        assert!(all_equal(&counts, 100_000.0 / 256.0, 3));
+        assert_all_equal("counts", &counts, 100_000.0 / 256.0, 3);
     }
 }
 
@@ -125,10 +131,10 @@ fn whole_numbers_are_not_biased() {
     for _ in 0..30_000 {
         thirds[(random.below(3 << 30) >> 30) as usize] += 1;
     }
-    assert!(all_equal(&thirds, 10_000.0, 2), "{thirds:?}");
+    assert_all_equal("thirds", &thirds, 10_000.0, 2);
     let mut dice = [0; 6];
     (0..6000).for_each(|_| dice[random.below(6) as usize] += 1);
-    assert!(all_equal(&dice, 1000.0, 2), "{dice:?}");
+    assert_all_equal("dice", &dice, 1000.0, 2);
 }
 
 /// Law: a shuffle gives every order equally often. Oracle: all 24 orders of four things; a swap with
@@ -143,7 +149,7 @@ fn every_order_is_equally_likely() {
         *orders.entry(items).or_insert(0_u64) += 1;
     }
     assert_eq!(orders.len(), 24);
-    assert!(all_equal(&orders.into_values().collect::<Vec<_>>(), 2000.0, 1));
+    assert_all_equal("orders", &orders.into_values().collect::<Vec<_>>(), 2000.0, 1);
 }
 
 proptest! {
@@ -155,14 +161,18 @@ proptest! {
     #[test]
     fn a_seed_reproduces_its_numbers(seed: u64, stream: u64, n in 1..u32::MAX) {
         let [mut a, mut b] = [(); 2].map(|()| Pcg32::new(seed, stream));
-        prop_assert!(a.below(n) < n);
+        below!(a.below(n), n);
         b.below(n);
         let (first, second) = (a.uniform(), a.uniform());
         prop_assert_eq!([first, second], [b.uniform(), b.uniform()]);
         prop_assert!(first != second, "{first} twice from seed {seed}, stream {stream}");
-        let others = [(seed ^ 1, stream), (seed, stream ^ 1)].map(|(s, t)| Pcg32::new(s, t).uniform());
+        let others =
+            [(seed ^ 1, stream), (seed, stream ^ 1)].map(|(s, t)| Pcg32::new(s, t).uniform());
         let own = Pcg32::new(seed, stream).uniform();
-        prop_assert!(!others.contains(&own), "{own} from seed {seed}, stream {stream} and its neighbours");
+        prop_assert!(
+            !others.contains(&own),
+            "{own} from seed {seed}, stream {stream} and its neighbours"
+        );
         prop_assert_eq!(a.below(1), 0);
     }
 }

@@ -33,7 +33,7 @@ proptest! {
         let (b, half) = (-0.5 * a * (r + s), 0.5 * a * (s - r));
         let [first, second] = quadratic(a, b, a * r * s, half * half).expect("two roots");
         prop_assert!((first - r).abs() <= 8.0 * U * r, "{first} for {r}");
-        prop_assert!((second - s).abs() <= 8.0 * U * s);
+        near!(second, s, 8.0 * U * s);
     }
 
     /// Law: for any coefficients, what comes out are roots of a quadratic that differs from the given
@@ -48,10 +48,10 @@ proptest! {
         prop_assume!(a != 0.0);
         let discriminant = b * b - a * c;
         let Some([first, second]) = quadratic(a, b, c, discriminant) else {
-            prop_assert!(discriminant < 0.0);
+            below!(discriminant, 0.0);
             return Ok(());
         };
-        prop_assert!(first <= second);
+        at_most!(first, second);
         for t in [first, second] {
             let residual = (a * t + 2.0 * b) * t + c;
             let magnitude = (a * t * t).abs() + (2.0 * b * t).abs() + c.abs();
@@ -99,15 +99,23 @@ proptest! {
     fn tangents_touch_once(r in 1e-3..1e6_f64, away in 1..1_000_000_i64) {
         let from = |height| Vector::new(-away as f64, height, 0.0);
         let touches = perpendicular_roots(from(r), Vector::X, r).expect("it touches");
-        prop_assert!(touches.iter().all(|t| (t - away as f64).abs() <= r * (8.0 * U).sqrt()));
+        touches.iter().for_each(|t| near!(*t, away as f64, r * (8.0 * U).sqrt()));
         prop_assert_eq!(perpendicular_roots(from(r.next_up()), Vector::X, r), None);
-        let [first, second] = perpendicular_roots(from(r * (1.0 - 1e-9)), Vector::X, r).expect("two");
-        prop_assert!(first <= away as f64 && away as f64 <= second && first < second);
+        let [first, second] =
+            perpendicular_roots(from(r * (1.0 - 1e-9)), Vector::X, r).expect("two");
+        at_most!(first, away as f64);
+        at_most!(away as f64, second);
+        below!(first, second);
     }
 
     /// Law: doubling the direction halves the roots, to the bit; turning it around swaps their signs.
     #[test]
-    fn roots_count_in_the_direction(f in unit(), d in unit(), far in 0.0..9.0_f64, r in 0.1..5.0_f64) {
+    fn roots_count_in_the_direction(
+        f in unit(),
+        d in unit(),
+        far in 0.0..9.0_f64,
+        r in 0.1..5.0_f64,
+    ) {
         let (f, d) = (far * f, Vector::from(d));
         let roots = perpendicular_roots(f, d, r);
         let doubled = perpendicular_roots(f, 2.0 * d, r).map(|ts| ts.map(|t| 2.0 * t));

@@ -32,7 +32,7 @@ proptest! {
     /// Law: points move with a translation, vectors do not; otherwise alike: `T(p) − T(q) = T(p − q)`.
     #[test]
     fn vectors_ignore_translations(t in transform(), p in point(5.0), q in point(5.0)) {
-        prop_assert!(((t.point(p) - t.point(q)) - t.vector(p - q)).length() < ROUNDING);
+        near!(t.point(p) - t.point(q), t.vector(p - q), ROUNDING);
         let shift = Vector::new(3.0, -5.0, 7.0);
         let moved = Transform::from_steps(&[Step::Translate(shift)]).expect("invertible");
         prop_assert_eq!(moved.point(Point::ORIGIN), Point::ORIGIN + shift);
@@ -44,19 +44,19 @@ proptest! {
     #[test]
     fn normals_stay_perpendicular(t in transform(), n in unit(), v in point(5.0)) {
         let v = v.to_vector();
-        prop_assert!((t.covector(n).dot(t.vector(v)) - n.dot(v)).abs() < ROUNDING);
+        near!(t.covector(n).dot(t.vector(v)), n.dot(v), ROUNDING);
     }
 
     /// Law: the inverse undoes it, for points, vectors and rays.
     #[test]
     fn the_inverse_undoes(t in transform(), p in point(5.0), d in unit()) {
         let back = t.inverse();
-        prop_assert!((back.point(t.point(p)) - p).length() < ROUNDING);
-        prop_assert!((back.vector(t.vector(d.into())) - d).length() < ROUNDING);
+        near!(back.point(t.point(p)), p, ROUNDING);
+        near!(back.vector(t.vector(d.into())), d, ROUNDING);
         let ray = groundtruth::math::Ray::new(t.point(p), t.vector(d.into()));
         let inside = t.ray_back(&ray);
-        prop_assert!((inside.origin - p).length() < ROUNDING);
-        prop_assert!((inside.direction - d).length() < ROUNDING);
+        near!(inside.origin, p, ROUNDING);
+        near!(inside.direction, d, ROUNDING);
     }
 }
 
@@ -69,5 +69,5 @@ fn normals_of_an_ellipse_are_its_gradient() {
     let n = Normal::new(Vector::new(3.0, 4.0, 0.0)).expect("not zero");
     let p = stretch.point(Point::ORIGIN + Vector::from(n));
     let gradient = Vector::new(0.5 * p.x(), 2.0 * p.y(), 0.0);
-    assert!(gradient.cross(stretch.covector(n)).length() < 4.0 * U);
+    below!(gradient.cross(stretch.covector(n)).length(), 4.0 * U);
 }

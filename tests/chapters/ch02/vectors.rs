@@ -83,7 +83,7 @@ proptest! {
     fn normals_are_unit(v in unit(), exponent in -1020..1020_i32) {
         let scaled = power_of_two(exponent) * v;
         let n = Normal::new(scaled).expect("neither zero nor infinite");
-        prop_assert!((Vector::from(n).length() - 1.0).abs() <= 4.0 * U);
+        near!(Vector::from(n).length(), 1.0, 4.0 * U);
         prop_assert!((Vector::from(n) - v).length() <= 8.0 * U, "{n:?} {v:?}");
     }
 

@@ -34,11 +34,11 @@ proptest! {
     #[test]
     fn max_to_one_keeps_the_hue(color in radiance(50.0)) {
         let shown = PLAIN.map(color);
-        prop_assert!(shown.max() <= 1.0);
+        at_most!(shown.max(), 1.0);
         let (a, b) = (color.to_array(), shown.to_array());
         for i in 0..3 {
             let j = (i + 1) % 3;
-            prop_assert!((a[i] * b[j] - a[j] * b[i]).abs() <= 4.0 * U * color.max());
+            near!(a[i] * b[j], a[j] * b[i], 4.0 * U * color.max());
         }
         if color.max() <= 1.0 {
             prop_assert_eq!(shown, color);
@@ -63,8 +63,10 @@ proptest! {
     fn the_tone_is_monotone(a in 0.0..3.0_f64, b in 0.0..3.0_f64, gamma in 0.5..4.0_f64) {
         let tone = Tone { gamma, ..PLAIN };
         let (dark, bright) = (tone.map(Rgb::grey(a.min(b))), tone.map(Rgb::grey(a.max(b))));
-        prop_assert!(dark.g <= bright.g && bright.g <= 1.0 && dark.g >= 0.0);
-        prop_assert!(tone.to_bytes(Rgb::grey(a.min(b))) <= tone.to_bytes(Rgb::grey(a.max(b))));
+        at_most!(dark.g, bright.g);
+        at_most!(bright.g, 1.0);
+        at_least!(dark.g, 0.0);
+        at_most!(tone.to_bytes(Rgb::grey(a.min(b))), tone.to_bytes(Rgb::grey(a.max(b))));
     }
 
     /// Law: bytes are the nearest of 256. (The book truncates: 254.9 would be 254.) Oracle: no byte
@@ -134,13 +136,19 @@ fn files_are_written_whole_or_not_at_all() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let names = || std::fs::read_dir(folder.path()).expect("it exists").count();
     let unknown = write(&uneven(), &PLAIN, &folder.path().join("picture.gif"));
-    assert!(matches!(unknown, Err(ImageError::Format { .. })));
+    assert!(
+        matches!(unknown, Err(ImageError::Format { .. })),
+        "{unknown:?}, expected a wrong format"
+    );
     let nowhere = write(&uneven(), &PLAIN, &folder.path().join("missing/picture.png"));
-    assert!(matches!(nowhere, Err(ImageError::Unwritable { .. })));
+    assert!(
+        matches!(nowhere, Err(ImageError::Unwritable { .. })),
+        "{nowhere:?}, expected unwritable"
+    );
     assert_eq!(names(), 0);
     let path = folder.path().join("picture.png");
     std::fs::write(&path, "something else").expect("it can be written");
     write(&uneven(), &PLAIN, &path).expect("it can be replaced");
-    assert!(image::open(&path).is_ok());
+    image::open(&path).expect("it is a picture");
     assert_eq!(names(), 1);
 }

@@ -32,10 +32,10 @@ proptest! {
         let hit = shape.hit(&ray, Span::AHEAD).expect("it is aimed at");
         let surface = shape.surface(&ray, &hit);
         let tolerance = 64.0 * U * (20.0 + radius);
-        prop_assert!((o.distance(surface.point) - hit.t).abs() < 1e-9);
-        prop_assert!((surface.point.distance(center) - radius).abs() < tolerance);
+        near!(o.distance(surface.point), hit.t, 1e-9);
+        near!(surface.point.distance(center), radius, tolerance);
         let outward = (surface.point - center) / radius;
-        prop_assert!((Vector::from(surface.normal) - outward).length() < tolerance);
+        near!(Vector::from(surface.normal), outward, tolerance);
     }
 
     /// Law: from inside, the far root is hit, with the outward normal: `n·d > 0`; from outside the
@@ -47,15 +47,15 @@ proptest! {
         let shape = sphere(Point::ORIGIN, radius);
         let inside = Ray::new(Point::ORIGIN + share * radius * from, d.into());
         let hit = shape.hit(&inside, Span::AHEAD).expect("there is no way out");
-        prop_assert!(shape.surface(&inside, &hit).normal.dot(d) > 0.0);
+        above!(shape.surface(&inside, &hit).normal.dot(d), 0.0);
         prop_assert_eq!(shape.roots(&inside, Span::AHEAD).len(), 1);
         prop_assert_eq!(shape.roots(&inside, Span::LINE).len(), 2);
 
         let outside = Point::ORIGIN + (1.01 + share) * radius * from;
         let towards = Ray::new(outside, -Vector::from(from));
         let hit = shape.hit(&towards, Span::AHEAD).expect("it is ahead");
-        prop_assert!((hit.t - (0.01 + share) * radius).abs() < 1e-12 * radius);
-        prop_assert!(shape.surface(&towards, &hit).normal.dot(towards.direction) < 0.0);
+        near!(hit.t, (0.01 + share) * radius, 1e-12 * radius);
+        below!(shape.surface(&towards, &hit).normal.dot(towards.direction), 0.0);
         prop_assert_eq!(shape.hit(&Ray::new(outside, from.into()), Span::AHEAD), None);
     }
 
@@ -73,9 +73,12 @@ proptest! {
         prop_assert_eq!(roots.len(), 2);
         // half the chord is r √2e-9
         let chord = radius * (3e-9_f64).sqrt();
-        prop_assert!(roots.iter().all(|hit| (hit.t - touches).abs() < chord + chord * chord / away));
+        roots.iter().for_each(|hit| near!(hit.t, touches, chord + chord * chord / away));
         let past = Point::ORIGIN + radius * (1.0 + 1e-9) * frame.u + away * frame.v;
-        prop_assert_eq!(sphere(Point::ORIGIN, radius).hit(&Ray::new(past, -frame.v), Span::LINE), None);
+        prop_assert_eq!(
+            sphere(Point::ORIGIN, radius).hit(&Ray::new(past, -frame.v), Span::LINE),
+            None
+        );
     }
 
     /// Law: twice the direction is half the t, to the bit, for plane and sphere alike.
@@ -104,9 +107,9 @@ proptest! {
         if let Some(hit) = hit {
             let surface = plane.surface(&ray, &hit);
             let size = 20.0 + surface.point.to_vector().length();
-            prop_assert!((surface.point - a).dot(n).abs() < 16.0 * U * size);
-            prop_assert!((surface.point - ray.at(hit.t)).length() < 16.0 * U * size / slope.abs());
-            prop_assert!((surface.normal.dot(n) - 1.0).abs() < 8.0 * U);
+            near!((surface.point - a).dot(n), 0.0, 16.0 * U * size);
+            near!(surface.point, ray.at(hit.t), 16.0 * U * size / slope.abs());
+            near!(surface.normal.dot(n), 1.0, 8.0 * U);
         }
     }
 

@@ -52,7 +52,7 @@ fn a_sphere_covers_the_centers_within_its_disk() {
             count += u32::from(inside);
         }
         let area = std::f64::consts::PI * 85.0 * 85.0;
-        assert!((f64::from(count) - area).abs() < 2.0 * std::f64::consts::PI * 85.0);
+        near!(f64::from(count), area, 2.0 * std::f64::consts::PI * 85.0);
     }
 }
 
@@ -135,10 +135,10 @@ fn of_two_objects_at_the_same_place_the_first_is_seen() {
     let ball = Sphere { center: Point::ORIGIN, radius: 9.0, inward: false };
     add_flat(&mut scene, "first", ball.clone(), RED);
     add_flat(&mut scene, "second", ball, Rgb::WHITE);
-    assert!(render::render(&built(&scene)).pixels().iter().all(|&pixel| pixel == RED));
+    assert_eq!(render::render(&built(&scene)).pixels(), [RED; 9]);
 }
 
-/// Law: what is hit by nothing shows the background; spheres behind, around and cut by the plane of
+/// Law: a ray that hits nothing shows the background; spheres behind, around and cut by the plane of
 /// the eye show what is in front of it (figure 3.4). Oracle: by eye.
 #[test]
 fn spheres_around_the_eye_show_what_is_in_front_of_it() {
@@ -172,7 +172,7 @@ fn a_plane_seen_edge_on_is_not_there() {
     let mut scene = from_front(3, 3, 1.0);
     add_flat(&mut scene, "wall", Plane { point: Point::ORIGIN, normal: Vector::X }, RED);
     let world = World::build(&scene).expect("a valid scene");
-    assert!(render::render(&world).pixels().iter().all(|pixel| pixel.is_black()));
+    assert_eq!(render::render(&world).pixels(), [Rgb::BLACK; 9]);
 }
 
 /// Law: a picture of another size and aspect shows as much from left to right, in square pixels. Oracle: a

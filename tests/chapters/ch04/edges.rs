@@ -68,7 +68,7 @@ fn areas_beside_edges_are_right() {
     for _ in 0..50 {
         let edge = Edge::random(&mut random);
         let counted = edge.estimate(&built(Regular {}).fill(160_000, &mut random));
-        assert!((edge.area() - counted).abs() < 800.0 / 160_000.0);
+        near!(edge.area(), counted, 800.0 / 160_000.0);
     }
 }
 

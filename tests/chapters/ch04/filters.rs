@@ -40,7 +40,11 @@ proptest! {
     /// Law: the filters of all pixels add up to 1 everywhere, for the box, the tent of radius 1 and
     /// all of Mitchell and Netravali's family (their equation 8 was made so). Oracle: the sum.
     #[test]
-    fn filters_of_all_pixels_add_up_to_one(b in 0.0..=1.0_f64, c in 0.0..=1.0_f64, x in 0.0..1.0_f64) {
+    fn filters_of_all_pixels_add_up_to_one(
+        b in 0.0..=1.0_f64,
+        c in 0.0..=1.0_f64,
+        x in 0.0..1.0_f64,
+    ) {
         for kind in [Mitchell { b, c }.into(), Tent { radius: 1.0 }.into(), Kind::from(Box {})] {
             let filter = filter(kind);
             prop_assume!(x != 0.5); // two boxes meet there
@@ -74,7 +78,11 @@ proptest! {
     /// Law: the Gaussian's place is that of the normal distribution, cut off. Oracle: the error
     /// function of the place, which is u.
     #[test]
-    fn gaussian_places_are_normal(u in 0.0..1.0_f64, sigma in 0.2..3.0_f64, radius in 0.3..6.0_f64) {
+    fn gaussian_places_are_normal(
+        u in 0.0..1.0_f64,
+        sigma in 0.2..3.0_f64,
+        radius in 0.3..6.0_f64,
+    ) {
         let (place, weight) = filter(gaussian(sigma, radius)).draw(u);
         let share = |x: f64| erf(x / (SQRT_2 * sigma));
         let found = 0.5 * (1.0 + share(place - 0.5) / share(radius));
@@ -83,7 +91,7 @@ proptest! {
         let ratio = |x: f64| filter(gaussian(sigma, radius)).value(x * radius)
             / filter(gaussian(sigma, radius)).value(0.0);
         let z = 0.7 * radius / sigma;
-        prop_assert!((ratio(0.7) - exp(-0.5 * z * z)).abs() < 1e-14);
+        near!(ratio(0.7), exp(-0.5 * z * z), 1e-14);
     }
 }
 

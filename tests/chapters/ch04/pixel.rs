@@ -245,7 +245,8 @@ fn the_mean_of_a_million_samples_is_right() {
         let mean = render::mean(samples.into_iter());
         let expected = total as f64 * unit / 1e6;
         assert!((mean.r - expected).abs() <= 1e-15 * expected, "{} {expected}", mean.r);
-        assert!((mean.g - 0.1).abs() < 1e-16 && (mean.b - 1.0 / 3.0).abs() < 1e-16);
+        near!(mean.g, 0.1, 1e-16);
+        near!(mean.b, 1.0 / 3.0, 1e-16);
     }
 }
 

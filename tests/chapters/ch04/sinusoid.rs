@@ -6,6 +6,7 @@ use groundtruth::background::{Background, Pattern, Sinusoid};
 use groundtruth::cameras::{Orthographic, Pinhole, Viewpoint};
 use groundtruth::math::{Point, Vector, power_of_two, sin};
 use groundtruth::render;
+use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{Jittered, Random};
 use groundtruth::scene::{Image, Scene};
 use groundtruth::trace::RayCounts;
@@ -51,7 +52,7 @@ fn a_pixel_is_the_function_at_its_centre() {
 #[test]
 fn it_needs_one_ray_and_no_object() {
     let world = built(&scene(8));
-    assert!(world.objects().is_empty());
+    assert_eq!(world.objects().len(), 0);
     let mut counts = RayCounts::default();
     render::sample(&world, [3, 4], 0, &mut counts);
     assert_eq!(counts, RayCounts { camera: 1, ..RayCounts::default() });
@@ -183,7 +184,7 @@ fn a_pinhole_sees_the_pattern_in_perspective() {
     }
     scene.camera.look_at = Point::new(1.0, 2.0, 20.0);
     let film = render::render(&built(&scene));
-    assert!(pixels(9, 7).all(|at| film.get(at).is_black()));
+    assert_eq!(film.pixels(), [Rgb::BLACK; 63]);
 }
 
 /// Law: a scene twice as large with a unit twice as long is the same picture, bit for bit; and a unit
@@ -199,7 +200,9 @@ fn the_unit_scales_with_the_scene() {
         };
         assert_eq!(sinusoid.unit, power_of_two(exponent));
         let other = render::render(&built(&scaled));
-        assert!(pixels(32, 32).all(|at| bits(film.get(at)) == bits(other.get(at))));
+        for at in pixels(32, 32) {
+            assert_eq!(bits(other.get(at)), bits(film.get(at)), "2^{exponent}, {at:?}");
+        }
     }
     let wrong = Scene { background: pattern(0.0), ..scene };
     let error = groundtruth::world::World::build(&wrong).expect_err("no length").to_string();

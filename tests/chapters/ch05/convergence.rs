@@ -136,13 +136,13 @@ fn a_shift_takes_away_the_bias_of_hammersley() {
         (0..4000).map(mean).collect()
     };
     let fixed = integral / (n * (exp(1.0 / n) - 1.0));
-    assert!(means(false).iter().all(|mean| (mean - fixed).abs() < 1e-14));
+    means(false).iter().for_each(|mean| near!(*mean, fixed, 1e-14));
     let errors: Vec<f64> = means(true).iter().map(|mean| mean - integral).collect();
-    assert!(sigmas(&errors, 0.0).abs() < most_sigmas(2));
+    near!(sigmas(&errors, 0.0), 0.0, most_sigmas(2));
     // the mean is fixed · exp(t/n), t uniform
     let of_squares = 0.5 * n * (exp(2.0 / n) - 1.0) * fixed * fixed;
     let squares: Vec<f64> = errors.iter().map(|e| e * e).collect();
     let variance = of_squares - integral * integral;
-    assert!((variance / (integral * integral / (12.0 * n * n)) - 1.0).abs() < 0.01);
-    assert!(sigmas(&squares, variance).abs() < most_sigmas(2));
+    near!(variance / (integral * integral / (12.0 * n * n)), 1.0, 0.01);
+    near!(sigmas(&squares, variance), 0.0, most_sigmas(2));
 }

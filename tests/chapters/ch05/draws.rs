@@ -11,8 +11,8 @@ use groundtruth::scene::Scene;
 use proptest::prelude::*;
 
 use crate::pictures::studio::{built as world, from_front, pixels};
-use crate::support::samples::{built, occupied, once_each};
-use crate::support::statistics::{all_equal, most_sigmas};
+use crate::support::samples::{assert_once_each, built};
+use crate::support::statistics::{assert_all_equal, most_sigmas};
 use crate::support::{camera_ray, laws};
 
 fn sets(kind: impl Into<Kind>, n: u32, seed: u64) -> SampleSets {
@@ -41,11 +41,11 @@ fn every_pixel_uses_up_one_set() {
     for at in 0..500 {
         for index in [0, 1, 5] {
             let points = run(&jittered, key(at, 7), index);
-            assert!(once_each(&occupied(&points, 5, 5)));
+            assert_once_each("points", &points, 5, 5);
             let points = run(&multi, key(at, 7), index);
-            assert!(once_each(&occupied(&points, 5, 5)), "cells");
-            assert!(once_each(&occupied(&points, 25, 1)), "columns");
-            assert!(once_each(&occupied(&points, 1, 25)), "rows");
+            assert_once_each("cells", &points, 5, 5);
+            assert_once_each("columns", &points, 25, 1);
+            assert_once_each("rows", &points, 1, 25);
         }
     }
 }
@@ -68,7 +68,7 @@ fn all_sets_and_orders_are_used() {
     }
     assert_eq!(seen.len(), 83);
     let counts: Vec<u64> = seen.into_values().collect();
-    assert!(all_equal(&counts, 200.0, 1), "{counts:?}");
+    assert_all_equal("counts", &counts, 200.0, 1);
     // 200 draws of 996 orders leave out 996 (995/996)²⁰⁰ ≈ 814.7 of them on average, ±4; the mean of 83
     // such numbers is known to 0.45
     let mean = orders.values().map(|of| of.len() as f64).sum::<f64>() / 83.0;
@@ -86,7 +86,7 @@ proptest! {
         let first = sets.draw(key(x, y), index);
         sets.draw(key(y, x), index);
         prop_assert_eq!(sets.draw(key(x, y), index), first);
-        prop_assert!(first.iter().all(|u| (0.0..1.0).contains(u)));
+        prop_assert!(first.iter().all(|u| (0.0..1.0).contains(u)), "{first:?} is not in [0, 1)²");
     }
 }
 
@@ -94,7 +94,7 @@ proptest! {
 #[test]
 fn seeds_change_sets_and_choices() {
     let (one, two) = (sets(Random {}, 4, 1), sets(Random {}, 4, 2));
-    assert!((0..100).all(|x| one.draw(key(x, 0), 0) != two.draw(key(x, 0), 0)));
+    (0..100).for_each(|x| assert_ne!(one.draw(key(x, 0), 0), two.draw(key(x, 0), 0), "pixel {x}"));
     let other = |x| Key::new(4, [x, 0], Purpose::Pixel);
     let agree = (0..332).filter(|&x| run(&one, key(x, 0), 0) == run(&one, other(x), 0)).count();
     assert!(agree <= 2, "{agree} of 332 pixels choose alike; 332/83² = 0.05 are expected");
@@ -153,8 +153,9 @@ fn the_default_is_regular_for_one_and_multi_jittered_for_more() {
     assert_eq!(film(&scene, [2, 2], 0), [2.5, 2.5]);
     scene.image.samples = 9;
     let points: Vec<_> = (0..9).map(|i| film(&scene, [2, 2], i).map(|x| x - 2.0)).collect();
-    assert!(once_each(&occupied(&points, 3, 3)));
-    assert!(once_each(&occupied(&points, 9, 1)) && once_each(&occupied(&points, 1, 9)));
+    assert_once_each("points", &points, 3, 3);
+    assert_once_each("points", &points, 9, 1);
+    assert_once_each("points", &points, 1, 9);
     assert_ne!(points[0], [1.0 / 6.0; 2]);
     assert_eq!(sets(Regular {}, 1, 5).draw(key(1, 1), 77), [power_of_two(-1); 2]);
 }

@@ -7,7 +7,7 @@ use groundtruth::samplers::{
 use proptest::prelude::*;
 
 use crate::support::laws;
-use crate::support::samples::{built, occupied, once_each};
+use crate::support::samples::{assert_once_each, built};
 use crate::support::statistics::{most_sigmas, sigmas};
 
 proptest! {
@@ -17,15 +17,18 @@ proptest! {
     /// squares are not rounded.
     #[test]
     fn sets_are_complete_and_in_the_unit_square(n in 1..300_u32, seed: u64) {
-        for kind in [Kind::from(Regular {}), Random {}.into(), Jittered {}.into(), MultiJittered {}.into()] {
+        for kind in
+            [Kind::from(Regular {}), Random {}.into(), Jittered {}.into(), MultiJittered {}.into()]
+        {
             let sampler = built(kind);
             let rounded = sampler.round_up(n);
-            prop_assert!(rounded >= n && sampler.round_up(rounded) == rounded);
+            at_least!(rounded, n);
+            prop_assert_eq!(sampler.round_up(rounded), rounded);
             let root = (1..).find(|i| i * i >= n).unwrap_or(0);
             prop_assert!(rounded == n || rounded == root * root, "{rounded} for {n}");
             let points = sampler.fill(rounded, &mut Pcg32::new(seed, 0));
             prop_assert_eq!(points.len(), rounded as usize);
-            prop_assert!(points.iter().flatten().all(|x| (0.0..1.0).contains(x)));
+            prop_assert!(points.iter().flatten().all(|x| (0.0..1.0).contains(x)), "{points:?}");
         }
     }
 
@@ -50,13 +53,13 @@ proptest! {
         let n = side * side;
         let jittered = built(Jittered {}).fill(n, random);
         let multi = built(MultiJittered {}).fill(n, random);
-        prop_assert!(once_each(&occupied(&jittered, side, side)));
-        prop_assert!(once_each(&occupied(&multi, side, side)));
-        prop_assert!(once_each(&occupied(&multi, n, 1)), "columns");
-        prop_assert!(once_each(&occupied(&multi, 1, n)), "rows");
+        assert_once_each("jittered", &jittered, side, side);
+        assert_once_each("multi", &multi, side, side);
+        assert_once_each("columns", &multi, n, 1);
+        assert_once_each("rows", &multi, 1, n);
         let rooks = built(NRooks {}).fill(n, random);
-        prop_assert!(once_each(&occupied(&rooks, n, 1)), "columns of rooks");
-        prop_assert!(once_each(&occupied(&rooks, 1, n)), "rows of rooks");
+        assert_once_each("columns of rooks", &rooks, n, 1);
+        assert_once_each("rows of rooks", &rooks, 1, n);
     }
 }
 
@@ -78,7 +81,7 @@ fn multi_jittered_points_are_anywhere_in_their_cell() {
         }
     }
     for counts in places {
-        assert!(crate::support::statistics::all_equal(&counts, 250.0, 2), "{counts:?}");
+        crate::support::statistics::assert_all_equal("counts", &counts, 250.0, 2);
     }
 }
 
@@ -118,7 +121,7 @@ fn rooks_take_every_order() {
     }
     let counts: Vec<u64> = orders.into_values().collect();
     assert_eq!(counts.len(), 24);
-    assert!(crate::support::statistics::all_equal(&counts, 1000.0, 1), "{counts:?}");
+    crate::support::statistics::assert_all_equal("counts", &counts, 1000.0, 1);
 }
 
 /// Law: in a correlated multi-jittered set, all cells of one row have their point in the same of the n
@@ -144,5 +147,5 @@ fn correlated_sets_have_one_order_for_all() {
     }
     let counts: Vec<u64> = orders.into_values().collect();
     assert_eq!(counts.len(), 6);
-    assert!(crate::support::statistics::all_equal(&counts, 1000.0, 1), "{counts:?}");
+    crate::support::statistics::assert_all_equal("counts", &counts, 1000.0, 1);
 }

@@ -3,8 +3,8 @@
 use groundtruth::math::Pcg32;
 use groundtruth::samplers::{Hammersley, Key, Purpose, SampleSets, Sobol};
 
-use crate::support::samples::{built, occupied, once_each};
-use crate::support::statistics::{all_equal, most_sigmas, sigmas};
+use crate::support::samples::{assert_once_each, built, occupied};
+use crate::support::statistics::{assert_all_equal, most_sigmas, sigmas};
 
 fn hammersley(n: u32) -> Vec<[f64; 2]> {
     built(Hammersley { shifted: false }).fill(n, &mut Pcg32::new(0, 0))
@@ -34,7 +34,7 @@ fn hammersley_has_one_set() {
     for shifted in [false, true] {
         for seed in [1, 2] {
             let sets = SampleSets::new(&*built(Hammersley { shifted }), 10, seed);
-            assert!((0..83).all(|i| sets.set(i) == fixed));
+            (0..83).for_each(|i| assert_eq!(sets.set(i), fixed, "set {i}"));
             for x in 0..20 {
                 let key = Key::new(seed, [x, 0], Purpose::Pixel);
                 let drawn: Vec<_> = (0..10).map(|i| sets.draw(key, i)).collect();
@@ -116,7 +116,7 @@ fn the_coins_of_the_scramble_are_fair_and_independent() {
         counts[4][16 * pattern(&coins[0][1..5]) + pattern(&coins[1][1..5])] += 1;
     }
     for counts in counts {
-        assert!(all_equal(&counts, 100.0, 5), "{counts:?}");
+        assert_all_equal("counts", &counts, 100.0, 5);
     }
 }
 
@@ -127,7 +127,7 @@ fn prefixes_of_sobol_are_nets_too() {
     let set = built(Sobol {}).fill(300, &mut Pcg32::new(7, 7));
     for m in 0..=8 {
         for a in 0..=m {
-            assert!(once_each(&occupied(&set[..1 << m], 1 << a, 1 << (m - a))), "{m}, {a}");
+            assert_once_each(&format!("{m}, {a}"), &set[..1 << m], 1 << a, 1 << (m - a));
         }
     }
     for a in 0..=8 {
@@ -146,7 +146,7 @@ fn places_in_the_finest_box_are_free() {
         x * y
     };
     let products: Vec<f64> = (0..20_000).map(product).collect();
-    assert!(sigmas(&products, 0.0).abs() < most_sigmas(1));
+    near!(sigmas(&products, 0.0), 0.0, most_sigmas(1));
     let squares: Vec<f64> = products.iter().map(|p| p * p).collect();
-    assert!(sigmas(&squares, 1.0 / 144.0).abs() < most_sigmas(1));
+    near!(sigmas(&squares, 1.0 / 144.0), 0.0, most_sigmas(1));
 }

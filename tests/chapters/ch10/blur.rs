@@ -31,10 +31,10 @@ fn a_picture_through_a_lens_of_radius_0_is_the_pinholes() {
         let world = built(&scene);
         assert_same_bits(name, &render::render(&world), &pinhole);
         assert_eq!(render::camera_sample(&world, [3, 4], 1).expect("no gap").lens, None);
-        // a lens worth the name changes it
+        // a wide lens changes it
         scene.camera.lens =
             ThinLens { distance, zoom, focal_distance: 10.0 * distance, lens_radius: 20.0 }.into();
-        assert!(render::render(&built(&scene)) != pinhole);
+        assert!(render::render(&built(&scene)) != pinhole, "{name}: the wide lens blurs nothing");
     }
 }
 

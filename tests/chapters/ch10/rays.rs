@@ -72,7 +72,11 @@ proptest! {
     /// sharp surface is a plane, not a sphere. Oracle: similar triangles.
     #[test]
     fn the_rays_of_a_film_point_meet_at_the_focal_distance(
-        lens in lens(), x in -50.0..50.0_f64, y in -50.0..50.0_f64, turn in 0.0..1.0_f64, r in 0.0..1.0_f64,
+        lens in lens(),
+        x in -50.0..50.0_f64,
+        y in -50.0..50.0_f64,
+        turn in 0.0..1.0_f64,
+        r in 0.0..1.0_f64,
     ) {
         let f = lens.focal_distance;
         let camera = camera(&lens);
@@ -84,8 +88,8 @@ proptest! {
         // and nowhere else: before and behind it they are apart
         let [near, far] = [0.5, 2.0].map(|k| at_depth(traced(&*camera, [x, y], rim(turn)), k * f));
         let centre = [0.5, 2.0].map(|k| at_depth(traced(&*camera, [x, y], [0.0; 2]), k * f));
-        prop_assert!((distance(near, centre[0]) - 0.5 * lens.lens_radius).abs() < 1e-9 * size);
-        prop_assert!((distance(far, centre[1]) - lens.lens_radius).abs() < 1e-9 * size);
+        near!(distance(near, centre[0]), 0.5 * lens.lens_radius, 1e-9 * size);
+        near!(distance(far, centre[1]), lens.lens_radius, 1e-9 * size);
     }
 
     /// Law: rays start on the lens: a disk of the radius R about the eye, across −w.
@@ -102,7 +106,11 @@ proptest! {
     /// places whose rays from the lens's rim pass the point.
     #[test]
     fn the_circle_of_confusion(
-        lens in lens(), x in -20.0..20.0_f64, y in -20.0..20.0_f64, z in 0.5..500.0_f64, turn in 0.0..1.0_f64,
+        lens in lens(),
+        x in -20.0..20.0_f64,
+        y in -20.0..20.0_f64,
+        z in 0.5..500.0_f64,
+        turn in 0.0..1.0_f64,
     ) {
         let ThinLens { distance: d, focal_distance: f, lens_radius, zoom } = lens;
         let camera = camera(&lens);
@@ -111,11 +119,11 @@ proptest! {
         let place = place_of(&*camera, rim(turn), [x, y], z);
         let opposite = place_of(&*camera, rim(turn + 0.5), [x, y], z);
         let slack = 1e-9 * (zoom * d * (1.0 + (lens_radius + 30.0) / z + lens_radius / f));
-        prop_assert!((distance(place, opposite) - diameter).abs() < slack);
-        prop_assert!((distance(place, centre) - 0.5 * diameter).abs() < slack);
+        near!(distance(place, opposite), diameter, slack);
+        near!(distance(place, centre), 0.5 * diameter, slack);
         // on the side of the lens point if it is behind the sharp plane, turned around before it
         let side = (place[0] - centre[0]) * rim(turn)[0] + (place[1] - centre[1]) * rim(turn)[1];
-        prop_assert!(side * (z - f) > -slack * (z - f).abs());
+        above!(side * (z - f), -slack * (z - f).abs());
     }
 
     /// Law: the blur of a point grows with the radius, twice as large to the bit, and does not move
@@ -129,18 +137,26 @@ proptest! {
         };
         let twice = ThinLens { lens_radius: 2.0 * lens.lens_radius, ..lens.clone() };
         // the places of the points are differences of larger numbers
-        let slack = |z: f64| 1e-11 * (lens.zoom * lens.distance * lens.lens_radius) * (1.0 / z + 1.0 / lens.focal_distance);
-        prop_assert!((blur(&twice, z) - 2.0 * blur(&lens, z)).abs() <= slack(z));
+        let slack = |z: f64| {
+            1e-11
+                * (lens.zoom * lens.distance * lens.lens_radius)
+                * (1.0 / z + 1.0 / lens.focal_distance)
+        };
+        near!(blur(&twice, z), 2.0 * blur(&lens, z), slack(z));
         let limit = 2.0 * lens.lens_radius * lens.distance / lens.focal_distance * lens.zoom;
-        prop_assert!((blur(&lens, 1e9) - limit).abs() < 1e-6 * limit);
-        prop_assert!(blur(&lens, lens.focal_distance) < slack(lens.focal_distance));
+        near!(blur(&lens, 1e9), limit, 1e-6 * limit);
+        below!(blur(&lens, lens.focal_distance), slack(lens.focal_distance));
     }
 
     /// Law: the distance of the view plane scales the picture and nothing else: k times the film of k
     /// times the distance has the same rays; so has k times the film of k times the zoom.
     #[test]
     fn the_distance_only_scales(
-        lens in lens(), x in -50.0..50.0_f64, y in -50.0..50.0_f64, turn in 0.0..1.0_f64, k in 0.1..10.0_f64,
+        lens in lens(),
+        x in -50.0..50.0_f64,
+        y in -50.0..50.0_f64,
+        turn in 0.0..1.0_f64,
+        k in 0.1..10.0_f64,
     ) {
         let (origin, direction) = traced(&*camera(&lens), [x, y], rim(turn));
         let farther = ThinLens { distance: k * lens.distance, ..lens.clone() };
@@ -149,7 +165,7 @@ proptest! {
             let (o, d) = traced(&*camera(&other), [k * x, k * y], rim(turn));
             prop_assert_eq!(o, origin);
             let turned = d.unit().expect("it looks") - direction.unit().expect("it looks");
-            prop_assert!(turned.length() < 1e-13);
+            below!(turned.length(), 1e-13);
         }
     }
 }

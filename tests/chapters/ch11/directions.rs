@@ -45,23 +45,30 @@ proptest! {
         prop_assume!(psi > 0.01);
         let expected = lambda_max * lambda_max * sin(psi) / psi;
         let found = density(&fisheye(fov), [xn, yn]);
-        prop_assert!((found - expected).abs() < DIFFERENCE * lambda_max * lambda_max, "{found} {expected}");
+        prop_assert!(
+            (found - expected).abs() < DIFFERENCE * lambda_max * lambda_max,
+            "{found} {expected}"
+        );
         let psi = psi_max * yn;
         let expected = lambda_max * psi_max * cos(psi);
         let found = density(&spherical(fov, v), [xn, yn]);
-        prop_assert!((found - expected).abs() < DIFFERENCE * lambda_max * psi_max);
+        near!(found, expected, DIFFERENCE * lambda_max * psi_max);
         let height = groundtruth::math::tan(psi_max);
         let cos_psi = 1.0 / (1.0 + yn * yn * height * height).sqrt();
         let expected = lambda_max * height * cos_psi * cos_psi * cos_psi;
         let found = density(&cylindrical(fov, v), [xn, yn]);
         let third = 1.0 + height * height;
-        prop_assert!((found - expected).abs() < DIFFERENCE * third * lambda_max * height);
+        near!(found, expected, DIFFERENCE * third * lambda_max * height);
     }
 
     /// Law: with a small field of view they are pinhole cameras of the distance `width/(2 λ_max)`: the
     /// difference falls with the cube of the angle. Oracle: the pinhole; 1/3 of the cube, at the rim.
     #[test]
-    fn a_small_field_of_view_is_a_pinholes(exponent in -7.0..-1.0_f64, xn in -0.7..0.7_f64, yn in -0.7..0.7_f64) {
+    fn a_small_field_of_view_is_a_pinholes(
+        exponent in -7.0..-1.0_f64,
+        xn in -0.7..0.7_f64,
+        yn in -0.7..0.7_f64,
+    ) {
         let square = ViewPlane { width: 6.0, height: 6.0 };
         let fov = groundtruth::math::exp(exponent * std::f64::consts::LN_10);
         let lambda_max = to_radians(0.5 * fov);
@@ -78,14 +85,22 @@ proptest! {
             let cube = lambda_max * lambda_max * lambda_max;
             prop_assert!(off < cube + 4.0 * f64::EPSILON, "{off:e} of {cube:e}");
             // and the small directions themselves are good to the same relative error
-            prop_assert!((d.x() - expected.x()).abs() <= (lambda_max * lambda_max + 1e-15) * d.x().abs() + cube * 1e-300);
+            near!(
+                d.x(),
+                expected.x(),
+                (lambda_max * lambda_max + 1e-15) * d.x().abs() + cube * 1e-300
+            );
         }
     }
 
     /// Law: the picture does not depend on the size of a pixel, nor on how many there are: only on the
     /// part of the film. Oracle: a film of another size, and a power of two bit for bit.
     #[test]
-    fn pictures_do_not_depend_on_the_pixel_size(fov in 1.0..360.0_f64, xn in -0.7..0.7_f64, yn in -0.7..0.7_f64) {
+    fn pictures_do_not_depend_on_the_pixel_size(
+        fov in 1.0..360.0_f64,
+        xn in -0.7..0.7_f64,
+        yn in -0.7..0.7_f64,
+    ) {
         let other = ViewPlane { width: 7.3, height: 0.31 };
         let twice = ViewPlane { width: 2.0 * FILM.width, height: 8.0 * FILM.height };
         let at = |lens: &Kind, film: ViewPlane| {
@@ -97,7 +112,7 @@ proptest! {
             let (a, b) = (at(&lens, FILM), at(&lens, other));
             prop_assert_eq!(at(&lens, twice), a);
             if let (Some(a), Some(b)) = (a, b) {
-                prop_assert!((a - b).length() < 16.0 * f64::EPSILON);
+                near!(a, b, 16.0 * f64::EPSILON);
             }
         }
     }

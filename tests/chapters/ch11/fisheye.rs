@@ -37,7 +37,8 @@ proptest! {
         let error = (from_line_of_sight(d) - expected).abs();
         prop_assert!(error < 16.0 * U * expected + 8.0 * U * expected, "{d:?} {error:e}");
         let turned = d.x() * sin(alpha) - d.y() * cos(alpha);
-        prop_assert!(turned.abs() < 8.0 * U * (d.x().abs() + d.y().abs()) && d.x() * cos(alpha) >= 0.0);
+        near!(turned, 0.0, 8.0 * U * (d.x().abs() + d.y().abs()));
+        at_least!(d.x() * cos(alpha), 0.0);
     }
 
     /// Law: nothing is seen outside the circle; if rectangular, the corners go on as far as straight
@@ -50,14 +51,19 @@ proptest! {
         let corner = looking(&rectangular(fov), [xn, yn]);
         prop_assert_eq!(corner.is_some(), 0.5 * fov * r < 180.0);
         if let Some(d) = corner {
-            prop_assert!((from_line_of_sight(d) - 0.5 * fov * r).abs() < 1e-13);
+            near!(from_line_of_sight(d), 0.5 * fov * r, 1e-13);
         }
     }
 
     /// Law: a point is seen if the angle to it is within the field of view; beyond it is out of view.
     /// Oracle: its angle by the arc cosine.
     #[test]
-    fn what_is_in_the_field_of_view_is_seen(fov in 1.0..360.0_f64, x in -1.0..1.0_f64, y in -1.0..1.0_f64, z in -1.0..1.0_f64) {
+    fn what_is_in_the_field_of_view_is_seen(
+        fov in 1.0..360.0_f64,
+        x in -1.0..1.0_f64,
+        y in -1.0..1.0_f64,
+        z in -1.0..1.0_f64,
+    ) {
         let length = (x * x + y * y + z * z).sqrt();
         prop_assume!(length > 1e-3);
         let angle = to_degrees(acos(-z / length));
@@ -113,7 +119,7 @@ fn nearly_all_around_is_accurate() {
         let off = to_degrees(d.x());
         // 360 − missing is itself rounded by half of 5.7e-14
         assert!((off - 0.5 * missing).abs() < 1e-13 + 1e-9 * missing, "{off:e}");
-        assert!(d.z() > 0.0);
+        above!(d.z(), 0.0);
     }
 }
 
@@ -122,12 +128,19 @@ fn nearly_all_around_is_accurate() {
 fn the_disc_touches_all_edges() {
     let view = fisheye(200.0);
     let ray = |x, y| view.eyes()[0].ray([x, y], [0.0; 2]);
-    assert!(ray(0.5 * FILM.width, 0.0).is_some() && ray(0.0, -0.5 * FILM.height).is_some());
-    assert!(ray(0.501 * FILM.width, 0.0).is_none() && ray(0.0, 0.501 * FILM.height).is_none());
     // at 45° of the ellipse, not of the film
     let diagonal = 0.5_f64.sqrt();
-    let at = |k: f64| ray(0.5 * k * diagonal * FILM.width, 0.5 * k * diagonal * FILM.height);
-    assert!(at(0.999).is_some() && at(1.001).is_none());
+    for (x, y, seen) in [
+        (1.0, 0.0, true),
+        (0.0, -1.0, true),
+        (1.002, 0.0, false),
+        (0.0, 1.002, false),
+        (0.999 * diagonal, 0.999 * diagonal, true),
+        (1.001 * diagonal, 1.001 * diagonal, false),
+    ] {
+        let found = ray(0.5 * x * FILM.width, 0.5 * y * FILM.height).is_some();
+        assert_eq!(found, seen, "at ({x}, {y}) of the film's halves");
+    }
 }
 
 /// Law: within a sphere of light the circle shines and the corners are black; if rectangular, all
@@ -147,14 +160,14 @@ fn corners_are_black_or_not() {
     };
     let mut lit = 0;
     for at in pixels(61, 61) {
-        assert_eq!(film.get(at) == Rgb::WHITE, inside(at), "{at:?}");
-        assert!(film.get(at) == Rgb::WHITE || film.get(at) == Rgb::BLACK);
+        let expected = if inside(at) { Rgb::WHITE } else { Rgb::BLACK };
+        assert_eq!(film.get(at), expected, "{at:?}");
         lit += u32::from(inside(at));
     }
-    assert!((f64::from(lit) / 3721.0 - 0.25 * std::f64::consts::PI).abs() < 0.01);
+    near!(f64::from(lit) / 3721.0, 0.25 * std::f64::consts::PI, 0.01);
     scene.camera.lens = Fisheye { fov: 250.0, rectangular: true }.into();
     let film = render::render(&built(&scene));
-    assert!(film.pixels().iter().all(|&pixel| pixel == Rgb::WHITE));
+    assert_eq!(film.pixels(), [Rgb::WHITE; 3721]);
 }
 
 /// Law: a masked pixel has no ray, not a wrong one, and takes no time: its radiance is black under any

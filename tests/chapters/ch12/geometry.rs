@@ -54,7 +54,11 @@ proptest! {
     /// at, and look the same way: the ray of a place where the film is not shifted. Oracle: the book's
     /// formula with the axes of the camera.
     #[test]
-    fn the_eyes_are_side_by_side(eye in point(100.0), beta in 0.0..120.0_f64, roll in -180.0..180.0_f64) {
+    fn the_eyes_are_side_by_side(
+        eye in point(100.0),
+        beta in 0.0..120.0_f64,
+        roll in -180.0..180.0_f64,
+    ) {
         for lens in planar(10.0, 1.0).into_iter().chain(others()) {
             let mut viewpoint = viewpoint(eye, lens, beta);
             viewpoint.roll = roll;
@@ -65,7 +69,7 @@ proptest! {
             for (side, sign) in SIDES.into_iter().zip([-1.0, 1.0]) {
                 let place = view.eye(side).position();
                 let expected = eye + sign * x * view.frame().u;
-                prop_assert!((place - expected).length() <= 16.0 * U * (r + x));
+                near!(place, expected, 16.0 * U * (r + x));
             }
         }
     }
@@ -75,23 +79,36 @@ proptest! {
     /// it, `−2x` at infinity. Oracle: the formula.
     #[test]
     fn parallax(
-        r in 1.0..100.0_f64, d in 0.5..100.0_f64, beta in 0.1..10.0_f64, zoom in 0.5..2.0_f64, k in 0.3..20.0_f64, s in -0.2..0.2_f64, t in -0.1..0.1_f64,
+        r in 1.0..100.0_f64,
+        d in 0.5..100.0_f64,
+        beta in 0.1..10.0_f64,
+        zoom in 0.5..2.0_f64,
+        k in 0.3..20.0_f64,
+        s in -0.2..0.2_f64,
+        t in -0.1..0.1_f64,
     ) {
         let (z, x) = (k * d, r * tan(to_radians(0.5 * beta)));
         for lens in planar(d, zoom) {
-            let view = Viewpoint { stereo: pair(beta), ..Viewpoint::new(Point::new(0.0, 0.0, r), Point::ORIGIN, lens) };
+            let view = Viewpoint {
+                stereo: pair(beta),
+                ..Viewpoint::new(Point::new(0.0, 0.0, r), Point::ORIGIN, lens)
+            };
             let film = ViewPlane { width: 1e6, height: 1e6 };
             let view = view.build(film).expect("a valid pair");
             let p = Point::new(s * z, t * z, r - z);
-            let [left, right] = SIDES.map(|side| view.eye(side).project(p).expect("on a large film"));
+            let [left, right] =
+                SIDES.map(|side| view.eye(side).project(p).expect("on a large film"));
             let expected = 2.0 * x * (d / z - 1.0) * zoom;
             let rounding = 64.0 * U * zoom * (d + 2.0 * x * (d / z + 1.0) + r * d / z);
-            prop_assert!((left[0] - right[0] - expected).abs() < rounding, "{left:?} {right:?} {expected}");
+            prop_assert!(
+                (left[0] - right[0] - expected).abs() < rounding,
+                "{left:?} {right:?} {expected}"
+            );
             // the same row: no vertical parallax
             prop_assert_eq!(left[1], right[1]);
             let far = Point::new(0.0, 0.0, -1e12);
             let [left, right] = SIDES.map(|side| view.eye(side).project(far).expect("ahead")[0]);
-            prop_assert!((left - right + 2.0 * x * zoom).abs() < 1e-6 * zoom * x);
+            near!(left - right + 2.0 * x * zoom, 0.0, 1e-6 * zoom * x);
         }
     }
 
@@ -100,7 +117,12 @@ proptest! {
     /// both rays of a film place meet.
     #[test]
     fn both_eyes_look_through_one_window(
-        r in 1.0..100.0_f64, d in 0.5..100.0_f64, beta in 0.1..10.0_f64, zoom in 0.5..2.0_f64, x in -20.0..20.0_f64, y in -15.0..15.0_f64,
+        r in 1.0..100.0_f64,
+        d in 0.5..100.0_f64,
+        beta in 0.1..10.0_f64,
+        zoom in 0.5..2.0_f64,
+        x in -20.0..20.0_f64,
+        y in -15.0..15.0_f64,
     ) {
         for lens in planar(d, zoom) {
             let view = from_front(r, lens, beta);
@@ -116,7 +138,10 @@ proptest! {
             // that of the point looked at: zero only at r = d
             let [left, right] = SIDES.map(|side| view.eye(side).project(Point::ORIGIN));
             if let (Some(left), Some(right)) = (left, right) {
-                prop_assert!((left[0] - right[0]).signum() == (d / r - 1.0).signum() || (d / r - 1.0).abs() < 1e-9);
+                prop_assert!(
+                    (left[0] - right[0]).signum() == (d / r - 1.0).signum()
+                        || (d / r - 1.0).abs() < 1e-9
+                );
             }
         }
     }
@@ -133,7 +158,10 @@ proptest! {
             for side in SIDES {
                 let ray = stereo.eye(side).ray([x, y], [0.0; 2]);
                 prop_assert_eq!(ray.map(|ray| ray.direction), expected);
-                prop_assert_eq!(ray.map(|ray| ray.origin), expected.map(|_| stereo.eye(side).position()));
+                prop_assert_eq!(
+                    ray.map(|ray| ray.origin),
+                    expected.map(|_| stereo.eye(side).position())
+                );
             }
         }
     }
@@ -141,12 +169,16 @@ proptest! {
     /// Law: parallel rays through one window are the same for both eyes: the orthographic camera sees
     /// no depth. Oracle: the camera with one eye.
     #[test]
-    fn parallel_rays_see_no_depth(x in -20.0..20.0_f64, y in -15.0..15.0_f64, zoom in 0.5..2.0_f64) {
+    fn parallel_rays_see_no_depth(
+        x in -20.0..20.0_f64,
+        y in -15.0..15.0_f64,
+        zoom in 0.5..2.0_f64,
+    ) {
         let eye = Point::new(0.0, 0.0, 20.0);
         let view = built(&viewpoint(eye, Orthographic { zoom }, 4.0));
         for side in SIDES {
             let ray = view.eye(side).ray([x, y], [0.0; 2]).expect("seen");
-            prop_assert!((ray.origin - Point::new(x / zoom, y / zoom, 20.0)).length() < 1e-13);
+            near!(ray.origin, Point::new(x / zoom, y / zoom, 20.0), 1e-13);
             prop_assert_eq!(ray.direction, -Vector::Z);
         }
     }
@@ -154,7 +186,12 @@ proptest! {
     /// Law: each eye's `project` is the inverse of its own ray; out of one eye's view is not out of the
     /// other's. Oracle: the place that was asked for.
     #[test]
-    fn project_is_for_one_eye(x in -20.0..20.0_f64, y in -15.0..15.0_f64, beta in 0.0..20.0_f64, away in 0.5..100.0_f64) {
+    fn project_is_for_one_eye(
+        x in -20.0..20.0_f64,
+        y in -15.0..15.0_f64,
+        beta in 0.0..20.0_f64,
+        away in 0.5..100.0_f64,
+    ) {
         let eye = Point::new(3.0, 4.0, 12.0);
         for lens in planar(10.0, 1.5).into_iter().chain(others()) {
             let view = built(&viewpoint(eye, lens, beta));

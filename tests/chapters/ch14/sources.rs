@@ -64,7 +64,8 @@ proptest! {
         (far, k) in (0.1..100.0_f64, prop_oneof![Just(0.0), Just(1.0), Just(2.0), 0.0..3.0_f64]),
     ) {
         let outer = inner + width;
-        let light = Spot { attenuation: k, ..spot(towards, far, inner + at * width, turn, inner, outer) };
+        let light =
+            Spot { attenuation: k, ..spot(towards, far, inner + at * width, turn, inner, outer) };
         let s = 1.0 - at;
         let share = s * s * (3.0 - 2.0 * s);
         let cosine = n.dot(towards);
@@ -72,7 +73,8 @@ proptest! {
         let found = seen(&plane(n, light), n);
         // an angle is known to some u of 180°: to `180 u/width` of s, which the step makes `1.5`
         // of; and the cosine, of a grazing light, to some u
-        let tolerance = ROUNDING * expected.r.abs() + (power(far, -k) + 1.0) * (2e4 * U / width + 64.0 * U);
+        let tolerance =
+            ROUNDING * expected.r.abs() + (power(far, -k) + 1.0) * (2e4 * U / width + 64.0 * U);
         for (found, expected) in found.to_array().into_iter().zip(expected.to_array()) {
             prop_assert!(
                 (found - expected).abs() <= tolerance,
@@ -92,9 +94,11 @@ proptest! {
         k in 0.0..3.0_f64,
     ) {
         let outer = inner + width;
-        let point = |&Spot { ls, color, location, .. }: &Spot| Lamp { ls, color, location, attenuation: k };
-        let with = |angle, inner, outer| {
-            Spot { attenuation: k, ..spot(towards, 2.0, angle, turn, inner, outer) }
+        let point =
+            |&Spot { ls, color, location, .. }: &Spot| Lamp { ls, color, location, attenuation: k };
+        let with = |angle, inner, outer| Spot {
+            attenuation: k,
+            ..spot(towards, 2.0, angle, turn, inner, outer)
         };
         // not nearer to the edges than angles are known
         let within = with((1.0 - share) * (inner - 1e-9).max(0.0), inner, outer);
@@ -107,7 +111,10 @@ proptest! {
         let counts = counted(&built(&plane(n, beyond)), Point::ORIGIN + to_eye, -to_eye);
         prop_assert_eq!(counts, RayCounts { camera: 1, ..RayCounts::default() });
         let everywhere = with(179.0 * share, 180.0, 180.0);
-        prop_assert_eq!(seen(&plane(n, everywhere.clone()), n), seen(&plane(n, point(&everywhere)), n));
+        prop_assert_eq!(
+            seen(&plane(n, everywhere.clone()), n),
+            seen(&plane(n, point(&everywhere)), n)
+        );
     }
 
     /// Law: a spot light has no edge: across `inner` and `outer` a small step of the angle changes
@@ -124,8 +131,12 @@ proptest! {
             seen(&plane(Normal::Y, light), Normal::Y).r * TAU / 6.0
         };
         let most = 3.0 * (step / width) * (step / width) + 64.0 * U;
-        prop_assert!((1.0 - at(inner - step)).abs() <= 64.0 * U);
-        prop_assert!((1.0 - at(inner + step)).abs() <= most, "{} beyond the inner angle", at(inner + step));
+        near!(1.0, at(inner - step), 64.0 * U);
+        prop_assert!(
+            (1.0 - at(inner + step)).abs() <= most,
+            "{} beyond the inner angle",
+            at(inner + step)
+        );
         let last = at(outer - step);
         prop_assert!(last <= most && last > 0.0, "{last} before the outer angle");
         prop_assert_eq!(at(outer + step), 0.0);
@@ -145,7 +156,8 @@ proptest! {
         let at = |far: f64| -> Rgb {
             let location = Point::ORIGIN + far * towards;
             let source: Kind = match is_spot {
-                true => Spot { attenuation: k, color, ..spot(towards, far, 10.0, 1.0, 20.0, 30.0) }.into(),
+                true => Spot { attenuation: k, color, ..spot(towards, far, 10.0, 1.0, 20.0, 30.0) }
+                    .into(),
                 false => Lamp { ls: 3.0, color, location, attenuation: k }.into(),
             };
             seen(&plane(n, source), n)
@@ -154,7 +166,7 @@ proptest! {
         let expected = (3.0 * n.dot(towards) * FRAC_1_PI / power(near, k)) * color;
         // the point that is hit is some u of 1e-3 off, which a near and grazing light feels
         let tolerance = ROUNDING * (1.0 + k) + 64.0 * U / n.dot(towards);
-        prop_assert!(close(here, expected, tolerance), "{here:?}, expected {expected:?}");
+        close!(here, expected, tolerance);
         prop_assert!(
             close(there, power(ratio, -k) * here, tolerance),
             "{there:?}, expected 1/{ratio}^{k} of {here:?}"
@@ -172,7 +184,7 @@ proptest! {
         let towards = Vector::new(towards.0, 1.0, towards.1).unit().expect("not zero");
         let scene = plane(Normal::Y, spot(towards, 2.0, 25.0, 1.0, 20.0, 40.0));
         let free = seen(&scene, Normal::Y);
-        prop_assert!(!free.is_black());
+        prop_assert!(!free.is_black(), "the spot does not light the ground");
         let with = |share: f64, shadows: bool| {
             let mut scene = scene.clone();
             let center = Point::ORIGIN + 2.0 * share * towards;

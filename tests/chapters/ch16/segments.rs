@@ -50,14 +50,19 @@ proptest! {
         let (gap, scale) = (power(10.0, exponent), power_of_two(scale));
         let lit = lit(scale, Point::ORIGIN + 3.0 * towards);
         let free = seen(&lit, scale);
-        prop_assert!(!free.is_black());
+        prop_assert!(!free.is_black(), "the lamp does not light the ground");
         let normal = at_angle(Normal::new(towards).expect("unit"), cosine, phi);
         for (side, blocked) in [(-1.0, true), (1.0, false)] {
             let mut scene = lit.clone();
             let center = (Point::ORIGIN + (3.0 + side * gap) * towards).scaled(scale);
             put(&mut scene, Disk { center, normal, radius: 0.5 * scale }, white());
             let expected = if blocked { Rgb::BLACK } else { free };
-            prop_assert_eq!(seen(&scene, scale), expected, "a disk at {} of the distance", 1.0 + side * gap);
+            prop_assert_eq!(
+                seen(&scene, scale),
+                expected,
+                "a disk at {} of the distance",
+                1.0 + side * gap
+            );
         }
     }
 
@@ -115,7 +120,10 @@ proptest! {
             shine(&mut scene, source.clone());
             let found = look(&built(&scene), Point::new(0.0, 1.0, 0.0), -Vector::Y).r;
             let expected = if below || behind { 0.0 } else { FRAC_1_PI * wi.dot(leaning) };
-            prop_assert!((found - expected).abs() < 64.0 * U, "{source:?}: {found}, expected {expected}");
+            prop_assert!(
+                (found - expected).abs() < 64.0 * U,
+                "{source:?}: {found}, expected {expected}"
+            );
         }
     }
 }

@@ -65,7 +65,7 @@ proptest! {
         let eye = Point::ORIGIN + groundtruth::math::power(10.0, f64::from(far)) * to_eye;
         let expected = each(&plain(&scene), eye, -to_eye);
         prop_assert_eq!(&each(&scene, eye, -to_eye), &expected);
-        prop_assert!(close(expected[0], shade(1.0), PRODUCTS), "{expected:?}");
+        close!(expected[0], shade(1.0), PRODUCTS);
         prop_assert_eq!(counted(&built(&scene), eye, -to_eye).shadow, 1);
     }
 
@@ -79,12 +79,16 @@ proptest! {
         (a, b, c) in (0.1..5.0_f64, 0.1..5.0_f64, 0.0..360.0_f64),
     ) {
         let closed: Shape = match kind {
-            0 => Cuboid { min: Point::new(-1.0, -0.7, -0.9), max: Point::new(0.8, 0.9, 1.0) }.into(),
+            0 => {
+                Cuboid { min: Point::new(-1.0, -0.7, -0.9), max: Point::new(0.8, 0.9, 1.0) }.into()
+            }
             1 => Sphere { center: Point::ORIGIN, radius: 0.8, inward: true }.into(),
             2 => TessellatedSphere::new(7, 5, false).into(),
-            _ => SolidCylinder { y0: -0.8, y1: 0.9, radius: 0.7, materials: Materials::default() }.into(),
+            _ => SolidCylinder { y0: -0.8, y1: 0.9, radius: 0.7, materials: Materials::default() }
+                .into(),
         };
-        let steps = vec![Step::RotateX(c), Step::Scale(Vector::new(a, 1.0, b)), Step::RotateZ(2.0 * c)];
+        let steps =
+            vec![Step::RotateX(c), Step::Scale(Vector::new(a, 1.0, b)), Step::RotateZ(2.0 * c)];
         let mut scene = stage(Rgb::WHITE);
         put(&mut scene, Instance::new(closed, steps.clone()), chalk());
         scene.materials[0].two_sided = true;
@@ -92,7 +96,7 @@ proptest! {
         // the eye is carried along, so that it is inside
         let transform = groundtruth::math::Transform::from_steps(&steps).expect("not singular");
         for seen in each(&scene, transform.point(eye), towards.into()) {
-            prop_assert!(close(seen, shade(0.0), PRODUCTS), "{seen:?}, expected {:?}", shade(0.0));
+            close!(seen, shade(0.0), PRODUCTS);
         }
     }
 
@@ -116,7 +120,7 @@ proptest! {
             let Outcome::Hit { hit } = &root.outcome else { panic!("{root:?}") };
             let open = shadow.outcome == Outcome::Unblocked { boundaries: 0 };
             let expected = shade(if open { 1.0 } else { 0.0 });
-            prop_assert!(close(seen, expected, PRODUCTS), "{seen:?}, expected {expected:?}");
+            close!(seen, expected, PRODUCTS);
             prop_assert!(hit.shading.dot(shadow.ray.direction) >= -4.0 * U, "{shadow:?}");
             prop_assert_eq!(shadow.kind, RayKind::Shadow { light: 0 });
         }
@@ -206,7 +210,7 @@ fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
     let mut scene = floor(Vector::Y);
     put(&mut scene, ceiling, chalk());
     let seen = each(&scene, Point::new(0.0, 2.0, 0.0), -Vector::Y);
-    assert!(seen.into_iter().all(|seen| close(seen, shade(1.0), PRODUCTS)));
+    seen.into_iter().for_each(|seen| close!(seen, shade(1.0), PRODUCTS));
 }
 
 /// Law: directions are spread by the cosine about the normal, on the normal's side: the samples of

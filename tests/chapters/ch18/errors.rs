@@ -100,7 +100,7 @@ fn a_background_that_depends_on_the_place_is_no_sky() {
     );
     // also if the light is off, and not if there is none
     scene.lights[1].enabled = false;
-    assert!(refusal(&scene).contains("it is no sky"));
+    assert!(refusal(&scene).contains("it is no sky"), "{}", refusal(&scene));
     scene.lights.pop();
     assert_eq!(refusal(&scene), "it is built");
 }

@@ -62,14 +62,18 @@ proptest! {
             let eye = Point::ORIGIN + 0.1 * far * at_angle(n, 0.5, 1.0);
             let found = look(&built(&scene), eye, Point::ORIGIN - eye);
             let location = Point::ORIGIN + far * to_lamp;
-            let point = PointLight { ls: LS * area * cosine, color: CE, location, attenuation: 2.0 };
+            let point =
+                PointLight { ls: LS * area * cosine, color: CE, location, attenuation: 2.0 };
             let mut by_point = floor(n);
             shine(&mut by_point, point);
             let expected = look(&built(&by_point), eye, Point::ORIGIN - eye);
             // the cosines change by the lamp's size over themselves; rounding of the place of a
             // small thing far away
             let tolerance = 8.0 * SIZE / (cosine * cos_i) + 64.0 * U / SIZE;
-            prop_assert!(close(found, expected, tolerance), "{shape:?}: {found:?}, expected {expected:?}");
+            prop_assert!(
+                close(found, expected, tolerance),
+                "{shape:?}: {found:?}, expected {expected:?}"
+            );
         }
     }
 

@@ -159,8 +159,8 @@ fn sampling_by_solid_angle_varies_less_near_a_lamp() {
 }
 
 /// Law: an emissive surface with a matte base sends out its own light and reflects what falls on
-/// it. Oracle: the sum of `l_s c_e` and the closed form of a parallel disk; on the back there is
-/// only the reflected light, of what is there: none.
+/// it. Oracle: the sum of `l_s c_e` and the closed form of a parallel disk; the back does not shine and
+/// reflects nothing, as no light falls on it.
 #[test]
 fn an_emissive_surface_with_a_base_shines_and_reflects() {
     let base = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::new(0.2, 0.4, 1.0).into() };

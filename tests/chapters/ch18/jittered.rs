@@ -153,6 +153,9 @@ proptest! {
         let plain = with(Directional { ls, color, direction }.into());
         // a grazing light's cosine is known to some u
         let rounding = (jittered + -1.0 * plain).to_array().map(f64::abs);
-        prop_assert!(rounding.into_iter().all(|c| c <= 8.0 * U), "{jittered:?}, expected {plain:?}");
+        prop_assert!(
+            rounding.into_iter().all(|c| c <= 8.0 * U),
+            "{jittered:?}, expected {plain:?}"
+        );
     }
 }

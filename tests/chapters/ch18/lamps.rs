@@ -189,7 +189,7 @@ fn lights_of_every_kind_add() {
         let parts: Vec<Rgb> = alone.iter().map(|world| view(world, eye, place - eye)).collect();
         bright.iter_mut().zip(&parts).for_each(|(n, part)| *n += u32::from(!part.is_black()));
         let sum: Rgb = parts.iter().copied().sum();
-        assert!(close(whole, sum, 64.0 * U), "{place:?}: {whole:?}, the parts add up to {sum:?}");
+        close!(whole, sum, 64.0 * U, "{place:?}");
     }
     assert!(bright.iter().all(|&n| n > 3), "each light lights something: {bright:?}");
 }
@@ -219,7 +219,7 @@ fn a_hood_keeps_off_light_of_every_kind() {
             }
             _ => Rgb::BLACK,
         };
-        assert!(close(found, expected, 16.0 * U), "light {only}: {found:?}, expected {expected:?}");
+        close!(found, expected, 16.0 * U, "light {only}");
         hooded.lights[only].shadows = false;
         open.lights[only].shadows = false;
         let [found, expected] = [hooded, open].map(|scene| view(&built(&scene), eye, spot - eye));

@@ -3,6 +3,7 @@
 mod draws;
 mod errors;
 mod far;
+mod flush;
 mod irradiance;
 mod jittered;
 mod lamps;

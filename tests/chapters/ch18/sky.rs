@@ -35,7 +35,10 @@ proptest! {
         (cosine, phi) in (1e-3..1.0_f64, 0.0..TAU),
         pixel in [0..64_u32, 0..64_u32],
     ) {
-        let scene = with_samples(under_the_sky(n, Matte { ka: 0.0.into(), kd: kd.into(), cd: cd.into() }), 16);
+        let scene = with_samples(
+            under_the_sky(n, Matte { ka: 0.0.into(), kd: kd.into(), cd: cd.into() }),
+            16,
+        );
         let world = built(&scene);
         let to_eye = at_angle(n, cosine, phi);
         let ray = ray(Point::ORIGIN + 2.0 * to_eye, -to_eye);
@@ -46,7 +49,10 @@ proptest! {
             // the cosine of a grazing direction is known to some u, absolutely
             let cosine = tree.nodes().get(1).map_or(1.0, |shadow| n.dot(shadow.ray.direction));
             let tolerance = 16.0 * U + 4.0 * U / cosine;
-            prop_assert!(close(seen, expected, tolerance), "sample {i}: {seen:?}, expected {expected:?}");
+            prop_assert!(
+                close(seen, expected, tolerance),
+                "sample {i}: {seen:?}, expected {expected:?}"
+            );
         }
     }
 }

@@ -59,9 +59,9 @@ fn polynomials_of_spheres_and_tori_are_spheres_and_tori() {
     let squares = [[2, 0, 0], [0, 2, 0], [0, 0, 2]].map(|powers| (1.0, powers));
     let sphere = surface(&[&squares[..], &[(-0.5625, [0; 3])]].concat(), 1.0);
     let kind = Sphere { center: Point::ORIGIN, radius: 0.75, inward: false };
-    assert!(agree(&*built(sphere), &built(kind), &mut draw) > 3_000);
+    above!(agree(&*built(sphere), &built(kind), &mut draw), 3_000);
     let ring = surface(&quartic(0.75, 0.25), 1.5);
-    assert!(agree(&*built(ring), &built(torus(0.75, 0.25)), &mut draw) > 3_000);
+    above!(agree(&*built(ring), &built(torus(0.75, 0.25)), &mut draw), 3_000);
 }
 
 /// Law: eight parallel planes in one polynomial of degree 8 are all found, close together
@@ -86,7 +86,7 @@ fn no_sheet_of_many_is_lost() {
         let found = ts(&*shape, &ray);
         let inside = |t: f64| ray.at(t).z().abs() < 3.0;
         let expected: Vec<f64> = heights.iter().map(|h| (h + 8.0) / steep).collect();
-        assert!(expected.iter().all(|&t| inside(t)));
+        assert!(expected.iter().all(|&t| inside(t)), "{expected:?} along {ray:?}");
         assert_eq!(found.len(), expected.len(), "{heights:?}: {found:?}");
         for (t, e) in found.iter().zip(&expected) {
             // sheets 1/16 apart: a factor of that for each of seven neighbours, over their reach
@@ -125,7 +125,7 @@ fn hits_obey_the_polynomial_and_normals_are_its_gradient() {
             for root in shape.roots(&ray, Span::LINE) {
                 let surface = shape.surface(&ray, &root);
                 let p = surface.point;
-                assert!((0..3).all(|i| ray.at(root.t).along(i).abs() <= 1.5 + 8.0 * U * away));
+                (0..3).for_each(|i| near!(ray.at(root.t).along(i), 0.0, 1.5 + 8.0 * U * away));
                 let slope = |v: Vector| (f(p + 1e-6 * v) - f(p + -1e-6 * v)) / 2e-6;
                 let gradient = Vector::new(slope(Vector::X), slope(Vector::Y), slope(Vector::Z));
                 let steep = gradient.length();

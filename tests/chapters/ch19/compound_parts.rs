@@ -66,7 +66,7 @@ fn a_part_whose_material_casts_no_shadows_lets_light_pass() {
         let shape = ring(&[(part, "glass")]).expect("a part's name");
         for (name, ray) in at_parts() {
             let first = Span { min: 0.0, max: 1.25 };
-            assert!(shape.hit(&ray, first).is_some());
+            assert!(shape.hit(&ray, first).is_some(), "{part}, {name}: missed");
             assert_eq!(shape.shadow_hit(&ray, first).is_some(), name != part, "{part}, {name}");
         }
     }

@@ -199,5 +199,5 @@ fn a_cut_face_is_a_square_without_a_disk() {
             hits += 1;
         }
     }
-    assert!(hits > 2_000);
+    above!(hits, 2_000);
 }

@@ -63,7 +63,7 @@ fn roots_that_meet_are_never_lost() {
             assert!(near, "{roots:?} gave {found:?}");
         }
         assert!(found.len() <= roots.len(), "{roots:?} gave {found:?}");
-        assert!(found.is_sorted());
+        assert!(found.is_sorted(), "{roots:?} gave {found:?}");
     }
 }
 
@@ -90,7 +90,8 @@ fn every_root_of_an_interval_is_found() {
         let low = -draw.decades(-2.0, 2.0);
         let high = if draw.coin() { -low } else { low + draw.decades(-2.0, 2.0) };
         let found = roots_between(&c, low, high);
-        assert!(found.is_sorted() && found.iter().all(|x| (low..=high).contains(x)));
+        let within = found.iter().all(|x| (low..=high).contains(x));
+        assert!(found.is_sorted() && within, "{found:?} from {low} to {high}");
         for &x in &found {
             let residual = oracle::residual(&c, x);
             worst = worst.max(residual / U);
@@ -117,7 +118,7 @@ fn every_root_of_the_line_is_found() {
         let far = 1e30;
         let (exact, margin) = oracle::polynomial_roots(&c, -far, far);
         let found = real_roots(&c);
-        assert!(found.is_sorted());
+        assert!(found.is_sorted(), "{c:?} gave {found:?}");
         if margin > 16.0 * U && exact.iter().all(|x| x.abs() < 1e20) {
             assert_eq!(found.len(), exact.len(), "{c:?}: {found:?}, not {exact:?}");
             judged += 1;
@@ -162,8 +163,8 @@ fn ends_count_and_nonsense_has_no_roots() {
     for c in [&[][..], &[0.0], &[0.0, 0.0, 0.0], &[5.0], &[1.0, f64::NAN], &[1.0, f64::INFINITY]] {
         assert!(real_roots(c).is_empty() && roots_between(c, -1.0, 1.0).is_empty(), "{c:?}");
     }
-    assert!(roots_between(&[1.0; 18], -1.0, 1.0).is_empty());
-    assert!(roots_between(&[0.0, 1.0], 1.0, -1.0).is_empty());
+    assert_eq!(roots_between(&[1.0; 18], -1.0, 1.0)[..], [0.0; 0]);
+    assert_eq!(roots_between(&[0.0, 1.0], 1.0, -1.0)[..], [0.0; 0]);
     assert_eq!(roots_between(&[2.0, -3.0, 1.0], 1.0, 2.0)[..], [1.0, 2.0]);
     assert_eq!(roots_between(&[2.0, -3.0, 1.0], 1.5, 9.0)[..], [2.0]);
 }

@@ -25,13 +25,14 @@ fn cone_hits_obey_its_equation_and_normals_are_perpendicular_to_generators() {
         for root in cone.roots(&ray, Span::AHEAD) {
             let Surface { point, normal, .. } = cone.surface(&ray, &root);
             let [x, y, z] = point.to_array();
-            assert!(((x * x + z * z) * h * h - (r * (h - y)) * (r * (h - y))).abs() < CLOSE);
+            near!((x * x + z * z) * h * h, (r * (h - y)) * (r * (h - y)), CLOSE);
             assert!((-CLOSE..=h + CLOSE).contains(&y), "{y} of {h}");
             let generator = Point::new(0.0, h, 0.0) - point;
             assert!(normal.dot(generator).abs() < CLOSE, "{normal:?} at {point:?}");
             let around = Vector::new(z, 0.0, -x);
-            assert!(normal.dot(around).abs() < CLOSE);
-            assert!(normal.dot(point.to_vector().across_y()) > 0.0 && normal.y() > 0.0);
+            near!(normal.dot(around), 0.0, CLOSE);
+            above!(normal.dot(point.to_vector().across_y()), 0.0);
+            above!(normal.y(), 0.0);
             hits += 1;
         }
     }
@@ -162,13 +163,14 @@ fn a_paraboloid_gathers_light_in_its_focus() {
         for root in mirror.roots(&ray, Span::AHEAD) {
             let Surface { point, normal, .. } = mirror.surface(&ray, &root);
             let [x, y, z] = point.to_array();
-            assert!((y / h - (x * x + z * z) / (r * r)).abs() < CLOSE * 10.0 && y <= h + CLOSE);
+            near!(y / h, (x * x + z * z) / (r * r), CLOSE * 10.0);
+            at_most!(y, h + CLOSE);
             let n = Vector::from(normal);
             let reflected = -Vector::Y + 2.0 * normal.dot(Vector::Y) * n;
             let focus = Point::new(0.0, r * r / (4.0 * h), 0.0);
             let miss = (focus - point).cross(reflected).length();
             assert!(miss < 100.0 * CLOSE, "{miss:e} beside the focus");
-            assert!(normal.y() > 0.0);
+            above!(normal.y(), 0.0);
             hits += 1;
         }
     }
@@ -218,7 +220,7 @@ fn the_examples_of_the_map_are_the_quadrics_they_say() {
                     "{name} {point:?}"
                 );
                 let gradient = Normal::new(Vector::new(a * x, b * y, c * z)).expect("not zero");
-                assert!((Vector::from(gradient) - Vector::from(normal)).length() < 1e-12);
+                near!(Vector::from(gradient), Vector::from(normal), 1e-12);
                 hits += 1;
             }
         }

@@ -42,13 +42,15 @@ fn cylinder_hits_obey_its_equation() {
         for root in cylinder.roots(&ray, Span::AHEAD) {
             let Surface { point, normal, .. } = cylinder.surface(&ray, &root);
             let [x, y, z] = point.to_array();
-            assert!((x * x + z * z - 0.5625).abs() < CLOSE && (-0.5..=1.25).contains(&y));
-            assert!((0.75 * normal + Vector::new(-x, 0.0, -z)).length() < CLOSE);
-            assert!(ray.at(root.t).distance(point) < CLOSE * 100.0);
+            near!(x * x + z * z, 0.5625, CLOSE);
+            at_least!(y, -0.5);
+            at_most!(y, 1.25);
+            near!(0.75 * normal, Vector::new(x, 0.0, z), CLOSE);
+            below!(ray.at(root.t).distance(point), CLOSE * 100.0);
             hits += 1;
         }
     }
-    assert!(hits > 2_000);
+    above!(hits, 2_000);
 }
 
 /// Law: when the near root is beyond an end, the far one is found. Oracle: worked by hand.
@@ -83,12 +85,12 @@ fn a_box_equals_its_six_rectangles() {
         let roots = cuboid.roots(&ray, Span::AHEAD);
         assert_eq!(roots.len(), found.len(), "{ray:?}");
         for (root, (t, normal)) in roots.iter().zip(found) {
-            assert!((root.t - t).abs() <= CLOSE * t);
-            assert!((cuboid.surface(&ray, root).normal + -normal).length() < CLOSE);
+            near!(root.t, t, CLOSE * t);
+            below!((cuboid.surface(&ray, root).normal + -normal).length(), CLOSE);
             hits += 1;
         }
     }
-    assert!(hits > 2_000);
+    above!(hits, 2_000);
 }
 
 /// Law: barycentric coordinates reproduce the hit, and lie in [0, 1] with a sum up to 1. Oracle:
@@ -105,15 +107,17 @@ fn barycentric_coordinates_reproduce_the_hit() {
         let ray = Ray::new(origin, target - origin);
         let Some((hit, surface)) = first(&*triangle, &ray) else { continue };
         let [beta, gamma] = hit.parameters;
-        assert!(beta >= 0.0 && gamma >= 0.0 && beta + gamma <= 1.0 + 4.0 * U);
+        at_least!(beta, 0.0);
+        at_least!(gamma, 0.0);
+        at_most!(beta + gamma, 1.0 + 4.0 * U);
         let weighted = a + (beta * (b - a) + gamma * (c - a));
         let slope = surface.normal.dot(ray.direction).abs() / ray.direction.length();
         let allowed = 1e-14 * (1.0 + 1.0 / slope) * 10.0 / (exact_cross(a, b, c).length()).min(1.0);
         assert!(weighted.distance(ray.at(hit.t)) < allowed.max(1e-9 * slope), "{ray:?}");
-        assert!(surface.point.distance(ray.at(hit.t)) < allowed.max(1e-9 * slope));
+        below!(surface.point.distance(ray.at(hit.t)), allowed.max(1e-9 * slope));
         hits += 1;
     }
-    assert!(hits > 3_000);
+    above!(hits, 3_000);
 }
 
 /// Law: a hit counts inside the border and not outside: disk and rectangle at a known point.
@@ -142,7 +146,8 @@ fn disks_and_rectangles_end_at_their_borders() {
         let inside = (0.0..=1.0).contains(&f) && (0.0..=1.0).contains(&g);
         assert_eq!(hit.is_some(), inside, "rectangle at {f}, {g}");
         if let Some((hit, surface)) = hit {
-            assert!((hit.t - 1.0).abs() < 1e-11 && (surface.normal + -n).length() < CLOSE);
+            near!(hit.t, 1.0, 1e-11);
+            below!((surface.normal + -n).length(), CLOSE);
         }
     }
 }
@@ -196,7 +201,7 @@ fn t_is_inverse_to_the_length_of_the_direction() {
         assert_eq!(ts(&back), plain.iter().rev().map(|t| -t).collect::<Vec<_>>());
         hits += plain.len();
     }
-    assert!(hits > 10_000);
+    above!(hits, 10_000);
 }
 
 /// Law: a scene a power of two as large has all its distances and points so much larger, bit for
@@ -273,6 +278,6 @@ fn normals_of_spheres_are_gradients() {
         let f = |v: Vector| (point + v).distance_squared(center);
         let slope = |v: Vector| (f(h * v) - f(-h * v)) / (2.0 * h);
         let gradient = Vector::new(slope(Vector::X), slope(Vector::Y), slope(Vector::Z));
-        assert!((Vector::from(normal) - (0.5 / radius) * gradient).length() < 1e-7);
+        near!(Vector::from(normal), (0.5 / radius) * gradient, 1e-7);
     }
 }

@@ -44,11 +44,11 @@ proptest! {
         let expected = product(&then, &first);
         for (row, expected) in both.rows().iter().zip(expected) {
             for (x, y) in row.iter().zip(expected) {
-                prop_assert!((x - y).abs() <= 100.0 * U * size(&first) * size(&then));
+                near!(x, y, 100.0 * U * size(&first) * size(&then));
             }
         }
         let there = both.inverse().point(both.point(p));
-        prop_assert!(there.distance(p) <= 1000.0 * U * size(&both) * size(&both.inverse()));
+        at_most!(there.distance(p), 1000.0 * U * size(&both) * size(&both.inverse()));
     }
 }
 

@@ -47,7 +47,7 @@ fn points_of_a_beveled_solid_are_at_the_bevel_from_the_smaller_one() {
                 }
             }
         }
-        assert!(hits > 4_000);
+        above!(hits, 4_000);
     }
 }
 
@@ -73,7 +73,7 @@ fn beveled_solids_are_watertight_from_inside() {
                 let ray = Ray::new(origin, draw.direction().into());
                 let roots = shape.roots(&ray, Span::AHEAD).len();
                 assert!(roots % 2 == 1 && (roots == 1 || !convex), "{kind:?}: {roots} of {ray:?}");
-                assert!(shape.hit(&ray, Span::AHEAD).is_some());
+                assert!(shape.hit(&ray, Span::AHEAD).is_some(), "{ray:?} misses");
                 rays += 1;
             }
         }
@@ -137,7 +137,8 @@ fn the_volume_of_a_beveled_solid_is_known_and_tends_to_the_plain_one() {
         ] {
             let found = volume(&*built(&kind), 128);
             assert!((found / expected - 1.0).abs() < CLOSE, "{kind:?}: {found}, not {expected}");
-            assert!((plain - expected) / plain < 6.0 * square && found < plain * (1.0 + CLOSE));
+            below!((plain - expected) / plain, 6.0 * square);
+            below!(found, plain * (1.0 + CLOSE));
         }
     }
 }
@@ -162,11 +163,11 @@ fn the_cylinder_of_figure_21_13_is_a_unit_sphere() {
             // where a ray meets it slantingly, rounding moves the hit along it
             let cosine = q.normal.dot(ray.direction).abs();
             assert!((a.t - b.t).abs() * cosine < 1e-14, "{ray:?}: {} and {}", a.t, b.t);
-            assert!((Vector::from(p.normal) + -Vector::from(q.normal)).length() * cosine < 1e-14);
+            below!((Vector::from(p.normal) + -Vector::from(q.normal)).length() * cosine, 1e-14);
             hits += 1;
         }
     }
-    assert!(hits > 15_000);
+    above!(hits, 15_000);
 }
 
 /// Law: scaling after beveling distorts the bevel (figure 21.12): a cylinder that is beveled and
@@ -186,10 +187,10 @@ fn stretching_a_beveled_cylinder_stretches_its_bevel() {
         5.0 - shape.hit(&ray, Span::AHEAD).expect("aimed at").t
     };
     let side = 0.5 * std::f64::consts::FRAC_1_SQRT_2;
-    assert!((height(&*stretched, 0.5 + side) - (1.5 + 3.0 * side)).abs() < 1e-14);
-    assert!((height(&*made_so, 0.5 + side) - (2.5 + side)).abs() < 1e-14);
+    near!(height(&*stretched, 0.5 + side), 1.5 + 3.0 * side, 1e-14);
+    near!(height(&*made_so, 0.5 + side), 2.5 + side, 1e-14);
     for shape in [stretched, made_so] {
-        assert!((height(&*shape, 0.25) - 3.0).abs() < 1e-14);
+        near!(height(&*shape, 0.25), 3.0, 1e-14);
     }
 }
 

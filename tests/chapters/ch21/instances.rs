@@ -75,16 +75,16 @@ fn an_instance_of_a_sphere_is_the_analytic_ellipsoid() {
             assert!((root.t - t).abs() <= CLOSE * (1.0 + t.abs()), "{} for {t}", root.t);
             let surface = shape.surface(&ray, root);
             let local = solve(surface.point.to_vector() - shift);
-            assert!((local.length() - 1.0).abs() < CLOSE);
+            near!(local.length(), 1.0, CLOSE);
             // the gradient 2 A⁻ᵀ A⁻¹ (p − b) is perpendicular to A w for every w across the local
             // point
             let w = local.cross(draw.direction());
-            assert!(surface.normal.dot(map.vector(w)).abs() < CLOSE);
+            near!(surface.normal.dot(map.vector(w)), 0.0, CLOSE);
             assert!(surface.normal.dot(surface.point.to_vector() - shift) > 0.0, "inward");
             hits += 1;
         }
     }
-    assert!(hits > 1_000);
+    above!(hits, 1_000);
 }
 
 /// Law: `t` means the same outside and inside: a turned and moved sphere is hit at the `t` of the
@@ -107,7 +107,8 @@ fn an_instance_keeps_t() {
         let (a, b) = (a.expect("aimed at"), b.expect("aimed at"));
         assert!((a.t - b.t).abs() <= CLOSE * b.t, "{} {}", a.t, b.t);
         let [a, b] = [moved.surface(&ray, &a), placed.surface(&ray, &b)];
-        assert!(a.point.distance(b.point) < CLOSE && (a.normal + -b.normal).length() < CLOSE);
+        below!(a.point.distance(b.point), CLOSE);
+        below!((a.normal + -b.normal).length(), CLOSE);
     }
 }
 
@@ -147,11 +148,12 @@ fn an_instance_of_an_instance_is_the_instance_of_the_product() {
         };
         hits += 1;
         assert_eq!(a.part, b.part);
-        assert!((a.t - b.t).abs() <= CLOSE * b.t);
+        near!(a.t, b.t, CLOSE * b.t);
         let (a, b) = (nested.surface(&ray, &a), flat.surface(&ray, &b));
-        assert!(a.local.distance(b.local) < CLOSE && (a.normal + -b.normal).length() < CLOSE);
+        below!(a.local.distance(b.local), CLOSE);
+        below!((a.normal + -b.normal).length(), CLOSE);
     }
-    assert!(hits > 1_000);
+    above!(hits, 1_000);
 }
 
 /// Law: mirrored in each axis, outward normals stay outward and hits are mirror images. Oracle: the
@@ -176,8 +178,8 @@ fn a_reflection_keeps_outward_normals_outward() {
             let hit = a.expect("aimed at");
             let (a, b) = (plain.surface(&ray, &hit), mirrored.surface(&image, &hit));
             assert_eq!(flip_point(a.point), b.point);
-            assert!((flip(a.normal.into()) + -b.normal).length() < 4.0 * U);
-            assert!(b.normal.dot(b.point - flip_point(sphere.center)) > 0.0);
+            below!((flip(a.normal.into()) + -b.normal).length(), 4.0 * U);
+            above!(b.normal.dot(b.point - flip_point(sphere.center)), 0.0);
         }
     }
 }
@@ -228,9 +230,9 @@ fn the_local_point_stays_in_object_space() {
         let ray = ray_to(&mut draw, target);
         let hit = shape.hit(&ray, Span::AHEAD).expect("aimed inside");
         let surface = shape.surface(&ray, &hit);
-        assert!((surface.local.to_vector().length() - 1.0).abs() < CLOSE);
-        assert!(map.point(surface.local).distance(surface.point) < CLOSE * 100.0);
-        assert!(ray.at(hit.t).distance(surface.point) < CLOSE * 100.0);
+        near!(surface.local.to_vector().length(), 1.0, CLOSE);
+        below!(map.point(surface.local).distance(surface.point), CLOSE * 100.0);
+        below!(ray.at(hit.t).distance(surface.point), CLOSE * 100.0);
     }
 }
 

@@ -140,7 +140,7 @@ fn planes_in_grids_are_hit_as_in_lists() {
     let floor = Compound::of([Kind::from(plane(-2.0, Vector::Y)), balls(&mut draw, 1).remove(0)]);
     for by in Method::ALL {
         let shape = built(&floor.clone().into(), Some(by));
-        assert!(!shape.bounds().is_bounded());
+        assert!(!shape.bounds().is_bounded(), "{:?}", shape.bounds());
         let down = Ray::new(Point::new(1e6, 2.0, -1e6), -2.0 * Vector::Y);
         assert_eq!(shape.hit(&down, Span::AHEAD).map(|at| (at.t, at.leaf)), Some((2.0, 0)));
         assert_eq!(shape.shadow_hit(&down, Span::AHEAD), Some(2.0));

@@ -113,9 +113,11 @@ fn a_ball_among_ten_to_the_sixteenth_is_found() {
         // coordinates of 10⁸ are rounded in the ray's origin
         assert!((at.t - t).abs() < 64.0 * U * 1e8, "{} for {t}", at.t);
         let surface = shape.surface(&ray, &at);
-        assert!(surface.normal.dot(away) > 0.99);
-        assert!(shape.shadow_hit(&ray, Span::AHEAD).is_some());
-        assert!(shape.shadow_hit(&ray, Span { min: 0.0, max: t - 1e-6 }).is_none());
+        above!(surface.normal.dot(away), 0.99);
+        let before = Span { min: 0.0, max: t - 1e-6 };
+        for (span, expected) in [(Span::AHEAD, true), (before, false)] {
+            assert_eq!(shape.shadow_hit(&ray, span).is_some(), expected, "{ray:?}, {span:?}");
+        }
     }
 }
 
@@ -162,7 +164,8 @@ fn lattices_that_cannot_be_are_refused() {
             let ray = Ray::new(Point::new(0.0, 0.0, 5.0), -Vector::Z);
             let at = shape.hit(&ray, Span::AHEAD).expect("the first copy stands where it is");
             assert_eq!((at.t, at.leaf), (4.0, 0), "{huge}");
-            assert!(shape.surface(&ray, &at).point.is_finite());
+            let point = shape.surface(&ray, &at).point;
+            assert!(point.is_finite(), "{ray:?} meets {point:?}");
         }
     }
 }
@@ -209,7 +212,7 @@ fn a_seed_settles_where_random_spheres_are() {
     assert_eq!(places(&spheres(50, 0.2, 3)), first);
     assert_eq!(places(&spheres(70, 0.1, 3))[..50], first);
     let other = places(&spheres(50, 0.1, 4));
-    assert!(first.iter().all(|p| !other.contains(p)));
+    assert!(first.iter().all(|p| !other.contains(p)), "two seeds share a centre: {first:?}");
     let factor = power_of_two(-7);
     let small = RandomSpheres { half_side: 1.5 * factor, ..spheres(50, 0.1, 3) };
     let scaled: Vec<Point> = first.iter().map(|p| p.scaled(factor)).collect();
@@ -222,7 +225,8 @@ fn a_seed_settles_where_random_spheres_are() {
 fn centres_of_random_spheres_fill_the_cube() {
     let mut octants = [0_u32; 8];
     for sphere in spheres(8_000, 0.1, 11).spheres() {
-        assert!(sphere.radius == 0.1 && sphere.center.to_vector().max_abs() <= 1.5);
+        assert_eq!(sphere.radius, 0.1);
+        at_most!(sphere.center.to_vector().max_abs(), 1.5);
         let bit = |i: usize| usize::from(sphere.center.along(i) > 0.0) << i;
         octants[bit(0) + bit(1) + bit(2)] += 1;
     }

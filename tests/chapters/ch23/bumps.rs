@@ -51,7 +51,7 @@ fn bumpy_spheres_are_closed() {
 fn bumpy_spheres_look_outward() {
     for mesh in some() {
         for triangle in mesh.triangles() {
-            assert!(volume(corners(&mesh, triangle)) > 0.0);
+            above!(volume(corners(&mesh, triangle)), 0.0);
         }
         let shape = mesh.clone().accelerated(Method::Bvh);
         let mut draw = Draw::new(2350);
@@ -61,11 +61,12 @@ fn bumpy_spheres_look_outward() {
             let ray = Ray::new(origin, target - origin);
             let Some(at) = shape.hit(&ray, Span::AHEAD) else { continue };
             let surface = shape.surface(&ray, &at);
-            assert!(surface.normal.dot(surface.point.to_vector()) > 0.0);
+            above!(surface.normal.dot(surface.point.to_vector()), 0.0);
             assert!(surface.normal.dot(ray.direction) <= 0.0, "met from inside first");
         }
         let normals = mesh.normals().expect("smooth");
-        assert!(mesh.vertices().iter().zip(normals).all(|(p, n)| n.dot(p.to_vector()) > 0.0));
+        let vertices = mesh.vertices().iter().zip(normals);
+        vertices.for_each(|(p, n)| above!(n.dot(p.to_vector()), 0.0, "{p:?}"));
     }
 }
 

@@ -83,7 +83,8 @@ fn normals_of_a_tessellated_sphere_point_outward() {
             for ray in rays(2330, 500) {
                 let Some(hit) = shape.hit(&ray, Span::AHEAD) else { continue };
                 let Surface { point, normal, shading, .. } = shape.surface(&ray, &hit);
-                assert!(normal.dot(point.to_vector()) > 0.0 && shading.dot(normal) > 0.0);
+                above!(normal.dot(point.to_vector()), 0.0);
+                above!(shading.dot(normal), 0.0);
             }
         }
     }
@@ -103,7 +104,7 @@ fn flat_and_smooth_meshes_have_the_same_hits() {
         assert_eq!(a.shading, a.normal);
         turned += u32::from(b.shading != b.normal);
     }
-    assert!(turned > 1_000);
+    above!(turned, 1_000);
 }
 
 /// Law: interpolated normals are within the square of the edge's angle of the sphere's own.
@@ -117,7 +118,7 @@ fn smooth_normals_of_a_sphere_are_nearly_its_own() {
             let surface = shape.surface(ray, &hit);
             let own = surface.point.to_vector().unit()?;
             let length = Vector::from(surface.shading).length();
-            assert!((length - 1.0).abs() <= 4.0 * U);
+            near!(length, 1.0, 4.0 * U);
             Some((Vector::from(surface.shading) - own).length())
         };
         rays(2332, 2_000).iter().filter_map(error).fold(0.0, f64::max)
@@ -125,7 +126,7 @@ fn smooth_normals_of_a_sphere_are_nearly_its_own() {
     for n in [6, 12, 24] {
         let edge = PI / f64::from(n);
         assert!(worst(n) < edge * edge, "{n}: {}", worst(n));
-        assert!(worst(n) > 0.0);
+        above!(worst(n), 0.0);
     }
 }
 
@@ -149,7 +150,7 @@ fn vertex_normals_are_the_mean_of_the_adjacent_faces() {
                 sum += (1.0 / n.length()) * n;
             }
             let expected = sum.unit().unwrap_or(Vector::Y);
-            assert!((Vector::from(normal) - expected).length() < 1e-9);
+            near!(Vector::from(normal), expected, 1e-9);
         }
     }
     // two faces back to back
@@ -188,10 +189,10 @@ fn reversing_twice_is_nothing() {
                 assert_eq!(a.hit(&ray, Span::AHEAD), b.hit(&ray, Span::AHEAD));
                 continue;
             };
-            assert!((x.t - y.t).abs() <= 8.0 * U * x.t);
+            near!(x.t, y.t, 8.0 * U * x.t);
             let (x, y) = (a.surface(&ray, &x), b.surface(&ray, &y));
             assert_eq!(x.normal, -y.normal);
-            assert!((x.shading + y.shading).length() <= 16.0 * U);
+            near!(Vector::from(x.shading), -y.shading, 16.0 * U);
         }
     }
 }
@@ -283,6 +284,6 @@ fn rays_from_outside_cross_a_closed_mesh_evenly() {
             assert_eq!(crossings % 2, 0, "{ray:?}");
             hits += crossings;
         }
-        assert!(hits > 200);
+        above!(hits, 200);
     }
 }

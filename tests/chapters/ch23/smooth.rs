@@ -54,7 +54,7 @@ fn a_smooth_triangle_is_a_smooth_mesh_of_one_triangle() {
         let [n0, n1, n2] = units;
         let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
         let expected = mean.unit().expect("not zero");
-        assert!((Vector::from(surface.shading) - expected).length() < 1e-13);
+        near!(Vector::from(surface.shading), expected, 1e-13);
         let plain = flat.surface(&ray, &flat.hit(&ray, Span::AHEAD).expect("the same"));
         assert_eq!((surface.point, surface.normal), (plain.point, plain.normal));
         assert_eq!(plain.shading, plain.normal);

@@ -10,7 +10,7 @@ use groundtruth::shapes::{Plane, Sphere};
 
 use super::mirror;
 use crate::support::U;
-use crate::support::stage::{built, close, counted, look, put};
+use crate::support::stage::{built, counted, look, put};
 
 const KR: f64 = 0.8;
 const CR: Rgb = Rgb::new(1.0, 0.75, 0.5);
@@ -48,7 +48,7 @@ fn assert_same_picture(mirrored: &Scene, unfolded: &Scene) {
     let mut colors = std::collections::BTreeSet::new();
     for (i, (seen, expected)) in seen.pixels().iter().zip(expected.pixels()).enumerate() {
         let place = [i % 32, i / 32];
-        assert!(close(*seen, *expected, 256.0 * U), "{place:?}: {seen:?}, not {expected:?}");
+        close!(*seen, *expected, 256.0 * U, "{place:?}");
         colors.insert(expected.to_array().map(|c| (1e6 * c) as u64));
     }
     assert!(colors.len() > 8, "only {} images are seen", colors.len());
@@ -118,7 +118,7 @@ fn an_absorbing_medium_counts_the_whole_way_over_mirrors() {
         let expected =
             Rgb::new(channel(CR.r, sigma.r), channel(CR.g, sigma.g), channel(CR.b, sigma.b));
         let seen = look(&world, Point::ORIGIN, direction);
-        assert!(close(seen, expected, 128.0 * U), "{mirrors} mirrors: {seen:?}, not {expected:?}");
+        close!(seen, expected, 128.0 * U, "{mirrors} mirrors");
         let counts = counted(&world, Point::ORIGIN, direction);
         assert_eq!((counts.camera, counts.reflected), (1, u64::from(mirrors)));
     }

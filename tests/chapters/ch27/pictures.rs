@@ -10,7 +10,7 @@ use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
 
 use super::{ball, glass};
 use crate::support::U;
-use crate::support::stage::{built, close, deep_stage, look, put};
+use crate::support::stage::{built, deep_stage, look, put};
 
 /// Cubes in two colours that shine; no mirror image of themselves, as no border passes through the origin.
 fn checker(size: f64) -> Emissive {
@@ -45,7 +45,7 @@ fn a_wall_behind_a_slab_is_seen_shifted() {
     for (x, y) in (0..32 * (32 - ROWS)).map(|i| (i % 32, i / 32)) {
         let expected = 0.81 * without.get([x, y + ROWS]);
         let seen = through.get([x, y]);
-        assert!(close(seen, expected, 16.0 * U), "[{x}, {y}]: {seen:?}, not {expected:?}");
+        close!(seen, expected, 16.0 * U, "[{x}, {y}]");
         moved += u32::from(without.get([x, y]) != without.get([x, y + ROWS]));
     }
     assert!(moved > 200, "a shift would be seen in {moved} pixels only");
@@ -88,7 +88,7 @@ fn a_ball_of_glass_turns_the_wall_behind_it_around() {
         let place = sin(2.0 * t - i) - tan(delta) * (D - cos(2.0 * t - i));
         let expected = 0.81 * wall(place / b);
         let seen = through.get(at);
-        assert!(close(seen, expected, 16.0 * U), "{at:?}, b = {b}: {seen:?}, not {expected:?}");
+        close!(seen, expected, 16.0 * U, "{at:?}, b = {b}");
         turned += u32::from(place < 0.0);
         other += u32::from(wall(place / b) != wall(-place / b) && wall(place / b) != wall(1.0));
     }

@@ -1,15 +1,17 @@
 //! How many rays a picture takes is measured before it is rendered.
 
+use groundtruth::gallery;
 use groundtruth::materials::{Dielectric, Medium, Phong, Reflective};
-use groundtruth::math::Point;
+use groundtruth::math::{Point, Vector};
 use groundtruth::ray_budget::{MOST_COUNTED, measured};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
+use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Box as Cuboid, Sphere};
-use groundtruth::trace::RayCounts;
+use groundtruth::trace::{RayCounts, RayKind, RayTree};
 
-use crate::support::stage::{built, deep_stage, put};
+use super::glass;
+use crate::support::stage::{built, counted, deep_stage, put};
 
 fn ball(radius: f64) -> Sphere {
     Sphere { center: Point::ORIGIN, radius, inward: false }
@@ -90,4 +92,77 @@ fn the_estimate_is_that_of_the_picture() {
     let (error, estimate) = ((variance / 256.0).sqrt(), measured(&world, MOST_COUNTED));
     let off = (estimate.mean - mean).abs();
     assert!(error > 0.5 && off < 4.0 * error, "{} of {mean}, error {error}", estimate.mean);
+}
+
+/// Law: where every ray meets glass that sends on two, `2ᴺ⁺¹ − 1` rays are cast at depth N, and the two
+/// of each of the `2ᴺ` last ones are too deep: `too_deep` counts those, and `reflected` and `transmitted`
+/// count them too. Oracle: the full binary tree. From the centre of N + 1 balls in one another, of which
+/// none bends a ray, no ray gets out within N edges.
+#[test]
+fn the_last_rays_of_a_full_binary_tree_are_too_deep() {
+    for depth in [0, 1, 2, 6, 10] {
+        let mut scene = deep_stage(Rgb::WHITE, depth);
+        for radius in 1..=depth + 1 {
+            put(&mut scene, ball(f64::from(radius)), glass(0.5, 0.5, 1.0));
+        }
+        let found = counted(&built(&scene), Point::ORIGIN, Vector::new(0.3, 0.4, -0.5));
+        let cast = (1 << (depth + 1)) - 1;
+        let expected = RayCounts {
+            camera: 1,
+            // each ray that is cast sends one of each
+            reflected: cast,
+            transmitted: cast,
+            too_deep: cast + 1,
+            ..RayCounts::default()
+        };
+        assert_eq!(found, expected, "depth {depth}");
+    }
+}
+
+/// The counts of the rays in a tree: too deep are those with more than `max_depth` edges before them.
+fn counts_of(tree: &RayTree, max_depth: u32) -> RayCounts {
+    let mut counts = RayCounts::default();
+    for node in tree.nodes() {
+        match node.kind {
+            RayKind::Camera => counts.camera += 1,
+            RayKind::Reflected => counts.reflected += 1,
+            RayKind::Transmitted => counts.transmitted += 1,
+            RayKind::Shadow { .. } => counts.shadow += 1,
+        }
+        counts.too_deep += u64::from(node.depth > max_depth);
+    }
+    counts
+}
+
+/// Law: the counts are those of the rays, of trees and of paths, with shadow rays and lamps. Oracle: the
+/// recorded rays, counted one by one.
+#[test]
+fn counts_are_those_of_the_recorded_rays() {
+    for name in ["ch24/hall-of-mirrors", "ch26/cornell-box", "ch28/glass-sphere"] {
+        let mut scene = (gallery::find(name).expect("it is in the gallery").build)();
+        scene.image.resize(12, 8);
+        scene.image.samples = 1;
+        for max_depth in [1, 3] {
+            for tracer in [
+                Tracer::Whitted(Whitted { max_depth }),
+                Tracer::PathTrace(Depth { max_depth }),
+                Tracer::GlobalTrace(Depth { max_depth }),
+                Tracer::Path(Depth { max_depth }),
+            ] {
+                scene.tracer = tracer;
+                let world = built(&scene);
+                let mut too_deep = 0;
+                for pixel in (0..96).map(|i| [i % 12, i / 12]) {
+                    let (mut counts, mut tree) = (RayCounts::default(), RayTree::default());
+                    render::sample(&world, pixel, 0, &mut counts);
+                    render::sample(&world, pixel, 0, &mut tree);
+                    let expected = RayCounts { draws: counts.draws, ..counts_of(&tree, max_depth) };
+                    assert_eq!(counts, expected, "{name}, {tracer:?}, pixel {pixel:?}");
+                    too_deep += counts.too_deep;
+                }
+                let cuts = name != "ch26/cornell-box" || scene.tracer.name() != "whitted";
+                assert!(!cuts || too_deep > 0, "{name}, {tracer:?}: no ray is too deep");
+            }
+        }
+    }
 }

@@ -52,7 +52,7 @@ fn a_fisheye_under_water_sees_snells_window() {
         };
         let found = picture.get(at);
         // R is steep where the window ends
-        assert!(close(found, expected, 1e-9), "{at:?}, {degrees}°: {found:?}, not {expected:?}");
+        close!(found, expected, 1e-9, "{at:?}, {degrees}°");
     }
     // the disc's share of the circle, up to its border of pixels
     let share = f64::from(seen[0]) / f64::from(seen[0] + seen[1]);
@@ -80,7 +80,7 @@ fn a_wedge_dims_a_row_of_pixels_as_beer_says() {
         let x = SIDE * (f64::from(column) - 6.0);
         let expected = sigma.map(|sigma| exp(-sigma * depth(x)));
         let found = row.get([column, 1]);
-        assert!(close(found, expected, 64.0 * U), "x = {x}: {found:?}, not {expected:?}");
+        close!(found, expected, 64.0 * U, "x = {x}");
         // from the middle out; the pixel over the edge itself is the same on both sides of it
         let [near, far] = match column {
             6 => [0.0, 0.5 * SIDE],
@@ -126,7 +126,7 @@ fn an_absorbing_slab_sums_the_series_under_every_tracer() {
                 let eye = Point::ORIGIN + 4.0 * to_eye;
                 if tracer == whitted {
                     let found = look(&built(&scene), eye, -to_eye);
-                    assert!(close(found, expected, 1e-12), "{what}: {found:?}, not {expected:?}");
+                    close!(found, expected, 1e-12, "{what}");
                     continue;
                 }
                 let found = replicas(&scene, |world| view(world, eye, -to_eye));

@@ -53,7 +53,10 @@ proptest! {
         let seen = [seen.s.reflected, seen.p.reflected, seen.s.transmitted, seen.p.transmitted];
         let cos_t = (1.0 - sine_squared / (eta * eta)).sqrt();
         for (seen, expected) in seen.into_iter().zip(shares(cos_i, eta)) {
-            prop_assert!((seen - expected).abs() <= 12.0 * U / (cos_t * cos_t), "{seen} {expected}");
+            prop_assert!(
+                (seen - expected).abs() <= 12.0 * U / (cos_t * cos_t),
+                "{seen} {expected}"
+            );
         }
     }
 
@@ -63,11 +66,14 @@ proptest! {
     fn unpolarised_light_is_the_mean(cos_i in 0.0..=1.0_f64, eta in 0.1..10.0_f64) {
         let (mean, each) = (fresnel(cos_i, eta), polarised(cos_i, eta));
         let half = |s: f64, p: f64| 0.5 * (s + p);
-        prop_assert!((mean.reflected - half(each.s.reflected, each.p.reflected)).abs() <= 2.0 * U);
+        near!(mean.reflected, half(each.s.reflected, each.p.reflected), 2.0 * U);
         let transmitted = half(each.s.transmitted, each.p.transmitted);
-        prop_assert!((mean.transmitted - transmitted).abs() <= 8.0 * U);
+        near!(mean.transmitted, transmitted, 8.0 * U);
         for shares in [each.s, each.p] {
-            prop_assert!((shares.reflected + shares.transmitted - 1.0).abs() <= 8.0 * U, "{shares:?}");
+            prop_assert!(
+                (shares.reflected + shares.transmitted - 1.0).abs() <= 8.0 * U,
+                "{shares:?}"
+            );
         }
     }
 
@@ -81,11 +87,11 @@ proptest! {
         let amplitude = 12.0 * U * (1.0 + eta * eta) / (eta * eta);
         prop_assert!(each.p.reflected <= amplitude * amplitude, "{each:?}");
         let r_s = (1.0 - eta * eta) / (1.0 + eta * eta);
-        prop_assert!((each.s.reflected - r_s * r_s).abs() <= 2.0 * amplitude + 16.0 * U);
+        near!(each.s.reflected, r_s * r_s, 2.0 * amplitude + 16.0 * U);
         let straight = polarised(1.0, eta);
         let r = (eta - 1.0) / (eta + 1.0);
         for shares in [straight.s, straight.p] {
-            prop_assert!((shares.reflected - r * r).abs() <= 8.0 * U);
+            near!(shares.reflected, r * r, 8.0 * U);
         }
     }
 }

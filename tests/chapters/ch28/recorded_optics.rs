@@ -50,7 +50,7 @@ proptest! {
         let media = [Medium::clear(outside), tinted(inside, Rgb::new(0.5, 0.0, 0.25))];
         let tree = onto_plane(glass(media[1], media[0]).into(), degrees, phi, above);
         let hit = hit_of(tree.root());
-        prop_assert!((hit.angle_of_incidence - degrees).abs() < 1e-9);
+        near!(hit.angle_of_incidence, degrees, 1e-9);
         let optics = hit.optics.expect("glass refracts");
         let [front, behind] = if above { media } else { [media[1], media[0]] };
         prop_assert_eq!(optics.media, Some([front, behind]));
@@ -92,7 +92,8 @@ fn a_transparent_surface_tells_its_constant_shares() {
         assert_eq!(optics.media, None, "the material says nothing of media");
         assert_eq!(optics.angle_of_refraction.is_none(), total, "{degrees}");
         let [r, t] = if total { [1.0, 0.0] } else { [0.1, 0.9] };
-        assert!((optics.reflected.g - r).abs() < CLOSE && (optics.transmitted.g - t).abs() < CLOSE);
+        near!(optics.reflected.g, r, CLOSE);
+        near!(optics.transmitted.g, t, CLOSE);
         assert_eq!(optics.critical_angle.is_some(), !above);
         let refracted = child(&tree, tree.root(), RayKind::Transmitted);
         assert_eq!(refracted.is_none(), total, "{degrees}");
@@ -125,9 +126,9 @@ fn a_matte_term_is_reflectance_and_cosine_and_light() {
     };
     assert_eq!((light, pdf, traced, recorded.child), (0, None, true, Some(1)));
     let Lobe::Lambertian(lobe) = lobe else { panic!("{lobe:?}") };
-    assert!(close(lobe.reflectance, Rgb::new(0.8, 0.4, 0.2), CLOSE));
-    assert!(close(f, FRAC_1_PI * lobe.reflectance, CLOSE));
-    assert!((cos_i - 0.5).abs() < CLOSE);
-    assert!(close(recorded.term.arriving, Rgb::grey(3.0), CLOSE));
-    assert!(close(recorded.term.value, 1.5 * FRAC_1_PI * Rgb::new(0.8, 0.4, 0.2), CLOSE));
+    close!(lobe.reflectance, Rgb::new(0.8, 0.4, 0.2), CLOSE);
+    close!(f, FRAC_1_PI * lobe.reflectance, CLOSE);
+    near!(cos_i, 0.5, CLOSE);
+    close!(recorded.term.arriving, Rgb::grey(3.0), CLOSE);
+    close!(recorded.term.value, 1.5 * FRAC_1_PI * Rgb::new(0.8, 0.4, 0.2), CLOSE);
 }

@@ -137,7 +137,7 @@ fn simple_glass_counts_kt_for_each_surface() {
     assert_eq!(shadow.outcome, Outcome::Unblocked { boundaries: 4 });
 
     scene.objects[2].casts_shadows = false;
-    assert!((share(&scene).r - 0.81).abs() < 1e-15);
+    near!(share(&scene).r, 0.81, 1e-15);
     let above = Disk { center: Point::new(0.0, 9.0, 0.0), normal: Vector::Y, radius: 50.0 };
     let opaque =
         put(&mut scene, above, Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() });

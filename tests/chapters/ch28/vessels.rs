@@ -155,7 +155,9 @@ fn the_meniscus_touches_level_and_glass_without_an_angle() {
         (hit.path().to_string(), hit.surface.point.y(), Vector::from(hit.surface.normal))
     };
     let (part, height, normal) = below(xc - NEAR);
-    assert!(part.contains("level") && (height - 0.25).abs() < 1e-15 && normal == Vector::Y);
+    assert!(part.contains("level"), "{part} is not level");
+    near!(height, 0.25, 1e-15);
+    assert_eq!(normal, Vector::Y);
     let (part, height, normal) = below(xc + NEAR);
     assert!(part.contains("meniscus") && (height - 0.25).abs() < 1e-9, "{part} at {height}");
     assert!((normal - Vector::Y).length() < 1e-4, "{normal:?}");

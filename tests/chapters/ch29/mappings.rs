@@ -57,7 +57,10 @@ proptest! {
             }
             let found = mapping.uv(point_at(mapping, [u, v]));
             let apart = (found[0] - u).abs().max((found[1] - v).abs());
-            prop_assert!(apart < ROUNDING, "{mapping:?}: ({u}, {v}) comes back as {found:?}, {apart:e} off");
+            prop_assert!(
+                apart < ROUNDING,
+                "{mapping:?}: ({u}, {v}) comes back as {found:?}, {apart:e} off"
+            );
         }
     }
 
@@ -86,7 +89,10 @@ proptest! {
                 continue; // below the horizon
             }
             let uv = mapping.uv(p);
-            prop_assert!(uv.iter().all(|c| (0.0..=1.0).contains(c)), "{mapping:?} of {p:?}: {uv:?}");
+            prop_assert!(
+                uv.iter().all(|c| (0.0..=1.0).contains(c)),
+                "{mapping:?} of {p:?}: {uv:?}"
+            );
         }
     }
 }

@@ -292,7 +292,11 @@ fn poles_rims_and_black_skies_are_harmless() {
             for w in [axis, -axis] {
                 let pdf = directions.pdf(w);
                 assert!(pdf.is_finite() && pdf >= 0.0, "{dome:?} towards {w:?}: {pdf}");
-                assert!(sky_at.radiance(w).max().is_finite());
+                assert!(
+                    sky_at.radiance(w).max().is_finite(),
+                    "towards {w:?}: {:?}",
+                    sky_at.radiance(w)
+                );
             }
         }
         for u in ends.into_iter().flat_map(|u1| ends.map(|u2| [u1, u2])) {

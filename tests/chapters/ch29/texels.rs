@@ -178,7 +178,10 @@ proptest! {
                 let color = by_uv(&Image { wrap_u: Some(wrap), wrap_v: Some(wrap), ..image })(uv);
                 let [column, row] = [color.r, color.g].map(|c| 65535.0 * c);
                 let is_there = (0.0..4.1).contains(&column) && (0.0..3.1).contains(&row);
-                prop_assert!(is_there, "{wrap:?}, {filtering:?} at {uv:?}: column {column}, row {row}");
+                prop_assert!(
+                    is_there,
+                    "{wrap:?}, {filtering:?} at {uv:?}: column {column}, row {row}"
+                );
             }
         }
     }

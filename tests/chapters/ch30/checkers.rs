@@ -116,7 +116,7 @@ proptest! {
         (columns, rows) in (1..30_u32, 1..30_u32),
         (i, j) in (any::<prop::sample::Index>(), any::<prop::sample::Index>()),
         (s, t) in (0.0..1.0_f64, 0.0..1.0_f64),
-        widths in prop_oneof![Just([0.0; 2]), (0.0..1.0_f64, 0.0..1.0_f64).prop_map(|(h, v)| [h, v])],
+        widths in prop_oneof![Just([0.0; 2]), [0.0..1.0_f64, 0.0..1.0_f64]],
         unit in prop_oneof![Just(1.0), 1e-3..1e3_f64],
     ) {
         let generic = ALL[which];
@@ -125,9 +125,7 @@ proptest! {
         let i = i.index(columns as usize) as i64;
         let [half_h, half_v] = widths.map(|width| 0.5 * width);
         let to_border = |x: f64| x.min(1.0 - x);
-        let clear = |x: f64, half: f64| {
-            to_border(x) > CLEAR && (to_border(x) - half).abs() > CLEAR
-        };
+        let clear = |x: f64, half: f64| to_border(x) > CLEAR && (to_border(x) - half).abs() > CLEAR;
         prop_assume!(clear(s, half_v) && clear(t, half_h));
         let expected = match to_border(s) < half_v || to_border(t) < half_h {
             true => LINE,
@@ -321,7 +319,10 @@ fn the_defaults_are_the_books() {
         let changes = |point: &dyn Fn(f64) -> Point| {
             let colors: Vec<Rgb> =
                 (0..500).map(|i| at(&texture, point((f64::from(i) + 0.5) / 500.0))).collect();
-            assert!(colors.iter().all(|&c| [Rgb::WHITE, Rgb::grey(0.5)].contains(&c)));
+            assert!(
+                colors.iter().all(|&c| [Rgb::WHITE, Rgb::grey(0.5)].contains(&c)),
+                "{colors:?}"
+            );
             colors.windows(2).filter(|pair| pair[0] != pair[1]).count()
         };
         assert_eq!(changes(&|s| generic.point(s, 0.63)), 19, "{generic:?}: borders of columns");

@@ -71,7 +71,8 @@ proptest! {
     fn an_identical_instance_is_the_texture(p in point(10.0)) {
         for texture in textures() {
             let expected = at(&texture, p);
-            for steps in [vec![], vec![Step::Scale(Vector::new(1.0, 1.0, 1.0)), Step::RotateY(0.0)]] {
+            for steps in [vec![], vec![Step::Scale(Vector::new(1.0, 1.0, 1.0)), Step::RotateY(0.0)]]
+            {
                 let same = TextureInstance::new(texture.clone(), steps);
                 prop_assert_eq!(at(&same.into(), p), expected, "{:?}", texture);
             }
@@ -91,11 +92,27 @@ proptest! {
         let asked = |step: Step| asked_at(whereabouts(), vec![step], p);
         let scaled = Step::Scale(Vector::new(sx, sy, sz));
         assert_close("scale", asked(scaled), Point::new(x / sx, y / sy, z / sz))?;
-        assert_close("translate", asked(Step::Translate(by.to_vector())), Point::ORIGIN + (p - by))?;
+        assert_close(
+            "translate",
+            asked(Step::Translate(by.to_vector())),
+            Point::ORIGIN + (p - by),
+        )?;
         let (s, c) = (sin(to_radians(degrees)), cos(to_radians(degrees)));
-        assert_close("rotate_x", asked(Step::RotateX(degrees)), Point::new(x, c * y + s * z, c * z - s * y))?;
-        assert_close("rotate_y", asked(Step::RotateY(degrees)), Point::new(c * x - s * z, y, s * x + c * z))?;
-        assert_close("rotate_z", asked(Step::RotateZ(degrees)), Point::new(c * x + s * y, c * y - s * x, z))?;
+        assert_close(
+            "rotate_x",
+            asked(Step::RotateX(degrees)),
+            Point::new(x, c * y + s * z, c * z - s * y),
+        )?;
+        assert_close(
+            "rotate_y",
+            asked(Step::RotateY(degrees)),
+            Point::new(c * x - s * z, y, s * x + c * z),
+        )?;
+        assert_close(
+            "rotate_z",
+            asked(Step::RotateZ(degrees)),
+            Point::new(c * x + s * y, c * y - s * x, z),
+        )?;
         let sheared = Step::Shear([a, 0.0, 0.0, 0.0, 0.0, 0.0]);
         assert_close("shear x by y", asked(sheared), Point::new(x - a * y, y, z))?;
         let sheared = Step::Shear([0.0, 0.0, 0.0, 0.0, 0.0, a]);
@@ -113,11 +130,16 @@ proptest! {
         let asked = asked_at(whereabouts(), vec![scale.clone(), shift.clone()], p);
         assert_close("scaled, then moved", asked, Point::ORIGIN + (1.0 / s) * (p - by))?;
         let asked = asked_at(whereabouts(), vec![shift, scale], p);
-        assert_close("moved, then scaled", asked, Point::ORIGIN + ((1.0 / s) * p.to_vector() - by.to_vector()))?;
+        assert_close(
+            "moved, then scaled",
+            asked,
+            Point::ORIGIN + ((1.0 / s) * p.to_vector() - by.to_vector()),
+        )?;
 
         let inner = TextureInstance::new(whereabouts(), first.clone());
         let nested = asked_at(inner, second.clone(), p);
-        let maps = [&second, &first].map(|steps| Transform::from_steps(steps).expect("not singular"));
+        let maps =
+            [&second, &first].map(|steps| Transform::from_steps(steps).expect("not singular"));
         let forward = maps[0].point(maps[1].point(nested));
         prop_assert!(forward.distance(p) < 1e-9, "nested: {forward:?} is what {p:?} was asked as");
         let together: Vec<Step> = first.into_iter().chain(second).collect();
@@ -130,7 +152,8 @@ proptest! {
     #[test]
     fn an_instance_and_its_inverse_are_the_texture((p, steps) in (point(1.0), steps())) {
         let colors = [ONE, TWO, LINE].map(Paint::from).to_vec();
-        let ramp = Texture::from(Ramp { axis: Axis::Y, from: -2.0, to: 2.0, colors, wrap: Wrap::Clamp });
+        let ramp =
+            Texture::from(Ramp { axis: Axis::Y, from: -2.0, to: 2.0, colors, wrap: Wrap::Clamp });
         let map = Transform::from_steps(&steps).expect("not singular");
         let [x, y, z] = map.inverse().rows();
         let back = vec![Step::Matrix([x, y, z, [0.0, 0.0, 0.0, 1.0]])];
@@ -151,7 +174,10 @@ proptest! {
         (eye, target) in (unit(), point(0.3)),
     ) {
         let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-        let still = |transform| Instance { transform_texture: false, ..Instance::new(ball.clone(), transform) };
+        let still = |transform| Instance {
+            transform_texture: false,
+            ..Instance::new(ball.clone(), transform)
+        };
         let map = Transform::from_steps(&moves).expect("not singular");
         let around = Transform::from_steps(&outer).expect("not singular");
         let ray = |map: &Transform| {

@@ -133,7 +133,10 @@ proptest! {
             let least = channel().fold(f64::INFINITY, f64::min);
             let most = channel().fold(0.0, f64::max);
             let room = 2.0 * U * most;
-            prop_assert!((least - room..=most + room).contains(&found), "{found} of {least} to {most}");
+            prop_assert!(
+                (least - room..=most + room).contains(&found),
+                "{found} of {least} to {most}"
+            );
         }
     }
 }

@@ -76,7 +76,8 @@ proptest! {
             look(&built(&ball_of(recipe, &transform)), Point::ORIGIN + 5.0 * outer, -outer)
         };
         let expected = seen(materials[(j * columns as usize + i) % length].clone());
-        let found = seen(SphereMaterials { num_horizontal: columns, num_vertical: rows, materials }.into());
+        let found =
+            seen(SphereMaterials { num_horizontal: columns, num_vertical: rows, materials }.into());
         prop_assert!(
             found == expected,
             "column {i} of {columns}, row {j} of {rows}, {length} materials: {found:?}, expected {expected:?}"

@@ -80,7 +80,10 @@ proptest! {
         let ball = || Shape::from(Sphere { center: p + 0.5 * far, radius: 1.0, inward: false });
         let with_ball = Shape::from(Compound::of([ball(), plain.clone()]));
         let row = Lattice {
-            of: Box::new(with_ball.clone()), counts: [3, 1, 1], spacing: far, accel: None,
+            of: Box::new(with_ball.clone()),
+            counts: [3, 1, 1],
+            spacing: far,
+            accel: None,
         };
         let stretch = vec![Step::Scale(Vector::new(0.5, 3.0, 2.0)), Step::Translate(far)];
         let stretched = Point::new(40.0 + 0.5 * p.x(), 3.0 * p.y(), 2.0 * p.z());

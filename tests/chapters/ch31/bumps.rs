@@ -166,7 +166,8 @@ proptest! {
 
         let bump = Height { step: size / 4096.0, ..Height::new(Fbm::new(data, size), height) };
         let world = built(&bumped(outer, bump));
-        let (_, normals) = met(&world, whole.point(spot) + 2.0 * n, -Vector::from(n)).expect("it is hit");
+        let (_, normals) =
+            met(&world, whole.point(spot) + 2.0 * n, -Vector::from(n)).expect("it is hit");
         prop_assume!(n.dot(expected) > 0.02);
         let off = apart(normals.shading, expected);
         prop_assert!(off < SLOPE, "{:?}, expected {:?}: {} apart", normals.shading, expected, off);
@@ -265,7 +266,8 @@ proptest! {
         let rise = 0.8 * height * Vector::new(u_of[0], 0.0, u_of[2]);
         let expected = if nesting == 2 {
             // the gradient of u in the world is that of a covector, its part along the surface
-            let gradient = Normal::new(rise).map_or(Vector::ZERO, |d| rise.length() * whole.covector(d));
+            let gradient =
+                Normal::new(rise).map_or(Vector::ZERO, |d| rise.length() * whole.covector(d));
             Vector::from(n) - (gradient - n.dot(gradient) * n)
         } else {
             let local = Normal::new(Vector::Y - rise).expect("not zero");

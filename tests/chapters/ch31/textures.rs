@@ -63,9 +63,14 @@ proptest! {
         let expected = 20.0 + 1980.0 * fbm(&built(data), &data, p, size);
         let (axis, color1) = (groundtruth::math::Axis::X, plain.clone().into());
         let chosen = Stripes { axis, size: 1.0, color2: plain.clone().into(), color1 };
-        for texture in [plain.clone().into(), TextureInstance::new(plain, vec![]).into(), chosen.into()] {
+        for texture in
+            [plain.clone().into(), TextureInstance::new(plain, vec![]).into(), chosen.into()]
+        {
             let found = number(texture);
-            prop_assert!((found - expected).abs() < 2000.0 * ROUNDING, "{found}, expected {expected}");
+            prop_assert!(
+                (found - expected).abs() < 2000.0 * ROUNDING,
+                "{found}, expected {expected}"
+            );
         }
     }
 
@@ -119,7 +124,8 @@ proptest! {
             wrapped -= 1.0;
         }
         let value = min + (max - min) * wrapped;
-        let one = WrappedFbm { min, max, color: ONE.into(), ..WrappedFbm::new(noise, size, expansion) };
+        let one =
+            WrappedFbm { min, max, color: ONE.into(), ..WrappedFbm::new(noise, size, expansion) };
         let [a, b, c] = [ONE, TWO, THREE].map(groundtruth::textures::Paint::from);
         let colors = [a.clone(), b.clone()];
         let two = TwoColors { min, max, ..TwoColors::new(noise, size, expansion, colors) };
@@ -127,14 +133,23 @@ proptest! {
         let nested = TwoColors { color2: inner.into(), ..two.clone() };
         let three = ThreeColors { min, max, ..ThreeColors::new(noise, size, expansion, [a, b, c]) };
         let second = if expanded < 1.0 { ONE } else { TWO };
-        let of_three = if expanded < 1.35 { ONE } else if expanded < 2.0 { TWO } else { THREE };
+        let of_three = if expanded < 1.35 {
+            ONE
+        } else if expanded < 2.0 {
+            TWO
+        } else {
+            THREE
+        };
         let inner = if expanded < 1.0 { ONE } else { whole_fbm * TWO };
         for (texture, expected) in [
             (Kind::from(one), value * ONE),
             (two.into(), value * second),
             (nested.into(), value * inner),
             (three.into(), value * of_three),
-            (WrappedFbm { color: ONE.into(), ..WrappedFbm::new(noise, size, 1.0) }.into(), whole_fbm * ONE),
+            (
+                WrappedFbm { color: ONE.into(), ..WrappedFbm::new(noise, size, 1.0) }.into(),
+                whole_fbm * ONE,
+            ),
         ] {
             let found = at(texture, p);
             prop_assert!(apart(found, expected) < ROUNDING, "{:?}, expected {:?}", found, expected);

@@ -14,7 +14,7 @@ use super::studio::{assert_same_bits, built, gallery_in_small, pixels, small};
 /// Law: no length is special: every scene, all lengths multiplied by a power of two, is the same
 /// picture. An absolute epsilon anywhere would show. Oracle: the scene as it is.
 #[test]
-fn pictures_do_not_feel_powers_of_two() {
+fn scaling_by_powers_of_two_changes_no_picture() {
     for (name, scene) in gallery_in_small(1) {
         let original = render::render(&built(&scene));
         for k in [-30, -3, 5, 30] {

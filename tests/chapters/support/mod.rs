@@ -1,5 +1,8 @@
 //! What the chapters' laws share: how cases are drawn, built and judged.
 
+#[macro_use]
+pub mod judge;
+
 pub mod bodies;
 mod cases;
 pub mod exact;

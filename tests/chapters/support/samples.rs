@@ -24,8 +24,16 @@ pub fn occupied(points: &[[f64; 2]], columns: u32, rows: u32) -> Vec<u32> {
     cells
 }
 
-pub fn once_each(cells: &[u32]) -> bool {
-    cells.iter().all(|&count| count == 1)
+/// Fails unless each of `columns × rows` cells has exactly one of the points.
+pub fn assert_once_each(what: &str, points: &[[f64; 2]], columns: u32, rows: u32) {
+    let cells = (0..).zip(occupied(points, columns, rows));
+    let wrong: Vec<(u32, u32)> = cells.filter(|(_, count)| *count != 1).collect();
+    assert!(
+        wrong.is_empty(),
+        "{what}: each of {columns} × {rows} cells has one of {} points, but these (cell, points) do \
+         not: {wrong:?}",
+        points.len()
+    );
 }
 
 /// Independent uniform points of the unit square.
@@ -34,9 +42,9 @@ pub fn random_points(count: u32, seed: u64) -> Vec<[f64; 2]> {
     (0..count).map(|_| [random.uniform(), random.uniform()]).collect()
 }
 
-/// Whether independent points are uniform over the unit square: each coordinate by Kolmogorov and
+/// Fails unless independent points are uniform over the unit square: each coordinate by Kolmogorov and
 /// Smirnov, both together by χ² over 7 × 11 cells; as one of `families` such questions.
-pub fn uniform(points: &[[f64; 2]], families: usize) -> bool {
+pub fn assert_uniform(what: &str, points: &[[f64; 2]], families: usize) {
     let level = sidak(LEVEL, 3 * families);
     let along = |axis: usize| ks::uniform(&points.iter().map(|p| p[axis]).collect::<Vec<_>>());
     let mut cells = [0; 77];
@@ -44,5 +52,11 @@ pub fn uniform(points: &[[f64; 2]], families: usize) -> bool {
         cells[(floor(7.0 * x) + 7.0 * floor(11.0 * y)) as usize] += 1;
     }
     let both = chi_square::goodness_of_fit(&cells, &[points.len() as f64 / 77.0; 77]);
-    along(0) > level && along(1) > level && both > level
+    let [x, y] = [0, 1].map(along);
+    assert!(
+        x > level && y > level && both > level,
+        "{what}: {} points are uniform with the probabilities {x:e} along x, {y:e} along y and \
+         {both:e} over cells, expected more than {level:e} of each",
+        points.len()
+    );
 }

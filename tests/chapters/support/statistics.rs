@@ -18,13 +18,30 @@ pub fn most_sigmas(tests: u32) -> f64 {
     -normal.inverse_cdf(sidak(tests) / 2.0)
 }
 
-/// Pearson's χ² test that `observed` counts follow equal `expected` ones, as one of `tests`.
-pub fn all_equal(observed: &[u64], expected: f64, tests: u32) -> bool {
-    assert!(expected >= 5.0, "cells too small for χ²");
+/// Pearson's χ² test of equal `expected` counts: the probability of such `observed` ones, or worse.
+fn probability(observed: &[u64], expected: f64) -> f64 {
+    assert!(expected >= 5.0, "cells too small for χ²: {expected} expected");
     let deviation = |&count: &u64| (count as f64 - expected) * (count as f64 - expected);
     let statistic = observed.iter().map(deviation).sum::<f64>() / expected;
     let freedom = ChiSquared::new(observed.len() as f64 - 1.0).expect("at least two cells");
-    freedom.sf(statistic) > sidak(tests)
+    freedom.sf(statistic)
+}
+
+/// Whether `observed` counts follow equal `expected` ones, as one of `tests`.
+pub fn all_equal(observed: &[u64], expected: f64, tests: u32) -> bool {
+    probability(observed, expected) > sidak(tests)
+}
+
+/// Fails unless `observed` counts follow equal `expected` ones, as one of `tests`.
+pub fn assert_all_equal(what: &str, observed: &[u64], expected: f64, tests: u32) {
+    let (p, level) = (probability(observed, expected), sidak(tests));
+    let shown = &observed[..observed.len().min(12)];
+    assert!(
+        p > level,
+        "{what}: counts as far from {expected} as these {} have the probability {p:e}, expected more \
+         than {level:e}: {shown:?}, …",
+        observed.len()
+    );
 }
 
 /// Mean and variance of a sample.

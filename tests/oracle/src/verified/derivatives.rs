@@ -86,7 +86,8 @@ fn the_normal_is_the_direction_in_which_the_implicit_function_grows() {
             let error = (&expected - &root.exact_normal).len();
             assert!(error < 1e-30, "{kind:?} {family:?} {error:e}\n{shape:?}\n{ray:?}");
             let rounded = expected.0.each_ref().map(nearest);
-            assert!((0..3).all(|i| (rounded[i] - root.normal[i]).abs() < 2e-16));
+            let same = (0..3).all(|i| (rounded[i] - root.normal[i]).abs() < 2e-16);
+            assert!(same, "the normal {:?}, expected {rounded:?}", root.normal);
         }
     }
 }

@@ -53,7 +53,8 @@ fn about_half_of_the_rays_hit() {
 #[test]
 fn far_origins_are_far() {
     let far = cases(Kind::Sphere, Family::FarOrigin, 1, 200);
-    assert!(far.iter().filter(|(_, ray)| length(ray.origin) > 1e6).count() > 50);
+    let count = far.iter().filter(|(_, ray)| length(ray.origin) > 1e6).count();
+    assert!(count > 50, "{count} of 200 beyond 1e6");
 }
 
 /// The angle with the surface, as `|d·n|/|d|`.
@@ -113,11 +114,16 @@ fn sizes_reach_from_a_millionth_to_a_million() {
         });
         radii.collect::<Vec<_>>()
     };
-    assert!(radii(Family::TinyShape).iter().any(|r| *r < 3e-6));
-    assert!(radii(Family::HugeShape).iter().any(|r| *r > 3e5));
+    let least = |values: Vec<f64>| values.into_iter().fold(f64::INFINITY, f64::min);
+    let most = |values: Vec<f64>| values.into_iter().fold(0.0, f64::max);
+    let tiny = least(radii(Family::TinyShape));
+    assert!(tiny < 3e-6, "the least radius is {tiny:e}");
+    let huge = most(radii(Family::HugeShape));
+    assert!(huge > 3e5, "the largest radius is {huge:e}");
     let scaled = cases(Kind::Disk, Family::Scaled, 1, 200);
-    assert!(scaled.iter().any(|(_, ray)| length(ray.direction) < 1e-5));
-    assert!(scaled.iter().any(|(_, ray)| length(ray.direction) > 1e5));
+    let lengths: Vec<f64> = scaled.iter().map(|(_, ray)| length(ray.direction)).collect();
+    let (short, long) = (least(lengths.clone()), most(lengths));
+    assert!(short < 1e-5 && long > 1e5, "directions are from {short:e} to {long:e} long");
 }
 
 #[test]

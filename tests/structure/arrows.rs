@@ -1,0 +1,282 @@
+//! Which module of the library may name which: arrows run one way.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{code_by_module, without_comments};
+
+/// The modules each module may name beside itself. Arrows run one way.
+const MAY_NAME: &[(&str, &[&str])] = &[
+    ("math", &[]),
+    ("invalid", &["math"]),
+    ("rgb", &["invalid", "math"]),
+    ("kinds", &["invalid", "kinds", "rgb"]),
+    ("noise", &["invalid", "math", "samplers"]),
+    ("bumps", &["invalid", "kinds", "math", "noise", "resources", "textures"]),
+    ("mesh_file", &[]),
+    ("candidate", &[]),
+    ("accel", &["candidate", "math"]),
+    ("mesh_bvh", &["accel", "candidate", "math"]),
+    (
+        "shapes",
+        &["accel", "candidate", "invalid", "kinds", "math", "mesh_bvh", "mesh_file", "resources"],
+    ),
+    ("samplers", &["invalid", "kinds", "math"]),
+    ("lobes", &["invalid", "kinds", "math", "rgb", "samplers"]),
+    ("textures", &["images", "invalid", "kinds", "math", "noise", "resources", "rgb", "shapes"]),
+    (
+        "materials",
+        &[
+            "emission",
+            "invalid",
+            "kinds",
+            "lobes",
+            "math",
+            "medium",
+            "resources",
+            "rgb",
+            "textures",
+        ],
+    ),
+    ("emission", &["rgb", "textures"]),
+    ("medium", &["invalid", "kinds", "rgb"]),
+    (
+        "lights",
+        &["background", "emission", "invalid", "kinds", "math", "rgb", "shapes", "textures"],
+    ),
+    ("cameras", &["invalid", "kinds", "math", "medium"]),
+    ("film", &["math", "rgb"]),
+    ("filters", &["invalid", "kinds", "math"]),
+    ("background", &["images", "invalid", "kinds", "math", "resources", "rgb", "textures"]),
+    ("images", &["film", "invalid", "math", "rgb"]),
+    ("resources", &["images", "invalid", "mesh_file"]),
+    (
+        "scene",
+        &[
+            "accel",
+            "background",
+            "bumps",
+            "cameras",
+            "film",
+            "filters",
+            "invalid",
+            "kinds",
+            "lights",
+            "materials",
+            "math",
+            "rgb",
+            "samplers",
+            "shapes",
+        ],
+    ),
+    (
+        "world",
+        &[
+            "accel",
+            "background",
+            "bumps",
+            "cameras",
+            "filters",
+            "invalid",
+            "lights",
+            "materials",
+            "math",
+            "resources",
+            "rgb",
+            "samplers",
+            "scene",
+            "shapes",
+            "textures",
+        ],
+    ),
+    (
+        "trace",
+        &[
+            "lights",
+            "lobes",
+            "materials",
+            "math",
+            "rgb",
+            "samplers",
+            "scene",
+            "shapes",
+            "textures",
+            "world",
+        ],
+    ),
+    ("render", &["film", "math", "rgb", "samplers", "scene", "trace", "world"]),
+    ("ray_budget", &["math", "render", "rgb", "trace", "world"]),
+    (
+        "explain",
+        &["lobes", "math", "render", "rgb", "scene", "shapes", "textures", "trace", "world"],
+    ),
+    (
+        "gallery",
+        &[
+            "accel",
+            "background",
+            "bumps",
+            "cameras",
+            "film",
+            "filters",
+            "images",
+            "kinds",
+            "lights",
+            "lobes",
+            "materials",
+            "math",
+            "noise",
+            "rgb",
+            "samplers",
+            "scene",
+            "shapes",
+            "textures",
+        ],
+    ),
+    (
+        "probe",
+        &[
+            "accel",
+            "background",
+            "cameras",
+            "gallery",
+            "invalid",
+            "kinds",
+            "lights",
+            "lobes",
+            "materials",
+            "math",
+            "noise",
+            "ray_budget",
+            "render",
+            "resources",
+            "rgb",
+            "samplers",
+            "scene",
+            "shapes",
+            "textures",
+            "trace",
+            "world",
+        ],
+    ),
+    ("reference", &["scene"]),
+    (
+        "report",
+        &[
+            "accel",
+            "film",
+            "cameras",
+            "gallery",
+            "images",
+            "kinds",
+            "lights",
+            "lobes",
+            "materials",
+            "math",
+            "render",
+            "rgb",
+            "samplers",
+            "scene",
+            "shapes",
+            "textures",
+            "trace",
+            "verify",
+            "world",
+        ],
+    ),
+    (
+        "verify",
+        &[
+            "accel",
+            "cameras",
+            "film",
+            "gallery",
+            "kinds",
+            "lights",
+            "materials",
+            "math",
+            "render",
+            "rgb",
+            "scene",
+            "shapes",
+            "trace",
+            "world",
+        ],
+    ),
+];
+
+/// The modules that a text names as `crate::…`, also inside braces: `crate::{accel, shapes::Plane}`.
+fn named_modules(code: &str) -> BTreeSet<String> {
+    let name = |text: &str| -> String {
+        text.chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect()
+    };
+    let mut names = BTreeSet::new();
+    for (at, path) in code.match_indices("crate::") {
+        let rest = &code[at + path.len()..];
+        let Some(group) = rest.strip_prefix('{') else {
+            names.insert(name(rest));
+            continue;
+        };
+        let (mut depth, mut start) = (0, true);
+        for (i, c) in group.char_indices() {
+            match c {
+                '{' => depth += 1,
+                '}' if depth == 0 => break,
+                '}' => depth -= 1,
+                ',' if depth == 0 => start = true,
+                c if start && !c.is_whitespace() => {
+                    names.insert(name(&group[i..]));
+                    start = false;
+                }
+                _ => {}
+            }
+        }
+    }
+    names.retain(|name| !name.is_empty());
+    names
+}
+
+#[test]
+fn arrows_between_modules_run_one_way() {
+    let allowed: BTreeMap<&str, &[&str]> = MAY_NAME.iter().copied().collect();
+    let mut wrong = Vec::new();
+    for (module, files) in code_by_module() {
+        let Some(may_name) = allowed.get(module.as_str()) else {
+            wrong.push(format!("src/{module} is not in this test's list of arrows"));
+            continue;
+        };
+        for (path, code) in files {
+            for named in named_modules(&code) {
+                if named != module && !may_name.contains(&named.as_str()) {
+                    wrong.push(format!("src/{}: must not name {named}", path.display()));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn only_the_mathematics_names_glam() {
+    for (module, files) in code_by_module() {
+        for (path, code) in files {
+            let names = code.contains("glam::") || code.contains("use glam");
+            assert!(module == "math" || !names, "src/{}: names glam", path.display());
+        }
+    }
+}
+
+/// Law: names are found in each form of a path, and not in comments. Oracle: texts by hand.
+#[test]
+fn names_are_found_in_paths_and_in_groups_but_not_in_comments() {
+    let found = |code: &str| -> Vec<String> { named_modules(code).into_iter().collect() };
+    assert_eq!(found("use crate::world::World;"), ["world"]);
+    assert_eq!(found("let x = crate::trace::radiance(w, r);"), ["trace"]);
+    assert_eq!(
+        found("use crate::{accel, shapes::{Plane, Sphere},\n    lights};"),
+        ["accel", "lights", "shapes"]
+    );
+    assert!(
+        found(&without_comments("//! See crate::world.\nlet a = 1; // crate::trace")).is_empty()
+    );
+    assert_eq!(found("$crate::kinds::Entry"), ["kinds"]);
+}
