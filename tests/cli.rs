@@ -7,6 +7,8 @@ mod goldens;
 #[path = "cli/interrupt.rs"]
 #[cfg(unix)]
 mod interrupt;
+#[path = "cli/probe.rs"]
+mod probe;
 #[path = "cli/stereo.rs"]
 mod stereo;
 
@@ -14,6 +16,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use groundtruth::gallery;
+use rayon::prelude::*;
 
 const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
 
@@ -293,16 +296,19 @@ fn a_closed_pipe_is_no_error() {
 /// Law: the exported file of every gallery scene renders the same picture, bit for bit.
 #[test]
 fn an_exported_scene_renders_the_same_bits() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let render = |scene: &str, file: &str| {
-        let run = run_in(folder.path(), &["render", scene, "-o", file, "--size", "24x16"]);
-        assert_eq!(run.status, Some(0), "{scene}: {}", run.stderr);
-        std::fs::read(folder.path().join(file)).expect("it was written")
-    };
-    for entry in gallery::scenes() {
+    let scenes: Vec<gallery::Entry> = gallery::scenes().collect();
+    scenes.into_par_iter().for_each(|entry| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let render = |scene: &str, file: &str| {
+            let size_and_threads = ["--size", "24x16", "--threads", "1"];
+            let arguments = [&["render", scene, "-o", file][..], &size_and_threads].concat();
+            let run = run_in(folder.path(), &arguments);
+            assert_eq!(run.status, Some(0), "{scene}: {}", run.stderr);
+            std::fs::read(folder.path().join(file)).expect("it was written")
+        };
         let export = run_in(folder.path(), &["export", entry.name]);
         assert_eq!(export.status, Some(0), "{}: {}", entry.name, export.stderr);
         std::fs::write(folder.path().join("scene.toml"), export.stdout).expect("it can be written");
         assert!(render(entry.name, "a.exr") == render("scene.toml", "b.exr"), "{}", entry.name);
-    }
+    });
 }

@@ -103,10 +103,10 @@ impl Lamp {
     }
 }
 
-/// Where the shadow ray to a point of a lamp ends: so far off the lamp that neither the lamp nor a surface
-/// in its plane shadows it, however flat the light leaves.
+/// The end of the shadow ray to a point of a lamp: in front of the lamp by more than the error of a hit, so
+/// that neither the lamp nor a surface in its plane shadows the point, even at grazing angles.
 fn end(from: Place, at: &Surface, direction: Vector) -> Place {
-    // of a hit on such a surface: a few u of the coordinates
+    // the error of a hit on such a surface is a few u of the coordinates
     let size = at.point.to_vector().max_abs() + from.to_vector().max_abs();
     let error = at.error.max(32.0 * UNIT_ROUNDOFF * size);
     Surface { error, ..*at }.leave(-direction)

@@ -9,7 +9,7 @@ use libtest_mimic::Trial;
 /// `ch24::golden::hall_of_mirrors`, `ch24::golden::hall_of_mirrors_normals`.
 pub fn trials() -> Vec<Trial> {
     let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../goldens"));
-    let goldens = match Goldens::open(&folder) {
+    let goldens = match Goldens::open(folder) {
         Ok(goldens) => goldens,
         Err(error) => {
             let failed = move || Err(error.to_string().into());
