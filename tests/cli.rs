@@ -7,8 +7,6 @@ mod goldens;
 #[path = "cli/interrupt.rs"]
 #[cfg(unix)]
 mod interrupt;
-#[path = "cli/probe.rs"]
-mod probe;
 #[path = "cli/stereo.rs"]
 mod stereo;
 
