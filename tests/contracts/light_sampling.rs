@@ -8,6 +8,7 @@ use groundtruth::shapes::{self, Sampling};
 use groundtruth::verify::chi_square::goodness_of_fit;
 use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
+use rayon::prelude::*;
 
 use super::light::{EMITTED, Subject, is_sampled, met, subjects};
 use super::{Holds, ensure};
@@ -20,9 +21,10 @@ const TESTS: usize = 500;
 /// Odd numbers of cells, so that no border lies on a lamp's own.
 const ROWS: usize = 9;
 const COLUMNS: usize = 19;
-/// Steps of the quadrature in each cell, along each side.
+/// Steps of the quadrature in each cell, along each side, where each cell is judged, and where their sum is.
 const FINE: usize = 12;
-/// And in each part of a cell where the integrand changes fast.
+const COARSE: usize = 8;
+/// And in each step where the integrand changes fast.
 const REFINED: u32 = 16;
 /// What the quadrature may err by, as a share of the whole: at a lamp's silhouette, where the integrand
 /// jumps, a midpoint rule errs by a share of the points along the edge.
@@ -83,33 +85,42 @@ impl Sky {
         self.frame.to_world(Vector::new(sine * cos(phi), sine * sin(phi), 1.0 - versine))
     }
 
-    /// The integrals of a function of direction over the cells, by the midpoint rule; with more points
-    /// where it changes fast, as at the edge of a lamp.
-    fn integrals(&self, f: impl Fn(Vector) -> f64) -> Vec<f64> {
+    /// The integrals of functions of direction over the cells, by the midpoint rule in `steps` along each
+    /// side; with more points where one of them changes fast, as at the edge of a lamp.
+    fn integrals<const N: usize>(
+        &self,
+        steps: usize,
+        f: impl Fn(Vector) -> [f64; N],
+    ) -> Vec<[f64; N]> {
         let solid_angle = 2.0 * PI * self.depth / (ROWS * COLUMNS) as f64;
-        let mean = |row: f64, column: f64, size: f64, n: u32| {
+        let values = |row: f64, column: f64, size: f64, n: u32| -> Vec<[f64; N]> {
             let step = size / f64::from(n);
             let along = |start: f64| (0..n).map(move |i| start + step * (f64::from(i) + 0.5));
-            let values = along(row).flat_map(|r| along(column).map(move |c| (r, c)));
-            let values = values.map(|(r, c)| f(self.at(r, c)));
-            let ends = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
-            let (least, most, sum) = values.fold(ends, |(least, most, sum), value| {
-                (least.min(value), most.max(value), sum + value)
-            });
-            (most - least > 0.1 * most, sum / f64::from(n * n))
+            let points = along(row).flat_map(|r| along(column).map(move |c| (r, c)));
+            points.map(|(r, c)| f(self.at(r, c))).collect()
         };
-        let step = 1.0 / FINE as f64;
-        let cell = |i: usize| {
-            let (row, column) = ((i / COLUMNS) as f64, (i % COLUMNS) as f64);
-            let parts = (0..FINE * FINE).map(|part| {
-                let (down, across) = ((part / FINE) as f64, (part % FINE) as f64);
-                let (row, column) = (row + step * down, column + step * across);
-                match mean(row, column, step, 3) {
-                    (true, _) => mean(row, column, step, REFINED).1,
-                    (false, value) => value,
+        let mean = |values: &[[f64; N]], i: usize| {
+            values.iter().map(|value| value[i]).sum::<f64>() / values.len() as f64
+        };
+        let changes_fast = |values: &[[f64; N]], i: usize| {
+            let ends = (f64::INFINITY, f64::NEG_INFINITY);
+            let ends =
+                values.iter().fold(ends, |(least, most), v| (least.min(v[i]), most.max(v[i])));
+            ends.1 - ends.0 > 0.1 * ends.1
+        };
+        let step = 1.0 / steps as f64;
+        let cell = |cell: usize| {
+            let mut sums = [0.0; N];
+            for part in 0..steps * steps {
+                let row = (cell / COLUMNS) as f64 + step * (part / steps) as f64;
+                let column = (cell % COLUMNS) as f64 + step * (part % steps) as f64;
+                let mut found = values(row, column, step, 3);
+                if (0..N).any(|i| changes_fast(&found, i)) {
+                    found = values(row, column, step, REFINED);
                 }
-            });
-            solid_angle * step * step * parts.sum::<f64>()
+                (0..N).for_each(|i| sums[i] += mean(&found, i));
+            }
+            sums.map(|sum| solid_angle * step * step * sum)
         };
         (0..ROWS * COLUMNS).map(cell).collect()
     }
@@ -149,34 +160,34 @@ fn is_singular(kind: &Kind, subject: &Subject) -> bool {
 pub fn samples_follow_the_pdf(kind: &Kind) -> Holds {
     let all = subjects(kind);
     let judged = all.iter().filter(|s| is_sampled(&*s.light) && !is_singular(kind, s));
-    for subject in judged {
-        for (stream, from) in (0..).zip(&places()) {
-            let sky = Sky::of(subject, from);
-            let mut observed = vec![0_u64; ROWS * COLUMNS];
-            let drawn = samples(subject, from, stream);
-            drawn.iter().flatten().for_each(|sample| observed[sky.cell(sample.direction)] += 1);
-            let share = observed.iter().sum::<u64>() as f64 / SAMPLES as f64;
-            let mut expected = sky.integrals(|w| density(subject, from, w));
-            let whole: f64 = expected.iter().sum();
-            // the noise of a share is below 1/2√n
-            let noise = 2.0 / (SAMPLES as f64).sqrt();
-            let right = (share - whole).abs() <= QUADRATURE * whole + noise;
-            let at = format!("{} from {from:?}", subject.name);
-            ensure!(right, "{at}: pdf adds up to {whole}, {share} of the samples are light");
-            if whole == 0.0 {
-                continue; // a place that the lamp does not face
-            }
-            // a corner of a lamp may reach into a cell between the points of the quadrature
-            let missed = observed.iter_mut().zip(&expected).filter(|(_, e)| **e == 0.0);
-            let missed: u64 = missed.map(|(count, _)| std::mem::take(count)).sum();
-            ensure!(missed < SAMPLES / 100, "{at}: {missed} samples where pdf is 0");
-            let counted = observed.iter().sum::<u64>() as f64;
-            expected.iter_mut().for_each(|e| *e *= counted / whole);
-            let p = goodness_of_fit(&observed, &expected);
-            ensure!(p > sidak(LEVEL, TESTS), "{at}: p = {p:e}");
+    let cases = judged.flat_map(|subject| (0..).zip(places()).map(move |case| (subject, case)));
+    let cases = Vec::from_iter(cases);
+    cases.par_iter().try_for_each(|(subject, (stream, from))| {
+        let sky = Sky::of(subject, from);
+        let mut observed = vec![0_u64; ROWS * COLUMNS];
+        let drawn = samples(subject, from, *stream);
+        drawn.iter().flatten().for_each(|sample| observed[sky.cell(sample.direction)] += 1);
+        let share = observed.iter().sum::<u64>() as f64 / SAMPLES as f64;
+        let mut expected = sky.integrals(FINE, |w| [density(subject, from, w)]).concat();
+        let whole: f64 = expected.iter().sum();
+        // the noise of a share is below 1/2√n
+        let noise = 2.0 / (SAMPLES as f64).sqrt();
+        let right = (share - whole).abs() <= QUADRATURE * whole + noise;
+        let at = format!("{} from {from:?}", subject.name);
+        ensure!(right, "{at}: pdf adds up to {whole}, {share} of the samples are light");
+        if whole == 0.0 {
+            return Ok(()); // a place that the lamp does not face
         }
-    }
-    Ok(())
+        // a corner of a lamp may reach into a cell between the points of the quadrature
+        let missed = observed.iter_mut().zip(&expected).filter(|(_, e)| **e == 0.0);
+        let missed: u64 = missed.map(|(count, _)| std::mem::take(count)).sum();
+        ensure!(missed < SAMPLES / 100, "{at}: {missed} samples where pdf is 0");
+        let counted = observed.iter().sum::<u64>() as f64;
+        expected.iter_mut().for_each(|e| *e *= counted / whole);
+        let p = goodness_of_fit(&observed, &expected);
+        ensure!(p > sidak(LEVEL, TESTS), "{at}: p = {p:e}");
+        Ok(())
+    })
 }
 
 /// Law: the mean of `L g/pdf` is `∫ L g dω`, for three functions g of direction, the cosine among
@@ -205,8 +216,12 @@ pub fn the_mean_is_the_integral(kind: &Kind) -> Holds {
                 },
                 &|w| sky.frame.w.dot(w).max(0.0),
             ];
+            let integrals = sky.integrals(COARSE, |w| {
+                let sent = sent(w);
+                weights.map(|weight| sent * weight(w))
+            });
             for (law, weight) in weights.iter().enumerate() {
-                let expected: f64 = sky.integrals(|w| sent(w) * weight(w)).iter().sum();
+                let expected: f64 = integrals.iter().map(|cell| cell[law]).sum();
                 let value = |sample: &Option<LightSample>| match sample {
                     Some(LightSample { direction, radiance, pdf: Some(pdf), .. }) => {
                         radiance.g * weight(*direction) / pdf

@@ -12,7 +12,7 @@ macro_rules! sweeps {
         /// Oracle: 512-bit arithmetic.
         #[test]
         fn $law() {
-            sweep(Kind::$kind, 19, 100);
+            sweep(Kind::$kind, 19, 50);
         }
 
         /// The same, ten thousand cases a family.

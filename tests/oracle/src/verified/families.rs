@@ -28,10 +28,22 @@ fn all_inputs_are_finite_and_no_direction_is_zero() {
 
 #[test]
 fn about_half_of_the_rays_hit() {
+    half_hit(100);
+}
+
+/// The same, for more rays.
+#[test]
+#[ignore = "cost: cargo test many_rays_hit -- --ignored"]
+fn about_half_of_many_rays_hit() {
+    half_hit(400);
+}
+
+/// Judges `n` rays of each kind and family.
+fn half_hit(n: usize) {
     for kind in Kind::ALL {
         let level = matches!(kind, Kind::PartAnnulus | Kind::CutFace);
         for family in Family::ALL {
-            let cases = cases(kind, family, 11, if kind.is_solid() { 40 } else { 200 });
+            let cases = cases(kind, family, 11, if kind.is_solid() { n / 2 } else { n });
             let hits = cases.iter().filter(|(s, r)| !intersect(s, r).roots.is_empty()).count();
             let (least, most) = match family {
                 Family::EdgesAndCorners => (40, 185), // the border counts, unless the ray turns away

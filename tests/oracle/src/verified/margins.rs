@@ -15,8 +15,20 @@ use crate::{
 /// Oracle: the answer itself, for inputs moved by a quarter of the margin in random directions.
 #[test]
 fn no_change_below_the_margin_changes_the_answer() {
+    shaken(12);
+}
+
+/// The same, for more inputs.
+#[test]
+#[ignore = "cost: cargo test below_many -- --ignored"]
+fn no_change_below_many_margins_changes_the_answer() {
+    shaken(100);
+}
+
+/// Judges `n` rays of each kind and family.
+fn shaken(n: usize) {
     let mut rng = SplitMix64::new(7);
-    for (kind, family, shape, ray) in everything(25) {
+    for (kind, family, shape, ray) in everything(n) {
         let case = Case::new(&shape, &ray);
         let expected = answer(&case.shape, &case.ray);
         assert!(expected.margin >= 0.0, "{kind:?} {family:?} margin {}", expected.margin);
