@@ -68,13 +68,18 @@ pub fn parse(text: String, path: &Path) -> Result<(Scene, Source), SceneError> {
 /// # Errors
 /// [`SceneError::NotPlain`] names the part that is of a custom kind.
 pub fn to_toml(scene: &Scene) -> Result<String, SceneError> {
-    check_plain(scene).map_err(|invalid| SceneError::NotPlain { invalid })?;
-    toml::to_string(scene)
-        .map_err(|e| SceneError::NotPlain { invalid: Invalid::new(e.to_string()) })
+    let table = table(scene).map_err(|invalid| SceneError::NotPlain { invalid })?;
+    Ok(table.to_string())
+}
+
+/// The scene as a table of TOML.
+pub(super) fn table(scene: &Scene) -> Result<toml::Table, Invalid> {
+    check_plain(scene)?;
+    toml::Table::try_from(scene).map_err(|e| Invalid::new(e.to_string()))
 }
 
 /// Fails if a part of the scene is of a custom kind.
-pub(super) fn check_plain(scene: &Scene) -> Result<(), Invalid> {
+fn check_plain(scene: &Scene) -> Result<(), Invalid> {
     for (i, object) in scene.objects.iter().enumerate() {
         check_part(&object.shape, &["shape"], Some(("objects", i, &object.name)))?;
     }

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
-use toml::Value;
+use toml::{Table, Value};
 
 use super::{Scene, SceneError, file};
 use crate::invalid::Invalid;
@@ -17,26 +16,28 @@ impl Scene {
     /// # Errors
     /// [`SceneError::NotPlain`] if the scene has custom kinds or the folder's name is not UTF-8.
     pub fn files_from(&self, folder: &Path) -> Result<Self, SceneError> {
-        file::check_plain(self)
-            .and_then(|()| {
-                let mut data = Value::try_from(self).map_err(|e| Invalid::new(e.to_string()))?;
-                join_files(&mut data, folder)?;
-                Self::deserialize(data).map_err(|e| Invalid::new(e.to_string()))
-            })
-            .map_err(|invalid| SceneError::NotPlain { invalid })
+        let mut data = file::table(self).map_err(|invalid| SceneError::NotPlain { invalid })?;
+        let joined = join_files(&mut data, folder);
+        joined.map_err(|invalid| SceneError::NotPlain { invalid })?;
+        // by way of text, so that tables need no way of their own into each kind of data
+        file::parse(data.to_string(), folder).map(|(scene, _)| scene)
     }
 }
 
-fn join_files(data: &mut Value, folder: &Path) -> Result<(), Invalid> {
-    match data {
-        Value::Table(table) => table.iter_mut().try_for_each(|(key, value)| match value {
-            Value::String(name) if key == "file" => {
-                *name = text(folder.join(&*name))?;
-                Ok(())
-            }
-            value => join_files(value, folder),
-        }),
-        Value::Array(all) => all.iter_mut().try_for_each(|value| join_files(value, folder)),
+fn join_files(data: &mut Table, folder: &Path) -> Result<(), Invalid> {
+    data.iter_mut().try_for_each(|(key, value)| match value {
+        Value::String(name) if key == "file" => {
+            *name = text(folder.join(&*name))?;
+            Ok(())
+        }
+        value => join_inside(value, folder),
+    })
+}
+
+fn join_inside(value: &mut Value, folder: &Path) -> Result<(), Invalid> {
+    match value {
+        Value::Table(table) => join_files(table, folder),
+        Value::Array(all) => all.iter_mut().try_for_each(|value| join_inside(value, folder)),
         _ => Ok(()),
     }
 }
