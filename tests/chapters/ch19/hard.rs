@@ -12,7 +12,7 @@ macro_rules! sweeps {
         /// Oracle: 512-bit arithmetic.
         #[test]
         fn $law() {
-            sweep(Kind::$kind, 19, 50);
+            sweep(Kind::$kind, 19, 40);
         }
 
         /// The same, ten thousand cases a family.

@@ -124,7 +124,7 @@ fn down_the_steepest_way_the_answer_flips_when_the_margin_is_used_up() {
     for kind in Kind::ALL.into_iter().filter(|kind| !kind.is_solid()) {
         let rim = matches!(kind, Kind::Disk | Kind::OpenCylinder | Kind::Annulus);
         let (mut judged, mut flipped) = (0, 0);
-        for (shape, ray) in cases(kind, Family::Tangent, 4, 60) {
+        for (shape, ray) in cases(kind, Family::Tangent, 4, 40) {
             let before = intersect(&shape, &ray);
             if !(1e-30..1e-6).contains(&before.margin) {
                 continue;
@@ -140,7 +140,7 @@ fn down_the_steepest_way_the_answer_flips_when_the_margin_is_used_up() {
             judged += 1;
             flipped += usize::from([1.1, 1.5, 2.0, 4.0].into_iter().any(flips));
         }
-        assert!(judged > 40, "{kind:?}: only {judged} cases near tangency");
+        assert!(judged > 25, "{kind:?}: only {judged} cases near tangency");
         assert!(flipped * 10 >= judged * 9, "{kind:?}: {flipped} of {judged} flipped");
     }
 }
