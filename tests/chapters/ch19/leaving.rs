@@ -132,7 +132,7 @@ fn a_shadow_segment_between_planes_meets_only_what_is_between() {
 /// left and entered in turn.
 #[test]
 fn every_kind_of_the_chapter_is_left_for_good() {
-    check_kinds("ch19", [40, 100], 1905);
+    check_kinds("ch19", [30, 80], 1905);
 }
 
 /// The same, at a thousand scales.

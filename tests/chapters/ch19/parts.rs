@@ -297,10 +297,11 @@ fn bounds_of_parts_are_tight() {
                 CENTER + (0.25 + 0.5 * share) * n,
             ]
         };
+        let places = Vec::from_iter((0..361 * 60).map(place));
         let mut kinds = all_parts(phi);
         kinds[0] = part_sphere(phi, theta).into();
         for (i, kind) in kinds.into_iter().enumerate() {
-            let points = groundtruth::math::Aabb::around((0..361 * 60).map(|j| place(j)[i]));
+            let points = groundtruth::math::Aabb::around(places.iter().map(|place| place[i]));
             let bounds = built(kind.clone()).bounds();
             for (inner, outer) in [(points.min, bounds.min), (points.max, bounds.max)] {
                 let off = (inner - outer).max_abs();

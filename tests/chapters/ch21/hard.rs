@@ -124,7 +124,7 @@ macro_rules! beveled {
         /// names, within their condition. Oracle: those parts in 512-bit arithmetic.
         #[test]
         fn $law() {
-            sweep(Hard::$kind, 213, 40);
+            sweep(Hard::$kind, 213, 30);
         }
 
         /// The same, ten thousand cases a family.

@@ -140,7 +140,7 @@ fn a_body_thicker_than_its_bounds_is_left_as_any_other() {
         let exact = exact(&kind).expect("a cone");
         let point = Point::new(-365.4052580480566, -833.8088926339298, 709.2567550517118);
         let (mut hits, mut thin_there) = (0, 0);
-        for _ in 0..250 {
+        for _ in 0..200 {
             // at the axis, from outside
             let Some(s) = random_hit(&mut draw, &*shape, point, 1e-6) else { continue };
             let case = format!("width {width}");
@@ -151,7 +151,7 @@ fn a_body_thicker_than_its_bounds_is_left_as_any_other() {
             hits += 1;
         }
         assert_eq!(thin_there > 0, thin, "width {width}: thin at {thin_there} of {hits} hits");
-        assert!(hits > 60, "width {width}: only {hits} hits");
+        assert!(hits > 50, "width {width}: only {hits} hits");
     }
 }
 
@@ -161,7 +161,7 @@ fn a_body_thicker_than_its_bounds_is_left_as_any_other() {
 /// left and entered in turn.
 #[test]
 fn every_kind_of_the_chapter_is_left_for_good() {
-    check_kinds("ch21", [40, 100], 2115);
+    check_kinds("ch21", [30, 80], 2115);
 }
 
 /// The same, at a thousand scales.

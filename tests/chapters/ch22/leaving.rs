@@ -8,7 +8,7 @@ use crate::support::leaving::check_kinds;
 /// left and entered in turn.
 #[test]
 fn every_kind_of_the_chapter_is_left_for_good() {
-    check_kinds("ch22", [40, 100], 2290);
+    check_kinds("ch22", [30, 80], 2290);
 }
 
 /// The same, at a thousand scales.

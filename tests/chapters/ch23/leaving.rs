@@ -8,7 +8,7 @@ use crate::support::leaving::check_kinds;
 /// left and entered in turn.
 #[test]
 fn every_kind_of_the_chapter_is_left_for_good() {
-    check_kinds("ch23", [40, 100], 2390);
+    check_kinds("ch23", [30, 80], 2390);
 }
 
 /// The same, at a thousand scales.
