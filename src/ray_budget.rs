@@ -10,7 +10,7 @@ use crate::world::{Hit, World};
 /// The number of pixels that are tried, with one sample each.
 const PIXELS: u32 = 256;
 /// Measuring ends at this number of rays.
-pub const MOST_COUNTED: u64 = 1_000_000;
+pub const MAX_COUNTED: u64 = 1_000_000;
 
 /// An estimate of the rays of a sample, shadow rays among them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,9 +42,9 @@ pub struct RayCounter {
 }
 
 impl RayCounter {
-    /// Counts up to `most` rays, at most [`MOST_COUNTED`].
+    /// Counts up to `most` rays, at most [`MAX_COUNTED`].
     pub fn up_to(most: u64) -> Self {
-        Self { rays: 0, most: most.min(MOST_COUNTED), samples: 0 }
+        Self { rays: 0, most: most.min(MAX_COUNTED), samples: 0 }
     }
 
     /// Counts the rays of a sample.

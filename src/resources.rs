@@ -9,9 +9,9 @@ use crate::invalid::Invalid;
 use crate::mesh_file::{self, MeshData};
 
 /// The most bytes in the mesh files of one scene: more would take gigabytes, because they are read whole.
-const MOST_BYTES: u64 = 1 << 28;
+const MAX_BYTES: u64 = 1 << 28;
 /// The most texels in its images, of 12 bytes each.
-const MOST_TEXELS: u64 = 1 << 26;
+const MAX_TEXELS: u64 = 1 << 26;
 
 /// The folder of a scene's files, the files read so far, and the budget that is left.
 #[derive(Debug, Default)]
@@ -91,7 +91,7 @@ impl Resources {
         if let Some(known) = self.images.get(&key) {
             return Ok(Arc::clone(known));
         }
-        let left = MOST_TEXELS - self.texels;
+        let left = MAX_TEXELS - self.texels;
         let texels = images::read(&key.0, encoding, left).map_err(|e| {
             let field = if e.wrong_encoding { "encoding" } else { "file" };
             Invalid::field(field, e.to_string())
@@ -112,9 +112,9 @@ impl Resources {
         }
         drawn.check()?;
         self.texels += u64::from(drawn.width) * u64::from(drawn.height);
-        if self.texels > MOST_TEXELS {
+        if self.texels > MAX_TEXELS {
             let problem = format!(
-                "{} texels, with the images before it, are too many; at most {MOST_TEXELS} fit",
+                "{} texels, with the images before it, are too many; at most {MAX_TEXELS} fit",
                 self.texels
             );
             return Err(Invalid::new(problem));
@@ -131,11 +131,11 @@ impl Resources {
             return Err(format!("{}: not a file", path.display()));
         }
         self.bytes += file.len();
-        if self.bytes > MOST_BYTES {
+        if self.bytes > MAX_BYTES {
             let (path, size, all) = (path.display(), file.len(), self.bytes);
             return Err(format!(
                 "{path}: {size} bytes, with the meshes before it {all}, are too many; \
-                 at most {MOST_BYTES} fit"
+                 at most {MAX_BYTES} fit"
             ));
         }
         Ok(())

@@ -17,11 +17,11 @@ use groundtruth::images::{Encoding, Texels, decode};
 use groundtruth::math::power;
 
 /// More texels than any image here should have.
-const MOST: u64 = 1 << 20;
+const MAX: u64 = 1 << 20;
 
 /// The texels of what should be an image, linear, from the top row down.
 fn linear(bytes: &[u8]) -> Vec<[f64; 3]> {
-    let texels = decode(bytes, Some(Encoding::Linear), MOST);
+    let texels = decode(bytes, Some(Encoding::Linear), MAX);
     rows(&texels.unwrap_or_else(|e| panic!("it is refused: {e}")))
 }
 
@@ -34,7 +34,7 @@ fn rows(texels: &Texels) -> Vec<[f64; 3]> {
 
 /// What is said of bytes that should be refused.
 fn refusal(bytes: &[u8]) -> String {
-    match decode(bytes, None, MOST) {
+    match decode(bytes, None, MAX) {
         Ok(texels) => panic!("it loads as {} × {}", texels.width(), texels.height()),
         Err(problem) => problem,
     }
@@ -57,7 +57,7 @@ fn srgb_is_decoded_unless_it_is_linear() {
     let all: Vec<u8> = (0..=255).collect();
     let bytes = [b"P5 256 1 255\n", &all[..]].concat();
     for default in [None, Some(Encoding::Srgb)] {
-        let decoded = rows(&decode(&bytes, default, MOST).expect("it is right"));
+        let decoded = rows(&decode(&bytes, default, MAX).expect("it is right"));
         for (v, color) in decoded.iter().enumerate() {
             let l = color[0];
             let encoded =

@@ -118,7 +118,7 @@ impl Inspector {
             || !self.picture.is_fresh(&self.rendering, self.generation)
     }
 
-    /// Draws the window and carries out the user's wishes.
+    /// Draws the window and carries out what the user asks for.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         self.take_loaded(&ctx);

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use clap::Parser;
 use groundtruth::scene::{Scene, Tracer};
-use groundtruth::world::{DEEPEST, DEFAULT_SEED};
+use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH};
 
 use crate::view::parse_pixel;
 use crate::worker::{Loaded, Source};
@@ -28,7 +28,7 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     pub tracer: Option<Tracer>,
     /// The largest number of edges from the camera's ray to one that is still cast
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(DEEPEST)))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_DEPTH)))]
     pub max_depth: Option<u32>,
     /// The seed of all random choices
     #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]

@@ -21,12 +21,12 @@ use crate::worker::{Background, Lost, Rendering};
 use crate::{details, picture, tree};
 
 /// A pixel with more rays is explained one sample at a time.
-const MOST_RAYS_OF_A_PIXEL: u64 = 30_000;
+const MAX_RAYS_OF_A_PIXEL: u64 = 30_000;
 /// A sample with more rays is not explained: its tree would be unreadable and take gigabytes.
-const MOST_RAYS_OF_A_SAMPLE: u64 = 500_000;
+const MAX_RAYS_OF_A_SAMPLE: u64 = 500_000;
 
 /// The least height of tree and details in a low window, in points of the screen.
-const LEAST_HEIGHT: f32 = 24.0;
+const MIN_HEIGHT: f32 = 24.0;
 
 /// An explanation that takes at most this time is drawn in the frame of the click.
 const MOMENT: Duration = Duration::from_millis(12);
@@ -76,17 +76,17 @@ pub enum Below {
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
 fn answer(scene: &Scene, world: &World, question: Question) -> Answer {
-    let mut counter = RayCounter::up_to(MOST_RAYS_OF_A_SAMPLE);
+    let mut counter = RayCounter::up_to(MAX_RAYS_OF_A_SAMPLE);
     counter.count(|counter| render::sample(world, question.pixel, question.sample, counter));
     if counter.is_full() {
         return Err(format!(
-            "sample {} has more than {MOST_RAYS_OF_A_SAMPLE} rays, too many to be shown; a smaller \
+            "sample {} has more than {MAX_RAYS_OF_A_SAMPLE} rays, too many to be shown; a smaller \
              max_depth or fewer objects make a smaller tree",
             question.sample
         ));
     }
     let few =
-        counter.rays().saturating_mul(world.samples_per_pixel().into()) <= MOST_RAYS_OF_A_PIXEL;
+        counter.rays().saturating_mul(world.samples_per_pixel().into()) <= MAX_RAYS_OF_A_PIXEL;
     let only = if few { None } else { Some(question.sample) };
     Ok(Arc::new(explain::pixel(scene, world, question.pixel, only)))
 }
@@ -197,7 +197,7 @@ impl Selection {
                 ui.selectable_value(&mut self.below, Below::Samples, "The samples");
             });
             let area = ScrollArea::both().id_salt("details").auto_shrink(false);
-            let area = area.min_scrolled_height(LEAST_HEIGHT);
+            let area = area.min_scrolled_height(MIN_HEIGHT);
             match self.below {
                 Below::Ray => {
                     let details = |ui: &mut Ui| {

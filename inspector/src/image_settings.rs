@@ -2,7 +2,7 @@
 
 use eframe::egui::{ComboBox, DragValue, Grid, Response, TextEdit, Ui, emath::Numeric};
 use groundtruth::scene::{Intersect, Scene, Tracer};
-use groundtruth::world::{DEEPEST, MOST_PIXELS, MOST_SAMPLES};
+use groundtruth::world::{MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES};
 
 /// The seed as typed: text, because a number field would round large seeds.
 #[derive(Debug, Default)]
@@ -17,7 +17,7 @@ impl ImageSettings {
         let grid = Grid::new("image").num_columns(2).spacing([6.0, 3.0]);
         grid.show(ui, |ui| {
             let resized = size(ui, scene);
-            let sampled = number(ui, "Samples", &mut scene.image.samples, 1..=MOST_SAMPLES)
+            let sampled = number(ui, "Samples", &mut scene.image.samples, 1..=MAX_SAMPLES)
                 .on_hover_text("For each pixel; some samplers round up")
                 .changed();
             ui.end_row();
@@ -53,7 +53,7 @@ impl ImageSettings {
 /// Width and height; the view stays the same.
 fn size(ui: &mut Ui, scene: &mut Scene) -> bool {
     let [mut width, mut height] = [scene.image.width, scene.image.height];
-    let most = u32::try_from(MOST_PIXELS).unwrap_or(u32::MAX);
+    let most = u32::try_from(MAX_PIXELS).unwrap_or(u32::MAX);
     let mut changed = false;
     for (name, side) in [("Width", &mut width), ("Height", &mut height)] {
         changed |= number(ui, name, side, 1..=most).changed();
@@ -85,7 +85,7 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
         Some(max_depth) => {
             let about = "The largest number of reflections and transmissions in a row";
             changed |=
-                number(ui, "Max depth", max_depth, 0..=DEEPEST).on_hover_text(about).changed();
+                number(ui, "Max depth", max_depth, 0..=MAX_DEPTH).on_hover_text(about).changed();
         }
         None => {
             ui.label("Max depth");

@@ -14,7 +14,7 @@ use groundtruth::world::World;
 use crate::worker::Rendering;
 
 /// The most points of a plot that is still readable.
-const MOST_POINTS: u32 = 4096;
+const MAX_POINTS: u32 = 4096;
 /// The side of a plot, in points of the screen.
 const SIDE: f32 = 168.0;
 /// The largest distance of a click from a point, in points of the screen.
@@ -59,7 +59,7 @@ struct Fairness {
 const CELLS: usize = 15;
 const STRIPS: usize = 32;
 /// The most points that are counted.
-const MOST_COUNTED: usize = 400_000;
+const MAX_COUNTED: usize = 400_000;
 
 impl Fairness {
     /// Counts the points of all sets; if draws are not points of a set, the draws of as many pixels.
@@ -72,9 +72,9 @@ impl Fairness {
         };
         let sets = 0..SETS as u32;
         let points: Vec<[f64; 2]> = if samples.is_shifted() || samples.is_centered() {
-            sets.flat_map(of_pixel).take(MOST_COUNTED).collect()
+            sets.flat_map(of_pixel).take(MAX_COUNTED).collect()
         } else {
-            sets.flat_map(|i| samples.set(i as usize)).copied().take(MOST_COUNTED).collect()
+            sets.flat_map(|i| samples.set(i as usize)).copied().take(MAX_COUNTED).collect()
         };
         for [x, y] in &points {
             let cell = |x: &f64, n: usize| (x * n as f64) as usize;
@@ -108,7 +108,7 @@ impl Samples {
             self.fairness = Some(Fairness::of(world));
         }
         self.of = Some((generation, pixel));
-        let count = world.samples_per_pixel().min(MOST_POINTS);
+        let count = world.samples_per_pixel().min(MAX_POINTS);
         // for a stereo pair, the pixel of the eye's image
         let drawn = render::camera_sample(world, pixel, 0).map(|sample| sample.pixel);
         let count = if drawn.is_some() { count } else { 0 };
@@ -171,8 +171,8 @@ impl Samples {
                 plot.show(ui, color, sample);
             }
         });
-        if rendering.world.samples_per_pixel() > MOST_POINTS {
-            ui.weak(format!("the first {MOST_POINTS} samples"));
+        if rendering.world.samples_per_pixel() > MAX_POINTS {
+            ui.weak(format!("the first {MAX_POINTS} samples"));
         }
         if let Some(fairness) = &self.fairness {
             histogram(ui, &fairness.strips);

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// The width of a bar between two parts, in points of the screen.
 const BAR: f32 = 8.0;
 /// The smallest shares of scene, picture and explanation.
-const LEAST: [f32; 3] = [0.1, 0.3, 0.25];
+const MIN: [f32; 3] = [0.1, 0.3, 0.25];
 /// The least width of the scene's panel, which its numbers need, in points of the screen.
 const SCENE_FROM: f32 = 144.0;
 
@@ -69,7 +69,7 @@ impl Splits {
         if !(self.scene.is_finite() && self.explanation.is_finite()) {
             return Self::default();
         }
-        let [scene, picture, explanation] = LEAST;
+        let [scene, picture, explanation] = MIN;
         let scene = self.scene.clamp(scene, 1.0 - picture - explanation);
         Self { scene, explanation: self.explanation.clamp(explanation, 1.0 - picture - scene) }
     }

@@ -20,9 +20,9 @@ use crate::worker::Background;
 /// Width and height of a thumbnail, in pixels; the picture is centred in it.
 pub const LARGEST: [u32; 2] = [54, 36];
 /// The largest depth of rays in a thumbnail.
-const MOST_DEPTH: u32 = 4;
+const MAX_DEPTH: u32 = 4;
 /// After this time the rest of a thumbnail stays empty.
-const MOST_TIME: Duration = Duration::from_millis(250);
+const MAX_TIME: Duration = Duration::from_millis(250);
 
 /// The thumbnails that were asked for so far.
 #[derive(Default)]
@@ -60,7 +60,7 @@ fn render_small(mut scene: Scene) -> Option<ColorImage> {
     scene.image.sampler = None;
     scene.camera.stereo = None;
     if let Some(max_depth) = scene.tracer.max_depth() {
-        *max_depth = MOST_DEPTH.min(*max_depth);
+        *max_depth = MAX_DEPTH.min(*max_depth);
     }
     let world = World::build(&scene).ok()?;
     let tone =
@@ -73,7 +73,7 @@ fn render_small(mut scene: Scene) -> Option<ColorImage> {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
     // not on the rayon pool, which renders the picture
     for pixel @ [x, y] in pixels {
-        if start.elapsed() > MOST_TIME {
+        if start.elapsed() > MAX_TIME {
             break;
         }
         let at = [left + x, top + y].map(|along| along as usize);

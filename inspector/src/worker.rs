@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use eframe::egui;
 use groundtruth::gallery;
-use groundtruth::ray_budget::{self, MOST_COUNTED};
+use groundtruth::ray_budget::{self, MAX_COUNTED};
 use groundtruth::render::Canvas;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
@@ -234,7 +234,7 @@ impl Rendering {
             let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&world));
             let (note, took, ctx) = (Arc::clone(&note), Arc::clone(&took), ctx.clone());
             move || {
-                let rays = ray_budget::measured(&world, MOST_COUNTED);
+                let rays = ray_budget::measured(&world, MAX_COUNTED);
                 let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
                 let _ = note.set(rays.note(samples));
                 canvas.render(&world);

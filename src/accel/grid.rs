@@ -23,9 +23,9 @@ const MULTIPLIER: f64 = 2.0;
 /// The padding of boxes, in cells.
 const PAD: f64 = 1.0 / 64.0;
 /// The least padding, relative to the longest extent or the largest coordinate.
-const LEAST_PAD: f64 = 1.0 / (1 << 20) as f64;
+const MIN_PAD: f64 = 1.0 / (1 << 20) as f64;
 /// The least extent of the grid, relative to the largest coordinate.
-const LEAST_EXTENT: f64 = 1.0 / (1 << 30) as f64;
+const MIN_EXTENT: f64 = 1.0 / (1 << 30) as f64;
 /// The number of primitives that a walk remembers, in order not to test them again in the next cell.
 /// Without mailboxes a ray that misses tests most primitives three times, and nine times in a grid in a
 /// grid (Shevtsov, Soupikov & Kapustin, "Ray-Triangle Intersection Algorithm for Modern CPU
@@ -33,7 +33,7 @@ const LEAST_EXTENT: f64 = 1.0 / (1 << 30) as f64;
 const MAILBOXES: usize = 16;
 /// The most entries of all cells, for each primitive. A grid of large primitives, which overlap many
 /// cells, gets larger cells; otherwise memory would run out.
-const MOST_ENTRIES: usize = 32;
+const MAX_ENTRIES: usize = 32;
 const FEW_ENTRIES: usize = 1 << 20;
 
 /// Primitives sorted into cells.
@@ -67,7 +67,7 @@ impl Grid {
     /// The same with this `multiplier`, which is reduced until the entries fit.
     pub(super) fn build_with(bounds: &[Aabb], which: &[u32], mut multiplier: f64) -> Self {
         let boxes: Vec<Aabb> = which.iter().map(|&i| bounds[i as usize]).collect();
-        let most = (MOST_ENTRIES * boxes.len()).max(FEW_ENTRIES);
+        let most = (MAX_ENTRIES * boxes.len()).max(FEW_ENTRIES);
         let cells = loop {
             let cells = Cells::of(&boxes, multiplier);
             let entries = boxes.iter().map(|b| cells.ranges(b).map(|r| r.len()).iter().product());
@@ -161,13 +161,13 @@ impl Cells {
         let whole = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         let n = boxes.len().max(1) as f64;
         let largest = whole.largest_coordinate();
-        let w = thickened(whole.extent(), LEAST_EXTENT * largest, n);
+        let w = thickened(whole.extent(), MIN_EXTENT * largest, n);
         let s = cbrt(w[0] * w[1] * w[2] / n);
         let counts = w.map(|w| (multiplier * w / s) as usize + 1);
         let side = |extent: f64, i: usize| extent / counts[i] as f64;
         let longest = (0..3).map(|i| side(w[i], i)).fold(0.0, f64::max);
         let sides = std::array::from_fn(|i| side(whole.extent().along(i), i));
-        let pad = (PAD * longest).max(LEAST_PAD * whole.extent().max_abs());
+        let pad = (PAD * longest).max(MIN_PAD * whole.extent().max_abs());
         Self { bounds: whole, counts, sides, pad }
     }
 

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, Subcommand};
 use groundtruth::verify::compare;
-use groundtruth::verify::golden::{Finding, Goldens as Folder, Status, Wishes};
+use groundtruth::verify::golden::{Finding, GoldenSettings, Goldens as Folder, Status};
 use groundtruth::verify::review;
 use groundtruth::{film, gallery};
 
@@ -182,7 +182,7 @@ impl Accept {
         let flag = Arc::clone(&interrupted);
         ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
 
-        let wishes = Wishes {
+        let settings = GoldenSettings {
             size: self.size.map(|size| [size.width, size.height]),
             samples: self.samples,
             shows: self.shows.clone(),
@@ -190,7 +190,7 @@ impl Accept {
         let names = if self.all_drifted { drifted(&goldens)? } else { self.names.clone() };
         let mut proposals = Vec::new();
         for name in &names {
-            proposals.push(goldens.propose(name, &self.because, &wishes)?);
+            proposals.push(goldens.propose(name, &self.because, &settings)?);
             if interrupted.load(Ordering::Relaxed) {
                 eprintln!("interrupted; nothing was accepted");
                 return Ok(Answer::Interrupted);

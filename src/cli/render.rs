@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use groundtruth::film::{self, Tone};
-use groundtruth::ray_budget::{self, MOST_COUNTED};
+use groundtruth::ray_budget::{self, MAX_COUNTED};
 use groundtruth::render::{self, Canvas};
 use groundtruth::trace;
 use groundtruth::world::World;
@@ -62,8 +62,8 @@ impl Render {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
             None => Canvas::new(&world),
         });
-        trace::left_out(&world).iter().for_each(|note| eprintln!("note: {note}"));
-        let rays = ray_budget::measured(&world, MOST_COUNTED);
+        trace::omitted_lights(&world).iter().for_each(|note| eprintln!("note: {note}"));
+        let rays = ray_budget::measured(&world, MAX_COUNTED);
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
         rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));
         let loaded = start.elapsed();

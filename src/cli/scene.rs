@@ -9,7 +9,7 @@ use groundtruth::film;
 use groundtruth::gallery;
 use groundtruth::render::Crop;
 use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};
-use groundtruth::world::{DEEPEST, DEFAULT_SEED, MOST_PIXELS, MOST_SAMPLES, World};
+use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, World};
 
 #[derive(Args)]
 pub struct SceneArguments {
@@ -98,12 +98,12 @@ impl SceneArguments {
 
 /// Parses a number of samples per pixel.
 pub fn samples() -> clap::builder::RangedI64ValueParser<u32> {
-    clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES))
+    clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES))
 }
 
 /// Parses a maximum depth.
 pub fn depth() -> clap::builder::RangedI64ValueParser<u32> {
-    clap::value_parser!(u32).range(0..=i64::from(DEEPEST))
+    clap::value_parser!(u32).range(0..=i64::from(MAX_DEPTH))
 }
 
 /// `300x200`.
@@ -122,8 +122,8 @@ impl FromStr for Size {
         let parts =
             text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
         match parts {
-            Some((width, height)) if u64::from(width) * u64::from(height) > MOST_PIXELS => {
-                Err(format!("{width} × {height} pixels are too many; at most {MOST_PIXELS} fit"))
+            Some((width, height)) if u64::from(width) * u64::from(height) > MAX_PIXELS => {
+                Err(format!("{width} × {height} pixels are too many; at most {MAX_PIXELS} fit"))
             }
             Some((width, height)) if width > 0 && height > 0 => Ok(Self { width, height }),
             _ => Err("a size is written as 300x200".to_owned()),

@@ -186,7 +186,7 @@ pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -
     let (radiances, sources) = sources::of(scene, world, pixel);
     PixelExplanation {
         pixel,
-        left_out: trace::left_out(world),
+        left_out: trace::omitted_lights(world),
         samples_per_pixel: count,
         exposure_time: world.view.exposure_time,
         samples,

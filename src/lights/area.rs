@@ -5,11 +5,11 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Place, Segment, Target};
+use super::{Context, Light, LightContext, LightSample, Segment, Target};
 use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{UNIT_ROUNDOFF, Vector};
+use crate::math::{self, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
 use crate::shapes::{SampledSurface, Sampling, Shape, Surface};
 use crate::textures::TexturePoint;
@@ -87,14 +87,14 @@ impl Specification for Area {
 impl Lamp {
     /// The cosine at the lamp, if the side towards `from` shines. On the back of a two-sided lamp it is
     /// taken with the opposite normal.
-    fn cosine(&self, from: Place, at: &Surface) -> Option<f64> {
+    fn cosine(&self, from: math::Point, at: &Surface) -> Option<f64> {
         let cosine = at.normal.dot((from - at.point).unit()?);
         let cosine = if self.two_sided { cosine.abs() } else { cosine };
         (cosine > 0.0).then_some(cosine)
     }
 
     /// The radiance of the point drawn with the numbers `u`.
-    fn radiance(&self, from: Place, u: [f64; 2], at: &Surface, cosine: f64) -> Rgb {
+    fn radiance(&self, from: math::Point, u: [f64; 2], at: &Surface, cosine: f64) -> Rgb {
         if self.emission.is_plain() {
             return self.emission.radiance(&TexturePoint::new(at), cosine);
         }
@@ -105,7 +105,7 @@ impl Lamp {
 
 /// The end of the shadow ray to a point of a lamp: in front of the lamp by more than the error of a hit, so
 /// that neither the lamp nor a surface in its plane shadows the point, even at grazing angles.
-fn end(from: Place, at: &Surface, direction: Vector) -> Place {
+fn end(from: math::Point, at: &Surface, direction: Vector) -> math::Point {
     // the error of a hit on such a surface is a few u of the coordinates
     let size = at.point.to_vector().max_abs() + from.to_vector().max_abs();
     let error = at.error.max(32.0 * UNIT_ROUNDOFF * size);

@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use super::jittered_directional::in_cube;
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample, Place};
+use super::{Context, Light, LightContext, LightSample};
 use crate::invalid::{Invalid, finite_point, not_negative};
 use crate::kinds::{self, Specification};
-use crate::math::power;
+use crate::math::{self, power};
 use crate::rgb::Rgb;
 
 /// Light `ls · color / d^k` from one place for each sample, which is moved by at most `jitter` along
@@ -26,7 +26,7 @@ pub struct FakeSpherical {
     #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
     /// The middle of the places.
-    pub location: Place,
+    pub location: math::Point,
     /// How far a place is from the middle along each axis at most, `r` in the book; not negative.
     pub jitter: f64,
     /// The exponent `k` of the distance, not negative; as of `point`.
@@ -37,7 +37,7 @@ pub struct FakeSpherical {
 #[derive(Debug)]
 struct JitteredPoint {
     radiance: Rgb,
-    location: Place,
+    location: math::Point,
     jitter: f64,
     attenuation: f64,
 }
@@ -65,7 +65,7 @@ impl Specification for FakeSpherical {
     }
 
     fn specimens() -> Vec<Self> {
-        let (color, location) = (Rgb::new(1.0, 0.5, 0.0), Place::new(10.0, 15.0, 20.0));
+        let (color, location) = (Rgb::new(1.0, 0.5, 0.0), math::Point::new(10.0, 15.0, 20.0));
         let plain = Self { ls: 3.0, color, location, jitter: 3.0, attenuation: 0.0 };
         vec![Self { attenuation: 2.0, ls: 250.0, ..plain }, plain]
     }

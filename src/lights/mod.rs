@@ -20,7 +20,7 @@ mod context;
 
 use std::fmt::Debug;
 
-use crate::math::{Normal, Point as Place, Vector};
+use crate::math::{self, Normal, Vector};
 use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
@@ -28,7 +28,7 @@ pub use context::{Context, LampObject};
 
 /// A source of light. Contract: `tests/contracts/light.rs`.
 pub trait Light: Debug + Send + Sync {
-    /// The number of pairs of random numbers for a sample, at most [`MOST_DRAWS`]: 0 for a single
+    /// The number of pairs of random numbers for a sample, at most [`MAX_DRAWS`]: 0 for a single
     /// direction.
     fn draws(&self) -> usize {
         0
@@ -61,7 +61,7 @@ pub trait Light: Debug + Send + Sync {
 }
 
 /// The most pairs of random numbers that a light may draw; one more panics.
-pub const MOST_DRAWS: usize = 4;
+pub const MAX_DRAWS: usize = 4;
 
 /// The part of a material that reflects a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +76,7 @@ pub enum Meets {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightContext {
     /// The point that is lit.
-    pub point: Place,
+    pub point: math::Point,
     /// The normal used for shading; of a two-sided surface turned to the viewer.
     pub normal: Normal,
 }
@@ -111,7 +111,7 @@ pub enum Segment {
     /// Without end: every object in the direction blocks it.
     Infinity,
     /// Up to this point: objects behind it do not block it.
-    To(Place),
+    To(math::Point),
 }
 
 crate::kinds! {

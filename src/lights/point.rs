@@ -5,10 +5,10 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Place, Segment};
+use super::{Context, Light, LightContext, LightSample, Segment};
 use crate::invalid::{Invalid, finite_point, not_negative};
 use crate::kinds::{self, Specification};
-use crate::math::power;
+use crate::math::{self, power};
 use crate::rgb::Rgb;
 
 /// Light `ls · color / d^k` from one place, `d` the distance.
@@ -23,7 +23,7 @@ pub struct Point {
     #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
     /// Where it is.
-    pub location: Place,
+    pub location: math::Point,
     /// The exponent `k` of the distance, not negative: 0, the book's default, for the same light at
     /// every distance; 2 for real lamps, whose `ls` must then be as large as the distance squared.
     #[serde(default)]
@@ -33,7 +33,7 @@ pub struct Point {
 #[derive(Debug)]
 struct PointSource {
     radiance: Rgb,
-    location: Place,
+    location: math::Point,
     attenuation: f64,
 }
 
@@ -61,7 +61,7 @@ impl Specification for Point {
         let plain = Self {
             ls: 3.0,
             color: Rgb::new(1.0, 0.5, 0.0),
-            location: Place::new(10.0, 15.0, 20.0),
+            location: math::Point::new(10.0, 15.0, 20.0),
             attenuation: 0.0,
         };
         vec![Self { attenuation: 2.0, ls: 600.0, ..plain }, plain]
@@ -77,8 +77,8 @@ impl Light for PointSource {
 /// Light `radiance / d^k` from one place; none at the place itself, where it has no direction, or so near
 /// that it would be infinite.
 pub(super) fn from_point(
-    from: Place,
-    location: Place,
+    from: math::Point,
+    location: math::Point,
     radiance: Rgb,
     attenuation: f64,
 ) -> Option<LightSample> {

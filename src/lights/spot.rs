@@ -6,10 +6,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample, Place};
+use super::{Context, Light, LightContext, LightSample};
 use crate::invalid::{Invalid, direction, finite_point, not_negative, within};
 use crate::kinds::{self, Specification};
-use crate::math::{Normal, Vector, atan2, power, to_degrees};
+use crate::math::{self, Normal, Vector, atan2, power, to_degrees};
 use crate::rgb::Rgb;
 
 /// A point light that shines into a cone: all of `ls · color / d^k` up to `inner` degrees from its
@@ -24,7 +24,7 @@ pub struct Spot {
     #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
     /// Where it is.
-    pub location: Place,
+    pub location: math::Point,
     /// Where it shines to; not zero, need not be unit.
     pub direction: Vector,
     /// From this angle to the axis on it grows weaker, in degrees; from 0 to `outer`.
@@ -40,7 +40,7 @@ pub struct Spot {
 #[derive(Debug)]
 struct Cone {
     radiance: Rgb,
-    location: Place,
+    location: math::Point,
     axis: Normal,
     inner: f64,
     outer: f64,
@@ -72,7 +72,7 @@ impl Specification for Spot {
     }
 
     fn specimens() -> Vec<Self> {
-        let (color, location) = (Rgb::new(1.0, 0.5, 0.0), Place::new(10.0, 15.0, 20.0));
+        let (color, location) = (Rgb::new(1.0, 0.5, 0.0), math::Point::new(10.0, 15.0, 20.0));
         let (direction, inner, outer) = (Vector::new(-1.0, -1.5, -2.0), 30.0, 60.0);
         vec![Self { ls: 600.0, color, location, direction, inner, outer, attenuation: 2.0 }]
     }

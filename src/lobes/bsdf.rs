@@ -1,7 +1,7 @@
 //! The lobes of a hit in the world's directions: what light from a direction leaves towards the
 //! viewer, and where light is to be looked for.
 
-use super::{Lobe, Lobes, MOST_LOBES, NormalKind};
+use super::{Lobe, Lobes, MAX_LOBES, NormalKind};
 use crate::math::{Frame, Normal, Vector};
 use crate::rgb::Rgb;
 use crate::samplers::Branch;
@@ -97,10 +97,10 @@ impl<'a> Bsdf<'a> {
     }
 
     /// With which probability a path takes each lobe.
-    pub fn chances(&self) -> ArrayVec<f64, MOST_LOBES> {
+    pub fn chances(&self) -> ArrayVec<f64, MAX_LOBES> {
         let chance =
             |(lobe, kind): &(Lobe, NormalKind)| lobe.chance(self.frame(*kind).to_local(self.wo));
-        let mut chances: ArrayVec<f64, MOST_LOBES> = self.lobes.iter().map(chance).collect();
+        let mut chances: ArrayVec<f64, MAX_LOBES> = self.lobes.iter().map(chance).collect();
         let sum: f64 = chances.iter().sum();
         if sum > 0.0 {
             chances.iter_mut().for_each(|chance| *chance /= sum);
@@ -139,7 +139,7 @@ impl<'a> Bsdf<'a> {
     /// A viewer below the true surface gets nothing. One above it does, also where an interpolated
     /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on which
     /// side of that normal the viewer is.
-    pub fn lit(&self, which: Which, wi: Vector) -> ArrayVec<Lit, MOST_LOBES> {
+    pub fn lit(&self, which: Which, wi: Vector) -> ArrayVec<Lit, MAX_LOBES> {
         let mut lit = ArrayVec::new();
         if !self.is_outward(self.wo) {
             return lit;

@@ -229,10 +229,10 @@ pub enum NormalKind {
 }
 
 /// The most lobes of a material; one more panics.
-pub const MOST_LOBES: usize = 4;
+pub const MAX_LOBES: usize = 4;
 
 /// The lobes of one hit.
-pub type Lobes = ArrayVec<(Lobe, NormalKind), MOST_LOBES>;
+pub type Lobes = ArrayVec<(Lobe, NormalKind), MAX_LOBES>;
 
 /// Whether both directions are on the outer side.
 fn outside(wo: Vector, wi: Vector) -> bool {

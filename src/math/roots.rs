@@ -60,7 +60,7 @@ pub(crate) struct Tolerance {
 }
 
 /// More halvings than `f64` has exponents and digits.
-const MOST_STEPS: usize = 1200;
+const MAX_STEPS: usize = 1200;
 
 /// A root of `f` (value and slope). `bracket` holds a point where `f` is negative, then one where it is
 /// positive. Newton's method; it halves the bracket if a step would leave it or is not half as long as
@@ -75,7 +75,7 @@ pub(crate) fn bracketed_root(
     let middle = |a: f64, b: f64| 0.5 * a + 0.5 * b;
     let mut x = if inside(start, below, above) { start } else { middle(below, above) };
     let mut last_step = (above - below).abs();
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let [value, slope] = f(x);
         if value == 0.0 {
             return x;

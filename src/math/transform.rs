@@ -69,7 +69,7 @@ pub struct Singular {
 }
 
 /// Inverses of matrices of larger condition would have too few correct digits.
-const MOST_CONDITION: f64 = 1e12;
+const MAX_CONDITION: f64 = 1e12;
 
 /// An affine map and its inverse. Points, vectors and normals each transform in their own way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -136,8 +136,8 @@ impl Step {
 /// The inverse of `m` to the last bits, by Newton's iteration from `x`; `None` if `x` is too far off.
 fn improved(m: DMat3, mut x: DMat3) -> Option<DMat3> {
     /// Each step doubles the number of correct digits; there are 53.
-    const MOST_STEPS: usize = 8;
-    for _ in 0..MOST_STEPS {
+    const MAX_STEPS: usize = 8;
+    for _ in 0..MAX_STEPS {
         let entry = |i: usize, j: usize| {
             let identity = if i == j { 1.0 } else { 0.0 };
             less_products(identity, m.row(i).to_array(), x.col(j).to_array())
@@ -218,7 +218,7 @@ impl Transform {
 
     fn invertible(self) -> Result<Self, Singular> {
         let condition = self.condition();
-        if condition <= MOST_CONDITION && self.forward.is_finite() && self.inverse.is_finite() {
+        if condition <= MAX_CONDITION && self.forward.is_finite() && self.inverse.is_finite() {
             Ok(self)
         } else {
             Err(Singular { condition: if condition.is_nan() { f64::INFINITY } else { condition } })
@@ -233,7 +233,7 @@ impl Transform {
         let cofactors = inverse_of(m);
         let Some(matrix3) = improved(m, x).or_else(|| improved(m, cofactors)) else {
             let condition = frobenius(m) * frobenius(x).max(frobenius(cofactors));
-            let known = condition > MOST_CONDITION;
+            let known = condition > MAX_CONDITION;
             return Err(Singular { condition: if known { condition } else { f64::INFINITY } });
         };
         let translation = DVec3::ZERO - matrix3 * self.forward.translation;

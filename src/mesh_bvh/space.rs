@@ -17,13 +17,13 @@ const NEAR: f64 = 4.0;
 /// A moved origin is this far before the centre.
 const BEFORE: f64 = 2.0;
 /// The largest slack: with a larger one a ray crosses every box.
-const MOST_SLACK: f64 = 0.25;
+const MAX_SLACK: f64 = 0.25;
 /// Directions whose largest component is in this range are not scaled.
 const ORDINARY: std::ops::Range<f64> = 1e-9..1e9;
 /// Scales for which no number overflows or underflows.
 const SCALES: std::ops::Range<f64> = 1e-100..1e100;
 /// The least size of the space, relative to the largest coordinate.
-const LEAST_SIZE: f64 = 1.0 / (1 << 30) as f64;
+const MIN_SIZE: f64 = 1.0 / (1 << 30) as f64;
 
 /// The map from the world to the normalised space.
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +52,7 @@ impl Space {
     pub fn around(whole: &Aabb) -> Self {
         let (min, max) = (0.5 * whole.min.to_vector(), 0.5 * whole.max.to_vector()); // no overflow
         let largest = whole.largest_coordinate();
-        let size = (max - min).max_abs().max(LEAST_SIZE * largest);
+        let size = (max - min).max_abs().max(MIN_SIZE * largest);
         // the power of two above the size, unless its reciprocal would overflow
         let scale = 0.25 * power_of_two(1 - exponent(size).max(-1000));
         Self { center: Point::ORIGIN + (min + max), scale, extent: (scale * largest).max(NEAR) }
@@ -77,7 +77,7 @@ impl Space {
         let (mut origin, mut start) = (self.offset_from_center(ray.origin), 0.0);
         let slack = SLACK * self.extent.max(origin.max_abs());
         let ordinary = ORDINARY.contains(&direction.max_abs()) && SCALES.contains(&self.scale);
-        if !(ordinary && slack <= MOST_SLACK) {
+        if !(ordinary && slack <= MAX_SLACK) {
             return Some(SpaceRay::EVERYWHERE);
         }
         if origin.max_abs() > NEAR || span.min < 0.0 {

@@ -3,7 +3,7 @@
 use std::mem::MaybeUninit;
 
 use super::node::WIDTH;
-use crate::accel::build::DEEPEST;
+use crate::accel::build::MAX_DEPTH;
 
 /// Children to visit, each as one number: its distance in the upper bits, its index in the lower.
 pub struct Stack<'a> {
@@ -13,14 +13,14 @@ pub struct Stack<'a> {
 }
 
 /// Room for the stack: at most fifteen children for each node above the present one.
-pub type Room = [MaybeUninit<u64>; (WIDTH - 1) * DEEPEST];
+pub type Room = [MaybeUninit<u64>; (WIDTH - 1) * MAX_DEPTH];
 
 // `Stop::Undecided` stores the length in a `u16`
-const _: () = assert!((WIDTH - 1) * DEEPEST <= u16::MAX as usize);
+const _: () = assert!((WIDTH - 1) * MAX_DEPTH <= u16::MAX as usize);
 
 impl Stack<'_> {
     /// An empty stack's.
-    pub const ROOM: Room = [const { MaybeUninit::uninit() }; (WIDTH - 1) * DEEPEST];
+    pub const ROOM: Room = [const { MaybeUninit::uninit() }; (WIDTH - 1) * MAX_DEPTH];
 
     /// Inserts a child below the nearer ones, but not below `bottom`.
     #[inline(always)]

@@ -11,11 +11,11 @@ use crate::math::{Normal, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_produ
 
 /// The least projected area of a triangle, relative to the products it is the sum of, for which plain
 /// products are accurate enough. The relative error of the three weights together is then at most
-/// 2u/`LEAST_AREA` = 32u, and that of `t` is 32u of the range of the corners' depths. The rounding of the
+/// 2u/`MIN_AREA` = 32u, and that of `t` is 32u of the range of the corners' depths. The rounding of the
 /// corners themselves (the condition of `t`) has a larger effect.
-const LEAST_AREA: f64 = 1.0 / 16.0;
+const MIN_AREA: f64 = 1.0 / 16.0;
 /// Added to the least area, so that underflow of a product cannot matter.
-const LEAST_PRODUCTS: f64 = 1e-140;
+const MIN_PRODUCTS: f64 = 1e-140;
 
 /// A ray prepared for triangles.
 #[derive(Clone, Copy, Debug)]
@@ -143,7 +143,7 @@ impl<L: Lanes> Edges<L> {
     #[inline(always)]
     pub fn large(&self) -> u8 {
         let [u, v, w] = self.parts;
-        let least = u.all(LEAST_AREA) * self.products + u.all(LEAST_PRODUCTS);
+        let least = u.all(MIN_AREA) * self.products + u.all(MIN_PRODUCTS);
         least.less((u + v + w).abs())
     }
 }

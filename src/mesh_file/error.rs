@@ -113,32 +113,32 @@ pub enum MeshFileError {
         count: u64,
     },
     /// The file ends inside an element.
-    #[error("{place}: the file ends here; it is cut off: copy or export it again")]
+    #[error("{location}: the file ends here; it is cut off: copy or export it again")]
     CutOff {
         /// What was being read.
-        place: Place,
+        location: Location,
     },
     /// A line with fewer values than it needs.
-    #[error("{place}: the line ends before the value of `{property}`")]
+    #[error("{location}: the line ends before the value of `{property}`")]
     MissingValue {
         /// The line.
-        place: Place,
+        location: Location,
         /// The property's name.
         property: String,
     },
     /// A line of a PLY file with more values than the header says.
-    #[error("{place}: `{found}` is one value too many; the header has no property for it")]
+    #[error("{location}: `{found}` is one value too many; the header has no property for it")]
     SurplusValue {
         /// The line.
-        place: Place,
+        location: Location,
         /// The value.
         found: String,
     },
     /// A value that is out of range or not a number.
-    #[error("{place}: `{found}` found for `{property}`, expected {expected}")]
+    #[error("{location}: `{found}` found for `{property}`, expected {expected}")]
     Value {
         /// The line or element of the value.
-        place: Place,
+        location: Location,
         /// The property's name.
         property: String,
         /// The value as written in the file, shortened.
@@ -147,10 +147,10 @@ pub enum MeshFileError {
         expected: &'static str,
     },
     /// An index out of range.
-    #[error("{place}: {what} {index} does not exist; {allowed}")]
+    #[error("{location}: {what} {index} does not exist; {allowed}")]
     Index {
         /// The face.
-        place: Place,
+        location: Location,
         /// Vertex, normal or texture coordinate.
         what: &'static str,
         /// The index as written in the file.
@@ -159,21 +159,21 @@ pub enum MeshFileError {
         allowed: String,
     },
     /// A face with fewer than 3 vertices.
-    #[error("{place}: a face with {count} vertices; it needs at least 3")]
+    #[error("{location}: a face with {count} vertices; it needs at least 3")]
     FewCorners {
         /// The face.
-        place: Place,
+        location: Location,
         /// How many it has.
         count: usize,
     },
     /// A face with too many corners for ear clipping, whose time can grow as their cube.
     #[error(
-        "{place}: a face of {count} corners that is not convex; at most {max} can be split into \
+        "{location}: a face of {count} corners that is not convex; at most {max} can be split into \
          triangles: cut it into smaller faces"
     )]
     ManyCorners {
         /// The face.
-        place: Place,
+        location: Location,
         /// How many it has.
         count: usize,
         /// The maximum.
@@ -195,7 +195,7 @@ pub enum MeshFileError {
 
 /// A location in a mesh file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Location {
     /// A line of a text file, counted from 1.
     Line(usize),
     /// An element of a binary file.
@@ -207,11 +207,11 @@ pub enum Place {
     },
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Place::Line(line) => write!(f, "line {line}"),
-            Place::Element { name, index } => write!(f, "{name} {index} (counted from 0)"),
+            Location::Line(line) => write!(f, "line {line}"),
+            Location::Element { name, index } => write!(f, "{name} {index} (counted from 0)"),
         }
     }
 }

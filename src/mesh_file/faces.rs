@@ -9,7 +9,7 @@
 
 use std::iter::repeat_n;
 
-use super::{MeshFileError, Place};
+use super::{Location, MeshFileError};
 
 /// The largest number of corners of a polygon that is not convex: the time of ear clipping can grow
 /// as the cube of this number.
@@ -35,10 +35,10 @@ impl Faces {
     pub(super) fn push(
         &mut self,
         corners: &[u32],
-        place: impl FnOnce() -> Place,
+        location: impl FnOnce() -> Location,
     ) -> Result<(), MeshFileError> {
         if corners.len() < 3 {
-            return Err(MeshFileError::FewCorners { place: place(), count: corners.len() });
+            return Err(MeshFileError::FewCorners { location: location(), count: corners.len() });
         }
         self.corners.extend(corners);
         self.ends.push(self.corners.len());
@@ -63,9 +63,9 @@ impl Faces {
             } else if corners.len() <= MAX_CORNERS {
                 ring.clip_ears(&mut triangles);
             } else {
-                let place = Place::Element { name: "face".into(), index: index as u64 };
+                let location = Location::Element { name: "face".into(), index: index as u64 };
                 let (count, max) = (corners.len(), MAX_CORNERS);
-                return Err(MeshFileError::ManyCorners { place, count, max });
+                return Err(MeshFileError::ManyCorners { location, count, max });
             }
         }
         Ok(triangles)

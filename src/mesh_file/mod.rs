@@ -19,7 +19,7 @@ mod ply;
 use std::path::Path;
 use std::str::FromStr;
 
-pub use error::{MeshFileError, Place};
+pub use error::{Location, MeshFileError};
 use faces::Faces;
 pub use obj::parse_obj;
 pub use ply::{Encoding, parse_ply, write_ply};

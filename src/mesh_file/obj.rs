@@ -11,7 +11,7 @@ use std::collections::HashMap;
 
 use super::error::quoted;
 use super::faces::Faces;
-use super::{MeshData, MeshFileError, Place};
+use super::{Location, MeshData, MeshFileError};
 use super::{at_most_u32, line_end, parse_word, with_triangles, without_byte_order_mark, words};
 
 /// Reads the bytes of an OBJ file.
@@ -37,7 +37,7 @@ pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
                     let corner = parse_corner(line, word, before, points.counts())?;
                     face.push(vertices.index_of(corner)?);
                 }
-                faces.push(&face, || Place::Line(line))?;
+                faces.push(&face, || Location::Line(line))?;
             }
             _ => {}
         }
@@ -107,13 +107,13 @@ fn numbers<'a, const N: usize>(
 ) -> Result<[f64; N], MeshFileError> {
     let mut values = [0.0; N];
     for (value, name) in values.iter_mut().zip(names) {
-        let (place, property) = (Place::Line(line), name.to_string());
+        let (location, property) = (Location::Line(line), name.to_string());
         let Some(word) = words.next() else {
-            return Err(MeshFileError::MissingValue { place, property });
+            return Err(MeshFileError::MissingValue { location, property });
         };
         let Some(number) = parse_word(word).filter(|number: &f64| number.is_finite()) else {
             let (found, expected) = (quoted(word), "a finite number");
-            return Err(MeshFileError::Value { place, property, found, expected });
+            return Err(MeshFileError::Value { location, property, found, expected });
         };
         *value = number;
     }
@@ -182,7 +182,7 @@ fn resolve(
         (_, true) => format!("negative indices go from -1 to -{before} here"),
         (_, false) => format!("indices go from 1 to {count}"),
     };
-    Err(MeshFileError::Index { place: Place::Line(line), what, index, allowed })
+    Err(MeshFileError::Index { location: Location::Line(line), what, index, allowed })
 }
 
 /// The distinct corners of all faces.

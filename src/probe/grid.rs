@@ -106,7 +106,7 @@ impl Grid {
     /// Refuses a multiplier that makes no cells, or too many.
     fn check_multiplier(&self, objects: usize) -> Result<(), Invalid> {
         let multiplier = positive("multiplier", self.multiplier)?;
-        let most = crate::math::cbrt(limits::MOST_CELLS / objects as f64);
+        let most = crate::math::cbrt(limits::MAX_CELLS / objects as f64);
         if multiplier <= most {
             return Ok(());
         }

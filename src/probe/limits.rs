@@ -2,7 +2,7 @@
 
 use crate::accel;
 use crate::invalid::Invalid;
-use crate::ray_budget::{self, MOST_COUNTED, RayCounter};
+use crate::ray_budget::{self, MAX_COUNTED, RayCounter};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
 use crate::shapes::{Kind, Shape};
@@ -12,14 +12,14 @@ use crate::world::World;
 /// Bytes of a line; an inline scene fits, a mesh belongs into a file.
 pub const LONGEST_LINE: usize = 1 << 20;
 /// Points of sample sets in one answer, and samples of one set.
-pub const MOST_POINTS: u32 = 1 << 14;
+pub const MAX_POINTS: u32 = 1 << 14;
 /// Triangles of all procedural meshes and lists, and parts and copies of shapes, in a line. Mesh files are
 /// not counted: their cost is limited by their size.
-pub const MOST_TRIANGLES: u64 = 1 << 18;
+pub const MAX_TRIANGLES: u64 = 1 << 18;
 /// The approximate number of cells of a grid in a cube; other grids have at most a few times as many.
-pub const MOST_CELLS: f64 = (1 << 20) as f64;
+pub const MAX_CELLS: f64 = (1 << 20) as f64;
 /// Ray–object tests, roughly, for one radiance: some seconds.
-pub const MOST_WORK: f64 = 2e8;
+pub const MAX_WORK: f64 = 2e8;
 
 /// The primitives that building this shape makes; an error names the field that asks for too many.
 fn primitives(shape: &Kind) -> Result<u64, Invalid> {
@@ -63,9 +63,9 @@ fn primitives(shape: &Kind) -> Result<u64, Invalid> {
 
 /// `count`, if a line may have that many primitives.
 fn few(count: u64) -> Result<u64, Invalid> {
-    if count > MOST_TRIANGLES {
+    if count > MAX_TRIANGLES {
         return Err(Invalid::new(format!(
-            "{count} triangles and parts are too many for a line; at most {MOST_TRIANGLES} fit"
+            "{count} triangles and parts are too many for a line; at most {MAX_TRIANGLES} fit"
         )));
     }
     Ok(count)
@@ -85,9 +85,9 @@ pub(super) fn buildable<'a>(
 
 /// Refuses to find all hits of too many nested shapes.
 pub(super) fn all_of(shape: &dyn Shape) -> Result<(), Invalid> {
-    if shape.leaves() > MOST_TRIANGLES {
+    if shape.leaves() > MAX_TRIANGLES {
         return Err(Invalid::new(format!(
-            "all hits of {} nested shapes are too many to look for; at most {MOST_TRIANGLES} fit, \
+            "all hits of {} nested shapes are too many to look for; at most {MAX_TRIANGLES} fit, \
              or leave it out to get the nearest hit",
             shape.leaves()
         )));
@@ -110,22 +110,22 @@ pub(super) fn traceable(
         accel::Method::Bvh => (primitives as f64).min(64.0),
     };
     let tests = tests.max(1.0);
-    let most = (MOST_WORK / tests) as u64;
+    let most = (MAX_WORK / tests) as u64;
     let mut asked = RayCounter::up_to(most);
     asked.count(|counter| look(world, counter));
     if asked.is_full() {
         return Err(Invalid::new(format!(
             "a single sample casts more than {} rays; lower the scene's max_depth",
-            most.min(MOST_COUNTED)
+            most.min(MAX_COUNTED)
         )));
     }
     let all = ray_budget::measured(world, most);
     let about = if all.is_cut { "at least" } else { "about" };
     let work = asked.estimate().mean.max(all.mean) * samples * tests;
-    if work > MOST_WORK {
+    if work > MAX_WORK {
         return Err(Invalid::new(format!(
             "this would take {about} {work:.0e} tests of a ray and an object, and at most \
-             {MOST_WORK:.0e} fit; ask for fewer samples or replicas, or lower the scene's max_depth"
+             {MAX_WORK:.0e} fit; ask for fewer samples or replicas, or lower the scene's max_depth"
         )));
     }
     Ok(())

@@ -36,7 +36,7 @@ use serde_json::Value;
 
 use crate::invalid::{Invalid, plain_words};
 
-pub use limits::{LONGEST_LINE, MOST_POINTS, MOST_TRIANGLES, MOST_WORK};
+pub use limits::{LONGEST_LINE, MAX_POINTS, MAX_TRIANGLES, MAX_WORK};
 pub use lines::serve;
 
 /// A question that a line can ask.

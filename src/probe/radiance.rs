@@ -74,7 +74,7 @@ pub struct Answer {
 /// Enough for a standard error that is itself good to about 20 %.
 const REPLICAS: u32 = 16;
 /// More add nothing that more samples would not.
-const MOST_REPLICAS: u32 = 1024;
+const MAX_REPLICAS: u32 = 1024;
 
 impl super::Question for Radiance {
     type Answer = Answer;
@@ -83,8 +83,8 @@ impl super::Question for Radiance {
     fn answer(&self) -> Result<Answer, Invalid> {
         let looks = self.looks()?;
         let replicas = self.replicas.unwrap_or(REPLICAS);
-        if !(1..=MOST_REPLICAS).contains(&replicas) {
-            let problem = format!("found {replicas}, but 1 to {MOST_REPLICAS} fit");
+        if !(1..=MAX_REPLICAS).contains(&replicas) {
+            let problem = format!("found {replicas}, but 1 to {MAX_REPLICAS} fit");
             return Err(Invalid::field("replicas", problem));
         }
         let seed = self.seed.unwrap_or(DEFAULT_SEED);
@@ -190,7 +190,7 @@ fn named(name: &str) -> Result<(Scene, &Path), Invalid> {
 /// A scene's error as one of the line; a file's keeps file and line.
 fn invalid(error: SceneError) -> Invalid {
     match error {
-        SceneError::Invalid { place, invalid } if place.is_unknown() => invalid,
+        SceneError::Invalid { location, invalid } if location.is_unknown() => invalid,
         other => Invalid::new(other.to_string()),
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::limits::MOST_POINTS;
+use super::limits::MAX_POINTS;
 use crate::invalid::Invalid;
 use crate::samplers::{Key, Kind, Purpose, SETS, SampleSets};
 use crate::world::DEFAULT_SEED;
@@ -41,8 +41,8 @@ impl super::Question for Samples {
 
     fn answer(&self) -> Result<Answer, Invalid> {
         let n = self.n;
-        if !(1..=MOST_POINTS).contains(&n) {
-            return Err(Invalid::field("n", format!("found {n}, but 1 to {MOST_POINTS} fit")));
+        if !(1..=MAX_POINTS).contains(&n) {
+            return Err(Invalid::field("n", format!("found {n}, but 1 to {MAX_POINTS} fit")));
         }
         let sampler = self.sampler.build(&mut ()).map_err(|e| e.inside("sampler"))?;
         let sets = || SampleSets::new(&*sampler, n, self.seed);
@@ -54,7 +54,7 @@ impl super::Question for Samples {
             (Some(_), Some(_)) => Err(Invalid::new("needs either `sets` or `draw`, not both")),
             (count, None) => {
                 let count = count.unwrap_or(1);
-                let most = (MOST_POINTS / n).min(SETS as u32);
+                let most = (MAX_POINTS / n).min(SETS as u32);
                 if !(1..=most).contains(&count) {
                     let problem = format!("found {count}, but 1 to {most} sets of {n} fit");
                     return Err(Invalid::field("sets", problem));

@@ -18,10 +18,10 @@ pub enum SceneError {
         source: std::io::Error,
     },
     /// An invalid value, an unknown key, or a text that is not TOML.
-    #[error("{place}{invalid}")]
+    #[error("{location}{invalid}")]
     Invalid {
         /// File and line, if the scene was read from a file.
-        place: Place,
+        location: Location,
         /// Object, field, what was found and what would be valid.
         invalid: Invalid,
     },
@@ -35,9 +35,9 @@ pub enum SceneError {
 
 /// A file, or a line of it, printed as `scene.toml:12: `; nothing for a scene built in code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Place(Option<(PathBuf, Option<usize>)>);
+pub struct Location(Option<(PathBuf, Option<usize>)>);
 
-impl Place {
+impl Location {
     /// Whether the scene was built in code.
     pub fn is_unknown(&self) -> bool {
         self.0.is_none()
@@ -52,7 +52,7 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Some((path, None)) => write!(f, "{}: ", path.display()),
@@ -64,6 +64,6 @@ impl fmt::Display for Place {
 
 impl From<Invalid> for SceneError {
     fn from(invalid: Invalid) -> Self {
-        Self::Invalid { place: Place::default(), invalid }
+        Self::Invalid { location: Location::default(), invalid }
     }
 }

@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::error::Place;
+use super::error::Location;
 use super::{Scene, SceneError, locations};
 use crate::invalid::{Invalid, Key};
 
@@ -29,7 +29,7 @@ impl Source {
         match error {
             SceneError::Invalid { invalid, .. } => {
                 let line = locations::line_of(&self.text, &invalid.path);
-                SceneError::Invalid { place: Place::line(&self.path, line), invalid }
+                SceneError::Invalid { location: Location::line(&self.path, line), invalid }
             }
             other => other,
         }

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::SceneError;
-use super::error::Place;
+use super::error::Location;
 use super::vocabulary::Definition;
 use crate::invalid::{Invalid, Key, plain_words};
 
@@ -42,18 +42,21 @@ fn line_at(text: &str, at: usize) -> usize {
 pub(super) fn parse_error(text: &str, file: &Path, error: &toml::de::Error) -> SceneError {
     let problem = plain_words(error.message());
     let Some(span) = error.span() else {
-        return SceneError::Invalid { place: Place::file(file), invalid: Invalid::new(problem) };
+        return SceneError::Invalid {
+            location: Location::file(file),
+            invalid: Invalid::new(problem),
+        };
     };
     // for a table with a header `[a.b]`, the last key of the header is the table
     let header = text[span.start..].starts_with('[') && problem.starts_with("missing field");
     let end = if header { text[span.start..].find(']').unwrap_or(0) } else { 0 };
-    let place = Place::line(file, line_at(text, span.start));
+    let location = Location::line(file, line_at(text, span.start));
     let Some(document) = parse(text) else {
-        return SceneError::Invalid { place, invalid: Invalid::new(problem) };
+        return SceneError::Invalid { location, invalid: Invalid::new(problem) };
     };
     let path = path_at(&document, span.start + end);
     let problem = with_help(&path, problem);
-    SceneError::Invalid { place, invalid: Invalid { path, problem } }
+    SceneError::Invalid { location, invalid: Invalid { path, problem } }
 }
 
 /// Adds the command that describes the field or kind, and replaces the name of a Rust type by an

@@ -12,9 +12,9 @@ use crate::mesh_file::MeshData;
 use crate::resources::Resources;
 
 /// More triangles in one scene would take gigabytes, up to 300 bytes each while trees are built.
-const MOST_TRIANGLES: u64 = 1 << 22;
+const MAX_TRIANGLES: u64 = 1 << 22;
 /// More parts of compounds in one scene would, too.
-const MOST_PARTS: u64 = 1 << 22;
+const MAX_PARTS: u64 = 1 << 22;
 
 /// The files of the scene, the shapes built so far, and the limits. Equal meshes, and instances of one mesh
 /// file, are built once and shared.
@@ -163,9 +163,9 @@ impl Context {
     /// Adds so many parts to those built so far, if the scene may have as many.
     pub(super) fn take_parts(&mut self, count: u64) -> Result<(), Invalid> {
         self.budget.parts = self.budget.parts.saturating_add(count);
-        if self.budget.parts > MOST_PARTS {
+        if self.budget.parts > MAX_PARTS {
             return Err(Invalid::new(format!(
-                "{} parts so far are too many; at most {MOST_PARTS} fit",
+                "{} parts so far are too many; at most {MAX_PARTS} fit",
                 self.budget.parts
             )));
         }
@@ -183,12 +183,12 @@ impl Context {
     }
 
     /// Adds so many triangles to those built so far, if the scene may have as many.
-    pub(super) fn take_triangles(&mut self, count: u64) -> Result<(), Invalid> {
+    pub(super) fn add_triangles(&mut self, count: u64) -> Result<(), Invalid> {
         self.budget.triangles += count;
-        if self.budget.triangles > MOST_TRIANGLES {
+        if self.budget.triangles > MAX_TRIANGLES {
             return Err(Invalid::new(format!(
                 "{count} triangles, with the meshes before it {}, are too many; \
-                 at most {MOST_TRIANGLES} fit",
+                 at most {MAX_TRIANGLES} fit",
                 self.budget.triangles
             )));
         }
@@ -272,7 +272,7 @@ mod tests {
         assert!(problem.starts_with("tessellated_sphere: 33546240 triangles"), "{problem}");
         assert!(problem.ends_with("are too many; at most 4194304 fit"), "{problem}");
         let mut context = Context::default();
-        context.budget.triangles = MOST_TRIANGLES - 29;
+        context.budget.triangles = MAX_TRIANGLES - 29;
         assert!(sphere(5, 4).build(&mut context).is_err(), "30 more than fit");
     }
 }

@@ -126,7 +126,7 @@ pub trait Shape: Debug + Send + Sync {
     /// The hit moved by a short vector along the surface, in the coordinates of [`Surface::local`], for
     /// [`Shape::uv`] there; shapes without texture coordinates do not move it. Called only to
     /// measure a slope.
-    fn beside(&self, at: &Candidate, _: Vector) -> Candidate {
+    fn shifted(&self, at: &Candidate, _: Vector) -> Candidate {
         *at
     }
 

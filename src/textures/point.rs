@@ -61,7 +61,7 @@ impl<'a> TexturePoint<'a> {
         match self.details {
             Details::Known(uv) => uv,
             Details::Of(shape, at, Vector::ZERO) => shape.uv(at),
-            Details::Of(shape, at, by) => shape.uv(&shape.beside(at, by)),
+            Details::Of(shape, at, by) => shape.uv(&shape.shifted(at, by)),
         }
     }
 
@@ -70,7 +70,7 @@ impl<'a> TexturePoint<'a> {
         match self.details {
             Details::Known(_) => None,
             Details::Of(shape, at, Vector::ZERO) => shape.facet(at),
-            Details::Of(shape, at, by) => shape.facet(&shape.beside(at, by)),
+            Details::Of(shape, at, by) => shape.facet(&shape.shifted(at, by)),
         }
     }
 

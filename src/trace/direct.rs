@@ -6,8 +6,8 @@ use super::{
     Lamps, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing, context,
     medium_towards, power_heuristic,
 };
-use crate::lights::{LightSample, MOST_DRAWS};
-use crate::lobes::{Bsdf, Lit, MOST_LOBES, Which};
+use crate::lights::{LightSample, MAX_DRAWS};
+use crate::lobes::{Bsdf, Lit, MAX_LOBES, Which};
 use crate::rgb::Rgb;
 use crate::samplers::Purpose;
 use crate::world::PlacedLight;
@@ -21,7 +21,7 @@ impl<R: Recorder> Tracing<'_, R> {
         light: &PlacedLight,
     ) -> Option<LightSample> {
         let from = context(point);
-        let mut u = ArrayVec::<[f64; 2], MOST_DRAWS>::new();
+        let mut u = ArrayVec::<[f64; 2], MAX_DRAWS>::new();
         for pair in 0..light.light.draws() as u32 {
             u.push(self.draw(Purpose::Light { path: path.key, light: light.index, pair }));
         }
@@ -64,7 +64,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let weighted = pdf.filter(|_| self.strategy.lamps == Lamps::Weighted);
         let mis = weighted.map(|pdf| power_heuristic(pdf, bsdf.pdf(sample.direction)));
         let lit = bsdf.lit(which, sample.direction);
-        let terms: ArrayVec<_, MOST_LOBES> = lit
+        let terms: ArrayVec<_, MAX_LOBES> = lit
             .into_iter()
             .map(|lit| (lit, (lit.cos_i / pdf.unwrap_or(1.0)) * lit.f))
             .map(|(lit, weight)| (lit, mis.map_or(weight, |mis| mis * weight)))

@@ -116,7 +116,7 @@ impl Strategy {
 }
 
 /// A sentence for the user about each light that the world's tracer leaves out.
-pub fn left_out(world: &World) -> Vec<String> {
+pub fn omitted_lights(world: &World) -> Vec<String> {
     let strategy = Strategy::of(world.tracer);
     let of = |light: &crate::world::PlacedLight| {
         let [what, why] = strategy.leaves_out(&*light.light)?;

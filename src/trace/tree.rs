@@ -25,7 +25,7 @@ pub struct RayTree {
 }
 
 /// The most rays that are kept: a larger tree would be unreadable and take gigabytes.
-const MOST_RAYS: usize = 1 << 20;
+const MAX_RAYS: usize = 1 << 20;
 
 /// One ray.
 #[derive(Clone, Debug, PartialEq)]
@@ -172,7 +172,7 @@ impl RayTree {
 impl Recorder for RayTree {
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
         let at = self.nodes.len();
-        if self.beyond > 0 || at >= MOST_RAYS {
+        if self.beyond > 0 || at >= MAX_RAYS {
             self.beyond += 1;
             self.cut = true;
             return;

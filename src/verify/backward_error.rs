@@ -16,7 +16,7 @@ use crate::math::{
 use crate::shapes::{self, Context, Instance, textbook};
 
 /// An answer that a smaller relative change of the input would change may be wrong.
-pub const LEAST_MARGIN: f64 = 1e-13;
+pub const MIN_MARGIN: f64 = 1e-13;
 /// The error allowed in `t` and in normals of curved shapes, in units of `u · cond`.
 pub const ALLOWED: f64 = 100.0;
 /// The error allowed in normals of flat shapes, and in the length of all normals, in units of `u`.
@@ -33,7 +33,7 @@ pub struct Pair {
 
 /// Whether rounding cannot change the answer.
 pub fn is_decided(answer: &oracle::Answer, condition: f64) -> bool {
-    answer.margin > LEAST_MARGIN * condition
+    answer.margin > MIN_MARGIN * condition
 }
 
 /// The error of a distance, in units of `u · cond`; in an instance, of `u · cond` times its squeeze, the
@@ -50,7 +50,7 @@ pub fn normal_error(
     direction: Vector,
     condition: f64,
 ) -> Option<(f64, f64)> {
-    if root.face_margin <= LEAST_MARGIN * condition {
+    if root.face_margin <= MIN_MARGIN * condition {
         return None;
     }
     let flat = root.size.is_infinite();

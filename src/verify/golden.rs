@@ -145,7 +145,7 @@ pub struct Proposal {
 
 /// Settings of a new golden. Those left out stay as they were, or take their defaults.
 #[derive(Clone, Debug, Default)]
-pub struct Wishes {
+pub struct GoldenSettings {
     /// Width and height in pixels; 96 pixels wide in the form of the scene.
     pub size: Option<[u32; 2]>,
     /// Samples for each pixel; 4, or 1 where the scene has 1 and for views other than radiance.
@@ -271,7 +271,7 @@ impl Goldens {
         &self,
         name: &str,
         because: &str,
-        wishes: &Wishes,
+        settings: &GoldenSettings,
     ) -> Result<Proposal, GoldenError> {
         if because.trim().is_empty() {
             return Err(GoldenError::NoReason);
@@ -280,9 +280,9 @@ impl Goldens {
             Some(known) => known.clone(),
             None => first_version(name)?,
         };
-        golden.size = wishes.size.unwrap_or(golden.size);
-        golden.samples = wishes.samples.unwrap_or(golden.samples);
-        golden.shows = wishes.shows.clone().unwrap_or(golden.shows);
+        golden.size = settings.size.unwrap_or(golden.size);
+        golden.samples = settings.samples.unwrap_or(golden.samples);
+        golden.shows = settings.shows.clone().unwrap_or(golden.shows);
         golden.because = because.trim().to_owned();
         let film = golden.render()?;
         golden.digest = digest(&film);

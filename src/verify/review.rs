@@ -188,18 +188,18 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::golden::{Goldens, Wishes};
+    use crate::verify::golden::{GoldenSettings, Goldens};
 
     /// A finding with three changed pixels.
     fn changed() -> Finding {
         let folder = tempfile::tempdir().unwrap();
         let mut goldens = Goldens::none(folder.path());
-        let wishes = Wishes {
+        let settings = GoldenSettings {
             size: Some([12, 12]),
             shows: Some("<two> & \"three\"".to_owned()),
-            ..Wishes::default()
+            ..GoldenSettings::default()
         };
-        let proposal = goldens.propose("ch03/three-objects", "seen", &wishes).unwrap();
+        let proposal = goldens.propose("ch03/three-objects", "seen", &settings).unwrap();
         goldens.accept(vec![proposal]).unwrap();
         let mut finding = goldens.check("ch03/three-objects").unwrap();
         let got = finding.got.as_mut().unwrap();

@@ -16,11 +16,11 @@ use crate::scene::{Image, Scene, SceneError};
 pub const DEFAULT_SEED: u64 = 1;
 
 /// The most pixels of a picture: more would take gigabytes.
-pub const MOST_PIXELS: u64 = 1 << 25;
+pub const MAX_PIXELS: u64 = 1 << 25;
 /// The most samples for a pixel: more would take gigabytes for their sets.
-pub const MOST_SAMPLES: u32 = 1 << 16;
+pub const MAX_SAMPLES: u32 = 1 << 16;
 /// The largest `max_depth`: deeper rays would need a larger stack than a thread has.
-pub const DEEPEST: u32 = 128;
+pub const MAX_DEPTH: u32 = 128;
 
 impl World {
     /// Builds a scene whose files are relative to the current folder.
@@ -54,8 +54,8 @@ impl World {
         let mut resources = Resources::new(folder);
         let background = scene.background.build(&mut resources)?;
         let mut tracer = scene.tracer;
-        if let Some(max_depth) = tracer.max_depth().filter(|max_depth| **max_depth > DEEPEST) {
-            let problem = format!("found {max_depth}, but at most {DEEPEST} fits");
+        if let Some(max_depth) = tracer.max_depth().filter(|max_depth| **max_depth > MAX_DEPTH) {
+            let problem = format!("found {max_depth}, but at most {MAX_DEPTH} fits");
             let name = tracer.name();
             return Err(Invalid::field("max_depth", problem).inside(name).inside("tracer"));
         }
@@ -97,12 +97,12 @@ pub(crate) fn check_image(image: &Image) -> Result<(), Invalid> {
         let problem = format!("found {width} × {height}, but a picture has at least one pixel");
         return Err(Invalid::field(if width == 0 { "width" } else { "height" }, problem));
     }
-    if width * height > MOST_PIXELS {
-        let problem = format!("{width} × {height} pixels are too many; at most {MOST_PIXELS} fit");
+    if width * height > MAX_PIXELS {
+        let problem = format!("{width} × {height} pixels are too many; at most {MAX_PIXELS} fit");
         return Err(Invalid::field("width", problem));
     }
-    if !(1..=MOST_SAMPLES).contains(&image.samples) {
-        let problem = format!("found {}, but 1 to {MOST_SAMPLES} fit", image.samples);
+    if !(1..=MAX_SAMPLES).contains(&image.samples) {
+        let problem = format!("found {}, but 1 to {MAX_SAMPLES} fit", image.samples);
         return Err(Invalid::field("samples", problem));
     }
     positive("pixel_size", image.pixel_size)?;
@@ -114,10 +114,10 @@ pub(crate) fn check_image(image: &Image) -> Result<(), Invalid> {
 /// pair of too many pixels.
 pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
     let (width, height) = (view.picture_width(image.width), u64::from(image.height));
-    if width * height > MOST_PIXELS {
+    if width * height > MAX_PIXELS {
         let problem = format!(
             "{width} × {height} pixels of both images and the gap are too many; at most \
-             {MOST_PIXELS} fit"
+             {MAX_PIXELS} fit"
         );
         return Err(Invalid::field("gap", problem).inside("stereo").inside("camera"));
     }

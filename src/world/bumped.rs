@@ -19,10 +19,10 @@ impl Hit<'_> {
 /// The normal itself; if it is below the true surface or almost, it is turned to just above it.
 fn raised(n: Normal, geometry: Normal) -> Normal {
     /// The least cosine between the two normals: below it, only grazing light could reach the surface.
-    const LEAST: f64 = 1.0 / 64.0;
+    const MIN: f64 = 1.0 / 64.0;
     let cosine = n.dot(geometry);
-    if cosine >= LEAST {
+    if cosine >= MIN {
         return n;
     }
-    Normal::new(n + (LEAST - cosine) * geometry).unwrap_or(geometry)
+    Normal::new(n + (MIN - cosine) * geometry).unwrap_or(geometry)
 }

@@ -46,7 +46,7 @@ pub fn a_draw_is_uniform_over_the_square(kind: &Kind) -> Holds {
 pub fn neighbouring_pixels_are_not_correlated(kind: &Kind) -> Holds {
     const SIDE: u32 = 100;
     // 9 specimens, 12 pairs: two-sided 1e-3 for all of them
-    const MOST_SIGMAS: f64 = 4.5;
+    const MAX_SIGMAS: f64 = 4.5;
     let sets = SampleSets::new(&*built(kind), 16, 1);
     let draw = |x, y, i| sets.draw(Key::new(3, [x, y], Purpose::Pixel), i);
     for (dx, dy, later) in [(1, 0, 0), (0, 1, 0), (1, 1, 0), (2, 0, 0), (0, 0, 16), (16, 16, 0)] {
@@ -56,7 +56,7 @@ pub fn neighbouring_pixels_are_not_correlated(kind: &Kind) -> Holds {
                 .map(|(x, y)| (draw(x, y, 0)[axis], draw(x + dx, y + dy, later)[axis]))
                 .collect();
             let sigmas = correlation(&pairs) * f64::from(SIDE);
-            let apart = sigmas.abs() < MOST_SIGMAS;
+            let apart = sigmas.abs() < MAX_SIGMAS;
             ensure!(apart, "({dx}, {dy}), {later} later, axis {axis}: {sigmas} sigmas");
         }
     }

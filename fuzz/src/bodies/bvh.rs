@@ -9,8 +9,8 @@ use groundtruth::shapes::{Candidate, Shape};
 
 use super::input::{Input, Mode};
 
-const MOST_SHAPES: usize = 64;
-const MOST_RAYS: usize = 16;
+const MAX_SHAPES: usize = 64;
+const MAX_RAYS: usize = 16;
 /// How many sizes of the scene away equality is promised, and for which lengths of directions.
 const FARTHEST: f64 = (1 << 20) as f64;
 const LENGTHS: std::ops::Range<f64> = 1e-100..1e100;
@@ -30,12 +30,12 @@ impl Primitives for Seen<'_> {
 /// Some shapes, then rays to the end of the bytes.
 pub fn run(data: &[u8]) {
     let mut input = Input::new(data);
-    let count = usize::from(input.byte()) % (MOST_SHAPES + 1);
+    let count = usize::from(input.byte()) % (MAX_SHAPES + 1);
     let shapes: Vec<_> = (0..count).filter_map(|_| input.shape()).collect();
     let bounds: Vec<Aabb> = shapes.iter().map(|shape| shape.bounds()).collect();
     let [list, bvh] = [Method::List, Method::Bvh].map(|method| Accel::build(method, &bounds));
     let whole = bounds.iter().filter(|b| b.is_bounded()).fold(Aabb::EMPTY, |all, b| all.union(*b));
-    for _ in 0..MOST_RAYS {
+    for _ in 0..MAX_RAYS {
         let ray = input.ray();
         let seen = Seen { shapes: &shapes, ray: &ray };
         let away = (ray.origin - whole.center()).max_abs();

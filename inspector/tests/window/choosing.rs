@@ -7,7 +7,7 @@ use egui_kittest::kittest::Queryable;
 use groundtruth::explain::count;
 use groundtruth::gallery;
 use groundtruth::scene::Intersect;
-use groundtruth::world::{MOST_SAMPLES, World};
+use groundtruth::world::{MAX_SAMPLES, World};
 use inspector::scene_picker::found;
 use inspector::thumbnails;
 use inspector::view::View;
@@ -77,7 +77,7 @@ fn thumbnails_fit_their_place() {
 fn as_many_samples_can_be_typed_as_the_library_takes() {
     let mut scene = small_glass_sphere();
     scene.image.resize(1, 1);
-    scene.image.samples = MOST_SAMPLES + 1;
+    scene.image.samples = MAX_SAMPLES + 1;
     assert!(World::build(&scene).is_err());
     scene.image.samples = 1;
     let mut window = open(scene);

@@ -25,7 +25,7 @@ const BINS: usize = 16;
 /// From this depth on, primitives are split into equal halves, so that the tree is at most 32 deeper.
 const SAH_DEPTH: usize = 40;
 /// The largest depth of a tree: 2³² primitives are single after 32 halvings.
-pub const DEEPEST: usize = SAH_DEPTH + 32;
+pub const MAX_DEPTH: usize = SAH_DEPTH + 32;
 /// With fewer primitives, a second thread does not pay.
 const PARALLEL: usize = 4096;
 

@@ -6,7 +6,7 @@ use arrayvec::ArrayVec;
 
 use super::Counter;
 use crate::math::{Aabb, BoxRay, Span};
-use build::{DEEPEST, Item, Node, binary_tree};
+use build::{Item, MAX_DEPTH, Node, binary_tree};
 
 /// The most primitives of a leaf.
 const LEAF: usize = 4;
@@ -45,7 +45,7 @@ impl Bvh {
         mut test: impl FnMut(u32) -> f64,
     ) {
         let mut end = span.max;
-        let mut waiting: ArrayVec<Waiting, { DEEPEST + 1 }> = ArrayVec::new();
+        let mut waiting: ArrayVec<Waiting, { MAX_DEPTH + 1 }> = ArrayVec::new();
         if let Some(root) = self.nodes.first() {
             let (enter, leave) = ray.crossing(&root.bounds, span.min, end);
             waiting.extend((enter <= leave).then_some(Waiting { enter, node: 0, first: 0 }));

@@ -140,5 +140,5 @@ fn a_walk_passes_the_cells_that_the_ray_crosses() {
 fn large_objects_get_coarser_cells() {
     let boxes = cube_of_boxes(40_000, 9, 1.0);
     let grid = grid(&boxes);
-    assert!(grid.entries.len() <= MOST_ENTRIES * boxes.len(), "{}", grid.entries.len());
+    assert!(grid.entries.len() <= MAX_ENTRIES * boxes.len(), "{}", grid.entries.len());
 }

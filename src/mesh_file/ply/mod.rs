@@ -188,7 +188,7 @@ fn finite(values: &mut impl Values, property: &Property) -> Result<f64, MeshFile
         return Ok(value);
     }
     Err(MeshFileError::Value {
-        place: values.place(),
+        location: values.location(),
         property: quoted(property.name.as_bytes()),
         found: value.to_string(),
         expected: "a finite number",
@@ -233,7 +233,7 @@ fn read_faces(
             }
         }
         values.end()?;
-        faces.push(&corners, || values.place())?;
+        faces.push(&corners, || values.location())?;
     }
     Ok(faces)
 }
@@ -248,7 +248,7 @@ fn corner(
     match u32::try_from(index) {
         Ok(corner) if u64::from(corner) < vertices => Ok(corner),
         _ => Err(MeshFileError::Index {
-            place: values.place(),
+            location: values.location(),
             what: "vertex",
             index,
             allowed: match vertices {

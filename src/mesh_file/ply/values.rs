@@ -3,7 +3,7 @@
 //! An `f64` represents every number type of PLY exactly, so each number is returned as `f64`.
 
 use super::super::error::quoted;
-use super::super::{MeshFileError, Place, parse_word};
+use super::super::{Location, MeshFileError, parse_word};
 use super::header::{Encoding, Header, Property, Scalar};
 
 /// A body, read forwards.
@@ -21,7 +21,7 @@ pub(super) trait Values {
     fn skip(&mut self, count: u64, property: &Property) -> Result<(), MeshFileError>;
 
     /// The location of the element, for messages.
-    fn place(&self) -> Place;
+    fn location(&self) -> Location;
 
     /// Bytes not read yet.
     fn remaining(&self) -> &[u8];
@@ -30,9 +30,9 @@ pub(super) trait Values {
     fn length(&mut self, length: Scalar, property: &Property) -> Result<u64, MeshFileError> {
         let count = self.value(length, property)?;
         if count < 0.0 {
-            let (place, property) = (self.place(), quoted(property.name.as_bytes()));
+            let (location, property) = (self.location(), quoted(property.name.as_bytes()));
             let (found, expected) = (count.to_string(), "the length of a list");
-            return Err(MeshFileError::Value { place, property, found, expected });
+            return Err(MeshFileError::Value { location, property, found, expected });
         }
         Ok(count as u64)
     }
@@ -64,7 +64,7 @@ impl<'a> Text<'a> {
 
     fn word(&mut self, property: &Property) -> Result<&'a [u8], MeshFileError> {
         self.next_word().ok_or_else(|| MeshFileError::MissingValue {
-            place: self.place(),
+            location: self.location(),
             property: quoted(property.name.as_bytes()),
         })
     }
@@ -75,7 +75,7 @@ impl Values for Text<'_> {
         loop {
             self.line = self.next_line;
             if self.left.is_empty() {
-                return Err(MeshFileError::CutOff { place: self.place() });
+                return Err(MeshFileError::CutOff { location: self.location() });
             }
             let end = self.left.iter().position(|&b| b == self.line_end);
             let (line, rest) = self.left.split_at(end.map_or(self.left.len(), |at| at + 1));
@@ -90,7 +90,7 @@ impl Values for Text<'_> {
     fn end(&mut self) -> Result<(), MeshFileError> {
         match self.next_word() {
             Some(word) => {
-                Err(MeshFileError::SurplusValue { place: self.place(), found: quoted(word) })
+                Err(MeshFileError::SurplusValue { location: self.location(), found: quoted(word) })
             }
             None => Ok(()),
         }
@@ -112,7 +112,7 @@ impl Values for Text<'_> {
             Scalar::F64 => (parse_word::<f64>(word), "a number"),
         };
         value.ok_or_else(|| MeshFileError::Value {
-            place: self.place(),
+            location: self.location(),
             property: quoted(property.name.as_bytes()),
             found: quoted(word),
             expected,
@@ -123,8 +123,8 @@ impl Values for Text<'_> {
         (0..count).try_for_each(|_| self.word(property).map(drop))
     }
 
-    fn place(&self) -> Place {
-        Place::Line(self.line)
+    fn location(&self) -> Location {
+        Location::Line(self.line)
     }
 
     fn remaining(&self) -> &[u8] {
@@ -147,7 +147,7 @@ impl<'a> Binary<'a> {
     }
 
     fn cut_off(&self) -> MeshFileError {
-        MeshFileError::CutOff { place: self.place() }
+        MeshFileError::CutOff { location: self.location() }
     }
 
     /// The next `N` bytes in little-endian order.
@@ -195,8 +195,8 @@ impl Values for Binary<'_> {
         Ok(())
     }
 
-    fn place(&self) -> Place {
-        Place::Element { name: self.name.clone(), index: self.index }
+    fn location(&self) -> Location {
+        Location::Element { name: self.name.clone(), index: self.index }
     }
 
     fn remaining(&self) -> &[u8] {

@@ -24,10 +24,10 @@ const MAX_SAMPLES: u32 = 1024;
 const ENOUGH: u32 = 512;
 /// The confidence level of intervals.
 pub const CONFIDENCE: f64 = 0.95;
-/// The depth limits whose bias is measured, compared with [`DEEPEST`].
+/// The depth limits whose bias is measured, compared with [`MAX_DEPTH`].
 const DEPTHS: [u32; 4] = [1, 2, 4, DEPTH];
 /// The reference of [`DEPTHS`].
-const DEEPEST: u32 = 32;
+const MAX_DEPTH: u32 = 32;
 
 /// 1, 4, 16 … 1024: squares, and powers of two.
 fn counts(settings: &Settings) -> Vec<u32> {
@@ -106,7 +106,7 @@ struct Plan {
     reference: Series,
     /// For each choice, by increasing number of samples.
     levels: Vec<Vec<Series>>,
-    /// For each of [`DEPTHS`], and for [`DEEPEST`].
+    /// For each of [`DEPTHS`], and for [`MAX_DEPTH`].
     depths: Vec<Series>,
     /// The book's and the normalised rule of glossy reflection, by whitted and path.
     rules: Vec<(Tracer, [Series; 2])>,
@@ -154,7 +154,7 @@ impl Plan {
         Self {
             reference: Series::new(scene(best), (most / 4).max(4), many, seed(0, 0)),
             levels: (0..).zip(&choices).map(level).collect(),
-            depths: DEPTHS.into_iter().chain([DEEPEST]).map(depth).collect(),
+            depths: DEPTHS.into_iter().chain([MAX_DEPTH]).map(depth).collect(),
             rules: tracers.into_iter().filter_map(by_rule).collect(),
         }
     }
@@ -253,7 +253,7 @@ fn measure_scene(
         },
         choices: found,
         depths,
-        deepest: DEEPEST,
+        deepest: MAX_DEPTH,
         rules,
         equal_time,
     })

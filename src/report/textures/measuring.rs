@@ -14,7 +14,7 @@ use crate::report::{Interrupted, Progress, Settings};
 use crate::textures::Filtering;
 use crate::verify::quantile;
 use crate::verify::slope::power_law;
-use crate::world::{MOST_SAMPLES, World};
+use crate::world::{MAX_SAMPLES, World};
 
 const FILTERINGS: [Filtering; 2] = [Filtering::Nearest, Filtering::Bilinear];
 
@@ -26,7 +26,7 @@ fn counts(settings: &Settings) -> Vec<u32> {
 
 /// The number of samples of a reference: 65 536 in a full report.
 fn reference_samples(settings: &Settings) -> u32 {
-    (16 * settings.samples.max(64)).min(MOST_SAMPLES)
+    (16 * settings.samples.max(64)).min(MAX_SAMPLES)
 }
 
 /// The number of pictures of each frame, with different seeds.

@@ -21,7 +21,7 @@ use crate::shapes::composite::assembly::{Materials, solid_by};
 use crate::shapes::{Context, Instance, Shape};
 
 /// More stones than anyone could see.
-const MOST_STONES: u32 = 1000;
+const MAX_STONES: u32 = 1000;
 
 /// An archway of stones with round edges, as the parts `columns` and `arch`; normals point outward.
 /// It stands on the plane y = 0 and faces along the z axis, its middle above the origin. Between the stones
@@ -70,8 +70,8 @@ impl Archway {
             return Err(Invalid::field("column_width", problem));
         }
         for (field, count) in [("blocks", self.blocks), ("wedges", self.wedges)] {
-            if !(1..=MOST_STONES).contains(&count) {
-                let problem = format!("found {count}, but from 1 to {MOST_STONES} are needed");
+            if !(1..=MAX_STONES).contains(&count) {
+                let problem = format!("found {count}, but from 1 to {MAX_STONES} are needed");
                 return Err(Invalid::field(field, problem));
             }
         }

@@ -194,9 +194,9 @@ impl Shape for Assembly {
         self.parts[index].shape.facet(&within)
     }
 
-    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
         let (index, within) = self.within(at);
-        let moved = self.parts[index].shape.beside(&within, by);
+        let moved = self.parts[index].shape.shifted(&within, by);
         Candidate { leaf: at.leaf, ..moved }
     }
 

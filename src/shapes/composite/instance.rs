@@ -173,12 +173,12 @@ impl Shape for Placed {
     }
 
     /// With a texture that does not move, local coordinates are those outside of this instance.
-    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
         if self.transform_texture {
-            return self.shape.beside(at, by);
+            return self.shape.shifted(at, by);
         }
         let whole = self.transform.after(&self.shape.texture_space(at));
-        self.shape.beside(at, whole.inverse().vector(by))
+        self.shape.shifted(at, whole.inverse().vector(by))
     }
 
     fn texture_space(&self, at: &Candidate) -> Transform {

@@ -194,8 +194,8 @@ impl Shape for LatticeShape {
         self.shape.facet(&self.within(at).1)
     }
 
-    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
-        let moved = self.shape.beside(&self.within(at).1, by);
+    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
+        let moved = self.shape.shifted(&self.within(at).1, by);
         Candidate { leaf: at.leaf, ..moved }
     }
 

@@ -125,7 +125,7 @@ impl Mesh {
         context: &mut Context,
     ) -> Result<Arc<dyn Shape>, Invalid> {
         let scale = positive("scale", self.scale)?;
-        context.take_triangles(data.triangles.len() as u64).map_err(|e| e.inside(field))?;
+        context.add_triangles(data.triangles.len() as u64).map_err(|e| e.inside(field))?;
         let vertices: Vec<_> =
             data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
         let normals: Option<Vec<_>> = data

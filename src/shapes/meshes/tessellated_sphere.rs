@@ -70,7 +70,7 @@ impl Specification for TessellatedSphere {
             return Err(Invalid::field("bumps", problem));
         }
         context.shared(self, |context| {
-            context.take_triangles(self.triangles())?;
+            context.add_triangles(self.triangles())?;
             Ok(self.mesh().into_shape(self.accel, context))
         })
     }

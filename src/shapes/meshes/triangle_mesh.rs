@@ -239,7 +239,7 @@ impl Shape for AcceleratedMesh {
 
     /// The barycentric coordinates are linear in the plane of the triangle, also beyond its edges:
     /// `by = β (b − a) + γ (c − a)`, solved with the normal `N = (b − a) × (c − a)`.
-    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
+    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
         let [a, b, c] = self.mesh.corners(self.mesh.triangles[at.part as usize]);
         let normal = exact_cross(a, b, c);
         let [beta, gamma] = at.parameters;

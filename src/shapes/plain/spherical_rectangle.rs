@@ -25,10 +25,10 @@ pub(in crate::shapes) struct SphericalRectangle {
 
 /// The solid angle is a difference of angles near 2π, with an error of some 1e-15: a smaller one has too few
 /// digits. Such a rectangle is almost edge-on and sends hardly any light.
-const LEAST_SOLID_ANGLE: f64 = 1e-9;
+const MIN_SOLID_ANGLE: f64 = 1e-9;
 /// The square of diagonal over distance. Below it all points of the rectangle look almost equally large, and
 /// sampling by area is as good.
-const LEAST_SIZE_SQUARED: f64 = 1e-4;
+const MIN_SIZE_SQUARED: f64 = 1e-4;
 
 impl SphericalRectangle {
     /// `None` for a rectangle that looks too small for it, or is seen edge-on.
@@ -54,8 +54,8 @@ impl SphericalRectangle {
         let g3 = angle(x0, y0, -x0 * y0);
         let start = 2.0 * PI - g2 - g3;
         let solid_angle = g0 + g1 - start;
-        let is_near = width * width + height * height >= LEAST_SIZE_SQUARED * d.length_squared();
-        let fits = is_near && solid_angle >= LEAST_SOLID_ANGLE && z < 0.0;
+        let is_near = width * width + height * height >= MIN_SIZE_SQUARED * d.length_squared();
+        let fits = is_near && solid_angle >= MIN_SOLID_ANGLE && z < 0.0;
         fits.then_some(Self { from, axes, x, y, z, solid_angle, start })
     }
 

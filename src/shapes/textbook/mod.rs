@@ -206,8 +206,8 @@ impl<F: Form> Shape for Textbook<F> {
         self.ours.facet(at)
     }
 
-    fn beside(&self, at: &Candidate, by: Vector) -> Candidate {
-        self.ours.beside(at, by)
+    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
+        self.ours.shifted(at, by)
     }
 
     fn texture_space(&self, at: &Candidate) -> Transform {

@@ -5,8 +5,8 @@ use crate::rgb::Rgb;
 
 const NAME: &str = "ch03/three-objects";
 
-fn small() -> Wishes {
-    Wishes { size: Some([12, 12]), ..Wishes::default() }
+fn small() -> GoldenSettings {
+    GoldenSettings { size: Some([12, 12]), ..GoldenSettings::default() }
 }
 
 /// A folder with one golden.
@@ -69,7 +69,7 @@ fn an_acceptance_that_stops_anywhere_leaves_a_consistent_folder() {
     let other = "ch03/single-sphere";
     let begin = || {
         let (folder, goldens) = one_golden();
-        let larger = Wishes { size: Some([14, 14]), ..Wishes::default() };
+        let larger = GoldenSettings { size: Some([14, 14]), ..GoldenSettings::default() };
         let proposals =
             [NAME, other].map(|name| goldens.propose(name, "again", &larger).unwrap()).to_vec();
         (folder, goldens, proposals)

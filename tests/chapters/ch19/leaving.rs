@@ -29,7 +29,7 @@ fn check_shapes(cases: Range<usize>, seed: u64) {
         let coordinates = surface.point.to_vector().max_abs() + size;
         largest = largest.max(surface.error / (U * coordinates));
         assert!(
-            surface.error <= MOST * U * coordinates,
+            surface.error <= MAX * U * coordinates,
             "{case}: the bound {surface:?} is too wide"
         );
         let skipped = check_leaving(&mut draw, &kind, &*shape, form, &surface, &case);
@@ -40,7 +40,7 @@ fn check_shapes(cases: Range<usize>, seed: u64) {
 }
 
 /// Error bounds may be a few dozen roundings of the largest coordinate or size, no more.
-const MOST: f64 = 100.0;
+const MAX: f64 = 100.0;
 
 /// Law: a ray that leaves a surface does not meet it again at the same place, finds the far side of
 /// what it is inside of and whatever lies beyond 8 error bounds; at scales from 1e-6 to 1e6 and

@@ -3,7 +3,7 @@
 use groundtruth::gallery;
 use groundtruth::materials::{Dielectric, Medium, Phong, Reflective};
 use groundtruth::math::{Point, Vector};
-use groundtruth::ray_budget::{MOST_COUNTED, measured};
+use groundtruth::ray_budget::{MAX_COUNTED, measured};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
@@ -36,7 +36,7 @@ fn a_slab_at_depth_100_counts_as_a_line() {
     let mut scene = picture(100);
     let (min, max) = (Point::new(-50.0, -50.0, -1.0), Point::new(50.0, 50.0, 0.0));
     put(&mut scene, Cuboid { min, max }, clear(1.5));
-    let estimate = measured(&built(&scene), MOST_COUNTED);
+    let estimate = measured(&built(&scene), MAX_COUNTED);
     // the camera's, and two at each of the hits at depths 0 to 100
     assert_eq!((estimate.mean, estimate.is_cut), (1.0 + 2.0 * 101.0, false));
 }
@@ -49,7 +49,7 @@ fn a_mirror_counts_as_a_line() {
         let mut scene = picture(n);
         let mirror = Reflective { phong: Phong::default(), kr: 0.9.into(), cr: Rgb::WHITE.into() };
         put(&mut scene, Sphere { center: Point::ORIGIN, radius: 20.0, inward: true }, mirror);
-        let estimate = measured(&built(&scene), MOST_COUNTED);
+        let estimate = measured(&built(&scene), MAX_COUNTED);
         assert_eq!((estimate.mean, estimate.is_cut), (f64::from(n + 2), false));
     }
 }
@@ -62,9 +62,9 @@ fn a_tree_without_end_is_cut() {
     for radius in [1.0, 0.9, 0.8] {
         put(&mut scene, ball(radius), clear(1.0 + radius));
     }
-    let estimate = measured(&built(&scene), MOST_COUNTED);
+    let estimate = measured(&built(&scene), MAX_COUNTED);
     // what is being counted when it is cut is still heard: each open ray sends one more
-    let few = estimate.mean < MOST_COUNTED as f64 + 300.0;
+    let few = estimate.mean < MAX_COUNTED as f64 + 300.0;
     assert!(estimate.is_cut && estimate.mean >= 1e6 && few, "{estimate:?}");
     let estimate = measured(&built(&scene), 1000);
     assert!(estimate.is_cut && estimate.mean < 1300.0, "{estimate:?}");
@@ -89,7 +89,7 @@ fn the_estimate_is_that_of_the_picture() {
     let all: Vec<f64> = (0..16).flat_map(|y| (0..24).map(move |x| [x, y])).map(counts).collect();
     let mean = all.iter().sum::<f64>() / all.len() as f64;
     let variance = all.iter().map(|n| (n - mean) * (n - mean)).sum::<f64>() / all.len() as f64;
-    let (error, estimate) = ((variance / 256.0).sqrt(), measured(&world, MOST_COUNTED));
+    let (error, estimate) = ((variance / 256.0).sqrt(), measured(&world, MAX_COUNTED));
     let off = (estimate.mean - mean).abs();
     assert!(error > 0.5 && off < 4.0 * error, "{} of {mean}, error {error}", estimate.mean);
 }

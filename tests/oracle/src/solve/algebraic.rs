@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// To second order margins say nothing about larger changes than this.
-const MOST: f64 = 1e-4;
+const MAX: f64 = 1e-4;
 
 /// A coefficient, and the powers of x, y, z.
 type Term = (Real, [u32; 3]);
@@ -102,7 +102,7 @@ fn margin(
         let moves = (beam.o_reach + magnitude(&end.t) * beam.d_reach + own) * (1.0 + 1.0 / slope);
         vanish(&local(terms, &beam.at(&end.t)), moves)
     });
-    stationary.chain(higher).chain(start).chain(faces).fold(MOST, f64::min)
+    stationary.chain(higher).chain(start).chain(faces).fold(MAX, f64::min)
 }
 
 /// What it takes to make the value 0 where the point moves by so much.

@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// To first order margins say nothing about larger changes than this.
-const MOST: f64 = 1e-3;
+const MAX: f64 = 1e-3;
 
 /// A range of angles: the ends in degrees.
 type Range<'a> = [&'a Real; 2];
@@ -135,7 +135,7 @@ impl Torus<'_> {
             turn.min(360.0 - turn) / own
         });
         let widths = widths.filter(|margin| *margin > 0.0); // a full turn may grow
-        stationary.chain(higher).chain(ends).chain(widths).chain([start]).fold(MOST, f64::min)
+        stationary.chain(higher).chain(ends).chain(widths).chain([start]).fold(MAX, f64::min)
     }
 
     /// What it takes to make the point at `t` one of the surface, and if asked the ray tangent there.
