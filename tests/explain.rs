@@ -113,7 +113,7 @@ fn what_is_folded_is_counted() {
                         rays[parent].children.iter().filter(|c| c.share < min_share).collect();
                     assert_eq!(count, small.iter().map(|child| all(child).len()).sum::<usize>());
                     let sum: f64 = small.iter().map(|child| child.share).sum();
-                    assert!((share - sum).abs() < 1e-15);
+                    assert!((share - sum).abs() < 1e-15, "{share} of hidden rays, not {sum}");
                 }
             }
         }
@@ -167,12 +167,15 @@ fn the_path_of_the_light_follows_the_largest() {
     let mut ray = &root;
     let mut length = 0;
     while let Some(next) = ray.largest_child() {
-        assert!(ray.children.iter().all(|child| child.share <= next.share));
+        let most = ray.children.iter().map(|child| child.share).fold(0.0, f64::max);
+        assert!(most <= next.share, "a child has {most}, the largest {}", next.share);
         ray = next;
         length += 1;
     }
     assert!(length >= 4, "through four boundaries at least, not {length}");
-    assert!(ray.children.iter().all(|child| child.share <= ray.own_contribution.average()));
+    let most = ray.children.iter().map(|child| child.share).fold(0.0, f64::max);
+    let own = ray.own_contribution.average();
+    assert!(most <= own, "a child has {most}, the ray itself {own}");
     assert!(ray.share > 0.2, "{}", ray.share);
     // and what a path leads to is found by its number
     let path: Vec<usize> = root.path_to(ray.number).iter().map(|ray| ray.number).collect();
@@ -215,10 +218,14 @@ fn the_samples_statistics_are_theirs() {
     let squares: f64 = reds.iter().map(|red| (red - mean) * (red - mean)).sum();
     let statistics = explained.statistics;
     let error = statistics.standard_error.expect("more than one sample").r;
-    assert!((statistics.mean.r - mean).abs() < 1e-14);
+    let found = statistics.mean.r;
+    assert!((found - mean).abs() < 1e-14, "the mean is {found}, not {mean}");
     assert!(error > 1e-3 && (error - (squares / 15.0 / 16.0).sqrt()).abs() < 1e-14, "{error}");
     let value = |index: u32| explained.radiances[index as usize].average();
-    assert!((0..16).all(|i| value(statistics.least) <= value(i)));
-    assert!((0..16).all(|i| value(i) <= value(statistics.greatest)));
+    let [least, greatest] = [statistics.least, statistics.greatest].map(value);
+    for i in 0..16 {
+        let range = least..=greatest;
+        assert!(range.contains(&value(i)), "sample {i} is {}, not in {range:?}", value(i));
+    }
     assert_eq!(explained.samples[0].radiance, explained.radiances[3]);
 }

@@ -133,7 +133,8 @@ fn the_textbook_fails_where_it_is_known_to() {
     }
     let scaled = book("Sphere", "Scaled");
     assert!(scaled["lost"].as_u64() > Some(0), "{scaled}");
-    assert!(book("Plane", "FarOrigin")["worst"].as_f64().is_some_and(|e| e < ALLOWED));
+    let worst = &book("Plane", "FarOrigin")["worst"];
+    assert!(worst.as_f64().is_some_and(|e| e < ALLOWED), "the worst error is {worst}");
     // so do compounds and grids of them, and both are right on ordinary rays but for quartics
     for kind in ["Compound", "RandomSpheres", "Lattice", "TessellatedSphere"] {
         let scaled = book(kind, "Scaled");
@@ -148,7 +149,7 @@ fn the_textbook_fails_where_it_is_known_to() {
 #[test]
 fn acceleration_is_measured_or_left_out_for_a_reason() {
     let stages = list(&REPORT.json["pages"]["acceleration"]["stages"]);
-    assert!(stages.len() >= 4);
+    assert!(stages.len() >= 4, "{} stages", stages.len());
     for stage in stages {
         let (runs, skipped) = (list(&stage["runs"]), list(&stage["skipped"]));
         assert_eq!(stage["agree"], true, "{}", stage["stage"]);

@@ -164,13 +164,13 @@ impl Wood {
     }
 
     /// The amounts of ring (reduced by grain) and of grain, from 0 to 1: two octaves of grain,
-    /// coarse and fine.
+    /// coarse and fine. An octave is weaker, the wider a sample is in units of its grains.
     fn grain(&self, noise: &LatticeNoise, p: Point, in_ring: f64) -> (f64, f64) {
         let [x, y, z] = p.to_array();
         let f = self.grain_frequency;
         let g0 = Point::new(f * x, 0.05 * f * y, f * z);
-        let grain_of = |dp: f64, g0: Point, in_ring: f64| {
-            let valid = 1.0 - smooth_step(0.2, 0.6, dp);
+        let grain_of = |width: f64, g0: Point, in_ring: f64| {
+            let valid = 1.0 - smooth_step(0.2, 0.6, width);
             let g = valid * noise.value(g0) * (0.3 + 0.7 * in_ring);
             let g = (0.8 - g).clamp(0.0, 1.0);
             (valid, self.grainy * smooth_step(0.5, 1.0, g * g))

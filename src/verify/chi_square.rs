@@ -141,7 +141,8 @@ fn tail(statistic: f64, freedom: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::math::exp;
-    use crate::verify::biased_samples::{LEVEL, paired, uneven};
+    use crate::verify::biased_samples::{paired, uneven};
+    use crate::verify::judge::{near, passes, rejects};
 
     const CELLS: usize = 99;
 
@@ -149,11 +150,11 @@ mod tests {
     fn goodness_of_fit_has_the_tables_values() {
         // two cells, 50 each, found 60 and 40: χ² = 4, one degree, p = 0.0455003 (erfc(√2))
         let p = goodness_of_fit(&[60, 40], &[50.0, 50.0]);
-        assert!((p - 0.045_500_263_896_358_4).abs() < 1e-12, "{p}");
+        near(p, 0.045_500_263_896_358_4, 1e-12);
         let p = goodness_of_fit(&[110, 90, 80, 120], &[100.0, 100.0, 100.0, 100.0]);
         // χ² = 10, three degrees: erfc(√5) + 2 √(5/π) e⁻⁵
         let exact = 0.018_566_135_463_043_2;
-        assert!((p - exact).abs() < 1e-10, "{p}");
+        near(p, exact, 1e-10);
     }
 
     #[test]
@@ -163,8 +164,8 @@ mod tests {
         let smallest = ((10.0 * (CELLS as f64).sqrt() + 60.0) / n as f64).sqrt();
         assert!(smallest < 0.03, "an error of 3 % is found");
         for seed in 0..8 {
-            assert!(goodness_of_fit(&uneven(CELLS, n, 0.0, seed), &expected) > LEVEL);
-            assert!(goodness_of_fit(&uneven(CELLS, n, 1.1 * smallest, seed), &expected) < LEVEL);
+            passes(goodness_of_fit(&uneven(CELLS, n, 0.0, seed), &expected));
+            rejects(goodness_of_fit(&uneven(CELLS, n, 1.1 * smallest, seed), &expected));
         }
     }
 
@@ -184,7 +185,8 @@ mod tests {
         let mut observed = vec![0; 1000];
         (0..10).for_each(|i| observed[100 * i] = 1);
         observed.push(990);
-        assert!(goodness_of_fit(&observed, &expected) > 0.01);
+        let p = goodness_of_fit(&observed, &expected);
+        assert!(p > 0.01, "p = {p}");
     }
 
     #[test]
@@ -192,10 +194,10 @@ mod tests {
         // 2 × 2: χ² = n (ad − bc)² / (the product of the four totals) = 60 · 300² / (30⁴) = 20/3, one
         // degree, p = erfc(√(10/3))
         let p = independence(&[20, 10, 10, 20], 2);
-        assert!((p - 0.009_823_274_507_519_2).abs() < 1e-12, "{p}");
+        near(p, 0.009_823_274_507_519_2, 1e-12);
         // 2 × 3, two degrees, p = exp(−χ²/2): all six expect 20, off by 4, 0, 4: χ² = 4 · 16/20
         let p = independence(&[24, 20, 16, 16, 20, 24], 3);
-        assert!((p - exp(-1.6)).abs() < 1e-12, "{p}");
+        near(p, exp(-1.6), 1e-12);
         // a table that is exactly a product
         assert_eq!(independence(&[10, 20, 30, 30, 60, 90], 3), 1.0);
     }
@@ -208,7 +210,7 @@ mod tests {
             let v = 2.0 / (9.0 * d);
             let root: f64 = 1.0 - v + sigmas * v.sqrt();
             let found = tail(d * root * root * root, 65_025);
-            assert!((found / p - 1.0).abs() < 1e-3, "{sigmas}: {found} {p}");
+            near(found / p, 1.0, 1e-3);
         }
     }
 
@@ -217,8 +219,8 @@ mod tests {
         let n = 50_000;
         let smallest = ((10.0 * 6.0 + 60.0) / n as f64).sqrt();
         for seed in 0..8 {
-            assert!(independence(&paired(n, 0.0, seed), 7) > LEVEL);
-            assert!(independence(&paired(n, 1.1 * smallest, seed), 7) < LEVEL);
+            passes(independence(&paired(n, 0.0, seed), 7));
+            rejects(independence(&paired(n, 1.1 * smallest, seed), 7));
         }
     }
 
@@ -231,7 +233,8 @@ mod tests {
         let (rare, joined) = ([4, 5, 60, 40, 40, 60], [60, 40, 44, 65]);
         assert_eq!(independence(&rare, 2), independence(&joined, 2));
         // one pair alone in a corner, among 1000: (1 − 1e-6)²/1e-3 would look impossible
-        assert!(independence(&[999, 0, 0, 1], 2) > 0.9);
+        let p = independence(&[999, 0, 0, 1], 2);
+        assert!(p > 0.9, "p = {p}");
         // the transposed table: rare columns are found like rare rows
         assert_eq!(independence(&[4, 60, 40, 5, 40, 60], 3), independence(&rare, 2));
         // a single row, or an empty table, tells nothing

@@ -47,13 +47,14 @@ fn kolmogorov(lambda: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::biased_samples::{LEVEL, bent};
+    use crate::verify::biased_samples::bent;
+    use crate::verify::judge::{near, passes, rejects};
 
     #[test]
     fn the_tail_has_the_tables_values() {
         // critical values of the limit distribution: 1.3581 at 5 %, 1.6276 at 1 %
-        assert!((kolmogorov(1.358_1) - 0.05).abs() < 1e-5);
-        assert!((kolmogorov(1.627_6) - 0.01).abs() < 1e-5);
+        near(kolmogorov(1.358_1), 0.05, 1e-5);
+        near(kolmogorov(1.627_6), 0.01, 1e-5);
         assert_eq!(kolmogorov(0.0), 1.0);
     }
 
@@ -72,8 +73,8 @@ mod tests {
         let n = 20_000;
         let smallest = (14.0 / n as f64).sqrt();
         for seed in 0..8 {
-            assert!(uniform(&bent(n, 0.0, seed)) > LEVEL);
-            assert!(uniform(&bent(n, 1.1 * smallest, seed)) < LEVEL);
+            passes(uniform(&bent(n, 0.0, seed)));
+            rejects(uniform(&bent(n, 1.1 * smallest, seed)));
         }
     }
 

@@ -106,7 +106,8 @@ fn two_sided(difference: f64, variance: f64, freedom: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::math::{Pcg32, atan2};
-    use crate::verify::biased_samples::{LEVEL, normals};
+    use crate::verify::biased_samples::normals;
+    use crate::verify::judge::{near, passes, rejects};
     use std::f64::consts::PI;
 
     /// Oracle: by hand. 1 … 4 have the mean 2.5 and the variance 5/3, so that 1 is t = 1.5/√(5/12) off;
@@ -116,14 +117,14 @@ mod tests {
         let p = one_sample(&[1.0, 2.0, 3.0, 4.0], 1.0);
         let s = 1.5 / (5.0_f64 / 12.0).sqrt() / 3.0_f64.sqrt(); // t/√3
         let below = 0.5 + (atan2(s, 1.0) + s / (1.0 + s * s)) / PI;
-        assert!((p - 2.0 * (1.0 - below)).abs() < 1e-12, "{p}");
+        near(p, 2.0 * (1.0 - below), 1e-12);
         // equal counts and variances: 2 (n − 1) degrees, here two; both means have the variance ½/2
         let p = two_samples(&[0.0, 1.0], &[2.0, 3.0]);
         let t = 2.0 / 0.5_f64.sqrt();
-        assert!((p - (1.0 - t / (2.0 + t * t).sqrt())).abs() < 1e-12, "{p}");
+        near(p, 1.0 - t / (2.0 + t * t).sqrt(), 1e-12);
         // one side without variance: the degrees are those of the other
         let p = two_samples(&[1.0, 1.0, 1.0], &[1.0, 2.0, 3.0, 4.0]);
-        assert!((p - one_sample(&[1.0, 2.0, 3.0, 4.0], 1.0)).abs() < 1e-12, "{p}");
+        near(p, one_sample(&[1.0, 2.0, 3.0, 4.0], 1.0), 1e-12);
     }
 
     #[test]
@@ -132,14 +133,14 @@ mod tests {
             let random = &mut Pcg32::new(seed, 6);
             for (n, smallest) in [(16, 3.3), (2500, 7.2 / 50.0)] {
                 let values = normals(n, 5.0, 2.0, random);
-                assert!(one_sample(&values, 5.0) > LEVEL);
-                assert!(one_sample(&values, 5.0 + 1.1 * 2.0 * smallest) < LEVEL);
+                passes(one_sample(&values, 5.0));
+                rejects(one_sample(&values, 5.0 + 1.1 * 2.0 * smallest));
             }
             let (a, b) = (normals(500, 1.0, 3.0, random), normals(2000, 1.0, 1.0, random));
-            assert!(two_samples(&a, &b) > LEVEL);
+            passes(two_samples(&a, &b));
             let apart = 7.2 * (9.0 / 500.0 + 1.0 / 2000.0_f64).sqrt();
             let moved: Vec<f64> = b.iter().map(|x| x + 1.1 * apart).collect();
-            assert!(two_samples(&a, &moved) < LEVEL);
+            rejects(two_samples(&a, &moved));
         }
     }
 
@@ -151,19 +152,21 @@ mod tests {
         let c: f64 = 0.9;
         let [apart, low, high] = difference(&[0.0, 1.0], &[2.0, 3.0], c).expect("two and two");
         let half = (2.0 * c * c / (1.0 - c * c)).sqrt() * 0.5_f64.sqrt();
-        assert!((apart + 2.0).abs() < 1e-15, "{apart}");
-        assert!((low - (apart - half)).abs() < 1e-9 && (high - (apart + half)).abs() < 1e-9);
+        near(apart, -2.0, 1e-15);
+        near(low, apart - half, 1e-9);
+        near(high, apart + half, 1e-9);
         let random = &mut Pcg32::new(4, 6);
         let (a, b) = (normals(5, 1.0, 3.0, random), normals(9, 1.5, 1.0, random));
         let [_, low, high] = difference(&a, &b, c).expect("values");
         for end in [low, high] {
             let moved: Vec<f64> = b.iter().map(|x| x + end).collect();
-            assert!((two_samples(&a, &moved) - (1.0 - c)).abs() < 1e-9);
+            near(two_samples(&a, &moved), 1.0 - c, 1e-9);
         }
         let [mean, low, high] = interval(&[1.0, 2.0, 3.0], c).expect("three values");
         let half = (2.0 * c * c / (1.0 - c * c)).sqrt() / 3.0_f64.sqrt();
         assert_eq!(mean, 2.0);
-        assert!((low - (2.0 - half)).abs() < 1e-9 && (high - (2.0 + half)).abs() < 1e-9);
+        near(low, 2.0 - half, 1e-9);
+        near(high, 2.0 + half, 1e-9);
         assert_eq!(interval(&[1.0], c), None);
         assert_eq!(difference(&[1.0, 1.0], &[3.0, 3.0], c), Some([-2.0; 3]));
         assert_eq!(difference(&[1.0], &[3.0, 3.0], c), None);

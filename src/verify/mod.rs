@@ -41,6 +41,8 @@ mod bad_scenes;
 #[cfg(test)]
 mod biased_samples;
 #[cfg(test)]
+pub(crate) mod judge;
+#[cfg(test)]
 mod many_seeds;
 
 pub use draw::Draw;

@@ -34,12 +34,13 @@ pub fn proportion(times: u64, trials: u64, confidence: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::verify::judge::near;
 
     #[test]
     fn sidak_keeps_the_level_of_the_family() {
         assert_eq!(sidak(0.05, 1), 1.0 - 0.95);
         let each = sidak(0.01, 100);
-        assert!((power(1.0 - each, 100.0) - 0.99).abs() < 1e-12);
+        near(power(1.0 - each, 100.0), 0.99, 1e-12);
         assert!(each > 0.01 / 100.0, "a little less strict than Bonferroni");
         assert_eq!(sidak(0.05, 0), sidak(0.05, 1));
     }
@@ -74,9 +75,9 @@ mod tests {
     fn never_and_always_have_closed_forms() {
         let [low, high] = proportion(0, 50, 0.95);
         assert_eq!(low, 0.0);
-        assert!((high - (1.0 - power(0.025, 0.02))).abs() < 1e-9, "{high}");
+        near(high, 1.0 - power(0.025, 0.02), 1e-9);
         let [low, high] = proportion(50, 50, 0.95);
-        assert!((low - power(0.025, 0.02)).abs() < 1e-9, "{low}");
+        near(low, power(0.025, 0.02), 1e-9);
         assert_eq!(high, 1.0);
         assert_eq!(proportion(0, 0, 0.95), [0.0, 1.0]);
     }

@@ -53,13 +53,15 @@ pub fn power_law(points: &[(f64, f64)], confidence: f64) -> Option<PowerLaw> {
 mod tests {
     use super::*;
     use crate::verify::biased_samples::power_of;
+    use crate::verify::judge::near;
 
     /// Law: a power law without noise is found; with noise, its interval has the true slope as often
     /// as it says, and leaves a false one out. Oracle: how the points were made.
     #[test]
     fn a_fitted_slope_is_the_true_one_and_not_another() {
         let exact = power_law(&power_of(0.25, 0.0, 0), 0.95).expect("twelve points");
-        assert!((exact.exponent - 0.25).abs() < 1e-12 && (exact.factor - 3.0).abs() < 1e-11);
+        near(exact.exponent, 0.25, 1e-12);
+        near(exact.factor, 3.0, 1e-11);
         let fits =
             || (0..400).map(|seed| power_law(&power_of(-1.5, 0.1, seed), 0.95).expect("fit"));
         let holds = |slope: f64| {
@@ -78,8 +80,9 @@ mod tests {
         let e = exp(1.0);
         let fit = power_law(&[(1.0, 1.0), (e, e), (e * e, 1.0)], 0.95).expect("three points");
         let half = crate::math::tan(std::f64::consts::PI * 0.475) * (1.0_f64 / 3.0).sqrt();
-        assert!(fit.exponent.abs() < 1e-14);
-        assert!((fit.interval[1] - half).abs() < 1e-9 && (fit.interval[0] + half).abs() < 1e-9);
+        near(fit.exponent, 0.0, 1e-14);
+        near(fit.interval[1], half, 1e-9);
+        near(fit.interval[0], -half, 1e-9);
     }
 
     #[test]

@@ -208,7 +208,8 @@ fn the_weight_of_a_bounce_is_its_factors() {
             assert!(near(pdf, density), "{}: pdf {pdf}, not {density}", lobe.name());
             let (found, expected) = (term.weight.g * pdf * chance * survival, f * cos_i);
             assert!(near(found, expected), "{}: {found}, not {expected}", lobe.name());
-            assert!(*chance > 0.0 && *chance < 1.0 && *survival <= 1.0);
+            let right = *chance > 0.0 && *chance < 1.0 && *survival <= 1.0;
+            assert!(right, "probabilities {chance} of the lobe and {survival} of survival");
             assert!(ray.depth > 5 || *survival == 1.0, "roulette begins at depth 5");
             by[which] += 1;
             ended += usize::from(*survival < 1.0);

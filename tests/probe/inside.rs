@@ -128,7 +128,8 @@ fn a_mesh_of_lists_is_hit_where_it_was_aimed_at() {
         }});
         let ray = json!({"origin": from.to_array(), "direction": (target - from).to_array()});
         let hit = ask(&json!({"intersect": {"shape": shape, "ray": ray}}));
-        assert!((hit["t"].as_f64().expect("t") - 1.0).abs() < 1e-11);
+        let t = hit["t"].as_f64().expect("t");
+        assert!((t - 1.0).abs() < 1e-11, "t is {t}, not 1");
         assert_eq!(hit["path"], json!([{"triangle": 0}]));
         assert_eq!(hit["front"], json!(true));
         let expected = [0, 1].map(|i| beta * uvs[1][i] + gamma * uvs[2][i]);

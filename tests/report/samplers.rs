@@ -27,7 +27,7 @@ fn errors(sampler: &Value) -> Vec<(f64, f64)> {
 #[test]
 fn every_sampler_is_there_for_every_integrand() {
     let count: usize = Kind::ENTRIES.iter().map(|entry| (entry.specimens)().len()).sum();
-    assert!(integrands().len() >= 6);
+    assert!(integrands().len() >= 6, "{} integrands", integrands().len());
     for integrand in integrands() {
         let samplers = list(&integrand["samplers"]);
         let names: BTreeSet<_> = samplers.iter().map(|s| s["sampler"].as_str()).collect();
@@ -35,7 +35,8 @@ fn every_sampler_is_there_for_every_integrand() {
         for sampler in samplers {
             let samples: Vec<f64> = errors(sampler).into_iter().map(|(n, _)| n).collect();
             assert_eq!(samples, [1.0, 4.0, 16.0, 64.0, 256.0, f64::from(SMALL.samples)]);
-            assert!(sampler["sample_seconds"].as_f64().is_some_and(|s| s > 0.0));
+            let time = &sampler["sample_seconds"];
+            assert!(time.as_f64().is_some_and(|s| s > 0.0), "a sample took {time} s");
         }
     }
 }

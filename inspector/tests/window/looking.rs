@@ -99,7 +99,7 @@ fn wheel_and_drag_move_the_picture_and_select_nothing() {
     });
     window.run_steps(30);
     let zoomed = placed(&window);
-    assert!(zoomed.scale > 1.5 * before.scale);
+    assert!(zoomed.scale > 1.5 * before.scale, "{} after {}", zoomed.scale, before.scale);
     assert_eq!(zoomed.pixel(at), Some([20, 20]));
 
     window.drag_at(at);

@@ -148,5 +148,6 @@ fn a_sample_is_one_click_from_its_tree() {
     }
     window.get_by_label("index").click();
     settle(&mut window);
-    assert!(height(&window, 0) < height(&window, 1) && height(&window, 0).is_some());
+    let [first, second] = [0, 1].map(|index| height(&window, index));
+    assert!(first.is_some() && first < second, "samples 0 and 1 at {first:?} and {second:?}");
 }

@@ -79,7 +79,8 @@ fn the_bars_between_the_parts_can_be_grabbed() {
     let (mut window, whole) = window_of([1000.0, 700.0]);
     let before = picture(&window);
     let bar = |window: &Window| window.get_by_role_and_label(Role::Splitter, "right bar").rect();
-    assert!(bar(&window).width() >= 6.0);
+    let width = bar(&window).width();
+    assert!(width >= 6.0, "the bar is {width} wide");
     let drag = |window: &mut Window, by: f32| {
         let at = bar(window).center();
         window.hover_at(at);
@@ -91,12 +92,14 @@ fn the_bars_between_the_parts_can_be_grabbed() {
         window.run_steps(3);
     };
     drag(&mut window, -80.0);
-    assert!((before.right() - picture(&window).right() - 80.0).abs() < 3.0);
+    let moved = before.right() - picture(&window).right();
+    assert!((moved - 80.0).abs() < 3.0, "moved by {moved}, not 80");
     for by in [-2000.0, 2000.0] {
         drag(&mut window, by);
-        assert!(picture(&window).width() > 0.25 * whole.width());
+        let width = picture(&window).width();
+        assert!(width > 0.25 * whole.width(), "{width} of {}", whole.width());
         let heading = window.get_by_label("Pixel (17, 19)").rect();
-        assert!(heading.left() < 0.8 * whole.width());
+        assert!(heading.left() < 0.8 * whole.width(), "{heading} of {}", whole.width());
     }
 }
 

@@ -128,20 +128,20 @@ impl Assembly {
 }
 
 impl Assembly {
-    /// The index of the part that is hit, and the hit as the part sees it.
+    /// The index of the part that is hit, and the hit in the coordinates of the part.
     fn within(&self, at: &Candidate) -> (usize, Candidate) {
         let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
         (index, Candidate { leaf: at.leaf - self.leaves[index], ..*at })
     }
 }
 
-/// The parts as one ray sees them.
-struct Seen<'a> {
+/// The parts for the query of one ray.
+struct RayQuery<'a> {
     parts: &'a [Part],
     ray: &'a Ray,
 }
 
-impl Primitives for Seen<'_> {
+impl Primitives for RayQuery<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         self.parts[index as usize].shape.hit(self.ray, span)
     }
@@ -160,7 +160,7 @@ impl Shape for Assembly {
         if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
-        let (index, at) = self.accel.nearest(&Seen { parts: &self.parts, ray }, ray, span)?;
+        let (index, at) = self.accel.nearest(&RayQuery { parts: &self.parts, ray }, ray, span)?;
         Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
     }
 
@@ -168,7 +168,7 @@ impl Shape for Assembly {
         if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
-        self.accel.any(&Seen { parts: &self.parts, ray }, ray, span).map(|(_, at)| at.t)
+        self.accel.any(&RayQuery { parts: &self.parts, ray }, ray, span).map(|(_, at)| at.t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {

@@ -119,7 +119,7 @@ impl Places {
         Vector::new(i * x, j * y, k * z)
     }
 
-    /// The ray as the copy sees it where it was copied from.
+    /// The ray that meets the first copy as this ray meets the given one.
     fn ray_back(&self, copy: u32, ray: &Ray) -> Ray {
         Ray::new(ray.origin - self.shift(copy), ray.direction)
     }
@@ -141,13 +141,13 @@ impl Places {
     }
 }
 
-/// The copies as one ray sees them.
-struct Seen<'a> {
+/// The copies for the query of one ray.
+struct RayQuery<'a> {
     lattice: &'a LatticeShape,
     ray: &'a Ray,
 }
 
-impl Primitives for Seen<'_> {
+impl Primitives for RayQuery<'_> {
     fn hit(&self, copy: u32, span: Span) -> Option<Candidate> {
         self.lattice.shape.hit(&self.lattice.places.ray_back(copy, self.ray), span)
     }
@@ -159,7 +159,7 @@ impl Primitives for Seen<'_> {
 }
 
 impl LatticeShape {
-    /// The number of the copy that is hit, and the hit as the copied shape sees it.
+    /// The number of the copy that is hit, and the same hit of the first copy.
     fn within(&self, at: &Candidate) -> (u32, Candidate) {
         let (copy, leaf) = (at.leaf / self.leaves, at.leaf % self.leaves);
         (copy as u32, Candidate { leaf, ..*at })
@@ -168,12 +168,12 @@ impl LatticeShape {
 
 impl Shape for LatticeShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (copy, at) = self.accel.nearest(&Seen { lattice: self, ray }, ray, span)?;
+        let (copy, at) = self.accel.nearest(&RayQuery { lattice: self, ray }, ray, span)?;
         Some(Candidate { leaf: u64::from(copy) * self.leaves + at.leaf, ..at })
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        self.accel.any(&Seen { lattice: self, ray }, ray, span).map(|(_, at)| at.t)
+        self.accel.any(&RayQuery { lattice: self, ray }, ray, span).map(|(_, at)| at.t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {

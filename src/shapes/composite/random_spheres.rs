@@ -26,7 +26,7 @@ pub struct RandomSpheres {
     /// Half the side of the cube of centres; positive.
     #[serde(default = "kinds::one")]
     pub half_side: f64,
-    /// Chooses the places: another seed, other places.
+    /// Chooses the centres: another seed gives other centres.
     #[serde(default)]
     pub seed: u64,
     /// How rays find the spheres; as the scene if left out.
@@ -72,7 +72,7 @@ impl Specification for RandomSpheres {
 
     fn specimens() -> Vec<Self> {
         let spheres = |count, radius| Self { count, radius, half_side: 1.0, seed: 15, accel: None };
-        // few and far between: laws on solids need spheres that do not overlap
+        // small: the laws of solids need spheres that do not overlap
         vec![spheres(1, 0.3), spheres(12, 0.05)]
     }
 }
@@ -81,22 +81,22 @@ impl RandomSpheres {
     /// The spheres, in order.
     pub fn spheres(&self) -> Vec<Sphere> {
         let mut random = Pcg32::new(self.seed, 0);
-        let mut place = || self.half_side * (2.0 * random.uniform() - 1.0);
+        let mut coordinate = || self.half_side * (2.0 * random.uniform() - 1.0);
         let mut sphere = |_| {
-            let center = Point::new(place(), place(), place());
+            let center = Point::new(coordinate(), coordinate(), coordinate());
             Sphere { center, radius: self.radius, inward: false }
         };
         (0..self.count).map(&mut sphere).collect()
     }
 }
 
-/// The spheres as one ray sees them.
-struct Seen<'a> {
+/// The spheres for the query of one ray.
+struct RayQuery<'a> {
     spheres: &'a [Sphere],
     ray: &'a Ray,
 }
 
-impl Primitives for Seen<'_> {
+impl Primitives for RayQuery<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         let hit = self.spheres[index as usize].hit(self.ray, span)?;
         Some(Candidate { leaf: index.into(), ..hit })
@@ -105,13 +105,13 @@ impl Primitives for Seen<'_> {
 
 impl Shape for RandomSpheresShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let seen = Seen { spheres: &self.spheres, ray };
-        self.accel.nearest(&seen, ray, span).map(|(_, at)| at)
+        let query = RayQuery { spheres: &self.spheres, ray };
+        self.accel.nearest(&query, ray, span).map(|(_, at)| at)
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        let seen = Seen { spheres: &self.spheres, ray };
-        self.accel.any(&seen, ray, span).map(|(_, at)| at.t)
+        let query = RayQuery { spheres: &self.spheres, ray };
+        self.accel.any(&query, ray, span).map(|(_, at)| at.t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {

@@ -15,13 +15,13 @@ struct Searched<F> {
     numbered: fn(u32, Candidate) -> Candidate,
 }
 
-/// The forms as one ray sees them.
-struct Seen<'a, F> {
+/// The forms for the query of one ray.
+struct RayQuery<'a, F> {
     of: &'a Searched<F>,
     ray: &'a Ray,
 }
 
-impl<F: Form> Primitives for Seen<'_, F> {
+impl<F: Form> Primitives for RayQuery<'_, F> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         let at = self.of.forms[index as usize].first(self.ray, span)?;
         Some((self.of.numbered)(index, at))
@@ -30,12 +30,12 @@ impl<F: Form> Primitives for Seen<'_, F> {
 
 impl<F: Form> Form for Searched<F> {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (_, at) = self.accel.nearest(&Seen { of: self, ray }, ray, span)?;
+        let (_, at) = self.accel.nearest(&RayQuery { of: self, ray }, ray, span)?;
         Some(at)
     }
 
     fn shadow(&self, ray: &Ray, span: Span) -> Option<f64> {
-        self.accel.any(&Seen { of: self, ray }, ray, span).map(|(_, at)| at.t)
+        self.accel.any(&RayQuery { of: self, ray }, ray, span).map(|(_, at)| at.t)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::rgb::Rgb;
+use crate::verify::judge::near;
 
 const NAME: &str = "ch03/three-objects";
 
@@ -184,7 +185,7 @@ fn views_show_distance_object_rays_and_normal_of_the_first_hit() {
     // the middle pixel sees the red sphere, (0, −25, 0) of radius 80, from z = 100
     let t = 100.0 - (80.0_f64 * 80.0 - 25.0 * 25.0).sqrt();
     let hits = golden.render().unwrap();
-    assert!((hits.get([1, 1]).r - t).abs() < 1e-12);
+    near(hits.get([1, 1]).r, t, 1e-12);
     assert_eq!((hits.get([1, 1]).g, hits.get([1, 1]).b), (1.0, 1.0));
     golden.view = View::Normals;
     let normal = golden.render().unwrap().get([1, 1]);

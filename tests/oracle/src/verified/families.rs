@@ -21,8 +21,8 @@ fn the_same_seed_gives_the_same_cases_and_another_others() {
 #[test]
 fn all_inputs_are_finite_and_no_direction_is_zero() {
     for (_, _, _, Ray { origin, direction }) in everything(100) {
-        assert!(origin.iter().chain(&direction).all(|x| x.is_finite()));
-        assert!(length(direction) > 0.0);
+        let finite = origin.iter().chain(&direction).all(|x| x.is_finite());
+        assert!(finite && length(direction) > 0.0, "from {origin:?} along {direction:?}");
     }
 }
 
@@ -155,8 +155,10 @@ fn rays_through_edges_meet_them() {
         let cases = cases(kind, Family::EdgesAndCorners, 1, 200);
         let exact = cases.iter().filter(|(s, r)| intersect(s, r).margin == 0.0).count();
         assert!(exact > 50, "{kind:?}: {exact} exact");
-        let answers = || cases.iter().map(|(s, r)| intersect(s, r));
-        assert!(answers().all(|a| a.roots.is_empty() || a.margin < 1e-14));
+        let answers = cases.iter().map(|(s, r)| intersect(s, r));
+        let hits = answers.filter(|answer| !answer.roots.is_empty());
+        let most = hits.map(|answer| answer.margin).fold(0.0, f64::max);
+        assert!(most < 1e-14, "{kind:?}: a margin of {most:e}");
     }
 }
 

@@ -144,7 +144,10 @@ fn roots(shape: &Shape, line: &Line, from: &Q, to: Option<&Q>) -> usize {
 /// value at one small angle leaves no other function.
 #[test]
 fn sines_and_cosines_obey_the_addition_theorem() {
-    let close = |x: Real, y: Real| assert!(magnitude(&(x - y)) < 1e-145);
+    let close = |x: Real, y: Real| {
+        let apart = magnitude(&(&x - &y));
+        assert!(apart < 1e-145, "{x} and {y} are {apart:e} apart");
+    };
     let at = |degrees: f64| sin_cos(&real(degrees));
     close(at(30.0).0, real(0.5));
     close(at(45.0).0, real(0.5).sqrt());
