@@ -1,4 +1,4 @@
-//! From how many objects on do the grid and the tree win against the list?
+//! The number of objects from which the grid and the tree are faster than the list.
 
 use std::hint::black_box;
 
@@ -12,12 +12,12 @@ use groundtruth::scene::{Image, Material, Object, Scene};
 use groundtruth::shapes::Sphere;
 use groundtruth::world::World;
 
-/// The list is not asked to search more.
+/// The list is not measured with more objects than this.
 const LONGEST_LIST: u32 = 1000;
 /// Rays in one measurement.
 const RAYS: u32 = 256;
 
-/// Spheres at random in a cube, whose volumes together are always the same part of it, as in the
+/// Spheres at random positions in a cube. Their total volume is the same for every `count`, as in the
 /// book's timing of the grid (section 22.5).
 fn spheres(count: u32, method: Method) -> World {
     let lens = Pinhole { distance: 1.0, zoom: 1.0 };

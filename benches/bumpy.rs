@@ -35,17 +35,17 @@ pub fn bumpy_sphere([around, down]: [u32; 2]) -> (Vec<Point>, Vec<[u32; 3]>) {
     (vertices, triangles)
 }
 
-/// Rays of a camera in front of the unit sphere, row by row: neighbours go almost the same way.
+/// Rays of a camera in front of the unit sphere, row by row: neighbouring rays are almost parallel.
 pub fn coherent_rays(side: u32) -> Vec<groundtruth::math::Ray> {
     let eye = Point::new(0.5, 1.0, 4.0);
-    let place = |i: u32| 2.4 * (f64::from(i) + 0.5) / f64::from(side) - 1.2;
-    let through = |i: u32| Point::new(place(i % side), place(i / side), 0.0) - eye;
+    let position = |i: u32| 2.4 * (f64::from(i) + 0.5) / f64::from(side) - 1.2;
+    let through = |i: u32| Point::new(position(i % side), position(i / side), 0.0) - eye;
     (0..side * side)
         .map(|i| groundtruth::math::Ray::new(eye, through(i).unit().expect("not the eye")))
         .collect()
 }
 
-/// Rays between random points of the box around the unit sphere: no two go the same way.
+/// Rays between random points of the box around the unit sphere: their directions are unrelated.
 pub fn incoherent_rays(count: u32) -> Vec<groundtruth::math::Ray> {
     let mut random = groundtruth::math::Pcg32::new(2007, 0);
     let mut point = || {

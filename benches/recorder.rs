@@ -1,4 +1,4 @@
-//! What does listening cost? `silent` is the number to keep.
+//! The cost of recording rays. `silent` records nothing: its time must not grow.
 
 use std::hint::black_box;
 
@@ -8,7 +8,7 @@ use groundtruth::render;
 use groundtruth::trace::{RayCounts, RayTree, Recorder};
 use groundtruth::world::World;
 
-/// A row of pixels through the sphere, so that no single path is measured.
+/// A row of pixels through the sphere, so that many different paths are measured.
 fn row<R: Recorder>(world: &World, mut recorder: impl FnMut() -> R) -> f64 {
     let [width, height] = [world.image.width, world.image.height];
     let columns = (0..width).step_by(16);

@@ -1,5 +1,5 @@
-//! What does a draw cost, what do the maps and the filters make of it, and what do the sets cost
-//! that it comes from?
+//! The cost of drawing one sample point, of mapping it, of applying a filter to it, and of building the
+//! sample sets that it comes from.
 
 use std::hint::black_box;
 
@@ -8,10 +8,10 @@ use groundtruth::filters;
 use groundtruth::math::{Pcg32, maps};
 use groundtruth::samplers::{self, Key, Purpose, SampleSets};
 
-/// Samples of a pixel.
+/// Samples per pixel.
 const N: u32 = 64;
 
-/// The time of one draw of a pixel's `N`, one after the other.
+/// The time of one draw; the `N` samples of each pixel are drawn in order.
 fn draws(c: &mut Criterion) {
     let mut group = c.benchmark_group("draw");
     group.bench_function("uniform number of the generator", |b| {
@@ -41,13 +41,13 @@ fn sets(c: &mut Criterion) {
     }
 }
 
-/// Points of the square, as many as fit the nearest cache.
+/// Random points of the unit square, few enough for the first-level cache.
 fn points() -> Vec<[f64; 2]> {
     let mut random = Pcg32::new(0, 0);
     (0..256).map(|_| [random.uniform(), random.uniform()]).collect()
 }
 
-/// The time of one call of `map`, for 256 points in turns.
+/// The time of one call of `map`; the calls cycle through 256 points.
 fn of_points<T>(b: &mut criterion::Bencher<'_>, map: impl Fn([f64; 2]) -> T) {
     let points = points();
     let mut next = 0;

@@ -1,4 +1,4 @@
-//! What does one ray cost that hits, and one that misses, for each shape?
+//! The cost of one ray that hits and of one ray that misses, for each shape.
 
 use std::hint::black_box;
 
@@ -8,8 +8,8 @@ use groundtruth::math::{Aabb, Point, Ray, Span, Vector};
 use groundtruth::resources::Resources;
 use groundtruth::shapes::{Context, Kind, Shape};
 
-/// A ray that hits, found among some towards the middle of the shape, and one of the same
-/// direction that passes it by, close enough for its box where it has one.
+/// A ray that hits and a ray that misses. Both are the first such ray of 1024 that pass through the shape's
+/// box, or through a box of side 2 if the shape is unbounded. If all rays hit, the miss is the hit reversed.
 fn rays(shape: &dyn Shape) -> [Ray; 2] {
     let bounds = shape.bounds();
     let bounds = if bounds.is_bounded() {
@@ -17,7 +17,7 @@ fn rays(shape: &dyn Shape) -> [Ray; 2] {
     } else {
         Aabb::around([Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.0, 1.0)])
     };
-    let place = |i: u32, j: u32, k: u32| {
+    let grid_point = |i: u32, j: u32, k: u32| {
         let along = |axis: usize, step: u32| {
             let (low, high) = (bounds.min.along(axis), bounds.max.along(axis));
             low + (high - low) * (f64::from(step) + 0.5) / 8.0
@@ -27,7 +27,7 @@ fn rays(shape: &dyn Shape) -> [Ray; 2] {
     let towards = |target: Point, from: Vector| Ray::new(target + 4.0 * from, -from);
     let all: Vec<Ray> = (0..512)
         .flat_map(|n| {
-            let target = place(n % 8, n / 8 % 8, n / 64);
+            let target = grid_point(n % 8, n / 8 % 8, n / 64);
             [Vector::new(0.3, 0.9, 0.4), Vector::new(-0.6, 0.1, 0.8)].map(|v| towards(target, v))
         })
         .collect();

@@ -9,7 +9,7 @@ use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 const ALONG: u32 = 96;
 const AROUND: u32 = 12;
 
-/// The trefoil knot at `s` of its length.
+/// The point of the trefoil knot at parameter `s`, from 0 to 1.
 fn knot(s: f64) -> Vector {
     let a = 2.0 * PI * s;
     let r = 2.0 + cos(3.0 * a);

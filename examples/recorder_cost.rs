@@ -18,8 +18,8 @@ use groundtruth::world::{Hit, World};
 
 const SIDE: u32 = 48;
 
-/// A recorder that hears nothing but is called: its methods are never inlined, so that each call
-/// the recursion makes to a recorder is an instruction that can be counted.
+/// A recorder that ignores its arguments but is called: its methods are never inlined, so each call that the
+/// tracer makes to a recorder is an instruction that can be counted.
 struct Deaf;
 
 impl Recorder for Deaf {
@@ -63,7 +63,7 @@ fn main() {
     let world = World::build(&scene).expect("gallery scenes are valid");
     let recorder = std::env::args().nth(1).unwrap_or_default();
     let sum = match recorder.as_str() {
-        "none" => 0.0, // everything but the picture
+        "none" => 0.0, // everything except rendering
         "silent" => picture(&world, &mut ()),
         "deaf" => picture(&world, &mut Deaf),
         "counted" => picture(&world, &mut RayCounts::default()),

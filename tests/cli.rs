@@ -1,4 +1,4 @@
-//! The command line: exit statuses, error texts, and that nothing is left half done.
+//! The command line: exit statuses, error texts, and that no unfinished file is left.
 
 #[path = "cli/export.rs"]
 mod export;
@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
 
-/// What a run of the program came to.
+/// The result of a run of the program.
 struct Run {
     status: Option<i32>,
     stdout: String,
@@ -199,9 +199,9 @@ fn errors_have_status_2_and_leave_no_file() {
     }
 }
 
-/// Law: a picture cannot take the place of a folder.
+/// Law: a picture cannot replace a folder.
 #[test]
-fn a_place_that_cannot_be_written_is_left_as_it_is() {
+fn a_path_that_cannot_be_written_is_left_as_it_is() {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::create_dir(folder.path().join("a.png")).expect("a folder");
     let run = run_in(folder.path(), &["render", "ch03/single-sphere", "-o", "a.png"]);
@@ -274,7 +274,7 @@ fn list_of_a_chapter_is_its_part_of_the_list() {
     assert_eq!(list(&["ch28", "ch24"]), expected);
 }
 
-/// Law: a reader that goes away is no failure.
+/// Law: it is no error if the reader of standard output closes the pipe.
 #[test]
 fn a_closed_pipe_is_no_error() {
     for arguments in [&["list"][..], &["export", "ch14/page-one"]] {

@@ -1,4 +1,4 @@
-//! The documents say what is there: every link leads somewhere, and every kind is in the book's map.
+//! Checks of the documents: every link leads to a file, and every kind is in the map of the book.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -25,8 +25,8 @@ fn links(text: &str) -> Vec<String> {
     targets.filter_map(|rest| rest.split_once(')').map(|(target, _)| target.to_owned())).collect()
 }
 
-/// Law: the book is whole: no class of it is left to be built. Oracle: none; the map says so itself, and
-/// other tests hold that it names every kind.
+/// Law: every class of the book is built. Oracle: none; the map itself says so, and another test checks that
+/// it names every kind.
 #[test]
 fn the_map_of_the_book_is_whole() {
     let map = fs::read_to_string(root().join("docs/book.md")).expect("the map of the book");

@@ -1,6 +1,6 @@
 //! What `explain` says about a pixel of the glass sphere, kept as text: kinds, order, and words.
 //!
-//! The numbers are judged elsewhere (`tests/chapters`); this text shows a change of what people read.
+//! The numbers are checked elsewhere (`tests/chapters`); this snapshot shows changes of the text.
 
 #[path = "explain/paths.rs"]
 mod paths;
@@ -90,8 +90,8 @@ fn all(ray: &RayExplanation) -> Vec<&RayExplanation> {
     std::iter::once(ray).chain(ray.children.iter().flat_map(all)).collect()
 }
 
-/// Law: a folded tree keeps every ray of at least the share asked for, tells how many the others are
-/// and what they add, and loses none. Oracle: all rays of the tree, counted one by one.
+/// Law: a folded tree keeps every ray with at least the requested share, gives the number and the share of
+/// the others, and loses none. Oracle: all rays of the tree, counted one by one.
 #[test]
 fn what_is_folded_is_counted() {
     let root = nested_glass();
@@ -138,8 +138,8 @@ fn shares_add_up() {
     }
 }
 
-/// Law: what the rays contribute of their own adds up to the sample, in each channel, also through tinted
-/// glass: a ray contributes what is left of its light behind all media before it. Oracle: the sum.
+/// Law: the rays' own contributions add up to the sample, in each channel, also through tinted glass: the
+/// light of a ray is attenuated by all media on its way to the camera. Oracle: the sum.
 #[test]
 fn contributions_add_up_through_a_tinted_medium() {
     let root = nested_glass_of(Rgb::new(0.3, 0.05, 0.7));
@@ -177,31 +177,31 @@ fn the_path_of_the_light_follows_the_largest() {
     let own = ray.own_contribution.average();
     assert!(most <= own, "a child has {most}, the ray itself {own}");
     assert!(ray.share > 0.2, "{}", ray.share);
-    // and what a path leads to is found by its number
+    // and the ray at the end of the path is found by its number
     let path: Vec<usize> = root.path_to(ray.number).iter().map(|ray| ray.number).collect();
     assert_eq!((path[0], path.len(), path.last()), (0, length + 1, Some(&ray.number)));
     assert!(root.path_to(usize::MAX).is_empty());
 }
 
-/// Law: what hides a ray is opened for it, and nothing else. Oracle: the rows before and after.
+/// Law: revealing a ray opens the rows that hide it. Oracle: the rows before and after.
 #[test]
 fn a_hidden_ray_is_revealed() {
     let root = nested_glass();
     let mut outline = Outline::folding_below(0.05);
-    let seen = |outline: &Outline, number: usize| {
+    let is_shown = |outline: &Outline, number: usize| {
         outline
             .rows(&root)
             .iter()
             .any(|row| matches!(row, Row::Ray { ray, .. } if ray.number == number))
     };
     let numbers = all(&root).into_iter().map(|ray| ray.number);
-    let hidden = numbers.rev().find(|&number| !seen(&outline, number)).expect("some are small");
+    let hidden = numbers.rev().find(|&number| !is_shown(&outline, number)).expect("some are small");
     outline.reveal(&root.path_to(hidden));
-    assert!(seen(&outline, hidden));
+    assert!(is_shown(&outline, hidden));
     outline.closed.insert(0);
     assert_eq!(outline.rows(&root).len(), 1);
     outline.reveal(&root.path_to(hidden));
-    assert!(seen(&outline, hidden));
+    assert!(is_shown(&outline, hidden));
 }
 
 /// Law: mean, standard error, least and greatest are those of the samples. Oracle: the sums written

@@ -1,6 +1,6 @@
-//! The bodies of the fuzz targets, without a fuzzer: over the committed corpus, over random
-//! changes of it, and over random bytes. The same bytes every time; `FUZZ_ROUNDS` multiplies them,
-//! `FUZZ_SEED` draws others.
+//! Runs the bodies of the fuzz targets without a fuzzer: over the committed corpus, over random
+//! changes of it, and over random bytes. The inputs are the same in every run; `FUZZ_ROUNDS` multiplies their
+//! number, `FUZZ_SEED` changes them.
 
 #[path = "../fuzz/src/bodies/mod.rs"]
 mod bodies;
@@ -13,11 +13,11 @@ use groundtruth::kinds::tag;
 use groundtruth::math::{Pcg32, hash};
 use groundtruth::shapes::{Context, Kind};
 
-/// Inputs of each sort for each target: some seconds in all.
+/// The number of changed and of random inputs for each target: they take some seconds in all.
 const ROUNDS: u32 = 4000;
-/// As long as a random input gets.
+/// Random inputs are shorter than this.
 const LONGEST: u32 = 600;
-/// Longer files of the corpus are not changed and run again: they are slow.
+/// Longer files of the corpus are run only unchanged, because they are slow.
 const SMALL: usize = 10_000;
 
 fn number(name: &str) -> Option<u32> {

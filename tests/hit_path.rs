@@ -1,4 +1,4 @@
-//! Through which nested shapes a hit went, and which part of the innermost it is on.
+//! The path of a hit: the nested shapes that contain it, and the part of the innermost shape that is hit.
 
 use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::mesh_file::{self, Encoding, MeshData, write_ply};
@@ -11,10 +11,10 @@ use groundtruth::verify::Draw;
 use groundtruth::world::World;
 use serde_json::json;
 
-/// Some hundred roundings of `t` below 100, through transformations of moderate condition.
+/// A few hundred rounding errors of `t` below 100, in transformations of moderate condition number.
 const ROUNDING: f64 = 1e-11;
 
-/// A strip of triangles about the origin, every third of area zero, as a file.
+/// A file with a strip of triangles around the origin; some triangles have area zero.
 fn strip(folder: &std::path::Path) -> (Kind, MeshData) {
     let mut data = MeshData::default();
     for i in 0..12_u32 {
@@ -34,7 +34,7 @@ fn strip(folder: &std::path::Path) -> (Kind, MeshData) {
     (mesh.into(), data)
 }
 
-/// A shape of about the size 1 about the origin, of nested shapes down to this depth.
+/// A shape of about size 1 around the origin, made of nested shapes down to this depth.
 fn nesting(depth: u32, strip: &Kind, draw: &mut Draw) -> Kind {
     let choice = if depth == 0 { draw.below(4) } else { 4 + draw.below(3) };
     match choice {
@@ -71,7 +71,7 @@ fn nesting(depth: u32, strip: &Kind, draw: &mut Draw) -> Kind {
     }
 }
 
-/// The innermost shape that a path names, found in the scene's data, and all that is done to it.
+/// The innermost shape that a path names, found in the scene's data, and all its transformations.
 fn named(kind: &Kind, levels: &[Level], strip: &MeshData) -> (Kind, Vec<Step>) {
     let inner = |kind: &Kind, then: Vec<Step>| {
         let (found, mut steps) = named(kind, &levels[1..], strip);
@@ -119,7 +119,7 @@ fn rectangle(block: &Cuboid, face: Face) -> Kind {
     Rectangle { corner, a, b }.into()
 }
 
-/// A ray from outside through about where the shapes are.
+/// A ray from outside through a random point near the shapes.
 fn ray(draw: &mut Draw) -> Ray {
     let to = draw.point(1.5);
     let from = to + 8.0 * Vector::from(draw.direction());
@@ -135,10 +135,10 @@ fn agrees(kind: &Kind, path: &PartPath, at: &Candidate, ray: &Ray, strip: &MeshD
     assert!(nearest <= ROUNDING, "{path}: {} is not among {alone:?}", at.t);
 }
 
-/// Law: the innermost shape that the path of a hit names, alone, is hit at the same `t`, for nearest
-/// hits and all hits of random nestings of instances, compounds, lattices, meshes, spheres and
-/// boxes. Oracle: the shape looked up in the scene's data by the path, under one transformation
-/// composed by hand; a triangle by its number in the file's own list, which has some of area zero.
+/// Law: the path of a hit names the innermost shape, which is hit at the same `t` when it is alone. This
+/// holds for nearest hits and all hits of random nestings of instances, compounds, lattices, meshes, spheres
+/// and boxes. Oracle: the shape looked up in the scene's data by the path, under one transformation composed
+/// by hand; a triangle is found by its index in the file's own list, which has some of area zero.
 #[test]
 fn the_innermost_part_that_a_path_names_is_hit_at_the_same_distance() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -166,8 +166,8 @@ fn the_innermost_part_that_a_path_names_is_hit_at_the_same_distance() {
     assert!(ends.iter().all(|&count| count > 500), "every kind of part is hit: {ends:?}");
 }
 
-/// Law: the triangle that a hit names is that of the file's list which contains the point. Oracle:
-/// barycentric coordinates by areas, of every triangle of the list, of which one alone contains it.
+/// Law: the triangle number of a hit is the index, in the file's list, of the triangle that contains the
+/// point. Oracle: barycentric coordinates from areas, for every triangle of the list; only one contains it.
 #[test]
 fn the_numbered_triangle_of_the_file_contains_the_point() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -179,7 +179,7 @@ fn the_numbered_triangle_of_the_file_contains_the_point() {
         let (x, y) = (draw.between(-0.7, 0.7), draw.between(-0.5, 0.5));
         let ray = Ray::new(Point::new(x, y, 3.0), -Vector::Z);
         let Some(at) = shape.hit(&ray, Span::AHEAD) else { continue };
-        // seen along z, where triangles do not overlap
+        // in the projection along z, in which triangles do not overlap
         let contains = |triangle: &[u32; 3]| {
             let [a, b, c] = triangle.map(|v| data.vertices[v as usize]);
             let area = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
@@ -201,9 +201,9 @@ fn the_numbered_triangle_of_the_file_contains_the_point() {
     assert_eq!(seen.len(), 10, "every triangle with an area is hit: {seen:?}");
 }
 
-/// Law: triangles are counted after polygons are cut: those of a polygon of n corners take the next
-/// n − 2 numbers. Oracle: polygons side by side, found by the point's x, and the sum of n − 2 of
-/// those before; the third is not convex, so that its triangles are ears.
+/// Law: triangles are numbered after polygons are triangulated: a polygon of n corners takes the next n − 2
+/// numbers. Oracle: polygons side by side, found by the point's x, and the sum of n − 2 over those before;
+/// the third is not convex, so that its triangles are ears.
 #[test]
 fn polygons_take_as_many_numbers_as_triangles_they_are_cut_into() {
     let obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
@@ -234,8 +234,8 @@ fn polygons_take_as_many_numbers_as_triangles_they_are_cut_into() {
     assert_eq!(read.triangles.len(), 8);
 }
 
-/// Law: the triangle of a tessellated sphere is the one that its mesh has under that number.
-/// Oracle: the plane through the three vertices contains the point.
+/// Law: the triangle number of a hit on a tessellated sphere is the index in the sphere's mesh.
+/// Oracle: the triangle of the three vertices contains the point.
 #[test]
 fn a_tessellated_sphere_counts_as_its_mesh() {
     let data = TessellatedSphere::new(7, 5, true);
@@ -256,8 +256,8 @@ fn a_tessellated_sphere_counts_as_its_mesh() {
     }
 }
 
-/// Law: what a world hits tells the path of the object's shape; solids made of parts name them; a
-/// path reads in plain words and as JSON. Oracle: a scene in which it can be read off.
+/// Law: a hit of a world gives the path inside the object's shape; solids made of parts name them; a
+/// path is written in plain words and as JSON. Oracle: a scene whose paths are known by construction.
 #[test]
 fn a_hit_of_a_world_tells_its_path_in_words_and_as_json() {
     let scene: Scene = toml::from_str(

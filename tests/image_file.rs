@@ -1,6 +1,6 @@
-//! Image files: what is right loads with the right values, the rest is one clear error.
+//! Image files: a valid file loads with the right values, any other gives one clear error.
 //!
-//! The files are made here, byte by byte, after the formats' definitions.
+//! The files are made here, byte by byte, from the formats' definitions.
 
 #[path = "image_file/exr.rs"]
 mod exr;
@@ -19,7 +19,7 @@ use groundtruth::math::power;
 /// More texels than any image here should have.
 const MAX: u64 = 1 << 20;
 
-/// The texels of what should be an image, linear, from the top row down.
+/// The linear texels of a valid image, from the top row down.
 fn linear(bytes: &[u8]) -> Vec<[f64; 3]> {
     let texels = decode(bytes, Some(Encoding::Linear), MAX);
     rows(&texels.unwrap_or_else(|e| panic!("it is refused: {e}")))
@@ -32,7 +32,7 @@ fn rows(texels: &Texels) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// What is said of bytes that should be refused.
+/// The error message for bytes that must be refused.
 fn refusal(bytes: &[u8]) -> String {
     match decode(bytes, None, MAX) {
         Ok(texels) => panic!("it loads as {} × {}", texels.width(), texels.height()),
@@ -62,7 +62,7 @@ fn srgb_is_decoded_unless_it_is_linear() {
             let l = color[0];
             let encoded =
                 if l <= 0.0031308 { 12.92 * l } else { 1.055 * power(l, 1.0 / 2.4) - 0.055 };
-            // single precision, and the standard's two branches meet to some 1e-6 only
+            // single precision, and the standard's two branches differ by some 1e-6 where they meet
             let apart = (255.0 * encoded - v as f64).abs();
             assert!(apart < 1e-4, "{v} is decoded to {l}, which is encoded as {}", 255.0 * encoded);
         }
@@ -72,7 +72,7 @@ fn srgb_is_decoded_unless_it_is_linear() {
     }
 }
 
-/// Law: what is no image of a known format is refused by its first bytes. Oracle: the text.
+/// Law: a file of an unknown format is refused by its first bytes. Oracle: the text.
 #[test]
 fn other_formats_are_refused() {
     assert_refused("nothing", b"", "the file is empty");

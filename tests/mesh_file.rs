@@ -1,5 +1,5 @@
-//! Laws of the mesh file readers: what a file says is what comes out, and a damaged file gives an
-//! error, never a panic and never more memory than its size allows.
+//! Laws of the mesh file readers: a valid file gives the mesh that it describes. A damaged file gives an
+//! error, never a panic, and never takes more memory than its size allows.
 
 #[path = "mesh_file/damage.rs"]
 mod damage;

@@ -1,4 +1,4 @@
-//! Laws of the probe: each question against an oracle of its own, and what lines promise.
+//! Laws of the probe: each question against its own oracle, and the guarantees for input lines.
 
 #[path = "probe/answers.rs"]
 mod answers;
@@ -36,7 +36,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     list.iter().map(|x| x.as_f64().expect("a number")).collect()
 }
 
-/// Within `tolerance` in each place.
+/// Whether each number is within `tolerance` of the expected one.
 fn close(found: &Value, expected: &[f64], tolerance: f64) -> bool {
     let found = numbers(found);
     found.len() == expected.len()

@@ -1,4 +1,4 @@
-//! What once went wrong: the name says the symptom.
+//! Regressions: each test is named after the symptom, its comment gives the cause.
 
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::lights::{self, Area, Environment};
@@ -25,8 +25,8 @@ fn scene(objects: Vec<shapes::Kind>) -> Scene {
     scene
 }
 
-/// The box of an instance whose translations cancel was rounded more finely than its hits, which
-/// were then thrown away.
+/// The box of an instance whose translations cancel was more exact than its hits, which were then
+/// rejected as outside the box.
 #[test]
 fn a_disk_moved_far_and_back_does_not_vanish() {
     for k in 0..14 {
@@ -40,14 +40,14 @@ fn a_disk_moved_far_and_back_does_not_vanish() {
     }
 }
 
-/// The end of a shadow segment was exactly the light, so the surface it lies on was now in front of
-/// it and now behind.
+/// A shadow segment ended exactly at the light, so rounding decided whether the surface on which the light
+/// lies was in front of it or behind.
 #[test]
 fn a_lamp_on_a_surface_is_not_in_that_surfaces_shadow() {
     let floor = Plane { point: Point::new(0.0, -1.0, 0.0), normal: Vector::Y };
     let ball = Sphere { center: Point::new(0.1, 0.7, 0.3), radius: 0.3, inward: false };
     let mut scene = scene(vec![floor.into(), ball.into()]);
-    // the lowest point of the ball, as near as numbers come
+    // the lowest point of the ball, up to rounding
     let lamp = lights::Point {
         ls: 3.0,
         color: Rgb::WHITE,
@@ -68,7 +68,7 @@ fn a_lamp_on_a_surface_is_not_in_that_surfaces_shadow() {
     }
 }
 
-/// A simple transparent surface says nothing of media, and yet it cleared the fog behind it.
+/// A simple transparent surface does not define a medium, and yet it removed the fog behind it.
 #[test]
 fn an_invisible_ball_does_not_clear_the_fog() {
     let mut scene =
@@ -91,11 +91,11 @@ fn an_invisible_ball_does_not_clear_the_fog() {
     let world = World::build(&scene).expect("valid");
     let ray = Ray::new(Point::new(0.0, 0.0, 5.0), -Vector::Z);
     let seen = trace::radiance(&world, &ray, world.draws([0, 0], 0), &mut ()).r;
-    // ten units of fog, all the way; a few roundings of each of three factors
+    // ten units of fog along the whole way; the tolerance is a few roundings of each of three factors
     assert!((seen - exp(-1.25)).abs() < 1e-14, "{seen}");
 }
 
-/// The scene with a two-sided lamp of radiance 1 and this shape.
+/// The scene with a two-sided lamp of this shape and of radiance 1.
 fn with_lamp(mut scene: Scene, shape: impl Into<shapes::Kind>) -> Scene {
     let mut glow = Material::new("glow", Emissive::new(1.0, Rgb::WHITE));
     glow.two_sided = true;
@@ -112,9 +112,9 @@ fn mean_along(world: &World, origin: Point, direction: Vector) -> f64 {
     render::mean((0..world.samples_per_pixel()).map(sample)).g
 }
 
-/// The corner (0, 0) of the square, which Hammersley's set has, maps to the rim of the disk or, by
-/// rounding, beyond it; the sample of a spherical lamp was then lost. Oracle: with 4 samples each counts
-/// the lamp's solid angle, so a lost one costs a quarter; the closed form `(R/D)² cosθ`.
+/// The corner (0, 0) of the square, which Hammersley's set contains, maps to the rim of the disk or, by
+/// rounding, beyond it; the sample of a spherical lamp was then lost. Oracle: the closed form
+/// `(R/D)² cosθ`; one lost sample of 4 would cost a quarter.
 #[test]
 fn no_sample_of_a_spherical_lamp_is_lost_at_the_rim() {
     let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
@@ -133,9 +133,9 @@ fn no_sample_of_a_spherical_lamp_is_lost_at_the_rim() {
     }
 }
 
-/// A long lamp beside the lit point, seen almost edge-on, was sampled by area, since its solid angle is
-/// small; nearly all samples missed the part that counts, and it looked too dark. Oracle: its light is
-/// proportional to its height over the surface while that is small.
+/// A long lamp beside the lit point, seen almost edge-on, was sampled by area, because its solid angle is
+/// small. Nearly all samples missed the part that contributes most, and the point looked too dark. Oracle:
+/// the light is proportional to the lamp's height over the surface while this is small.
 #[test]
 fn a_near_lamp_that_is_seen_edge_on_is_not_too_dark() {
     let seen = |height: f64| {
@@ -153,7 +153,7 @@ fn a_near_lamp_that_is_seen_edge_on_is_not_too_dark() {
     }
 }
 
-/// `d^k` is 0 for a large k near a light, and a channel without light was 0/0.
+/// `d^k` underflows to 0 for a large k near a light, and a channel without light became 0/0.
 #[test]
 fn a_light_of_large_attenuation_sends_numbers() {
     let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
@@ -172,7 +172,7 @@ fn a_light_of_large_attenuation_sends_numbers() {
 
 /// Two environment lights counted the sky twice.
 #[test]
-fn there_is_one_sky() {
+fn two_environment_lights_are_refused() {
     let mut scene = scene(Vec::new());
     for name in ["day", "night"] {
         scene.lights.push(Light::new(name, Environment {}));

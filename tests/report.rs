@@ -1,4 +1,4 @@
-//! `groundtruth report`: what it says is there, and right.
+//! `groundtruth report`: its contents are complete and right.
 
 #[path = "report/command.rs"]
 mod command;
@@ -80,7 +80,7 @@ fn the_report_holds_every_shape_and_family() {
     let all = rays * Family::ALL.len() as u64;
     assert!(2 * judged > all && judged <= all, "{judged} of {all} are judged");
     for (kind, name, family) in families() {
-        // at a plane and along edges, almost all hangs on rounding
+        // at edges and for rays almost parallel to a plane, rounding decides almost all cases
         let is_open = name == "EdgesAndCorners" || (kind, name) == ("Plane", "Tangent");
         assert!(is_open || family["judged"].as_u64() > Some(0), "{kind} {name}");
         let cases = kinds.iter().find(|k| k["kind"] == kind).and_then(|k| k["cases"].as_u64());
@@ -98,7 +98,7 @@ fn the_report_holds_every_shape_and_family() {
     }
 }
 
-/// Law: ours loses and invents nothing, and is right within 100 u·cond. Oracle: 512-bit arithmetic.
+/// Law: our routines lose and invent no hit, and are right within 100 u·cond. Oracle: 512-bit arithmetic.
 #[test]
 fn ours_is_right_on_every_family() {
     for (kind, name, family) in families() {
@@ -116,8 +116,8 @@ fn ours_is_right_on_every_family() {
     }
 }
 
-/// Law: the comparison sees what the literature says of the formulas: `b² − 4ac` loses digits for far
-/// spheres and cylinders, a constant epsilon loses hits on tiny shapes, and planes lose nothing.
+/// Law: the comparison shows the known weaknesses of the textbook's formulas: `b² − 4ac` loses digits for
+/// far spheres and cylinders, a constant epsilon loses hits on tiny shapes; planes lose nothing.
 #[test]
 fn the_textbook_fails_where_it_is_known_to() {
     let book = |kind: &str, family: &str| {
@@ -135,7 +135,7 @@ fn the_textbook_fails_where_it_is_known_to() {
     assert!(scaled["lost"].as_u64() > Some(0), "{scaled}");
     let worst = &book("Plane", "FarOrigin")["worst"];
     assert!(worst.as_f64().is_some_and(|e| e < ALLOWED), "the worst error is {worst}");
-    // so do compounds and grids of them, and both are right on ordinary rays but for quartics
+    // compounds and grids lose hits, too; on ordinary rays they lose and invent nothing
     for kind in ["Compound", "RandomSpheres", "Lattice", "TessellatedSphere"] {
         let scaled = book(kind, "Scaled");
         assert!(scaled["lost"].as_u64() > Some(0), "{kind}: {scaled}");
@@ -144,8 +144,8 @@ fn the_textbook_fails_where_it_is_known_to() {
     }
 }
 
-/// Law: every structure is measured at every size or left out for a reason, all agree, and the tests
-/// for each ray are what they must be: all objects in a list, far fewer in a tree.
+/// Law: every structure is measured at every size or left out for a stated reason; all give the same hits;
+/// and the number of tests per ray is plausible: all objects in a list, far fewer in a tree.
 #[test]
 fn acceleration_is_measured_or_left_out_for_a_reason() {
     let stages = list(&REPORT.json["pages"]["acceleration"]["stages"]);
@@ -186,7 +186,7 @@ fn timeless(value: &Value) -> Value {
     }
 }
 
-/// Law: the same seed gives the same report, but for the times. Oracle: a second run.
+/// Law: the same seed gives the same report, except for the times. Oracle: a second run.
 #[test]
 fn a_report_is_the_same_each_time_but_for_the_times() {
     let tiny =
@@ -198,8 +198,8 @@ fn a_report_is_the_same_each_time_but_for_the_times() {
     }
 }
 
-/// Law: a report names machine, version, commit and seed. Oracle: git, and whether the program is older
-/// than the commit.
+/// Law: a report names machine, version, commit and seed. Oracle: git, and the comparison of the program's
+/// time with the commit's.
 #[test]
 fn a_report_says_where_it_comes_from() {
     let provenance = &REPORT.json["provenance"];
@@ -226,7 +226,7 @@ fn a_report_says_where_it_comes_from() {
     assert_eq!(REPORT.json["seed"], SMALL.seed);
 }
 
-/// Law: an interrupted report is none.
+/// Law: an interrupted run gives no report and stops before its last step.
 #[test]
 fn an_interrupted_report_stops_at_the_next_step() {
     for page in PAGES {
@@ -238,7 +238,7 @@ fn an_interrupted_report_stops_at_the_next_step() {
     }
 }
 
-/// Law: a page takes as many steps as it says, so that the progress ends at its end.
+/// Law: a page takes as many steps as it announces, so that the progress ends at 100 %.
 #[test]
 fn the_progress_ends_at_the_end() {
     for page in PAGES {

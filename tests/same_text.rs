@@ -1,11 +1,11 @@
-//! Texts with numbers, compared: words and integers exactly, other numbers within rounding.
+//! Compares texts with numbers: words and integers exactly, other numbers within rounding.
 
-/// Numbers that are printed with all their digits may differ by this share: the last of their 17 digits,
-/// and some more, change with the order of a sum.
+/// Numbers that are printed with all digits may differ by this share: the last few of their 17 digits
+/// depend on the order of a sum.
 const RELATIVE: f64 = 1e-12;
-/// What is left of numbers of about 1 that cancel is nothing but rounding.
+/// Absolute tolerance: the difference of nearly equal numbers of about 1 is only rounding.
 const RESIDUE: f64 = 1e-16;
-/// A number with fewer digits may have been rounded when it was printed.
+/// A number with fewer digits may have been rounded for printing.
 const ALL_DIGITS: usize = 13;
 
 /// How the numbers of a text were printed.
@@ -13,11 +13,11 @@ const ALL_DIGITS: usize = 13;
 pub enum Printed {
     /// With all digits.
     Exactly,
-    /// Some rounded: those with fewer than 13 digits may differ by one unit of the last.
+    /// Some rounded: numbers with fewer than 13 digits may differ by one unit of the last digit.
     Rounded,
 }
 
-/// The first difference of a text from the expected one, in words; `None` if they are the same.
+/// A description of the first difference from the expected text; `None` if they are the same.
 pub fn difference(found: &str, expected: &str, printed: Printed) -> Option<String> {
     let mut lines = (1..).zip(found.lines().zip(expected.lines()));
     let first = lines.find_map(|(number, (found, expected))| {
@@ -38,7 +38,7 @@ fn line_difference(found: &str, expected: &str, printed: Printed) -> Option<Stri
     first.or_else(|| (found != expected).then(|| "one line is longer".to_owned()))
 }
 
-/// Numbers without their signs, and what is between them.
+/// The line split into numbers (without their signs) and the text between them.
 fn pieces(line: &str) -> Vec<&str> {
     let mut pieces = Vec::new();
     let mut rest = line;
@@ -70,7 +70,7 @@ fn number_length(text: &str) -> usize {
     length
 }
 
-/// The length of what is before the next number; digits within a name are part of the name.
+/// The length of the text before the next number; digits within a name are part of the name.
 fn word_length(text: &str) -> usize {
     let mut is_name = false;
     for (at, c) in text.char_indices() {
@@ -95,7 +95,7 @@ fn piece_difference(found: &str, expected: &str, printed: Printed) -> Option<Str
     }
     let apart = (a - b).abs();
     let few = found.len().max(expected.len()) < ALL_DIGITS + 1;
-    // two numbers of one digit are apart by one unit up to the rounding of their difference
+    // numbers one unit apart may differ by slightly more, by rounding of the difference
     let is_rounded = printed == Printed::Rounded && few && apart <= 1.001 * unit;
     let is_same = apart <= RELATIVE * a.abs().max(b.abs()) || apart <= RESIDUE || is_rounded;
     (!is_same).then(|| format!("{found}, expected {expected}: {apart:e} apart"))
@@ -109,8 +109,8 @@ fn last_unit(number: &str) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(0.0)
 }
 
-/// Law: words, signs and integers are equal exactly, numbers of all digits within 1e-12, and rounded ones
-/// within a unit of their last digit, if the text is said to have some. Oracle: pairs judged by hand.
+/// Law: words, signs and integers must be equal, numbers with all digits may differ by 1e-12, and rounded
+/// numbers by one unit of the last digit if `Rounded` allows it. Oracle: pairs judged by hand.
 #[test]
 fn texts_are_the_same_up_to_the_rounding_of_their_numbers() {
     use Printed::{Exactly, Rounded};

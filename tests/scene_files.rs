@@ -1,5 +1,5 @@
-//! Scene files that are wrong: one error each, with file, line, object and field, and what would
-//! fit; never a panic, a hang or gigabytes.
+//! Scene files that are wrong: each gets one error with file, line, object, field and the valid values;
+//! never a panic, a hang or gigabytes of memory.
 
 #[path = "scene_files/mesh_lists.rs"]
 mod mesh_lists;
@@ -17,7 +17,7 @@ use std::path::Path;
 use groundtruth::scene;
 use groundtruth::world;
 
-/// A scene that is right.
+/// A valid scene.
 const SCENE: &str = r#"about = "x"
 background = 0.5
 
@@ -51,7 +51,7 @@ center = [0, 0, 0]
 radius = 1
 "#;
 
-/// The error of a scene text in `scene.toml`, without where to read about it.
+/// The error of a scene text in `scene.toml`, without its pointer to the documentation.
 fn error_of(text: &str) -> String {
     match world::from_toml(text, Path::new("scene.toml")) {
         Err(error) => error.to_string().split("; see `").next().unwrap_or_default().to_owned(),
@@ -70,7 +70,7 @@ fn the_scene_they_are_made_of_is_right() {
     world::from_toml(SCENE, Path::new("scene.toml")).expect("it is right");
 }
 
-/// What is replaced, by what, and the error; of shapes, see `shape_errors`.
+/// The replaced text, its replacement, and the error; for shapes see `shape_errors`.
 const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[1, 0, 0]",
@@ -258,8 +258,8 @@ fn errors_name_line_object_and_field_and_say_what_would_fit() {
     }
 }
 
-/// Law: an epsilon is a length, and only where the textbook's routines are asked for; a scene with both
-/// is read and written back as it was, an object's own choice before the scene's.
+/// Law: an epsilon is a positive length, and is allowed only with the textbook's routines. A scene with
+/// both settings is written and read back unchanged, for the scene and for the object.
 #[test]
 fn epsilon_goes_with_the_textbook() {
     let scene = |top: &str, object: &str| {
@@ -302,7 +302,7 @@ fn epsilon_goes_with_the_textbook() {
     assert_eq!(own(&again), own(&read));
 }
 
-/// Law: one factor scales as three equal ones do. Oracle: the rows of the vector form.
+/// Law: one scale factor means the same as three equal ones. Oracle: the form with three.
 #[test]
 fn a_scale_is_one_factor_or_three() {
     for (one, three) in [("0.75", "[0.75, 0.75, 0.75]"), ("-2", "[-2, -2, -2]")] {

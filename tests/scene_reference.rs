@@ -1,5 +1,5 @@
 //! A scene file can be written from the documentation alone: docs/scene.md, `groundtruth kinds`, the
-//! schema for editors and the pointers of error messages say what the program reads.
+//! schema for editors and the pointers in error messages agree with what the program reads.
 
 use std::fmt::Debug;
 use std::path::Path;
@@ -22,7 +22,7 @@ fn read(path: &str) -> String {
     std::fs::read_to_string(Path::new(ROOT).join(path)).unwrap_or_else(|e| panic!("{path}: {e}"))
 }
 
-/// What the program prints, and whether its status is 0.
+/// Whether the program's status is 0, and what it prints.
 fn groundtruth(arguments: &[&str]) -> (bool, String) {
     let program = Command::new(env!("CARGO_BIN_EXE_groundtruth")).args(arguments).output();
     let output = program.expect("it starts");
@@ -30,8 +30,8 @@ fn groundtruth(arguments: &[&str]) -> (bool, String) {
     (output.status.success(), String::from_utf8(text).expect("UTF-8"))
 }
 
-/// Calls `check` with the name of each list of kinds in the schema and each specimen as JSON, and with
-/// what that JSON is read as.
+/// Calls `check` for each specimen: with the name of its list of kinds in the schema, the specimen as JSON,
+/// and a function that reads such JSON and formats the result.
 fn for_each_specimen(mut check: impl FnMut(&'static str, Value, &dyn Fn(Value) -> String)) {
     fn list<Kind: Serialize + DeserializeOwned + Debug>(
         name: &'static str,
@@ -66,13 +66,13 @@ fn validator(definition: Option<&str>) -> jsonschema::Validator {
     jsonschema::validator_for(&schema).expect("the schema is a schema")
 }
 
-/// What a validator has against a value.
+/// The errors that a validator reports for a value.
 fn errors(validator: &jsonschema::Validator, value: &Value) -> Vec<String> {
     let describe = |e: jsonschema::ValidationError<'_>| format!("{}: {e}", e.instance_path());
     validator.iter_errors(value).map(describe).collect()
 }
 
-/// Law: the page is what the program says now.
+/// Law: the page is what the program prints now.
 #[test]
 fn the_page_of_scene_files_is_up_to_date() {
     assert!(
@@ -93,8 +93,8 @@ fn every_specimen_conforms_to_the_schema() {
     assert!(count > 90, "only {count} specimens");
 }
 
-/// Law: the schema refuses a specimen with one field more, whose name is a misspelt one. (Renaming a
-/// field would miss it: a required one is then missing, too.)
+/// Law: the schema refuses a specimen with an additional field of a misspelt name. (Renaming a field would
+/// be a weaker test, because a required field would then be missing, too.)
 #[test]
 fn no_specimen_with_a_misspelt_field_conforms_to_the_schema() {
     let mut count = 0;
@@ -132,7 +132,7 @@ fn every_gallery_scene_and_commented_scene_conforms_to_the_schema() {
     }
 }
 
-/// Law: a field that is left out is what the schema says it is then. Oracle: serde's reader.
+/// Law: the default of an omitted field is the one in the schema. Oracle: serde's reader.
 #[test]
 fn the_defaults_of_the_schema_are_those_of_the_reader() {
     let mut count = 0;
@@ -177,8 +177,7 @@ fn the_defaults_of_the_schema_are_those_of_the_reader() {
     assert!(count > 60, "only {count} defaults");
 }
 
-/// Law: every example of the page can be added to the first scene, which then is built.
-/// What the example of an area light names.
+/// The lamp that the example of an area light names.
 const LAMP: &str = r#"
 [[materials]]
 name = "glow"
@@ -190,6 +189,7 @@ material = "glow"
 shape.sphere = { center = [0, 9, 0], radius = 1 }
 "#;
 
+/// Law: every example of the page can be added to the first scene, which is then read without an error.
 #[test]
 fn every_example_of_the_page_is_part_of_a_scene_that_is_read() {
     let page = reference::page();
@@ -216,7 +216,7 @@ fn every_example_of_the_page_is_part_of_a_scene_that_is_read() {
     }
 }
 
-/// Law: nothing on the page is without its meaning, and nothing needs the Rust documentation.
+/// Law: everything on the page is explained, and nothing refers to the Rust documentation.
 #[test]
 fn every_kind_table_and_field_says_what_it_means() {
     for topic in reference::topics() {
@@ -262,7 +262,7 @@ const POINTERS: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// Law: an error about a field or kind ends with where to read about it, and that leads somewhere.
+/// Law: an error about a field or kind ends with a pointer to the documentation of an existing topic.
 #[test]
 fn an_error_about_a_field_or_kind_says_where_to_read_about_it() {
     let first = read("scenes/first.toml");

@@ -1,6 +1,6 @@
-//! The house: which module may name which, and that every kind's file has its entry.
+//! The structure of the library: which module may name which, and that every kind's file has an entry.
 //!
-//! Read from the sources' own text: `crate::` paths outside comments, `mod` lines and lists.
+//! The tests read the source text: `crate::` paths outside comments, `mod` lines and lists.
 
 #[path = "structure/arrows.rs"]
 mod arrows;
@@ -19,7 +19,7 @@ fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// The Rust files of a folder and its folders.
+/// The Rust files of a folder and its subfolders.
 fn rust_files(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder).expect("the folder is there") {
@@ -35,7 +35,7 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The code of a file, by module of the library: `src/shapes/disk.rs` is `shapes`. Comments are left
-/// out: documentation may name anything. The command line is no module of the library.
+/// out: documentation may name anything. The command line is not a module of the library.
 fn code_by_module() -> BTreeMap<String, Vec<(PathBuf, String)>> {
     let mut modules: BTreeMap<String, Vec<(PathBuf, String)>> = BTreeMap::new();
     for path in rust_files(&sources()) {

@@ -1,11 +1,11 @@
-//! Fuzz targets: what is read from outside, and what must hold for any finite input.
+//! Fuzz targets: the readers of files and text, and the laws that hold for any finite input.
 //!
 //! ```text
 //! cargo install --locked cargo-fuzz
 //! RUSTC_BOOTSTRAP=1 cargo fuzz run scene_file /tmp/scene_file fuzz/corpus/scene_file
 //! ```
-//! The first folder takes what the fuzzer finds, the second is the committed corpus: small files,
-//! named by what they are. The bodies are ordinary functions, which `tests/fuzz.rs` includes and
+//! The first folder receives the inputs that the fuzzer finds. The second is the committed corpus: small
+//! files, each named after its content. The bodies are ordinary functions, which `tests/fuzz.rs` includes and
 //! runs over the corpus, its mutations and random bytes without any fuzzer.
 
 pub mod bodies;

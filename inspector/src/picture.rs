@@ -54,7 +54,7 @@ struct Version {
 
 impl Version {
     fn of(rendering: &Rendering, generation: u64, tone: Tone) -> Self {
-        // asked in this order: what is finished now is wholly in the film
+        // in this order: a picture that is finished now is completely in the film
         let finished = matches!(rendering.progress(), Progress::Done(_));
         Self { generation, done: rendering.canvas.progress().0, finished, tone }
     }
@@ -94,9 +94,9 @@ fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
         .flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| [x, y]));
     let tile = |[x, y]: [u32; 2]| {
         let (right, bottom) = ((x + TILE).min(width), (y + TILE).min(height));
-        let places = (y..bottom).flat_map(|row| (x..right).map(move |column| [column, row]));
+        let positions = (y..bottom).flat_map(|row| (x..right).map(move |column| [column, row]));
         let pixels: Vec<Shown> =
-            canvas.look_partly(|picture| places.map(|at| Shown::of(picture, at)).collect());
+            canvas.look_partly(|picture| positions.map(|at| Shown::of(picture, at)).collect());
         let size = [(right - x) as usize, (bottom - y) as usize];
         let colors = pixels.into_iter().map(show).collect();
         ([x, y], ColorImage::new(size, colors))
@@ -304,29 +304,29 @@ fn paint_tiles(
 /// Hatches the visible area, to mark pixels that are not rendered yet.
 fn hatch(painter: &Painter) {
     const STEP: f32 = 7.0;
-    let seen = painter.clip_rect();
+    let visible = painter.clip_rect();
     let stroke = Stroke::new(1.0, Color32::from_gray(85));
-    let lines = ((seen.width() + seen.height()) / STEP).max(0.0) as u32;
+    let lines = ((visible.width() + visible.height()) / STEP).max(0.0) as u32;
     for line in 1..=lines {
-        let from = seen.left_top() + egui::vec2(line as f32 * STEP, 0.0);
-        painter.line_segment([from, from + seen.height() * egui::vec2(-1.0, 1.0)], stroke);
+        let from = visible.left_top() + egui::vec2(line as f32 * STEP, 0.0);
+        painter.line_segment([from, from + visible.height() * egui::vec2(-1.0, 1.0)], stroke);
     }
 }
 
 /// Lines between the pixels that are on the screen.
 fn grid(painter: &Painter, placed: &Placed) {
-    let seen = painter.clip_rect().intersect(placed.whole());
+    let visible = painter.clip_rect().intersect(placed.whole());
     let stroke = Stroke::new(1.0, Color32::from_rgba_unmultiplied(128, 128, 128, 110));
     let lines = |from: f32, to: f32, start: f32| {
         let (first, last) = ((from - start) / placed.scale, (to - start) / placed.scale);
         let scale = placed.scale;
         (first.ceil() as i64..=last.floor() as i64).map(move |line| start + line as f32 * scale)
     };
-    for x in lines(seen.left(), seen.right(), placed.corner.x) {
-        painter.vline(x, seen.y_range(), stroke);
+    for x in lines(visible.left(), visible.right(), placed.corner.x) {
+        painter.vline(x, visible.y_range(), stroke);
     }
-    for y in lines(seen.top(), seen.bottom(), placed.corner.y) {
-        painter.hline(seen.x_range(), y, stroke);
+    for y in lines(visible.top(), visible.bottom(), placed.corner.y) {
+        painter.hline(visible.x_range(), y, stroke);
     }
 }
 

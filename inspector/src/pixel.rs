@@ -64,7 +64,7 @@ pub fn copies(
     });
 }
 
-/// The sum that is the pixel, and whether the picture agrees.
+/// The sum of the samples that gives the pixel, and whether it equals the rendered pixel.
 pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     let exposure = match answer.exposure_time {
         1.0 => String::new(),
@@ -122,9 +122,9 @@ pub fn parts(
     ui.spacing_mut().item_spacing.y = 0.0;
     ui.spacing_mut().interact_size.y = LINE;
     ui.spacing_mut().button_padding.y = 0.0;
-    area.show_rows(ui, LINE, lines.len(), |ui, seen| {
+    area.show_rows(ui, LINE, lines.len(), |ui, visible| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        for line in &lines[seen] {
+        for line in &lines[visible] {
             ui.horizontal(|ui| match line {
                 Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
                 Line::Numbers(text) => {

@@ -62,7 +62,8 @@ const STRIPS: usize = 32;
 const MAX_COUNTED: usize = 400_000;
 
 impl Fairness {
-    /// Counts the points of all sets; if draws are not points of a set, the draws of as many pixels.
+    /// Counts the points of all sets. If the sampler shifts or centres the points of a set, counts the draws
+    /// of as many pixels instead.
     fn of(world: &World) -> Self {
         let samples = &world.samples;
         let (mut strips, mut cells) = (vec![0; STRIPS], vec![0; CELLS * CELLS]);
@@ -151,7 +152,7 @@ impl Samples {
     /// The position of a sample on the screen, in the plot of this index.
     pub fn on_screen(&self, plot: usize, sample: usize) -> Option<Pos2> {
         let plot = self.plots.get(plot)?;
-        plot.points.get(sample).map(|&point| plot.place(point))
+        plot.points.get(sample).map(|&point| plot.to_screen(point))
     }
 
     /// Shows the samples of a pixel of a rendering, each point in the `color` of its sample; a click on a
@@ -183,7 +184,7 @@ impl Samples {
 }
 
 impl Plot {
-    fn place(&self, [x, y]: [f64; 2]) -> Pos2 {
+    fn to_screen(&self, [x, y]: [f64; 2]) -> Pos2 {
         let half = 0.5 * self.area.width() - 6.0;
         self.area.center() + half * vec2(x as f32, -y as f32)
     }
@@ -197,7 +198,7 @@ impl Plot {
             let painter = ui.painter_at(area);
             painter.rect_filled(area, 2.0, Color32::from_gray(18));
             let edge = Stroke::new(1.0, Color32::from_gray(110));
-            let [low, high] = [[-1.0, 1.0], [1.0, -1.0]].map(|corner| self.place(corner));
+            let [low, high] = [[-1.0, 1.0], [1.0, -1.0]].map(|corner| self.to_screen(corner));
             match self.outline {
                 Outline::Square => {
                     let square = Rect::from_two_pos(low, high);
@@ -216,10 +217,10 @@ impl Plot {
             // an edge, so that dark points are visible
             let edge = Stroke::new(0.7, Color32::from_gray(120));
             for (index, &point) in (0..).zip(&self.points) {
-                painter.circle(self.place(point), radius, color(index), edge);
+                painter.circle(self.to_screen(point), radius, color(index), edge);
             }
             if let Some(&chosen) = self.points.get(*sample as usize) {
-                let at = self.place(chosen);
+                let at = self.to_screen(chosen);
                 painter.circle_filled(at, radius + 1.0, Color32::from_rgb(255, 200, 60));
                 let ring = Stroke::new(1.5, Color32::from_rgb(255, 200, 60));
                 painter.circle_stroke(at, radius + 4.0, ring);
@@ -234,7 +235,7 @@ impl Plot {
 
     /// The sample nearest to a position on the screen, if it is near.
     fn nearest(&self, at: Pos2) -> Option<u32> {
-        let far = |point: &[f64; 2]| self.place(*point).distance(at);
+        let far = |point: &[f64; 2]| self.to_screen(*point).distance(at);
         let nearest = (0..).zip(&self.points).min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
         nearest.filter(|(_, point)| far(point) <= CLICK_RADIUS).map(|(index, _)| index)
     }

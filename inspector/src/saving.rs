@@ -1,4 +1,4 @@
-//! Saving the picture: on a separate thread, and replacing a file only after a question.
+//! Saving the picture: on a separate thread, and asking before a file is replaced.
 
 use std::path::{Path, PathBuf};
 

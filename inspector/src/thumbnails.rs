@@ -39,7 +39,7 @@ impl Thumbnails {
             self.done.insert(name, image.map(load));
         }
         if !self.working.is_busy() && !self.done.contains_key(entry.name) {
-            // not asked again: a failed thumbnail stays empty
+            // not tried again: a failed thumbnail stays empty
             self.done.insert(entry.name, None);
             self.working.start(ctx, move || (entry.name, render_small((entry.build)())));
         }

@@ -41,16 +41,16 @@ pub fn paint(painter: &Painter, placed: &Placed, stations: &[Station]) {
         let whole = placed.whole();
         whole.min + placed.scale * eframe::egui::vec2(x as f32, y as f32)
     };
-    let seen: Vec<(Pos2, Color32)> = stations
+    let visible: Vec<(Pos2, Color32)> = stations
         .iter()
         .filter_map(|&(position, color)| position.map(|at| (on_screen(at), color)))
         .collect();
-    for pair in seen.windows(2) {
+    for pair in visible.windows(2) {
         for (width, color) in [(3.5, Color32::BLACK), (1.5, pair[1].1)] {
             painter.line_segment([pair[0].0, pair[1].0], Stroke::new(width, color));
         }
     }
-    for (at, color) in seen {
+    for (at, color) in visible {
         painter.circle(at, 3.5, color, Stroke::new(1.5, Color32::BLACK));
     }
 }

@@ -46,7 +46,7 @@ pub fn kind_color(ray: &RayExplanation) -> Color32 {
     }
 }
 
-/// What the colours mean.
+/// Shows what the colours mean.
 pub fn legend(ui: &mut Ui) {
     ui.horizontal_wrapped(|ui| {
         ui.weak("Rays:");
@@ -110,22 +110,22 @@ impl Tree {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.spacing_mut().interact_size.y = LINE;
         ui.spacing_mut().button_padding = vec2(3.0, 0.0);
-        area.show_rows(ui, LINE, rows.len(), |ui, seen| {
+        area.show_rows(ui, LINE, rows.len(), |ui, visible| {
             if let Some(line) = wanted {
-                // with the lines above and below it; no farther to the side than now
-                let top = ui.max_rect().top() - LINE * seen.start as f32;
+                // with the lines above and below it, without scrolling sideways
+                let top = ui.max_rect().top() - LINE * visible.start as f32;
                 let [first, last] = [line.max(1) - 1, (line + 2).min(rows.len())];
                 let y = top + LINE * first as f32..=top + LINE * last as f32;
                 ui.scroll_to_rect(Rect::from_x_y_ranges(ui.clip_rect().x_range(), y), None);
             }
             ui.style_mut().wrap_mode = Some(eframe::egui::TextWrapMode::Extend);
-            for row in &rows[seen] {
+            for row in &rows[visible] {
                 ui.horizontal(|ui| match *row {
                     Row::Ray { ray, term, indent } => self.ray_line(ui, (ray, term), indent, tone),
                     Row::Local { term, indent } => {
                         bar(ui, term.share);
                         ui.add_space(INDENT * indent as f32);
-                        // no children: room for their triangle
+                        // no children: a space in place of the triangle
                         ui.allocate_exact_size(vec2(INDENT, LINE), Sense::hover());
                         swatch(ui, picture::color(tone, term.contribution));
                         ui.label(RichText::new(term.line()).color(LOCAL));

@@ -72,12 +72,12 @@ impl View {
     /// Moves the picture as little as needed to make a pixel visible.
     pub fn reveal(&mut self, area: Rect, size: [u32; 2], pixel: [u32; 2]) {
         let placed = self.place(area, size);
-        let (seen, wanted) = (area.shrink(4.0), placed.rect(pixel));
-        if self.zoom.is_none() || seen.contains_rect(wanted) {
+        let (visible, wanted) = (area.shrink(4.0), placed.rect(pixel));
+        if self.zoom.is_none() || visible.contains_rect(wanted) {
             return;
         }
-        let last = (seen.max - wanted.size()).max(seen.min);
-        self.pan(area, size, wanted.min.clamp(seen.min, last) - wanted.min);
+        let last = (visible.max - wanted.size()).max(visible.min);
+        self.pan(area, size, wanted.min.clamp(visible.min, last) - wanted.min);
     }
 
     /// Keeps some of the picture at the centre of the area.

@@ -253,7 +253,7 @@ impl Rendering {
 
     /// How far it is.
     pub fn progress(&self) -> Progress {
-        // asked in this order: a thread that ends sets its time first
+        // in this order: a thread that succeeds sets its time before it ends
         let ended = self.thread.as_ref().is_none_or(JoinHandle::is_finished);
         if let Some(&took) = self.took.get() {
             return Progress::Done(took);

@@ -9,8 +9,8 @@ use proptest::prelude::*;
 use crate::support::samples::{assert_once_each, assert_uniform, built, occupied, random_points};
 use crate::support::{U, laws};
 
-/// Places in the square: all over it, on the axes and diagonals, at the ends and next to the centre.
-fn place() -> impl Strategy<Value = [f64; 2]> {
+/// Points of the square: anywhere, on the axes and diagonals, at the ends and next to the centre.
+fn square_point() -> impl Strategy<Value = [f64; 2]> {
     let coordinate = || {
         prop_oneof![
             6 => 0.0..1.0_f64,
@@ -39,16 +39,16 @@ fn distance([x, y]: [f64; 2], [z, w]: [f64; 2]) -> f64 {
     length([x - z, y - w])
 }
 
-/// Cosine, sine, two products, two squares, their sum and its root: each at most a rounding or two.
+/// Cosine, sine, two products, two squares, their sum and its root, each with a rounding or two.
 const ROUNDING: f64 = 8.0 * U;
 
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: concentric squares become concentric circles, `r = max(|a|, |b|)`, at every place: finite,
-    /// inside the disk. Oracle: the closed form.
+    /// Law: concentric squares become concentric circles, `r = max(|a|, |b|)`, at every point: finite, inside
+    /// the disk. Oracle: the closed form.
     #[test]
-    fn squares_become_circles(u in place()) {
+    fn squares_become_circles(u in square_point()) {
         let [a, b] = centered(u);
         let r = length(maps::disk(u));
         let expected = a.abs().max(b.abs());
@@ -59,7 +59,7 @@ proptest! {
     /// Law: along the side of a square the angle grows evenly: φ = π/4 times the book's `b/a`,
     /// `2 − a/b`, `4 + b/a`, `6 − a/b`. Oracle: the book's table, and the arc tangent.
     #[test]
-    fn angles_are_those_of_the_four_sectors(u in place()) {
+    fn angles_are_those_of_the_four_sectors(u in square_point()) {
         let [a, b] = centered(u);
         prop_assume!([a, b] != [0.0, 0.0]);
         let eighths = if a > -b {
@@ -77,7 +77,7 @@ proptest! {
     /// Law: each eighth of the square, between an axis and a diagonal, becomes the same eighth of the
     /// disk. Oracle: signs and comparisons.
     #[test]
-    fn each_eighth_stays_itself(u in place()) {
+    fn each_eighth_stays_itself(u in square_point()) {
         let ([a, b], [x, y]) = (centered(u), maps::disk(u));
         prop_assert!(x * a >= 0.0 && y * b >= 0.0, "{x}, {y}");
         prop_assume!((a.abs() - b.abs()).abs() > ROUNDING);
@@ -93,7 +93,7 @@ proptest! {
         let (u1, u2) = (part(i), part(j));
         let [x, y] = maps::disk([u1, u2]);
         let (turned, mirrored) = (maps::disk([1.0 - u2, u1]), maps::disk([u2, u1]));
-        // the middle of the square alone is the middle of the disk
+        // only the middle of the square maps to the middle of the disk
         prop_assert_eq!([x, y] == [0.0, 0.0], [u1, u2] == [0.5, 0.5]);
         if i != j && i + j != 1 << 20 {
             prop_assert_eq!((turned, mirrored), ([-y, x], [y, x]));
@@ -108,7 +108,7 @@ proptest! {
     /// Jacobian π/4 over it; `a = 2 u − 1` doubles both.
     #[test]
     fn small_steps_stay_small(
-        u in place(),
+        u in square_point(),
         angle in 0.0..2.0 * PI,
         step in prop_oneof![Just(1e-12), Just(1e-6), Just(1e-3)],
     ) {
@@ -117,17 +117,17 @@ proptest! {
         prop_assume!(next.iter().all(|u| (0.0..1.0).contains(u)));
         let moved = distance(maps::disk(u), maps::disk(next));
         prop_assert!(moved < 2.8 * step + ROUNDING, "{moved:e} for {step:e}");
-        // the places themselves are rounded, and `next` with them
+        // the points themselves are rounded, and so is `next`
         prop_assert!(moved > 0.5 * PI / 1.4 * step - 2.0 * ROUNDING, "{moved:e} for {step:e}");
     }
 
-    /// Law: areas keep their ratio at every place: `|∂(x, y)/∂(a, b)| = π/4`. Oracle: central
+    /// Law: the ratio of areas is the same at every point: `|∂(x, y)/∂(a, b)| = π/4`. Oracle: central
     /// differences, whose error is `h²` and `U/h`.
     #[test]
     fn the_jacobian_is_a_quarter_of_pi([u1, u2] in [0.001..0.999_f64, 0.001..0.999_f64]) {
         const H: f64 = 1e-5;
         let [a, b] = centered([u1, u2]);
-        // no seam within reach, and the centre, where the third derivatives grow, not near
+        // not near a seam, nor near the centre, where the third derivatives grow
         prop_assume!((a.abs() - b.abs()).abs() > 4.0 * H && a.abs().max(b.abs()) > 0.05);
         let slope = |to: [f64; 2], from: [f64; 2]| {
             let (to, from) = (maps::disk(to), maps::disk(from));
@@ -139,10 +139,10 @@ proptest! {
         prop_assert!((jacobian - 0.25 * PI).abs() < 1e-7, "{jacobian}");
     }
 
-    /// Law: the inverse recovers the place in the square, and the map the point of the disk. Oracle:
-    /// the place itself; near the centre the angle is that of a short vector, so errors stay absolute.
+    /// Law: the inverse recovers the point of the square, and the map the point of the disk. Oracle: the
+    /// point itself; near the centre the angle is that of a short vector, so the tolerance is absolute.
     #[test]
-    fn the_inverse_undoes_the_map(u in place(), [x, y] in [-0.7..0.7_f64, -0.7..0.7_f64]) {
+    fn the_inverse_undoes_the_map(u in square_point(), [x, y] in [-0.7..0.7_f64, -0.7..0.7_f64]) {
         let back = maps::disk_inverse(maps::disk(u));
         prop_assert!(back.iter().all(|u| (0.0..1.0).contains(u)), "{back:?}");
         prop_assert!(distance(back, u) < ROUNDING, "{back:?}");
@@ -150,10 +150,10 @@ proptest! {
     }
 }
 
-/// Law: the centre is the centre, without 0/0; the middles of the sides lie on the axes; corners, as
-/// near as they come, at odd multiples of 45°; the ends of the range give points of the disk.
+/// Law: the centre maps to the centre, without 0/0; the middles of the sides map to the axes; corners, as
+/// near as they come, to odd multiples of 45°; the ends of the range give points of the disk.
 #[test]
-fn special_places_are_where_they_belong() {
+fn special_points_have_known_images() {
     assert_eq!(maps::disk([0.5; 2]), [0.0; 2]);
     assert_eq!(maps::disk_inverse([0.0; 2]), [0.5; 2]);
     assert_eq!(maps::disk([0.0, 0.5]), [-1.0, 0.0]);
@@ -170,14 +170,14 @@ fn special_places_are_where_they_belong() {
         assert!(distance(maps::disk(corner), point) < ROUNDING, "{corner:?}");
         assert!(distance(maps::disk_inverse(point), corner) < ROUNDING, "{corner:?}");
     }
-    // what rounding puts a little outside the disk is still in the square
+    // points that rounding has put just outside the disk still map into the square
     assert_eq!(maps::disk_inverse([1.0 + U, 0.0]), [ONE_MINUS, 0.5]);
     assert_eq!(maps::disk_inverse([-1.0 - 2.0 * U, 0.0]), [0.0, 0.5]);
 }
 
-/// Law: random points of the square become uniform points of the disk: `P(r < R) = R²`, the angle
-/// uniform, the two independent. Oracle: Kolmogorov and Smirnov and χ² of `r²` and the angle, which
-/// know nothing of squares; a density that is off by 3 % is found.
+/// Law: random points of the square become uniform points of the disk: `P(r < R) = R²`, the angle uniform,
+/// the two independent. Oracle: Kolmogorov–Smirnov and χ² tests of `r²` and the angle, which do not depend on
+/// the map; they detect a density that is off by 3 %.
 #[test]
 fn disk_points_are_uniform() {
     let points = random_points(100_000, 61).into_iter().map(|u| {
@@ -188,8 +188,8 @@ fn disk_points_are_uniform() {
     assert_uniform("points", &points.collect::<Vec<_>>(), 1);
 }
 
-/// Law: the inverse makes uniform points of the disk uniform points of the square. Oracle: a second
-/// route, points of the disk by rejection, which owe nothing to the map.
+/// Law: the inverse makes uniform points of the disk uniform points of the square. Oracle: points of the disk
+/// by rejection, which does not depend on the map.
 #[test]
 fn the_inverse_makes_disk_points_uniform_in_the_square() {
     let points = maps::disk_by_rejection(random_points(130_000, 62)).map(maps::disk_inverse);
@@ -218,8 +218,8 @@ fn moments_are_those_of_the_disk() {
     }
 }
 
-/// Law: strata of the square stay strata: of jittered points each cell's has its image in the image of
-/// the cell. Oracle: the cells by the inverse map.
+/// Law: strata of the square stay strata: the image of each jittered point lies in the image of its cell.
+/// Oracle: the cells by the inverse map.
 #[test]
 fn strata_stay_strata() {
     let mut random = Pcg32::new(63, 0);
@@ -241,8 +241,8 @@ fn rejection_keeps_a_quarter_of_pi() {
     assert!((kept - f64::from(n) * share).abs() < 4.0 * deviation, "{kept}");
 }
 
-/// Law: rejection keeps the points that are in the disk where they are, in their order, and no others;
-/// the circle itself is outside. Oracle: points given by hand.
+/// Law: rejection keeps the points that are in the disk, unchanged and in their order, and no others; the
+/// circle itself is outside. Oracle: points given by hand.
 #[test]
 fn rejection_moves_nothing() {
     let points = [[0.5, 0.5], [0.0, 0.0], [0.75, 0.25], [0.0, 0.5], [0.95, 0.9], [0.25, 0.25]];
@@ -250,9 +250,9 @@ fn rejection_moves_nothing() {
     assert_eq!(kept, [[0.0, 0.0], [0.5, -0.5], [-0.5, -0.5]]);
 }
 
-/// Law: rejection keeps of stratified sets a number that cannot be foretold, and leaves strata of the
-/// disk empty; the map does neither. Oracle: 256 jittered points in 14 × 14 cells of equal area of the
-/// disk, about as many as are kept, by the inverse map.
+/// Law: rejection keeps an unpredictable number of the points of a stratified set, and leaves strata of the
+/// disk empty; the map does neither. Oracle: 256 jittered points in 14 × 14 cells of equal area of the disk,
+/// about as many as are kept, by the inverse map.
 #[test]
 fn rejection_loses_count_and_strata() {
     let (sampler, mut random) = (built(Jittered {}), Pcg32::new(65, 0));
@@ -264,7 +264,7 @@ fn rejection_loses_count_and_strata() {
         empty += occupied(&kept, 14, 14).into_iter().filter(|&count| count == 0).count();
     }
     let mean = counts.iter().sum::<usize>() as f64 / 100.0;
-    // the cells on the circle decide: about 50, each at most ±½, so that the mean is within ±0.4
+    // only the cells on the circle contribute errors: about 50, each at most ±½; the mean is within ±0.4
     assert!((mean - 64.0 * PI).abs() < 1.5, "{mean}");
     counts.sort_unstable();
     counts.dedup();

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use crate::support::samples::{assert_once_each, assert_uniform, built, random_points};
 use crate::support::{U, laws};
 
-/// Exponents of the book's lobes, between and far beyond.
+/// Exponents of the book's lobes, values between them and much larger ones.
 const EXPONENTS: [f64; 8] = [0.0, 0.5, 1.0, 2.5, 10.0, 100.0, 1e4, 1e6];
 
 /// Sine and cosine of the angle about z, two powers, products, squares and their sum.
@@ -19,8 +19,8 @@ fn exponent() -> impl Strategy<Value = f64> {
     prop_oneof![4 => 0.0..200.0_f64, 2 => proptest::sample::select(&EXPONENTS[..]), 1 => 200.0..1e6]
 }
 
-/// Places in the square, also its ends and within rounding of them.
-fn place() -> impl Strategy<Value = [f64; 2]> {
+/// Points of the square, also at its ends and within rounding of them.
+fn square_point() -> impl Strategy<Value = [f64; 2]> {
     let coordinate = || {
         prop_oneof![
             6 => 0.0..1.0_f64,
@@ -47,31 +47,30 @@ const FINE: u32 = 10_000;
 fn mean(of: impl Fn([f64; 2]) -> f64) -> f64 {
     let u2 = |i: u32| (f64::from(i) + 0.5) / f64::from(FINE);
     let u1 = |k: u32| (f64::from(k) + 0.5) / 4.0;
-    let places = (0..FINE).flat_map(|i| (0..4).map(move |k| [u1(k), u2(i)]));
-    places.map(of).sum::<f64>() / f64::from(4 * FINE)
+    let points = (0..FINE).flat_map(|i| (0..4).map(move |k| [u1(k), u2(i)]));
+    points.map(of).sum::<f64>() / f64::from(4 * FINE)
 }
 
-/// The midpoint rule's error is that of an end cell where a root or a logarithm has its singularity:
-/// less than a tenth of the cell.
+/// The midpoint rule's error comes from the end cell, where a root or a logarithm has its singularity: less
+/// than a tenth of the cell.
 const GRID: f64 = 0.1 / FINE as f64;
 
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: directions are unit and above the surface, for every exponent and at the ends of the
+    /// Law: directions have length 1 and are above the surface, for every exponent and at the ends of the
     /// range. Oracle: Pythagoras.
     #[test]
-    fn directions_are_unit_and_above(u in place(), e in exponent()) {
+    fn directions_are_unit_and_above(u in square_point(), e in exponent()) {
         for direction in [maps::hemisphere(u, e), maps::sphere(u)] {
             prop_assert!((direction.length() - 1.0).abs() < ROUNDING, "{direction:?}");
         }
         at_least!(maps::hemisphere(u, e).z(), 0.0);
     }
 
-    /// Law: an element of the square becomes a solid angle in inverse proportion to the density,
-    /// `|∂ω/∂u₁ × ∂ω/∂u₂| = 2π / ((e + 1) cos^e θ)`, and `4π` on the sphere. Oracle: central
-    /// differences; the third derivatives are large near the pole and where `cosθ` nears 0, which
-    /// are left out.
+    /// Law: an element of the square maps to a solid angle in inverse proportion to the density, `|∂ω/∂u₁ ×
+    /// ∂ω/∂u₂| = 2π / ((e + 1) cos^e θ)`, and `4π` on the sphere. Oracle: central differences; the
+    /// neighbourhoods of the pole and of `cosθ = 0`, where the third derivatives are large, are left out.
     #[test]
     fn solid_angles_are_those_of_the_density(
         u1 in 0.01..0.99_f64, u2 in 0.05..0.95_f64, e in 0.0..20.0_f64
@@ -126,11 +125,11 @@ proptest! {
         prop_assert!((r - expected).abs() <= ROUNDING * expected, "{r} for {expected}");
     }
 
-    /// Law: the inverses recover the place in the square, whatever the direction's length for the
-    /// hemisphere. Oracle: the place itself; the angle about z says nothing at the pole.
+    /// Law: the inverses recover the point of the square, for the hemisphere whatever the direction's length.
+    /// Oracle: the point itself; at the pole the angle about z is undefined.
     #[test]
-    fn the_inverses_undo_the_maps(u in place(), e in exponent(), length in 0.1..10.0_f64) {
-        // relative, near the poles too; squares of the smallest places are not normal numbers
+    fn the_inverses_undo_the_maps(u in square_point(), e in exponent(), length in 0.1..10.0_f64) {
+        // relative, near the poles too; squares of the smallest coordinates are subnormal
         let close =
             |found: f64, expected: f64| (found - expected).abs() <= 1e-13 * expected + 1e-300;
         let around = |found: f64| (found - u[0]).abs().min(1.0 - (found - u[0]).abs()) < ROUNDING;
@@ -145,10 +144,10 @@ proptest! {
     }
 }
 
-/// Law: `u₁ = u₂ = 0` is the pole, `u₂ → 1` the horizon, at every exponent; the first coordinate turns
-/// from x to y; an infinite exponent leaves only the pole. The sphere starts at its upper pole.
+/// Law: `u₁ = u₂ = 0` is the pole, `u₂ → 1` the horizon, at every exponent; the first coordinate turns from x
+/// to y; an infinite exponent gives only the pole. The sphere starts at its upper pole.
 #[test]
-fn special_places_are_where_they_belong() {
+fn special_points_have_known_directions() {
     for e in EXPONENTS {
         assert_eq!(maps::hemisphere([0.0, 0.0], e), Vector::new(0.0, 0.0, 1.0));
         let low = maps::hemisphere([0.25, ONE_MINUS], e);
@@ -165,17 +164,17 @@ fn special_places_are_where_they_belong() {
     assert_eq!(maps::sphere_inverse(Vector::new(0.0, 0.0, -1.0))[0], ONE_MINUS);
 }
 
-/// Law: `P(cosθ > c) = 1 − c^(e+1)`, the angle about z is uniform, and the two are independent.
-/// Oracle: Kolmogorov and Smirnov and χ² of `cos^(e+1) θ` and the angle.
+/// Law: `P(cosθ > c) = 1 − c^(e+1)`, the angle about z is uniform, and the two are independent. Oracle:
+/// Kolmogorov–Smirnov and χ² tests of `cos^(e+1) θ` and the angle.
 #[test]
 fn directions_have_their_density() {
     for (seed, e) in (70..).zip(EXPONENTS) {
-        let places = random_points(20_000, seed).into_iter().map(|u| {
+        let points = random_points(20_000, seed).into_iter().map(|u| {
             let v = maps::hemisphere(u, e);
             // of acos, as z is not what the map works with; near the pole the sine tells the angle
             [(1.0 - power(v.z(), e + 1.0)).clamp(0.0, ONE_MINUS), turns(v)]
         });
-        assert_uniform(&format!("{e}"), &places.collect::<Vec<_>>(), EXPONENTS.len());
+        assert_uniform(&format!("{e}"), &points.collect::<Vec<_>>(), EXPONENTS.len());
     }
 }
 
@@ -207,9 +206,9 @@ fn importance_sampling_integrates_powers_of_the_cosine() {
     }
 }
 
-/// Law (Malley): for e = 1, seen along z, the directions fill the disk uniformly; and a uniform disk
-/// lifted to the hemisphere has the density `cosθ/π`. Oracle: each map's inverse after the other map;
-/// and rejection in the place of the map to the disk.
+/// Law (Malley): for e = 1 the directions, projected along z, fill the disk uniformly; and a uniform disk
+/// lifted to the hemisphere has the density `cosθ/π`. Oracle: each map's inverse after the other map; and
+/// rejection instead of the map to the disk.
 #[test]
 fn the_cosine_density_is_a_lifted_disk() {
     let lift = |[x, y]: [f64; 2]| {
@@ -228,8 +227,8 @@ fn the_cosine_density_is_a_lifted_disk() {
 }
 
 /// Law: directions of random points of a ball are uniform over the sphere, and those above over the
-/// hemisphere: the inverses make them uniform in the square. Oracle: this second route, by rejection,
-/// owes nothing to the maps.
+/// hemisphere: the inverses make them uniform in the square. Oracle: the ball's points by rejection, which
+/// does not depend on the maps.
 #[test]
 fn directions_from_a_ball_are_uniform_in_the_square() {
     let mut random = Pcg32::new(84, 7);
@@ -246,13 +245,13 @@ fn directions_from_a_ball_are_uniform_in_the_square() {
     assert_uniform("above", &above, 2);
 }
 
-/// Law: as the exponent grows all directions near the pole; the mean polar angle nears `√(π/(2e))`.
-/// Oracle: with `cosθ ≈ exp(−θ²/2)` the angle is a Rayleigh variable; what is left out is of the order
-/// 1/e beside it.
+/// Law: as the exponent grows all directions approach the pole; the mean polar angle tends to `√(π/(2e))`.
+/// Oracle: with `cosθ ≈ exp(−θ²/2)` the angle is a Rayleigh variable; the relative error of this is of the
+/// order 1/e.
 #[test]
 fn large_exponents_gather_at_the_pole() {
     for e in [1e2, 1e4, 1e6, 1e9, 1e12] {
-        // the arc sine, where the arc cosine has no digits left
+        // the angle from its sine, as the arc cosine loses all precision here
         let theta = mean(|u| {
             let v = maps::hemisphere(u, e);
             atan2((v.x() * v.x() + v.y() * v.y()).sqrt(), v.z())
@@ -266,11 +265,11 @@ fn large_exponents_gather_at_the_pole() {
 /// `E[z] = 0`, `E[z²] = 1/3`, and the same for x and y. Oracle: Archimedes, and moments.
 #[test]
 fn sphere_points_are_uniform() {
-    let places = random_points(100_000, 85).into_iter().map(|u| {
+    let points = random_points(100_000, 85).into_iter().map(|u| {
         let v = maps::sphere(u);
         [(0.5 * (v.z() + 1.0)).min(ONE_MINUS), turns(v)]
     });
-    assert_uniform("places", &places.collect::<Vec<_>>(), 1);
+    assert_uniform("points", &points.collect::<Vec<_>>(), 1);
     for axis in 0..3 {
         let component = |u: [f64; 2]| maps::sphere([u[1], u[0]]).to_array()[axis];
         near!(mean(component), 0.0, 1e-13);
@@ -301,7 +300,7 @@ fn whole_exponents_have_their_closed_forms() {
         let v = maps::hemisphere([0.0, u2], 1.0);
         near!(v.z(), (1.0 - u2).sqrt(), U * v.z());
         near!(v.x(), u2.sqrt(), 2.0 * U * v.x());
-        // two routes to one angle
+        // the same angle in two ways
         let theta = acos(v.z());
         near!(theta, atan2(v.x(), v.z()), 1e-8);
     }

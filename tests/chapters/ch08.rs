@@ -11,7 +11,7 @@ use crate::calibration::{assert_seen_where_projected, point_at, scene as calibra
 use crate::pictures::studio::{RED, add_flat, bits, built, from_front, pixels};
 use crate::support::{ANY_FILM, Seen, U, laws, point};
 
-/// The eye on the z axis, looking along −z.
+/// A view from the z axis, along −z.
 fn pinhole(eye: f64, distance: f64) -> View {
     let eye = Point::new(0.0, 0.0, eye);
     let view = Viewpoint::new(eye, eye - Vector::Z, Pinhole { distance, zoom: 1.0 });
@@ -40,8 +40,8 @@ fn the_field_of_view_is_twice_the_arc_tangent() {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: every ray starts at the eye, is unit, and goes forward, so that what is between eye and
-    /// view plane is seen, and nothing behind the eye.
+    /// Law: every ray starts at the eye, has length 1, and goes forward, so that objects between eye and view
+    /// plane are seen, and nothing behind the eye.
     #[test]
     fn rays_start_at_the_eye_and_are_unit(
         x in -1e3..1e3_f64,
@@ -118,7 +118,7 @@ proptest! {
             let found = hits(&view, ball(), [x, 0.0]);
             prop_assert_eq!(found, inside, "x = {}, from {} to {}", x, inner, outer);
         }
-        // farther off the axis the same sphere is longer than it is on it
+        // off the axis the sphere's image is longer than on it
         above!(outer - inner, 2.0 * d * tan(beta));
     }
 
@@ -138,8 +138,8 @@ proptest! {
         near!(seen, ray.direction, 1e-6);
     }
 
-    /// Law: straight lines are seen straight: rays through three points of a line of the view plane
-    /// lie in a plane through the eye. Oracle: the determinant.
+    /// Law: straight lines are seen straight: rays through three points of a line of the view plane lie in a
+    /// plane through the eye. Oracle: the determinant.
     #[test]
     fn straight_lines_stay_straight(a in point(50.0), b in point(50.0), s in -2.0..3.0_f64) {
         let view = pinhole(7.0, 60.0);
@@ -148,9 +148,8 @@ proptest! {
         near!(p.dot(q.cross(r)), 0.0, 32.0 * U);
     }
 
-    /// Law: with the eye going to infinity and the distance with it, rays become those of the
-    /// orthographic camera: where they meet a plane at height h they differ by `h |x|/eye`. Oracle:
-    /// similar triangles.
+    /// Law: as the eye goes to infinity together with the distance, rays become those of the orthographic
+    /// camera: where they meet a plane at height h they differ by `h |x|/eye`. Oracle: similar triangles.
     #[test]
     fn from_infinity_perspective_is_parallel(
         x in -100.0..100.0_f64,
@@ -167,7 +166,7 @@ proptest! {
     }
 }
 
-/// Law: the pictures too: at a million times the distance all but the outline's pixels are the same.
+/// Law: the whole picture too: from a distance of 1e8 all pixels are those of the orthographic picture.
 #[test]
 fn from_far_away_the_picture_is_orthographic() {
     let mut scene = from_front(64, 64, 1.0);
@@ -188,10 +187,10 @@ fn from_far_away_the_picture_is_orthographic() {
     }
 }
 
-/// Law: objects between eye and view plane are drawn, larger than they are; those behind the eye are
-/// not. Oracle: similar triangles: at half the plane's distance twice the size.
+/// Law: objects between eye and view plane are drawn larger than they are; those behind the eye are not
+/// drawn. Oracle: similar triangles: at half the plane's distance twice the size.
 #[test]
-fn what_is_before_the_view_plane_is_drawn() {
+fn objects_in_front_of_the_view_plane_are_drawn() {
     let view = pinhole(0.0, 100.0);
     let ball = |z: f64| Sphere { center: Point::new(0.0, 0.0, z), radius: 1.0, inward: false };
     for (z, film, seen) in [
@@ -200,16 +199,16 @@ fn what_is_before_the_view_plane_is_drawn() {
         (-200.0, [0.49, 0.0], true),
         (-200.0, [0.51, 0.0], false),
         (50.0, [0.0, 0.0], false),
-        // the eye inside: whatever is looked at is the far side
+        // the eye inside: every ray hits the far side
         (0.0, [70.0, -80.0], true),
     ] {
         assert_eq!(hits(&view, ball(z), film), seen, "the ball at z = {z}, at {film:?}");
     }
 }
 
-/// Law: `project` is the other way round: a point X to the right at the depth D is seen at `d X/D`;
-/// nothing behind the eye, at its depth, or beyond the edges, which belong to the picture. Oracle:
-/// similar triangles, by hand.
+/// Law: `project` is the inverse: a point X to the right at the depth D is seen at `d X/D`; a point behind
+/// the eye, at its depth, or beyond the edges is not seen; the edges belong to the picture. Oracle: similar
+/// triangles, by hand.
 #[test]
 fn project_follows_similar_triangles() {
     let lens = Pinhole { distance: 200.0, zoom: 1.0 };

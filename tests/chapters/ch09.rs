@@ -17,7 +17,7 @@ fn view(viewpoint: &Viewpoint) -> View {
     viewpoint.build(ANY_FILM).expect("a valid view")
 }
 
-/// Eyes and points looked at, among them straight up and down, and nearly so.
+/// Eyes that look at the origin from anywhere, also straight down and up, and nearly so.
 fn viewpoint() -> impl Strategy<Value = Viewpoint> {
     let vertical = prop_oneof![Just(0.0), Just(1e-9), Just(-1e-13), Just(1e-200)];
     let vertical =
@@ -41,8 +41,8 @@ fn apart(a: &Ray, b: &Ray) -> f64 {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: u, v, w are orthonormal and right-handed, for every view, also straight up and down and
-    /// turned. w points from the point looked at to the eye.
+    /// Law: u, v, w are orthonormal and right-handed, for every view, also straight up and down and rolled. w
+    /// points from the point looked at to the eye.
     #[test]
     fn axes_are_orthonormal(viewpoint in viewpoint()) {
         let view = view(&viewpoint);
@@ -142,8 +142,8 @@ proptest! {
     fn only_the_line_of_sight_matters(viewpoint in viewpoint(), at in film(), k in 0.01..50.0_f64) {
         prop_assume!(Vector::new(viewpoint.eye.x(), 0.0, viewpoint.eye.z()).length() > 1.0);
         let ray = view(&viewpoint).seen(at);
-        // the direction of a hundredth of the way has a hundred times its rounding, and so again
-        // the level axis of a view that is a hundredth level
+        // the direction of a hundredth of the distance has a hundred times its rounding error, and so has the
+        // level axis of a view that is nearly vertical
         for (k, tolerance) in [(k, 4e4 * U), (2.0, 4e2 * U)] {
             let look_at = viewpoint.eye - k * viewpoint.eye.to_vector();
             let other = view(&Viewpoint { look_at, ..viewpoint.clone() }).seen(at);
@@ -156,9 +156,8 @@ proptest! {
         near!(moved.direction, ray.direction, 1e-10);
     }
 
-    /// Law: `project` turns with the camera: the point looked at is in the middle, and each point of a
-    /// ray is seen where the ray is, also straight up and down and rolled. Oracle: the place that was
-    /// asked for.
+    /// Law: `project` turns with the camera: the point looked at is in the middle, and each point of a ray is
+    /// seen at the ray's film point, also straight up and down and rolled. Oracle: the film point of the ray.
     #[test]
     fn project_turns_with_the_camera(
         viewpoint in viewpoint(),
@@ -229,8 +228,8 @@ fn things_appear_where_they_are() {
     assert_eq!(seen(|camera| camera.look_at = Point::new(3.0, 1.0, 0.0)).len(), 1);
 }
 
-/// Law: the exposure time multiplies every pixel, before anything else. Oracle: powers of two are
-/// exact, others round once.
+/// Law: the exposure time multiplies every pixel, before any tone mapping. Oracle: the product, exact for
+/// powers of two, otherwise rounded once.
 #[test]
 fn exposure_time_multiplies() {
     let mut scene = small("ch28/glass-sphere", 12, 12, 4);
@@ -246,7 +245,7 @@ fn exposure_time_multiplies() {
     }
 }
 
-/// Law: a view that cannot be built says which field is wrong. Oracle: the field that was spoiled.
+/// Law: a view that cannot be built says which field is wrong. Oracle: the field that was changed.
 #[test]
 fn views_that_cannot_be_built_name_the_field() {
     let refusal = |spoil: &dyn Fn(&mut Viewpoint)| {
@@ -276,8 +275,8 @@ fn views_that_cannot_be_built_name_the_field() {
     }
 }
 
-/// Law: the orthographic camera sees what is before its plane, as large everywhere, up to the edges,
-/// which belong to the picture. Oracle: by hand.
+/// Law: the orthographic camera sees what is in front of its plane, at the same size at every depth, up to
+/// the edges, which belong to the picture. Oracle: by hand.
 #[test]
 fn parallel_rays_project_without_depth() {
     let scene = from_front(8, 6, 0.5); // the film is 4 × 3

@@ -41,7 +41,7 @@ fn every_lobe() -> impl Iterator<Item = Lobe> {
     Lobe::ENTRIES.iter().flat_map(|entry| (entry.specimens)())
 }
 
-/// Law: `∫ f cosθ dω = k_d c_d`, which `albedo` says too. Oracle: quadrature in angles (ch. 13).
+/// Law: `∫ f cosθ dω = k_d c_d`, and `albedo` returns the same. Oracle: quadrature in angles (ch. 13).
 #[test]
 fn lambertian_reflectance_is_the_integral_of_its_brdf() {
     let reflectance = Rgb::new(0.8, 0.4, 0.1);
@@ -56,8 +56,8 @@ fn lambertian_reflectance_is_the_integral_of_its_brdf() {
     }
 }
 
-/// Law: uniform radiance within half angle α of the normal is the irradiance `π L sin²α`; a white
-/// diffuse surface makes of it `L sin²α`. Oracle: the closed form.
+/// Law: uniform radiance within half angle α of the normal has the irradiance `π L sin²α`; a white diffuse
+/// surface reflects the radiance `L sin²α`. Oracle: the closed form.
 #[test]
 fn a_cone_of_light_gives_the_irradiance_of_its_projected_solid_angle() {
     let lobe = Lobe::from(Lambertian { reflectance: Rgb::WHITE });
@@ -68,9 +68,8 @@ fn a_cone_of_light_gives_the_irradiance_of_its_projected_solid_angle() {
     }
 }
 
-/// Law: what `albedo` says of the glossy lobe is the integral of its BRDF, also where the lobe is cut
-/// off by the horizon. Oracle: quadrature in angles about the normal; the code's is about the
-/// mirror direction.
+/// Law: the `albedo` of the glossy lobe is the integral of its BRDF, also where the lobe is cut off by the
+/// horizon. Oracle: quadrature in angles about the normal; the code's is about the mirror direction.
 #[test]
 fn glossy_albedo_is_the_integral_of_its_brdf() {
     for (exponent, cosine) in [(1.0, 0.9), (4.0, 0.3), (20.0, 0.6), (20.0, 0.05), (2.5, 1.0)] {
@@ -78,7 +77,7 @@ fn glossy_albedo_is_the_integral_of_its_brdf() {
         let wo = at_angle(Normal::Z, cosine, 0.7);
         let integral = projected_integral(FRAC_PI_2, |wi| lobe.f(wo, wi).r);
         let albedo = lobe.albedo(wo).r;
-        // the kink at the horizon costs both quadratures a step of their own
+        // the kink at the horizon adds an error of one step to each quadrature
         let tolerance = QUADRATURE + 1.0 / 256.0 * (1.0 - cosine);
         assert!(
             (integral - albedo).abs() <= tolerance * integral,
@@ -87,9 +86,9 @@ fn glossy_albedo_is_the_integral_of_its_brdf() {
     }
 }
 
-/// Law: samples are spread as their density says: the mean of any function over all samples is its
-/// integral over the density. Oracle: quadrature in angles of seven functions of the direction,
-/// against a grid of 400 × 400 samples; both err by some steps of `1/400` times the lobe's height.
+/// Law: samples follow the density they state: the mean of any function over all samples is its integral
+/// times the density. Oracle: quadrature in angles of seven functions of the direction, against a grid of 400
+/// × 400 samples; both err by some steps of `1/400` times the lobe's height.
 #[test]
 fn samples_follow_the_density_they_state() {
     let functions: [fn(Vector) -> f64; 7] = [
@@ -165,8 +164,8 @@ proptest! {
         }
     }
 
-    /// Law: with directions drawn by the cosine, the estimate of a diffuse surface's reflection has no
-    /// variance: each sample says `ρ`. Oracle: the closed form (ch. 13).
+    /// Law: with directions drawn in proportion to the cosine, the estimate of a diffuse surface's reflection
+    /// has no variance: each sample gives `ρ`. Oracle: the closed form (ch. 13).
     #[test]
     fn cosine_sampling_of_a_diffuse_surface_has_no_variance(
         wo in local(),
@@ -225,14 +224,14 @@ fn four_times_as_many_samples_halve_the_error() {
     assert!((sixteen / sixty_four / 4.0 - 1.0).abs() < VARIANCE_RATIO, "{sixteen} {sixty_four}");
 }
 
-/// The lights of the furnace: as many points of a Fibonacci spiral, each an equal share of 4π.
+/// The number of lights of the furnace: points of a Fibonacci spiral, each with an equal share of 4π.
 const FURNACE: u32 = 2000;
-/// They integrate `max(0, cosθ)`, whose kink limits them, to about `N^(−3/4) = 3e-3` of its `π`.
+/// They integrate `max(0, cosθ)`, whose kink limits the accuracy, to about `N^(−3/4) = 3e-3` of its `π`.
 const FURNACE_ERROR: f64 = 3e-3;
 
-/// Law: a convex body of albedo ρ in uniform light L shines with ρL everywhere: light falls on each
-/// point from its whole hemisphere, and no part of the body shades another. Oracle: the reflection
-/// equation for uniform light (the furnace, ch. 13); the environment is a sum of many directions.
+/// Law: a convex body of albedo ρ in uniform light L reflects ρL everywhere: each point is lit from its whole
+/// hemisphere, and no part of the body shades another. Oracle: the reflection equation for uniform light (the
+/// furnace, ch. 13); the environment is a sum of many directional lights.
 #[test]
 fn a_convex_body_in_a_furnace_shines_with_its_albedo() {
     let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };

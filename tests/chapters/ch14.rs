@@ -19,7 +19,7 @@ use crate::support::{U, laws, point, unit};
 /// A few products and one sum of positive terms: each rounds once or twice.
 const PRODUCTS: f64 = 12.0 * U;
 
-/// A plane through the origin, lit from nowhere yet.
+/// A plane through the origin, without lights yet.
 fn lit_plane(normal: Normal, matte: Matte) -> Scene {
     let mut scene = stage(Rgb::BLACK);
     put(&mut scene, Plane { point: Point::ORIGIN, normal: normal.into() }, matte);
@@ -38,7 +38,7 @@ fn lamp(ls: f64, location: Point, attenuation: f64) -> Lamp {
     Lamp { ls, color: Rgb::WHITE, location, attenuation }
 }
 
-/// What an eye sees that looks along `−towards` at the origin.
+/// The radiance for an eye that looks along `−towards` at the origin.
 fn seen(scene: &Scene, towards: Vector) -> Rgb {
     look(&built(scene), Point::ORIGIN + 3.0 * towards, -towards)
 }
@@ -46,8 +46,8 @@ fn seen(scene: &Scene, towards: Vector) -> Rgb {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: `L = k_a c_d L_a + (k_d c_d/π) l_s c_l (n·ω_i)`, whatever the eye's place. Oracle: the formula
-    /// (ch. 14), channel by channel: the colours of light and surface multiply component-wise.
+    /// Law: `L = k_a c_d L_a + (k_d c_d/π) l_s c_l (n·ω_i)`, wherever the eye is. Oracle: the formula (ch.
+    /// 14), channel by channel: the colours of light and surface multiply component-wise.
     #[test]
     fn lambert_shading_is_exact_on_a_plane(
         (n, wi) in normal_and_direction_above(),
@@ -61,14 +61,15 @@ proptest! {
         let seen = seen(&scene, at_angle(n, to_eye, 5.0));
         let cosine = n.dot(wi);
         let expected = (ka * 0.5) * (cd * ca) + (kd * ls * cosine * FRAC_1_PI) * (cd * cl);
-        // the cosine of a grazing light is known to u absolutely
+        // the cosine of a grazing light has an absolute error of u
         let rounding = kd * ls * 4.0 * U;
         for (a, b) in seen.to_array().into_iter().zip(expected.to_array()) {
             prop_assert!((a - b).abs() <= PRODUCTS * b + rounding, "{a} {b}");
         }
     }
 
-    /// Law: a light of strength π straight above a white surface makes it 1. Oracle: the formula.
+    /// Law: a light of strength π straight above a white surface gives it the radiance 1. Oracle: the
+    /// formula.
     #[test]
     fn light_of_strength_pi_makes_a_white_surface_white(n in unit()) {
         let mut scene = lit_plane(n, matte(0.0, 1.0, Rgb::WHITE));
@@ -79,7 +80,7 @@ proptest! {
     /// Law: lights add, and two equal ones are one of twice the strength, bit for bit. Oracle: the
     /// sum of the pictures of each light alone (linearity of the reflection equation).
     #[test]
-    fn lights_add(n in unit(), a in unit(), place in point(5.0), cd in color()) {
+    fn lights_add(n in unit(), a in unit(), location in point(5.0), cd in color()) {
         let alone = |scene: &mut Scene, which: &[usize]| {
             for (i, light) in scene.lights.iter_mut().enumerate() {
                 light.enabled = which.contains(&i);
@@ -88,7 +89,7 @@ proptest! {
         };
         let mut scene = lit_plane(n, matte(0.25, 0.75, cd));
         shine(&mut scene, sun(2.0, Rgb::new(1.0, 0.5, 0.2), a.into()));
-        shine(&mut scene, lamp(3.0, place, 2.0));
+        shine(&mut scene, lamp(3.0, location, 2.0));
         shine(&mut scene, Ambient { ls: 0.3, color: Rgb::WHITE });
         shine(&mut scene, sun(2.0, Rgb::new(1.0, 0.5, 0.2), a.into()));
         shine(&mut scene, sun(4.0, Rgb::new(1.0, 0.5, 0.2), a.into()));
@@ -97,10 +98,10 @@ proptest! {
         prop_assert_eq!(alone(&mut scene, &[0, 3]), alone(&mut scene, &[4]));
     }
 
-    /// Law: a directional light is the same everywhere, and only its direction counts, not its
-    /// length. Oracle: the same scene moved, and the direction doubled; bit for bit.
+    /// Law: a directional light is the same everywhere, and depends on its direction only, not on its length.
+    /// Oracle: the same scene moved, and the direction doubled; bit for bit.
     #[test]
-    fn a_directional_light_knows_no_place(
+    fn a_directional_light_is_the_same_everywhere(
         (n, wi) in normal_and_direction_above(),
         at in point(1e6),
     ) {
@@ -116,8 +117,8 @@ proptest! {
         close!(shading(at, 0.3 * wi), shading(at, wi), 8.0 * U / n.dot(wi));
     }
 
-    /// Law: a point light straight above at distance d gives `k_d l_s/(π d^k)`; k = 0 knows no distance.
-    /// Oracle: the formula, with the power by repeated division (ch. 14, exercises).
+    /// Law: a point light straight above at distance d gives `k_d l_s/(π d^k)`; with k = 0 it does not depend
+    /// on d. Oracle: the formula, with the power by repeated division (ch. 14, exercises).
     #[test]
     fn a_point_light_fades_with_the_power_of_its_distance(
         n in unit(),
@@ -127,13 +128,13 @@ proptest! {
         let mut scene = lit_plane(n, matte(0.0, 1.0, Rgb::WHITE));
         shine(&mut scene, lamp(PI, Point::ORIGIN + d * n, f64::from(k)));
         let expected = (0..k).fold(1.0, |light, _| light / d);
-        // the hit is a few u of the eye's distance off, which counts against a near lamp
+        // the error of the hit point is a few u of the eye's distance, which matters for a near lamp
         let tolerance = PRODUCTS + f64::from(k + 1) * 64.0 * U / d;
         let seen = seen(&scene, n.into());
         close!(seen, Rgb::grey(expected), tolerance);
     }
 
-    /// Law: twice as far, `2^k` times as dark, for fractional k too. Oracle: that factor.
+    /// Law: at twice the distance a light is `2^k` times weaker, for fractional k too. Oracle: that factor.
     #[test]
     fn doubling_the_distance_divides_by_two_to_the_exponent(
         d in 0.5..100.0_f64,
@@ -166,7 +167,7 @@ proptest! {
         prop_assert_eq!(counted(&world, eye, -Vector::from(n)).shadow, 0);
     }
 
-    /// Law: a scene and its eye moved together look the same. Oracle: the scene before.
+    /// Law: moving a scene and its eye together does not change the picture. Oracle: the scene before.
     #[test]
     fn moving_everything_changes_nothing(by in point(100.0), a in unit(), b in unit()) {
         let shading = |by: Vector| {
@@ -179,7 +180,7 @@ proptest! {
             look(&built(&scene), Point::new(0.5, 0.0, 0.0) + 3.0 * b + by, -Vector::from(b))
         };
         let (here, there) = (shading(Vector::ZERO), shading(by.to_vector()));
-        // places are rounded to 100 u; the light's strength at distance 2 depends on it linearly
+        // coordinates are rounded to 100 u; the light's strength at distance 2 depends on them linearly
         let change = (here + -1.0 * there).to_array().map(f64::abs);
         prop_assert!(change.into_iter().all(|c| c <= 1000.0 * U), "{here:?} {there:?}");
     }
@@ -217,8 +218,8 @@ proptest! {
         prop_assert_eq!(seen(&scene, -side * at_angle(n, 0.5, 2.0)), Rgb::BLACK);
     }
 
-    /// Law: an emitter shines on its outer side only, `l_s c_e` in each direction; turned to the eye it
-    /// shines on both. Oracle: the product.
+    /// Law: an emitter emits on its outer side only, `l_s c_e` in each direction; a two-sided one on both.
+    /// Oracle: the product.
     #[test]
     fn an_emitter_is_one_sided(
         (n, wo) in normal_and_direction_above(),
@@ -233,7 +234,7 @@ proptest! {
         prop_assert_eq!(seen(&scene, -wo), if two_sided { 3.0 * ce } else { Rgb::BLACK });
     }
 
-    /// Law: out-of-gamut colours are divided by their largest channel, or become red; the others stay.
+    /// Law: out-of-gamut colours are divided by their largest channel, or become red; others do not change.
     /// Oracle: ratios of channels, by cross-multiplication (ch. 3, 14).
     #[test]
     fn a_colour_out_of_gamut_keeps_its_hue_or_turns_red(c in color(), strength in 0.1..20.0_f64) {
@@ -255,8 +256,8 @@ proptest! {
     }
 }
 
-/// Law: green light on a red surface is black, and coloured ambient light meets `k_a` with the same
-/// colour `c_d`. Oracle: the component-wise product (ch. 14).
+/// Law: green light on a red surface gives black; coloured ambient light is multiplied by the same colour
+/// `c_d`, times `k_a`. Oracle: the component-wise product (ch. 14).
 #[test]
 fn green_light_on_a_red_surface_is_black() {
     let (red, green) = (Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 1.0, 0.0));
@@ -268,8 +269,8 @@ fn green_light_on_a_red_surface_is_black() {
     assert_eq!(seen(&scene, Vector::Y), 0.5 * red);
 }
 
-/// Law: what is switched off is not there: the picture is that of the scene without it, bit for bit.
-/// Oracle: that scene.
+/// Law: what is switched off has no effect: the picture is that of the scene without it, bit for bit. Oracle:
+/// that scene.
 #[test]
 fn what_is_switched_off_is_not_there() {
     let with = |on: bool, there: bool| {
@@ -289,8 +290,8 @@ fn what_is_switched_off_is_not_there() {
     assert_ne!(with(true, true), with(false, false));
 }
 
-/// Law: a rectangle's front is where `a × b` points: light above lights it, seen from above. Oracle:
-/// the right-hand rule.
+/// Law: a rectangle's front is the side to which `a × b` points: seen from above, light from above lights it.
+/// Oracle: the right-hand rule.
 #[test]
 fn a_rectangle_faces_along_a_cross_b() {
     for (a, b, expected) in [(Vector::Z, Vector::X, FRAC_1_PI), (Vector::X, Vector::Z, 0.0)] {

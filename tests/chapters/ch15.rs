@@ -19,7 +19,7 @@ fn lobe(ks: f64, exponent: f64) -> Lobe {
     GlossySpecular { reflectance: Rgb::grey(ks), exponent }.into()
 }
 
-/// Exponents from the broadest to a needle, many of them fractional.
+/// Exponents from the broadest lobe to very narrow ones, many of them fractional.
 fn exponents() -> impl Strategy<Value = f64> {
     prop_oneof![0.0..4.0_f64, 0.0..1e4_f64, Just(0.0), Just(0.25), (0..50_u32).prop_map(f64::from)]
 }
@@ -54,8 +54,8 @@ fn light(direction: Vector) -> Directional {
     Directional { ls: 3.0, color: Rgb::new(1.0, 0.5, 0.25), direction }
 }
 
-/// A direction turned to the mirror image and back, and a cosine near 1, err by some 10u; an exponent
-/// multiplies that.
+/// Reflecting a direction and the rounding of a cosine near 1 give errors of some 10u, which an exponent
+/// multiplies.
 fn rounding(exponent: f64) -> f64 {
     (16.0 + 16.0 * exponent) * U
 }
@@ -72,8 +72,8 @@ proptest! {
         prop_assert_eq!(plane_seen(n, plain, wi, wo), plane_seen(n, matte, wi, wo));
     }
 
-    /// Law: in the mirror direction the highlight is `k_s c_s l_s c_l (n·ω_i)`: whatever the exponent,
-    /// still with the cosine, not tinted by `c_d`. Oracle: the formula (ch. 15).
+    /// Law: in the mirror direction the highlight is `k_s c_s l_s c_l (n·ω_i)`, whatever the exponent: with
+    /// the cosine, and not tinted by `c_d`. Oracle: the formula (ch. 15).
     #[test]
     fn the_highlight_peaks_at_the_mirror_direction_whatever_its_exponent(
         n in unit(),
@@ -106,7 +106,7 @@ proptest! {
         close!(seen, expected, tolerance);
     }
 
-    /// Law: the lobe is the same if light and eye change places, bit for bit, and if both are turned
+    /// Law: the lobe is the same if light and eye are exchanged, bit for bit, and if both are turned
     /// about the normal. Oracle: the lobe before (`r(ω_i)·ω_o = r(ω_o)·ω_i`; ch. 15).
     #[test]
     fn the_highlight_is_reciprocal_and_isotropic(
@@ -118,12 +118,12 @@ proptest! {
         let ((a, b), (c, d)) = (turned(0.0), turned(turn));
         let f = lobe(0.5, e).f(a, b);
         prop_assert_eq!(f, lobe(0.5, e).f(b, a));
-        // the value, not its relative error: far from the peak the cosine itself is rounding
+        // an absolute tolerance: far from the peak the cosine is of the size of its rounding error
         near!(f.r, lobe(0.5, e).f(c, d).r, rounding(e));
     }
 
-    /// Law: there is no highlight behind the mirror direction's hemisphere or below the surface, and it
-    /// is never negative or NaN, whatever the exponent. Oracle: the sign of `r·ω_o`.
+    /// Law: there is no highlight beyond 90° from the mirror direction or below the surface, and it is never
+    /// negative or NaN, whatever the exponent. Oracle: the sign of `r·ω_o`.
     #[test]
     fn a_highlight_is_never_negative_or_nan(wo in unit(), wi in unit(), e in exponents()) {
         let (wo, wi) = (Vector::from(wo), Vector::from(wi));
@@ -165,9 +165,9 @@ proptest! {
     }
 }
 
-/// Law: a highlight of exponent e falls to half its peak at `acos(2^(−1/e))` from the mirror direction:
-/// 60°, 21.1°, 6.75°, 2.13° for e = 1, 10, 100, 1000. Oracle: those angles (ch. 15), found here by
-/// halving an interval of the lobe's own values.
+/// Law: a highlight of exponent e falls to half its peak at `acos(2^(−1/e))` from the mirror direction: 60°,
+/// 21.1°, 6.74°, 2.13° for e = 1, 10, 100, 1000. Oracle: those angles (ch. 15), found here by bisection on
+/// the lobe's own values.
 #[test]
 fn half_the_highlight_is_at_the_angle_whose_power_is_one_half() {
     let known = [(1.0, 60.0), (10.0, 21.0874), (100.0, 6.7383), (1000.0, 2.1330)];
@@ -182,8 +182,8 @@ fn half_the_highlight_is_at_the_angle_whose_power_is_one_half() {
     }
 }
 
-/// The midpoint rule with 4000 steps errs by `(e + 2) h²/24` of the integral, `h = π/8000`, e = 2000;
-/// and terms of higher order.
+/// The midpoint rule with 4000 steps has a relative error of `(e + 2) h²/24`, `h = π/8000`, e = 2000, and
+/// terms of higher order.
 const QUADRATURE: f64 = 2.0 * 2002.0 / 24.0 * (PI / 8000.0) * (PI / 8000.0);
 
 /// Law: seen straight from above, the highlight reflects `2π k_s/(e + 2)` of uniform light. Oracle: the

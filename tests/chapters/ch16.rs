@@ -60,8 +60,8 @@ fn heap() -> Scene {
     scene
 }
 
-/// Law: seen from a point light there is no shadow: the picture is the one without shadows, bit for
-/// bit; from elsewhere it is not. Oracle: that picture (ch. 16).
+/// Law: seen from a point light there is no shadow: the picture is the one without shadows, bit for bit; from
+/// elsewhere the two differ. Oracle: that picture (ch. 16).
 #[test]
 fn the_view_from_a_light_shows_no_shadow() {
     for (eye, equal) in [(Point::new(4.0, 5.0, 8.0), true), (Point::new(0.0, 9.0, 1.0), false)] {
@@ -73,8 +73,8 @@ fn the_view_from_a_light_shows_no_shadow() {
     }
 }
 
-/// Law: shadows only take light away: no pixel is brighter with them, and each is what it was without
-/// or black, for one light. Oracle: the picture without shadows.
+/// Law: shadows only remove light: for one light, each pixel is the same as without shadows, or black.
+/// Oracle: the picture without shadows.
 #[test]
 fn shadows_never_brighten() {
     let mut scene = heap();
@@ -114,15 +114,15 @@ fn the_shadow_of_a_sphere_is_a_disc() {
             let distance =
                 (ray.origin.x() * ray.origin.x() + ray.origin.z() * ray.origin.z()).sqrt();
             let dark = pixel(&world, at).is_black();
-            // the edge itself turns on rounding
+            // on the edge itself rounding decides
             assert!((distance - radius).abs() < 1e-12 || dark == (distance < radius), "{distance}");
         }
     }
 }
 
-/// Law: each light has its own shadow: of three coloured lights, the regions in the shadow of one show
-/// the other two (cyan, magenta, yellow), and all kinds of region occur. Oracle: whether the segment
-/// from the ground to a light passes the sphere, by the distance of its centre (ch. 16).
+/// Law: each light has its own shadow: with three coloured lights, the regions in the shadow of one show the
+/// other two (cyan, magenta, yellow), and all these regions occur. Oracle: whether the segment from the
+/// ground to a light passes through the sphere, by the distance of its centre (ch. 16).
 #[test]
 fn three_coloured_lights_cast_complementary_shadows() {
     let mut scene =
@@ -155,7 +155,7 @@ fn three_coloured_lights_cast_complementary_shadows() {
     assert!(white > 1000 && yellow > 20 && magenta > 20 && cyan > 20, "{regions:?}");
 }
 
-/// The ground at (2, 0, 0) behind a ball that hides it from the source; which switches are off.
+/// Whether the ground at (2, 0, 0) is in shadow, behind a ball that hides it from the source, after `switch`.
 fn blocked(source: impl Into<lights::Kind>, switch: impl Fn(&mut Scene)) -> bool {
     let mut scene = stage(Rgb::BLACK);
     put(&mut scene, ground(), white());
@@ -185,8 +185,8 @@ fn a_shadow_needs_the_switches_of_light_object_and_material() {
     }
 }
 
-/// Law: an object behind a point light casts no shadow, one before it does; behind the sun there is
-/// nothing. Oracle: the order of distances on one line (ch. 16).
+/// Law: an object behind a point light casts no shadow, one in front of it does; under a directional light an
+/// object casts a shadow from any distance. Oracle: the order of distances on one line (ch. 16).
 #[test]
 fn shadow_ray_stops_at_the_light() {
     let along = |s: f64| lamp(Point::new(2.0 + s, s, 0.0));
@@ -201,8 +201,8 @@ fn shadow_ray_stops_at_the_light() {
     assert!(far, "a ball far away casts no shadow in the sun");
 }
 
-/// Law: a plane stands in the way of a lamp on its other side, though it has no bounds. Oracle: the
-/// sides of lamp and ground.
+/// Law: a plane blocks a lamp on its other side, although it has no bounds. Oracle: the sides of lamp and
+/// ground.
 #[test]
 fn a_plane_casts_a_shadow() {
     let wall = Plane { point: Point::new(0.0, 2.0, 0.0), normal: Vector::Y };
@@ -221,13 +221,13 @@ fn a_plane_casts_a_shadow() {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: no point of a convex body is in the body's own shadow, at any scale from 1e-6 to 1e6 and for
-    /// any grazing light: there is no speckle. Oracle: the same without shadows, bit for bit.
+    /// Law: no point of a convex body is in the body's own shadow, at any scale from 1e-6 to 1e6 and for any
+    /// grazing light: there is no surface acne. Oracle: the same without shadows, bit for bit.
     #[test]
     fn no_convex_body_shades_itself(
         exponent in -20..20_i32,
         (n, wi) in normal_and_direction_above(),
-        place in point(1.0),
+        anchor in point(1.0),
         spot in point(1.0),
         kind in 0..4_usize,
         near in any::<bool>(),
@@ -235,11 +235,11 @@ proptest! {
         let s = power_of_two(exponent);
         let at = |p: Point| p.scaled(s);
         let tiny = 1e-3 * n.x().abs() + 1e-4;
-        let big = Sphere { center: at(place) - s / tiny * n, radius: s / tiny, inward: false };
+        let big = Sphere { center: at(anchor) - s / tiny * n, radius: s / tiny, inward: false };
         let block =
             Cuboid { min: at(Point::new(-1.5, -2.0, -1.1)), max: at(Point::new(1.2, 1.0, 2.0)) };
         let shape: shapes::Kind = match kind {
-            0 => Plane { point: at(place), normal: n.into() }.into(),
+            0 => Plane { point: at(anchor), normal: n.into() }.into(),
             1 => big.into(),
             2 => block.into(),
             _ => TessellatedSphere { radius: s, ..TessellatedSphere::new(7, 5, false) }.into(),
@@ -248,11 +248,11 @@ proptest! {
         put(&mut scene, shape, white());
         shine(&mut scene, sun(wi));
         if near {
-            scene.lights[0].source = lamp(at(place) + 0.5 * s * wi).into();
+            scene.lights[0].source = lamp(at(anchor) + 0.5 * s * wi).into();
         }
-        let eye = at(place) + 4.0 * s * at_angle(n, 0.4, 1.0);
+        let eye = at(anchor) + 4.0 * s * at_angle(n, 0.4, 1.0);
         let target = if kind < 2 {
-            at(place) + 0.1 * s * n.cross(Vector::new(0.3, 0.5, 0.7))
+            at(anchor) + 0.1 * s * n.cross(Vector::new(0.3, 0.5, 0.7))
         } else {
             at(spot)
         };
@@ -261,13 +261,13 @@ proptest! {
             look(&built(&scene), eye, target - eye)
         };
         let free = shading(false);
-        // a lamp inside a body is in its shadow indeed
+        // a lamp inside a body is rightly hidden by it
         prop_assume!(!(near && kind >= 1) || free.is_black() || kind == 1);
         prop_assert_eq!(shading(true), free);
     }
 
-    /// Law: something stands in the way of light exactly if the ray hits something there, and no nearer
-    /// than the nearest hit. Oracle: `hit` over the same span.
+    /// Law: a ray has an occluder within a span exactly if it hits something there. Oracle: `hit` over the
+    /// same span.
     #[test]
     fn a_ray_is_blocked_exactly_if_it_hits(
         origin in point(4.0),
@@ -279,9 +279,9 @@ proptest! {
         prop_assert_eq!(world.occluder(&ray, span).is_some(), world.hit(&ray, span).is_some());
     }
 
-    /// Law: what is on the far side of the true surface gets no light, however its normals are smoothed,
-    /// and none where the smoothed normal faces away: no light leaks into a closed smooth mesh. Elsewhere
-    /// it is shaded with the smoothed normal, also near the outline, where that faces away from the
+    /// Law: a point gets no light from below the true surface, however its normals are smoothed, and none
+    /// where the smoothed normal faces away from the light: no light leaks into a closed smooth mesh.
+    /// Elsewhere it is shaded with the smoothed normal, also near the outline, where that faces away from the
     /// viewer. Oracle: both cosines.
     #[test]
     fn no_light_leaks_through_smooth_normals(wi in unit(), to_eye in unit(), target in point(0.5)) {
@@ -298,9 +298,9 @@ proptest! {
     }
 }
 
-/// Law: the edge of the shadow that a lamp throws with a ball on the ground lies on the cone that
-/// touches the ball, in every direction. Oracle: the distance of the ball's centre from the ray through the
-/// edge, found by halving an interval of the picture's own values.
+/// Law: the edge of the shadow of a ball on the ground lies on the cone from the lamp that touches the ball,
+/// in every direction. Oracle: the distance of the ball's centre from the ray through the edge, found by
+/// bisection on the rendered radiance.
 #[test]
 fn the_edge_of_a_shadow_is_on_the_tangent_cone() {
     let (light, center, radius) = (Point::new(1.0, 6.0, -0.5), Point::new(0.5, 2.0, 0.3), 0.75);

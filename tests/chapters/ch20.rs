@@ -8,8 +8,8 @@ use proptest::prelude::*;
 
 use crate::support::{U, laws, point, unit};
 
-/// Each step rounds a few times and turns or stretches what the earlier ones have rounded: ten of
-/// them stay well below this, times the condition of the whole.
+/// Tolerance for a composition: each step adds a few roundings, and rotates or stretches the errors of
+/// earlier steps. Ten steps stay well below this, times the condition of the whole.
 const COMPOSED: f64 = 100.0 * U;
 
 fn transform(steps: &[Step]) -> Transform {
@@ -65,7 +65,7 @@ fn difference(a: [[f64; 4]; 3], b: [[f64; 4]; 3]) -> f64 {
     entries.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
 }
 
-/// The sizes that rounding errors of a product are relative to.
+/// The scale of the rounding errors of a product with this map: 1 plus its largest entry.
 fn size(t: &Transform) -> f64 {
     let all = t.rows();
     1.0 + all.iter().flatten().fold(0.0, |most, x| x.abs().max(most))
@@ -159,8 +159,9 @@ proptest! {
         at_most!(between.distance(moved), COMPOSED * 10.0 * size(&t));
     }
 
-    /// Law: a turn about a line fixes its points, keeps distances to it, turns by its angle
-    /// counter-clockwise for an eye the direction points to, and 360° do nothing. Oracle: geometry.
+    /// Law: a rotation about a line fixes the points of the line and keeps distances from it. It turns
+    /// by its angle, counter-clockwise if the direction points at the viewer; a rotation by 360° more is
+    /// the same. Oracle: geometry.
     #[test]
     fn a_turn_about_a_line_keeps_it(
         q in point(3.0),
@@ -222,9 +223,9 @@ proptest! {
         }
     }
 
-    /// Law: the inverse is that of the matrix there is, to a last bit of its largest entry, also of
-    /// stretches that later ones take back. Oracle: the adjugate over the determinant, in rational
-    /// numbers.
+    /// Law: the inverse is that of the rounded matrix, up to one unit in the last place of its largest
+    /// entry, also where later steps undo earlier scalings. Oracle: the adjugate over the determinant,
+    /// in rational numbers.
     #[test]
     fn the_inverse_is_that_of_the_rounded_matrix(
         steps in steps(),
@@ -257,14 +258,14 @@ proptest! {
         };
         let terms = (0..3).map(|j| exact(m[0][j]) * minor(0, j));
         let determinant = terms.fold(RBig::ZERO, |sum, term| sum + term);
-        for (i, j) in (0..9).map(|place| (place / 3, place % 3)) {
+        for (i, j) in (0..9).map(|index| (index / 3, index % 3)) {
             let off = exact(x[i][j]) - minor(j, i) / &determinant;
             prop_assert!(off.to_f64().value().abs() <= 2.0 * U * most, "{i} {j}: {t:?}");
         }
     }
 
-    /// Law: the inverse is as good as the whole map's condition, however bad its steps are: here
-    /// stretched and put back. Oracle: the schoolbook product.
+    /// Law: the accuracy of the inverse depends on the condition of the whole map, however bad that of
+    /// its steps is: here a scaling that is undone later. Oracle: the schoolbook product.
     #[test]
     fn the_inverse_is_right_whatever_the_steps_between(
         degrees in -180.0..180.0_f64,
@@ -285,7 +286,7 @@ proptest! {
     }
 }
 
-/// Law: the printed images of the axes under quarter turns, exactly. (Invariant 3.)
+/// Law: quarter turns map the axes to axes exactly, as printed in the book. (Invariant 3.)
 #[test]
 fn quarter_turns_send_axes_to_axes() {
     let turned = |step, v: Vector| transform(&[step]).vector(v);
@@ -300,7 +301,7 @@ fn quarter_turns_send_axes_to_axes() {
     near!(turned(about, Vector::X), Vector::Y, 8.0 * U);
 }
 
-/// Law: a reflection is its own inverse and turns one coordinate. Oracle: the coordinates.
+/// Law: a reflection is its own inverse and negates one coordinate. Oracle: the coordinates.
 #[test]
 fn reflections_turn_one_coordinate() {
     let p = Point::new(2.0, 3.0, 5.0);
@@ -316,7 +317,8 @@ fn reflections_turn_one_coordinate() {
     }
 }
 
-/// Law: the six factors of a shear stand where the documentation says. Oracle: worked by hand.
+/// Law: the six factors of a shear are at the matrix positions that the documentation states. Oracle:
+/// worked by hand.
 #[test]
 fn shears_have_their_factors_in_rows() {
     let t = transform(&[Step::Shear([0.5, 0.25, -0.5, 0.125, 0.75, -0.25])]);
@@ -324,7 +326,7 @@ fn shears_have_their_factors_in_rows() {
     assert_eq!(t.point(Point::new(2.0, 4.0, 8.0)), Point::new(6.0, 4.0, 8.5));
 }
 
-/// Law: the order of steps matters: turned, then moved is not moved, then turned.
+/// Law: the order of steps matters: to rotate and then move differs from moving and then rotating.
 #[test]
 fn order_matters() {
     let (turn, shift) = (Step::RotateZ(90.0), Step::Translate(Vector::X));

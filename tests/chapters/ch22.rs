@@ -1,5 +1,5 @@
-//! Chapter 22: acceleration: equality with the list, lattices and random spheres, and what a search
-//! costs. Laws of cells and walks stand with the grid.
+//! Chapter 22: acceleration: equality with the list, lattices and random spheres, and the cost of a
+//! search. The laws of cells, and of the walk through them, are beside the grid.
 
 mod chaos;
 mod equal;

@@ -19,12 +19,12 @@ use crate::support::{U, laws, point, unit};
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
 
-/// A mirror over nothing.
+/// A mirror whose Phong base is black.
 fn mirror(kr: f64, cr: Rgb) -> Reflective {
     Reflective { phong: Phong::default(), kr: kr.into(), cr: cr.into() }
 }
 
-/// A mirror that glows: it makes `ka` of ambient light of strength 1.
+/// A mirror that also glows: in ambient light of strength 1 its own radiance is `ka`.
 fn glowing(ka: f64, kr: f64, cr: Rgb) -> Reflective {
     let phong = Phong { ka: ka.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
     Reflective { phong, kr: kr.into(), cr: cr.into() }
@@ -52,8 +52,9 @@ fn path(tree: &RayTree) -> Vec<Vector> {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a mirrored ray is unit, in the plane of incidence, as steep as the first: `d' × n = d × n` and
-    /// `d'·n = −d·n`. Oracle: products the code does not use (ch. 24).
+    /// Law: the direction of a reflected ray has length 1, is in the plane of incidence, and is as steep
+    /// as the incoming one: `d' × n = d × n` and `d'·n = −d·n`. Oracle: products the code does not use
+    /// (ch. 24).
     #[test]
     fn a_mirror_turns_rays_at_the_angle_they_came_in((n, wo) in normal_and_direction_above()) {
         let mut scene = deep_stage(BACKGROUND, 1);
@@ -76,8 +77,8 @@ proptest! {
         prop_assert_eq!(once.z(), wo.z());
     }
 
-    /// Law: one reflection of a uniform background is `k_r c_r B`, from outside as from inside (the book's
-    /// mirrors are negative there), and black at depth 0. Oracle: the product.
+    /// Law: one reflection of a uniform background is `k_r c_r B`, seen from outside and from inside
+    /// (where the book's mirrors are negative), and black at depth 0. Oracle: the product.
     #[test]
     fn one_reflection_of_the_background_is_kr_cr_b(
         (n, wo) in normal_and_direction_above(),
@@ -98,8 +99,9 @@ proptest! {
         }
     }
 
-    /// Law: between two parallel mirrors that glow with a, depth N gives `Σ_{k≤N} a (k_r c_r)ᵏ`, whatever
-    /// the angle; beyond N it is black; N + 1 rays are cast. Oracle: the geometric sum, by channel.
+    /// Law: between two parallel mirrors with the radiance a of their own, depth N gives
+    /// `Σ_{k≤N} a (k_r c_r)ᵏ`, whatever the angle; beyond N it is black; N + 1 rays are cast. Oracle:
+    /// the geometric sum, by channel.
     #[test]
     fn parallel_mirrors_give_a_geometric_sum(
         depth in 0..40_u32,
@@ -124,9 +126,10 @@ proptest! {
         prop_assert_eq!(counts.too_deep, u64::from(!cr.is_black()));
     }
 
-    /// Law: in a closed room of one material each ray sees `Σ_{k≤N} a k_rᵏ`, at every place and in every
-    /// direction, so with depth it tends to `a/(1 − k_r)` and misses `a k_r^(N+1)/(1 − k_r)`. Oracle: the
-    /// furnace (ch. 13, 24). With k_r = 1 and nothing that glows it is black, after N + 1 rays.
+    /// Law: in a closed room of one material the radiance is `Σ_{k≤N} a k_rᵏ` at every point and in
+    /// every direction. So with depth it tends to `a/(1 − k_r)`, and `a k_r^(N+1)/(1 − k_r)` of that is
+    /// missing. Oracle: the furnace (ch. 13, 24). With k_r = 1 and without radiance of its own the room
+    /// is black, after N + 1 rays.
     #[test]
     fn a_closed_mirror_room_is_a_furnace(
         depth in 0..60_u32,
@@ -271,8 +274,9 @@ proptest! {
         prop_assert_eq!(look(&built(&scene), from, d), BACKGROUND);
     }
 
-    /// Law: a smooth mesh mirrors by its smoothed normal, and where that would send a ray into the mesh by
-    /// the flat one: no ray goes inside, and none is left out. Oracle: both normals, for the angle.
+    /// Law: a smooth mesh reflects about its interpolated normal, and about the flat normal where the
+    /// interpolated one would send the ray into the mesh. No ray goes inside, and every hit has a
+    /// reflected ray. Oracle: the mirror directions about both normals.
     #[test]
     fn a_smooth_mirror_sends_no_ray_inside(
         to_eye in unit(),
@@ -282,7 +286,7 @@ proptest! {
         let mut scene = deep_stage(BACKGROUND, 1);
         let mesh = TessellatedSphere::new(5, 4, true);
         put(&mut scene, mesh, mirror(1.0, Rgb::WHITE));
-        // beside the middle, where the view grazes
+        // away from the centre of the sphere, where the view grazes
         let target = Point::ORIGIN + far * at_angle(to_eye, 0.0, phi);
         let eye = Point::ORIGIN + 3.0 * to_eye;
         let tree = recorded(&built(&scene), eye, target - eye);
@@ -305,8 +309,8 @@ proptest! {
     }
 }
 
-/// Law: an emitter seen over k mirrors weighs `(k_r c_r)ᵏ`: the second tint is the square. Oracle: the
-/// product along a zigzag between two mirrors that ends on an emitter.
+/// Law: an emitter seen by way of k mirrors has the weight `(k_r c_r)ᵏ`: after two mirrors the tint is
+/// squared. Oracle: the product along a zigzag between two mirrors that ends on an emitter.
 #[test]
 fn an_emitter_over_k_mirrors_weighs_the_kth_power() {
     let cr = Rgb::new(0.9, 0.5, 0.25);
@@ -326,10 +330,10 @@ fn an_emitter_over_k_mirrors_weighs_the_kth_power() {
     }
 }
 
-/// Law: a mirror is not a light, and does not light what it faces: only the eye's path is followed.
-/// Oracle: the matte ground without the mirror, where no shadow falls.
+/// Law: a mirror is not a light and does not light the surfaces that face it: only paths from the eye
+/// are followed. Oracle: the matte ground without the mirror, at a point without shadow.
 #[test]
-fn a_mirror_throws_no_light() {
+fn a_mirror_lights_no_other_surface() {
     let mut scene = deep_stage(Rgb::BLACK, 5);
     put(
         &mut scene,

@@ -16,8 +16,8 @@ use groundtruth::world::World;
 
 use crate::support::stage::{built, counted, deep_stage, look, put, ray, recorded, shine, stage};
 
-/// The chance that a law of means of this file is called broken if it holds, had the seeds been drawn
-/// anew.
+/// The probability, over the choice of seeds, that at least one statistical test of this file fails
+/// although all its laws hold.
 const LEVEL: f64 = 1e-3;
 const TESTS: usize = 40;
 const REPLICAS: u64 = 24;
@@ -36,7 +36,7 @@ fn floor() -> Plane {
     Plane { point: Point::ORIGIN, normal: Vector::Y }
 }
 
-/// What `samples` samples in each of the replicas find in a direction, in green.
+/// The mean of `samples` samples of the radiance along a ray, in green, for each of the replicas.
 fn replicas(scene: &Scene, samples: u32, origin: Point, direction: Vector) -> Vec<f64> {
     let mut scene = scene.clone();
     scene.image.samples = samples;
@@ -67,8 +67,8 @@ fn samples_of(lobe: GlossyReflection, wo: Vector, count: u32) -> Vec<Vector> {
     (0..count).filter_map(one).collect()
 }
 
-/// Law: by the book's rule uniform surroundings L are seen as `kr L`, by each sample exactly and at every
-/// angle. Oracle: the product.
+/// Law: by the book's rule uniform surroundings of radiance L are reflected as `kr L`, by each sample
+/// exactly and at every angle. Oracle: the product.
 #[test]
 fn uniform_surroundings_are_seen_times_the_reflectance() {
     for exponent in [0.0, 1.0, 10.0, 1000.0, 1e5] {
@@ -83,8 +83,8 @@ fn uniform_surroundings_are_seen_times_the_reflectance() {
     }
 }
 
-/// Law: by the normalised rule the mean is `L` times the albedo, which is at most `kr`, and less where the
-/// lobe reaches below the surface. Oracle: quadrature of the lobe over the hemisphere.
+/// Law: by the normalised rule the mean is `L` times the albedo, which is at most `kr`, and less where a
+/// part of the lobe is below the surface. Oracle: quadrature of the lobe over the hemisphere.
 #[test]
 fn the_normalised_rule_loses_what_falls_below() {
     const STEPS: u32 = 400;
@@ -116,8 +116,8 @@ fn the_normalised_rule_loses_what_falls_below() {
     }
 }
 
-/// Law: every direction is above the surface, also at grazing angles; by the book's rule none is lost.
-/// Oracle: the sign of z.
+/// Law: every sampled direction is above the surface, also at grazing angles; by the book's rule no
+/// sample is lost. Oracle: the sign of z.
 #[test]
 fn every_direction_is_above_the_surface() {
     for rule in [GlossyRule::Book, GlossyRule::Normalised] {
@@ -131,8 +131,8 @@ fn every_direction_is_above_the_surface() {
     }
 }
 
-/// Law: the mean of `r·ω_i` is `(e + 1)/(e + 2)`; the turn about r does not change it. Oracle: that integral;
-/// t test of batches.
+/// Law: the mean of `r·ω_i` is `(e + 1)/(e + 2)`; rotation about r does not change it. Oracle: that
+/// integral; t test of batches.
 #[test]
 fn the_mean_cosine_to_the_mirror_direction_is_that_of_the_power() {
     for (wo, exponent) in viewers().zip([1.0, 3.0, 10.0, 100.0, 1000.0]) {
@@ -197,8 +197,8 @@ fn a_large_exponent_is_a_mirror() {
     assert!(distances[0] > 0.3 && distances[5] < 1e-4, "{distances:?}");
 }
 
-/// Law: highlights and reflection have an exponent each: neither changes the other. Oracle: the same
-/// scene without the other.
+/// Law: highlight and reflection each have their own exponent: neither changes the other. Oracle: the
+/// same scene without the other.
 #[test]
 fn highlight_and_reflection_have_exponents_of_their_own() {
     let highlight = Phong { ks: 0.5.into(), exponent: 30.0.into(), ..Phong::default() };
@@ -240,8 +240,8 @@ fn a_glossy_hit_costs_one_ray_and_one_draw() {
     assert_eq!((counts.camera, counts.reflected, counts.draws), (1, 0, 0));
 }
 
-/// Law: a matte and a mirror branch before it do not change where a glossy ray goes. Oracle: the recorded
-/// directions of both.
+/// Law: a matte lobe of the same material does not change the direction of the glossy ray. Oracle: the
+/// rays recorded with and without it.
 #[test]
 fn other_lobes_do_not_move_the_reflection() {
     let direction = |kd| {
@@ -253,8 +253,8 @@ fn other_lobes_do_not_move_the_reflection() {
     assert_eq!(direction(0.0.into()), direction(0.5.into()));
 }
 
-/// Law: where only what shines is seen, Whitted's tracer and the three path tracers have one mean, by both
-/// rules. Oracle: each other (Welch's t).
+/// Law: where only emitters are seen, Whitted's tracer and the three path tracers have the same mean, by
+/// both rules. Oracle: each other (Welch's t).
 #[test]
 fn all_tracers_see_the_same_reflection() {
     for rule in [GlossyRule::Book, GlossyRule::Normalised] {
@@ -274,8 +274,8 @@ fn all_tracers_see_the_same_reflection() {
     }
 }
 
-/// Law: where the interpolated normal of a smooth mirror would send a ray below the true surface, it goes
-/// about the true normal, so that no outline is black. Oracle: the background's colour.
+/// Law: where the interpolated normal of a smooth mirror would send a ray below the true surface, the
+/// ray is reflected about the true normal, so that no outline is black. Oracle: the background's colour.
 #[test]
 fn a_smooth_mirror_has_no_black_outline() {
     let mut scene = deep_stage(Rgb::new(0.2, 0.4, 0.6), 2);
@@ -287,10 +287,9 @@ fn a_smooth_mirror_has_no_black_outline() {
     assert_eq!(seen, Rgb::new(0.2, 0.4, 0.6));
 }
 
-/// Law: a matte floor beside a glossy one is what it is without: black surroundings show nothing in a glossy
-/// surface. Oracle: black.
+/// Law: a glossy floor under a matte ball is black in black surroundings without lights. Oracle: black.
 #[test]
-fn nothing_is_reflected_of_nothing() {
+fn black_surroundings_are_reflected_as_black() {
     let mut scene = stage(Rgb::BLACK);
     scene.tracer = Tracer::Path(Depth { max_depth: 5 });
     put(&mut scene, floor(), glossy(1.0, 5.0, GlossyRule::Normalised));

@@ -1,4 +1,4 @@
-//! Global illumination (Suffern, ch. 26): paths, and what they agree on.
+//! Global illumination (Suffern, ch. 26): path tracers, against closed forms and each other.
 
 mod cornell;
 mod direct;
@@ -19,10 +19,10 @@ use groundtruth::verify::significance::sidak;
 
 use crate::support::stage::{built, counted, look, put, recorded, shine, stage};
 
-/// The chance that a law of means of this file is called broken if it holds, had the seeds been drawn
-/// anew.
+/// The chance, over the choice of seeds, that the comparisons of means in this file report a failure although
+/// every law holds.
 const LEVEL: f64 = 1e-3;
-/// Laws of means, times the pixels that each looks at.
+/// The number of comparisons of means in this file: tests times pixels.
 const TESTS: usize = 60;
 
 const REPLICAS: u64 = 24;
@@ -50,7 +50,7 @@ fn room() -> Scene {
     scene
 }
 
-/// What a replica finds along rays into the room, in green.
+/// The green radiance along each ray, as found by each replica.
 fn replicas(scene: &Scene, rays: &[(Point, Vector)]) -> Vec<Vec<f64>> {
     let mut world = built(scene);
     let mut values = vec![Vec::new(); rays.len()];
@@ -66,8 +66,9 @@ fn replicas(scene: &Scene, rays: &[(Point, Vector)]) -> Vec<Vec<f64>> {
     values
 }
 
-/// Law: path trace, global trace and path have one mean, at every depth: light that is sampled and light
-/// that is met are the same light, counted once. Oracle: each other (Welch's t over replicas).
+/// Law: path trace, global trace and path have one mean, at every depth: light found by sampling a lamp and
+/// light found by hitting it are the same light, and are counted once. Oracle: each other (Welch's t over
+/// replicas).
 #[test]
 fn the_three_path_tracers_agree() {
     let eye = Point::new(0.5, 2.0, 6.0);
@@ -113,8 +114,8 @@ fn a_closed_sphere_that_emits_and_reflects_sums_the_series() {
     }
 }
 
-/// Law: Russian roulette keeps the mean: what paths that go on count more makes up for those that end.
-/// Oracle: the series above, at depths where many have ended.
+/// Law: Russian roulette keeps the mean: the larger weight of the paths that survive makes up for those that
+/// end. Oracle: the series above, at depths where many have ended.
 #[test]
 fn roulette_keeps_the_mean() {
     for rho in [0.3, 0.6, 0.9] {
@@ -145,8 +146,8 @@ fn a_convex_body_in_uniform_light_shows_its_reflectance() {
     assert!((found.r - 0.6).abs() < 1e-15, "{} instead of 0.6", found.r);
 }
 
-/// Law: a path is a line: at most one ray goes on from a hit, so N + 1 rays are cast in a closed room of
-/// depth N, and one more is too deep. Oracle: counting.
+/// Law: a path does not branch: at most one ray continues from a hit, so N + 1 rays are cast in a closed room
+/// of depth N, and one more is too deep. Oracle: counting.
 #[test]
 fn a_path_is_a_line() {
     for n in [0, 3, 9] {
@@ -161,9 +162,9 @@ fn a_path_is_a_line() {
     }
 }
 
-/// Law: ambient light is left out by paths, and they say so; path trace says that it does not see a
-/// point light, and global trace that it counts one at the first hit only. Oracle: the terms, and the
-/// words.
+/// Law: path tracers leave out ambient light and report it; path trace reports that it leaves out a point
+/// light, and global trace that it counts one at the first hit only. Oracle: the recorded terms, and the
+/// texts of the reports.
 #[test]
 fn what_is_left_out_is_said() {
     let mut scene = room();
@@ -209,7 +210,7 @@ fn walls_bleed_their_colour() {
     scene.image.resize(60, 60);
     scene.image.samples = 256;
     let world = built(&scene);
-    // the picture's left is the red wall's side
+    // the red wall is on the left of the picture
     let ratio = |x| {
         let seen: Rgb = (50..56).map(|y| render::pixel(&world, [x, y])).sum();
         seen.r / (seen.g / 0.73)

@@ -43,7 +43,7 @@ fn sine(a: Vector, n: Normal) -> f64 {
     a.cross(n).length()
 }
 
-/// The first ray, and those that were refracted, each out of the one before.
+/// The camera ray, and the chain of refracted rays that starts with it.
 fn through(tree: &RayTree) -> Vec<&Node> {
     let mut path = vec![tree.root()];
     loop {
@@ -72,8 +72,9 @@ proptest! {
         below!((wo.cross(n) + eta * t.cross(n)).length(), ROUNDING);
     }
 
-    /// Law: light runs the same way back: refracted in and, seen from inside, out again, a direction
-    /// is itself. Oracle: itself; near the critical angle the way out is as steep as a square root.
+    /// Law: refraction is reversible: refracted in and then, from the inside, out again, a direction is the
+    /// original one. Oracle: that direction; near the critical angle the way out is as steep as a square
+    /// root.
     #[test]
     fn refraction_can_be_reversed((n, wo) in normal_and_direction_above(), eta in 0.4..2.5_f64) {
         let Some(t) = refract(wo, n, eta) else { return Ok(()) };
@@ -81,7 +82,7 @@ proptest! {
         let tolerance = 8.0 * ROUNDING / cos_i;
         match refract(t, -n, 1.0 / eta) {
             Some(back) => prop_assert!((back - wo).length() < tolerance.min(1e-6), "{back:?}"),
-            None => prop_assert!(cos_i < 1e-6, "grazing rays turn on rounding"),
+            None => prop_assert!(cos_i < 1e-6, "only grazing rays depend on rounding"),
         }
     }
 
@@ -111,8 +112,8 @@ proptest! {
         }
     }
 
-    /// Law: a slab sends a ray on in its own direction, aside by `s = T sin(θ_i − θ_t)/cosθ_t`, with the
-    /// weight `k_t²` (the two η² cancel). Oracle: the closed form, with both angles as angles (ch. 27).
+    /// Law: a ray leaves a slab in its original direction, displaced by `s = T sin(θ_i − θ_t)/cosθ_t`, with
+    /// the weight `k_t²` (the two η² cancel). Oracle: the closed form in the two angles (ch. 27).
     #[test]
     fn a_slab_shifts_a_ray_and_weighs_it_kt_squared(
         theta in 0.0..1.4_f64,
@@ -138,8 +139,8 @@ proptest! {
         prop_assert!((aside - shift.abs()).abs() <= 1e-12, "{aside} {shift}");
     }
 
-    /// Law: a body of η = 1, k_r = 0, k_t = 1 cannot be seen, at any depth from 2 on; below that, black
-    /// is behind it. Oracle: the scene without it (ch. 27).
+    /// Law: a body of η = 1, k_r = 0, k_t = 1 cannot be seen, at any depth from 2 on; at a smaller depth it
+    /// looks black. Oracle: the scene without it (ch. 27).
     #[test]
     fn a_body_of_index_one_is_invisible(
         to_eye in unit(),
@@ -179,9 +180,10 @@ proptest! {
         }
     }
 
-    /// Law: a glass ball in a uniform background B, depth N ≥ 1, k_r + k_t = 1: `B (1 − k_t k_rᴺ⁻¹)`: k_r at
-    /// 1, `k_r + k_t²` at 2, and B from below in the end; at 0 black. A ray meets no total reflection
-    /// inside. Oracle: the geometric series of inner reflections (ch. 27).
+    /// Law: a glass ball in a uniform background B, depth N ≥ 1, k_r + k_t = 1: it shows
+    /// `B (1 − k_t k_rᴺ⁻¹)`: `k_r B` at depth 1, `(k_r + k_t²) B` at depth 2, increasing towards B; at depth
+    /// 0 it is black. There is no total reflection inside. Oracle: the geometric series of inner reflections
+    /// (ch. 27).
     #[test]
     fn a_glass_ball_adds_up_its_inner_reflections(
         to_eye in unit(),
@@ -199,15 +201,15 @@ proptest! {
         };
         let seen = look(&world, eye, target - eye);
         close!(seen, expected, 64.0 * U);
-        // one ray is cast out and one goes on inside, at each depth
+        // at each depth one ray leaves the ball and one continues inside
         let counts = counted(&world, eye, target - eye);
         let cast = counts.camera + counts.reflected + counts.transmitted - counts.too_deep;
         prop_assert_eq!(cast, u64::from(2 * depth + 1));
         prop_assert_eq!(counts.too_deep, 2);
     }
 
-    /// Law: a bubble (η < 1) reflects everything, with weight 1 and not k_r, where the ray passes its
-    /// centre farther than η r; within, k_r. Oracle: the impact parameter (equation 27.15).
+    /// Law: a bubble (η < 1) reflects everything, with weight 1 and not k_r, where the ray passes the centre
+    /// at a distance above η r; nearer, it reflects k_r. Oracle: the impact parameter (equation 27.15).
     #[test]
     fn the_rim_of_a_bubble_is_a_perfect_mirror(
         to_eye in unit(),
@@ -284,8 +286,8 @@ fn a_glass_ball_focuses_at_one_and_a_half_radii() {
     }
 }
 
-/// Law: one sample casts at most `2^(depth+1) − 1` rays, in however much glass. Oracle: the full binary
-/// tree, over random rays among three glass bodies.
+/// Law: one sample casts at most `2^(depth+1) − 1` rays, however many glass bodies there are. Oracle: the
+/// full binary tree, over random rays among three glass bodies.
 #[test]
 fn glass_casts_no_more_rays_than_a_binary_tree() {
     let mut scene = deep_stage(BACKGROUND, 7);
@@ -304,8 +306,8 @@ fn glass_casts_no_more_rays_than_a_binary_tree() {
     assert!((60..=255).contains(&most), "{most}");
 }
 
-/// Law: glass stands in the way of light like anything else, unless it is told not to; rays refract
-/// only towards the eye. Oracle: black, and the light without the ball (ch. 27).
+/// Law: glass blocks light like any other object, unless it casts no shadows; only rays that lead to the eye
+/// are refracted. Oracle: black, and the light without the ball (ch. 27).
 #[test]
 fn glass_casts_a_full_shadow_unless_it_casts_none() {
     let mut scene = deep_stage(Rgb::BLACK, 5);

@@ -91,8 +91,8 @@ fn the_centre_of_a_glass_ball_has_the_values_of_the_book() {
     }
 }
 
-/// Law: straight through a slab of glass pass `(1 − R)/(1 + R)` and come back `2R/(1 + R)`: .923077 and
-/// .076923. Oracle: the sum over all inner reflections, told apart by an emitter on one side.
+/// Law: straight on, a slab of glass transmits `(1 − R)/(1 + R)` and reflects `2R/(1 + R)`: .923077 and
+/// .076923. Oracle: the sum over all inner reflections; an emitter on one side only separates the two.
 #[test]
 fn a_slab_divides_light_as_all_its_inner_reflections_do() {
     for (height, normal, expected) in
@@ -171,9 +171,9 @@ proptest! {
         prop_assert_eq!(look(&built(&scene.scaled(exponent)), eye, -to_eye), seen);
     }
 
-    /// Law: each ray is dimmed by the medium it is in, over its own length: on total reflection and
-    /// between nested bodies too. Oracle: for each ray of the tree, which balls its middle lies in, and
-    /// the exponential of its length (ch. 28: `t` of the secondary ray, not of the hit before).
+    /// Law: each ray is dimmed by the medium it is in, over its own length, also after total reflection and
+    /// between nested bodies. Oracle: for each ray of the tree, the balls that contain its midpoint, and the
+    /// exponential of its length (ch. 28: `t` of the secondary ray, not of the hit before).
     #[test]
     fn each_ray_is_dimmed_by_its_own_medium(
         from in point(3.0),
@@ -209,8 +209,8 @@ proptest! {
     }
 
     /// Law: under water the sky is seen within 48.7535° of straight up only, as `η² (1 − R)` times itself;
-    /// outside, the surface is a perfect mirror of the deep. Oracle: the critical angle, and black or
-    /// an emitter beneath (the Snell window; ch. 28).
+    /// outside that cone, the surface is a perfect mirror of the ground. Oracle: the critical angle, and
+    /// black or an emitter beneath (the Snell window; ch. 28).
     #[test]
     fn snells_window_is_a_cone(degrees in 0.0..89.9_f64, phi in 0.0..TAU) {
         let theta = groundtruth::math::to_radians(degrees);
@@ -247,7 +247,7 @@ fn an_eye_in_glass_sees_2_16() {
     scene.camera.eye = Point::new(0.0, 0.0, -5.0);
     scene.camera.medium = Medium::clear(1.5);
     scene.camera.look_at = Point::ORIGIN;
-    // the reflected part ends in nothing
+    // the reflected ray ends on a black surface
     let dark = Plane { point: Point::new(0.0, 0.0, -9.0), normal: -Vector::Z };
     put(&mut scene, dark, Emissive::new(0.0, Rgb::WHITE));
     close!(pixel(&built(&scene), [0, 0]), Rgb::grey(2.16), 16.0 * U);
@@ -265,8 +265,8 @@ fn the_background_behind_an_absorbing_medium_is_black() {
     assert_eq!(seen, Rgb::new(0.0, BACKGROUND.g, 0.0));
 }
 
-/// Law: a ray that enters a box of η > √2 never leaves it by a face at right angles; with 1.33 some do.
-/// Oracle: the inequality `sin² ≥ 1 − 1/η² > 1/η²`, counted over 10⁴ random rays (ch. 28).
+/// Law: a ray that enters a box of η > √2 never leaves through a face at right angles to the first; with 1.33
+/// some do. Oracle: the inequality `sin² ≥ 1 − 1/η² > 1/η²`, counted over 10⁴ random rays (ch. 28).
 #[test]
 fn no_light_leaves_a_glass_block_by_the_next_face() {
     let escapes = |eta: f64| {

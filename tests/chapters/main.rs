@@ -1,4 +1,4 @@
-//! Each chapter's laws: `cargo test ch19` runs all that chapter 19 promises.
+//! The laws of each chapter: `cargo test ch19` runs all laws of chapter 19.
 //!
 //! One binary with a module for each chapter. The contracts of traits and the golden images are in
 //! `tests/contracts`, under the same names.

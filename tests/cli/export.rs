@@ -1,4 +1,4 @@
-//! Scenes exported with a mesh file, from here to there: they find the file and show the same.
+//! Scenes with a mesh file, exported to another folder: they still find the file and give the same picture.
 
 use std::fs;
 use std::path::Path;
@@ -43,15 +43,15 @@ fn good(folder: &Path, arguments: &[&str]) -> String {
     run.stdout
 }
 
-/// The bits of a scene's picture.
+/// The bytes of a scene's picture file.
 fn picture(folder: &Path, scene: &str) -> Vec<u8> {
     let file = folder.join("picture.exr");
     good(folder, &["render", scene, "-o", &file.to_string_lossy()]);
     fs::read(file).expect("it was written")
 }
 
-/// Law: the picture is the same from any folder, and the name in the file the shortest way there.
-/// Oracle: the picture of the scene before, and the names by hand.
+/// Law: the picture is the same from any folder, and the name in the file is the shortest relative path.
+/// Oracle: the picture of the original scene, and the names by hand.
 #[test]
 fn an_exported_mesh_is_found_from_the_new_folder() {
     let folder = folder();
@@ -71,7 +71,7 @@ fn an_exported_mesh_is_found_from_the_new_folder() {
     }
 }
 
-/// Law: on the standard output the name is absolute, also of a scene named without its folder.
+/// Law: on standard output the mesh's name is absolute, also if the scene is named without its folder.
 #[test]
 fn a_mesh_on_the_standard_output_has_an_absolute_name() {
     let folder = folder();
@@ -82,7 +82,7 @@ fn a_mesh_on_the_standard_output_has_an_absolute_name() {
     assert!(picture(folder.path(), "other/second.toml") == expected);
 }
 
-/// Law: `..` behind a symbolic link leads to the folder above the one it points to.
+/// Law: `..` after a symbolic link leads to the parent of the folder that the link points to.
 #[test]
 #[cfg(unix)]
 fn an_exported_mesh_is_found_through_symbolic_links() {

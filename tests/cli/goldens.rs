@@ -6,7 +6,7 @@ use super::run_in;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/goldens");
 
-/// The names that a check speaks of.
+/// The names that a check reports as the same.
 fn checked(names: &[&str]) -> Vec<String> {
     let run = run_in(Path::new("."), &[&["goldens", "check", "--folder", FOLDER], names].concat());
     assert_eq!(run.status, Some(0), "{names:?}: {}{}", run.stdout, run.stderr);
@@ -25,7 +25,7 @@ fn goldens_are_checked_by_name_and_by_chapter() {
     assert!(found[..of_chapter].iter().all(|name| name.starts_with("ch03/")), "{found:?}");
 }
 
-/// Law: a name that is none gets the names like it, and status 2.
+/// Law: for an unknown name, similar names are suggested, and the status is 2.
 #[test]
 fn an_unknown_golden_gets_a_suggestion() {
     let run = run_in(Path::new("."), &["goldens", "check", "glass-sphere", "--folder", FOLDER]);

@@ -30,8 +30,8 @@ fn render(folder: &Path, more: &[&str]) -> super::Run {
     run_in(folder, &[&["render", "pair.toml"], more].concat())
 }
 
-/// Law: side by side is one picture, two files are its images, and the anaglyph is made of both.
-/// Oracle: the columns of the first, by hand: the right eye's image is on the left.
+/// Law: a pair is written as one picture side by side, as two files with the two images, or as an anaglyph
+/// of both. Oracle: columns of the first picture, chosen by hand: the right eye's image is on the left.
 #[test]
 fn a_pair_is_written_in_three_ways() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -69,9 +69,9 @@ fn a_pair_is_written_in_three_ways() {
     assert_eq!(at("part.exr"), both.columns(10, 8));
 }
 
-/// Law: what cannot be is refused before it is rendered, and leaves no file.
+/// Law: impossible options are refused before anything is rendered, and leave no file.
 #[test]
-fn stereo_options_that_cannot_be_are_refused() {
+fn impossible_stereo_options_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let refused = |run: super::Run, error: &str| {
         assert_eq!(run.status, Some(2), "{}", run.stderr);

@@ -31,7 +31,7 @@ fn perturbed(bump: &dyn Bump, at: &Surface) -> Vector {
     bump.perturbed(&TexturePoint::new(at), at.normal)
 }
 
-/// Law: there is an answer everywhere, always the same, and a specimen turns many normals.
+/// Law: a bump gives the same answer each time, at every point, and a specimen turns many normals.
 fn normals_are_turned_everywhere(kind: &Kind) -> Holds {
     let bump = built(kind);
     let mut changed = 0;
@@ -47,7 +47,7 @@ fn normals_are_turned_everywhere(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: where the object stands in the world does not matter, only the point on it.
+/// Law: the position of the object in the world does not matter, only the point on it.
 fn the_bump_moves_with_the_object(kind: &Kind) -> Holds {
     let bump = built(kind);
     for at in surfaces() {

@@ -33,7 +33,7 @@ fn built(kind: &Kind) -> Arc<dyn Camera> {
     kind.build(&mut PLANE.clone()).expect("specimens are valid")
 }
 
-/// Places all over the film, many of them close to its centre.
+/// Points all over the film, many of them close to its centre.
 fn all_films() -> impl Iterator<Item = [f64; 2]> {
     let mut random = Pcg32::new(9, 0);
     (0..1000).map(move |i| {
@@ -45,7 +45,7 @@ fn all_films() -> impl Iterator<Item = [f64; 2]> {
 /// Those where the camera sees something: at least half of them.
 fn films(camera: &dyn Camera) -> Vec<[f64; 2]> {
     let seen: Vec<_> = all_films().filter(|&film| camera.ray(film, [0.0; 2]).is_some()).collect();
-    assert!(seen.len() > 500, "the camera sees {} places of 1000", seen.len());
+    assert!(seen.len() > 500, "the camera sees {} points of 1000", seen.len());
     seen
 }
 
@@ -65,8 +65,8 @@ fn the_centre_looks_along_minus_w(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: far along its ray, film point (x, y) sees what is right of the centre for x > 0 and above it
-/// for y > 0, and the mirrored film point sees the mirrored place.
+/// Law: the ray of film point (x, y) leads to points right of the centre for x > 0 and above it for y > 0,
+/// and the mirrored film point leads to the mirrored point.
 fn right_is_right(kind: &Kind) -> Holds {
     let camera = built(kind);
     let place = |film: [f64; 2]| {
@@ -112,8 +112,8 @@ fn rays_are_finite_and_unit(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: with all lengths and the film times 2ᵏ, rays have the same directions, bit for bit, and
-/// origins 2ᵏ times as far, and points 2ᵏ times as far are seen 2ᵏ times as far out.
+/// Law: with all lengths and the film times 2ᵏ, rays have the same directions, bit for bit, and origins 2ᵏ
+/// times as far, and points 2ᵏ times as far are projected 2ᵏ times as far out on the film.
 fn scaling_scales_every_bit(kind: &Kind) -> Holds {
     let view = view(kind);
     let eye = &view.eyes()[0];
@@ -166,15 +166,16 @@ fn the_view_turns_with_its_frame(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Of the size of the film: the round trip of a place is good to some ten roundings of it.
+/// Relative to the size of the film: the round trip of a film point is exact to about ten roundings of that
+/// size.
 const ROUND_TRIP: f64 = 1e-12 * 400.0;
 
 fn apart([x, y]: [f64; 2], [s, t]: [f64; 2]) -> f64 {
     (x - s).abs().max((y - t).abs())
 }
 
-/// Law: every point of the ray through the centre of the lens, however near or far, is seen where the
-/// ray was asked for.
+/// Law: every point of the ray through the centre of the lens, near or far, is projected to the film point of
+/// that ray.
 fn project_inverts_ray(kind: &Kind) -> Holds {
     let camera = built(kind);
     for film in films(&*camera) {
@@ -200,8 +201,8 @@ fn points() -> impl Iterator<Item = Point> {
     })
 }
 
-/// Law: the ray of the place where a point is seen meets the point, ahead. Oracle: the distance of
-/// the point from the ray, by a cross product.
+/// Law: the ray of the film point to which a point is projected passes through that point, ahead of the
+/// camera. Oracle: the distance of the point from the ray, by a cross product.
 fn ray_inverts_project(kind: &Kind) -> Holds {
     let camera = built(kind);
     for p in points() {
@@ -216,9 +217,9 @@ fn ray_inverts_project(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: the picture sees a point exactly if one of its rays passes it. Oracle: the cell of a fine
-/// mesh of rays, all over the film and its edges, in which the direction to the point lies: of all
-/// rays of the mesh the closest one is as close as the mesh is fine, or not.
+/// Law: the picture sees a point exactly if one of its rays passes through it. Oracle: a fine mesh of rays
+/// all over the film and its edges. A point in view is closer to some ray of the mesh than the spacing of the
+/// mesh there; a point out of view is never as close as a thousandth of that.
 fn what_no_ray_meets_is_out_of_view(kind: &Kind) -> Holds {
     const ACROSS: i32 = 60;
     let view = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), kind.clone()).build(PLANE);
@@ -252,7 +253,7 @@ fn what_no_ray_meets_is_out_of_view(kind: &Kind) -> Holds {
             ensure!(nearest <= reach, "{p:?} is seen, but the closest ray is {nearest} off");
         } else {
             outside += 1;
-            // a point just outside the edge is close to a ray, too: further out none is
+            // a point just outside the edge is close to a ray, too, but not as close as this
             let all_around = nearest < 1e-3 * reach;
             ensure!(!all_around, "{p:?} is out of view, but a ray is {nearest} off");
         }
@@ -261,7 +262,7 @@ fn what_no_ray_meets_is_out_of_view(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: a place on the lens changes the ray exactly if the camera has a lens.
+/// Law: the point on the lens changes the ray exactly if the camera has a lens.
 fn lens_places_matter(kind: &Kind) -> Holds {
     let camera = built(kind);
     let mut random = Pcg32::new(10, 0);
@@ -274,7 +275,7 @@ fn lens_places_matter(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: film places a billionth of the picture apart see nearly the same: there are no jumps.
+/// Law: film points a billionth of the picture apart have nearly the same rays: there are no jumps.
 fn neighbours_look_the_same_way(kind: &Kind) -> Holds {
     let camera = built(kind);
     for [x, y] in films(&*camera) {

@@ -27,8 +27,8 @@ fn built(kind: &Kind) -> Arc<dyn Filter> {
     kind.build(&mut ()).expect("specimens are valid")
 }
 
-/// Steps of the midpoint rule for each pixel. Its error is at most h²/24 times the integral of the
-/// second derivative, below 1e-6 here; where a value has a kink or a jump, on no multiple of 1/4096,
+/// Steps of the midpoint rule for each pixel. Its error is at most h²/24 times the integral of the second
+/// derivative, below 1e-6 here; if a value has a kink or a jump that is not at a multiple of 1/4096, it is
 /// below h = 2.4e-4.
 const STEPS: u32 = 4096;
 const QUADRATURE: f64 = 3e-4;
@@ -55,9 +55,9 @@ fn the_value_is_even_and_integrates_to_1(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: a place is left of `x` with the probability that the integral of the filter's absolute value
-/// up to `x` is of all of it; its weight is that whole integral with the filter's sign. Oracle:
-/// quadrature.
+/// Law: a sampled point is left of `x` with a probability that is the integral of the filter's absolute value
+/// up to `x`, divided by the whole integral; its weight is the whole integral, with the filter's sign.
+/// Oracle: quadrature.
 fn places_are_as_dense_as_the_value_is_large(kind: &Kind) -> Holds {
     let filter = built(kind);
     let r = filter.radius();
@@ -112,8 +112,8 @@ fn places_are_mirrored_about_the_centre(kind: &Kind) -> Holds {
         // both are exact
         let u = f64::from(i) / 1024.0;
         let [(left, a), (right, b)] = [u, 1.0 - u].map(|u| filter.draw(u.min(ONE_MINUS)));
-        // at its very end a tent's place changes as the square root of u, the B-spline's (Mitchell's
-        // with b = 1) as the fourth root, for its zero is triple: a rounding there moves it by
+        // at the very end the point of a tent changes as the square root of u, that of the B-spline
+        // (Mitchell's with b = 1) as the fourth root, for its zero is triple: a rounding there moves it by
         // (24 · 1e-16)^¼ = 2e-4
         let off = (left + right - 1.0).abs();
         ensure!(off < if i == 0 { 1e-3 } else { 1e-12 }, "{u} gives {left} and {right}");

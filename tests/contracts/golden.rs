@@ -1,4 +1,4 @@
-//! Golden images: each one is the same, and each scene of the gallery has one.
+//! Golden images: each one is reproduced, and each scene of the gallery has one.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use libtest_mimic::Trial;
 
 /// `ch24::golden::hall_of_mirrors`, `ch24::golden::hall_of_mirrors_normals`.
 pub fn trials() -> Vec<Trial> {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../goldens"));
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../goldens"));
     let goldens = match Goldens::open(folder) {
         Ok(goldens) => goldens,
         Err(error) => {

@@ -1,5 +1,5 @@
-//! The contract of [`Light`] (Suffern, ch. 14, 16–18). An area light is tried with every shape that
-//! can be its lamp.
+//! The contract of [`Light`] (Suffern, ch. 14, 16–18). An area light is tested with every shape that can be
+//! its lamp.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -35,7 +35,7 @@ pub fn trials() -> Vec<Trial> {
     )
 }
 
-/// A light and what it is asked with.
+/// A light, and what its methods need.
 pub struct Subject {
     pub name: String,
     pub scene: Scene,
@@ -45,10 +45,10 @@ pub struct Subject {
     pub sky: Sky,
 }
 
-/// What the lamps send out.
+/// The radiance of the lamps.
 pub const EMITTED: Rgb = Rgb::new(2.0, 1.0, 0.5);
 
-/// The shapes that can be lamps, by these ways of sampling.
+/// The shapes that can be lamps, with each way of sampling.
 pub fn lamps(sampling: Sampling) -> Vec<shapes::Kind> {
     let all = shapes::Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)());
     let can = |shape: &shapes::Kind| {
@@ -58,8 +58,8 @@ pub fn lamps(sampling: Sampling) -> Vec<shapes::Kind> {
     all.filter(can).collect()
 }
 
-/// The light in a scene of its own; an area light once for each lamp it can have, an environment light
-/// once for each sort of sky.
+/// The light in a scene of its own; an area light once for each lamp it can have, an environment light once
+/// for each kind of sky.
 pub fn subjects(kind: &Kind) -> Vec<Subject> {
     let plain = Background::from(Rgb::new(0.25, 0.5, 1.0));
     match kind {
@@ -126,7 +126,7 @@ pub fn contexts(count: usize) -> impl Iterator<Item = LightContext> {
     })
 }
 
-/// Numbers for a sample, those at the ends of `[0, 1)` among them.
+/// Random numbers for a sample, and those at the ends of `[0, 1)`.
 fn numbers(light: &dyn Light, random: &mut Pcg32) -> Vec<[f64; 2]> {
     let mut one = || match random.below(16) {
         0 => 0.0,
@@ -136,7 +136,7 @@ fn numbers(light: &dyn Light, random: &mut Pcg32) -> Vec<[f64; 2]> {
     (0..light.draws()).map(|_| [one(), one()]).collect()
 }
 
-/// A law of every sample of many at many places.
+/// Checks a law for many samples at many points.
 fn every_sample<T: Debug>(
     kind: &Kind,
     law: impl Fn(&Subject, &LightContext, &[[f64; 2]], Option<LightSample>) -> Result<(), T>,
@@ -179,8 +179,8 @@ fn some_light_arrives(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: the direction is unit, and a light at a point lies in it, but for the rounding of the points
-/// and the offset from a lamp's surface.
+/// Law: the direction is unit, and a light at a point lies in that direction, up to the rounding of the
+/// points and the offset from a lamp's surface.
 fn directions_lead_to_the_light(kind: &Kind) -> Holds {
     /// Two normalisations and a difference.
     const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -204,7 +204,7 @@ fn what_is_blocked_is_no_brighter(kind: &Kind) -> Holds {
     every_sample(kind, |_, _, _, sample| {
         let Some(LightSample { blocked, radiance, .. }) = sample else { return Ok(()) };
         let pairs = blocked.to_array().into_iter().zip(radiance.to_array());
-        // an occluder's other colour is another one, not a brighter one
+        // the occluded colour of an occluder may differ, but it is not brighter
         let dimmer = blocked.max() <= radiance.max();
         let fine = dimmer || pairs.into_iter().all(|(blocked, free)| blocked <= free);
         ensure!(fine, "{blocked:?} above {radiance:?}");
@@ -220,8 +220,8 @@ pub fn met(lamp: &dyn Shape, from: Point, direction: Vector) -> Vec<Surface> {
     hits.map(|candidate| lamp.surface(&ray, &candidate)).collect()
 }
 
-/// Law: `pdf` at what was sampled is the sample's density; for a single direction it is 0. Oracle: the
-/// point of the lamp that a ray in the sample's direction meets.
+/// Law: `pdf` at the sampled point is the sample's density; for a single direction it is 0. Oracle: the point
+/// of the lamp that a ray in the sample's direction meets.
 fn samples_have_the_density_of_their_target(kind: &Kind) -> Holds {
     /// Near its silhouette a small error of the direction moves the point far.
     const NEAR_EDGES: f64 = 1e-4;
@@ -259,8 +259,8 @@ fn samples_have_the_density_of_their_target(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: with all lengths times 2ᵏ a point 2ᵏ times as far gets the same light from the same direction
-/// with the same density, bit for bit, over 2ᵏ times the distance.
+/// Law: with all lengths times 2ᵏ the point at 2ᵏ times the coordinates gets the same light from the same
+/// direction with the same density, bit for bit, over 2ᵏ times the distance.
 fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
     for subject in subjects(kind) {
         for k in [1, -7, 30, -30] {
@@ -283,7 +283,7 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Whether its light meets the lobes and comes from more than one direction.
+/// Whether the light is reflected by lobes and comes from more than one direction.
 pub fn is_sampled(light: &dyn Light) -> bool {
     let from = LightContext { point: Point::new(0.0, 100.0, 0.0), normal: -Normal::Y };
     let u = vec![[0.3, 0.6]; light.draws()];

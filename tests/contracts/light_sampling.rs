@@ -1,4 +1,4 @@
-//! Lights sample what their densities say, and their mean is the light there is.
+//! Samples of lights follow their densities, and their mean is the light that arrives.
 
 use std::f64::consts::PI;
 
@@ -18,23 +18,24 @@ const LEVEL: f64 = 1e-3;
 /// At least as many tests as there will be: two laws, four places, lamps of every shape.
 const TESTS: usize = 500;
 
-/// Odd numbers of cells, so that no border lies on a lamp's own.
+/// Odd numbers of cells, so that no border of a cell coincides with one of a lamp.
 const ROWS: usize = 9;
 const COLUMNS: usize = 19;
-/// Steps of the quadrature in each cell, along each side, where each cell is judged, and where their sum is.
+/// Steps of the quadrature along each side of a cell: `FINE` where each cell is judged, `COARSE` where only
+/// the sum of the cells is.
 const FINE: usize = 12;
 const COARSE: usize = 8;
-/// And in each step where the integrand changes fast.
+/// The same inside each step where the integrand changes fast.
 const REFINED: u32 = 16;
-/// What the quadrature may err by, as a share of the whole: at a lamp's silhouette, where the integrand
-/// jumps, a midpoint rule errs by a share of the points along the edge.
+/// The allowed error of the quadrature, as a share of the whole: at a lamp's silhouette, where the integrand
+/// jumps, the error of a midpoint rule is a share of the points along the edge.
 const QUADRATURE: f64 = 3e-3;
-/// And what it may overlook, as a share of the solid angle: a facet seen edge-on.
+/// The part that it may overlook, as a share of the solid angle: a facet seen edge-on.
 const MISSED: f64 = 1e-3;
 /// A density wrong by ±12 % in alternate cells is found (see `chi_square`).
 const SAMPLES: u64 = 15_000;
 
-/// Places beside, before, near and inside or behind lamps of size 1 about the origin.
+/// Points beside, in front of, near, and inside or behind lamps of size 1 around the origin.
 fn places() -> [LightContext; 4] {
     [[0.1, 6.0, -0.2], [3.0, 0.7, 2.0], [0.3, 0.15, 1.6], [-0.2, -0.3, 0.45]].map(|point| {
         let point = Point::from(point);
@@ -43,21 +44,21 @@ fn places() -> [LightContext; 4] {
     })
 }
 
-/// Directions about an axis, in cells of equal solid angle: those in which a lamp may be.
+/// Directions around an axis, in cells of equal solid angle; they cover all directions of a lamp.
 struct Sky {
     frame: Frame,
-    /// `1 − cosθ` of the widest.
+    /// `1 − cosθ` of the widest direction.
     depth: f64,
 }
 
 impl Sky {
-    /// Around the lamp; all directions if there is none, or it is all around.
+    /// Directions around the lamp; all directions if there is no lamp, or if it surrounds the point.
     fn of(subject: &Subject, from: &LightContext) -> Self {
         let whole = Self { frame: Frame::around(from.normal), depth: 2.0 };
         let Some(lamp) = &subject.lamp else { return whole };
         let bounds = lamp.bounds();
         let center = Point::ORIGIN + 0.5 * (bounds.min.to_vector() + bounds.max.to_vector());
-        // not the middle itself, or the silhouette of a sphere would be a row of the quadrature
+        // not the centre itself, or the silhouette of a sphere would coincide with a row of the quadrature
         let extent = bounds.extent().length();
         let way = center + extent * Vector::new(0.05, -0.03, 0.04) - from.point;
         let sine = 0.58 * extent / way.length();
@@ -126,7 +127,7 @@ impl Sky {
     }
 }
 
-/// The sum of the densities of all that lies in a direction.
+/// The sum of the densities of all points of the light in a direction.
 fn density(subject: &Subject, from: &LightContext, direction: Vector) -> f64 {
     match &subject.lamp {
         None => subject.light.pdf(from, &Target::Infinity(direction)),
@@ -147,16 +148,16 @@ fn samples(subject: &Subject, from: &LightContext, stream: u64) -> Vec<Option<Li
     (0..SAMPLES).map(|_| one()).collect()
 }
 
-/// Whether a lamp's density is infinite at its silhouette, where the midpoint rule fails: that of curved
-/// ones by area, `d²/(A cosθ')`. The law of the mean, whose integrand is finite, holds them.
+/// Whether a lamp's density is infinite at its silhouette, where the midpoint rule fails: so it is for curved
+/// lamps sampled by area, `d²/(A cosθ')`. The law of the mean, whose integrand is finite, covers these.
 fn is_singular(kind: &Kind, subject: &Subject) -> bool {
     let by_area = matches!(kind, Kind::Area(Area { sampling: Some(Sampling::Area), .. }));
     let shape = subject.scene.objects.first().map(|lamp| &lamp.shape);
     by_area && matches!(shape, Some(shapes::Kind::Sphere(_) | shapes::Kind::Instance(_)))
 }
 
-/// Law: the directions of `sample` have the density that is the sum of `pdf` over the lamp's points in
-/// each direction, and what that lacks to 1 is the share of `None`. Oracle: χ² against the midpoint rule.
+/// Law: the directions of `sample` have the density that is the sum of `pdf` over the lamp's points in each
+/// direction; the rest up to 1 is the share of `None`. Oracle: χ² against the midpoint rule.
 pub fn samples_follow_the_pdf(kind: &Kind) -> Holds {
     let all = subjects(kind);
     let judged = all.iter().filter(|s| is_sampled(&*s.light) && !is_singular(kind, s));
@@ -176,7 +177,7 @@ pub fn samples_follow_the_pdf(kind: &Kind) -> Holds {
         let at = format!("{} from {from:?}", subject.name);
         ensure!(right, "{at}: pdf adds up to {whole}, {share} of the samples are light");
         if whole == 0.0 {
-            return Ok(()); // a place that the lamp does not face
+            return Ok(()); // a point that the lamp does not face
         }
         // a corner of a lamp may reach into a cell between the points of the quadrature
         let missed = observed.iter_mut().zip(&expected).filter(|(_, e)| **e == 0.0);
@@ -207,7 +208,7 @@ pub fn the_mean_is_the_integral(kind: &Kind) -> Holds {
             };
             let sky = Sky::of(subject, from);
             let drawn = samples(subject, from, 100 + stream);
-            // what falls on the surface; of that one half; and what falls on one that faces the light
+            // light on the surface, one half of it, and light on a surface that faces the light
             let weights: [&dyn Fn(Vector) -> f64; 3] = [
                 &|w| from.normal.dot(w).max(0.0),
                 &|w| match sky.frame.u.dot(w) > 0.3 * sky.frame.v.dot(w) {
@@ -233,12 +234,12 @@ pub fn the_mean_is_the_integral(kind: &Kind) -> Holds {
                 let batches: Vec<f64> =
                     batches.map(|b| b.iter().sum::<f64>() / b.len() as f64).collect();
                 let mean = batches.iter().sum::<f64>() / batches.len() as f64;
-                // the quadrature is no exact value: the nearest one that it allows is asked
+                // the quadrature is not exact: the test takes the nearest value within its error
                 let allowed = QUADRATURE * expected + MISSED * EMITTED.g * sky.depth;
                 let nearest = mean.clamp(expected - allowed, expected + allowed);
                 let p = means::one_sample(&batches, nearest);
                 let at = format!("{} from {from:?}, weight {law}", subject.name);
-                // an estimate without variance is as good as its rounding
+                // an estimate without variance is exact up to rounding
                 let right = mean == nearest || p > sidak(LEVEL, TESTS);
                 ensure!(right, "{at}: the mean is {mean}, the integral {expected}; p = {p:e}");
             }
@@ -251,7 +252,7 @@ fn faces(at: &groundtruth::shapes::Surface, from: Point) -> bool {
     at.normal.dot(from - at.point) > 0.0
 }
 
-/// What the specimen sends from a direction, in green.
+/// The green radiance of the specimen's sky in a direction.
 fn radiance_of_the_sky(subject: &Subject, w: Vector) -> f64 {
     match &subject.scene.lights[0].source {
         Kind::AmbientOccluder(occluder) => occluder.ls * occluder.color.g,

@@ -1,4 +1,5 @@
-//! The contract of [`Lobe`]: what each promises, proved; and where one does not promise, the break.
+//! The contract of [`Lobe`]: a test of each property that a lobe claims, and a counterexample for each
+//! property that it does not claim.
 //!
 //! Sources: Suffern, ch. 13 (BRDFs, reciprocity, energy), 15, 24, 27, 28.
 
@@ -92,8 +93,8 @@ fn reciprocity_holds_if_claimed(lobe: &Lobe) -> Holds {
     if lobe.claims().reciprocal { reciprocal(lobe) } else { Ok(()) }
 }
 
-/// Law: `f(ω_i, ω_o) = f(ω_o, ω_i)`; for a single direction, its light goes back the same way with
-/// the same weight.
+/// Law: `f(ω_i, ω_o) = f(ω_o, ω_i)`; for a single direction, light goes back along the same path with the
+/// same weight.
 fn reciprocal(lobe: &Lobe) -> Holds {
     let mut random = Pcg32::new(13, 1);
     for i in 0..PAIRS {
@@ -167,7 +168,7 @@ fn conserves_energy(lobe: &Lobe) -> Holds {
             if eta_squared.is_finite() && sine_squared(wo) > 0.0 {
                 albedo = eta_squared * albedo;
             } else {
-                continue; // straight through: the angles do not tell η
+                continue; // straight through: the angles do not determine η
             }
         }
         ensure!(albedo.max() <= 1.0 + ROUNDING, "{wo:?}: albedo {albedo:?}");
@@ -176,13 +177,13 @@ fn conserves_energy(lobe: &Lobe) -> Holds {
 }
 
 /// Law: `f |cosθ_i| / pdf` is bounded, for grazing viewers and directions too: with coefficients of at most 1
-/// by 2π, of the broadest highlight, in the medium of the viewer. Oracle: the bound.
+/// the bound is 2π, reached by the broadest highlight, in the medium of the viewer. Oracle: the bound.
 fn no_sample_counts_without_bound(lobe: &Lobe) -> Holds {
     let mut random = Pcg32::new(13, 3);
     for wo in viewers() {
         let eta = lobe.relative_eta(wo).unwrap_or(1.0);
         for i in 0..20_000 {
-            // a part of them near the ends, where directions graze
+            // some of the numbers are near the ends of the interval, where directions are grazing
             let tiny = [1.0, 1e-3, 1e-9][i % 3];
             let mut one = || match random.below(2) {
                 0 => tiny * random.uniform(),

@@ -1,4 +1,4 @@
-//! Lobes sample what their densities say.
+//! Samples of lobes follow their densities.
 
 use std::f64::consts::PI;
 
@@ -15,20 +15,20 @@ const LEVEL: f64 = 1e-3;
 /// At least as many tests as there will be: seven viewers, and specimens of every lobe.
 const TESTS: usize = 500;
 
-/// Odd numbers of cells, so that no border lies on a lobe's own.
+/// Odd numbers of cells, so that no border of a cell coincides with one of a lobe.
 const ROWS: usize = 15;
 const COLUMNS: usize = 31;
 /// Steps of the quadrature in each cell: the narrowest specimen is six steps wide.
 const FINE_ROWS: usize = 64;
 const FINE_COLUMNS: usize = 32;
-/// What the quadrature may err by, as a share of the whole.
+/// The allowed error of the quadrature, as a share of the whole.
 const QUADRATURE: f64 = 2e-3;
 
 /// A density wrong by ±4 % in alternate cells is found (see [`chi_square`]).
 const SAMPLES: u64 = 200_000;
 
-/// Law: the directions of `sample` have the density `pdf`, and what that lacks to 1 is the share of
-/// `None`. Oracle: χ² against the midpoint rule on `pdf`, on a grid in θ and φ.
+/// Law: the directions of `sample` have the density `pdf`, and the rest up to 1 is the share of `None`.
+/// Oracle: χ² against the midpoint rule on `pdf`, on a grid in θ and φ.
 pub fn samples_follow_the_pdf(lobe: &Lobe) -> Holds {
     if lobe.is_specular() {
         return Ok(()); // a single direction
@@ -50,7 +50,7 @@ pub fn samples_follow_the_pdf(lobe: &Lobe) -> Holds {
         let right = (share - whole).abs() <= QUADRATURE + noise && whole <= 1.0 + QUADRATURE;
         ensure!(right, "{wo:?}: pdf adds up to {whole}, {share} of the samples are directions");
         if whole == 0.0 {
-            continue; // a viewer to whom it sends nothing
+            continue; // the lobe sends no light to this viewer
         }
         expected.iter_mut().for_each(|e| *e *= share * SAMPLES as f64 / whole);
         let p = goodness_of_fit(&observed, &expected);

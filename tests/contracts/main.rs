@@ -1,8 +1,8 @@
-//! The contract of each trait, proved for every kind in its list, and the golden images.
+//! The contract of each trait, tested for every kind in its list, and the golden images.
 //!
 //! The names are made from the lists: `ch19::disk::contract::hits_lie_on_the_surface`,
-//! `ch24::golden::hall_of_mirrors`. So a new kind is under contract as soon as it has an entry, and
-//! `cargo test ch19` runs the contracts of chapter 19 beside its own laws.
+//! `ch24::golden::hall_of_mirrors`. So a new kind is tested as soon as it has an entry, and `cargo test ch19`
+//! runs the contracts of chapter 19 beside its own laws.
 
 mod bump;
 mod camera;
@@ -33,13 +33,13 @@ macro_rules! ensure {
     ($condition:expr, $($text:tt)+) => {
         match $condition {
             true => {}
-            false => return Err(format!($($text)+)), // also where a number is none
+            false => return Err(format!($($text)+)), // also if a number is NaN
         }
     };
 }
 pub(crate) use ensure;
 
-/// A law of one specimen: its name, as a sentence, and its proof.
+/// A law of one specimen: its name, as a sentence, and its test.
 type Law<Kind> = (&'static str, fn(&Kind) -> Holds);
 
 /// One test for each kind and law.

@@ -47,7 +47,7 @@ fn response(material: &dyn Material, at: &groundtruth::shapes::Surface, cos_o: f
     response
 }
 
-/// Law: the lobes fit where they are kept (one more would panic), and each answers with finite
+/// Law: the number of lobes does not exceed their storage (one more would panic), and each lobe gives finite
 /// numbers of at least 0.
 fn lobes_are_few_and_finite(kind: &Kind) -> Holds {
     let material = built(kind);
@@ -78,8 +78,8 @@ fn other_light_is_finite(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: a material that sends light to the other side says so, and one that says so, or what media are
-/// there, sends light there; absorption is never negative.
+/// Law: a material declares that it transmits light exactly if it does, and one that names its media
+/// transmits light; absorption is never negative.
 fn what_transmits_says_so(kind: &Kind) -> Holds {
     let material = built(kind);
     let at = surfaces().next().expect("there are some");

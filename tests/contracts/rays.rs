@@ -19,7 +19,7 @@ pub struct Rays {
     bounds: Aabb,
 }
 
-/// A ray, where it first hits, and the surface there.
+/// A ray, its first hit, and the surface there.
 pub struct Met {
     pub ray: Ray,
     pub at: Candidate,
@@ -27,7 +27,7 @@ pub struct Met {
 }
 
 impl Rays {
-    /// Rays at a shape; of an infinite one, at its part near the origin.
+    /// Rays at a shape; if it is infinite, at its part near the origin.
     pub fn new(shape: &dyn Shape) -> Self {
         let near = Aabb { min: Point::new(-2.0, -2.0, -2.0), max: Point::new(2.0, 2.0, 2.0) };
         let bounds = shape.bounds();
@@ -35,7 +35,7 @@ impl Rays {
         Self { random: Pcg32::new(2007, 19), bounds }
     }
 
-    /// The largest length among the shape and the rays' origins.
+    /// The largest length in the shape and in the rays' origins.
     pub fn size(&self) -> f64 {
         let [a, b] = [self.bounds.min, self.bounds.max].map(|p| p.to_vector().max_abs());
         a.max(b).max(self.bounds.extent().length())
@@ -132,7 +132,7 @@ pub fn cosine(met: &Met) -> f64 {
     (met.surface.normal.dot(d) / d.length()).abs()
 }
 
-/// Four rays beside a ray, this far away: opposite ones first and second, third and fourth.
+/// Four rays at this distance beside a ray: the first is opposite the second, and the third the fourth.
 pub fn beside(ray: &Ray, distance: f64) -> [Ray; 4] {
     let along = Normal::new(ray.direction).expect("rays have a direction");
     let frame = groundtruth::math::Frame::around(along);

@@ -1,4 +1,4 @@
-//! The contract of [`Sampler`] and of the sets made of it (Suffern, ch. 5).
+//! The contract of [`Sampler`] and of the sets made with it (Suffern, ch. 5).
 
 use std::sync::Arc;
 
@@ -51,7 +51,8 @@ fn points_lie_in_the_unit_square(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: `round_up(n)` is at least `n`, rounds up no further, and `fill` makes as many points.
+/// Law: `round_up(n)` is at least `n` and is unchanged by rounding up again, and `fill` makes that many
+/// points.
 fn a_set_has_as_many_points_as_it_says(kind: &Kind) -> Holds {
     let sampler = built(kind);
     let mut random = Pcg32::new(5, 1);
@@ -68,11 +69,11 @@ fn a_set_has_as_many_points_as_it_says(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// The grids, by their columns and rows, of which each cell has exactly one of `n` points, where `n` is
-/// a count that the pattern can have.
+/// The grids, as columns and rows, in which each cell has exactly one of the `n` points, where `n` is a count
+/// that the pattern can have.
 fn promised(kind: &Kind, n: u32) -> Vec<[u32; 2]> {
     let side = n.isqrt();
-    // the elementary intervals to the base 2
+    // the elementary intervals in base 2
     let boxes = || -> Vec<[u32; 2]> {
         let m = n.is_power_of_two().then(|| n.ilog2());
         m.into_iter().flat_map(|m| (0..=m).map(move |a| [1 << a, 1 << (m - a)])).collect()
@@ -114,8 +115,8 @@ fn points_are_spread_as_promised(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: where in its finest stratum a point lies is uniform and independent, for kinds that are
-/// random. Oracle: Kolmogorov and Smirnov; a distribution function off by 4 % is found.
+/// Law: the position of a point in its finest stratum is uniform and independent, for kinds that are random.
+/// Oracle: the Kolmogorov–Smirnov test; it finds a distribution function that is off by 4 %.
 fn places_in_a_stratum_are_uniform(kind: &Kind) -> Holds {
     if is_fixed(kind) {
         return Ok(());
@@ -140,10 +141,10 @@ fn places_in_a_stratum_are_uniform(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: the means of x, `x²` and `x y` are ½, `1/12 + ¼` and ¼. Oracle: of any N points, one in each
-/// cell of a grid of c columns and r rows, the mean of x is off by at most half a column, `1/(2c)`; the
-/// mean of `(x − ½)²` by that and `1/(4c²)` for the places and `1/(12c²)` for the grid; and that of
-/// `(x − ½)(y − ½)` by half of `1/(2c) + 1/(2r)` and their product. So it is for every set.
+/// Law: the means of x, `x²` and `x y` are ½, `1/12 + ¼` and ¼. Oracle: of any N points, one in each cell of
+/// a grid of c columns and r rows, the mean of x is off by at most half a column, `1/(2c)`; the mean of
+/// `(x − ½)²` by that and `1/(4c²)` for the places and `1/(12c²)` for the grid; and that of `(x − ½)(y − ½)`
+/// by half of `1/(2c) + 1/(2r)` and their product. This holds for every set.
 fn moments_are_those_of_the_square(kind: &Kind) -> Holds {
     /// Sums of up to 256 terms below 1.
     const ROUNDING: f64 = 1e-13;

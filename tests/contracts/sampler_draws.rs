@@ -11,9 +11,9 @@ use groundtruth::verify::ks;
 use super::sampler::{built, each_level, is_fixed};
 use super::{Holds, ensure};
 
-/// Law: a single draw of a kind that is random is uniform over the square, whatever its index: over all
-/// seeds the pattern leaves no trace. Oracle: Kolmogorov and Smirnov for x and for y, χ² for their
-/// cells; 5 × 5, which are no strata of the pattern. An error of the density of 18 % is found.
+/// Law: a single draw of a kind that is random is uniform over the square, whatever its index: over all seeds
+/// nothing of the pattern remains. Oracle: the Kolmogorov–Smirnov test for x and for y, χ² for 5 × 5 cells,
+/// which are not strata of the pattern. An error of the density of 18 % is found.
 pub fn a_draw_is_uniform_over_the_square(kind: &Kind) -> Holds {
     const SEEDS: u32 = 2000;
     let sampler = built(kind);
@@ -81,7 +81,7 @@ pub fn a_run_of_draws_uses_up_one_set(kind: &Kind) -> Holds {
         let sets = SampleSets::new(&*sampler, n, 3);
         let per_set = sets.per_set();
         ensure!(per_set == sampler.round_up(n), "{per_set} in a set of {n}");
-        // the same sets: SampleSets shuffles as many indices after each fill
+        // the same sets: like SampleSets, shuffle as many indices after each fill
         let mut random = Pcg32::new(3, 0);
         let mut known = Vec::new();
         for _ in 0..SETS {
@@ -120,7 +120,7 @@ fn common_shift(set: &[[f64; 2]], draws: &[[f64; 2]]) -> Option<[f64; 2]> {
     /// Two sums of numbers below 2.
     const ROUNDING: f64 = 1e-15;
     let apart = |a: f64, b: f64| (a - b) - floor(a - b);
-    // the first draw is one of the points: each of them may be it
+    // the first draw is one of the points: try each of them
     set.iter().map(|p| [apart(draws[0][0], p[0]), apart(draws[0][1], p[1])]).find(|shift| {
         let is_moved = |p: &[f64; 2], draw: &[f64; 2]| {
             (0..2).all(|axis| {
@@ -138,8 +138,8 @@ fn bits(points: &[[f64; 2]]) -> Vec<[u64; 2]> {
     bits
 }
 
-/// Law: the same key and index give the same point, in any order; another seed, column, row or run
-/// gives others.
+/// Law: the same key and index give the same point, in any order; another seed, column, row or run gives
+/// other points.
 pub fn draws_are_pure(kind: &Kind) -> Holds {
     let sampler = built(kind);
     let (sets, again) = (SampleSets::new(&*sampler, 16, 1), SampleSets::new(&*sampler, 16, 1));

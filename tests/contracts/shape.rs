@@ -46,8 +46,8 @@ fn hits_lie_inside_the_bounds(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: the surface's point is the ray's at `t`, moved by no more than rounding, which slants
-/// stretch along the surface.
+/// Law: the surface's point is the ray's point at `t`, up to rounding, which a slanted ray enlarges along the
+/// surface.
 fn the_surface_is_where_the_ray_is(kind: &Kind) -> Holds {
     let shape = built(kind);
     let mut rays = Rays::new(&*shape);
@@ -93,8 +93,8 @@ fn nearest_to(t: f64, roots: &[Candidate]) -> Option<f64> {
 /// Law: the normal is perpendicular to the surface, up to the curvature times the square of the
 /// step. Oracle: central difference quotients of the points that rays beside it hit.
 fn the_normal_is_the_gradient(kind: &Kind) -> Holds {
-    /// Steps of 1e-6 leave 1e-12 of curvature, a thousand times as much with slanted rays at the ends
-    /// of flat ellipsoids, and 1e-9 of rounding.
+    /// With steps of 1e-6 the error is 1e-12 from curvature (a thousand times as much for slanted rays at the
+    /// ends of flat ellipsoids) and 1e-9 from rounding.
     const SLOPE: f64 = 1e-6;
     let shape = built(kind);
     let mut rays = Rays::new(&*shape);
@@ -117,8 +117,7 @@ fn the_normal_is_the_gradient(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: in any span, `shadow_hit` finds something exactly if `hit` does, and what it finds is one of
-/// the roots.
+/// Law: in any span, `shadow_hit` finds a hit exactly if `hit` does, and it is one of the roots.
 fn shadow_hits_agree_with_hits(kind: &Kind) -> Holds {
     let shape = built(kind);
     let mut rays = Rays::new(&*shape);
@@ -168,8 +167,8 @@ fn roots_are_the_hits_in_order(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: if every line meets the surface an even number of times (it has an inside), then lines
-/// enter and leave in turn: the normal points outward everywhere.
+/// Law: if every line hits the surface an even number of times (it has an inside), then lines enter and leave
+/// alternately: the normal points outward everywhere.
 fn sides_alternate_along_a_line(kind: &Kind) -> Holds {
     let shape = built(kind);
     let mut rays = Rays::new(&*shape);
@@ -197,8 +196,8 @@ fn sides_alternate_along_a_line(kind: &Kind) -> Holds {
     }
 }
 
-/// Law: a ray whose origin is moved along it hits the same place, at a `t` that is smaller by as
-/// much.
+/// Law: a ray whose origin is moved along it hits the same point, at a `t` that is smaller by the same
+/// amount.
 fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
     let shape = built(kind);
     let mut rays = Rays::new(&*shape);
@@ -216,10 +215,10 @@ fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: a ray that leaves a surface never meets it at the same place again, also at grazing angles:
-/// what it hits next it meets from the side it left to, or it is far off: the inner side of an open
-/// shape, through its opening. From inside a closed shape it hits something. So too when it is turned
-/// and moved far away, where coordinates are rounded more.
+/// Law: a ray that leaves a surface never hits it again at the same point, also at grazing angles. Its next
+/// hit is on the side to which it left, or far away: on the inner side of an open shape, through its opening.
+/// From inside a closed shape it always has a next hit. The same holds for a shape that is turned and moved
+/// far away, where coordinates are rounded more.
 fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
     let transform = vec![Step::RotateX(30.0), Step::Translate(Vector::new(900.0, -30.0, 700.0))];
     let far = Instance::new(kind.clone(), transform);
@@ -230,7 +229,7 @@ fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
 fn leaves(shape: &dyn Shape) -> Holds {
     let mut rays = Rays::new(shape);
     let closed = is_closed(shape, &mut rays);
-    // of a vessel of glass and water a ray may leave two boundaries in a row from the inner side
+    // in a vessel of glass and water a ray may leave two boundaries in a row from the inner side
     let near = 1e-3 * shape.bounds().extent().max_abs().min(rays.size());
     for Met { surface, .. } in rays.smooth_hits(shape, RAYS) {
         let n = surface.normal;
@@ -266,7 +265,7 @@ fn across(v: Normal) -> Vector {
     Vector::new(v.x(), v.y(), 0.0).unit().unwrap_or(Vector::X)
 }
 
-/// Whether every line meets it an even number of times, and some do.
+/// Whether every random line hits the shape an even number of times, and some lines hit it.
 fn is_closed(shape: &dyn Shape, rays: &mut Rays) -> bool {
     let counts: Vec<usize> =
         (0..RAYS).map(|_| shape.roots(&rays.next(), Span::LINE).len()).collect();

@@ -1,6 +1,6 @@
 //! The contract of [`Shape`](groundtruth::shapes::Shape): laws to the last bit.
 //!
-//! Powers of two, signs and exchanged axes round nowhere, so what they change is known exactly.
+//! Powers of two, signs and exchanged axes cause no rounding, so their effect is known exactly.
 
 use groundtruth::math::{Axis, Point, Ray, Span, Step, Vector, power_of_two};
 use groundtruth::shapes::{Candidate, Context, Instance, Kind};
@@ -72,7 +72,7 @@ fn scaling_scales_every_bit(kind: &Kind) -> Holds {
         let factor = power_of_two(k);
         let larger = match kind.scaled(factor).build(&mut Context::default()) {
             Ok(larger) => larger,
-            // powers of coordinates leave the range of numbers before they do
+            // powers of coordinates overflow or underflow before the coordinates do
             Err(_) if k.abs() == 120 && matches!(kind, Kind::Algebraic(_)) => continue,
             Err(e) => return Err(format!("times 2^{k}: {e}")),
         };
@@ -95,8 +95,8 @@ fn scaling_scales_every_bit(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: what is so large or small that its hits would be lost is refused, and it is said what would
-/// fit; a shape without an end has no size.
+/// Law: a shape so large or small that its hits would be lost is refused, and the error says what is valid;
+/// an infinite shape has no size.
 fn sizes_beyond_numbers_are_refused(kind: &Kind) -> Holds {
     let endless = !built(kind).bounds().is_bounded();
     for k in [200, -200, 530, -530, 900, -900] {
@@ -113,8 +113,8 @@ fn sizes_beyond_numbers_are_refused(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: an instance whose transform rounds nowhere is hit where, and as, the shape itself is hit by
-/// the ray before the transform; the texture's point stays; normals turn as `M⁻ᵀ`. Oracle: the
+/// Law: an instance whose transform causes no rounding is hit exactly as the shape itself is hit by the
+/// inversely transformed ray; the texture's point stays the same; normals transform by `M⁻ᵀ`. Oracle: the
 /// steps written out here.
 fn transforms_commute(kind: &Kind) -> Holds {
     let steps = vec![

@@ -54,8 +54,8 @@ fn colours_are_reflectances(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: where the object stands in the world does not matter, only the place on it (ch. 30: textures
-/// live in the object's own coordinates).
+/// Law: the position of the object in the world does not matter, only the point on it (ch. 30: textures are
+/// evaluated in the object's own coordinates).
 fn the_colour_moves_with_the_object(kind: &Kind) -> Holds {
     let texture = built(kind);
     for at in surfaces() {
@@ -98,7 +98,7 @@ fn octahedron(factor: f64) -> Arc<dyn Shape> {
     octahedron.scaled(factor).build(&mut Context::default()).expect("specimens are valid")
 }
 
-/// Law: the same at hits of a mesh, where textures may ask for triangles and texture coordinates.
+/// Law: the same at hits of a mesh, where textures may use triangles and texture coordinates.
 fn scaling_keeps_every_bit_on_meshes(kind: &Kind) -> Holds {
     let (texture, mesh) = (built(kind), octahedron(1.0));
     for k in [1, -7, 30, -30] {

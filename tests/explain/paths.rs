@@ -22,7 +22,7 @@ const HEIGHT: f64 = 1.5;
 /// The exponent of the walls' highlights.
 const EXPONENT: f64 = 10.0;
 
-/// A round room of these walls under a square lamp that faces down, seen from below the lamp.
+/// A spherical room with these walls and a square lamp that faces down; the camera is below the lamp.
 pub fn room(kd: f64, ks: f64, samples: u32) -> Scene {
     let lens = Orthographic { zoom: 1.0 };
     let camera = Viewpoint::new(Point::ORIGIN, Point::new(0.3, -1.0, 0.2), lens);
@@ -68,9 +68,9 @@ fn is_shadow(ray: &RayExplanation) -> bool {
     matches!(ray.kind, RayKind::Shadow { .. })
 }
 
-/// Law: a path of many bounces is a flat list: no bounce is indented, and below each stand, indented by
-/// one, its shadow ray and its own light, before the next bounce. Oracle: paths between white walls,
-/// which never end by chance: eleven rays and one that is too deep, unless one meets the black lamp.
+/// Law: a path of many bounces is a flat list: no bounce is indented. Below each bounce, before the next one,
+/// are its shadow ray and its own light, indented by one. Oracle: paths between white walls, which Russian
+/// roulette never ends: eleven rays and one that is too deep, unless a ray meets the black lamp.
 #[test]
 fn a_path_is_a_flat_list_of_bounces() {
     let mut longest = 0;
@@ -95,8 +95,8 @@ fn a_path_is_a_flat_list_of_bounces() {
     assert_eq!(longest, 12);
 }
 
-/// Law: a ray that goes on is indented beyond the one that sent it only where another one beside it goes
-/// on, too. Oracle: the lines of each ray's children, counted anew, in a tree that branches.
+/// Law: a ray is indented more than its parent only if the parent has other children that are shown. Oracle:
+/// the shown children of each ray, counted again, in a tree that branches.
 #[test]
 fn branches_are_indented() {
     let root = nested_glass();
@@ -148,7 +148,8 @@ fn local_light_has_a_line() {
     assert!(lines > 10, "{lines}");
 }
 
-/// The rays that go on in a path, after the hit that sent each and with the term that takes its light.
+/// The continuing rays of a path. Each comes with its parent, whose hit sent it, and with the parent's term
+/// that receives its light: (parent, term, ray).
 fn bounces(root: &RayExplanation) -> Vec<(&RayExplanation, &TermExplanation, &RayExplanation)> {
     let mut bounces = Vec::new();
     for hit in all(root) {
@@ -161,7 +162,7 @@ fn bounces(root: &RayExplanation) -> Vec<(&RayExplanation, &TermExplanation, &Ra
     bounces
 }
 
-/// Cosines of a direction to the normal of a hit, and to the mirror image of the ray that met it.
+/// Cosines between a direction and the normal of a hit, and between it and the mirrored incoming ray.
 fn cosines(hit: &RayExplanation, direction: Vector) -> [f64; 2] {
     let normal = Vector::from(hit.outcome.hit().expect("it scatters").normal);
     let came = Vector::from(hit.direction);
@@ -180,7 +181,8 @@ fn by_lamp([_, y, _]: [f64; 3], direction: Vector) -> f64 {
     distance * distance / (SIDE * SIDE * direction.y())
 }
 
-/// Directions are known to about 1e-15; the tenth power of a small cosine is known ten times worse.
+/// Directions have an error of about 1e-15; the tenth power of a small cosine has ten times the cosine's
+/// relative error.
 const ROUNDING: f64 = 1e-9;
 
 fn near(found: f64, expected: f64) -> bool {
@@ -218,8 +220,8 @@ fn the_weight_of_a_bounce_is_its_factors() {
     assert!(by.iter().all(|&count| count > 50) && ended > 20, "{by:?}, {ended}");
 }
 
-/// Law: emission that a lobe's ray meets counts `p²/(p² + q²)`, a light's sample `q²/(p² + q²)`: `p` is the
-/// density of the direction by all lobes, `q` by the lamp. Oracle: both densities by their formulas.
+/// Law: emission met by a lobe's ray has the MIS weight `p²/(p² + q²)`, a light sample `q²/(p² + q²)`: `p` is
+/// the density of the direction by all lobes, `q` by the lamp. Oracle: both densities by their formulas.
 #[test]
 fn mis_shares_are_those_of_the_densities() {
     let (mut met, mut sampled) = (0, 0);
@@ -258,7 +260,7 @@ fn mis_shares_are_those_of_the_densities() {
     assert!(met > 50 && sampled > 500, "{met} met, {sampled} sampled");
 }
 
-/// Law: what the camera sees counts in full, without a share. Oracle: the lamp seen directly.
+/// Law: emission that the camera sees directly has weight 1 and no MIS share. Oracle: the lamp.
 #[test]
 fn what_the_camera_sees_has_no_mis_share() {
     let mut scene = room(0.5, 0.3, 1);
@@ -269,8 +271,8 @@ fn what_the_camera_sees_has_no_mis_share() {
     assert_eq!((root.terms[0].weight, root.radiance), (Rgb::WHITE, Rgb::new(2.0, 1.0, 0.5)));
 }
 
-/// What is said beside each ray of a path, and of its own light. The numbers are judged above; this text
-/// shows a change of what people read.
+/// The text of each ray of a path and of its own light. The numbers are checked above; this snapshot shows
+/// changes of the text.
 #[test]
 fn the_lines_of_a_path_read_as_before() {
     let paths = paths(&room(0.5, 0.3, 64));

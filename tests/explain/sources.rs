@@ -19,7 +19,7 @@ use groundtruth::world::World;
 
 use crate::paths::room;
 
-/// Products of about ten factors in another order.
+/// The rounding of products of about ten factors that are multiplied in another order.
 const ROUNDING: f64 = 1e-12;
 
 fn assert_near(found: Rgb, expected: Rgb, what: &str) {
@@ -38,7 +38,7 @@ fn small(name: &str, size: u32, samples: u32) -> Scene {
 }
 
 /// Law: the means of both lists add up to the pixel, whatever tracer, filter, media and exposure time,
-/// also if one sample only is explained. Oracle: the pixel, rendered silently.
+/// also if only one sample is explained. Oracle: the pixel, rendered without a recorder.
 #[test]
 fn the_means_add_up_to_the_pixel() {
     let mut filtered = small("ch28/glass-sphere", 24, 16);
@@ -73,9 +73,10 @@ fn named(sources: &[SourceExplanation]) -> Vec<(String, Rgb)> {
     named
 }
 
-/// Law: a light is counted at every hit or at the first, a lobe with what its rays meet or with all that
-/// comes along them. Oracle: the sums by hand, for a mirror that reflects a quarter of a wall; both
-/// reflect diffusely, and the wall shines.
+/// Law: the first list counts a light at every hit, and a lobe with the emission that its rays meet. The
+/// second counts a light only at the first hit, and a lobe with all the light along its rays. Oracle: the
+/// sums by hand, for a mirror that reflects a quarter of a wall's light; both also reflect diffusely, and
+/// the wall emits.
 #[test]
 fn a_mirror_before_a_wall_is_divided_as_by_hand() {
     let lens = Orthographic { zoom: 1.0 };
@@ -164,16 +165,16 @@ fn added(root: &RayExplanation, source: &Source<String>) -> [Rgb; 2] {
     [by_entry.sum(), at_first_hit.map(|term| term.contribution).sum()]
 }
 
-/// Law: of two samples `a` and `b` the mean is `(a + b)/2` and the standard deviation `|a − b|/√2`, for each
-/// source; the largest stands first. Oracle: both formulas, on what the terms of the samples' trees
-/// contribute.
+/// Law: for two samples `a` and `b` the mean is `(a + b)/2` and the standard deviation `|a − b|/√2`, for each
+/// source; the source with the largest deviation is first. Oracle: both formulas, applied to the
+/// contributions of the terms of the samples' trees.
 #[test]
 fn two_samples_deviate_by_their_difference() {
     let mut glass = small("ch28/glass-sphere", 48, 2);
     glass.camera.exposure_time = 2.0;
     let mut seen = 0;
     for (mut scene, pixel) in [(glass, [7, 20]), (room(0.5, 0.3, 2), [0, 0])] {
-        // no square is needed
+        // this sampler does not round the count up to a square
         scene.image.sampler = Some(Random {}.into());
         let mut world = World::build(&scene).expect("the scene is valid");
         for seed in 0..16 {
@@ -201,7 +202,7 @@ fn two_samples_deviate_by_their_difference() {
     assert!(seen > 40, "{seen}");
 }
 
-/// Law: a single sample has no deviation, and is divided all the same. Oracle: its sources.
+/// Law: the sources of a single sample are listed too, without a deviation. Oracle: its sources.
 #[test]
 fn a_single_sample_has_no_deviation() {
     let scene = small("ch28/glass-sphere", 24, 1);

@@ -7,7 +7,7 @@ use groundtruth::rgb::Rgb;
 
 use super::*;
 
-/// EXR files keep radiance; a tone is for eyes.
+/// A tone that changes nothing: EXR files store radiance.
 const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
 
 fn exr(name: &str, width: u32, height: u32, color: impl Fn(u32, u32) -> Rgb) -> Vec<u8> {
@@ -22,7 +22,7 @@ fn exr(name: &str, width: u32, height: u32, color: impl Fn(u32, u32) -> Rgb) -> 
     std::fs::read(&path).expect("it was written")
 }
 
-/// Law: values come back as single precision keeps them, also those above 1. Oracle: the numbers.
+/// Law: values come back rounded to single precision, also those above 1. Oracle: the numbers.
 #[test]
 fn pictures_load() {
     let value = |x: u32, y: u32| Rgb::new(f64::from(x) + 0.25, 1e-6 * f64::from(y), 1e5);
@@ -33,9 +33,9 @@ fn pictures_load() {
     assert_eq!(rows(&decode(&file, None, MAX).expect("right")), expected, "linear by itself");
 }
 
-/// Law: what is no light is refused, and the texel named. Oracle: the text.
+/// Law: values that are negative or not finite are refused, and the error names the texel. Oracle: the text.
 #[test]
-fn values_that_are_no_light_are_refused() {
+fn negative_and_infinite_values_are_refused() {
     for (name, wrong) in [("nan", f64::NAN), ("infinite", f64::INFINITY), ("negative", -0.5)] {
         let file =
             exr(
@@ -59,7 +59,7 @@ fn truncated_files_are_refused() {
     }
 }
 
-/// Law: a header that claims texels without number is refused before any is read. Oracle: the text.
+/// Law: a header that claims a huge number of texels is refused before any is read. Oracle: the text.
 #[test]
 fn huge_sizes_are_refused_at_once() {
     let mut file = exr("huge", 5, 4, |_, _| Rgb::WHITE);

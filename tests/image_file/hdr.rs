@@ -20,7 +20,7 @@ fn value([r, g, b, e]: [u8; 4]) -> [f64; 3] {
     [r, g, b].map(|m| f64::from(m) * factor)
 }
 
-/// Law: texels have their mantissas times the power of two; also those of many exponents. Oracle: the
+/// Law: texels are their mantissas times the power of two, for small and large exponents. Oracle: the
 /// definition.
 #[test]
 fn texels_are_mantissas_times_a_power_of_two() {
@@ -32,8 +32,8 @@ fn texels_are_mantissas_times_a_power_of_two() {
     assert_eq!(linear(&rgbe), texels.map(value), "the other signature");
 }
 
-/// Law: run lengths of the old form repeat the texel before, and those in a row count 256 times as much
-/// each. Oracle: the texels written out.
+/// Law: a run length of the old form repeats the previous texel. Of consecutive run lengths, each counts 256
+/// times as much as the one before. Oracle: the texels written out.
 #[test]
 fn old_run_lengths_load() {
     let (a, b) = ([128, 64, 32, 130], [10, 20, 200, 128]);
@@ -46,8 +46,8 @@ fn old_run_lengths_load() {
     assert_eq!(found[259], value(b));
 }
 
-/// Law: run lengths of the new form are of the four components, one after the other: runs above 128, else
-/// literals. Oracle: the texels written out.
+/// Law: a scanline of the new form encodes the four components one after the other: a length above 128
+/// starts a run, any other starts literals. Oracle: the texels written out.
 #[test]
 fn new_run_lengths_load() {
     let mut line = vec![2, 2, 0, 8];
@@ -81,8 +81,8 @@ fn new_run_lengths_load() {
     );
 }
 
-/// Law: runs without a texel before, and more than fit, are refused, also so many in a row that their
-/// length is beyond any number. Oracle: the text.
+/// Law: runs without a previous texel and runs that are too long are refused, also so many consecutive ones
+/// that their length overflows. Oracle: the text.
 #[test]
 fn wrong_old_run_lengths_are_refused() {
     let texel = [128, 64, 32, 130];
@@ -100,8 +100,8 @@ fn wrong_old_run_lengths_are_refused() {
     }
 }
 
-/// Law: EXPOSURE and COLORCORR, which the values were multiplied by, are divided out, all of them. Oracle:
-/// the quotient.
+/// Law: EXPOSURE and COLORCORR, by which the values were multiplied, are divided out, every occurrence of
+/// them. Oracle: the quotient.
 #[test]
 fn exposure_is_divided_out() {
     let texel = [128, 64, 32, 130];
@@ -116,8 +116,8 @@ fn exposure_is_divided_out() {
     assert_refused("0", &hdr(&format!("{zero}-Y 1 +X 1\n"), &texel), "are finite and positive");
 }
 
-/// Law: orientations and colours that the decoder does not know are refused, and what is no header.
-/// Oracle: the text.
+/// Law: orientations and colour formats that the decoder does not know are refused, and so are invalid
+/// headers. Oracle: the text.
 #[test]
 fn other_forms_are_refused() {
     let texel = [128, 64, 32, 130];

@@ -115,8 +115,8 @@ fn palettes_load() {
     }
 }
 
-/// Law: an interlaced image (Adam7) is the same image. Oracle: the places of the seven passes in 3 × 3
-/// texels: 1, 4, 6 and 7 have rows of their own.
+/// Law: an interlaced image (Adam7) is the same image. Oracle: the texels of the seven passes in 3 × 3
+/// texels; only the passes 1, 4, 5, 6 and 7 have any.
 #[test]
 fn interlaced_images_load() {
     // 0 1 2
@@ -129,7 +129,7 @@ fn interlaced_images_load() {
     assert_eq!(linear(&png.bytes()), expected);
 }
 
-/// Law: with any single bit wrong, or cut off anywhere, a file is refused: every chunk has its checksum.
+/// Law: a file with any single bit flipped, or cut off anywhere, is refused: every chunk has its checksum.
 /// Oracle: every bit and every prefix.
 #[test]
 fn every_damage_is_found() {
@@ -153,10 +153,10 @@ fn every_damage_is_found() {
     assert_refused("cut", &whole[..whole.len() - 12], "the file ends before its last chunk");
 }
 
-/// Law: the checksum of the uncompressed data counts, and so do bytes after the last chunk. Oracle: the
-/// text.
+/// Law: a wrong checksum of the uncompressed data is refused, and so are bytes after the last chunk.
+/// Oracle: the text.
 #[test]
-fn what_other_checksums_do_not_tell_is_refused() {
+fn damage_that_chunk_checksums_miss_is_refused() {
     let mut data = zlib(&[0, 1, 2, 3]);
     let header = [0, 0, 0, 3, 0, 0, 0, 1, 8, GREY, 0, 0, 0];
     let file = |data: &[u8]| {
@@ -172,8 +172,8 @@ fn what_other_checksums_do_not_tell_is_refused() {
     assert_refused("no end", &file(&data), "its data have a wrong checksum, or no end");
 }
 
-/// Law: samples beyond the palette are refused by the place of the first, and bits after the last sample of
-/// a row mean nothing, interlaced or not. Oracle: a palette of two colours, and samples by hand.
+/// Law: samples beyond the palette are refused, with the position of the first; bits after the last sample
+/// of a row mean nothing, interlaced or not. Oracle: a palette of two colours, and samples by hand.
 #[test]
 fn samples_beyond_the_palette_are_refused() {
     let png = |interlaced, rows| {
@@ -208,7 +208,7 @@ fn wrong_counts_are_refused() {
     assert_refused("no columns", &png([0, 2], vec![]), "0 × 2 texels");
 }
 
-/// Law: claimed texels without number are refused by the header alone. Oracle: the text.
+/// Law: a huge number of claimed texels is refused by the header alone. Oracle: the text.
 #[test]
 fn huge_sizes_are_refused_at_once() {
     for size in [[1_000_000_000, 1], [40_000, 40_000], [0x7fff_ffff; 2]] {

@@ -36,8 +36,8 @@ fn greys_and_bits_load() {
     assert_eq!(linear(b"P4 3 2\n\x5f\xdf"), bits, "the five bits after a row do not count");
 }
 
-/// Law: comments and any white space may stand between the numbers of a header. Oracle: the same image
-/// without.
+/// Law: comments and any white space are allowed between the numbers of a header. Oracle: the same image
+/// without them.
 #[test]
 fn comments_in_headers_are_skipped() {
     let plain = linear(b"P6 1 2 255\n\x01\x02\x03\x04\x05\x06");
@@ -51,7 +51,7 @@ fn comments_in_headers_are_skipped() {
     }
 }
 
-/// Law: what is cut off anywhere, or has too many bytes, is refused. Oracle: every prefix.
+/// Law: a file that is cut off anywhere, or has too many bytes, is refused. Oracle: every prefix.
 #[test]
 fn wrong_lengths_are_refused() {
     let binary = b"P6 2 2 255\nabcdefghijkl";
@@ -78,8 +78,8 @@ fn wrong_numbers_are_refused() {
     assert_refused("a letter", b"P3 1 1 255 a b c", "damaged");
 }
 
-/// Law: a file of claimed texels without number is refused by its header. Oracle: the text, and that it
-/// is no matter of memory.
+/// Law: a file that claims a huge number of texels is refused by its header. Oracle: the text, and that the
+/// test needs little memory.
 #[test]
 fn huge_sizes_are_refused_at_once() {
     for size in ["1000000000 1", "40000 40000", "4294967295 4294967295", "1048577 1"] {

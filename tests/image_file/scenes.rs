@@ -1,4 +1,4 @@
-//! Images named by scene files: where errors are, and where files are found.
+//! Images named by scene files: the positions of errors, and where files are found.
 
 use std::path::Path;
 
@@ -38,8 +38,8 @@ fn nested(image: &str) -> String {
     format!("{{ checker3d = {{ color2 = {{ image = {image} }} }} }}")
 }
 
-/// Law: an error of an image says file, line and field, what is wrong with which image, and what to do.
-/// Oracle: the text.
+/// Law: the error for an image names file, line and field, says what is wrong with which image, and what to
+/// do. Oracle: the text.
 #[test]
 fn errors_say_file_line_and_field() {
     let folder = folder("errors");
@@ -57,8 +57,8 @@ fn errors_say_file_line_and_field() {
         ),
     ] {
         let error = read(folder.path(), &background, &color).expect_err("it is damaged");
-        let place = format!("{}:{line}: ", path.display());
-        assert!(error.starts_with(&place), "`{error}` does not begin with `{place}`");
+        let position = format!("{}:{line}: ", path.display());
+        assert!(error.starts_with(&position), "`{error}` does not begin with `{position}`");
         assert!(error.contains(expected), "`{error}` does not say `{expected}`");
     }
     let error = read(folder.path(), &sky("cut.ppm"), "1").expect_err("it is damaged");
@@ -75,8 +75,8 @@ fn errors_say_file_line_and_field() {
     assert!(error.contains("not a file"), "{error}");
 }
 
-/// Law: names are relative to the scene file; made independent of its folder, the scene builds from
-/// anywhere, wherever the image stands: in the sky, or nested in a texture. Oracle: building it in
+/// Law: file names are relative to the scene file. After they are made independent of its folder, the scene
+/// builds from anywhere, whether an image is in the sky or nested in a texture. Oracle: building it in
 /// another folder.
 #[test]
 fn names_are_relative_to_the_scene_until_they_are_made_independent() {
@@ -88,7 +88,7 @@ fn names_are_relative_to_the_scene_until_they_are_made_independent() {
     let build = |scene: &scene::Scene| groundtruth::world::World::build_in(scene, elsewhere);
     assert!(build(&scene).is_err(), "there is no right.ppm in /");
     let moved = scene.files_from(folder.path()).expect("it is plain");
-    build(&moved).expect("the names are whole");
+    build(&moved).expect("the names are absolute");
     // nothing else changes: with the folder taken out of the names, the text is the same
     let text = |scene: &scene::Scene| scene::to_toml(scene).expect("it is plain");
     let prefix = format!("{}/", folder.path().display());

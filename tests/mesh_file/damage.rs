@@ -1,4 +1,4 @@
-//! Damaged files: an error or a mesh in order, never a panic, never much memory.
+//! Damaged files: they give an error or a valid mesh, never a panic, and never take much memory.
 
 use crate::obj::soup;
 use crate::samples::*;
@@ -7,8 +7,8 @@ use groundtruth::mesh_file::{Encoding, MeshData, MeshFileError, parse_obj, parse
 /// The module's promise, in bytes of memory for each byte of the file.
 const MEMORY_FACTOR: usize = 64;
 
-/// Checks what `MeshData` promises of every mesh that was read.
-fn assert_in_order(mesh: &MeshData, file: usize) {
+/// Checks what `MeshData` promises about every mesh that was read.
+fn assert_valid(mesh: &MeshData, file: usize) {
     let count = mesh.vertices.len();
     assert!(mesh.vertices.iter().flatten().all(|x| x.is_finite()));
     assert!(mesh.normals.iter().flatten().flatten().all(|x| x.is_finite()));
@@ -34,8 +34,8 @@ fn parse(bytes: &[u8], obj: bool) -> Result<MeshData, MeshFileError> {
     if obj { parse_obj(bytes) } else { parse_ply(bytes) }
 }
 
-/// Law: no proper beginning of a file passes for the whole, but for its last white space (and the
-/// last word of a file in words, which may be a beginning of itself).
+/// Law: no proper prefix of a file is accepted, except a prefix without only the last white space (or, in a
+/// text file, without the end of the last word, because a prefix of a number is a number).
 #[test]
 fn a_ply_file_cut_anywhere_is_an_error_or_the_same_mesh() {
     for encoding in ENCODINGS {
@@ -54,8 +54,8 @@ fn a_ply_file_cut_anywhere_is_an_error_or_the_same_mesh() {
     }
 }
 
-/// Law: an OBJ file has no counts, so one that is cut is an error or the mesh with its last faces
-/// missing, and perhaps normals of the last one; where the corners are is right.
+/// Law: an OBJ file has no counts, so a file that is cut gives an error or the mesh without its last faces,
+/// perhaps also without normals of the last one left; the positions of the corners are right.
 #[test]
 fn an_obj_file_cut_anywhere_is_an_error_or_the_first_faces() {
     let file = pyramid_obj();
@@ -69,7 +69,7 @@ fn an_obj_file_cut_anywhere_is_an_error_or_the_first_faces() {
 
 /// 20 000 files with one to four bytes changed, taken out or put in.
 #[test]
-fn random_damage_gives_an_error_or_a_mesh_in_order() {
+fn random_damage_gives_an_error_or_a_valid_mesh() {
     let mut random = SplitMix64(23);
     let mut errors = 0;
     for (number, file) in files().iter().enumerate() {
@@ -85,7 +85,7 @@ fn random_damage_gives_an_error_or_a_mesh_in_order() {
                 }
             }
             match parse(&bytes, number == 3) {
-                Ok(mesh) => assert_in_order(&mesh, bytes.len()),
+                Ok(mesh) => assert_valid(&mesh, bytes.len()),
                 Err(error) => {
                     errors += 1;
                     assert!(error.to_string().len() < 600, "{error}");
@@ -108,8 +108,8 @@ fn garbage_is_an_error() {
     }
 }
 
-/// Every count and list length of a header set to the largest there is: refused before anything
-/// is allocated or counted through. A reader that believes it takes minutes or the machine.
+/// Each count of a header, replaced by a huge number, is refused before anything is allocated or read. A
+/// reader that believed it would take minutes or all memory.
 #[test]
 fn counts_that_lie_are_refused_at_once() {
     let largest =
@@ -136,7 +136,7 @@ fn counts_that_lie_are_refused_at_once() {
                 );
             }
         }
-        // without properties an element takes no room, however many there are
+        // elements without properties take no memory, however many there are
         let lie = text.replace("element nothing 3", "element nothing 18446744073709551615");
         assert_eq!(parse_ply(&[lie.as_bytes(), &file[header..]].concat()).unwrap(), pyramid());
     }

@@ -1,4 +1,4 @@
-//! OBJ: one index out of three.
+//! OBJ: the three indices of a corner (position, texture coordinates, normal) become one.
 
 use crate::samples::*;
 use groundtruth::mesh_file::{MeshData, parse_obj, parse_ply};
@@ -10,7 +10,7 @@ fn square(rest: &str) -> MeshData {
     parse_obj(format!("{SQUARE}{rest}").as_bytes()).unwrap()
 }
 
-/// The corners of all triangles as points: what the file means, however vertices are numbered.
+/// The corner points of all triangles: they do not depend on how vertices are numbered.
 pub fn soup(mesh: &MeshData) -> Vec<[[f64; 3]; 3]> {
     mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i as usize])).collect()
 }
@@ -47,12 +47,12 @@ fn texture_coordinates_are_taken_by_their_own_index() {
     assert_eq!(mesh.normals, None);
 }
 
-/// Oracle: the same face with the points counted from the front.
+/// Oracle: the same face with positive indices.
 #[test]
 fn negative_indices_count_back_from_the_face() {
     let expected = soup(&square("f 2 3 4\n"));
     assert_eq!(soup(&square("f -3 -2 -1\n")), expected);
-    // points that come later do not shift it
+    // points that come later do not change it
     assert_eq!(soup(&square("f -3 -2 -1\nv 9 9 9\n")), expected);
     let with_all =
         square("vt 0 0\nvt 1 1\nvn 0 0 1\nf -4/-2/-1 -3/-1/-1 -2/-2/1\nvt 5 5\nvn 1 0 0\n");
@@ -77,7 +77,7 @@ fn polygons_are_split_into_triangles_that_cover_the_same_area() {
     assert_eq!(halves, [1.0, 1.0]);
 }
 
-/// Oracle: the bare file.
+/// Oracle: the file without them.
 #[test]
 fn comments_groups_materials_lines_and_line_ends_change_nothing() {
     let bare = format!("{SQUARE}f 1 2 3\nf 1 3 4\n");
@@ -109,9 +109,9 @@ fn points_that_no_face_uses_are_left_out() {
     assert_eq!(mesh.triangles, [[0, 1, 2]]);
 }
 
-/// Law: a mark of UTF-8 in front of a file changes nothing. Oracle: the file without it.
+/// Law: a UTF-8 byte order mark at the start of a file changes nothing. Oracle: the file without it.
 #[test]
-fn a_mark_of_utf_8_changes_nothing() {
+fn a_byte_order_mark_changes_nothing() {
     let bytes = format!("{SQUARE}f 1 2 3 4\n").into_bytes();
     let marked = [b"\xef\xbb\xbf", bytes.as_slice()].concat();
     assert_eq!(parse_obj(&marked).unwrap(), parse_obj(&bytes).unwrap());
@@ -122,8 +122,8 @@ fn a_mark_of_utf_8_changes_nothing() {
     }
 }
 
-/// Law: a coordinate v that is left out is 0; and where only some corners have a normal or texture
-/// coordinates, the others have zeros. Oracle: by hand.
+/// Law: a missing texture coordinate v is 0; if only some corners have a normal or texture coordinates, the
+/// others get zeros. Oracle: by hand.
 #[test]
 fn what_corners_lack_is_zero() {
     let mesh = square("vt 0.5\nvt 0.25 0.75\nvn 0 0 2\nf 1/1 2/2/1 3\n");

@@ -1,4 +1,4 @@
-//! Every text that a person with a bad OBJ file, or none, can meet, in full.
+//! Every error message for a missing or bad OBJ file, in full.
 
 use crate::samples::*;
 use groundtruth::mesh_file::{Encoding, parse_obj, read};

@@ -1,12 +1,12 @@
-//! PLY: three encodings, one meaning.
+//! PLY: the same mesh in three encodings.
 
 use crate::samples::*;
 use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
 use proptest::prelude::*;
 
-/// Oracle: the bytes are put together by the test, the expected mesh is written out in full.
+/// Oracle: the test builds the bytes itself, and the expected mesh is written out in full.
 #[test]
-fn all_three_encodings_give_the_mesh_and_pass_over_what_is_not_ours() {
+fn all_three_encodings_give_the_mesh_and_unknown_data_is_skipped() {
     for encoding in ENCODINGS {
         let read = parse_ply(&ornate_pyramid_ply(encoding)).unwrap();
         assert_eq!(read, pyramid(), "{encoding:?}");
@@ -122,7 +122,7 @@ fn every_integer_type_can_count_and_index_corners() {
     }
 }
 
-/// Oracle: `\n` against the two other conventions, in words and (header only) in bytes.
+/// Oracle: the same file with `\n`; in a binary file only the header has lines.
 #[test]
 fn line_ends_of_all_systems_mean_the_same() {
     for end in ["\r\n", "\r", " \t\n", "\n"] {
@@ -170,7 +170,7 @@ fn all_common_names_of_texture_coordinates_are_known() {
     let file = String::from_utf8(ornate_pyramid_ply(Encoding::Ascii)).unwrap();
     let half = file.replace("float t\n", "float tee\n").replace("float ny\n", "float why\n");
     let expected = MeshData { normals: None, uvs: None, ..pyramid() };
-    assert_eq!(parse_ply(half.as_bytes()).unwrap(), expected, "two of three are no normal");
+    assert_eq!(parse_ply(half.as_bytes()).unwrap(), expected, "incomplete ones are ignored");
 }
 
 /// Oracle: Newell's formula for the area of the whole polygon.
@@ -187,7 +187,7 @@ fn polygons_are_split_into_triangles_that_cover_the_same_area() {
             "element face 1",
             "property list uchar int vertex_index",
         ]);
-        // on the parabola y = x²: convex, exact, and no two corners alike
+        // on the parabola y = x²: convex, with exact and distinct corners
         for x in 0..corners as i32 {
             file.f64(x.into()).f64((x * x).into()).i32(7).end();
         }
@@ -200,7 +200,7 @@ fn polygons_are_split_into_triangles_that_cover_the_same_area() {
         let areas: Vec<f64> =
             mesh.triangles.iter().map(|t| doubled_area(&mesh.vertices, t)[2]).collect();
         assert_eq!(mesh.triangles.len(), corners - 2);
-        assert!(areas.iter().all(|&area| area > 0.0), "all wound as the polygon: {areas:?}");
+        assert!(areas.iter().all(|&area| area > 0.0), "all are wound like the polygon: {areas:?}");
         assert_eq!(areas.iter().sum::<f64>(), whole[2], "{corners} corners");
     }
 }
@@ -226,7 +226,7 @@ fn any_mesh() -> impl Strategy<Value = MeshData> {
     })
 }
 
-/// All numbers as bits: `==` takes −0 for 0.
+/// All numbers as bits, because `==` does not distinguish −0 from 0.
 fn bits(mesh: &MeshData) -> (Vec<u64>, usize, usize, Vec<[u32; 3]>) {
     let (normals, uvs) = (mesh.normals.iter().flatten(), mesh.uvs.iter().flatten());
     let numbers =
@@ -235,7 +235,7 @@ fn bits(mesh: &MeshData) -> (Vec<u64>, usize, usize, Vec<[u32; 3]>) {
 }
 
 proptest! {
-    // the seed is fixed, failing cases are kept beside this file
+    // the seed is fixed; failing cases are stored in a file beside this one
     #![proptest_config(ProptestConfig {
         cases: 200,
         rng_seed: proptest::test_runner::RngSeed::Fixed(23),

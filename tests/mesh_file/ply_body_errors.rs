@@ -1,4 +1,4 @@
-//! Every text that a person with a bad PLY body can meet, in full.
+//! Every error message for a bad PLY body, in full.
 
 use crate::ply_header_errors::{TRIANGLE, assert_ply_error, assert_spoilt};
 use crate::samples::*;
@@ -91,7 +91,7 @@ fn a_face_that_is_wrong_has_its_line() {
     );
 }
 
-/// Oracle: the place of the damage in a file of known layout.
+/// Oracle: the file's layout is known, and so is where the test damages it.
 #[test]
 fn an_element_of_a_binary_file_that_is_wrong_has_its_name_and_index() {
     for encoding in [Encoding::LittleEndian, Encoding::BigEndian] {
@@ -103,7 +103,7 @@ fn an_element_of_a_binary_file_that_is_wrong_has_its_name_and_index() {
             file[at..at + bytes.len()].copy_from_slice(bytes);
             file
         };
-        let nan = [0x7f, 0xf8, 0, 0, 0, 0, 0xf8, 0x7f]; // a NaN from both ends
+        let nan = [0x7f, 0xf8, 0, 0, 0, 0, 0xf8, 0x7f]; // a NaN in either byte order
         assert_ply_error(
             with(body + 2 * 24 + 8, &nan),
             "vertex 2 (counted from 0): `NaN` found for `y`, expected a finite number",

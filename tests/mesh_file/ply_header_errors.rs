@@ -1,9 +1,9 @@
-//! Every text that a person with a bad PLY header can meet, in full.
+//! Every error message for a bad PLY header, in full.
 
 use crate::samples::*;
 use groundtruth::mesh_file::{Encoding, parse_ply};
 
-/// A triangle in words, to be spoilt.
+/// A correct ASCII file of one triangle, which the tests damage.
 pub const TRIANGLE: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
     property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
     0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -13,7 +13,7 @@ pub fn assert_ply_error(bytes: impl AsRef<[u8]>, message: &str) {
     assert_eq!(parse_ply(bytes.as_ref()).unwrap_err().to_string(), message);
 }
 
-/// The triangle with one text replaced, which has to be in it.
+/// Checks the error of [`TRIANGLE`] with the first `part` replaced by `by`.
 #[track_caller]
 pub fn assert_spoilt(part: &str, by: &str, message: &str) {
     assert!(TRIANGLE.contains(part), "{part}");
@@ -21,7 +21,7 @@ pub fn assert_spoilt(part: &str, by: &str, message: &str) {
 }
 
 #[test]
-fn what_is_no_ply_file_is_told_so() {
+fn a_file_that_is_not_ply_or_is_cut_off_gets_an_error() {
     parse_ply(TRIANGLE.as_bytes()).expect("the triangle itself is right");
     let not_ply = "line 1: not a PLY file; the first line of a PLY file is `ply`";
     assert_ply_error("", not_ply);
@@ -72,7 +72,7 @@ fn a_header_line_that_cannot_be_understood_is_quoted() {
         "format ascii 1.0\nelement vertex",
         &format!("line 3: found `format ascii 1.0`, {keyword}"),
     );
-    // long lines are shortened, and nothing in them reaches the terminal's controls
+    // long lines are shortened, and control characters are replaced
     assert_spoilt(
         "property float y",
         &format!("\u{1b}[2J{}", "y".repeat(99)),
@@ -81,7 +81,7 @@ fn a_header_line_that_cannot_be_understood_is_quoted() {
 }
 
 #[test]
-fn a_header_without_what_a_mesh_needs_names_it() {
+fn a_missing_element_or_property_is_named() {
     assert_spoilt(
         "element vertex",
         "element corner",
@@ -120,7 +120,7 @@ fn a_header_without_what_a_mesh_needs_names_it() {
 }
 
 #[test]
-fn a_header_that_says_things_twice_or_wrongly_names_them() {
+fn duplicate_and_mistyped_header_entries_are_named() {
     assert_spoilt(
         "element face",
         "element face 0\nelement face",

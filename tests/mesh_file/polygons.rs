@@ -1,9 +1,9 @@
-//! Polygons of more than three corners: what becomes of them.
+//! How polygons of more than three corners are split into triangles.
 //!
-//! A place is covered once by triangles that are wound alike if their sides, each taken in its
-//! direction, are those of the polygon and pairs that cancel: the winding number of the polygon
-//! around the place is the sum of those of the triangles, and these are 0 or 1. So nothing but
-//! sides and the sign of areas needs to be looked at, and whole numbers make these exact.
+//! Triangles that are all wound like a simple polygon cover it exactly once if their directed sides are
+//! the polygon's sides and pairs of opposite sides, which cancel. For then the winding number of the
+//! polygon around any point is the sum of the triangles' winding numbers, each of which is 0 or 1. So
+//! the tests need only the sides and the signs of areas, which are exact in integers.
 
 use std::collections::HashMap;
 
@@ -11,27 +11,27 @@ use groundtruth::mesh_file::{MeshFileError, parse_obj};
 
 use crate::samples::SplitMix64;
 
-type Place = [i64; 2];
+type Point = [i64; 2];
 
 /// Twice the area, exactly.
-fn doubled_area([a, b, c]: [Place; 3]) -> i64 {
+fn doubled_area([a, b, c]: [Point; 3]) -> i64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether two sides have a place in common.
-fn meet([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
+/// Whether two sides have a point in common.
+fn meet([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
     let side = |p| doubled_area([a, b, p]).signum();
     let other = |p| doubled_area([c, d, p]).signum();
     let apart = |i: usize| a[i].max(b[i]) < c[i].min(d[i]) || c[i].max(d[i]) < a[i].min(b[i]);
     side(c) * side(d) <= 0 && other(a) * other(b) <= 0 && !apart(0) && !apart(1)
 }
 
-fn side(polygon: &[Place], i: usize) -> [Place; 2] {
+fn side(polygon: &[Point], i: usize) -> [Point; 2] {
     [polygon[i], polygon[(i + 1) % polygon.len()]]
 }
 
-/// Whether sides meet only at the corner between them.
-fn is_simple(polygon: &[Place]) -> bool {
+/// Whether the polygon is simple: sides meet only at the corner between neighbours.
+fn is_simple(polygon: &[Point]) -> bool {
     let n = polygon.len();
     let next_is_fine = |i: usize| {
         let [a, b] = side(polygon, i);
@@ -44,14 +44,15 @@ fn is_simple(polygon: &[Place]) -> bool {
         && (0..n).all(|i| (i + 2..n).filter(|j| (j + 1) % n != i).all(|j| apart(i, j)))
 }
 
-/// A polygon without crossings on a small grid, so that many corners lie on straight lines: places
-/// in any order, of which crossing sides are exchanged until there are none.
-fn random_polygon(random: &mut SplitMix64, corners: usize) -> Option<Vec<Place>> {
+/// A simple polygon with corners on a small grid, so that many corners lie on straight lines. Random
+/// points are joined in any order, then 2-opt moves shorten the polygon, which removes crossings. `None`
+/// if it is still not simple.
+fn random_polygon(random: &mut SplitMix64, corners: usize) -> Option<Vec<Point>> {
     let mut below = |n| random.below(n) as i64;
-    let mut polygon: Vec<Place> = (0..corners).map(|_| [below(9), below(9)]).collect();
+    let mut polygon: Vec<Point> = (0..corners).map(|_| [below(9), below(9)]).collect();
     for _ in 0..1_000 {
         let pairs = (0..corners).flat_map(|i| (i + 1..corners).map(move |j| (i, j)));
-        let length = |[a, b]: [Place; 2]| {
+        let length = |[a, b]: [Point; 2]| {
             let [x, y] = [b[0] - a[0], b[1] - a[1]].map(|x| x as f64);
             (x * x + y * y).sqrt()
         };
@@ -67,8 +68,8 @@ fn random_polygon(random: &mut SplitMix64, corners: usize) -> Option<Vec<Place>>
     is_simple(&polygon).then_some(polygon)
 }
 
-/// The triangles of a polygon that lies in some plane of space, seen from either side.
-fn triangles(polygon: &[Place], random: &mut SplitMix64) -> Vec<[u32; 3]> {
+/// The triangles of the polygon after a random map of its plane into space.
+fn triangles(polygon: &[Point], random: &mut SplitMix64) -> Vec<[u32; 3]> {
     let mut entry = || random.below(7) as i64 - 3;
     let (u, v) = loop {
         let (u, v) = ([entry(), entry(), entry()], [entry(), entry(), entry()]);
@@ -87,11 +88,11 @@ fn triangles(polygon: &[Place], random: &mut SplitMix64) -> Vec<[u32; 3]> {
     parse_obj(text.as_bytes()).expect("readable").triangles
 }
 
-/// What the triangles' sides leave when those that run both ways are struck out must be the sides of
-/// the polygon, and all areas of the sign of the polygon's.
-fn assert_covers_once(polygon: &[Place], triangles: &[[u32; 3]]) {
-    let mut left: HashMap<[Place; 2], i32> = HashMap::new();
-    let mut count = |[a, b]: [Place; 2], by: i32| {
+/// Checks that the triangles' directed sides, without the pairs that run in opposite directions, are the
+/// sides of the polygon, and that all areas have the sign of the polygon's area.
+fn assert_covers_once(polygon: &[Point], triangles: &[[u32; 3]]) {
+    let mut left: HashMap<[Point; 2], i32> = HashMap::new();
+    let mut count = |[a, b]: [Point; 2], by: i32| {
         let (side, by) = if a < b { ([a, b], by) } else { ([b, a], -by) };
         *left.entry(side).or_default() += by;
     };
@@ -109,8 +110,8 @@ fn assert_covers_once(polygon: &[Place], triangles: &[[u32; 3]]) {
     assert_eq!(triangles.len(), polygon.len() - 2, "{polygon:?}");
 }
 
-/// Law: the triangles of a polygon without crossings cover it once, and have every side of it, also
-/// where corners lie on a straight line. Oracle: winding numbers, in whole numbers.
+/// Law: the triangles of a simple polygon cover it once and have all its sides, also where corners lie
+/// on a straight line. Oracle: winding numbers, in integers.
 #[test]
 fn triangles_cover_a_polygon_once() {
     let mut random = SplitMix64(1975);
@@ -126,8 +127,8 @@ fn triangles_cover_a_polygon_once() {
     assert!(straight > 500, "{straight} with corners on a straight line");
 }
 
-/// Law: so do those of spirals and combs, and of a square with a square hole that is joined to the rim by
-/// a cut, from every corner and in both directions. Oracle: the same.
+/// Law: the same holds for spirals, combs, and a square with a square hole that a cut joins to the rim,
+/// for every first corner and both directions. Oracle: the same.
 #[test]
 fn triangles_cover_spirals_combs_and_holes_once() {
     let wall = |k: i64, beside: i64| {
@@ -135,16 +136,16 @@ fn triangles_cover_spirals_combs_and_holes_once() {
         [x * (4 * k + 4 + beside), y * (4 * k + 4 + beside)]
     };
     let outside = (0..12).map(|k| wall(k, 1));
-    let spiral: Vec<Place> = outside.chain((0..12).rev().map(|k| wall(k, -1))).collect();
+    let spiral: Vec<Point> = outside.chain((0..12).rev().map(|k| wall(k, -1))).collect();
     let comb = (0..20).flat_map(|k| [[2 * k, 0], [2 * k + 1, 30]]).chain([[40, -1], [0, -1]]);
-    let comb: Vec<Place> = comb.collect();
+    let comb: Vec<Point> = comb.collect();
     assert!(is_simple(&spiral) && is_simple(&comb));
     let hole = [
         [0, 0],
         [9, 0],
         [9, 9],
         [0, 9],
-        [0, 0], // and over the cut
+        [0, 0], // from here along the cut to the hole
         [3, 3],
         [3, 6],
         [6, 6],
@@ -163,22 +164,20 @@ fn triangles_cover_spirals_combs_and_holes_once() {
     }
 }
 
-/// Law: a polygon that crosses itself or has no area gives two triangles less than it has corners,
-/// and no panic. Oracle: the law's own words.
+/// Law: a polygon of n corners that crosses itself or has no area gives n − 2 triangles and no panic.
 #[test]
-fn polygons_that_are_none_become_triangles_too() {
+fn self_crossing_and_flat_polygons_become_triangles_too() {
     let mut random = SplitMix64(1977);
     for case in 0..2_000 {
         let corners = 4 + random.below(12);
         let high = if case % 4 == 0 { 1 } else { 5 };
-        let mut place = || [random.below(5) as i64, random.below(high) as i64];
-        let polygon: Vec<Place> = (0..corners).map(|_| place()).collect();
+        let mut point = || [random.below(5) as i64, random.below(high) as i64];
+        let polygon: Vec<Point> = (0..corners).map(|_| point()).collect();
         assert_eq!(triangles(&polygon, &mut random).len(), corners - 2, "{polygon:?}");
     }
 }
 
-/// Law: a face with very many corners is read if it is convex; if not, the message says which it is
-/// and what to do. Oracle: the law's own words.
+/// Law: a face with very many corners is read if it is convex; if not, the message names the face.
 #[test]
 fn a_face_of_very_many_corners_is_read_if_it_is_convex() {
     let many = |last: &str| {
@@ -195,12 +194,12 @@ fn a_face_of_very_many_corners_is_read_if_it_is_convex() {
     assert!(text.starts_with("face 1 (counted from 0): a face of 10002 corners"), "{text}");
 }
 
-/// Law: sizes near the ends of the numbers' range change nothing. Oracle: the same polygon near 1.
+/// Law: sizes near the limits of `f64` change nothing. Oracle: the same polygon of size about 1.
 #[test]
 fn polygons_of_any_size_are_split_alike() {
     let dart = |size: &str| {
-        let places = [[0, 0], [4, 1], [1, 1], [1, 4]];
-        let vertices: String = places.map(|[x, y]| format!("v {x}{size} {y}{size} 0\n")).concat();
+        let points = [[0, 0], [4, 1], [1, 1], [1, 4]];
+        let vertices: String = points.map(|[x, y]| format!("v {x}{size} {y}{size} 0\n")).concat();
         parse_obj(format!("{vertices}f 1 2 3 4\n").as_bytes()).expect("readable").triangles
     };
     for size in ["e150", "e300", "e-150", "e-300"] {

@@ -1,4 +1,4 @@
-//! Small files, built here byte by byte, and what they mean.
+//! Small files, built here byte by byte, and the meshes they hold.
 
 use groundtruth::mesh_file::{Encoding, MeshData};
 
@@ -26,7 +26,7 @@ pub fn pyramid() -> MeshData {
 pub const PYRAMID_FACES: [&[u32]; 5] =
     [&[0, 1, 2, 3], &[0, 4, 1], &[1, 4, 2], &[2, 4, 3], &[3, 4, 0]];
 
-/// The pyramid as PLY, with floats, a square, and much that a reader has to pass over.
+/// The pyramid as PLY, with elements and properties that a reader has to skip.
 pub fn ornate_pyramid_ply(encoding: Encoding) -> Vec<u8> {
     let mesh = pyramid();
     let mut file = Writer::new(encoding);
@@ -80,7 +80,7 @@ pub fn ornate_pyramid_ply(encoding: Encoding) -> Vec<u8> {
     file.bytes
 }
 
-/// The pyramid as OBJ: every corner `v/vt/vn` with the same number thrice.
+/// The pyramid as OBJ; every corner is `v/vt/vn` with three equal numbers.
 pub fn pyramid_obj() -> String {
     let mesh = pyramid();
     let mut file = String::from("# a pyramid\nmtllib missing.mtl\no pyramid\n");
@@ -96,7 +96,7 @@ pub fn pyramid_obj() -> String {
     file
 }
 
-/// Writes numbers as the encoding wants them; the readers' and the library writer's oracle.
+/// Writes numbers in an encoding. It shares no code with the library's reader and writer.
 pub struct Writer {
     encoding: Encoding,
     pub bytes: Vec<u8>,
@@ -140,7 +140,7 @@ impl Writer {
     numbers!(i8(i8), u8(u8), i16(i16), u16(u16), i32(i32), u32(u32), f32(f64), f64(f64));
 }
 
-/// Twice the area of a triangle or flat polygon as a vector (Newell): what splitting must keep.
+/// Twice the area vector of a triangle or flat polygon (Newell); splitting must preserve it.
 pub fn doubled_area(vertices: &[[f64; 3]], corners: &[u32]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for (i, &a) in corners.iter().enumerate() {

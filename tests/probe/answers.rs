@@ -11,14 +11,14 @@ use super::{ask, close, numbers};
 
 /// A few dozen roundings of numbers below 100.
 const ROUNDING: f64 = 1e-12;
-/// The position of a grazing hit is as good as the square root of a rounding, at worst; the rays
-/// here meet the surface at a cosine of at least 0.05, which costs a factor 20.
+/// The error of a grazing hit's position can be as large as the square root of a rounding. The rays here
+/// meet the surface at a cosine of at least 0.05, which costs only a factor of 20.
 const HIT: f64 = 1e-10;
 
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a ray aimed at a point of a sphere hits it there, and leaves a chord further on.
+    /// Law: a ray aimed at a point of a sphere hits it there, and again one chord farther on.
     /// Oracle: the ray is built backwards from the hit, and the chord is `2 (−n·d) r / d·d`.
     #[test]
     fn intersect_finds_the_point_a_ray_was_aimed_at(
@@ -51,8 +51,8 @@ proptest! {
         prop_assert_eq!(answer.as_array().expect("a list").len(), 2);
     }
 
-    /// Law: a transformed shape is hit where the steps move the hit of the shape itself: a sphere
-    /// scaled by s and moved by v is the sphere of radius s r about v.
+    /// Law: the steps of a transformation apply in their order: a unit sphere scaled by s and moved by v is
+    /// the sphere of radius s about v.
     #[test]
     fn intersect_applies_steps_in_their_order(v in point(5.0), s in 0.25..4.0_f64) {
         let ray = json!({"origin": [0.1, 0.2, 30.0], "direction": [0, 0, -1]});
@@ -84,7 +84,7 @@ proptest! {
         let nearest = (back.dot(along) / along.length_squared()).clamp(0.0, 1.0);
         let distance = (a + nearest * along).to_vector().length();
         prop_assume!((distance - r).abs() > 1e-6);
-        // inside, both ends: nothing is crossed
+        // if both ends are inside, the surface is not crossed
         let inside = a.to_vector().length() < r && b.to_vector().length() < r;
         let answer = ask(&json!({"occluded": {
             "shapes": [{"sphere": {"center": [100, 0, 0], "radius": 1}},
@@ -146,10 +146,10 @@ proptest! {
         prop_assert_eq!(same.count(), 1);
     }
 
-    /// Law: concentric squares become circles; the height over the horizon is `(1 − u₂)^(1/(e+1))`, on
-    /// the sphere `1 − 2u₁`; and the point leads back. Closed forms (Suffern, ch. 6 and 7).
+    /// Law: the disk map takes concentric squares to circles; z is `(1 − u₂)^(1/(e+1))` on the hemisphere
+    /// and `1 − 2u₁` on the sphere; and the inverse map gives `u` again. Closed forms (Suffern, ch. 6, 7).
     #[test]
-    fn maps_are_the_books_and_lead_back(u in [0.01..0.99_f64, 0.01..0.99_f64], e in 0.0..50.0_f64) {
+    fn maps_match_the_book_and_invert(u in [0.01..0.99_f64, 0.01..0.99_f64], e in 0.0..50.0_f64) {
         use groundtruth::math::power;
         let hemisphere = json!({"hemisphere": {"exponent": e}});
         for to in [json!({"disk": {}}), hemisphere.clone(), json!({"sphere": {}})] {
@@ -171,7 +171,7 @@ proptest! {
         }
     }
 
-    /// Law: a point light's radiance falls with the power of the distance.
+    /// Law: a point light's radiance is divided by the distance to the power `attenuation`.
     #[test]
     fn a_point_light_falls_off(at in point(10.0), from in point(10.0), k in 0_u32..4) {
         let to_light = at - from;
@@ -212,7 +212,7 @@ proptest! {
         prop_assert_eq!(color(cell), color(diagonal));
     }
 
-    /// Law: noise has the period 256; of one octave fBm is `(value + 1)/2` and turbulence `|value|`.
+    /// Law: noise has the period 256; with one octave, fBm is `(value + 1)/2` and turbulence is `|value|`.
     #[test]
     fn noise_repeats_and_its_sums_are_related(
         eighths in prop::array::uniform3(-4096..4096_i32), axis in 0_usize..3, octaves in 1..4_u32
@@ -269,8 +269,8 @@ proptest! {
     }
 }
 
-/// Law: a draw is the place in the pixel that the renderer uses, up to the rounding of the film.
-/// Oracle: the film itself, less the pixel's corner.
+/// Law: a draw is the sample position in the pixel that the renderer uses, up to rounding on the film.
+/// Oracle: the film position minus the pixel's corner.
 #[test]
 fn a_draw_is_where_the_renderer_samples() {
     let entry = groundtruth::gallery::find("ch28/glass-sphere").expect("it is in the gallery");

@@ -1,4 +1,4 @@
-//! Every error text a person can meet.
+//! Every error message of the probe.
 
 #[path = "errors/geometry.rs"]
 mod geometry;
@@ -9,7 +9,7 @@ mod pictures;
 
 use groundtruth::probe;
 
-/// Lines that are no question, and the errors they get.
+/// Lines that are not valid questions, and their errors.
 const LINES: &[(&str, &str)] = &[
     (r#""#, "column 0: EOF while parsing a value"),
     (r#"hello"#, "column 1: expected value"),

@@ -1,4 +1,4 @@
-//! The cells of a grid, against brute force over all of them.
+//! The cells of a grid, against brute force over all cells.
 
 use groundtruth::math::cbrt;
 use groundtruth::verify::Draw;
@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 use super::{ask, numbers};
 
-/// What is nearer to a border than this share of a cell may fall on either side of it.
+/// A point nearer to a border than this share of a cell may be counted on either side of it.
 const TIE: f64 = 1e-9;
-/// How much the box of an object is grown, in sides of the longest cell side.
+/// How much the box of an object is enlarged, as a share of the longest cell side.
 const PAD: f64 = 1.0 / 64.0;
 
 type Box3 = [[f64; 3]; 2];
@@ -19,7 +19,7 @@ struct Case {
     answer: Value,
 }
 
-/// Boxes in a block of this shape, which two of them fill to its corners.
+/// Random boxes in a random block, with one box at each of two opposite corners of the block.
 fn case(draw: &mut Draw, ray: Option<&Value>) -> Case {
     let sides = [draw.between(0.5, 4.0), draw.between(0.5, 4.0), draw.between(0.5, 4.0)];
     let corner = draw.point(10.0).to_array();
@@ -68,13 +68,13 @@ impl Case {
         (0..nx * ny * nz).map(move |n| [n % nx, n / nx % ny, n / nx / ny])
     }
 
-    /// The objects in a cell by comparing its box with every object's, grown; `None` near a tie.
+    /// The objects whose enlarged boxes overlap the cell, by testing all; `None` near a tie.
     fn objects(&self, cell: [usize; 3]) -> Option<Vec<usize>> {
         let ([low, high], sides) = self.cell(cell);
         let longest = sides.into_iter().fold(0.0, f64::max);
         let mut inside = Vec::new();
         for (index, [min, max]) in self.boxes.iter().enumerate() {
-            // how far the boxes overlap on the axis where they do least
+            // the least overlap of the two boxes on any axis
             let overlap = (0..3)
                 .map(|i| (max[i] + PAD * longest - low[i]).min(high[i] - (min[i] - PAD * longest)))
                 .fold(f64::INFINITY, f64::min);
@@ -89,9 +89,8 @@ impl Case {
     }
 }
 
-/// Law: `⌊multiplier · side / s⌋ + 1` cells on each axis, where `s³` is the volume for each object,
-/// between the least and greatest corners. Oracle: the book's formula (ch. 22), with sides not below
-/// what the document says.
+/// Law: there are `⌊multiplier · side / s⌋ + 1` cells on each axis of the block, where `s³` is the volume
+/// per object. Oracle: the book's formula (ch. 22), with short sides raised to the documented minimum.
 #[test]
 fn a_grid_has_as_many_cells_as_the_book_says() {
     let mut draw = Draw::new(2261);
@@ -118,18 +117,18 @@ fn a_grid_has_as_many_cells_as_the_book_says() {
             }
         }
     }
-    assert!((20..280).contains(&thick), "{thick} blocks are taken to be thicker");
+    assert!((20..280).contains(&thick), "{thick} blocks have a side that is raised to the minimum");
 }
 
-/// Law: a ray visits the cells whose inside it crosses, in the order in which it does, and each holds
-/// the objects whose grown boxes overlap it. Oracle: the interval of the ray in the slabs of every
-/// cell; cells in which the ray is hardly at all are left out of both.
+/// Law: a ray visits the cells whose interior it crosses, in the order along the ray, and each cell holds
+/// the objects whose enlarged boxes overlap it. Oracle: the ray's interval in every cell, by the slab test;
+/// cells that the ray hardly enters are left out of both.
 #[test]
 fn a_ray_visits_the_cells_that_it_crosses() {
     let mut draw = Draw::new(2262);
     let (mut seen, mut missed) = (0, 0);
     for _ in 0..400 {
-        // from outside or inside, near the block's corner
+        // relative to the block's corner; outside or inside the block
         let origin = draw.point(6.0).to_array();
         let to = [0, 1, 2].map(|_| draw.between(-0.5, 2.5));
         let direction = [0, 1, 2].map(|i| to[i] - origin[i]);
@@ -172,8 +171,8 @@ fn a_ray_visits_the_cells_that_it_crosses() {
     assert!(seen > 100 && missed > 20, "{seen} {missed}");
 }
 
-/// Law: the objects of a cell asked for are those of brute force; objects are numbered as in the
-/// list, planes among them counted, which are in no cell. Oracle: the boxes; worked by hand.
+/// Law: the objects of the requested cell are those of brute force. Objects are numbered as in the list,
+/// including planes, which are in no cell. Oracle: the boxes, and a case worked out by hand.
 #[test]
 fn a_cell_holds_the_objects_that_overlap_it() {
     let mut draw = Draw::new(2263);
@@ -199,8 +198,7 @@ fn a_cell_holds_the_objects_that_overlap_it() {
     assert_eq!(numbers(&answer["max"]), [10.0, 1.0, 1.0]);
 }
 
-/// Law: boxes of any size and place have an answer or an error, never a panic. Oracle: that there is
-/// a line.
+/// Law: boxes of any size and position get an answer, never a panic.
 #[test]
 fn extreme_boxes_get_an_answer() {
     let numbers = [0.0, 1.0, -1.0, 1e-310, 1e-40, 1e40, -1e155, 1e308, -1e308];

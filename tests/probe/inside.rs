@@ -1,4 +1,4 @@
-//! What `intersect` says of the inside of a shape, and where a ray that leaves it starts.
+//! What `intersect` says about the parts of a shape, and where a ray that leaves the surface starts.
 
 use groundtruth::math::Vector;
 use groundtruth::verify::Draw;
@@ -9,8 +9,8 @@ use super::{ask, numbers};
 /// A few dozen roundings of numbers below 100.
 const ROUNDING: f64 = 1e-12;
 
-/// Law: the path of a hit names what was aimed at, from the outside in. Oracle: a lattice of
-/// compounds of meshes on whole numbers, aimed at in the middle of one triangle of one copy.
+/// Law: the path of a hit names the target, from the outermost shape inwards. Oracle: a lattice of
+/// compounds of meshes with integer vertices, and rays aimed inside one triangle of one copy.
 #[test]
 fn the_path_names_what_was_aimed_at() {
     // a sheet of 3 × 2 squares, two triangles each, the first below the diagonal from the origin
@@ -47,8 +47,8 @@ fn the_path_names_what_was_aimed_at() {
     }
 }
 
-/// Law: a shape of one part has no path; an instance that the line itself makes is a level of it.
-/// Oracle: the words of the document.
+/// Law: a shape of one part has no path; the instance that the question's `transform` makes is a level of
+/// the path. Oracle: the document.
 #[test]
 fn a_shape_of_one_part_has_no_path() {
     let shape = json!({"sphere": {"center": [0, 0, 0], "radius": 1}});
@@ -60,9 +60,9 @@ fn a_shape_of_one_part_has_no_path() {
     assert_eq!(moved["path"], json!([{"instance": {}}]));
 }
 
-/// Law: a ray that leaves a sphere starts on the side it leaves to, no farther from the surface than
-/// some error bounds: outwards it meets nothing, inwards only the far side. Oracle: the distance from
-/// the centre; the chord `−2 (n·d) r / d·d`.
+/// Law: a ray that leaves a sphere starts on the side to which it goes, within a few error bounds of the
+/// surface. Outwards it meets nothing, inwards only the far side. Oracle: the distance from the centre, and
+/// the chord `−2 (n·d) r / d·d`.
 #[test]
 fn a_ray_leaves_a_sphere_on_the_side_it_goes_to() {
     let mut draw = Draw::new(2166);
@@ -98,7 +98,7 @@ fn a_ray_leaves_a_sphere_on_the_side_it_goes_to() {
         } else {
             let chord = -2.0 * outward * radius / leave.length_squared();
             assert_eq!(ts.len(), 1);
-            // the start is known to some error bounds, which a slanting ray stretches
+            // the start is known to a few error bounds, which a slanted ray multiplies
             let slant = leave.length() / outward.abs();
             let tolerance = (10.0 * error * slant + ROUNDING * radius) / leave.length();
             assert!((ts[0] - chord).abs() <= tolerance, "{} {chord}", ts[0]);
@@ -106,9 +106,8 @@ fn a_ray_leaves_a_sphere_on_the_side_it_goes_to() {
     }
 }
 
-/// Law: a mesh of lists is hit in the triangle that was aimed at, and its normals and texture
-/// coordinates are those of the lists. Oracle: the ray is built backwards from barycentric
-/// coordinates.
+/// Law: a mesh of lists is hit in the triangle at which the ray is aimed, with the texture coordinates of
+/// the lists. Oracle: the ray is built backwards from barycentric coordinates.
 #[test]
 fn a_mesh_of_lists_is_hit_where_it_was_aimed_at() {
     let mut draw = Draw::new(2167);

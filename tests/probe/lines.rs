@@ -1,4 +1,4 @@
-//! What lines promise: one answer for each, exact numbers, marks that come back.
+//! Guarantees for input lines: one answer per line, exact numbers, and the `id` in the reply.
 
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Command, Stdio};
@@ -18,7 +18,7 @@ fn served(input: &[u8]) -> (String, bool) {
     (String::from_utf8(output).expect("answers are UTF-8"), all_answered)
 }
 
-/// Law: every example of the document gives the line that the document says, up to rounding.
+/// Law: every example of the document has the answer that the document shows, up to rounding.
 #[test]
 fn the_examples_of_the_document_are_true() {
     let document = include_str!("../../docs/probe.md");
@@ -42,8 +42,8 @@ fn any_finite() -> impl Strategy<Value = f64> {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a number survives reading and printing, every bit of it. Oracle: the standard
-    /// library's own printing and parsing; the answer is taken apart by hand.
+    /// Law: a number keeps every bit when it is read and printed. Oracle: the printing and parsing of the
+    /// standard library; the test splits the answer itself.
     #[test]
     fn numbers_come_back_bit_for_bit(x in any_finite(), y in any_finite(), z in any_finite()) {
         let color = [x.abs(), y.abs(), z.abs()];
@@ -54,7 +54,7 @@ proptest! {
         let line = format!(r#"{{"id": {x:?}, "light": {{"light": {light}, "from": [0, 0, 0]}}}}"#);
         let answer = probe::answer(&line);
         let id = answer.strip_prefix(r#"{"id":"#).and_then(|rest| rest.split_once(','));
-        let (id, rest) = id.expect("the mark comes first");
+        let (id, rest) = id.expect("the id comes first");
         prop_assert_eq!(id.parse::<f64>().expect("a number").to_bits(), x.to_bits());
         let list = rest.split(['[', ']']).nth(1).expect("a list");
         let back: Vec<u64> =
@@ -62,8 +62,8 @@ proptest! {
         prop_assert_eq!(back, color.map(f64::to_bits).to_vec());
     }
 
-    /// Law: as many answers as lines that are not blank, whatever the bytes; each is JSON with an
-    /// answer or an error, and the status tells which.
+    /// Law: whatever the bytes, there are as many replies as lines that are not blank. Each is JSON with an
+    /// answer or an error, and the status tells whether all are answers.
     #[test]
     fn every_line_gets_one_line_back(
         pieces in prop::collection::vec(prop_oneof![
@@ -90,9 +90,9 @@ proptest! {
         prop_assert_eq!(all_answered, errors == 0);
     }
 
-    /// Law: any JSON comes back as the mark, of an answer and of an error.
+    /// Law: any JSON `id` comes back unchanged, with an answer and with an error.
     #[test]
-    fn marks_come_back(text in any::<String>(), n in any::<i64>(), deep in 0_usize..20) {
+    fn ids_are_returned_unchanged(text in any::<String>(), n in any::<i64>(), deep in 0_usize..20) {
         let mut id = json!({"text": text, "n": n, "none": null});
         for _ in 0..deep {
             id = json!([id]);
@@ -108,7 +108,7 @@ proptest! {
 }
 
 #[test]
-fn null_is_a_mark_too() {
+fn null_is_a_valid_id() {
     let answer = probe::answer(r#"{"id": null, "fresnel": {"cos_i": 1, "eta": 1}}"#);
     assert_eq!(
         answer,
@@ -118,7 +118,7 @@ fn null_is_a_mark_too() {
     assert_eq!(error, r#"{"id":null,"error":"column 26: missing field `eta`"}"#);
 }
 
-/// Law: a line that is too long gets one error, and the line after it its answer.
+/// Law: a line that is too long gets one error, and the next line gets its answer.
 #[test]
 fn a_long_line_is_refused_and_the_next_one_answered() {
     let error = r#"{"error":"the line is longer than 1048576 bytes; put large things into files"}"#;

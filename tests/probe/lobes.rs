@@ -55,8 +55,8 @@ proptest! {
         }
     }
 
-    /// Law: at Brewster's angle, tan θ = η, nothing polarised in the plane is reflected: the share
-    /// is `½ ((1 − η²)/(1 + η²))²`; head-on it is `((η − 1)/(η + 1))²`.
+    /// Law: at Brewster's angle, tan θ = η, no light polarised in the plane of incidence is reflected: the
+    /// reflected share is `½ ((1 − η²)/(1 + η²))²`. At normal incidence it is `((η − 1)/(η + 1))²`.
     #[test]
     fn fresnel_agrees_with_brewster_and_head_on(eta in 0.4..2.5_f64) {
         let reflected = |cos_i: f64| {
@@ -73,8 +73,8 @@ proptest! {
         prop_assert!((reflected(1.0) - square((eta - 1.0) / (eta + 1.0))).abs() < ROUNDING);
     }
 
-    /// Law: albedos are as good as the document says. Oracle: for the glossy lobe the closed forms
-    /// `2π/(e + 2)` straight on and, of exponent 0, `π (1 + cosθ)/2`; for the others their definitions.
+    /// Law: albedos are as exact as documented. Oracle: for the glossy lobe the closed forms `2π/(e + 2)` at
+    /// normal incidence and `π (1 + cosθ)/2` for exponent 0; for the others their definitions.
     #[test]
     fn albedos_are_as_good_as_documented(
         e in 0.0..300.0_f64,
@@ -106,8 +106,8 @@ proptest! {
     }
 }
 
-/// Law: the albedo of the glossy lobe head-on is `2π k_s/(e + 2)`. The library's
-/// midpoint rule has 256 steps of a function whose slope is infinite at one end: 256^(−3/2).
+/// Law: the albedo of the glossy lobe at normal incidence is `2π k_s/(e + 2)`. The library uses the
+/// midpoint rule with 256 steps on a function of infinite slope at one end, so the error is 256^(−3/2).
 #[test]
 fn a_glossy_lobe_head_on_has_a_closed_albedo() {
     for e in [0.0, 1.0, 10.0, 200.0] {
@@ -119,7 +119,7 @@ fn a_glossy_lobe_head_on_has_a_closed_albedo() {
     }
 }
 
-/// Law: a unit vector is taken as it is, bit for bit; another is made unit.
+/// Law: a unit vector is used as it is, bit for bit; any other is normalised.
 #[test]
 fn unit_vectors_are_left_alone() {
     let wo = [0.6, 0.0, 0.8];
@@ -129,7 +129,7 @@ fn unit_vectors_are_left_alone() {
     };
     assert_eq!(mirror(wo), [-0.6, 0.0, 0.8]);
     assert_eq!(mirror([3.0, 0.0, 4.0]), [-0.6, 0.0, 0.8]);
-    // others are unit up to rounding only; to make one unit again could change its last bits
+    // these are unit only up to rounding; normalising them again could change the last bits
     let mut draw = Draw::new(20_241);
     for _ in 0..100 {
         let [x, y, z] = Vector::from(draw.direction()).to_array();

@@ -1,4 +1,4 @@
-//! The question `radiance`: rendered pixels, and an honest standard error.
+//! The question `radiance`: rendered pixels and their standard errors.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::{ask, numbers};
 
-/// An orthographic pixel of side 1 whose share `p` is covered by a rectangle that shines.
+/// An orthographic pixel of side 1, of which an emissive rectangle covers the share `p`.
 fn half_covered(p: f64, sampler: &str) -> Value {
     json!({
         "image": {"width": 1, "height": 1, "samples": 4, "sampler": {sampler: {}}},
@@ -57,7 +57,7 @@ fn replicas_are_pixels_of_other_seeds() {
 }
 
 /// Law: random samples of a pixel of which a share p is white have the standard error
-/// `√(p (1 − p)/(n R))`, and their mean is p within 5 of them (significance 6e-7). The estimate
+/// `√(p (1 − p)/(n R))`, and their mean is within 5 standard errors of p (significance 6e-7). The estimate
 /// from R = 1024 replicas is good to `1/√(2 (R − 1))`, 2.2 %; five times that is allowed.
 #[test]
 fn the_standard_error_is_that_of_the_binomial_law() {
@@ -71,10 +71,10 @@ fn the_standard_error_is_that_of_the_binomial_law() {
     assert!((mean - p).abs() < 5.0 * expected, "the mean is {mean}, not {p} ± {expected}");
 }
 
-/// Law: stratified samples have less noise than random ones, and the replicas show it: in a grid
-/// of 2 × 2, only the cells that the edge cuts are uncertain, `√(½·½ · 2)/4` for p = ¼.
+/// Law: stratified samples have less noise than random ones, and the standard error from the replicas
+/// shows it: of the 2 × 2 cells only those that the edge cuts have a variance, `√(½·½ · 2)/4` for p = ¼.
 #[test]
-fn the_standard_error_knows_of_strata() {
+fn stratified_samples_have_a_smaller_standard_error() {
     let answer =
         ask(&json!({"radiance": {"scene": half_covered(0.25, "jittered"), "pixel": [0, 0],
         "replicas": 1024}}));
@@ -83,7 +83,7 @@ fn the_standard_error_knows_of_strata() {
     assert!((found / expected - 1.0).abs() < 0.11, "{found} for {expected}");
 }
 
-/// Law: a ray's radiance is that of the gallery's red sphere where it meets it, else the background.
+/// Law: a ray's radiance is 1 where it hits the emissive rectangle, else that of the background.
 #[test]
 fn a_ray_sees_what_is_there() {
     let along = |direction: [f64; 3]| {

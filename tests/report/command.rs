@@ -22,8 +22,8 @@ fn files_in(folder: &Path) -> Vec<String> {
 
 const TINY: [&str; 7] = ["--quick", "--cases", "3", "--objects", "100", "--samples", "4"];
 
-/// Law: both files are there, in a folder that is made, and nothing else; a second report takes the
-/// place of the first.
+/// Law: the command creates the folder with two files and nothing else; a second report replaces the
+/// first.
 #[test]
 fn a_report_is_two_files() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -42,7 +42,7 @@ fn a_report_is_two_files() {
     }
 }
 
-/// Law: what cannot be done is said before anything is measured, and leaves nothing.
+/// Law: an impossible request gets its error before anything is measured, and no file is written.
 #[test]
 fn errors_are_said_at_once_and_leave_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -74,7 +74,7 @@ fn errors_are_said_at_once_and_leave_nothing() {
     }
 }
 
-/// Law: an interrupted report ends soon with status 130, says so, and leaves nothing.
+/// Law: an interrupted report ends soon with status 130 and a message, and leaves no file.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_report_leaves_nothing() {
@@ -85,7 +85,7 @@ fn an_interrupted_report_leaves_nothing() {
         .stderr(Stdio::piped())
         .spawn()
         .expect("it starts");
-    // its handler of the signal is in place long before the million cases are
+    // by then the signal handler is installed, and the million cases take much longer
     std::thread::sleep(std::time::Duration::from_millis(1000));
     let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(kill.expect("kill starts").success());

@@ -1,4 +1,4 @@
-//! The page to read.
+//! The HTML page.
 
 use groundtruth::report::PAGES;
 
@@ -39,7 +39,7 @@ fn fault(html: &str) -> Option<String> {
     open.pop().map(|name| format!("<{name}> is not closed"))
 }
 
-/// Attributes with a quoted value, and `=` inside such values.
+/// The number of attributes with a quoted value, plus the number of `=` inside such values.
 fn quoted(tag: &str) -> usize {
     let inside: usize = tag.split('"').skip(1).step_by(2).map(|v| v.matches('=').count()).sum();
     tag.matches('"').count() / 2 + inside
@@ -61,7 +61,7 @@ fn faults_are_found() {
     }
 }
 
-/// Law: the page needs nothing beside it: no script, no file, nothing from the net.
+/// Law: the page is self-contained: no script, no other file, nothing from the network.
 #[test]
 fn the_page_needs_nothing_beside_it() {
     let html = &REPORT.html;
@@ -82,7 +82,7 @@ fn the_page_needs_nothing_beside_it() {
     assert_eq!(count, PAGES.len());
 }
 
-/// Law: each page asks its question, says what to pick, and has a picture with numbers in it.
+/// Law: each page states its question, recommends a choice, and has a diagram and a table.
 #[test]
 fn every_page_says_what_to_pick() {
     for page in PAGES {

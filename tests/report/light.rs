@@ -1,4 +1,4 @@
-//! The page of light.
+//! The report's page on light transport.
 
 use std::collections::BTreeSet;
 
@@ -30,7 +30,7 @@ fn choices() -> impl Iterator<Item = (&'static Value, &'static Value)> {
 }
 
 /// Law: five scenes, each with every tracer that applies and both ways to sample lamps, from 1 sample to
-/// the most, each level with two pictures or more; and depths, rules and pictures of equal time.
+/// the largest number, with at least two pictures each; and depths, rules and pictures of equal time.
 #[test]
 fn every_scene_and_choice_is_there() {
     let names: Vec<&str> = scenes().iter().map(|scene| text(&scene["scene"])).collect();
@@ -82,10 +82,10 @@ fn efficiency_is_one_over_variance_and_time() {
     }
 }
 
-/// Law: what is without bias has the mean of the reference; ray_cast is darker than it in every scene
-/// where light is carried on, as what it leaves out is not negative. Oracle: every strategy sums the same
-/// paths. The half of an interval of 95 % is about two standard errors; five are allowed for means of
-/// skewed values.
+/// Law: unbiased choices have the mean of the reference; ray_cast is darker in the two scenes where mirrors
+/// or glass carry light on, because what it leaves out is not negative. Oracle: every strategy sums the
+/// same paths. Half of a 95 % interval is about two standard errors; five are allowed for means of skewed
+/// values.
 #[test]
 fn choices_without_bias_have_the_mean_of_the_reference() {
     for (scene, choice) in choices() {
@@ -105,8 +105,8 @@ fn choices_without_bias_have_the_mean_of_the_reference() {
     }
 }
 
-/// Law: a deeper limit leaves out less: the bias is never positive and falls with the depth, to nearly
-/// nothing at ten edges. Oracle: the paths of one seed are the same, and what a deeper limit adds is not
+/// Law: a larger depth limit leaves out less light: the bias is never positive, and its size falls with the
+/// depth to almost 0. Oracle: the paths of one seed are the same, and what a larger limit adds is not
 /// negative.
 #[test]
 fn what_a_depth_limit_leaves_out_falls_with_the_depth() {
@@ -119,8 +119,8 @@ fn what_a_depth_limit_leaves_out_falls_with_the_depth() {
     }
 }
 
-/// Law: at depth 1 path shows direct light alone, so that its bias is that of ray_cast. Oracle: another
-/// tracer, in the scenes without mirrors, where the two strategies sum the same paths.
+/// Law: at depth 1 `path` computes only direct light, so its bias is that of ray_cast. Oracle: ray_cast, in
+/// the scenes without mirrors, where the two tracers sum the same paths.
 #[test]
 fn a_path_of_depth_one_is_direct_light() {
     for scene in scenes() {
@@ -139,9 +139,8 @@ fn a_path_of_depth_one_is_direct_light() {
     }
 }
 
-/// Law: the normalised rule of gloss is darker than the book's by the mean cosine, which is between 0 and
-/// 1 (f·cos/p is `k_r c_r cosθ (e + 2)/(e + 1)`), by the same light in both tracers' mirrors. Oracle: the
-/// two formulas.
+/// Law: the normalised rule for glossy reflection is darker than the book's by the mean cosine, which is
+/// between 0 and 1: its weight f·cos/p is `k_r c_r cosθ (e + 2)/(e + 1)`. Oracle: the two formulas.
 #[test]
 fn the_normalised_rule_is_darker() {
     let hall = scenes().iter().find(|scene| scene["scene"] == "glossy hall").expect("the hall");
@@ -151,12 +150,12 @@ fn the_normalised_rule_is_darker() {
     }
 }
 
-/// Law: the square of the error of what has no bias is its variance. Oracle: the variance, which is from
-/// picture to picture and needs no reference. Rare bright paths count in both, as both are of the same
-/// pictures; of some levels the reference is too noisy, so the median of the ratios is judged.
+/// Law: the squared error of an unbiased choice is its variance. Oracle: the variance between pictures,
+/// which needs no reference. Rare bright paths affect both alike, as both come from the same pictures. At
+/// some levels the reference is too noisy, so the test uses the median of the ratios.
 #[test]
 fn the_error_without_bias_is_the_noise() {
-    /// Half of the levels are within 4 % of 1; a mistake by a factor is at least √2 in the square.
+    /// Half of the ratios are within 4 % of 1; a wrong factor would change the square by √2 at least.
     const ALLOWED: f64 = 0.1;
     let unbiased = choices().filter(|(_, choice)| choice["unbiased"] == true);
     let levels = unbiased.flat_map(|(_, choice)| list(&choice["levels"]));
@@ -174,9 +173,9 @@ fn the_error_without_bias_is_the_noise() {
     );
 }
 
-/// Law: the error of what has no bias falls with more samples, of ray_cast it stays at its bias. Oracle:
-/// theory: 64 times the samples make an eighth of the error of independent ones; a third is asked for,
-/// as rare bright paths make errors uncertain.
+/// Law: the error of an unbiased choice falls with the number of samples; that of ray_cast stays at its
+/// bias. Oracle: 64 times as many independent samples have an eighth of the error; the test requires only a
+/// third, because rare bright paths make the errors uncertain.
 #[test]
 fn errors_without_bias_fall() {
     let error = |choice: &Value, samples: u32| {
@@ -202,7 +201,7 @@ fn errors_without_bias_fall() {
     }
 }
 
-/// Law: everything but the times is the same on one thread and on two. Oracle: the other.
+/// Law: everything but the times is the same on one thread and on two. Oracle: each other.
 #[test]
 fn light_is_the_same_on_one_thread_and_two() {
     let tiny = Settings { samples: 4, seeds: 2, width: 4, ..SMALL };
@@ -222,7 +221,7 @@ fn light_is_the_same_on_one_thread_and_two() {
     assert!(timeless(&one) != timeless(&other["pages"]), "another seed is another report");
 }
 
-/// Law: every choice of every scene has a picture of equal time on the page, with its samples below.
+/// Law: every choice of every scene has an equal-time picture on the page, with its samples below.
 #[test]
 fn pictures_of_equal_time_stand_side_by_side() {
     let (_, section) = REPORT.html.split_once("<section id=\"light\">").expect("the section");

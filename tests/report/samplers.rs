@@ -1,4 +1,4 @@
-//! The page of samplers.
+//! The report's page on samplers.
 
 use std::collections::BTreeSet;
 
@@ -22,8 +22,8 @@ fn errors(sampler: &Value) -> Vec<(f64, f64)> {
     list(&sampler["errors"]).iter().map(|e| pair(e).expect("numbers")).collect()
 }
 
-/// Law: at least six integrands, each with every sampler, from 1 sample to the most; no two share a
-/// name.
+/// Law: at least six integrands, each with every sampler under its own name, from 1 sample to the largest
+/// number.
 #[test]
 fn every_sampler_is_there_for_every_integrand() {
     let count: usize = Kind::ENTRIES.iter().map(|entry| (entry.specimens)().len()).sum();
@@ -41,10 +41,9 @@ fn every_sampler_is_there_for_every_integrand() {
     }
 }
 
-/// Law: random samples fall with slope −1/2, whatever is integrated, and their mean of squares is the
-/// variance over n: four times the samples halve the error. Oracle: the theory; with 256 errors, each
-/// error is known to 1/√512 = 4.4 % (one σ), the ratio to 6.3 %, five of which are allowed for 35
-/// ratios.
+/// Law: the error of random samples falls with slope −1/2 for every integrand: four times as many samples
+/// halve it. Oracle: the mean squared error is the variance over n. From 256 errors each rms is known to
+/// 1/√512 = 4.4 % (one σ), a ratio to 6.3 %; five times that is allowed for 35 ratios.
 #[test]
 fn random_samples_halve_their_error_with_four_times_as_many() {
     for integrand in integrands() {
@@ -58,8 +57,8 @@ fn random_samples_halve_their_error_with_four_times_as_many() {
     }
 }
 
-/// Law: stratified samples are never worse than random ones (their variance is at most as large: the
-/// scatter between cells is gone), and far better for a corner or a disk, whose slope is −3/4.
+/// Law: stratified samples are never worse than random ones (they lack the variance between cells), and far
+/// better for a corner or a disk, where the slope is −3/4.
 #[test]
 fn stratified_samples_are_better() {
     for integrand in integrands() {
@@ -77,8 +76,8 @@ fn stratified_samples_are_better() {
     }
 }
 
-/// Law: the number of samples for 1 % lies between two measured ones whose errors enclose 1 %, or
-/// before the first, or beyond the last.
+/// Law: the number of samples for 1 % lies between two measured numbers whose errors enclose 1 %, or before
+/// the first; it is absent if the last error is above 1 %.
 #[test]
 fn one_percent_is_reached_where_the_errors_say() {
     for sampler in integrands().iter().flat_map(|integrand| list(&integrand["samplers"])) {

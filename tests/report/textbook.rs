@@ -1,4 +1,4 @@
-//! The textbook's formulas are the right ones: a comparison with a misprint would prove nothing.
+//! The textbook's formulas are implemented correctly: a comparison with a misprint would be worthless.
 
 use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
 use groundtruth::shapes::textbook::{EPSILON, quartic_roots};
@@ -9,7 +9,7 @@ use groundtruth::verify::{backward_error, composites};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 
-/// Well above what the formulas lose on ordinary rays.
+/// The tolerance; well above the errors of the formulas on ordinary rays.
 const RIGHT: f64 = 1e-6;
 
 /// The first hit by the book's routine.
@@ -17,17 +17,17 @@ fn first(book: &dyn Shape, ray: &Ray) -> Option<f64> {
     book.hit(ray, Span { min: EPSILON, ..Span::AHEAD }).map(|at| at.t)
 }
 
-/// What a textbook form answers to some rays.
+/// The answers of a textbook routine to some rays.
 #[derive(Default)]
 struct Tally {
     hits: u32,
     misses: u32,
-    /// Hits that it does not find.
+    /// First hits that the routine does not find.
     missed: u32,
 }
 
 impl Tally {
-    /// One that is not as near as that to another answer, or near the book's epsilon.
+    /// Counts one ray, unless its margin is below `margin`, a root is near epsilon or ill-conditioned.
     fn ask(&mut self, book: &dyn Shape, ray: &oracle::Ray, answer: &Answer, margin: f64) {
         let near = answer.margin < margin || answer.roots.iter().any(|root| root.t < 0.002);
         if near || answer.roots.iter().any(|root| root.cond > 1e6) {
@@ -43,8 +43,8 @@ impl Tally {
     }
 }
 
-/// Law: on ordinary rays every textbook form agrees with the exact answer, but that samples along a ray
-/// may miss some of the pairs of algebraic surfaces' roots. Oracle: 512-bit arithmetic.
+/// Law: on ordinary rays every textbook routine agrees with the exact answer, except that samples along a
+/// ray may miss some pairs of roots of algebraic surfaces. Oracle: 512-bit arithmetic.
 #[test]
 fn textbook_forms_are_right_on_ordinary_rays() {
     for kind in Kind::ALL {
@@ -70,19 +70,19 @@ fn compounds_and_grids_are_right_on_ordinary_rays() {
         for index in 0..COUNT {
             let case = kind.case(Family::Ordinary, 32, index as usize, None).expect("it is valid");
             let book = backward_error::by_the_book(&case.ours).expect("it is valid");
-            // of pieces that the ray passes by, no more is known
+            // for parts that the ray passes by, the margin is not known more precisely
             tally.ask(&*book, &case.ray, &case.answer(0.0), 1e-11);
         }
         let Tally { hits, misses, missed } = tally;
         assert!(hits > 20 && misses > 10, "{kind:?}: {hits}, {misses}");
-        // few of them are decided by less than that margin
+        // few cases have a margin below that
         assert!(10 * (hits + misses) >= 9 * COUNT, "{kind:?}: {hits} and {misses} of {COUNT}");
         assert_eq!(missed, 0, "{kind:?}: {hits} hit");
     }
 }
 
-/// The first place where a function changes its sign along a ray and the point is on the part that is
-/// there: by small steps, then by halving.
+/// The first `t` at which a function changes its sign along a ray at a point for which `there` holds: by
+/// small steps, then by bisection.
 fn marched(ray: &Ray, f: impl Fn(Point) -> f64, there: impl Fn(Point) -> bool) -> Option<f64> {
     const STEPS: u32 = 20_000;
     let at = |i: u32| 20.0 * f64::from(i) / f64::from(STEPS);
@@ -118,9 +118,9 @@ fn rays(count: usize) -> Vec<Ray> {
     (0..count).map(ray).collect()
 }
 
-/// Law: a form's hit is the first sign change of its implicit function on the part that is there.
-/// Oracle: that function in small steps, and the part by signs of coordinates instead of angles. A ray
-/// in 200 may differ: two sign changes within one step, or a border within rounding.
+/// Law: a routine's hit is the first sign change of the implicit function on the existing part. Oracle: the
+/// function in small steps, and the part by signs of coordinates instead of angles. One ray in 200 may
+/// differ: two sign changes within one step, or a border within rounding.
 fn agrees(
     name: &str,
     kind: impl Into<shapes::Kind>,
@@ -143,7 +143,7 @@ fn agrees(
 const QUARTER: [f64; 2] = [0.0, 90.0];
 const HALF: [f64; 2] = [0.0, 180.0];
 
-/// The azimuths of [`QUARTER`], in degrees.
+/// Whether the azimuth is in [`QUARTER`].
 fn in_quarter(p: Point) -> bool {
     p.x() >= 0.0 && p.z() >= 0.0
 }
@@ -201,7 +201,7 @@ fn part_spheres_and_part_cylinders_are_where_their_function_changes_sign() {
     agrees("part cylinder", cylinder, f, there);
 }
 
-/// Law: quartics with known roots have them. Oracle: chapter 19's examples.
+/// Law: the solver finds the known roots of quartics. Oracle: quartics made from their roots, and a torus.
 #[test]
 fn quartics_have_their_roots() {
     let check = |coefficients: [f64; 5], expected: &[f64]| {

@@ -1,4 +1,4 @@
-//! The page of textures.
+//! The report's page on textures.
 
 use serde_json::Value;
 
@@ -18,7 +18,7 @@ fn errors(choice: &Value) -> Vec<f64> {
     list(&choice["levels"]).iter().map(|level| number(&level["rmse"])).collect()
 }
 
-/// Law: two scenes, each by both look-ups, from 1 to 256 samples.
+/// Law: two scenes, each with both texture filters, from 1 to 256 samples.
 #[test]
 fn every_scene_and_look_up_is_there() {
     let found: Vec<_> = choices()
@@ -36,10 +36,10 @@ fn every_scene_and_look_up_is_there() {
     }
 }
 
-/// Law: the error falls with every step of four times the samples, at least as for independent ones, in
-/// proportion to `N^(−1/2)`, as multi-jittered ones are no worse; one sample of values within 0 and 1 errs
-/// by ½ at most in the mean. Oracle: the variance of a number within 0 and 1 is at most ¼. From few
-/// pictures the ratio of two errors is known to a quarter.
+/// Law: four times as many samples at least halve the error, as multi-jittered samples are no worse than
+/// independent ones, whose error is proportional to `N^(−1/2)`. The rms error of one sample of values from
+/// 0 to 1 is at most ½. Oracle: the variance of a number from 0 to 1 is at most ¼. From few pictures the
+/// ratio of two errors is known to 25 %.
 #[test]
 fn errors_fall_as_samples_are_spent() {
     for (scene, choice) in choices() {
@@ -52,9 +52,9 @@ fn errors_fall_as_samples_are_spent() {
     }
 }
 
-/// Law: the variance of independent samples is that of the image within a pixel, so one sample's error is
-/// in the ratio of the two look-ups' contrast: bilinear look-up blurs, and errs no more. Oracle: the mean of
-/// four texels has a smaller variance than one of them.
+/// Law: the error of one sample is the standard deviation of the image within a pixel. Bilinear filtering
+/// blurs the image, so its error is not larger than that of the nearest texel. Oracle: the mean of four
+/// texels has a smaller variance than one of them.
 #[test]
 fn a_blurred_image_errs_no_more() {
     let all: Vec<_> = choices().collect();

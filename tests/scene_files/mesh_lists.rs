@@ -1,4 +1,4 @@
-//! Meshes whose lists stand in the scene file itself.
+//! Meshes whose lists are in the scene file itself.
 
 use std::path::Path;
 
@@ -109,7 +109,7 @@ fn mesh(scene: &scene::Scene) -> &Mesh {
     }
 }
 
-/// A sheet of `n` × `n` squares, each coordinate of all the digits that a number can have.
+/// A sheet of `n` × `n` squares, whose coordinates have as many digits as an `f64` can have.
 fn sheet(n: u32) -> Mesh {
     let place = |i: u32| f64::from(i) / 3.0 - 1e-7;
     let side = n + 1;
@@ -119,8 +119,8 @@ fn sheet(n: u32) -> Mesh {
     Mesh::of_lists((0..side * side).map(vertex).collect(), triangles.collect())
 }
 
-/// Law: a scene with a mesh of lists, with normals and uv, is written to a text that reads back to the
-/// same bits. Oracle: the scene it was written from.
+/// Law: a scene with a mesh of lists, with normals and uv, is written to a text that is read back bit for
+/// bit. Oracle: the original mesh.
 #[test]
 fn lists_are_written_and_read_back_bit_for_bit() {
     let (mut scene, _) = from_toml(&of(&format!("{VERTICES}{TRIANGLES}")), Path::new("scene.toml"))
@@ -137,8 +137,8 @@ fn lists_are_written_and_read_back_bit_for_bit() {
     assert_eq!(format!("{:?}", self::mesh(&again)), format!("{mesh:?}"));
 }
 
-/// Law: lists of a hundred thousand triangles are read and built, and an index that does not exist
-/// is named with its place. Oracle: where it was put.
+/// Law: lists of a hundred thousand triangles are read and built, and the error for an index that does not
+/// exist gives its position. Oracle: the position at which the test put it.
 #[test]
 fn large_lists_are_read_and_their_errors_name_the_place() {
     let (mut scene, _) = from_toml(&of(&format!("{VERTICES}{TRIANGLES}")), Path::new("scene.toml"))

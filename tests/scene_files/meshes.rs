@@ -1,4 +1,4 @@
-//! Mesh files that are missing or damaged, seen through a scene.
+//! Scenes with missing or damaged mesh files.
 
 use groundtruth::world;
 

@@ -1,4 +1,4 @@
-//! NaN and infinity, which TOML can write, fit nowhere.
+//! NaN and infinity, which TOML can express, are refused in every field.
 
 use std::path::Path;
 
@@ -72,7 +72,7 @@ fn everything(lens: cameras::Kind) -> Scene {
     scene
 }
 
-/// The places of all numbers that are no counts.
+/// The paths of all floating-point numbers.
 fn leaves(value: &Value, path: &mut Vec<String>, found: &mut Vec<Vec<String>>) {
     let mut visit = |key: String, value| {
         path.push(key);
@@ -97,7 +97,7 @@ fn at<'a>(value: &'a mut Value, path: &[String]) -> &'a mut Value {
     })
 }
 
-/// Law: whichever number of whatever kind is NaN or infinite, the error names its field and the
+/// Law: if any number of any kind is NaN or infinite, the error names its field and the
 /// line on which it stands. Oracle: the text has the word on one line only.
 #[test]
 fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
@@ -108,10 +108,10 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
         world::from_toml(&text, Path::new("scene.toml")).expect("it is right");
         let mut places = Vec::new();
         leaves(&whole, &mut Vec::new(), &mut places);
-        // the rest is the same for every lens
+        // everything but the camera is the same for every lens
         places.retain(|place| i == 0 || place[0] == "camera");
         places.par_iter().enumerate().for_each(|(j, place)| {
-            // the signs of infinity in turn
+            // infinity with alternating sign
             for value in [f64::NAN, [f64::INFINITY, f64::NEG_INFINITY][j % 2]] {
                 check_refused(&whole, place, value);
             }
@@ -121,7 +121,7 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
     assert!(checked > 600, "{checked} places");
 }
 
-/// Ends if the scene is valid with this value at this place, or if the error names another field or line.
+/// Fails if the scene is valid with this value at this place, or if the error names another field or line.
 fn check_refused(whole: &Value, place: &[String], value: f64) {
     let word = match value {
         f64::INFINITY => "inf",

@@ -1,6 +1,6 @@
 //! Errors of shapes and their transformations.
 
-/// What is replaced, by what, and the error.
+/// The replaced text, its replacement, and the error.
 pub const ERRORS: &[(&str, &str, &str)] = &[
     (
         "radius",

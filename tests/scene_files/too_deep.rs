@@ -1,4 +1,4 @@
-//! Nesting and depth without end.
+//! Excessive nesting and recursion depth.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ fn sphere() -> Kind {
     Kind::from(Sphere { center: Point::ORIGIN, radius: 1.0, inward: false })
 }
 
-/// The innermost shape that takes most levels of a text.
+/// The shape whose text is nested most deeply.
 fn triangle() -> Kind {
     let vertices = [Vector::ZERO, Vector::X, Vector::Y].map(|v| Point::ORIGIN + v);
     Kind::from(Mesh::of_lists(vertices.into(), vec![[0, 1, 2]]))
@@ -54,7 +54,7 @@ fn scene(shape: Kind) -> Scene {
     scene
 }
 
-/// Law: what is nested as deeply as may be is written to a text that reads back.
+/// Law: shapes nested to the limit are written to a text that can be read back; one level more is refused.
 #[test]
 fn whatever_builds_can_be_written_and_read() {
     for around in [instance, compound, lattice] {
@@ -94,7 +94,7 @@ fn a_depth_of_a_million_is_refused() {
     assert_eq!(error, "tracer.whitted.max_depth: found 1000000, but at most 128 fits");
 }
 
-/// Law: however a text nests, the reader's stack holds.
+/// Law: no nesting in a text overflows the reader's stack.
 #[test]
 fn text_nested_ten_thousand_times_is_refused() {
     const DEEP: usize = 10_000;

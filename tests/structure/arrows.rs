@@ -1,10 +1,10 @@
-//! Which module of the library may name which: arrows run one way.
+//! Which module of the library may name which: the allowed dependencies (arrows).
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{code_by_module, without_comments};
 
-/// The modules each module may name beside itself. Arrows run one way.
+/// The other modules that each module may name.
 const MAY_NAME: &[(&str, &[&str])] = &[
     ("math", &[]),
     ("invalid", &["math"]),

@@ -1,10 +1,10 @@
-//! Kinds: each has a file and an entry, and is named by no module that works for all of them.
+//! Kinds: each has a file and an entry, and modules that work for all kinds name none of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{code_by_module, read, rust_files, sources, without_comments};
 
-/// The folders whose files are kinds of something.
+/// The folders whose files are kinds.
 const KINDS: [&str; 9] = [
     "shapes",
     "lobes",
@@ -17,7 +17,7 @@ const KINDS: [&str; 9] = [
     "bumps",
 ];
 
-/// One recursion for every kind: a new one never needs a line in `trace`, `render` or `world`. (The
+/// A new kind never needs a line in `trace`, `render` or `world`, which work for all kinds. (The
 /// world's default samplers are the exception.)
 #[test]
 fn tracing_and_rendering_name_no_kind_of_anything() {
@@ -54,7 +54,7 @@ fn words_from(folder: &str, code: &str) -> BTreeSet<String> {
     texts.flat_map(|text| text.split(|c: char| !c.is_alphanumeric())).map(str::to_owned).collect()
 }
 
-/// The entries of a folder's list: module and the name of its data.
+/// The entries of a folder's list: each module, and the name of its data type.
 fn entries(folder: &str) -> BTreeMap<String, String> {
     let text = without_comments(&read(&sources().join(folder).join("mod.rs")));
     let mut entries = BTreeMap::new();
@@ -71,8 +71,8 @@ fn entries(folder: &str) -> BTreeMap<String, String> {
     entries
 }
 
-/// The modules of the blocks `// shared by the kinds` of a folder and its folders, each of which ends with
-/// an empty line.
+/// The modules in the blocks `// shared by the kinds` of a folder and its subfolders. Each block ends with an
+/// empty line.
 fn shared(folder: &str) -> BTreeSet<String> {
     let mut modules = BTreeSet::new();
     for path in rust_files(&sources().join(folder)).iter().filter(|path| path.ends_with("mod.rs")) {
@@ -113,7 +113,7 @@ fn every_file_is_a_kind_with_an_entry_or_shared_by_the_kinds() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The gallery's files, like the kinds': each chapter's list is part of the whole.
+/// Each chapter's list of scenes is part of the gallery's list.
 #[test]
 fn every_chapter_of_the_gallery_is_in_its_list() {
     let text = read(&sources().join("gallery/mod.rs"));
@@ -127,7 +127,7 @@ fn every_chapter_of_the_gallery_is_in_its_list() {
     }
 }
 
-/// Law: the words of a folder are those after its path, to the end of the group. Oracle: texts by hand.
+/// Law: the names from a folder are those after its path, to the end of the group. Oracle: texts by hand.
 #[test]
 fn words_are_found_in_the_paths_of_their_folder() {
     let words =

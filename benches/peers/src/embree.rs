@@ -1,5 +1,5 @@
-//! Embree 4, as far as it is needed here: triangles, single rays, the first hit. The library is
-//! looked for at run time, where the environment variable `EMBREE` says (`scripts/peers.sh`).
+//! The part of Embree 4 that is needed here: triangles, single rays, the first hit. The library is
+//! loaded at run time from the path in the environment variable `EMBREE` (see `scripts/peers.sh`).
 
 use std::ffi::{c_char, c_int, c_uint, c_void};
 use std::ptr::{null, null_mut};
@@ -18,7 +18,7 @@ const FLOAT3: c_int = 0x9003;
 const ROBUST: c_int = 1 << 2;
 const NOTHING: c_uint = c_uint::MAX;
 
-/// `RTCRayHit`, and room for what a later version may add.
+/// `RTCRayHit`, with room for fields that a later version may add.
 #[repr(C, align(16))]
 struct RayHit {
     origin: [f32; 3],
@@ -44,7 +44,7 @@ pub struct Scene {
     occluded: Intersect,
 }
 
-// SAFETY: a built scene may be asked by many threads at once, says Embree's manual
+// SAFETY: according to Embree's manual, many threads may query a built scene at once
 unsafe impl Sync for Scene {}
 
 /// The first hit of a ray.
@@ -58,8 +58,8 @@ impl Scene {
     /// A built scene of one mesh; `None` if there is no library.
     pub fn new(vertices: &[Point], triangles: &[[u32; 3]], robust: bool) -> Option<Self> {
         let path = std::env::var_os("EMBREE")?;
-        // SAFETY: the functions are declared here as `rtcore.h` of Embree 4 has them, and the
-        // buffers are filled with as much as was asked for
+        // SAFETY: the declarations here match `rtcore.h` of Embree 4, and each buffer is filled
+        // with as many elements as were requested for it
         unsafe {
             let library = Library::new(path).expect("EMBREE is Embree's shared library");
             let new_device: Symbol<unsafe extern "C" fn(*const c_char) -> Handle> =
@@ -86,10 +86,10 @@ impl Scene {
             let scene = new_scene(device);
             set_flags(scene, if robust { ROBUST } else { 0 });
             let geometry = new_geometry(device, TRIANGLES);
-            let places =
+            let positions =
                 buffer(geometry, VERTICES, 0, FLOAT3, 12, vertices.len()).cast::<[f32; 3]>();
             for (i, vertex) in vertices.iter().enumerate() {
-                *places.add(i) = vertex.to_array().map(|x| x as f32);
+                *positions.add(i) = vertex.to_array().map(|x| x as f32);
             }
             let indices =
                 buffer(geometry, INDICES, 0, UINT3, 12, triangles.len()).cast::<[u32; 3]>();
@@ -115,7 +115,7 @@ impl Scene {
     /// Whether there is any hit.
     pub fn is_occluded(&self, ray: &Ray) -> bool {
         let mut ray = RayHit::new(ray);
-        // SAFETY: as above; of an occluded ray the far end is set to −∞
+        // SAFETY: as above; the library sets the far end of an occluded ray to −∞
         unsafe { (self.occluded)(self.scene, &mut ray, null_mut()) };
         ray.far < 0.0
     }

@@ -1,12 +1,12 @@
-//! Our mesh against other people's: the same triangles and the same rays, one thread, one process,
-//! in turns. Times are the best of some rounds; what counts is the ratio.
+//! Our mesh compared with those of other libraries: the same triangles, the same rays, one thread, one
+//! process, in turns. Each time is the best of `ROUNDS` rounds; the result is the ratio to our time.
 //!
 //! `scripts/peers.sh`, or without Embree
 //! `cargo run --release --manifest-path benches/peers/Cargo.toml`
 
 #[path = "../../bumpy.rs"]
 mod bumpy;
-#[allow(dead_code)] // what the other comparison asks
+#[allow(dead_code)] // some of it is only used by the other comparison
 mod embree;
 
 use std::hint::black_box;
@@ -23,13 +23,13 @@ use parry3d_f64::query::RayCast;
 
 const SIDE: u32 = 1024;
 const ROUNDS: usize = 7;
-/// The share of rays on which a peer may differ: single precision, and edges.
+/// The largest share of rays on which a peer may differ from us, because of single precision and edges.
 const DIFFERENT: f64 = 0.005;
 
-/// Triangles of the two meshes: some more than 70 000 and a million.
+/// Steps of the two meshes: 69 696 and 1 002 000 triangles.
 const STEPS: [[u32; 2]; 2] = [bumpy::STEPS, [1002, 501]];
 
-/// Somebody's mesh, ready for rays: the distance of the first hit.
+/// The mesh as built by one library; `hit` returns the distance of the first hit.
 struct Peer {
     name: String,
     built: Duration,
@@ -121,11 +121,11 @@ fn compare(steps: [u32; 2]) {
     for peer in &peers {
         println!("  {:42} {:7.1} ms", peer.name, 1e3 * peer.built.as_secs_f64());
     }
-    let sorts = [
+    let kinds = [
         ("coherent", bumpy::coherent_rays(SIDE)),
         ("incoherent", bumpy::incoherent_rays(SIDE * SIDE)),
     ];
-    for (sort, rays) in sorts {
+    for (kind, rays) in kinds {
         let mut times = vec![Vec::new(); peers.len()];
         for _ in 0..ROUNDS {
             for (times, peer) in times.iter_mut().zip(&peers) {
@@ -136,7 +136,7 @@ fn compare(steps: [u32; 2]) {
                 times.push(time.as_secs_f64());
             }
         }
-        println!("{sort} rays, first hit");
+        println!("{kind} rays, first hit");
         let best: Vec<f64> =
             times.iter().map(|t| t.iter().copied().fold(f64::INFINITY, f64::min)).collect();
         for (time, peer) in best.iter().zip(&peers) {

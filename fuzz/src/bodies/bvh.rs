@@ -1,5 +1,5 @@
-//! Acceleration: the tree answers as the list does, to the last bit, for rays that start within 2²⁰ sizes
-//! of the scene; on the grid both answer as a loop over all shapes.
+//! Acceleration: the tree gives the same answer as the list, bit for bit, for rays that start within 2²⁰
+//! scene sizes of the scene. In grid mode both give the same answer as a loop over all shapes.
 
 use std::sync::Arc;
 
@@ -11,23 +11,24 @@ use super::input::{Input, Mode};
 
 const MAX_SHAPES: usize = 64;
 const MAX_RAYS: usize = 16;
-/// How many sizes of the scene away equality is promised, and for which lengths of directions.
+/// The answers must be equal up to this distance of the ray's origin, in scene sizes, and for these lengths
+/// of its direction.
 const FARTHEST: f64 = (1 << 20) as f64;
 const LENGTHS: std::ops::Range<f64> = 1e-100..1e100;
 
-/// Shapes as one ray sees them.
-struct Seen<'a> {
+/// The query of one ray against all shapes.
+struct RayQuery<'a> {
     shapes: &'a [Arc<dyn Shape>],
     ray: &'a Ray,
 }
 
-impl Primitives for Seen<'_> {
+impl Primitives for RayQuery<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         self.shapes[index as usize].hit(self.ray, span)
     }
 }
 
-/// Some shapes, then rays to the end of the bytes.
+/// Reads some shapes, then rays until the bytes end.
 pub fn run(data: &[u8]) {
     let mut input = Input::new(data);
     let count = usize::from(input.byte()) % (MAX_SHAPES + 1);
@@ -37,23 +38,27 @@ pub fn run(data: &[u8]) {
     let whole = bounds.iter().filter(|b| b.is_bounded()).fold(Aabb::EMPTY, |all, b| all.union(*b));
     for _ in 0..MAX_RAYS {
         let ray = input.ray();
-        let seen = Seen { shapes: &shapes, ray: &ray };
+        let query = RayQuery { shapes: &shapes, ray: &ray };
         let away = (ray.origin - whole.center()).max_abs();
         let is_near = away <= FARTHEST * whole.extent().max_abs()
             && LENGTHS.contains(&ray.direction.max_abs());
         for span in [Span::AHEAD, Span::LINE, Span { min: input.number(), max: input.number() }] {
-            let by_list = list.nearest(&seen, &ray, span);
-            let by_bvh = bvh.nearest(&seen, &ray, span);
+            let by_list = list.nearest(&query, &ray, span);
+            let by_bvh = bvh.nearest(&query, &ray, span);
             assert!(by_bvh.is_none_or(|(_, hit)| span.contains(hit.t)));
             if !is_near {
                 continue;
             }
             assert_eq!(by_list.map(bits), by_bvh.map(bits), "{ray:?} {span:?}");
             assert!(by_list.is_none_or(|(_, hit)| span.contains(hit.t)));
-            let some = [&list, &bvh].map(|accel| accel.any(&seen, &ray, span));
+            let some = [&list, &bvh].map(|accel| accel.any(&query, &ray, span));
             assert!(some.iter().all(|hit| hit.is_some() == by_list.is_some()), "{ray:?} {span:?}");
             if input.mode == Mode::Grid {
-                assert_eq!(by_list.map(bits), loop_over(&seen, span).map(bits), "{ray:?} {span:?}");
+                assert_eq!(
+                    by_list.map(bits),
+                    loop_over(&query, span).map(bits),
+                    "{ray:?} {span:?}"
+                );
             }
         }
         if input.is_empty() {
@@ -62,9 +67,9 @@ pub fn run(data: &[u8]) {
     }
 }
 
-/// The smallest `t`, and of equal ones the first.
-fn loop_over(seen: &Seen<'_>, span: Span) -> Option<(u32, Candidate)> {
-    let hits = (0..).zip(seen.shapes).map(|(i, shape)| Some((i, shape.hit(seen.ray, span)?)));
+/// The hit with the smallest `t`; of equal hits, the first.
+fn loop_over(query: &RayQuery<'_>, span: Span) -> Option<(u32, Candidate)> {
+    let hits = (0..).zip(query.shapes).map(|(i, shape)| Some((i, shape.hit(query.ray, span)?)));
     hits.flatten().min_by(|(_, a), (_, b)| a.t.partial_cmp(&b.t).expect("t is a number"))
 }
 

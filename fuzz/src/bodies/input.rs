@@ -1,4 +1,4 @@
-//! Numbers and things from bytes. Where the bytes end, zeros follow.
+//! Reads numbers, rays and shapes from bytes. After the last byte, zeros are read.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -11,13 +11,13 @@ use groundtruth::shapes::{self, Context, Shape};
 /// How numbers are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Whole numbers from −8 to 7: everything up to products of four is exact.
+    /// Integers from −8 to 7: products of up to four of them are exact.
     Grid,
     /// Any finite `f64`.
     Chaos,
 }
 
-/// Numbers where something often goes wrong.
+/// Numbers that often cause errors.
 const NASTY: [f64; 24] = [
     0.0,
     -0.0,
@@ -45,21 +45,22 @@ const NASTY: [f64; 24] = [
     90.0,
 ];
 
-/// Numbers so far from 1 that squares and products over- or underflow promise no more than a `t`.
+/// Whether squares and products of `x` neither overflow nor underflow. For other numbers a hit promises only
+/// its `t`.
 pub fn is_tame(x: f64) -> bool {
     x == 0.0 || (1e-30..=1e30).contains(&x.abs())
 }
 
-/// Bytes that are being used up.
+/// The bytes that are not read yet.
 pub struct Input<'a> {
     bytes: &'a [u8],
     pub mode: Mode,
-    /// Whether all numbers so far are.
+    /// Whether all numbers read so far are tame (see `is_tame`).
     pub tame: bool,
 }
 
 impl<'a> Input<'a> {
-    /// The first byte says the mode.
+    /// Reads the mode from the first byte.
     pub fn new(bytes: &'a [u8]) -> Self {
         let mut it = Self { bytes, mode: Mode::Grid, tame: true };
         if it.byte() % 2 == 1 {
@@ -78,12 +79,12 @@ impl<'a> Input<'a> {
         first
     }
 
-    /// A whole number from −8 to 7.
+    /// An integer from −8 to 7.
     pub fn integer(&mut self) -> i64 {
         i64::from(self.byte() % 16) - 8
     }
 
-    /// A number of the mode: in chaos a nasty one, a whole one, or any 64 bits that are finite.
+    /// A number of the mode. In chaos mode: one of `NASTY`, an integer, a fraction, or any finite `f64`.
     pub fn number(&mut self) -> f64 {
         if self.mode == Mode::Grid {
             return self.integer() as f64;
@@ -118,13 +119,13 @@ impl<'a> Input<'a> {
         self.array().into()
     }
 
-    /// A ray with a direction other than zero.
+    /// A ray with a nonzero direction.
     pub fn ray(&mut self) -> Ray {
         let (origin, direction) = (self.point(), self.vector());
         Ray::new(origin, if direction == Vector::ZERO { Vector::Y } else { direction })
     }
 
-    /// A shape that a scene could hold; `None` if building refuses it.
+    /// A shape as it may occur in a scene; `None` if building refuses it.
     pub fn shape(&mut self) -> Option<Arc<dyn Shape>> {
         let choice = self.byte();
         let kind = match choice % 8 {

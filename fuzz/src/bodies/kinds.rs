@@ -1,13 +1,13 @@
-//! Round, cut and composed shapes from bytes: every kind of chapters 19, 21 and 22 that
-//! `Input::shape` does not make itself. Most numbers of a kind must be positive or ascend, so they
-//! mostly are; what building refuses is no shape.
+//! Round, cut and composite shapes from bytes: every kind of chapters 19, 21 and 22 that `Input::shape` does
+//! not make itself. Most parameters of a shape must be positive or ascending, so the numbers made here mostly
+//! are. Building refuses the others.
 
 use groundtruth::math::Vector;
 use groundtruth::shapes::{self, BoundaryMaterials, Kind, Materials, Term};
 
 use super::input::{Input, Mode};
 
-/// A size: on the grid from ⅛ to 8, else any number, mostly without its sign.
+/// A size: in grid mode from ⅛ to 8, otherwise any number, mostly its absolute value.
 fn size(input: &mut Input<'_>) -> f64 {
     match input.mode {
         Mode::Grid => (1.0 + f64::from(input.byte() % 64)) / 8.0,
@@ -30,7 +30,7 @@ fn heights(input: &mut Input<'_>) -> [f64; 2] {
     if a < b || input.byte() >= 240 { [a, b] } else { [b, a] }
 }
 
-/// Degrees: multiples of 15, or any number.
+/// An angle in degrees: a multiple of 15 up to `most`, or any number.
 fn degrees(input: &mut Input<'_>, most: u8) -> f64 {
     match input.byte() {
         choice @ 0..200 => 15.0 * f64::from(choice % (most / 15 + 1)),
@@ -39,7 +39,7 @@ fn degrees(input: &mut Input<'_>, most: u8) -> f64 {
 }
 
 fn azimuths(input: &mut Input<'_>) -> [f64; 2] {
-    // up to 360, which no byte is
+    // up to 360, which is too large for `most`, a `u8`
     [(); 2].map(|()| degrees(input, 180) + degrees(input, 180))
 }
 
@@ -47,18 +47,18 @@ fn polar_angles(input: &mut Input<'_>) -> [f64; 2] {
     [degrees(input, 90), degrees(input, 90) + 90.0]
 }
 
-/// One of so many kinds of surfaces.
+/// The number of kinds of surfaces.
 const SURFACES: u8 = 10;
-/// One of so many kinds of solids.
+/// The number of kinds of solids.
 const SOLIDS: u8 = 12;
 
-/// A surface, a solid, or something made of many.
+/// A surface, a solid, or a composite shape.
 pub fn kind(input: &mut Input<'_>) -> Kind {
     let choice = input.byte();
     match choice {
         0..120 => surface(choice % SURFACES, input),
         120..230 => solid(choice % SOLIDS, input),
-        _ => many(choice % 5, input),
+        _ => composite(choice % 5, input),
     }
 }
 
@@ -179,8 +179,8 @@ fn fish_bowl(input: &mut Input<'_>) -> Kind {
     .into()
 }
 
-/// Few of them: a shape is built for every input.
-fn many(choice: u8, input: &mut Input<'_>) -> Kind {
+/// A composite shape of few parts, because one is built for every input.
+fn composite(choice: u8, input: &mut Input<'_>) -> Kind {
     let count = 1 + u32::from(input.byte() % 4);
     let (materials, accel) = (Materials::new(), None);
     let [small, large] = sizes(input);

@@ -1,18 +1,18 @@
-//! OBJ: any bytes are a mesh in order or an error, with memory in proportion to the file.
+//! OBJ: any bytes give a valid mesh or an error. The memory is in proportion to the file.
 
 use groundtruth::mesh_file::{MeshData, parse_obj};
 
-/// What the module promises, in bytes of memory for each byte of the file.
+/// The bound that the module promises: bytes of memory for each byte of the file.
 const MEMORY_FACTOR: usize = 64;
 
-/// Reads a file; what is a mesh is what `MeshData` promises.
+/// Reads a file and checks the mesh, if there is one.
 pub fn run(data: &[u8]) {
     if let Ok(mesh) = parse_obj(data) {
         assert_in_order(&mesh, data.len());
     }
 }
 
-/// Checks what `MeshData` promises of every mesh that was read.
+/// Checks what `MeshData` promises about every mesh that was read.
 pub(super) fn assert_in_order(mesh: &MeshData, file: usize) {
     let count = mesh.vertices.len();
     assert!(mesh.vertices.iter().flatten().all(|x| x.is_finite()));

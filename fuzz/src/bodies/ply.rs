@@ -1,8 +1,8 @@
-//! PLY: any bytes are a mesh in order or an error, with memory in proportion to the file.
+//! PLY: any bytes give a valid mesh or an error. The memory is in proportion to the file.
 
 use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
 
-/// Reads a file; what is a mesh is written in every encoding and read back.
+/// Reads a file and checks the mesh, then writes it in every encoding and reads it back.
 pub fn run(data: &[u8]) {
     let Ok(mesh) = parse_ply(data) else { return };
     super::obj::assert_in_order(&mesh, data.len());

@@ -1,4 +1,4 @@
-//! The scene file: any text is a world or one error with a place, in bounded time and memory.
+//! The scene file: any text gives a world or one error with its position, in bounded time and memory.
 
 use std::path::Path;
 
@@ -8,10 +8,10 @@ use groundtruth::trace::Recorder;
 use groundtruth::world::from_toml;
 use groundtruth::{render, trace};
 
-/// Pixels that are looked at in each world.
+/// Rows and columns of pixels that are sampled in each world.
 const CORNERS: u32 = 2;
-/// Tests of a ray and an object: larger trees of rays take too long to follow here.
-const DEEP: f64 = 1e5;
+/// The largest number of ray-object tests of one sample: larger ray trees take too long here.
+const MAX_TESTS: f64 = 1e5;
 
 /// Reads a scene, traces a few of its rays, writes it and reads it again.
 pub fn run(data: &[u8]) {
@@ -32,21 +32,21 @@ pub fn run(data: &[u8]) {
     assert_eq!(written, twice, "writing and reading change nothing");
 
     let [width, height] = world.picture_size();
-    let few = (DEEP / (1.0 + world.objects().len() as f64)) as u64;
+    let max_rays = (MAX_TESTS / (1.0 + world.objects().len() as f64)) as u64;
     for y in 0..CORNERS.min(height) {
         for x in 0..CORNERS.min(width) {
-            let mut counter = RayCounter::up_to(few);
+            let mut counter = RayCounter::up_to(max_rays);
             counter.count(|counter| render::sample(&world, [x, y], 0, counter));
             if counter.is_full() {
                 return;
             }
             let mut counts = trace::RayCounts::default();
-            let heard = render::sample(&world, [x, y], 0, &mut counts);
-            let silent = render::sample(&world, [x, y], 0, &mut ());
+            let recorded = render::sample(&world, [x, y], 0, &mut counts);
+            let unrecorded = render::sample(&world, [x, y], 0, &mut ());
             let bits = |color: groundtruth::rgb::Rgb| color.to_array().map(f64::to_bits);
-            assert_eq!(bits(heard), bits(silent), "a recorder cannot change the picture");
-            let seen = render::camera_sample(&world, [x, y], 0).is_some_and(|s| s.ray.is_some());
-            assert_eq!(counts.camera, u64::from(seen));
+            assert_eq!(bits(recorded), bits(unrecorded), "a recorder cannot change the picture");
+            let has_ray = render::camera_sample(&world, [x, y], 0).is_some_and(|s| s.ray.is_some());
+            assert_eq!(counts.camera, u64::from(has_ray));
         }
     }
 }

@@ -1,5 +1,5 @@
-//! Shapes. Any finite numbers: no panic, `t` inside the span, one answer for every span. Whole
-//! numbers: hit or miss as exact arithmetic says, `t` its nearest number where it is a fraction.
+//! Shapes. For any finite numbers: no panic, `t` inside the span, and the same hit for every span. For
+//! integers: hit or miss as in exact arithmetic, and where the exact `t` is a fraction, the nearest `f64`.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use groundtruth::shapes::{self, Candidate, Context, Kind, Shape};
 use super::exact::{self, Fraction, Side, Triple};
 use super::input::{Input, Mode, is_tame};
 
-/// One shape and some rays.
+/// Reads one shape and some rays.
 pub fn run(data: &[u8]) {
     let mut input = Input::new(data);
     if input.mode == Mode::Grid && input.byte().is_multiple_of(2) {
@@ -29,11 +29,11 @@ pub fn run(data: &[u8]) {
     }
 }
 
-/// What holds for every shape and ray.
+/// Checks what holds for every shape and ray.
 fn one_answer(shape: &dyn Shape, ray: &Ray, span: Span, tame: bool) {
     let hit = shape.hit(ray, span);
     let shadow = shape.shadow_hit(ray, span);
-    assert_eq!(hit.is_some(), shadow.is_some(), "shadows see what eyes see");
+    assert_eq!(hit.is_some(), shadow.is_some(), "`hit` and `shadow_hit` disagree");
     assert!(shadow.is_none_or(|t| span.contains(t)), "{shadow:?} is not in {span:?}");
     let roots = shape.roots(ray, span);
     assert!(roots.iter().all(|root| span.contains(root.t)), "{roots:?} are not in {span:?}");
@@ -41,8 +41,7 @@ fn one_answer(shape: &dyn Shape, ray: &Ray, span: Span, tame: bool) {
     let Some(hit) = hit else { return };
     assert!(span.contains(hit.t), "{} is not in {span:?}", hit.t);
     assert!(roots.iter().any(|root| root.t == hit.t), "{hit:?} is none of the roots {roots:?}");
-    let shorter =
-        shape.hit(ray, span.through(hit.t)).expect("a span that ends with the hit has it");
+    let shorter = shape.hit(ray, span.through(hit.t)).expect("a span that ends at the hit has it");
     assert_eq!(shorter.t.to_bits(), hit.t.to_bits(), "t depends on the span");
     let beyond = Span { min: hit.t, max: span.max };
     assert!(shape.hit(ray, beyond).is_none_or(|next| next.t > hit.t));
@@ -76,7 +75,7 @@ fn built(kind: impl Into<Kind>) -> Option<Arc<dyn Shape>> {
         .ok()
 }
 
-/// Each kind against exact arithmetic.
+/// Compares each kind with exact arithmetic.
 fn grid(input: &mut Input<'_>) {
     let kind = input.byte() % 7;
     let (p, q, r, size) = (whole(input), whole(input), whole(input), input.integer());
@@ -98,11 +97,13 @@ fn grid(input: &mut Input<'_>) {
     }
 }
 
-/// Normals are rounded when they are made unit, so `(p − o)·n` and `d·n` carry a few u of products
-/// up to 3 · 15 · 8, while their true values are at least 1/|n| > 1/14.
+/// The largest relative error of `t`. Normals are rounded when they are normalised, so `(p − o)·n` and `d·n`
+/// have errors of a few u (the unit roundoff) times products up to 3 · 15 · 8. Their exact values are at
+/// least 1/|n| > 1/14, or zero.
 const PLANE_ERROR: f64 = 8.0 * (f64::EPSILON / 2.0) * 360.0 * 14.0;
 
-/// Compares a hit in a plane with where it should be and whether that lies in the shape.
+/// Compares the hit of a flat shape with the exact intersection `at` of its plane; `side` says whether that
+/// lies in the shape.
 fn check_flat(
     hit: Option<Candidate>,
     at: Option<Fraction>,
@@ -111,14 +112,14 @@ fn check_flat(
 ) {
     let exact = n.iter().filter(|&&x| x != 0).count() == 1;
     let Some(at) = at else {
-        // parallel, but the rounded normal may lean by a few u
+        // parallel, but the rounded normal may be tilted by a few u
         assert!(hit.is_none_or(|hit| !exact && hit.t.abs() > 0.01 / PLANE_ERROR), "{hit:?}");
         return;
     };
     let clear = exact || at.0 != 0;
     match side(at) {
         Side::Inside if clear => assert_eq!(hit.is_some(), at.is_positive(), "{hit:?}, {at:?}"),
-        Side::Outside if clear => assert!(hit.is_none(), "{hit:?} is beside the shape, {at:?}"),
+        Side::Outside if clear => assert!(hit.is_none(), "{hit:?} is outside the shape, {at:?}"),
         _ => {}
     }
     let Some(hit) = hit else { return };
@@ -170,7 +171,7 @@ fn triangle(ray: &Ray, o: Triple, d: Triple, corners: [Triple; 3]) {
     } else if let (Some(hit), Some(at)) = (hit, at) {
         assert!((hit.t - at.value()).abs() <= 1e-12 * at.value(), "{} is not {at:?}", hit.t);
     } else if hit.is_some() || at.is_some() {
-        // only on an edge, or in the plane of the triangle, may rounding decide
+        // rounding may decide only on an edge or in the plane of the triangle
         let volume = |p, q| exact::dot(d, exact::cross(exact::minus(p, o), exact::minus(q, o)));
         let volumes = [volume(a, b), volume(b, c), volume(c, a)];
         let edge = volumes.contains(&0) || exact::plane(o, d, a, normal).is_none_or(|t| t.0 == 0);
@@ -186,8 +187,8 @@ fn rectangle(ray: &Ray, o: Triple, d: Triple, corner: Triple, a: Triple, b: Trip
     };
     let side = |t: Fraction| {
         let from = exact::minus(o, corner);
-        let place: Triple = std::array::from_fn(|i| from[i] * t.1 + d[i] * t.0);
-        let sides = [a, b].map(|s| (exact::dot(place, s), exact::dot(s, s) * t.1));
+        let offset: Triple = std::array::from_fn(|i| from[i] * t.1 + d[i] * t.0);
+        let sides = [a, b].map(|s| (exact::dot(offset, s), exact::dot(s, s) * t.1));
         let within = sides.map(|(x, end)| [exact::side(-x, 0), exact::side(x, end)]);
         worst(within.into_iter().flatten())
     };
@@ -209,13 +210,13 @@ fn disk(ray: &Ray, o: Triple, d: Triple, center: Triple, normal: Triple, radius:
     };
     let side = |t: Fraction| {
         let from = exact::minus(o, center);
-        let place: Triple = std::array::from_fn(|i| from[i] * t.1 + d[i] * t.0);
-        exact::side(exact::dot(place, place), radius * radius * t.1 * t.1)
+        let offset: Triple = std::array::from_fn(|i| from[i] * t.1 + d[i] * t.0);
+        exact::side(exact::dot(offset, offset), radius * radius * t.1 * t.1)
     };
     check_flat(it.hit(ray, Span::AHEAD), exact::plane(o, d, center, normal), normal, side);
 }
 
-/// Whether `t` is a root of `a t² + 2 b t + c`, by the residual against the size of its terms.
+/// Whether `t` is a root of `a t² + 2 b t + c`: the residual is small relative to the terms.
 fn is_root(t: f64, [a, b, c]: [i64; 3]) -> bool {
     let (a, b, c) = (a as f64, b as f64, c as f64);
     let terms = [a * t * t, 2.0 * b * t, c];
@@ -242,7 +243,7 @@ fn sphere(ray: &Ray, o: Triple, d: Triple, center: Triple, radius: i64) {
     }
 }
 
-/// Where rounding may decide whether the wall has ended.
+/// Closer than this to an end of the cylinder, rounding may decide between hit and miss.
 const END: f64 = 1e-9;
 
 fn cylinder(ray: &Ray, o: Triple, d: Triple, [y0, y1]: [i64; 2], radius: i64) {
@@ -257,7 +258,7 @@ fn cylinder(ray: &Ray, o: Triple, d: Triple, [y0, y1]: [i64; 2], radius: i64) {
         return assert!(hit.is_none(), "parallel to the axis");
     }
     if discriminant <= 0 {
-        return assert!(discriminant == 0 || hit.is_none(), "{hit:?} beside the axis");
+        return assert!(discriminant == 0 || hit.is_none(), "{hit:?} of a line that misses");
     }
     let root = (discriminant as f64).sqrt();
     let mut expected = None;

@@ -1,11 +1,11 @@
-//! Transformations. Any finite numbers: no panic, and what is accepted is finite. Whole numbers,
-//! powers of two and quarter turns: exact, against a second derivation that moves coordinates.
+//! Transformations. For any finite numbers: no panic, and an accepted transformation is finite. For integers,
+//! powers of two and quarter turns: exactly equal to a second implementation that moves coordinates.
 
 use groundtruth::math::{Aabb, Axis, Normal, Point, Ray, Step, Transform, Vector};
 
 use super::input::{Input, Mode};
 
-/// Steps, a point and a vector.
+/// Reads steps, a point and a vector, and checks the transformation.
 pub fn run(data: &[u8]) {
     let mut input = Input::new(data);
     let count = input.byte() % 6;
@@ -33,21 +33,21 @@ pub fn run(data: &[u8]) {
     }
 }
 
-/// Whether a refusal may be for numbers out of range: none of the grid's sizes.
+/// Whether the steps may be refused for extreme numbers: nonzero and far from 1.
 fn overflows(steps: &[Step]) -> bool {
-    let number = |x: f64| !(x == 0.0 || (1e-20..=1e20).contains(&x.abs()));
+    let is_extreme = |x: f64| !(x == 0.0 || (1e-20..=1e20).contains(&x.abs()));
     steps.iter().any(|step| match *step {
-        Step::Translate(v) | Step::Scale(v) => v.to_array().into_iter().any(number),
+        Step::Translate(v) | Step::Scale(v) => v.to_array().into_iter().any(is_extreme),
         Step::RotateAbout { point, direction, .. } => {
-            point.to_array().into_iter().chain(direction.to_array()).any(number)
+            point.to_array().into_iter().chain(direction.to_array()).any(is_extreme)
         }
-        Step::Shear(factors) => factors.into_iter().any(number),
-        Step::Matrix(rows) => rows.into_iter().flatten().any(number),
+        Step::Shear(factors) => factors.into_iter().any(is_extreme),
+        Step::Matrix(rows) => rows.into_iter().flatten().any(is_extreme),
         _ => false,
     })
 }
 
-/// A step; on the grid one whose inverse is exact.
+/// A step; in grid mode one whose inverse is exact.
 pub(super) fn step(input: &mut Input<'_>) -> Step {
     let chaos = input.mode == Mode::Chaos;
     let kind = input.byte() % 9;
@@ -67,13 +67,13 @@ pub(super) fn step(input: &mut Input<'_>) -> Step {
         5 => Step::Reflect(axis),
         6 if chaos => Step::Shear(std::array::from_fn(|_| input.number())),
         6 => {
-            // one factor alone: its inverse is its opposite
+            // a single factor: the inverse is the shear by its negative
             let mut factors = [0.0; 6];
             factors[usize::from(input.byte() % 6)] = input.number();
             Step::Shear(factors)
         }
         7 => {
-            // axes in turn, and a move
+            // a cyclic permutation of the axes, and a translation
             let mut rows = [[0.0; 4]; 4];
             for (i, row) in rows.iter_mut().enumerate().take(3) {
                 row[(i + axis as usize) % 3] = 1.0;
@@ -95,7 +95,7 @@ pub(super) fn step(input: &mut Input<'_>) -> Step {
     }
 }
 
-/// The step applied to coordinates.
+/// The coordinates after one step.
 fn moved(step: &Step, p: [f64; 3]) -> [f64; 3] {
     let [x, y, z] = p;
     match step {
@@ -125,7 +125,8 @@ fn moved(step: &Step, p: [f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Quarter turns, one at a time: the next axis goes to the one after it, and that to −next.
+/// Quarter turns about `axis`, one at a time: with axes in cyclic order `axis`, i, j, each turn takes i to j
+/// and j to −i.
 fn turned(mut p: [f64; 3], axis: usize, degrees: f64) -> [f64; 3] {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     for _ in 0..(degrees / 90.0).rem_euclid(4.0) as u32 {

@@ -1,4 +1,4 @@
-//! The command line, as far as it needs no window.
+//! The parts of the command line that need no window.
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -13,10 +13,10 @@ fn inspector(arguments: &[&str]) -> Output {
     Command::new(program).args(arguments).output().expect("the program starts")
 }
 
-/// Law: a scene that cannot be opened is told on standard error, in the library's words, with
+/// Law: a scene that cannot be opened is reported on standard error with the library's message, with
 /// status 2 and without a window.
 #[test]
-fn a_bad_scene_is_told_before_there_is_a_window() {
+fn a_bad_scene_is_reported_before_a_window_opens() {
     let missing = "no-such-folder/scene.toml";
     let error = groundtruth::world::read(missing.as_ref()).expect_err("it is not there");
     for (name, expected) in [
@@ -29,7 +29,7 @@ fn a_bad_scene_is_told_before_there_is_a_window() {
     }
 }
 
-/// Law: `--help` says what the argument is, and a pixel that is none is refused.
+/// Law: `--help` explains the argument, and an invalid pixel is refused.
 #[test]
 fn help_is_given_and_arguments_are_checked() {
     let help = inspector(&["--help"]);
@@ -40,7 +40,7 @@ fn help_is_given_and_arguments_are_checked() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("written as 200,150"));
 }
 
-/// Law: arguments that do not fit the scene are refused before there is a window, in the words of
+/// Law: arguments that do not fit the scene are refused before a window opens, with the messages of
 /// `groundtruth explain`.
 #[test]
 fn arguments_that_do_not_fit_are_refused() {
@@ -68,7 +68,7 @@ fn arguments_that_do_not_fit_are_refused() {
 }
 
 /// Law: size, samples, seed, pixel and sample are those of the arguments. Oracle: the library's
-/// explanation of the same.
+/// rendering with the same settings.
 #[test]
 fn the_arguments_are_followed() {
     let line =

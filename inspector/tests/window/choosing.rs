@@ -1,4 +1,4 @@
-//! The list of scenes, and the numbers of the picture.
+//! The list of scenes, and the settings of the picture.
 
 use std::time::{Duration, Instant};
 
@@ -20,8 +20,8 @@ fn open_list(window: &mut Window) {
     window.run_steps(12);
 }
 
-/// Law: the list opens at the present scene, which can be seen; small pictures appear beside the
-/// names, and frames do not wait for them.
+/// Law: the list opens with the present scene in view. Thumbnails appear beside the names, and frames
+/// do not wait for them.
 #[test]
 fn the_list_opens_at_the_present_scene_with_small_pictures() {
     let mut window = glass_window();
@@ -41,7 +41,7 @@ fn the_list_opens_at_the_present_scene_with_small_pictures() {
     assert!(slowest < Duration::from_secs(2), "{slowest:?}");
 }
 
-/// Law: typing leaves the scenes whose names have it; Enter opens the first.
+/// Law: the list keeps the scenes whose names contain the typed text; Enter opens the first.
 #[test]
 fn typing_searches_the_list() {
     let names: Vec<&str> = found("Mirror").iter().map(|entry| entry.name).collect();
@@ -60,9 +60,9 @@ fn typing_searches_the_list() {
     assert_eq!(window.state().rendering.source.name(), "ch03/three-objects");
 }
 
-/// Law: a thumbnail has the proportions of its picture and is no larger than its place.
+/// Law: a thumbnail has the proportions of its picture and is no larger than the space for it.
 #[test]
-fn thumbnails_fit_their_place() {
+fn thumbnails_fit_their_space() {
     let [most_width, most_height] = thumbnails::LARGEST;
     for size in [[400, 400], [600, 100], [1, 5000], [3, 2]] {
         let [width, height] = thumbnails::fitting(size);
@@ -72,10 +72,10 @@ fn thumbnails_fit_their_place() {
     }
 }
 
-/// Law: as many samples as the library takes can be typed. Oracle: the library takes one of as many
-/// and refuses one more.
+/// Law: 16 384 samples can be typed. Oracle: the library refuses only counts above its limit, which is
+/// larger.
 #[test]
-fn as_many_samples_can_be_typed_as_the_library_takes() {
+fn many_samples_can_be_typed() {
     let mut scene = small_glass_sphere();
     scene.image.resize(1, 1);
     scene.image.samples = MAX_SAMPLES + 1;
@@ -89,15 +89,15 @@ fn as_many_samples_can_be_typed_as_the_library_takes() {
     assert_eq!(status, "1 × 1, 16384 samples");
 }
 
-/// Law: size, depth and seed are followed by the picture; a seed is not rounded, and what is no seed
-/// changes nothing. Oracle: the library's rendering of the same.
+/// Law: the picture follows size, depth and seed; a seed is not rounded, and an invalid seed changes
+/// nothing. Oracle: the library's rendering with the same settings.
 #[test]
 fn size_depth_and_seed_are_followed() {
     let mut window = glass_window();
     type_number(&mut window, "Width", "30");
     type_number(&mut window, "Height", "20");
     type_number(&mut window, "Max depth", "2");
-    // one more than a float can tell from its neighbour
+    // the smallest positive integer that an `f64` cannot represent
     let seed = (1_u64 << 53) + 1;
     type_into(&mut window, "Seed", &seed.to_string());
     let mut scene = small_glass_sphere();
@@ -114,8 +114,8 @@ fn size_depth_and_seed_are_followed() {
     assert_eq!(window.state().rendering.world.seed, seed);
 }
 
-/// Law: one switch shows the picture by the book's routines, and by the library's again. Oracle: the
-/// library's rendering of the scene with all objects intersected so.
+/// Law: one control switches between the library's and the book's intersection routines. Oracle: the
+/// library's rendering of the scene with all objects intersected that way.
 #[test]
 fn intersections_are_switched() {
     let mut scene = (gallery::find("ch19/lost-roots").expect("a scene of the gallery").build)();
@@ -137,9 +137,10 @@ fn intersections_are_switched() {
     assert_ne!(shown[0], shown[1], "the textbook's roots are lost");
 }
 
-/// Law: the whole picture fills its place along one side, in whole points from two for a pixel on.
+/// Law: the whole picture fills its area along one side; a scale of at least two points per pixel is
+/// rounded down to a whole number.
 #[test]
-fn the_whole_picture_fills_its_place() {
+fn the_whole_picture_fills_its_area() {
     let area = eframe::egui::Rect::from_min_max([200.0, 90.0].into(), [880.0, 790.0].into());
     for (size, scale) in [([400, 400], 1.7), ([300, 300], 2.0), ([12, 12], 56.0), ([1360, 9], 0.5)]
     {
@@ -148,9 +149,9 @@ fn the_whole_picture_fills_its_place() {
     }
 }
 
-/// Law: one thing is told as one.
+/// Law: a count of one has the singular.
 #[test]
-fn one_sample_is_no_samples() {
+fn a_count_of_one_has_the_singular() {
     let words = [1, 0, 2].map(|n| count(n, "ray"));
     assert_eq!(words, ["1 ray", "0 rays", "2 rays"]);
     let mut scene = small_glass_sphere();

@@ -63,13 +63,13 @@ fn the_printed_sum_is_the_rendered_pixel_bit_for_bit() {
     }
 }
 
-/// Law: where the picture holds another colour, the window says that it differs. (Else the line
-/// above could be painted on.)
+/// Law: where the picture has another colour, the window says that it differs. (Otherwise "bit for bit"
+/// could be a constant text.)
 #[test]
-fn a_pixel_that_differs_from_its_explanation_is_told() {
+fn a_pixel_that_differs_from_its_explanation_is_reported() {
     let mut window = glass_window();
     click(&mut window, ON_GLASS);
-    // a picture of another seed, behind the window's back
+    // replaces the picture by one of another seed, without the window's knowledge
     let scene = small_glass_sphere();
     let other = groundtruth::world::World::build_seeded(&scene, std::path::Path::new(""), 2);
     let other = other.expect("the scene is valid");
@@ -80,8 +80,7 @@ fn a_pixel_that_differs_from_its_explanation_is_told() {
     assert!(text_with(&window, "differs from the pixel of the picture").contains("(0."));
 }
 
-/// Law: typed coordinates select; what is no pixel of the picture is refused with a reason, and the
-/// selection stays.
+/// Law: typed coordinates select a pixel; invalid ones are refused with a reason, and the selection stays.
 #[test]
 fn typed_coordinates_select_a_pixel() {
     let mut window = glass_window();
@@ -129,7 +128,7 @@ fn arrow_keys_step_to_the_next_pixel() {
     assert_eq!(window.state().selection.pixel, Some([0, at[1]]));
 }
 
-/// Law: while coordinates are typed, the arrow keys belong to the text.
+/// Law: while coordinates are typed, the arrow keys do not change the selection.
 #[test]
 fn arrow_keys_in_a_field_do_not_step() {
     let mut window = glass_window();
@@ -234,8 +233,8 @@ fn a_click_on_a_ray_shows_its_details() {
     }
 }
 
-/// Law: what a texture is at a hit stands among the ray's numbers: field, colour, texel and coordinates,
-/// with every digit. Oracle: the library's explanation.
+/// Law: the numbers of a ray include the texture at its hit: field, colour, texel and coordinates, with
+/// every digit. Oracle: the library's explanation.
 #[test]
 fn the_texture_of_a_hit_is_among_the_numbers() {
     let mut scene = (gallery::find("ch29/earth").expect("in the gallery").build)();
@@ -256,10 +255,10 @@ fn the_texture_of_a_hit_is_among_the_numbers() {
     assert!(window.query_all_by_label(&expected).next().is_some(), "not shown: {expected}");
 }
 
-/// Law: the hits on the way to a ray are marked where the camera sees them: that of the camera's ray
-/// at its own sample's place in the pixel, up to rounding. Oracle: the sample's place on the film.
+/// Law: the hits on the path to a ray are marked where the camera sees them. The hit of the camera's ray is
+/// at the position of its sample in the pixel, up to rounding. Oracle: the sample's position on the film.
 #[test]
-fn the_way_to_a_ray_is_marked_in_the_picture() {
+fn the_path_to_a_ray_is_marked_in_the_picture() {
     let mut window = glass_window();
     click(&mut window, ON_GLASS);
     let scene = small_glass_sphere();
@@ -275,7 +274,7 @@ fn the_way_to_a_ray_is_marked_in_the_picture() {
     let expected = render::image_point(&world.image, film);
     let [x, y] = trail[0].0.expect("the camera sees what it hit");
     let off = (x - expected[0]).abs().max((y - expected[1]).abs());
-    // places of up to 48 pixels, from points known to about 1e-14 of their distance
+    // positions up to 48 pixels, from points with a relative error of about 1e-14
     assert!(off < 1e-9, "{off:e}");
     assert_eq!([x as u32, y as u32], ON_GLASS);
 }

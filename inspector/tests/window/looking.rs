@@ -1,4 +1,4 @@
-//! Zoom, pan, tone, and what it all looks like.
+//! Zoom, pan, tone, and snapshots of the window.
 
 use eframe::egui::{
     Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, Rect, TouchPhase, pos2, vec2,
@@ -11,10 +11,10 @@ use crate::support::*;
 
 const AREA: Rect = Rect { min: pos2(190.0, 90.0), max: pos2(870.0, 770.0) };
 
-/// Law: the middle of a pixel's rectangle is in that pixel, and a place outside the picture is in
-/// none; at every zoom and after every pan.
+/// Law: the centre of a pixel's rectangle is in that pixel, and a position outside the picture is in no
+/// pixel, at every zoom and after every pan.
 #[test]
-fn a_place_on_the_screen_is_in_the_pixel_drawn_there() {
+fn a_position_on_the_screen_is_in_the_pixel_drawn_there() {
     let size = [37, 53];
     for zoom in [0.5, 1.0, 3.3, 16.0, 160.0] {
         for by in [vec2(0.0, 0.0), vec2(-31.0, 17.5), vec2(400.0, 300.0)] {
@@ -33,10 +33,10 @@ fn a_place_on_the_screen_is_in_the_pixel_drawn_there() {
     }
 }
 
-/// Law: the wheel keeps what is under the mouse under the mouse, up to the rounding of the picture's
+/// Law: zooming does not move the point of the picture under the mouse, up to the rounding of the picture's
 /// corner to whole points.
 #[test]
-fn zoom_keeps_the_place_under_the_mouse() {
+fn zoom_keeps_the_point_under_the_mouse() {
     let size = [600, 600];
     let under = |view: &View, at: Pos2| {
         let placed = view.place(AREA, size);
@@ -54,8 +54,8 @@ fn zoom_keeps_the_place_under_the_mouse() {
     }
 }
 
-/// Law: however far a person drags, some of the picture is left in the middle; the selected pixel
-/// is brought back into sight.
+/// Law: however far the picture is dragged, some of it stays in the middle; a pixel can be brought back
+/// into view.
 #[test]
 fn the_picture_cannot_be_lost() {
     let size = [60, 40];
@@ -72,7 +72,7 @@ fn the_picture_cannot_be_lost() {
     }
 }
 
-/// Law: coordinates are read however they are commonly written, and nothing else is.
+/// Law: coordinates are read in all common notations, and nothing else is accepted.
 #[test]
 fn coordinates_are_read_as_people_write_them() {
     for text in ["200,150", " 200, 150 ", "(200, 150)", "200 150"] {
@@ -114,19 +114,19 @@ fn wheel_and_drag_move_the_picture_and_select_nothing() {
 
 /// The colour of the screen in the middle of a pixel.
 fn shown(window: &mut Window, pixel: [u32; 2]) -> [u8; 3] {
-    let place = on_screen(window, pixel);
-    let [r, g, b, _] = window.render().expect("drawn").get_pixel(place.x as u32, place.y as u32).0;
+    let at = on_screen(window, pixel);
+    let [r, g, b, _] = window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
     [r, g, b]
 }
 
-/// Law: a picture larger than a texture can be is shown whole, also across the seams. Oracle:
-/// `Tone` on the film.
+/// Law: a picture larger than the largest texture is shown completely, also across the seams between its
+/// tiles. Oracle: `Tone` on the film.
 #[test]
 fn large_pictures_are_shown_across_the_seams() {
     for size in [[1060, 24], [24, 1060]] {
         let mut scene = small_glass_sphere();
         scene.image.resize(size[0], size[1]);
-        // the ground in many colours, the same in no two neighbouring places
+        // the ground has many colours, and neighbouring pixels differ
         scene.image.pixel_size = 0.5;
         scene.image.samples = 1;
         let mut window = open(scene);
@@ -150,7 +150,7 @@ fn nothing_of_the_old_picture_shines_through() {
     let mut window = glass_window();
     let ground = [30, 44];
     assert_ne!(shown(&mut window, ground), [0, 0, 0]);
-    // the last of them is seen until then
+    // the ground is lit until the last of them is off
     for light in ["high lamp", "front lamp", "left light", "ambient"] {
         window.get_by_label(light).click();
         settle(&mut window);
@@ -180,9 +180,9 @@ fn exposure_changes_the_screen_and_not_the_picture() {
     assert_eq!(window.state().rendering.canvas.film(), film);
 }
 
-/// Law: what is under the mouse is told: the pixel and its radiance.
+/// Law: the window shows the pixel under the mouse and its radiance.
 #[test]
-fn the_pixel_under_the_mouse_is_told() {
+fn the_pixel_under_the_mouse_is_shown() {
     let mut window = glass_window();
     window.hover_at(on_screen(&window, [20, 30]));
     window.run_steps(3);

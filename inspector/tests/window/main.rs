@@ -1,4 +1,4 @@
-//! The inspector as a person uses it, in a window that is not there.
+//! The inspector as a user operates it, in a window that exists only in memory.
 
 mod arguments;
 mod choosing;

@@ -27,7 +27,7 @@ fn noisy_pixel() -> (Window, PixelExplanation) {
     (window, explain::pixel(&scene, &built(&scene), ON_THE_BACK_WALL, None))
 }
 
-/// The rays of a path that go on, with the terms that take their light, and its shadow rays.
+/// The continuing rays of a path, each with the term that receives its light, and the path's shadow rays.
 fn path_of(
     root: &RayExplanation,
 ) -> (Vec<(&RayExplanation, Option<&TermExplanation>)>, Vec<&RayExplanation>) {
@@ -46,26 +46,26 @@ fn path_of(
     (bounces, shadows)
 }
 
-/// Law: the bounces of a path stand one below the other, none farther right than the one before; shadow
-/// rays stand farther right. Beside each bounce stands what it counts and how it was drawn. Oracle: the
-/// places of the lines in the window, the library's path and words.
+/// Law: the bounces of a path are listed one below the other with the same indentation; shadow rays are
+/// indented more. Beside each bounce are its weight and how it was sampled. Oracle: the positions of the
+/// lines in the window, and the library's path and text.
 #[test]
-fn a_path_is_no_staircase() {
+fn the_bounces_of_a_path_are_not_indented() {
     let (mut window, explained) = noisy_pixel();
     let roots = explained.samples.iter().filter_map(|sample| sample.ray.as_ref());
     let longest = roots.enumerate().max_by_key(|(_, root)| root.count());
     let (index, root) = longest.expect("the camera sees all its film");
     window.state_mut().selection.sample = index as u32;
-    // all details closed, so that a line stands in the tree alone
+    // without details, a line of the tree appears only once
     window.get_by_label("The sum").click();
     settle(&mut window);
     let (bounces, shadows) = path_of(root);
     assert!(bounces.len() >= 4 && shadows.len() >= 2, "{} bounces", bounces.len());
-    let place = |text: &str| window.get_by_label(text).rect();
-    let first = place(&root.line());
+    let rect_of = |text: &str| window.get_by_label(text).rect();
+    let first = rect_of(&root.line());
     let mut above = first.top() - 1.0;
     for (bounce, term) in bounces {
-        let line = place(&bounce.line());
+        let line = rect_of(&bounce.line());
         assert_eq!(line.left(), first.left(), "{}", bounce.line());
         assert!(line.top() > above, "{}", bounce.line());
         above = line.top();
@@ -75,7 +75,7 @@ fn a_path_is_no_staircase() {
         assert!(is_beside && sampling.contains(" /sr, "), "{sampling}");
     }
     for shadow in shadows {
-        assert!(place(&shadow.line()).left() > first.left(), "{}", shadow.line());
+        assert!(rect_of(&shadow.line()).left() > first.left(), "{}", shadow.line());
     }
 }
 
@@ -99,8 +99,8 @@ fn local_light_is_in_the_tree() {
     assert!(window.query_by_label(&local).is_some(), "{local}");
 }
 
-/// Law: the sum lists what each light and each lobe adds, in both ways, in the library's order. Oracle:
-/// the library's tables.
+/// Law: the sum lists what each light and each lobe adds, divided in both ways, in the library's order.
+/// Oracle: the library's tables.
 #[test]
 fn the_sum_is_divided_among_lights_and_lobes() {
     let (mut window, explained) = noisy_pixel();
@@ -119,7 +119,7 @@ fn the_sum_is_divided_among_lights_and_lobes() {
     }
 }
 
-/// Law: the samples stand sorted, the greatest first; a click on one shows its tree. They can be sorted
+/// Law: the samples are sorted, the greatest first; a click on one shows its tree. They can be sorted
 /// by index. Oracle: the library's samples, sorted by hand.
 #[test]
 fn a_sample_is_one_click_from_its_tree() {
@@ -137,8 +137,8 @@ fn a_sample_is_one_click_from_its_tree() {
     // those in view
     let shown: Vec<f32> = values.iter().map_while(|&(index, _)| height(&window, index)).collect();
     assert!(shown.len() >= 3 && shown.is_sorted(), "{shown:?}");
-    let told = text_with(&window, "greatest ");
-    assert!(told.ends_with(&format!("sample {}", values[0].0)), "{told}");
+    let greatest = text_with(&window, "greatest ");
+    assert!(greatest.ends_with(&format!("sample {}", values[0].0)), "{greatest}");
     for &(index, _) in &values[..2] {
         window.get_by_label_contains(&label(index)).click();
         settle(&mut window);

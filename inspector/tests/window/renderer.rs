@@ -9,7 +9,7 @@ use eframe::egui::{
 use egui_kittest::TestRenderer;
 use image::{Rgba, RgbaImage};
 
-/// A picture, and whether its pixels stay sharp when they are large.
+/// An image, and whether it is enlarged without interpolation.
 struct Texture {
     image: ColorImage,
     sharp: bool,
@@ -118,13 +118,13 @@ fn triangle(
 
 fn sample(Texture { image, sharp }: &Texture, u: f32, v: f32) -> [f32; 4] {
     let texture = image;
-    let place = |t: f32, size: usize| {
+    let neighbours = |t: f32, size: usize| {
         let at = (t * size as f32 - 0.5).clamp(0.0, (size - 1) as f32);
         let at = if *sharp { at.round() } else { at };
         (at as usize, (at as usize + 1).min(size - 1), at.fract())
     };
-    let (x0, x1, fx) = place(u, texture.size[0]);
-    let (y0, y1, fy) = place(v, texture.size[1]);
+    let (x0, x1, fx) = neighbours(u, texture.size[0]);
+    let (y0, y1, fy) = neighbours(v, texture.size[1]);
     let at = |x: usize, y: usize| -> Color32 { texture.pixels[y * texture.size[0] + x] };
     let mix = |a: f32, b: f32, t: f32| a + t * (b - a);
     std::array::from_fn(|i| {

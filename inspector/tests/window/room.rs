@@ -31,8 +31,7 @@ fn the_picture_has_a_third_of_the_window() {
     }
 }
 
-/// Law: every field and button of the bars lies wholly inside the window, and no two of them lie
-/// over one another.
+/// Law: every field and button of the bars is completely inside the window, and no two of them overlap.
 #[test]
 fn every_button_of_the_bars_is_whole() {
     let buttons = ["Open", "Save", "Explain", "Reset", "Whole", "1×", "4×", "12×", "?"];
@@ -56,10 +55,9 @@ fn every_button_of_the_bars_is_whole() {
     }
 }
 
-/// Law: the three parts stand side by side inside the window; the chooser of samples can be
-/// reached.
+/// Law: the three parts are side by side inside the window; the chooser of samples can be reached.
 #[test]
-fn the_parts_stand_side_by_side() {
+fn the_parts_are_side_by_side() {
     for size in SIZES {
         let (window, whole) = window_of(size);
         let middle = picture(&window);
@@ -103,7 +101,7 @@ fn the_bars_between_the_parts_can_be_grabbed() {
     }
 }
 
-/// Law: the last of all numbers of a ray can be seen whole when it is scrolled to.
+/// Law: the last number of a ray is completely visible after scrolling to it.
 #[test]
 fn the_last_number_of_a_ray_is_whole() {
     for size in SIZES {
@@ -111,7 +109,7 @@ fn the_last_number_of_a_ray_is_whole() {
         window.get_by_label("contributes").scroll_to_me();
         window.run_steps(20);
         let row = window.get_by_label("contributes").rect();
-        // where the last row of the part is cut, the bar at the window's foot begins
+        // the row ends above the bar at the bottom of the window
         let foot = window.get_by_role_and_label(Role::Button, "?").rect();
         assert!(row.bottom() <= foot.top(), "{row} over {foot} of {size:?}");
         let image = window.render().expect("drawn");
@@ -122,9 +120,9 @@ fn the_last_number_of_a_ray_is_whole() {
     }
 }
 
-/// Law: a name too long for its place is cut, with an ellipsis, and told whole under the mouse.
+/// Law: a name that is too long for its panel is cut, with an ellipsis, and shown in full under the mouse.
 #[test]
-fn a_long_name_is_cut_and_told_under_the_mouse() {
+fn a_long_name_is_cut_and_shown_under_the_mouse() {
     let name = "an object whose name is far too long for the panel of any small window";
     let mut scene = small_glass_sphere();
     scene.objects[0].name = name.to_owned();
@@ -137,7 +135,7 @@ fn a_long_name_is_cut_and_told_under_the_mouse() {
     assert!(rect.right() < edge, "{rect} over {edge}");
     window.hover_at(rect.center());
     window.run_steps(60);
-    // the switch, and what is told
+    // the switch, and the text under the mouse
     let all: Vec<Role> =
         window.get_all_by_label(name).map(|node| node.accesskit_node().role()).collect();
     assert!(all.contains(&Role::Label), "{all:?}");

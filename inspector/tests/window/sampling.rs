@@ -42,9 +42,8 @@ fn click_at(window: &mut Window, at: Pos2) {
     settle(window);
 }
 
-/// Law: a click on a point of the square selects its sample, and the tree is that sample's; the
-/// chosen point is lit up. Oracle: the library's explanation of the sample, and the picture of the
-/// window.
+/// Law: a click on a point of the square selects its sample and shows the sample's tree; the chosen point
+/// is highlighted. Oracle: the library's explanation of the sample, and the pixels of the window.
 #[test]
 fn a_click_on_a_point_shows_its_ray() {
     let mut window = samples_of(sixteen(), ON_GLASS);
@@ -63,8 +62,8 @@ fn a_click_on_a_point_shows_its_ray() {
     }
 }
 
-/// Points of a plot lie like these of the library, from the first on: x to the right and y up, in
-/// `unit` points of the screen.
+/// Asserts that the points of a plot lie relative to its first point as `expected` says: x to the right,
+/// y up, with `unit` points of the screen for a distance of 1.
 fn assert_drawn_as(window: &Window, plot: usize, unit: f64, expected: &[[f64; 2]]) {
     let first = point(window, plot, 0);
     for (i, [x, y]) in expected.iter().enumerate() {
@@ -75,9 +74,9 @@ fn assert_drawn_as(window: &Window, plot: usize, unit: f64, expected: &[[f64; 2]
     }
 }
 
-/// Law: the points are the draws of the pixel, and of another one that is selected then; in a stereo
-/// pair, those of the eye's image. Oracle: the places of the samples on the film; 16 jittered samples
-/// lie one in each of 4 × 4 cells.
+/// Law: the plot shows the draws of the selected pixel, also after another pixel is selected; in a stereo
+/// pair, those of the pixel in the eye's image. Oracle: the positions of the samples on the film; of 16
+/// jittered samples, one lies in each of 4 × 4 cells.
 #[test]
 fn the_square_shows_the_strata() {
     let mut pair = sixteen();
@@ -92,22 +91,22 @@ fn the_square_shows_the_strata() {
             click(&mut window, pixel);
             let samples: Vec<_> =
                 (0..16).map(|i| render::camera_sample(&world, pixel, i).expect("no gap")).collect();
-            let places: Vec<_> = samples.iter().map(|sample| sample.film).collect();
+            let positions: Vec<_> = samples.iter().map(|sample| sample.film).collect();
             let size = world.image.pixel_size;
             // the square's side, 156 points
-            assert_drawn_as(&window, 0, 156.0 / size, &places);
+            assert_drawn_as(&window, 0, 156.0 / size, &positions);
             let corner = render::film_point(&world.image, samples[0].pixel, [0.0, 0.0]);
             let cell = |[x, y]: &[f64; 2]| {
                 [x - corner[0], y - corner[1]].map(|along| (4.0 * along / size).floor() as i64)
             };
-            let cells: std::collections::BTreeSet<_> = places.iter().map(cell).collect();
+            let cells: std::collections::BTreeSet<_> = positions.iter().map(cell).collect();
             assert_eq!(cells.len(), 16);
         }
     }
 }
 
-/// Law: another sampler and another count are followed by the picture, which is then what the library
-/// renders; a count that is no square is said to be rounded up.
+/// Law: the picture follows a new sampler and a new count, and equals the library's rendering; if a count is
+/// not a square, the window says that it is rounded up.
 #[test]
 fn the_picture_follows_sampler_and_count() {
     let mut window = samples_of(sixteen(), ON_GLASS);
@@ -131,7 +130,7 @@ fn the_picture_follows_sampler_and_count() {
     assert!(window.query_by_label("rounded up to 9").is_some());
 }
 
-/// Law: the verdict is χ²'s: jittered draws are fair, those of a fixed grid are not.
+/// Law: the verdict is that of the χ² test: jittered draws are fair, those of a fixed grid are not.
 #[test]
 fn the_verdict_tells_a_fair_sampler_from_a_fixed_one() {
     for (sampler, words) in [(Kind::from(Jittered {}), "; fair"), (Regular {}.into(), "; not fair")]
@@ -144,8 +143,8 @@ fn the_verdict_tells_a_fair_sampler_from_a_fixed_one() {
     }
 }
 
-/// Law: a camera without a lens uses no lens samples; with one, each is drawn on the disk where its ray
-/// begins. Oracle: the library's samples.
+/// Law: a camera without a lens uses no lens samples; with a lens, each sample is shown on the disk where
+/// its ray begins. Oracle: the library's samples.
 #[test]
 fn the_lens_is_shown_where_there_is_one() {
     let window = samples_of(sixteen(), ON_GLASS);
@@ -155,14 +154,14 @@ fn the_lens_is_shown_where_there_is_one() {
     scene.image.samples = 9;
     let world = built(&scene);
     let window = samples_of(scene, [20, 15]);
-    let place = |i| render::camera_sample(&world, [20, 15], i).and_then(|sample| sample.lens);
-    let places: Vec<_> = (0..9).map(|i| place(i).expect("it has a lens")).collect();
+    let position = |i| render::camera_sample(&world, [20, 15], i).and_then(|sample| sample.lens);
+    let positions: Vec<_> = (0..9).map(|i| position(i).expect("it has a lens")).collect();
     // the disk's radius, 78 points
-    assert_drawn_as(&window, 1, 78.0, &places);
+    assert_drawn_as(&window, 1, 78.0, &positions);
 }
 
-/// Law: a scene of point lights draws nothing for them; one with an area light draws a pair of numbers
-/// for each sample, shown where they lie in the square. Oracle: the library's draws.
+/// Law: point lights need no random numbers, so their plot is empty; for a light that is sampled, the plot
+/// shows the pair of numbers of each sample as a point of the square. Oracle: the library's draws.
 #[test]
 fn the_light_is_shown_where_one_is_sampled() {
     let window = samples_of(sixteen(), ON_GLASS);
@@ -176,6 +175,6 @@ fn the_light_is_shown_where_one_is_sampled() {
     let (path, light) = (PathKey::CAMERA, world.lights.last().expect("one is there").index);
     let purpose = Purpose::Light { path, light, pair: 0 };
     let draws = |i| world.draws(ON_GLASS, i).draw(purpose).map(|u| 2.0 * u - 1.0);
-    let places: Vec<_> = (0..16).map(draws).collect();
-    assert_drawn_as(&window, 2, 78.0, &places);
+    let positions: Vec<_> = (0..16).map(draws).collect();
+    assert_drawn_as(&window, 2, 78.0, &positions);
 }

@@ -1,4 +1,4 @@
-//! Opening, switching, saving; and never waiting.
+//! Opening scenes, switching lights and objects, saving; and the window never waits.
 
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::read_exr;
@@ -63,7 +63,7 @@ fn only_this_object_is_left_and_all_come_back() {
     assert_eq!(pixels(&window), before);
 }
 
-/// Law: a bad scene file is told in the library's words, and the old scene stays.
+/// Law: a bad scene file is reported with the library's message, and the old scene stays.
 #[test]
 fn a_bad_scene_file_shows_its_error_and_keeps_the_old_scene() {
     let mut window = glass_window();
@@ -119,7 +119,7 @@ fn every_gallery_scene_can_be_named() {
 }
 
 /// Law: the saved EXR holds the picture in single precision, whatever the exposure on the screen;
-/// a name that says no format is an error in the window.
+/// a name without a known format is an error in the window.
 #[test]
 fn the_picture_is_saved_and_errors_are_shown() {
     let mut window = glass_window();

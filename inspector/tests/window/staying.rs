@@ -1,4 +1,4 @@
-//! What stays as it is: the selection while files change, other people's files, settings.
+//! What is preserved: the selection while files change, existing files, and settings.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -27,7 +27,7 @@ fn window_on(path: &Path) -> Window {
     window
 }
 
-/// Draws frames until this is so; fails after more time than a poll of the disk can take.
+/// Draws frames until the condition holds; fails after a time much longer than the files' check interval.
 fn wait_until(window: &mut Window, is_so: impl Fn(&Window) -> bool) {
     let start = Instant::now();
     while !is_so(window) {
@@ -38,8 +38,8 @@ fn wait_until(window: &mut Window, is_so: impl Fn(&Window) -> bool) {
     settle(window);
 }
 
-/// Law: a scene file that is changed on the disk is read again by itself; pixel, sample and what was
-/// changed in the window stay. Oracle: the library's rendering of the new file with those changes.
+/// Law: a scene file that is changed on the disk is read again automatically; the selected pixel and the
+/// changes made in the window stay. Oracle: the library's rendering of the new file with those changes.
 #[test]
 fn a_changed_file_is_read_again_and_the_selection_stays() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -63,8 +63,8 @@ fn a_changed_file_is_read_again_and_the_selection_stays() {
     assert_eq!(window.state().message, None);
 }
 
-/// Law: a broken file keeps the picture and tells the library's error; mended, it is read again and
-/// the error goes.
+/// Law: if the file becomes invalid, the picture stays and the library's error is shown; once the file is
+/// repaired, it is read again and the error disappears.
 #[test]
 fn a_broken_file_keeps_the_picture_until_it_is_mended() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -84,7 +84,7 @@ fn a_broken_file_keeps_the_picture_until_it_is_mended() {
     assert_eq!(window.state().message, None);
 }
 
-/// Law: a mesh file that a scene names is followed as well.
+/// Law: a mesh file that a scene names is watched as well.
 #[test]
 fn a_changed_mesh_file_is_read_again() {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
@@ -103,7 +103,7 @@ fn a_changed_mesh_file_is_read_again() {
     assert!(watch.changed());
 }
 
-/// Law: another file keeps the selected pixel if its picture has it, else nothing is selected.
+/// Law: opening another file keeps the selected pixel if its picture has it; otherwise nothing is selected.
 #[test]
 fn another_file_keeps_the_pixel_that_it_has() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -144,7 +144,7 @@ fn a_file_is_replaced_only_if_that_is_confirmed() {
     assert!(bytes().starts_with(b"\x89PNG"));
 }
 
-/// Law: an error goes with the next action that is valid.
+/// Law: an error message disappears with the next valid action.
 #[test]
 fn an_error_goes_with_the_next_valid_click() {
     let mut window = glass_window();
@@ -159,8 +159,8 @@ fn an_error_goes_with_the_next_valid_click() {
     assert_eq!(window.state().message, None);
 }
 
-/// Law: Ctrl-O puts the keys into the field of the file, Ctrl-S saves under the name that is typed,
-/// `?` and F1 show the keys and hide them; in a field, `?` is a letter.
+/// Law: Ctrl-O moves the focus to the file field, Ctrl-S saves under the typed name, `?` and F1 show and
+/// hide the list of keys; in a field, `?` is typed as text.
 #[test]
 fn the_keys_do_what_their_list_says() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -208,8 +208,8 @@ impl eframe::Storage for Memory {
     fn flush(&mut self) {}
 }
 
-/// Law: what was kept is read again; settings that cannot be read, or that leave no room, are as if
-/// there were none.
+/// Law: stored settings are read back. Settings that cannot be read give the defaults, and splits that leave
+/// a part no room are corrected.
 #[test]
 fn settings_are_kept_and_broken_ones_do_no_harm() {
     let usual = Kept::default();
@@ -225,7 +225,7 @@ fn settings_are_kept_and_broken_ones_do_no_harm() {
         let fitting = Kept::read(Some(&memory)).splits;
         assert_eq!(fitting, fitting.fitting(), "{broken}");
     }
-    // what a later version adds or takes away is no error
+    // a field that a later version adds is no error
     memory.0.insert(name, text.replacen('(', "(later: 3, ", 1));
     assert_eq!(Kept::read(Some(&memory)), kept);
 }

@@ -1,4 +1,4 @@
-//! A window that is not there: small scenes, and what a person does with them.
+//! A window that exists only in memory: small scenes, and the actions of a user.
 
 use std::time::{Duration, Instant};
 
@@ -44,7 +44,7 @@ pub fn open_sized(scene: Scene, size: [f32; 2]) -> Window {
     window(loaded, size)
 }
 
-/// A window of this size on what is loaded.
+/// A window of this size on a loaded scene.
 pub fn window(loaded: Loaded, size: [f32; 2]) -> Window {
     let inspector = Inspector::new(&Context::default(), loaded);
     Harness::builder()
@@ -62,10 +62,10 @@ pub fn glass_window() -> Window {
     window
 }
 
-/// Draws frames until nothing is left to be worked out.
+/// Draws frames until all background work is finished.
 pub fn settle(window: &mut Window) {
     let start = Instant::now();
-    // what was asked for begins with the next frame
+    // the work starts in the next frame
     window.run_steps(3);
     while window.state().is_busy() {
         assert!(start.elapsed() < PATIENCE, "the window is still busy");

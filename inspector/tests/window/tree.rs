@@ -26,13 +26,13 @@ fn deep_window() -> (Window, RayExplanation) {
     (window, root)
 }
 
-/// Whether the ray's line is in the tree or above the details.
+/// How many times the ray's line is shown: in the tree and above the details.
 fn lines(window: &Window, ray: &RayExplanation) -> usize {
     window.query_all_by_label(&ray.line()).count()
 }
 
-/// Law: rays of less than a hundredth of the light are one line, which a click opens. Oracle: the
-/// library's outline.
+/// Law: rays with less than a hundredth of the light are folded into one line; a click on it shows them.
+/// Oracle: the library's outline.
 #[test]
 fn small_rays_are_folded_until_they_are_asked_for() {
     let (mut window, root) = deep_window();
@@ -88,8 +88,8 @@ fn one_key_follows_the_light() {
     panic!("the path has no end");
 }
 
-/// Law: the ray of a term is the ray of that number in the tree, and a click on it goes there. Oracle:
-/// the library's explanation.
+/// Law: a term names its ray by the ray's number in the tree; a click on it selects that ray. Oracle: the
+/// library's explanation.
 #[test]
 fn the_ray_of_a_term_is_a_click_away() {
     let (mut window, root) = deep_window();

@@ -8,10 +8,10 @@ use groundtruth::rgb::Rgb;
 
 use crate::support::*;
 
-/// A pixel of the ground, which is black without lights, and one beside it.
+/// A pixel of the ground, which is black without lights.
 const GROUND: [u32; 2] = [30, 44];
 
-/// A window whose picture was never begun, on a scene without lights.
+/// A window on a scene without lights, whose rendering was never started.
 fn dark_window_not_begun() -> Window {
     let mut scene = small_glass_sphere();
     scene.lights.clear();
@@ -28,10 +28,10 @@ fn words_at(window: &mut Window, pixel: [u32; 2]) -> String {
     text_with(window, &format!("({}, {})  ", pixel[0], pixel[1]))
 }
 
-/// Law: a pixel that is still to come is told as such, and is not what a finished black one is
-/// told as; so does the comparison with the explanation.
+/// Law: the window says that a pixel is not rendered yet, and shows it differently from a finished black
+/// pixel; so does the comparison with the explanation.
 #[test]
-fn a_pixel_to_come_is_not_a_black_one() {
+fn an_unrendered_pixel_is_not_shown_as_black() {
     let mut window = dark_window_not_begun();
     assert_eq!(words_at(&mut window, GROUND), "(30, 44)  not rendered yet");
     click(&mut window, GROUND);
@@ -60,8 +60,8 @@ fn colors(window: &mut Window) -> std::collections::BTreeSet<[u8; 3]> {
         .collect()
 }
 
-/// Law: what is not rendered is hatched, also where the picture will be black; what is rendered is
-/// not. Oracle: a black picture has one colour.
+/// Law: pixels that are not rendered yet are hatched, also where the picture will be black; rendered pixels
+/// are not. Oracle: a black picture has one colour.
 #[test]
 fn what_is_not_rendered_is_hatched() {
     let mut scene = small_glass_sphere();
@@ -83,15 +83,14 @@ fn what_is_not_rendered_is_hatched() {
     let mut window = dark_window_not_begun();
     let rendering = &window.state().rendering;
     rendering.canvas.render(&rendering.world);
-    // too small for the grid between the pixels
+    // a zoom too small for the pixel grid
     window.state_mut().picture.set_zoom([48, 48], 6.0);
     settle(&mut window);
     assert_eq!(colors(&mut window), [[0, 0, 0]].into());
 }
 
-/// Law: while the fine picture is still to come, a block shows its coarse pixel, enlarged, in most of
-/// its place; a status of "not rendered yet" says that it is not the pixel's own. Oracle: the
-/// library's pixel in the corner of the block.
+/// Law: until its pixels are rendered, a block shows its coarse pixel, enlarged; the status "not rendered
+/// yet" says that this is not the pixel's own colour. Oracle: the library's pixel in the corner of the block.
 #[test]
 fn the_coarse_picture_is_shown_over_its_blocks() {
     let mut window = glass_window();
@@ -105,7 +104,7 @@ fn the_coarse_picture_is_shown_over_its_blocks() {
         let [r, g, b] = tone.to_bytes(render::pixel(&world, block)).map(f32::from);
         let is_it = |[r2, g2, b2]: [u8; 3]| {
             let off = |seen: u8, full: f32| f32::from(seen) - full;
-            // a sixth of it is what lies beneath: black, or a line of the hatching
+            // a sixth of the colour comes from below: black, or a line of the hatching
             [off(r2, r), off(g2, g), off(b2, b)].into_iter().all(|off| (-45.0..20.0).contains(&off))
         };
         let inside = [block[0] + 6, block[1] + 6];

@@ -37,7 +37,8 @@ impl Sampler for Watched {
     }
 }
 
-/// Nine pixels that all see a lit sphere of these coefficients; how often its texture is asked.
+/// How often the texture of a lit sphere with these coefficients is evaluated, in nine pixels that all show
+/// the sphere.
 fn look_ups(ka: f64, kd: f64, lights: &[&str]) -> u32 {
     let texture = Arc::new(Watched::default());
     let mut scene = from_front(3, 3, 1.0);
@@ -56,10 +57,10 @@ fn look_ups(ka: f64, kd: f64, lights: &[&str]) -> u32 {
     texture.0.load(Relaxed)
 }
 
-/// Law: a texture is asked once for a hit, however many lights there are and of whatever kind, and
-/// not at all where its coefficients are 0. Oracle: nine pixels, counted.
+/// Law: a texture is evaluated once for a hit, whatever the number and kinds of the lights, and not at all
+/// where its coefficients are 0. Oracle: counting, for nine pixels.
 #[test]
-fn textures_are_asked_only_for_what_is_used() {
+fn textures_are_evaluated_only_where_used() {
     assert_eq!(look_ups(0.0, 0.0, &["ambient", "sun"]), 0);
     assert_eq!(look_ups(0.0, 0.5, &["ambient", "sun"]), 9);
     assert_eq!(look_ups(0.0, 0.5, &["sun", "second sun", "third sun"]), 9);

@@ -1,4 +1,4 @@
-//! A user's own kinds, which the library has never heard of, work like its own.
+//! User-defined kinds, unknown to the library, work like the built-in ones.
 
 use std::sync::Arc;
 
@@ -45,14 +45,14 @@ fn tile() -> shapes::Kind {
     shapes::Kind::Custom(Custom(Arc::new(Tile)))
 }
 
-/// Whether pixel (x, y) of a picture of 16 × 16 pixels of side ¼ has its centre within these
-/// bounds; the pixels' centres are at odd multiples of ⅛.
+/// Whether the centre of pixel (x, y), in a picture of 16 × 16 pixels of side ¼, is within these bounds; the
+/// centres are at odd multiples of ⅛.
 fn center_within([x, y]: [u32; 2], xs: [f64; 2], ys: [f64; 2]) -> bool {
     let at = [(f64::from(x) - 7.5) / 4.0, (7.5 - f64::from(y)) / 4.0];
     xs[0] < at[0] && at[0] < xs[1] && ys[0] < at[1] && at[1] < ys[1]
 }
 
-/// Law: a shape of one's own is seen where it is. Oracle: the pixels' centres, counted by hand.
+/// Law: a user-defined shape appears where it is. Oracle: the pixels' centres, counted by hand.
 #[test]
 fn a_shape_defined_here_is_rendered() {
     let mut scene = from_front(16, 16, 0.25);
@@ -64,8 +64,8 @@ fn a_shape_defined_here_is_rendered() {
     }
 }
 
-/// Law: it can be transformed as any shape: moved, stretched, turned, with its normal. Oracle: the
-/// transformed rectangle and normal, worked out by hand.
+/// Law: a user-defined shape can be transformed like any other: moved, stretched, turned; its normal too.
+/// Oracle: the transformed rectangle and normal, calculated by hand.
 #[test]
 fn a_shape_defined_here_sits_in_an_instance() {
     let mut scene = from_front(16, 16, 0.25);
@@ -97,8 +97,8 @@ fn a_shape_defined_here_sits_in_an_instance() {
     }
 }
 
-/// Law: it stands in the way of light. Oracle: the tile at height 0, light along (0, 1, 1)/√2 and a
-/// wall at z = −2 put the shadow two units lower.
+/// Law: a user-defined shape casts shadows. Oracle: the tile is at height 0, the direction of the light is
+/// (0, 1, 1)/√2 and the wall is at z = −2, so the shadow is two units lower.
 #[test]
 fn a_shape_defined_here_casts_shadows() {
     let mut scene = from_front(16, 16, 0.25);
@@ -162,7 +162,7 @@ impl LightKind for RedSky {
     }
 }
 
-/// Takes a quarter of the ambient light, and shines in green as far as its texture says.
+/// Reflects a quarter of the ambient light, and emits the colour of its texture.
 #[derive(Debug)]
 struct Glow(Emission);
 
@@ -176,7 +176,7 @@ impl MaterialKind for Glow {
     }
 }
 
-/// The coordinates of the point as a colour, of which only the green is left.
+/// The colour of a point is its y coordinate, in the green channel alone.
 #[derive(Debug)]
 struct Coordinates;
 
@@ -202,9 +202,9 @@ fn all_my_own() -> Scene {
     scene
 }
 
-/// Law: shape, camera, sampler, light, material and texture can all be a user's own at once.
-/// Oracle: the one pixel worked out by hand: the top left pixel spans x from −½ to 0 and y from 0 to
-/// ½; a quarter of it is (−⅜, ⅛), upside down y = −⅛ there.
+/// Law: shape, camera, sampler, light, material and texture can all be user-defined at once. Oracle: one
+/// pixel, calculated by hand: the top left pixel spans x from −½ to 0 and y from 0 to ½; its sample at (¼, ¼)
+/// is the point (−⅜, ⅛), where the inverted camera sees y = −⅛.
 #[test]
 fn every_kind_of_thing_can_be_a_users_own() {
     let film = render::render(&built(&all_my_own()));
@@ -212,8 +212,8 @@ fn every_kind_of_thing_can_be_a_users_own() {
     assert_eq!(film.get([1, 1]), Rgb::new(0.25, 0.375, 0.0));
 }
 
-/// Law: what a scene file cannot say is refused, and the message names it. Oracle: each custom part
-/// in turn made plain, the next one is named.
+/// Law: a scene that a file cannot hold is refused, and the message names the custom part. Oracle: each
+/// custom part in turn is replaced by a built-in one; then the next one is named.
 #[test]
 fn export_of_a_users_own_kind_names_it() {
     let mut scene = all_my_own();
@@ -247,7 +247,7 @@ fn export_of_a_users_own_kind_names_it() {
     to_toml(&scene).expect("without the shape it can be written");
 }
 
-/// Law: a custom shape inside instances is found out too. Oracle: as above.
+/// Law: a custom shape inside instances is refused too. Oracle: as above.
 #[test]
 fn export_of_an_instance_of_a_users_own_shape_names_the_object() {
     let mut scene = from_front(1, 1, 1.0);

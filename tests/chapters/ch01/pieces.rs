@@ -1,4 +1,4 @@
-//! Whole pictures and their pieces: threads, crops, single pixels, the picture so far, seeds.
+//! Whole pictures and parts of them: threads, crops, single pixels, unfinished pictures, seeds.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -60,8 +60,8 @@ fn one_pixel_of_a_box_has_the_normal_of_its_front() {
     }
 }
 
-/// Law: one replayed pixel, and any part of the view, are those of the whole picture. Oracle: the
-/// whole picture; the parts cross the borders of tiles.
+/// Law: a single replayed pixel and any crop equal the same pixels of the whole picture. Oracle: the whole
+/// picture; the crops cross the borders of tiles.
 #[test]
 fn parts_and_single_pixels_are_those_of_the_whole() {
     let mut scene = small("ch28/glass-sphere", 37, 35, 4);
@@ -87,7 +87,7 @@ fn parts_and_single_pixels_are_those_of_the_whole() {
     }
 }
 
-/// The plane z = 0, which at its last ray looks at the canvas and stops it.
+/// The plane z = 0; at ray number `last` it records the film of the canvas and cancels the rendering.
 #[derive(Debug)]
 struct Interrupter {
     rays: AtomicU32,
@@ -116,7 +116,7 @@ impl Shape for Interrupter {
     }
 }
 
-/// A red picture of 48 × 16 pixels, one ray each, that stops at this ray.
+/// A red picture of 48 × 16 pixels, one ray each, whose rendering is cancelled at ray number `last`.
 fn interrupted_at(last: u32) -> (Arc<Interrupter>, World, Arc<Canvas>) {
     let mut scene = from_front(48, 16, 1.0);
     let plane = shapes::Kind::from(Plane { point: Point::ORIGIN, normal: Vector::Z });
@@ -135,9 +135,9 @@ fn interrupted_at(last: u32) -> (Arc<Interrupter>, World, Arc<Canvas>) {
     (interrupter, world, canvas)
 }
 
-/// Law: while it renders, anyone can see the finished pixels, and stop it; the others are black and
-/// not counted as done. Oracle: one thread and one sample for each pixel, so that at the 300th ray
-/// the 12 pixels of the coarse picture are finished, and the other 252 of the first tile of 16 × 16.
+/// Law: while a canvas renders, its finished pixels can be read and it can be stopped; the other pixels are
+/// black and not counted as done. Oracle: one thread and one sample per pixel, so that at the 300th ray the
+/// 12 pixels of the coarse picture are finished, and the other 252 of the first tile of 16 × 16.
 #[test]
 fn the_picture_so_far_can_be_seen_and_stopped() {
     let (interrupter, world, canvas) = interrupted_at(300);
@@ -156,10 +156,10 @@ fn the_picture_so_far_can_be_seen_and_stopped() {
     assert!(interrupter.rays.load(Relaxed) <= 301, "it went on after it was stopped");
 }
 
-/// Law: the same seed gives the same picture, another seed another one, unless nothing is random.
-/// Oracle: rebuilding.
+/// Law: the same seed gives the same picture and another seed another one, except with a sampler that is not
+/// random. Oracle: building again.
 #[test]
-fn the_seed_is_the_only_source_of_chance() {
+fn only_the_seed_changes_random_samples() {
     let mut scene = small("ch14/page-one", 32, 32, 4);
     let seeded = |scene: &Scene, seed| {
         let world = World::build_seeded(scene, Path::new(""), seed).expect("the scene is valid");
@@ -174,8 +174,8 @@ fn the_seed_is_the_only_source_of_chance() {
     assert_same_bits("nothing random", &seeded(&scene, 7), &seeded(&scene, 8));
 }
 
-/// Law: a colour is an `[r, g, b]`, or one number for a grey, wherever a colour stands. Oracle: the
-/// definition of a grey.
+/// Law: wherever a colour is expected it can be written as `[r, g, b]`, or as one number for a grey. Oracle:
+/// the definition of a grey.
 #[test]
 fn a_colour_can_be_one_number() {
     #[derive(Deserialize)]
@@ -202,9 +202,9 @@ fn a_colour_can_be_one_number() {
     }
 }
 
-/// Law: the coarse picture, one pixel of each 8 × 8, comes first; the canvas knows which pixels are
-/// rendered, also where they are black. Oracle: one thread and one ray for each pixel, stopped at the
-/// first ray after the 6 × 2 blocks.
+/// Law: the coarse picture, one pixel of each 8 × 8, comes first; the canvas knows which pixels are rendered,
+/// also where they are black. Oracle: one thread and one ray per pixel, stopped at the first ray after the 6
+/// × 2 coarse pixels.
 #[test]
 fn the_coarse_picture_comes_first() {
     let (interrupter, world, canvas) = interrupted_at(13);

@@ -27,7 +27,7 @@ fn counts(scene: &Scene) -> RayCounts {
     counts
 }
 
-/// Counts how often it is asked.
+/// Counts the calls of its methods.
 #[derive(Debug)]
 struct Watched {
     shape: Arc<dyn Shape>,
@@ -53,7 +53,7 @@ impl Shape for Watched {
     }
 
     fn bounds(&self) -> Aabb {
-        Aabb::EVERYTHING // so that no ray is turned away before
+        Aabb::EVERYTHING // so that no ray is rejected by the box
     }
 }
 
@@ -64,7 +64,7 @@ fn watched(center: Point) -> Arc<Watched> {
     Arc::new(Watched { shape, hit: none(), shadow_hit: none(), surface: none() })
 }
 
-/// Two spheres in a row, both before every pixel, and a lamp at the eye that both can see.
+/// Two spheres, one behind the other, both in front of every pixel, and a lamp on the viewer's side.
 fn two_in_a_row() -> (Scene, [Arc<Watched>; 2]) {
     let mut scene = from_front(3, 3, 1.0);
     let lamp = Point::new(0.0, 0.0, 50.0);
@@ -83,11 +83,11 @@ fn two_in_a_row() -> (Scene, [Arc<Watched>; 2]) {
     (scene, spheres)
 }
 
-/// Law: camera rays ask `hit` of each object, shadow rays `shadow_hit` and nothing else; the surface
-/// is worked out once for each camera ray, of the nearest object alone. Oracle: nine pixels, all of
-/// which see the front sphere, lit, so that the shadow ray must ask both spheres.
+/// Law: camera rays call `hit` of each object, shadow rays `shadow_hit` and nothing else; `surface` is called
+/// once for each camera ray, for the nearest object alone. Oracle: nine pixels that all show the lit front
+/// sphere, whose shadow rays must test both spheres.
 #[test]
-fn shadow_rays_ask_only_whether_something_is_in_the_way() {
+fn shadow_rays_call_only_shadow_hit() {
     let (scene, [front, back]) = two_in_a_row();
     let rays = counts(&scene);
     assert_eq!((rays.camera, rays.shadow), (9, 9));
@@ -97,8 +97,7 @@ fn shadow_rays_ask_only_whether_something_is_in_the_way() {
     assert_eq!((front.surface.load(Relaxed), back.surface.load(Relaxed)), (9, 0));
 }
 
-/// Law: a light without shadows, and ambient light, cast no shadow ray; one that is off neither.
-/// Oracle: counting.
+/// Law: ambient light, a light without shadows and a light that is off cast no shadow rays. Oracle: counting.
 #[test]
 fn lights_without_shadows_cast_no_shadow_ray() {
     let (mut scene, _) = two_in_a_row();
@@ -110,8 +109,8 @@ fn lights_without_shadows_cast_no_shadow_ray() {
     assert_eq!(counts(&scene).shadow, 0);
 }
 
-/// Law: a light behind the surface is not asked for with a ray. Oracle: a lamp behind both spheres is
-/// below the horizon of every point that is seen.
+/// Law: a light behind the surface costs no shadow ray. Oracle: a lamp behind both spheres is below the
+/// horizon of every visible point.
 #[test]
 fn a_light_behind_the_surface_costs_no_ray() {
     let (mut scene, _) = two_in_a_row();
@@ -132,9 +131,9 @@ fn opaque_scenes_never_recurse() {
     assert_eq!((deep.reflected, deep.transmitted, deep.too_deep), (0, 0, 0));
 }
 
-/// Law: an object that casts no shadows is not even asked by shadow rays. Oracle: counting.
+/// Law: shadow rays do not test an object that casts no shadows. Oracle: counting.
 #[test]
-fn objects_that_cast_no_shadows_are_not_asked() {
+fn objects_that_cast_no_shadows_are_not_tested() {
     let (mut scene, [front, back]) = two_in_a_row();
     scene.objects[1].casts_shadows = false;
     counts(&scene);

@@ -31,7 +31,7 @@ fn quarter_turns_are_exact() {
     }
 }
 
-/// The angle in radians is rounded once and the function once, at slope 1; twice that.
+/// The angle in radians and the function are each rounded once, and the slope is at most 1; twice that.
 const SINE: f64 = 4.0 * U;
 
 proptest! {
@@ -58,7 +58,7 @@ proptest! {
     #[test]
     fn sines_add(a in -360.0..360.0_f64, b in -360.0..360.0_f64) {
         let sum = sin_degrees(a) * cos_degrees(b) + cos_degrees(a) * sin_degrees(b);
-        // a + b is rounded: half a unit of 720, in radians
+        // a + b is rounded: an error of up to 720 u, in degrees
         let rounding = 4.0 * SINE + to_radians(720.0) * U;
         near!(sin_degrees(a + b), sum, rounding);
         near!(sin_degrees(a), sin(to_radians(a)), SINE + 8.0 * to_radians(360.0) * U);
@@ -82,10 +82,10 @@ proptest! {
         prop_assert!(turn < 1e-12 || (turn - TAU).abs() < 1e-12, "φ");
     }
 
-    /// Law: an octant is π/2, whichever way the frame is turned. Oracle: the solid angle of a
+    /// Law: the solid angle of an octant is π/2, however the frame is turned. Oracle: the solid angle of a
     /// triangle (van Oosterom & Strackee 1983), `tan(Ω/2) = a·(b × c) / (1 + a·b + b·c + c·a)`.
     #[test]
-    fn octants_share_the_sphere(n in unit()) {
+    fn octants_have_an_eighth_of_the_sphere(n in unit()) {
         let Frame { u, v, w } = Frame::around(n);
         let volume = u.dot(v.cross(w));
         let omega = 2.0 * atan2(volume, 1.0 + u.dot(v) + v.dot(w) + w.dot(u));

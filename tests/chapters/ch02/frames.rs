@@ -5,17 +5,17 @@ use proptest::prelude::*;
 
 use crate::support::{U, laws, unit};
 
-/// Duff et al. show that the entries are off by about 4u; each of the nine products sums three.
+/// Duff et al. show that the entries are off by about 4u; each scalar product sums three terms.
 const ORTHONORMAL: f64 = 8.0 * U;
 
-/// The largest deviation of the nine scalar products from those of a frame.
+/// The largest deviation of the scalar products of the three axes from 1 and 0.
 fn deviation(Frame { u, v, w }: Frame) -> f64 {
     let lengths = [u, v, w].map(|a| a.length_squared() - 1.0);
     let angles = [u.dot(v), v.dot(w), w.dot(u)];
     lengths.into_iter().chain(angles).fold(0.0, |largest, x| largest.max(x.abs()))
 }
 
-/// Law: also where z is ±0 or a hair from ±1, where simpler formulas break.
+/// Law: frames are orthonormal also where z is ±0 or very near ±1, where simpler formulas break.
 #[test]
 fn frames_around_the_axes_are_orthonormal() {
     let tiny = [0.0, -0.0, 1e-300, -1e-300, 1e-16, -1e-16, 1e-8];
@@ -59,9 +59,9 @@ proptest! {
         near!(local.z(), v.dot(n), tolerance);
     }
 
-    /// Law: a viewing frame has w along `back`, u level (perpendicular to `up`), v on the side of
-    /// `up`; it is orthonormal and right-handed; lengths do not matter. Oracle: scalar products,
-    /// within what the angle between the two leaves of the digits.
+    /// Law: a viewing frame has w along `back`, u level (perpendicular to `up`), v on the side of `up`; it is
+    /// orthonormal and right-handed; lengths do not matter. Oracle: scalar products, with a tolerance that
+    /// grows as the angle between `back` and `up` shrinks.
     #[test]
     fn viewing_frames_are_level(back in unit(), up in unit(), scale in 1e-5..1e5_f64) {
         let sine = Vector::from(back).cross(up).length();

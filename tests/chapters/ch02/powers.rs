@@ -8,8 +8,8 @@ use crate::support::{U, laws};
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a whole power is the repeated product. Oracle: multiplying, one rounding each; by
-    /// squaring the rounding errors are at most as many.
+    /// Law: a whole power is the repeated product. Oracle: repeated multiplication, one rounding each;
+    /// repeated squaring makes at most as many rounding errors.
     #[test]
     fn whole_powers_are_repeated_products(base in 0.0..3.0_f64, n in 0..200_u32) {
         let product = (0..n).fold(1.0, |product, _| product * base);
@@ -50,7 +50,7 @@ proptest! {
         near!(sum, closed, 1e-12 * a / (1.0 - r));
     }
 
-    /// Law: the largest whole number not above x.
+    /// Law: the floor is the largest whole number not above x.
     #[test]
     fn floors_are_whole(x in -1e6..1e6_f64) {
         at_most!(floor(x), x);
@@ -67,7 +67,7 @@ fn six_halvings_make_1_96875() {
     assert_eq!((1.0 - power(0.5, 6.0)) / 0.5, 1.96875);
 }
 
-/// Law: the corners of `power`: 0⁰ = 1 (a glossy lobe of exponent 0 is white), 0ⁿ = 0, 1ⁿ = 1.
+/// Law: special cases of `power`: 0⁰ = 1 (a glossy lobe of exponent 0 is white), 0ⁿ = 0, 1ⁿ = 1.
 #[test]
 fn powers_of_nought_and_one() {
     assert_eq!(power(0.0, 0.0), 1.0);

@@ -15,8 +15,8 @@ fn pcg32_gives_the_published_numbers() {
     assert_eq!(published, std::array::from_fn(|_| random.next_u32()));
 }
 
-/// Law: SplitMix64 is the published generator. Oracle: its published sequence from the seed 1234567;
-/// its state grows by the golden ratio's 64 bits.
+/// Law: SplitMix64 is the published generator. Oracle: its published sequence from the seed 1234567; its
+/// state advances by 64 bits of the golden ratio.
 #[test]
 fn splitmix_gives_the_published_numbers() {
     let published: [u64; 5] = [
@@ -30,8 +30,8 @@ fn splitmix_gives_the_published_numbers() {
     assert_eq!(published, std::array::from_fn(|i| splitmix(state(i as u64))));
 }
 
-/// Law: a hash depends on each word, its place, and how many there are. Oracle: all words of up to
-/// three small numbers differ pairwise.
+/// Law: a hash depends on each word, its position, and the number of words. Oracle: the hashes of all
+/// sequences of up to three small numbers differ pairwise.
 #[test]
 fn hashes_of_different_words_differ() {
     let mut seen = std::collections::HashSet::new();
@@ -85,8 +85,8 @@ fn uniform_numbers_are_half_open_with_53_fair_bits() {
     }
 }
 
-/// Law: uniform numbers are uniform: their cells, mean ½ and variance 1/12. Oracle: χ² (the book's 10
-/// cells of about 100, and 1000 cells of about 1000); the variance of a square is 1/180.
+/// Law: uniform numbers are uniform: their cells, mean ½ and variance 1/12. Oracle: χ² (the book's 10 cells
+/// of about 100, and 1000 cells of about 1000); the variance of (u − ½)² is 1/180.
 #[test]
 fn uniform_numbers_are_uniform() {
     let mut random = Pcg32::new(17, 4);
@@ -103,8 +103,8 @@ fn uniform_numbers_are_uniform() {
     near!(variance, 1.0 / 12.0, most_sigmas(4) * (1.0_f64 / 180.0 / 1e6).sqrt());
 }
 
-/// Law: successive numbers, and those of neighbouring seeds and streams, have nothing to do with
-/// each other. Oracle: pairs fall evenly into 16 × 16 cells.
+/// Law: successive numbers, and those of neighbouring seeds and streams, are independent. Oracle: pairs fall
+/// evenly into 16 × 16 cells.
 #[test]
 fn pairs_of_uniform_numbers_are_uniform() {
     let mut one = Pcg32::new(9, 9);
@@ -137,8 +137,8 @@ fn whole_numbers_are_not_biased() {
     assert_all_equal("dice", &dice, 1000.0, 2);
 }
 
-/// Law: a shuffle gives every order equally often. Oracle: all 24 orders of four things; a swap with
-/// any place (the usual mistake) gives 4⁴ = 256 equally likely ways, which 24 does not divide.
+/// Law: a shuffle gives every order equally often. Oracle: all 24 orders of four things; swapping with any
+/// index (the usual mistake) has 4⁴ = 256 equally likely outcomes, not a multiple of 24.
 #[test]
 fn every_order_is_equally_likely() {
     let mut random = Pcg32::new(6, 0);
@@ -155,9 +155,9 @@ fn every_order_is_equally_likely() {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: the same seed and stream give the same numbers, again and again; the next number,
-    /// another seed and another stream give others. A whole number below n is below n. Oracle: of
-    /// 2⁵³ numbers two are hardly ever equal.
+    /// Law: the same seed and stream give the same numbers, again and again; the next number, another seed
+    /// and another stream give others. A whole number below n is below n. Oracle: two of 2⁵³ numbers are
+    /// almost never equal.
     #[test]
     fn a_seed_reproduces_its_numbers(seed: u64, stream: u64, n in 1..u32::MAX) {
         let [mut a, mut b] = [(); 2].map(|()| Pcg32::new(seed, stream));

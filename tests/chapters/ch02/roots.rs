@@ -1,4 +1,4 @@
-//! Roots of quadratics, on which spheres, cylinders and cones stand.
+//! Roots of quadratics, which the hits of spheres, cylinders and cones need.
 
 use groundtruth::math::{Vector, perpendicular_roots, power_of_two, quadratic};
 use proptest::prelude::*;
@@ -36,8 +36,9 @@ proptest! {
         near!(second, s, 8.0 * U * s);
     }
 
-    /// Law: for any coefficients, what comes out are roots of a quadratic that differs from the given
-    /// one by a few u: backward error. Oracle: the residual, against the sum of its magnitudes.
+    /// Law: for any coefficients, the results are roots of a quadratic whose coefficients differ from the
+    /// given ones by a few u (backward error). Oracle: the residual, relative to the sum of the magnitudes of
+    /// its terms.
     #[test]
     fn residuals_are_rounding(
         (a, b, c) in (-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64),
@@ -59,8 +60,8 @@ proptest! {
         }
     }
 
-    /// Law: no real roots below zero, a double one at zero. Oracle: a double root made of whole
-    /// numbers, and the same with the constant term changed.
+    /// Law: a negative discriminant gives no real roots, a discriminant of zero a double root. Oracle: a
+    /// double root made of whole numbers, and the same with the constant term changed.
     #[test]
     fn double_roots_are_double(a in 1..50_i64, r in -1000..1000_i64) {
         let [qa, qb, qc] = with_roots(a, [r, r]);
@@ -84,17 +85,17 @@ proptest! {
         let d = power_of_two(stretch) * Vector::X;
         let [first, second] = perpendicular_roots(f, d, r).expect("it is met");
         let expected = [away as f64 - half, away as f64 + half].map(|t| t / power_of_two(stretch));
-        // backward error: as if the way, height and radius were off by a few u; half the chord,
-        // √(r² − h²), feels that as (h + r)²/half
-        let way = (away as f64).abs() + half + (height + r) * (height + r) / half;
-        let tolerance = 8.0 * U * way / power_of_two(stretch);
+        // backward error: distance, height and radius may be off by a few u; this changes half the chord,
+        // √(r² − h²), by (h + r)²/half
+        let size = (away as f64).abs() + half + (height + r) * (height + r) / half;
+        let tolerance = 8.0 * U * size / power_of_two(stretch);
         prop_assert!((first - expected[0]).abs() <= tolerance, "{first} for {expected:?}");
         prop_assert!((second - expected[1]).abs() <= tolerance, "{second} for {expected:?}");
     }
 
-    /// Law: a tangent's roots are where it touches; a hair farther out it misses, nearer it hits
-    /// twice. Oracle: along an axis the discriminant is exact; a radius off by 4u would move the
-    /// roots by `r √(8u)`.
+    /// Law: both roots of a tangent are where it touches; a line slightly farther out misses, one nearer hits
+    /// twice. Oracle: along an axis the discriminant is exact; a radius off by 4u would move the roots by `r
+    /// √(8u)`.
     #[test]
     fn tangents_touch_once(r in 1e-3..1e6_f64, away in 1..1_000_000_i64) {
         let from = |height| Vector::new(-away as f64, height, 0.0);
@@ -108,9 +109,9 @@ proptest! {
         below!(first, second);
     }
 
-    /// Law: doubling the direction halves the roots, to the bit; turning it around swaps their signs.
+    /// Law: doubling the direction halves the roots, to the bit; reversing it negates and swaps them.
     #[test]
-    fn roots_count_in_the_direction(
+    fn roots_are_in_units_of_the_direction(
         f in unit(),
         d in unit(),
         far in 0.0..9.0_f64,

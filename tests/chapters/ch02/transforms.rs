@@ -22,8 +22,8 @@ fn transform() -> impl Strategy<Value = Transform> {
         .prop_map(|steps| Transform::from_steps(&steps).expect("well-conditioned"))
 }
 
-/// Three steps of condition at most 16 each: rounding errors of 4u grow to 2¹⁴ u at most, relative to
-/// the largest number on the way, 10·4³.
+/// Three steps of condition at most 16 each: rounding errors of 4u grow to 2¹⁴ u at most, relative to the
+/// largest intermediate number, 10·4³.
 const ROUNDING: f64 = 16_384.0 * U * 640.0;
 
 proptest! {
@@ -47,7 +47,7 @@ proptest! {
         near!(t.covector(n).dot(t.vector(v)), n.dot(v), ROUNDING);
     }
 
-    /// Law: the inverse undoes it, for points, vectors and rays.
+    /// Law: the inverse undoes a transformation, for points, vectors and rays.
     #[test]
     fn the_inverse_undoes(t in transform(), p in point(5.0), d in unit()) {
         let back = t.inverse();
@@ -60,8 +60,8 @@ proptest! {
     }
 }
 
-/// Law: a stretched sphere's normal leans the other way than its points. Oracle: the ellipsoid
-/// `(x/2)² + y² = 1` has the gradient (x/2, 2y).
+/// Law: stretching a sphere moves its points towards the axis, but turns its normals away from it. Oracle:
+/// the ellipsoid `(x/2)² + y² = 1` has the gradient (x/2, 2y).
 #[test]
 fn normals_of_an_ellipse_are_its_gradient() {
     let stretch = Transform::from_steps(&[Step::Scale(Vector::new(2.0, 1.0, 1.0))]);

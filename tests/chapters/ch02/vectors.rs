@@ -59,7 +59,7 @@ proptest! {
         prop_assert_eq!(Point::ORIGIN + p.to_vector(), p);
     }
 
-    /// Law: the vector product. Oracle: whole numbers; x × y = z, and anticommutes.
+    /// Law: the vector product is right-handed: x × y = z. Oracle: the determinant in whole numbers.
     #[test]
     fn vector_products_are_right_handed(a in whole(), b in whole()) {
         let expected = cross(a.map(i128::from), b.map(i128::from)).map(|x| x as f64);
@@ -77,8 +77,8 @@ proptest! {
         prop_assert_eq!(s + c * c, u.length_squared() * v.length_squared());
     }
 
-    /// Law: a normal is unit within 4u and along its vector, for lengths from 1e-300 to 1e300.
-    /// Oracle: its length; the vector product, of whole numbers, in the bits of a power of two.
+    /// Law: a normal has length 1 within 4u and the direction of its vector, for lengths from 2⁻¹⁰²⁰ to
+    /// 2¹⁰¹⁹. Oracle: its length; the unit vector from which the vector was made.
     #[test]
     fn normals_are_unit(v in unit(), exponent in -1020..1020_i32) {
         let scaled = power_of_two(exponent) * v;
@@ -87,9 +87,9 @@ proptest! {
         prop_assert!((Vector::from(n) - v).length() <= 8.0 * U, "{n:?} {v:?}");
     }
 
-    /// Law: a power of two changes no digit of a normal, where none underflows.
+    /// Law: scaling a vector by a power of two changes no bit of its normal, unless it underflows.
     #[test]
-    fn normals_do_not_feel_powers_of_two(a in whole(), exponent in -900..900_i32) {
+    fn normals_do_not_depend_on_powers_of_two(a in whole(), exponent in -900..900_i32) {
         prop_assume!(a != [0, 0, 0]);
         let n = Normal::new(vector(a));
         prop_assert_eq!(Normal::new(power_of_two(exponent) * vector(a)), n);
@@ -97,9 +97,8 @@ proptest! {
         prop_assert_eq!(vector(a).unit(), n.map(Vector::from));
     }
 
-    /// Law: `(b − a) × (c − a)` is right to a few u in each component, also for needles, where
-    /// nearly everything cancels, and where the edges do not fit into 53 bits. Oracle: 128-bit
-    /// whole numbers.
+    /// Law: `(b − a) × (c − a)` is right to a few u in each component, also for needle triangles, where
+    /// nearly everything cancels, and where the edges do not fit into 53 bits. Oracle: 128-bit whole numbers.
     #[test]
     fn exact_cross_survives_needles(
         (a, b) in (corner(), corner()),
@@ -111,7 +110,8 @@ proptest! {
         let edge = |to: [i64; 3]| std::array::from_fn(|i| i128::from(to[i]) - i128::from(a[i]));
         let expected = cross(edge(b), edge(c));
         let found = exact_cross(point(a), point(b), point(c)).to_array();
-        // δ₁ × δ₂ is left out: two roundings of edges of up to 54 bits, so at most 1 · 1, twice
+        // δ₁ × δ₂, the product of the rounding errors of the edges, is left out: edges of up to 54 bits have
+        // errors of at most 1, and each component sums two products
         for i in 0..3 {
             let error = (found[i] - expected[i] as f64).abs();
             prop_assert!(error <= 4.0 * U * (expected[i] as f64).abs() + 4.0, "{error}");
@@ -125,9 +125,9 @@ fn corner() -> impl Strategy<Value = [i64; 3]> {
     prop::array::uniform3(-LARGEST..LARGEST)
 }
 
-/// Law: what has no direction has no normal.
+/// Law: a vector without a direction has no normal.
 #[test]
-fn no_normal_of_nothing() {
+fn vectors_without_direction_have_no_normal() {
     for v in [
         Vector::ZERO,
         Vector::new(-0.0, 0.0, -0.0),

@@ -47,7 +47,7 @@ proptest! {
         }
     }
 
-    /// Law: gamma comes after the out-of-gamut rule, and undoes itself: `(x^(1/γ))^γ = x`.
+    /// Law: gamma is applied last, after the out-of-gamut rule; raising to γ undoes it: `(x^(1/γ))^γ = x`.
     #[test]
     fn gamma_comes_last(color in radiance(5.0), gamma in 0.5..4.0_f64, exposure in 0.1..10.0_f64) {
         let tone = Tone { exposure, gamma, ..PLAIN };
@@ -57,8 +57,8 @@ proptest! {
         }
     }
 
-    /// Law: brighter is never shown darker; more exposure neither, for greys. Every shown value fits
-    /// the screen.
+    /// Law: a brighter grey is never shown darker, so neither is a grey with more exposure. Every shown value
+    /// is in [0, 1].
     #[test]
     fn the_tone_is_monotone(a in 0.0..3.0_f64, b in 0.0..3.0_f64, gamma in 0.5..4.0_f64) {
         let tone = Tone { gamma, ..PLAIN };
@@ -78,7 +78,7 @@ proptest! {
         }
     }
 
-    /// Law: `powc` to a whole power is the product, channel by channel; averages average.
+    /// Law: `powc` to a whole power is the product, channel by channel; `average` is the channels' mean.
     #[test]
     fn colours_calculate_by_channels(a in radiance(3.0), b in radiance(3.0), k in 0.1..9.0_f64) {
         prop_assert_eq!(a.powc(2.0), a * a);
@@ -98,11 +98,11 @@ fn uneven() -> Film {
         let color = Rgb::new(f64::from(x) / 7.0, f64::from(y) / 3.0, f64::from(x * y) * 1e3);
         film.set([x, y], color);
     }
-    film.set([4, 2], Rgb::new(1e-30, 65_504.0 * 4.0, 0.0)); // not in half precision
+    film.set([4, 2], Rgb::new(1e-30, 65_504.0 * 4.0, 0.0)); // out of range in half precision
     film
 }
 
-/// Law: EXR keeps linear radiance to single precision, exactly, and every pixel in its place.
+/// Law: EXR keeps linear radiance to single precision, exactly, and every pixel at its position.
 #[test]
 fn exr_keeps_linear_radiance() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -130,7 +130,7 @@ fn png_has_the_shown_bytes_from_the_top_left() {
     }
 }
 
-/// Law: what cannot be written leaves nothing behind, and says why; a picture is replaced whole.
+/// Law: a failed write leaves no file and says why; a successful one replaces the whole file.
 #[test]
 fn files_are_written_whole_or_not_at_all() {
     let folder = tempfile::tempdir().expect("a temporary folder");

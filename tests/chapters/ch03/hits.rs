@@ -83,7 +83,7 @@ proptest! {
 
     /// Law: twice the direction is half the t, to the bit, for plane and sphere alike.
     #[test]
-    fn t_counts_in_the_direction(o in point(3.0), d in unit(), n in unit(), c in point(2.0)) {
+    fn t_is_in_units_of_the_direction(o in point(3.0), d in unit(), n in unit(), c in point(2.0)) {
         let shapes =
             [sphere(c, 1.0), built(Plane { point: c, normal: n.into() })];
         for shape in shapes {

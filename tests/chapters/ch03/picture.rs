@@ -56,7 +56,7 @@ fn a_sphere_covers_the_centers_within_its_disk() {
     }
 }
 
-/// Law: halving the pixel and doubling their number leaves the framing: four fine pixels are the four
+/// Law: halving the pixel size and doubling the resolution keeps the framing: four fine pixels are the four
 /// regular samples of a coarse one. Oracle: quarters of red, which are exact.
 #[test]
 fn halving_the_pixels_leaves_the_framing() {
@@ -128,7 +128,7 @@ fn the_order_of_objects_does_not_matter() {
     }
 }
 
-/// Law: of two objects at the same place the first is seen. Oracle: two equal spheres.
+/// Law: of two objects at the same position the first is seen. Oracle: two equal spheres.
 #[test]
 fn of_two_objects_at_the_same_place_the_first_is_seen() {
     let mut scene = from_front(3, 3, 1.0);
@@ -138,8 +138,8 @@ fn of_two_objects_at_the_same_place_the_first_is_seen() {
     assert_eq!(render::render(&built(&scene)).pixels(), [RED; 9]);
 }
 
-/// Law: a ray that hits nothing shows the background; spheres behind, around and cut by the plane of
-/// the eye show what is in front of it (figure 3.4). Oracle: by eye.
+/// Law: a ray that hits nothing shows the background; spheres behind the eye, around it and cut by its plane
+/// show only what is in front of it (figure 3.4). Oracle: by inspection.
 #[test]
 fn spheres_around_the_eye_show_what_is_in_front_of_it() {
     let background = Rgb::new(0.25, 0.5, 0.75);
@@ -163,8 +163,8 @@ fn spheres_around_the_eye_show_what_is_in_front_of_it() {
     }
 }
 
-/// Law: the scenes of the chapter build with the book's numbers of pixels, and a plane seen edge on
-/// does not appear. Oracle: the plane contains the view direction.
+/// Law: the chapter's first scene has the book's numbers of pixels, and a plane seen edge on does not appear.
+/// Oracle: the plane contains the view direction.
 #[test]
 fn a_plane_seen_edge_on_is_not_there() {
     let scene = (gallery::find("ch03/single-sphere").expect("in the gallery").build)();
@@ -175,8 +175,8 @@ fn a_plane_seen_edge_on_is_not_there() {
     assert_eq!(render::render(&world).pixels(), [Rgb::BLACK; 9]);
 }
 
-/// Law: a picture of another size and aspect shows as much from left to right, in square pixels. Oracle: a
-/// sphere's outline, whose radius in pixels across and down follows the width alone.
+/// Law: a picture of another size and aspect shows the same width of the scene, in square pixels. Oracle: a
+/// sphere's outline, whose radius in pixels, across and down, depends on the picture's width alone.
 #[test]
 fn another_aspect_keeps_what_is_seen_from_left_to_right() {
     for [width, height] in [[100_u32, 100], [100, 60], [50, 100], [160, 40]] {

@@ -1,4 +1,4 @@
-//! How fast samples find out how much of a pixel an edge covers.
+//! How fast each sampler's estimate of the area beside an edge converges.
 
 use groundtruth::math::{Pcg32, cos, ln, sin};
 use groundtruth::samplers::{Jittered, Kind, MultiJittered, Random, Regular, Sampler};
@@ -16,8 +16,8 @@ pub struct Edge {
 }
 
 impl Edge {
-    /// A line through the unit square's circle, in any direction and at any place alike: the measure
-    /// of lines that no motion changes.
+    /// A random line through the circle around the unit square, uniform in the measure of lines that motions
+    /// leave unchanged.
     fn random(random: &mut Pcg32) -> Self {
         let angle = TAU * random.uniform();
         let (a, b) = (cos(angle), sin(angle));
@@ -29,8 +29,8 @@ impl Edge {
         self.a * x + self.b * y < self.c
     }
 
-    /// How much of the unit square it covers, exactly: `∫∫ [a x + b y < c]` is a sum of second powers
-    /// of what c is above the four corners, for positive a and b.
+    /// The exact area of the unit square that it covers: for positive a and b, `∫∫ [a x + b y < c]` is a sum
+    /// of squares of the amounts by which c exceeds `a x + b y` at the four corners.
     pub fn area(&self) -> f64 {
         // mirrored so that a, b > 0
         let (a, b) = (self.a.abs(), self.b.abs());
@@ -61,7 +61,8 @@ fn errors(sampler: &dyn Sampler, n: u32) -> Vec<f64> {
     (0..REPLICAS).map(error).collect()
 }
 
-/// Law: the oracle's areas. Oracle: counting a grid of 400 × 400, of which an edge cuts 800 cells.
+/// Law: `Edge::area`, the oracle of the tests below, is right. Oracle: counting the points of a grid of 400 ×
+/// 400, of whose cells an edge cuts at most 800.
 #[test]
 fn areas_beside_edges_are_right() {
     let mut random = Pcg32::new(1, 2);
@@ -99,10 +100,10 @@ fn fitted_slope(sampler: &dyn Sampler) -> (f64, f64) {
     (slope, variance.sqrt())
 }
 
-/// Law: the squared error beside a straight edge falls as N⁻¹ for random samples and as N^−1.5 for
-/// jittered ones. Oracle: `a(1 − a)/N` of the area, and in each of the `√N` rows of cells the same
-/// again: lines are distributed so that a cell of side `1/n` is met by `1/n` as many, each as the
-/// whole pixel is, so that the sum is `K N · N^−½ / N²`, without a remainder.
+/// Law: the squared error beside a straight edge falls as N⁻¹ for random samples and as N^−1.5 for jittered
+/// ones. Oracle: for random samples `a(1 − a)/N` with the area a; for jittered ones the same variance in each
+/// cell that the edge cuts. A cell of side `N^−½` is met by `N^−½` as many lines as the pixel, with the same
+/// distribution of areas, so that the sum over the cells is exactly `K N · N^−½ / N²`.
 #[test]
 fn errors_beside_edges_fall_at_their_rates() {
     for (sampler, rate) in [(built(Random {}), -1.0), (built(Jittered {}), -1.5)] {
@@ -125,8 +126,8 @@ fn stratified_samples_are_better_than_random_ones() {
     }
 }
 
-/// Law: with one sample all are the same: random in the whole pixel. Oracle: `E a(1 − a)` of the
-/// area, by quadrature over the lines' measure.
+/// Law: with one sample all samplers are alike: that sample is uniform in the whole pixel. Oracle: the mean
+/// of `a(1 − a)` with the area a, by quadrature over the lines' measure.
 #[test]
 fn one_sample_has_the_variance_of_a_coin() {
     // midpoints of 1000 angles and 1000 offsets

@@ -1,4 +1,4 @@
-//! Filters on whole pictures: what a pixel counts beside itself.
+//! Filters on whole pictures: a pixel also uses samples outside its own square.
 
 use groundtruth::background::Background;
 use groundtruth::filters::{Box, Filter, Gaussian, Kind, Mitchell, Tent};
@@ -17,8 +17,8 @@ use std::path::Path;
 use crate::pictures::studio::{add_flat, bits, built, from_front, pixels};
 use crate::support::{U, camera_ray, laws};
 
-/// The polynomials have coefficients up to 60, at places up to 2: terms of up to 240/6, each off by
-/// some roundings.
+/// The polynomials have coefficients up to 60, at |x| up to 2: terms of up to 240/6, each with several
+/// rounding errors.
 const POLYNOMIAL: f64 = 400.0 * U;
 
 fn filter(kind: impl Into<Kind>) -> std::sync::Arc<dyn Filter> {
@@ -29,7 +29,7 @@ fn gaussian(sigma: f64, radius: f64) -> Gaussian {
     Gaussian { sigma, radius }
 }
 
-/// Every kind, and what makes each of them different.
+/// The specimens of every kind of filter.
 fn kinds() -> Vec<Kind> {
     Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)()).collect()
 }
@@ -75,17 +75,17 @@ proptest! {
         }
     }
 
-    /// Law: the Gaussian's place is that of the normal distribution, cut off. Oracle: the error
-    /// function of the place, which is u.
+    /// Law: the positions that the Gaussian draws follow the normal distribution, truncated. Oracle: the
+    /// distribution function at the drawn position, which is u again.
     #[test]
-    fn gaussian_places_are_normal(
+    fn gaussian_positions_are_normal(
         u in 0.0..1.0_f64,
         sigma in 0.2..3.0_f64,
         radius in 0.3..6.0_f64,
     ) {
-        let (place, weight) = filter(gaussian(sigma, radius)).draw(u);
+        let (position, weight) = filter(gaussian(sigma, radius)).draw(u);
         let share = |x: f64| erf(x / (SQRT_2 * sigma));
-        let found = 0.5 * (1.0 + share(place - 0.5) / share(radius));
+        let found = 0.5 * (1.0 + share(position - 0.5) / share(radius));
         prop_assert!((found - u).abs() < 1e-14, "{found} {u}");
         prop_assert_eq!(weight, 1.0);
         let ratio = |x: f64| filter(gaussian(sigma, radius)).value(x * radius)
@@ -137,14 +137,14 @@ fn an_edge_is_blurred_by_the_filters_integral() {
         for x in [-1.3, -0.6, 0.0, 0.4, 1.5] {
             let exact = integral_to(&*value, x);
             let (mean, error) = replicas(&edge(x, kind.clone(), 64), 64);
-            // all or nothing leaves no error; the quadrature's is below 1e-4
+            // a pixel wholly on one side has no standard error; the quadrature's error is below 1e-4
             assert!((mean - exact).abs() <= 5.0 * error + 1e-4, "{kind:?} at {x}: {mean} {exact}");
         }
     }
 }
 
-/// Law: x and y are filtered alike, with their signs: an edge at the beginning of the negative lobe
-/// overshoots as much when it lies flat. Oracle: quadrature; 5 standard errors.
+/// Law: both axes are filtered alike, negative weights too: an upright and a level edge at the beginning of
+/// the negative lobe overshoot equally. Oracle: quadrature; 5 standard errors.
 #[test]
 fn both_axes_are_filtered() {
     let kind: Kind = Mitchell { b: 0.0, c: 1.0 }.into();
@@ -207,8 +207,8 @@ fn the_box_is_the_default() {
     assert_eq!(bits(render::render(&built(&scene)).get([0, 0])), bits(with.get([0, 0])));
 }
 
-/// Law: a sample is its filter's weight times what arrives along its ray, recorded or not; the mean of
-/// all is the pixel. Oracle: the recorded tree, and the sum.
+/// Law: a sample is its filter's weight times the radiance along its ray, whether rays are recorded or not.
+/// Oracle: the recorded tree.
 #[test]
 fn a_sample_is_weighed_by_its_filter() {
     let mut scene = edge(0.2, Mitchell { b: 0.0, c: 0.5 }.into(), 64);
@@ -216,21 +216,21 @@ fn a_sample_is_weighed_by_its_filter() {
     let world = built(&scene);
     let mut negative = 0;
     for index in 0..64 {
-        let way = render::camera_sample(&world, [0, 0], index).expect("no gap");
-        negative += u32::from(way.weight < 0.0);
+        let drawn = render::camera_sample(&world, [0, 0], index).expect("no gap");
+        negative += u32::from(drawn.weight < 0.0);
         let mut tree = RayTree::default();
         let sample = render::sample(&world, [0, 0], index, &mut tree);
         let arriving = tree.nodes()[0].radiance;
-        assert_eq!(bits(sample), bits(way.weight * arriving));
+        assert_eq!(bits(sample), bits(drawn.weight * arriving));
         assert_eq!(bits(sample), bits(render::sample(&world, [0, 0], index, &mut ())));
-        let inside = way.film[0] < 0.2;
+        let inside = drawn.film[0] < 0.2;
         assert_eq!(arriving, if inside { Rgb::WHITE } else { Rgb::new(0.2, 0.4, 0.6) });
     }
     assert!((1..32).contains(&negative), "{negative} of 64 samples count negatively");
 }
 
-/// Law: a filter is about pixels: with the picture in twice as many of half the size, samples lie half
-/// as far from their pixel's centre.
+/// Law: a filter's radius is in units of pixels: at twice the resolution, samples lie half as far from their
+/// pixel's centre.
 #[test]
 fn a_filters_radius_counts_pixels() {
     let mut scene = from_front(4, 4, 1.0);
@@ -255,7 +255,7 @@ fn a_filters_radius_counts_pixels() {
     assert!((0.9..=1.0).contains(&half), "{half}");
 }
 
-/// Law: a filter that does not fit is refused with the field's name and what fits.
+/// Law: an invalid filter parameter is refused, with the field's name and the values that are valid.
 #[test]
 fn wrong_filters_are_refused() {
     for (kind, text) in [

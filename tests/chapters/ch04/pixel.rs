@@ -85,8 +85,8 @@ fn a_half_covered_pixel_is_a_half() {
     }
 }
 
-/// Law: multi-jittered samples see an upright or level edge at any of the N fine columns exactly.
-/// Oracle: the share that is covered; jittered samples do not.
+/// Law: multi-jittered samples give the exact coverage of an upright or level edge at any border of the N
+/// fine columns or rows. Oracle: the covered share; jittered samples are not exact.
 #[test]
 fn multi_jittered_samples_see_upright_edges_exactly() {
     for column in 1..25 {
@@ -100,8 +100,8 @@ fn multi_jittered_samples_see_upright_edges_exactly() {
     }
 }
 
-/// Law: a picture takes width · height · samples primary rays. Oracle: counting; counts that are no
-/// squares are rounded up for patterns that need one, and only for them.
+/// Law: a picture takes width · height · samples primary rays. Oracle: counting; counts that are not squares
+/// are rounded up for the samplers that need squares, and only for them.
 #[test]
 fn the_number_of_primary_rays_is_that_of_the_samples() {
     for (sampler, asked, taken) in [
@@ -136,7 +136,7 @@ impl Texture for Sinusoid {
     }
 }
 
-/// The sinusoid over [0, 10.83]² in so many pixels across.
+/// The sinusoid over [0, 10.83]² in `width` × `width` pixels.
 fn sinusoid(width: u32) -> Scene {
     let mut scene = from_front(width, width, 10.83 / f64::from(width));
     scene.camera.eye = Point::new(10.83 / 2.0, 10.83 / 2.0, 10.0);
@@ -151,8 +151,8 @@ fn sinusoid(width: u32) -> Scene {
     scene
 }
 
-/// Law: one sample shows the function at the pixel's centre, aliased or not. Oracle: the function at
-/// `s (c + ½)`, s (r + ½); the phase x² y² of up to 13 755 loses as many u of rounding.
+/// Law: one sample shows the function at the pixel's centre, aliased or not. Oracle: the function at `s (c +
+/// ½)`, `s (r + ½)`; the phase x² y², up to 13 755, has a rounding error of as many u.
 #[test]
 fn the_sinusoid_is_shown_at_the_centres() {
     let film = render::render(&built(&sinusoid(128)));
@@ -164,11 +164,10 @@ fn the_sinusoid_is_shown_at_the_centres() {
     }
 }
 
-/// Law: many samples show the mean over the pixel where one shows anything: with n × n jittered
-/// samples no error is larger than that of as many independent ones, and over reseeded pictures
-/// there is none. Oracle: mean and variance by midpoints of 400 × 400 cells; t tests of 16 replicas
-/// of each pixel, and the standard error `σ/n` of independent samples, which a stratum each cannot
-/// exceed.
+/// Law: many samples show the mean over the pixel, one sample any value of the function. The error of n × n
+/// jittered samples is no larger than that of as many independent ones, and its mean over seeds is zero.
+/// Oracle: mean and variance by the midpoint rule on 400 × 400 cells; t tests of 16 replicas of each pixel;
+/// the standard error `σ/n` of independent samples, which stratified ones cannot exceed.
 #[test]
 fn more_samples_show_the_mean_over_the_pixel() {
     const REPLICAS: u64 = 16;
@@ -201,7 +200,7 @@ fn more_samples_show_the_mean_over_the_pixel() {
         let sigma = (square - mean * mean).max(0.0).sqrt();
         let p = one_sample(values, mean);
         let found = values.iter().sum::<f64>() / REPLICAS as f64;
-        // in the corner the function is flat: the midpoint rule and the samples agree to its
+        // in a corner of the picture the function is flat: there the midpoint rule and the samples agree to
         // rounding
         let same = (found - mean).abs() < 1e-9;
         assert!(
@@ -210,8 +209,8 @@ fn more_samples_show_the_mean_over_the_pixel() {
             at(i)
         );
         for value in values {
-            // six standard errors: one of 512 values is beyond in a million runs, were they normal
-            // and independent
+            // six standard errors: if the values were normal and independent, one of the 512 would exceed
+            // this once in a million runs
             let most = 6.0 * sigma / 32.0 + 1e-9;
             assert!(
                 (value - mean).abs() <= most,
@@ -219,7 +218,7 @@ fn more_samples_show_the_mean_over_the_pixel() {
                 at(i)
             );
         }
-        // one sample is some standard deviation of the function off
+        // the error of one sample is about the standard deviation of the function
         surprising += u32::from((render::pixel(&one, at(i)).g - mean).abs() > 6.0 * sigma / 32.0);
     }
     assert!(surprising > 16, "one sample shows the mean of {} of 32 pixels", 32 - surprising);

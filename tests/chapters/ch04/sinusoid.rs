@@ -58,9 +58,10 @@ fn it_needs_one_ray_and_no_object() {
     assert_eq!(counts, RayCounts { camera: 1, ..RayCounts::default() });
 }
 
-/// Law (invariant 1): waves are shown truly only where the phase changes by less than π from pixel to
-/// pixel, `x y² < π/2s` (74.26 for 512 pixels). Oracle: sign changes of `f − ½` along a row, counted
-/// in the picture and in the formula on a grid 64 times as fine; beyond the bound waves are lost.
+/// Law (invariant 1): waves are shown correctly only the phase changes by less than π from pixel to
+/// where the phase changes by less than π from pixel to pixel, `x y² < π/2s` (74.26 for 512 pixels). Oracle:
+/// sign changes of `f − ½` along a row, counted in the picture and in the formula on a grid 64 times as fine;
+/// beyond the bound waves are lost.
 #[test]
 fn waves_are_lost_beyond_the_nyquist_bound() {
     let n = 512;
@@ -101,7 +102,7 @@ fn false_centres_appear_where_whole_waves_fit_between_pixels() {
         let [x, y] = [at.wrapping_add_signed(dx), (n - 1 - at).wrapping_add_signed(dy)];
         film.get([x, y]).r
     };
-    // the pixel is within ½ of the true place, where the phase step differs from 2π by 3·2π·½s/x;
+    // the pixel is within ½ of the true point, where the phase step differs from 2π by 3·2π·½s/x;
     // the second difference of the phase is s² y²
     let allowed = 0.5 * (1.5 * TAU * s / center + s * s * center * center) + 1e-6;
     assert!(allowed < 0.03, "{allowed}");
@@ -115,22 +116,22 @@ fn false_centres_appear_where_whole_waves_fit_between_pixels() {
     assert!(high - low > 0.99, "{low} to {high}");
 }
 
-/// Law (invariant 3): with as many samples, jittered pixels are nearer to the truth than random ones,
-/// where the phase changes by less than π across a cell. Oracle: 64 × 64 regular samples of each pixel
-/// by the formula; random samples of a linear phase of up to 4π have errors of many times more.
+/// Law (invariant 3): jittered pixels are nearer to the truth than random ones with equally many samples,
+/// where the phase changes by less than π across a cell. Oracle: 64 × 64 regular samples of each pixel by the
+/// formula; random samples of a linear phase of up to 4π have errors many times larger.
 #[test]
 fn jittered_pixels_are_nearer_to_the_truth_than_random_ones() {
     let n = 64;
     let s = SIDE / f64::from(n);
-    let place = |i: u32, k: f64| s * (f64::from(i) + k);
+    let coordinate = |i: u32, k: f64| s * (f64::from(i) + k);
     let mean = |[column, row]: [u32; 2]| {
         let cell = |k: u32| (f64::from(k) + 0.5) / 64.0;
         let cells = (0..64).flat_map(|i| (0..64).map(move |j| (i, j)));
-        let at = |(i, j)| value(place(column, cell(i)), place(n - 1 - row, cell(j)));
+        let at = |(i, j)| value(coordinate(column, cell(i)), coordinate(n - 1 - row, cell(j)));
         cells.map(at).sum::<f64>() / 4096.0
     };
     let smooth = |[column, row]: &[u32; 2]| {
-        let (x, y) = (place(*column, 1.0), place(n - 1 - row, 1.0));
+        let (x, y) = (coordinate(*column, 1.0), coordinate(n - 1 - row, 1.0));
         2.0 * x * y * x.max(y) * s / 4.0 < PI
     };
     let seen: Vec<[u32; 2]> = pixels(n, n).filter(smooth).collect();
@@ -158,8 +159,8 @@ fn the_mean_is_a_little_over_a_half() {
     let quadrature = {
         let n = 2048;
         let h = SIDE / f64::from(n);
-        let place = |i: u32| h * (f64::from(i) + 0.5);
-        let rows = (0..n).map(|i| (0..n).map(|j| value(place(i), place(j))).sum::<f64>());
+        let middle = |i: u32| h * (f64::from(i) + 0.5);
+        let rows = (0..n).map(|i| (0..n).map(|j| value(middle(i), middle(j))).sum::<f64>());
         rows.sum::<f64>() / f64::from(n) / f64::from(n)
     };
     // 262 144 stratified samples of variance at most 1/8 each: σ < 7e-4

@@ -10,18 +10,19 @@ use groundtruth::verify::slope::power_law;
 
 use super::edges::Edge;
 
-/// The chance that one of the rates is called wrong if all are right, had the seeds been drawn anew.
+/// The probability, over random seeds, that at least one rate is rejected although all are right.
 const LEVEL: f64 = 0.01;
 
 const COUNTS: [u32; 6] = [4, 16, 64, 256, 1024, 4096];
 
-/// Rates that are only approached are fitted from here on: cells of 1/8 are small beside the disk.
+/// Rates that hold only asymptotically are fitted from this N on: its cells, of side 1/8, are small compared
+/// with the disk.
 const SMALL_CELLS: f64 = 64.0;
 
-/// By how much rates differ; a fit that is less exact could not tell them.
+/// The least difference between two rates; a wider interval could not tell them apart.
 const APART: f64 = 0.5;
 
-/// Mean squares of errors for each count, each of [`SETS`] sets.
+/// How many mean squares of errors are measured for each count, each over [`SETS`] sets.
 const BATCHES: u32 = 8;
 
 /// The area of a disk of radius 0.3.
@@ -30,16 +31,16 @@ const DISK: f64 = 0.09 * PI;
 /// A function of the unit square, and its integral.
 type Integrand = (Box<dyn Fn([f64; 2]) -> f64>, f64);
 
-/// Draws where its edges lie.
-type Place = fn(&mut Pcg32) -> Integrand;
+/// Makes an integrand whose edges lie at random positions.
+type MakeIntegrand = fn(&mut Pcg32) -> Integrand;
 
 fn inside(region: impl Fn([f64; 2]) -> bool + 'static, area: f64) -> Integrand {
     (Box::new(move |at| if region(at) { 1.0 } else { 0.0 }), area)
 }
 
-/// What is integrated. Where an edge lies is drawn anew each time, uniformly: for one at a fixed place
-/// the variance depends on how it meets the grid, from count to count.
-const INTEGRANDS: [(&str, Place); 7] = [
+/// The integrands. The position of an edge is drawn anew each time, uniformly: at a fixed position the
+/// variance would depend on how the edge meets the grid of each count.
+const INTEGRANDS: [(&str, MakeIntegrand); 7] = [
     ("constant", |_| (Box::new(|_| 0.75), 0.75)),
     ("linear", |_| (Box::new(|[x, y]| x + 0.5 * y), 0.75)),
     // (1 + x)² (1 + y)²; ∫ (1 + x)² = 7/3
@@ -77,21 +78,22 @@ enum Rate {
     AtMost(f64),
 }
 
-/// The rates of theory, in the order of the integrands; of kinds not named here only that they are
+/// The rates of theory, in the order of the integrands. For kinds that are not named here: only that they are
 /// no worse than random ones.
 ///
-/// - Random: `σ²/N`, with `σ² = ∫ f² − (∫ f)²`, which for a region of area A is `A − A²` (its mean over
-///   the places that are drawn: `½ − ⅓` for an edge, `¼ − 1/9` for a corner).
+/// - Random: `σ²/N`, with `σ² = ∫ f² − (∫ f)²`, which for a region of area A is `A − A²` (its mean over the
+///   random positions: `½ − ⅓` for an edge, `¼ − 1/9` for a corner).
 /// - Jittered: `Σ σ²(cell)/N²`, the cells having the side `h = N^−½`. A smooth f has `σ² = h² |∇f|²/12 +
 ///   O(h⁴)` in each of N cells: N⁻². An edge crosses some `L/h` cells, each with a variance that does not
-///   depend on h: `N^½/N²` (Mitchell, "Consequences of Stratified Sampling in Graphics", 1996); for the
-///   edges exactly, as they are anywhere alike and so each cell sees them as the whole square does
-///   (upright: `1/6 N^−1.5`), and of a corner `(n/6 − 1/36)/N²` with `n = √N`.
+///   depend on h: `N^½/N²` (Mitchell, "Consequences of Stratified Sampling in Graphics", 1996). For the
+///   upright or level edges this is exact, `1/6 N^−1.5`: their positions are uniform, so each cell meets them
+///   as the whole square does. For a corner it is `(n/6 − 1/36)/N²` with `n = √N`.
 /// - Multi-jittered and n-rooks: x has one point in each of N columns, y in each of N rows, so a sum of
 ///   functions of x and of y alone is integrated as in one dimension: `N · N⁻² |f'|²/12 / N²`, N⁻³ for a
-///   linear one, and for an upright edge, which crosses one column, `1/6 N⁻²`. Of the rest (f less its
-///   means over rows and columns) n-rooks is random, and a multi-jittered set, whose cells are those of a
-///   jittered one, stratified. Rest and sum fall at different rates, so only the slower one is a limit.
+///   linear one, and for an upright edge, which crosses one column, `1/6 N⁻²`. For the remainder (f minus its
+///   means over rows and columns) n-rooks is as good as random, and a multi-jittered set, whose cells are
+///   those of a jittered one, as good as stratified. The two parts fall at different rates, so only the
+///   slower rate is a bound.
 fn theory(module: &str) -> [Rate; 7] {
     use Rate::{AtMost, Exactly, Is, None};
     let linear = |e| Exactly((1.0 + 0.25) / 12.0, e);
@@ -157,7 +159,7 @@ fn measured(kind: &Kind) -> [Vec<(f64, f64)>; 7] {
     let mut points = [const { Vec::new() }; 7];
     for (i, n) in (0..).zip(COUNTS) {
         for batch in 0..BATCHES {
-            // no two share their random numbers
+            // no two batches share random numbers
             let squares = mean_squares(kind, n, u64::from(100 * batch + i));
             for (points, square) in points.iter_mut().zip(squares) {
                 points.push((f64::from(n), square));
@@ -174,7 +176,7 @@ fn measured(kind: &Kind) -> [Vec<(f64, f64)>; 7] {
 fn errors_of_known_integrals_fall_at_their_rates() {
     let kinds = randomising();
     assert!(kinds.len() >= 3, "{kinds:?}");
-    // a slope and a factor of each
+    // two tests for each: a slope and a factor
     let level = sidak(LEVEL, 2 * kinds.len() * INTEGRANDS.len());
     for (module, kind) in &kinds {
         for (((name, _), rate), points) in INTEGRANDS.iter().zip(theory(module)).zip(measured(kind))
@@ -187,7 +189,7 @@ fn errors_of_known_integrals_fall_at_their_rates() {
             let fitted: Vec<_> = points.iter().copied().filter(|p| p.0 >= from).collect();
             let fit = power_law(&fitted, 1.0 - level).expect("there are errors");
             let [low, high] = fit.interval;
-            assert!(high - low < APART, "{module}, {name}: {fit:?} tells nothing");
+            assert!(high - low < APART, "{module}, {name}: {fit:?} cannot tell rates apart");
             let right = match rate {
                 Rate::None => false,
                 Rate::Exactly(_, e) | Rate::Is(e) => low <= e && e <= high,

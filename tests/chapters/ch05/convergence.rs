@@ -1,4 +1,4 @@
-//! How fast the mean over a set nears the integral.
+//! How fast the mean over a set converges to the integral.
 
 use groundtruth::math::{Pcg32, exp};
 use groundtruth::samplers::{
@@ -12,8 +12,8 @@ use crate::support::statistics::{most_sigmas, sigmas};
 
 const COUNTS: [u32; 5] = [4, 16, 64, 256, 1024];
 
-/// The variance of the mean of `g(x)` over `n` points, one anywhere in each of `strata` equal columns
-/// or equally many: the variances within the columns, of `g = x` or `eˣ`, in closed form.
+/// The variance of the mean of `g(x)` over `n` points, equally many in each of `strata` equal columns: the
+/// mean variance within a column, divided by `n`, in closed form for `g = x` and `eˣ`.
 fn variance_of_strata(g: Integrand, n: u32, strata: u32) -> f64 {
     let (count, columns) = (f64::from(n), f64::from(strata));
     let within = |k: u32| {
@@ -22,7 +22,7 @@ fn variance_of_strata(g: Integrand, n: u32, strata: u32) -> f64 {
             Integrand::Linear => 1.0 / (12.0 * columns * columns),
             Integrand::Exponential => {
                 let mean = columns * (exp(to) - exp(from));
-                // of short strata the difference of the moments has no digits left
+                // for narrow strata the difference of the moments cancels completely
                 if strata > 100 {
                     return mean * mean / (12.0 * columns * columns);
                 }
@@ -65,7 +65,7 @@ fn errors(kind: &Kind, g: Integrand, n: u32, axis: usize, replicas: u32) -> Vec<
     (0..replicas).map(error).collect()
 }
 
-/// The kinds, into how many columns their n points fall, and the power of n of the variance.
+/// Each kind, the number of columns that its n points stratify, and the exponent of n in the variance.
 fn kinds(n: u32) -> [(Kind, u32, f64); 6] {
     [
         (Random {}.into(), 1, -1.0),
@@ -77,9 +77,9 @@ fn kinds(n: u32) -> [(Kind, u32, f64); 6] {
     ]
 }
 
-/// Law: the mean of x or `eˣ` over a set has the variance of its strata: one column for random points,
-/// √N for jittered ones, N for all others; and no bias. So it is along y. Oracle: the closed form; for x
-/// it is `1/(12 N)`, `1/(12 N²)` and `1/(12 N³)`.
+/// Law: the mean of x or `eˣ` over a set has the variance of its strata: one column for random points, √N for
+/// jittered ones, N for all others; it has no bias. The same holds along y. Oracle: the closed form; for x it
+/// is `1/(12 N)`, `1/(12 N²)` and `1/(12 N³)`.
 #[test]
 fn means_have_the_variance_of_their_strata() {
     const TESTS: u32 = 2 * 2 * 2 * 2 * 6;
@@ -100,8 +100,8 @@ fn means_have_the_variance_of_their_strata() {
 }
 
 /// Law: the variance of the mean of a smooth function of x falls as 1/N for random points, `1/N²` for
-/// jittered ones and `1/N³` for n rooks, the multi-jittered ones and Sobol's. Oracle: these powers;
-/// each variance of 400 sets is known to 7 %, a fitted slope to 0.016, of which five are allowed.
+/// jittered ones and `1/N³` for n rooks, the multi-jittered ones and Sobol's. Oracle: these powers; each
+/// variance of 400 sets has an error of 7 %, a fitted slope one of 0.016, five times which is allowed.
 #[test]
 fn variances_fall_at_the_rate_of_the_strata() {
     for kind in 0..6 {
@@ -119,8 +119,8 @@ fn variances_fall_at_the_rate_of_the_strata() {
     }
 }
 
-/// Law: shifted Hammersley draws have no bias, and the mean of a smooth function has the variance of a
-/// shifted row of equal steps, `(g(1) − g(0))²/(12 N²)`; without the shift the error is always that of
+/// Law: shifted Hammersley draws have no bias, and the mean of a smooth function has the variance of equally
+/// spaced points with a random shift, `(g(1) − g(0))²/(12 N²)`; without the shift the error is always that of
 /// `x = i/N`. Oracle: for `eˣ` the sum is geometric, so that the error at each shift is known.
 #[test]
 fn a_shift_takes_away_the_bias_of_hammersley() {

@@ -9,8 +9,8 @@ use groundtruth::samplers::{
 use crate::support::samples::built;
 use crate::support::statistics::{most_sigmas, sigmas};
 
-/// The star discrepancy: the largest difference between the share of points in a box at the origin
-/// and its area. It is taken where the box has a point at each upper side, just in it or just out.
+/// The star discrepancy: the largest difference between the share of points in a box at the origin and its
+/// area. It occurs where a point lies on each upper side of the box, counted as inside or as outside.
 fn star_discrepancy(points: &[[f64; 2]]) -> f64 {
     let sides = |axis: usize| {
         let mut sides: Vec<f64> = points.iter().map(|p| p[axis]).chain([1.0]).collect();
@@ -40,8 +40,8 @@ fn star_discrepancy(points: &[[f64; 2]]) -> f64 {
     worst
 }
 
-/// Law: the measure measures: of one point in the middle it is 3/4 (the closed box up to it), of one
-/// at the origin 1 (the box of no area), of four centres `1 − (3/4)²`. Oracle: by hand.
+/// Law: `star_discrepancy` is right: for one point in the middle it is 3/4 (the closed box up to it), for one
+/// at the origin 1 (the box of no area), for four centres `1 − (3/4)²`. Oracle: by hand.
 #[test]
 fn the_star_discrepancy_is_what_it_should_be() {
     assert_eq!(star_discrepancy(&[[0.5, 0.5]]), 0.75);
@@ -123,8 +123,8 @@ fn hammersley_points_keep_little_distance() {
     }
 }
 
-/// Law: N random points come as near as `1/√(2 N (N − 1))` on average. Oracle: pairs are independent of
-/// one another, nearly, so that the chance of none within d is `exp(−π d² N (N − 1)/2)`; z test.
+/// Law: the least distance between N random points is `1/√(2 N (N − 1))` on average. Oracle: pairs are nearly
+/// independent, so that the probability of none within d is `exp(−π d² N (N − 1)/2)`; z test.
 #[test]
 fn random_points_come_as_near_as_pairs_allow() {
     let (sampler, mut random) = (built(Random {}), Pcg32::new(1, 18));

@@ -1,4 +1,4 @@
-//! 83 sets, shuffled indices, and draws that depend on nothing but their name.
+//! 83 sets, shuffled indices, and draws that depend on nothing but their key.
 
 use std::collections::{HashMap, HashSet};
 
@@ -50,8 +50,9 @@ fn every_pixel_uses_up_one_set() {
     }
 }
 
-/// Law: there are 83 sets and 83 orders, begun anywhere, each as likely, chosen apart from each other. Oracle: χ²
-/// over the sets and orders that are seen; random samples make equal sets recognisable.
+/// Law: 83 sets and 83 orders are used, each order from any starting position, all equally likely and chosen
+/// independently. Oracle: χ² over the sets, and the number of orders seen of each; random samples make equal
+/// sets recognisable.
 #[test]
 fn all_sets_and_orders_are_used() {
     let sets = sets(Random {}, 12, 2);
@@ -59,10 +60,10 @@ fn all_sets_and_orders_are_used() {
     for i in 0..16_600 {
         let points = run(&sets, key(i % 129, i / 129), 0);
         let set = sorted(points.clone());
-        let place = |p: &[f64; 2]| set.iter().position(|q| *q == p.map(f64::to_bits));
-        let order: Vec<_> = points.iter().map(place).collect();
-        // the order relative to the sorted set differs from set to set; of one set there are 83, each
-        // begun at any of its 12 places
+        let index = |p: &[f64; 2]| set.iter().position(|q| *q == p.map(f64::to_bits));
+        let order: Vec<_> = points.iter().map(index).collect();
+        // the order relative to the sorted set differs from set to set; one set has 83, each from any of 12
+        // starting positions
         *seen.entry(set.clone()).or_insert(0_u64) += 1;
         orders.entry(set).or_insert_with(HashSet::new).insert(order);
     }
@@ -78,7 +79,7 @@ fn all_sets_and_orders_are_used() {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a draw depends on seed, pixel, purpose and index alone: asked again, in another order,
+    /// Law: a draw depends on seed, pixel, purpose and index alone: drawn again, in another order,
     /// after others, it is the same.
     #[test]
     fn draws_depend_on_nothing_else(x: u32, y: u32, index in 0..10_000_u32) {

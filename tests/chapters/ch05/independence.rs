@@ -1,7 +1,7 @@
-//! No dimension is used twice: what a pixel draws for its place, the lens, each light and each bounce
-//! has nothing to do with each other, nor with what other pixels draw.
+//! No dimension is used twice: the draws of a pixel for its film point, the lens, each light and each bounce
+//! are independent of each other, and of the draws of other pixels.
 //!
-//! Pairs are counted against their own marginals: 83 sets of n points are not the whole square.
+//! The χ² tests use the observed marginals: 83 sets of n points do not fill the square uniformly.
 
 use groundtruth::samplers::{Branch, Key, Kind, PathKey, Purpose, SampleSets};
 use groundtruth::verify::chi_square::independence;
@@ -9,18 +9,17 @@ use groundtruth::verify::correlation::pearson;
 use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 
-/// The chance that one of the laws of this file is called broken if all hold, had the seeds been
-/// drawn anew.
+/// The probability, over random seeds, that at least one law of this file is rejected although all hold.
 const LEVEL: f64 = 1e-3;
 
-/// Pairs are taken from as many pixels: 10⁶ of them.
+/// Pairs are taken from `SIDE` × `SIDE` pixels: 10⁶ of them.
 const SIDE: u32 = 1000;
 
-/// Samples a pixel, and which of them is looked at.
+/// Samples per pixel, and the index of the one that is tested.
 const SAMPLES: u32 = 16;
 const INDEX: u32 = 5;
 
-/// What may be drawn for one sample. A light and a pair exchanged are another light's other pair.
+/// Uses of the draws of one sample. Exchanging the indices of light and pair gives a different use.
 fn uses() -> [Purpose; 8] {
     let first = PathKey::CAMERA;
     let mirrored = first.then(Branch::Mirror);
@@ -37,8 +36,8 @@ fn uses() -> [Purpose; 8] {
     ]
 }
 
-/// Every sampler whose draws are random: all but those that have one set, not shifted. Two draws of a
-/// run of `n` in different pixels are the same points then, in some order.
+/// Every sampler whose draws are random: all but those with a single set that is not shifted, for which every
+/// pixel draws the same points in some order.
 fn randomising() -> Vec<Kind> {
     let all = Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)());
     let points = |kind: &Kind, x: u32| -> Vec<[u64; 2]> {
@@ -56,14 +55,14 @@ fn sets(kind: &Kind) -> SampleSets {
     SampleSets::new(&*kind.build(&mut ()).expect("specimens are valid"), SAMPLES, 11)
 }
 
-/// What one use draws in each of many pixels.
+/// The draws of one use in many pixels.
 struct Draws {
     x: Vec<f64>,
     y: Vec<f64>,
     /// The cell of a 7 × 7 grid, which lines up with no pattern.
     odd: Vec<u16>,
-    /// The cell of the grid of as many rows and columns as samples, of which every stratum of 16
-    /// samples is made.
+    /// The cell of the grid with as many rows and as many columns as samples; every stratum of 16 samples is
+    /// a union of its cells.
     fine: Vec<u16>,
 }
 
@@ -84,15 +83,15 @@ impl Draws {
         pixel: impl Fn(u32, u32) -> [u32; 2],
         i: u32,
     ) -> Self {
-        let places = (0..SIDE * SIDE).map(|at| pixel(at % SIDE, at / SIDE));
-        Self::new(places.map(|at| sets.draw(Key::new(3, at, purpose), i)))
+        let pixels = (0..SIDE * SIDE).map(|at| pixel(at % SIDE, at / SIDE));
+        Self::new(pixels.map(|at| sets.draw(Key::new(3, at, purpose), i)))
     }
 }
 
 /// The tests of one pair of uses: 4 pairs of coordinates and 2 tables.
 const TESTS: usize = 6;
 
-/// What is wrong, if any of a pair's tests is below this level.
+/// The first test of this pair with a p-value below `level`, if there is one.
 fn dependence(a: &Draws, b: &Draws, level: f64) -> Option<String> {
     for (of_a, xs) in [("x", &a.x), ("y", &a.y)] {
         for (of_b, ys) in [("x", &b.x), ("y", &b.y)] {
@@ -116,8 +115,8 @@ fn dependence(a: &Draws, b: &Draws, level: f64) -> Option<String> {
     None
 }
 
-/// Holds that each of these pairs is independent, at one level for all.
-fn holds(kinds: &[Kind], pairs: &[(usize, usize)]) {
+/// Asserts that each of these pairs is independent, at one level for all tests together.
+fn assert_independent(kinds: &[Kind], pairs: &[(usize, usize)]) {
     let level = sidak(LEVEL, kinds.len() * pairs.len() * TESTS);
     for kind in kinds {
         let sets = sets(kind);
@@ -139,14 +138,14 @@ fn all_pairs() -> Vec<(usize, usize)> {
     (0..uses().len()).flat_map(|b| (0..b).map(move |a| (a, b))).collect()
 }
 
-/// Law: no two uses in a pixel have to do with each other. Oracle: correlations and χ² of
-/// independence over 10⁶ pixels, for the sampler of most structure and the uses most alike; they find
-/// a correlation of 0.007 and a φ² of 5e-4 on the odd grid and of 3e-3 in the strata. At one index of
-/// one sample; what all of a pixel's samples have to do with each other is the last law's.
+/// Law: no two uses in a pixel depend on each other. Oracle: correlations and χ² of independence over 10⁶
+/// pixels, for the most structured sampler and the most similar uses; they detect a correlation of 0.007 and
+/// a φ² of 5e-4 on the odd grid and of 3e-3 in the strata. This tests one index of a pixel; the last law of
+/// this file tests all samples of a pixel together.
 #[test]
 fn no_two_uses_in_a_pixel_depend_on_each_other() {
     let kind = Kind::from(groundtruth::samplers::MultiJittered {});
-    holds(&[kind], &[(0, 1), (1, 2), (2, 3), (2, 4), (3, 4), (2, 5), (5, 6)]);
+    assert_independent(&[kind], &[(0, 1), (1, 2), (2, 3), (2, 4), (3, 4), (2, 5), (5, 6)]);
 }
 
 /// Law: as above, of every two uses and every sampler that randomises.
@@ -155,10 +154,10 @@ fn no_two_uses_in_a_pixel_depend_on_each_other() {
 fn no_two_uses_in_a_pixel_depend_on_each_other_with_any_sampler() {
     let kinds = randomising();
     assert!(kinds.len() >= 3, "{kinds:?}");
-    holds(&kinds, &all_pairs());
+    assert_independent(&kinds, &all_pairs());
 }
 
-/// A pixel's partner: what it is, its pixel and the index of its draw.
+/// A pixel's partner: its name, its pixel and the index of its draw.
 type Partner = (&'static str, fn(u32, u32) -> [u32; 2], u32);
 
 /// Pixels beside, farther away and mirrored, other runs and other samples; the pixel itself is at
@@ -171,10 +170,10 @@ const PARTNERS: [Partner; 8] = [
     ("a power of two below", |x, y| [2 * x, 2 * y + 1 + 2049], INDEX),
     ("mirrored", |x, y| [2 * y + 1, 2 * x], INDEX),
     ("the next run", |x, y| [2 * x, 2 * y + 1], INDEX + SAMPLES),
-    ("the run of 16 on", |x, y| [2 * x, 2 * y + 1], INDEX + 16 * SAMPLES),
+    ("16 runs later", |x, y| [2 * x, 2 * y + 1], INDEX + 16 * SAMPLES),
 ];
 
-fn pixels_hold(kind: &Kind, partners: &[Partner], tests: usize) {
+fn assert_pixels(kind: &Kind, partners: &[Partner], tests: usize) {
     let level = sidak(LEVEL, tests * TESTS);
     let sets = sets(kind);
     let here = Draws::of(&sets, Purpose::Pixel, |x, y| [2 * x, 2 * y + 1], INDEX);
@@ -184,22 +183,22 @@ fn pixels_hold(kind: &Kind, partners: &[Partner], tests: usize) {
     }
 }
 
-/// Law: what one pixel draws has nothing to do with its neighbours, nor one run with the next. Oracle:
-/// as above.
+/// Law: the draws of one pixel are independent of its neighbours', and those of one run of the next run's.
+/// Oracle: as above.
 #[test]
 fn pixels_and_runs_do_not_depend_on_each_other() {
     let chosen = [PARTNERS[1], PARTNERS[5], PARTNERS[6]];
-    pixels_hold(&groundtruth::samplers::MultiJittered {}.into(), &chosen, chosen.len());
+    assert_pixels(&groundtruth::samplers::MultiJittered {}.into(), &chosen, chosen.len());
 }
 
-/// Law: as above, for all partners and every sampler that randomises; and the first use's samples with
-/// another use's of another index.
+/// Law: as above, for all partners and every sampler that randomises; and a pixel's film samples with its
+/// lens samples of another index.
 #[test]
 #[ignore = "cost: cargo test ch05 -- --ignored"]
 fn pixels_and_runs_do_not_depend_on_each_other_with_any_sampler() {
     let kinds = randomising();
     for kind in &kinds {
-        pixels_hold(kind, &PARTNERS, kinds.len() * (PARTNERS.len() + 1));
+        assert_pixels(kind, &PARTNERS, kinds.len() * (PARTNERS.len() + 1));
         let sets = sets(kind);
         let level = sidak(LEVEL, kinds.len() * (PARTNERS.len() + 1) * TESTS);
         let a = Draws::of(&sets, Purpose::Pixel, |x, y| [x, y], 0);
@@ -209,10 +208,9 @@ fn pixels_and_runs_do_not_depend_on_each_other_with_any_sampler() {
 }
 
 /// Law: all samples of a pixel are paired with its lens samples as a random permutation pairs them:
-/// correlations have the mean 0 and the mean square `1/(n − 1)`. Oracle: t tests over both axes of
-/// 4000 pixels. The same order begun at the same place pairs equal cells, once in 83 · 64 pixels, and
-/// adds 1.2 % to the square, of which the test sees 6 %; orders that all begin at the same place would
-/// add 76 %.
+/// correlations have the mean 0 and the mean square `1/(n − 1)`. Oracle: t tests over both axes of 4000
+/// pixels. In one of 83 · 64 pixels both use the same order from the same start, which pairs equal cells and
+/// adds 1.2 % to the mean square; the test detects 6 %. Orders that all have the same start would add 76 %.
 #[test]
 fn a_pixels_samples_are_paired_at_random() {
     const PIXELS: u32 = 4000;

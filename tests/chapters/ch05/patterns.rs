@@ -13,7 +13,7 @@ use crate::support::statistics::{most_sigmas, sigmas};
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a set has exactly the points it promises, at least as many as asked for, all in [0, 1)²;
+    /// Law: a set has exactly the number of points it states, at least as many as requested, all in [0, 1)²;
     /// squares are not rounded.
     #[test]
     fn sets_are_complete_and_in_the_unit_square(n in 1..300_u32, seed: u64) {
@@ -32,9 +32,9 @@ proptest! {
         }
     }
 
-    /// Law: a count that no grid of correlated multi-jittered points has is rounded up to the next that
-    /// one has, at most the next square. Oracle: a search for the grid of `m` columns and m, m + 1 or
-    /// m + 2 rows with the fewest cells.
+    /// Law: a count without a correlated multi-jittered grid is rounded up to the next that has one, at most
+    /// the next square. Oracle: a search for the grid of `m` columns and m, m + 1 or m + 2 rows with the
+    /// fewest cells.
     #[test]
     fn correlated_sets_are_rounded_up_to_their_grid(n in 1..5000_u32) {
         let grids = (1..100).flat_map(|m: u32| (0..3).map(move |more| m * (m + more)));
@@ -63,30 +63,30 @@ proptest! {
     }
 }
 
-/// Law: in a multi-jittered set, which fine column a cell's point is in has nothing to do with its
-/// fine row, and each is as likely. Oracle: χ² over the 4 × 4 places in one cell of a 4 × 4 grid.
+/// Law: in a multi-jittered set the fine column of a cell's point is independent of its fine row, and all are
+/// equally likely. Oracle: χ² over the 4 × 4 positions in two cells of a 4 × 4 grid.
 #[test]
 fn multi_jittered_points_are_anywhere_in_their_cell() {
     let (sampler, mut random) = (built(MultiJittered {}), Pcg32::new(5, 5));
-    let mut places = [[0_u64; 16]; 2];
+    let mut positions = [[0_u64; 16]; 2];
     for _ in 0..4000 {
         for [x, y] in sampler.fill(16, &mut random) {
             let (i, j) = ((x * 16.0) as usize, (y * 16.0) as usize);
             let cells = [(0, 0), (2, 1)];
-            for (cell, counts) in cells.into_iter().zip(&mut places) {
+            for (cell, counts) in cells.into_iter().zip(&mut positions) {
                 if (i / 4, j / 4) == cell {
                     counts[j % 4 * 4 + i % 4] += 1;
                 }
             }
         }
     }
-    for counts in places {
+    for counts in positions {
         crate::support::statistics::assert_all_equal("counts", &counts, 250.0, 2);
     }
 }
 
-/// Law: x and y of a point have nothing to do with each other: `E (x − ½)(y − ½) = 0`. Oracle: z test
-/// over sets, which are independent of one another.
+/// Law: x and y of a point are uncorrelated: `E (x − ½)(y − ½) = 0`. Oracle: z test over sets, which are
+/// independent of one another.
 #[test]
 fn coordinates_do_not_depend_on_each_other() {
     for kind in [
@@ -106,7 +106,7 @@ fn coordinates_do_not_depend_on_each_other() {
     }
 }
 
-/// Law: n rooks are a random permutation: each of the 24 of four rooks is as likely. Oracle: χ².
+/// Law: n rooks are a random permutation: the 24 permutations of four rooks are equally likely. Oracle: χ².
 #[test]
 fn rooks_take_every_order() {
     let (sampler, mut random) = (built(NRooks {}), Pcg32::new(24, 5));
@@ -124,10 +124,9 @@ fn rooks_take_every_order() {
     crate::support::statistics::assert_all_equal("counts", &counts, 1000.0, 1);
 }
 
-/// Law: in a correlated multi-jittered set, all cells of one row have their point in the same of the n
-/// fine columns, and all of one column in the same of the m fine rows, so that neighbours of one row
-/// or column keep their distance; each order is as likely. Oracle: whole numbers, and χ² over the 3!
-/// orders.
+/// Law: in a correlated multi-jittered set, all cells of one row have their point in the same of the n fine
+/// columns, and all of one column in the same of the m fine rows, so that neighbours in a row or column keep
+/// their distance; all orders are equally likely. Oracle: whole numbers, and χ² over the 3! orders.
 #[test]
 fn correlated_sets_have_one_order_for_all() {
     let (sampler, mut random) = (built(CorrelatedMultiJittered {}), Pcg32::new(13, 1));

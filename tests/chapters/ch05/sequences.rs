@@ -10,8 +10,8 @@ fn hammersley(n: u32) -> Vec<[f64; 2]> {
     built(Hammersley { shifted: false }).fill(n, &mut Pcg32::new(0, 0))
 }
 
-/// Law: `Φ(1) = 1/2`, `Φ(2) = 1/4`, `Φ(3) = 3/4`, `Φ(6) = 3/8`; and x is `i/N`. Oracle: the book's table,
-/// and the digits of i written as text and read from behind.
+/// Law: `Φ(1) = 1/2`, `Φ(2) = 1/4`, `Φ(3) = 3/4`, `Φ(6) = 3/8`; and x is `i/N`. Oracle: the book's table, and
+/// the binary digits of i written as text and mirrored.
 #[test]
 fn hammersley_points_are_the_mirrored_digits() {
     let points = hammersley(1000);
@@ -51,7 +51,7 @@ fn hammersley_has_one_set() {
 /// the second is the sum of the digits k of i times `(k over r)`, without carries: Pascal's triangle
 /// modulo 2, which the polynomial 1 + x generates.
 fn sobol(i: u32, m: u32) -> [u32; 2] {
-    // (k over r) is odd if and only if r has no digit that k has not (Lucas)
+    // (k over r) is odd if and only if every binary digit 1 of r is also 1 in k (Lucas)
     let odd = |k: u32, r: u32| k & r == r;
     let digit = |r: u32| (0..m).filter(|&k| i >> k & 1 == 1 && odd(k, r)).count() as u32 & 1;
     let mirrored = (0..m).fold(0, |word, k| 2 * word + (i >> k & 1));
@@ -63,9 +63,8 @@ fn digits(x: f64, m: u32) -> u32 {
     (x * f64::from(1_u32 << m)) as u32
 }
 
-/// Law: the scramble is nested: two of Sobol's points that share exactly their first k digits share
-/// exactly as many when they are scrambled, in both dimensions. Oracle: Pascal's triangle for the
-/// points, and whole numbers.
+/// Law: the scramble is nested: two points of Sobol's that share exactly their first k digits share exactly k
+/// digits after scrambling, in both dimensions. Oracle: Pascal's triangle for the points, and whole numbers.
 #[test]
 fn the_scramble_is_nested() {
     const M: u32 = 7;
@@ -87,17 +86,16 @@ fn the_scramble_is_nested() {
     }
 }
 
-/// Law: every coin of the scramble is fair and thrown by itself: each of the 256 ways in which the
-/// fourth digit's eight coins fall is as likely, and so are those of the first three digits' coins with
-/// one of the fourth; and the coins of x and y have nothing to do with each other. Oracle: χ² over
-/// 25 600 sets.
+/// Law: the random bits of the scramble are fair and independent: all 256 values of the eight bits for the
+/// fourth digit are equally likely, and so are those of the bits for the first three digits with one for the
+/// fourth; the bits of x and y are independent. Oracle: χ² over 25 600 sets.
 #[test]
 fn the_coins_of_the_scramble_are_fair_and_independent() {
     let (sampler, mut random) = (built(Sobol {}), Pcg32::new(95, 95));
     let mut counts = [[0_u64; 256]; 5];
     for _ in 0..25_600 {
         let set = sampler.fill(16, &mut random);
-        // coins[axis][node]: node 1 decides on the first digit, those below node i are 2 i, 2 i + 1
+        // coins[axis][node]: node 1 decides on the first digit, the children of node i are 2 i and 2 i + 1
         let mut coins = [[0_usize; 16]; 2];
         for (i, point) in (0..).zip(&set) {
             for axis in 0..2 {
@@ -120,8 +118,8 @@ fn the_coins_of_the_scramble_are_fair_and_independent() {
     }
 }
 
-/// Law: Sobol's points up to any power of two lie one in each box `2^−a × 2^(a−m)`, though the set goes
-/// on; of other counts no box has two points more than another. Oracle: counting.
+/// Law: the first 2^m points of Sobol's set lie one in each box `2^−a × 2^(a−m)`, although the set goes on;
+/// for other counts the numbers of points in two boxes differ by at most one. Oracle: counting.
 #[test]
 fn prefixes_of_sobol_are_nets_too() {
     let set = built(Sobol {}).fill(300, &mut Pcg32::new(7, 7));
@@ -136,10 +134,10 @@ fn prefixes_of_sobol_are_nets_too() {
     }
 }
 
-/// Law: where a point of Sobol's lies in its finest box is uniform in x and in y, with no relation
-/// between the two. Oracle: z test of the product of the distances from the middle, over sets.
+/// Law: the position of a point of Sobol's in its finest box is uniform in x and in y, independently. Oracle:
+/// z tests of the product of the offsets from the middle and of its square, over sets.
 #[test]
-fn places_in_the_finest_box_are_free() {
+fn positions_in_the_finest_box_are_uniform() {
     let (sampler, mut random) = (built(Sobol {}), Pcg32::new(8, 9));
     let product = |_| {
         let [x, y] = sampler.fill(8, &mut random)[5].map(|x| (8.0 * x).fract() - 0.5);

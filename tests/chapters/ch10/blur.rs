@@ -1,4 +1,4 @@
-//! Pictures out of focus: the light they keep, the samples they draw, what is sharp in them.
+//! Pictures out of focus: their total light, their lens samples, and what is sharp in them.
 
 use groundtruth::cameras::{Eye, Kind, Pinhole, ThinLens, Viewpoint};
 use groundtruth::materials::Reflective;
@@ -15,8 +15,7 @@ use crate::calibration::{assert_seen_where_projected, point_at, scene as calibra
 use crate::pictures::studio::{add_flat, assert_same_bits, built, pixels, small};
 use crate::support::statistics::{most_sigmas, sigmas};
 
-/// Law: the whole picture of a lens of radius 0 is the pinhole's, bit for bit; it draws nothing for a
-/// lens that it has not.
+/// Law: the whole picture of a lens of radius 0 is the pinhole's, bit for bit, and no lens samples are drawn.
 #[test]
 fn a_picture_through_a_lens_of_radius_0_is_the_pinholes() {
     for name in ["ch14/page-one", "ch24/reflective-set"] {
@@ -79,9 +78,9 @@ fn lens_samples_are_uniform() {
     }
 }
 
-/// Law: the samples of pixel and lens have nothing to do with each other, which would show as bands:
-/// over pixels, no place in the pixel correlates with a place on the lens, for patterns that are
-/// shuffled. Oracle: products of centred coordinates have the mean 0.
+/// Law: the samples of pixel and lens are independent; otherwise bands would appear: over all pixels, the
+/// position in the pixel does not correlate with the position on the lens, for patterns that are shuffled.
+/// Oracle: products of centred coordinates have the mean 0.
 #[test]
 fn pixel_and_lens_samples_are_paired_by_chance() {
     let mut scene = nothing_through_a_lens();
@@ -92,8 +91,8 @@ fn pixel_and_lens_samples_are_paired_by_chance() {
             .map(|at| {
                 let sample = render::camera_sample(&world, at, 2).expect("no gap");
                 let corner = render::film_point(&world.image, at, [0.5, 0.5]);
-                let place = [sample.film[0] - corner[0], sample.film[1] - corner[1]];
-                (place, sample.lens.expect("it has a lens"))
+                let offset = [sample.film[0] - corner[0], sample.film[1] - corner[1]];
+                (offset, sample.lens.expect("it has a lens"))
             })
             .collect();
         for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
@@ -103,9 +102,8 @@ fn pixel_and_lens_samples_are_paired_by_chance() {
     }
 }
 
-/// Law: blur moves light and keeps its sum: a shining disk gives as much light in the whole picture,
-/// `π ρ² (d/z)²` film units, with any lens and focus. Oracle: the closed form; standard error over 16
-/// seeds.
+/// Law: blur moves light and keeps its sum: an emitting disk gives the same total light, `π ρ² (d/z)²` film
+/// units, with any lens and focus. Oracle: the closed form; standard error over 16 seeds.
 #[test]
 fn blur_keeps_the_light() {
     let (rho, z) = (3.0, 80.0);
@@ -129,7 +127,7 @@ fn blur_keeps_the_light() {
     }
 }
 
-/// What arrives from each of 40 points of the lens, for one film place.
+/// The radiance from each of 40 points of the lens, for one film point.
 fn through_the_lens(scene: &Scene, film: [f64; 2]) -> Vec<f64> {
     let world = built(scene);
     let ray = |i: i32| -> Ray {
@@ -140,9 +138,9 @@ fn through_the_lens(scene: &Scene, film: [f64; 2]) -> Vec<f64> {
     (0..40).map(|i| trace::radiance(&world, &ray(i), world.draws([0, 0], 0), &mut ()).g).collect()
 }
 
-/// Law: a mirrored thing is sharp where the whole way along −w, to the mirror and on, is the focal
-/// distance; not where the mirror is. Oracle: the edge of a shining half plane, whose image divides
-/// the film: right beside it all points of the lens agree if it is sharp, and not if not.
+/// Law: a mirrored object is sharp where the whole path along −w, to the mirror and on, is the focal
+/// distance, not where the mirror is. Oracle: the edge of an emitting half plane, whose image divides the
+/// film: right beside it the radiance is the same from all points of the lens if and only if it is sharp.
 #[test]
 fn a_mirrored_edge_is_sharp_at_the_length_of_the_whole_way() {
     // the mirror 30 ahead; the half plane x > 1 is 20 behind the lens

@@ -13,7 +13,7 @@ fn camera(lens: &ThinLens) -> Arc<dyn Camera> {
     Kind::from(lens.clone()).build(&mut ANY_FILM.clone()).expect("a valid lens")
 }
 
-/// Lenses of all sizes, focused before and behind their view plane.
+/// Lenses of all sizes, focused in front of and behind their view plane.
 fn lens() -> impl Strategy<Value = ThinLens> {
     (1.0..100.0_f64, 0.5..500.0_f64, 0.01..10.0_f64, 0.2..5.0_f64).prop_map(
         |(distance, focal_distance, lens_radius, zoom)| ThinLens {
@@ -30,7 +30,7 @@ pub fn rim(turn: f64) -> [f64; 2] {
     [cos(TAU * turn), sin(TAU * turn)]
 }
 
-/// Where a ray is at the depth z along −w.
+/// Where a ray meets the depth z along −w.
 fn at_depth((origin, direction): (Point, Vector), z: f64) -> [f64; 2] {
     let p = origin + ((origin.z() + z) / -direction.z()) * direction;
     [p.x(), p.y()]
@@ -40,9 +40,9 @@ fn traced(camera: &dyn Camera, film: [f64; 2], lens: [f64; 2]) -> (Point, Vector
     camera.ray(film, lens).expect("a thin lens sees all its film")
 }
 
-/// The film place whose ray from a point of the lens passes the point at (x, y) in the depth z: found
-/// from two rays, as places at a depth depend linearly on the film.
-fn place_of(camera: &dyn Camera, lens: [f64; 2], point: [f64; 2], z: f64) -> [f64; 2] {
+/// The film point whose ray from a point of the lens passes through (x, y) at the depth z, found from two
+/// rays: points at a depth depend linearly on the film point.
+fn film_of(camera: &dyn Camera, lens: [f64; 2], point: [f64; 2], z: f64) -> [f64; 2] {
     let [a, b] = [[0.0, 0.0], [1.0, 1.0]].map(|film| at_depth(traced(camera, film, lens), z));
     [0, 1].map(|i| (point[i] - a[i]) / (b[i] - a[i]))
 }
@@ -64,7 +64,7 @@ proptest! {
         let expected = pinhole.expect("a valid pinhole").ray([x, y], [0.0; 2]);
         let found = camera(&ThinLens { lens_radius: 0.0, ..lens.clone() }).ray([x, y], rim(turn));
         prop_assert_eq!(found, expected);
-        // the centre of any lens is the pinhole, too
+        // rays through the centre of any lens are the pinhole's, too
         prop_assert_eq!(camera(&lens).ray([x, y], [0.0; 2]), expected);
     }
 
@@ -85,14 +85,14 @@ proptest! {
         let expected = [x, y].map(|c| c / lens.zoom * f / lens.distance);
         let size = distance(expected, [0.0; 2]) + lens.lens_radius + f;
         prop_assert!(distance(meets, expected) < 1e-9 * size, "{meets:?} {expected:?}");
-        // and nowhere else: before and behind it they are apart
+        // and nowhere else: in front of it and behind it they are apart
         let [near, far] = [0.5, 2.0].map(|k| at_depth(traced(&*camera, [x, y], rim(turn)), k * f));
         let centre = [0.5, 2.0].map(|k| at_depth(traced(&*camera, [x, y], [0.0; 2]), k * f));
         near!(distance(near, centre[0]), 0.5 * lens.lens_radius, 1e-9 * size);
         near!(distance(far, centre[1]), lens.lens_radius, 1e-9 * size);
     }
 
-    /// Law: rays start on the lens: a disk of the radius R about the eye, across −w.
+    /// Law: rays start on the lens: a disk of radius R around the eye, perpendicular to w.
     #[test]
     fn rays_start_on_the_lens(lens in lens(), turn in 0.0..1.0_f64, r in 0.0..1.0_f64) {
         let [a, b] = rim(turn).map(|l| r * l);
@@ -101,9 +101,9 @@ proptest! {
         prop_assert_eq!(origin, expected);
     }
 
-    /// Law: a point at the depth z is a disc on the view plane, of the diameter `2 R d |z − f|/(z f)`,
-    /// about the place where it is projected. Oracle: the formula (similar triangles), beside the
-    /// places whose rays from the lens's rim pass the point.
+    /// Law: the image of a point at the depth z is a disc on the view plane, of the diameter `2 R d |z −
+    /// f|/(z f)`, around the point's projection. Oracle: the formula (similar triangles), against the film
+    /// points whose rays from the lens's rim pass through the point.
     #[test]
     fn the_circle_of_confusion(
         lens in lens(),
@@ -116,27 +116,27 @@ proptest! {
         let camera = camera(&lens);
         let centre = camera.project(Point::new(x, y, -z)).expect("it is ahead");
         let diameter = 2.0 * lens_radius * d * (z - f).abs() / (z * f) * zoom;
-        let place = place_of(&*camera, rim(turn), [x, y], z);
-        let opposite = place_of(&*camera, rim(turn + 0.5), [x, y], z);
+        let point = film_of(&*camera, rim(turn), [x, y], z);
+        let opposite = film_of(&*camera, rim(turn + 0.5), [x, y], z);
         let slack = 1e-9 * (zoom * d * (1.0 + (lens_radius + 30.0) / z + lens_radius / f));
-        near!(distance(place, opposite), diameter, slack);
-        near!(distance(place, centre), 0.5 * diameter, slack);
-        // on the side of the lens point if it is behind the sharp plane, turned around before it
-        let side = (place[0] - centre[0]) * rim(turn)[0] + (place[1] - centre[1]) * rim(turn)[1];
+        near!(distance(point, opposite), diameter, slack);
+        near!(distance(point, centre), 0.5 * diameter, slack);
+        // on the side of the lens point if it is behind the sharp plane, on the opposite side in front of it
+        let side = (point[0] - centre[0]) * rim(turn)[0] + (point[1] - centre[1]) * rim(turn)[1];
         above!(side * (z - f), -slack * (z - f).abs());
     }
 
-    /// Law: the blur of a point grows with the radius, twice as large to the bit, and does not move
-    /// its middle; the far limit is `2 R d/f`; at the depth f there is none, whatever the radius.
+    /// Law: the blur of a point is proportional to the radius, and its middle does not move; the limit far
+    /// away is `2 R d/f`; at the depth f there is no blur, whatever the radius.
     #[test]
     fn blur_is_linear_in_the_radius(lens in lens(), z in 0.5..500.0_f64, turn in 0.0..1.0_f64) {
         let blur = |lens: &ThinLens, z: f64| {
             let (a, b) = (rim(turn), rim(turn).map(|l| -l));
             let camera = camera(lens);
-            distance(place_of(&*camera, a, [0.0; 2], z), place_of(&*camera, b, [0.0; 2], z))
+            distance(film_of(&*camera, a, [0.0; 2], z), film_of(&*camera, b, [0.0; 2], z))
         };
         let twice = ThinLens { lens_radius: 2.0 * lens.lens_radius, ..lens.clone() };
-        // the places of the points are differences of larger numbers
+        // the film points are differences of larger numbers
         let slack = |z: f64| {
             1e-11
                 * (lens.zoom * lens.distance * lens.lens_radius)
@@ -148,8 +148,8 @@ proptest! {
         below!(blur(&lens, lens.focal_distance), slack(lens.focal_distance));
     }
 
-    /// Law: the distance of the view plane scales the picture and nothing else: k times the film of k
-    /// times the distance has the same rays; so has k times the film of k times the zoom.
+    /// Law: the distance of the view plane only scales the picture: k times the film at k times the distance
+    /// has the same rays; so has k times the film at k times the zoom.
     #[test]
     fn the_distance_only_scales(
         lens in lens(),
@@ -186,7 +186,7 @@ fn project_ends_at_the_edges() {
     assert_eq!(project(0.0, 0.0, 0.0), None);
 }
 
-/// Law: a lens that cannot be built says which field is wrong. Oracle: the field that was spoiled.
+/// Law: a lens that cannot be built says which field is wrong. Oracle: the field that was changed.
 #[test]
 fn lenses_that_cannot_be_built_name_the_field() {
     let good = ThinLens { distance: 2.0, focal_distance: 5.0, lens_radius: 1.0, zoom: 1.0 };
@@ -199,7 +199,7 @@ fn lenses_that_cannot_be_built_name_the_field() {
         let error = Kind::from(spoiled).build(&mut ANY_FILM.clone()).expect_err("it is spoiled");
         assert!(error.to_string().starts_with(&format!("thin_lens.{field}")), "{error}");
     }
-    // a lens so large that its rays are no numbers is refused with the picture
+    // a lens so large that its rays overflow is refused with the picture
     let lens = ThinLens { lens_radius: 1e308, distance: 1e10, ..good };
     let camera = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), lens);
     let scene = Scene::new("", Image::new(2, 2), camera);

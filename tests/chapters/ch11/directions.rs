@@ -1,4 +1,4 @@
-//! What holds for the fisheye and both panoramas.
+//! Laws that hold for the fisheye and both panoramas.
 
 use groundtruth::cameras::{
     CylindricalPanorama, Fisheye, Kind, Pinhole, SphericalPanorama, View, ViewPlane,
@@ -10,7 +10,8 @@ use super::views::{FILM, cylindrical, fisheye, looking, on_film, spherical};
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::support::laws;
 
-/// The solid angle of a square of normalised film, by the cross product of two sides, over its area.
+/// The solid angle of a small square of the normalised film, by the cross product of two sides, divided by
+/// its area.
 fn density(view: &View, [xn, yn]: [f64; 2]) -> f64 {
     const H: f64 = 1e-4;
     let at = |dx: f64, dy: f64| looking(view, [xn + dx, yn + dy]).expect("seen");
@@ -18,7 +19,8 @@ fn density(view: &View, [xn, yn]: [f64; 2]) -> f64 {
     a.cross(b).length() / (4.0 * H * H)
 }
 
-/// Central differences leave h²/6 of third derivatives, which are at most π³ of the first ones here.
+/// Central differences leave an error of h²/6 times the third derivatives, which here are at most π³ times
+/// the first ones.
 const DIFFERENCE: f64 = 1e-6;
 
 fn all(fov: f64) -> [Kind; 3] {
@@ -33,9 +35,9 @@ fn all(fov: f64) -> [Kind; 3] {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: the solid angle of film goes as `sin ψ/ψ` for the fisheye, `cos ψ` for the spherical and
-    /// `cos³ψ` for the cylindrical panorama, and is the product of the half angles in the centre.
-    /// Oracle: differences of directions.
+    /// Law: the solid angle per film area is proportional to `sin ψ/ψ` for the fisheye, `cos ψ` for the
+    /// spherical and `cos³ψ` for the cylindrical panorama; in the centre it is the product of the half
+    /// angles. Oracle: differences of directions.
     #[test]
     fn film_covers_the_solid_angle_of_its_projection(
         fov in 10.0..300.0_f64, v in 10.0..170.0_f64, xn in -0.6..0.6_f64, yn in -0.6..0.6_f64,
@@ -62,7 +64,7 @@ proptest! {
     }
 
     /// Law: with a small field of view they are pinhole cameras of the distance `width/(2 λ_max)`: the
-    /// difference falls with the cube of the angle. Oracle: the pinhole; 1/3 of the cube, at the rim.
+    /// difference falls with the cube of the angle. Oracle: the pinhole; at the rim it is 1/3 of the cube.
     #[test]
     fn a_small_field_of_view_is_a_pinholes(
         exponent in -7.0..-1.0_f64,
@@ -84,7 +86,7 @@ proptest! {
             let off = (d - expected).length();
             let cube = lambda_max * lambda_max * lambda_max;
             prop_assert!(off < cube + 4.0 * f64::EPSILON, "{off:e} of {cube:e}");
-            // and the small directions themselves are good to the same relative error
+            // and small components have the same relative error
             near!(
                 d.x(),
                 expected.x(),
@@ -93,8 +95,8 @@ proptest! {
         }
     }
 
-    /// Law: the picture does not depend on the size of a pixel, nor on how many there are: only on the
-    /// part of the film. Oracle: a film of another size, and a power of two bit for bit.
+    /// Law: the picture does not depend on the size or number of the pixels, only on the normalised film
+    /// point. Oracle: a film of another size; for powers of two bit for bit.
     #[test]
     fn pictures_do_not_depend_on_the_pixel_size(
         fov in 1.0..360.0_f64,
@@ -135,9 +137,9 @@ fn a_picture_agrees_with_project() {
     }
 }
 
-/// Law: a field of view that cannot be says which field is wrong and what fits. Oracle: the text.
+/// Law: an invalid field of view is refused, with the field's name and the valid range. Oracle: the text.
 #[test]
-fn fields_of_view_that_cannot_be_are_refused() {
+fn invalid_fields_of_view_are_refused() {
     let refusal = |lens: Kind| lens.build(&mut FILM.clone()).expect_err("it is wrong").to_string();
     let spherical = |horizontal_fov, vertical_fov| {
         refusal(SphericalPanorama { horizontal_fov, vertical_fov }.into())

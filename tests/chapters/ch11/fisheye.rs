@@ -12,12 +12,13 @@ use super::views::{FILM, fisheye, looking, on_film, rectangular, seen};
 use crate::pictures::studio::{add_flat, built, pixels, small};
 use crate::support::{U, laws};
 
-/// In degrees, by lengths: accurate for all angles, the small and those near 180°.
+/// The angle from the line of sight in degrees, by lengths: accurate for all angles, also small and near
+/// 180°.
 fn from_line_of_sight(d: Vector) -> f64 {
     to_degrees(atan2(d.cross(Vector::Z).length(), -d.z()))
 }
 
-/// Views from the narrowest to all around.
+/// Fields of view from very narrow to all around.
 fn fov() -> impl Strategy<Value = f64> {
     prop_oneof![4 => 1.0..360.0_f64, 1 => 1e-9..1.0_f64, 1 => Just(180.0), 1 => Just(360.0)]
 }
@@ -25,9 +26,9 @@ fn fov() -> impl Strategy<Value = f64> {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: the angle to the line of sight is r times half the field of view, to some roundings of
-    /// the angle itself, however small; and the place about it is kept. Oracle: the angle by lengths
-    /// of products, the place by a ratio.
+    /// Law: the angle to the line of sight is r times half the field of view, to some roundings of the angle
+    /// itself, however small; the angle around the line of sight is kept. Oracle: the angle by lengths of
+    /// products, the angle around by a ratio.
     #[test]
     fn angles_grow_evenly(fov in fov(), r in 0.0..1.0_f64, alpha in 0.0..std::f64::consts::TAU) {
         let at = [r * cos(alpha), r * sin(alpha)];
@@ -41,8 +42,8 @@ proptest! {
         at_least!(d.x() * cos(alpha), 0.0);
     }
 
-    /// Law: nothing is seen outside the circle; if rectangular, the corners go on as far as straight
-    /// back, and no farther, as that would be seen twice. Oracle: the angle that would be.
+    /// Law: nothing is seen outside the circle; if rectangular, the corners extend as far as straight back,
+    /// and no farther, as directions beyond would be seen twice. Oracle: the angle at that radius.
     #[test]
     fn the_circle_ends_what_is_seen(fov in fov(), xn in -1.0..1.0_f64, yn in -1.0..1.0_f64) {
         let r = (xn * xn + yn * yn).sqrt();
@@ -55,8 +56,8 @@ proptest! {
         }
     }
 
-    /// Law: a point is seen if the angle to it is within the field of view; beyond it is out of view.
-    /// Oracle: its angle by the arc cosine.
+    /// Law: a point is seen if the angle to it is within the field of view, and not seen otherwise. Oracle:
+    /// its angle by the arc cosine.
     #[test]
     fn what_is_in_the_field_of_view_is_seen(
         fov in 1.0..360.0_f64,
@@ -71,8 +72,8 @@ proptest! {
         prop_assert_eq!(seen(&fisheye(fov), [x, y, z]).is_some(), angle < 0.5 * fov);
     }
 
-    /// Law: on a square film the camera has no preferred direction about its axis: turned by 90° it
-    /// gives the same rays at places turned by 90°, to the bit.
+    /// Law: on a square film the camera has no preferred direction around its axis: rolled by 90° it gives
+    /// the same rays at film points turned by 90°, to the bit.
     #[test]
     fn rolling_turns_the_disc(fov in fov(), x in -3.0..3.0_f64, y in -3.0..3.0_f64) {
         let square = groundtruth::cameras::ViewPlane { width: 6.0, height: 6.0 };
@@ -93,7 +94,7 @@ proptest! {
 /// Law: the rim of 180° looks along ±u and ±v, that of 360° straight back, exactly; the centre looks
 /// along −w. Oracle: by hand.
 #[test]
-fn the_rim_looks_aside_or_back() {
+fn the_rim_sees_sideways_or_straight_back() {
     let rim = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
     for at in rim {
         let aside = Vector::new(at[0], at[1], 0.0);
@@ -109,8 +110,8 @@ fn the_rim_looks_aside_or_back() {
     }
 }
 
-/// Law: just below 360° the rim is just off straight back: no digits are lost there. Oracle: the
-/// sine of a small angle is the angle.
+/// Law: just below 360° the rim is just off straight back, without loss of digits. Oracle: the sine of a
+/// small angle is the angle.
 #[test]
 fn nearly_all_around_is_accurate() {
     for missing in [1e-3, 1e-6, 1e-9] {
@@ -143,8 +144,8 @@ fn the_disc_touches_all_edges() {
     }
 }
 
-/// Law: within a sphere of light the circle shines and the corners are black; if rectangular, all
-/// shine. Oracle: which pixels' centres are in the circle, and that it covers π/4.
+/// Law: inside a sphere of light the circle is white and the corners are black; if rectangular, all is white.
+/// Oracle: which pixels' centres are in the circle, and that it covers π/4.
 #[test]
 fn corners_are_black_or_not() {
     let mut scene = Scene::new("", Image::new(61, 61), {
@@ -170,8 +171,7 @@ fn corners_are_black_or_not() {
     assert_eq!(film.pixels(), [Rgb::WHITE; 3721]);
 }
 
-/// Law: a masked pixel has no ray, not a wrong one, and takes no time: its radiance is black under any
-/// background.
+/// Law: a pixel outside the circle casts no ray: it is black under any background.
 #[test]
 fn a_masked_pixel_casts_no_ray() {
     let mut scene = small("ch14/page-one", 20, 20, 4);
@@ -186,12 +186,12 @@ fn a_masked_pixel_casts_no_ray() {
     assert_eq!(counts.camera, 1);
 }
 
-/// Law: rectangular film has one place for each direction in view; that of a point straight back is on
-/// the ring of 180°, if the film reaches so far. Oracle: by hand.
+/// Law: rectangular film has one point for each direction in view; that of a point straight back is on the
+/// ring of 180°, if the film extends so far. Oracle: by hand.
 #[test]
-fn each_direction_has_one_place() {
+fn each_direction_has_one_film_point() {
     let wide = on_film(Fisheye { fov: 300.0, rectangular: true }, FILM);
-    // 180° is at r = 1.2: above and right of the picture, but in no corner of the axes
+    // 180° is at r = 1.2: outside the film along its axes, inside it in the corners
     assert_eq!(seen(&wide, [0.0, 0.0, 1.0]), None);
     let behind = seen(&wide, [1e-9, 1e-9, 1.0]).expect("in the corner");
     let r = 1.2 * 0.5_f64.sqrt();

@@ -31,8 +31,8 @@ proptest! {
         prop_assert!((d - expected).length() < 32.0 * U, "{d:?} {expected:?}");
     }
 
-    /// Law: longitude and latitude grow evenly, each with its own field of view, to some roundings of
-    /// the angles themselves, however small. Oracle: arc tangents of the direction.
+    /// Law: longitude and latitude grow evenly, each with its own field of view, to some roundings of the
+    /// angles themselves, however small. Oracle: arc tangents of the direction.
     #[test]
     fn longitude_and_latitude_grow_evenly(
         h in horizontal(), v in vertical(), xn in -1.0..1.0_f64, yn in -1.0..1.0_f64,
@@ -44,8 +44,8 @@ proptest! {
         near!(psi, 0.5 * yn * v, 16.0 * U * (0.5 * yn * v).abs());
     }
 
-    /// Law: on a cylindrical panorama longitude grows evenly, and the tangent of the latitude does.
-    /// Oracle: slopes of the direction.
+    /// Law: on a cylindrical panorama the longitude and the tangent of the latitude grow evenly. Oracle:
+    /// slopes of the direction.
     #[test]
     fn the_cylinder_keeps_heights(
         h in horizontal(), v in 1e-9..179.0_f64, xn in -1.0..1.0_f64, yn in -1.0..1.0_f64,
@@ -80,8 +80,8 @@ proptest! {
         near!(at(k * y), k * at(y), 8.0 * U * k * at(y));
     }
 
-    /// Law: the two fields of view are independent: longitude feels the horizontal one alone, latitude
-    /// the vertical one. Oracle: where the same point is seen.
+    /// Law: the two fields of view are independent: longitude depends on the horizontal one alone, latitude
+    /// on the vertical one. Oracle: where the same point is seen.
     #[test]
     fn fields_of_view_are_independent(
         (h1, h2) in (30.0..360.0_f64, 30.0..360.0_f64),
@@ -124,7 +124,7 @@ fn seams_and_poles() {
     for x in [-1.0, 1.0] {
         assert_eq!(looking(&whole, [x, 0.0]), Some(Vector::Z));
         assert_eq!(looking(&cylindrical(360.0, 90.0), [x, 0.0]), Some(Vector::Z));
-        // the seam is closed: the rays on both sides of it are one, at every height
+        // the seam is closed: the rays on both sides of it are the same, at every height
         let [a, b] = [1.0, -1.0].map(|side| looking(&whole, [side * x, 0.4]).expect("seen"));
         assert_eq!(a, b);
     }
@@ -138,8 +138,8 @@ fn seams_and_poles() {
     }
 }
 
-/// Law: what is straight above is in the middle of the top row of a whole sphere, and nowhere on a
-/// cylinder; the eye is nowhere. Oracle: by hand.
+/// Law: a point straight above is in the middle of the top row of a full spherical panorama, and not on a
+/// cylindrical one; the eye itself is not seen. Oracle: by hand.
 #[test]
 fn what_is_straight_above() {
     assert_eq!(seen(&spherical(360.0, 180.0), [0.0, 7.0, 0.0]), Some([0.0, 1.0]));
@@ -151,8 +151,8 @@ fn what_is_straight_above() {
     }
 }
 
-/// Law: a cylinder of nearly 180° ends at the tangent of nearly 90°: the cotangent of the small angle
-/// that is missing. Oracle: 1/x.
+/// Law: a cylinder of nearly 180° ends at the tangent of nearly 90°, the cotangent of the small angle that is
+/// missing. Oracle: 1/x.
 #[test]
 fn nearly_180_degrees_is_accurate() {
     for missing in [1e-3, 1e-6, 1e-9] {

@@ -1,14 +1,14 @@
-//! What the chapter's laws share: cameras of a film, and how they are asked.
+//! What the chapter's tests share: cameras with a given film, and their rays and projections.
 
 use groundtruth::cameras::{
     CylindricalPanorama, Fisheye, Kind, SphericalPanorama, View, ViewPlane, Viewpoint,
 };
 use groundtruth::math::{Point, Vector};
 
-/// Not square, and no power of two.
+/// A film that is not square, and whose sides are not powers of two.
 pub const FILM: ViewPlane = ViewPlane { width: 6.0, height: 5.0 };
 
-/// At the origin, with u, v, w along x, y, z.
+/// A view from the origin, with u, v, w along x, y, z.
 pub fn on_film(lens: impl Into<Kind>, film: ViewPlane) -> View {
     let view = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), lens);
     view.build(film).expect("a valid view")

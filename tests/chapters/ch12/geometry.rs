@@ -24,7 +24,7 @@ fn built(viewpoint: &Viewpoint) -> View {
     viewpoint.build(FILM).expect("a valid pair")
 }
 
-/// From z = r, along −z: the left eye at −x, the right one at x.
+/// A pair of eyes looking from z = r along −z: the left eye at −x, the right one at x.
 fn from_front(r: f64, lens: impl Into<Kind>, separation: f64) -> View {
     built(&viewpoint(Point::new(0.0, 0.0, r), lens, separation))
 }
@@ -50,9 +50,8 @@ fn others() -> [Kind; 3] {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: the eyes are at `eye ∓ x u` with `x = r tan(β/2)`, r being the distance of the point looked
-    /// at, and look the same way: the ray of a place where the film is not shifted. Oracle: the book's
-    /// formula with the axes of the camera.
+    /// Law: the eyes are at `eye ∓ x u` with `x = r tan(β/2)`, r being the distance of the point looked at.
+    /// Oracle: the book's formula with the axes of the camera.
     #[test]
     fn the_eyes_are_side_by_side(
         eye in point(100.0),
@@ -67,16 +66,16 @@ proptest! {
             let x = r * tan(to_radians(0.5 * beta));
             prop_assert_eq!(view.eyes().len(), 2);
             for (side, sign) in SIDES.into_iter().zip([-1.0, 1.0]) {
-                let place = view.eye(side).position();
+                let position = view.eye(side).position();
                 let expected = eye + sign * x * view.frame().u;
-                near!(place, expected, 16.0 * U * (r + x));
+                near!(position, expected, 16.0 * U * (r + x));
             }
         }
     }
 
-    /// Law: the parallax of a point at the depth z is `x_L − x_R = 2x (d/z − 1)` on the film (over the
-    /// size of a pixel, in pixels), times the zoom; positive before the view plane, negative behind
-    /// it, `−2x` at infinity. Oracle: the formula.
+    /// Law: the parallax of a point at the depth z is `x_L − x_R = 2x (d/z − 1)` on the film (over the size
+    /// of a pixel, in pixels), times the zoom; positive in front of the view plane, negative behind it, `−2x`
+    /// at infinity. Oracle: the formula.
     #[test]
     fn parallax(
         r in 1.0..100.0_f64,
@@ -112,9 +111,9 @@ proptest! {
         }
     }
 
-    /// Law: what lies in the view plane, at the depth d, has no parallax, whatever the zoom: both eyes
-    /// look through one window. So the point looked at has none only if it lies there. Oracle: where
-    /// both rays of a film place meet.
+    /// Law: points of the view plane, at the depth d, have no parallax, whatever the zoom: both eyes look
+    /// through one window. So the point looked at has none only if it lies there. Oracle: where both rays of
+    /// a film point meet.
     #[test]
     fn both_eyes_look_through_one_window(
         r in 1.0..100.0_f64,
@@ -135,7 +134,7 @@ proptest! {
                 let expected = Point::new(x / zoom, y / zoom, r - d);
                 prop_assert!((p - expected).length() < 8.0 * size, "{p:?} {expected:?}");
             }
-            // that of the point looked at: zero only at r = d
+            // the parallax of the point looked at is zero only at r = d
             let [left, right] = SIDES.map(|side| view.eye(side).project(Point::ORIGIN));
             if let (Some(left), Some(right)) = (left, right) {
                 prop_assert!(
@@ -146,8 +145,8 @@ proptest! {
         }
     }
 
-    /// Law: cameras without a window only move their eye: both look the same way at each place of the
-    /// film, from two places. Oracle: the camera with one eye.
+    /// Law: for cameras without a window only the eye moves: both eyes have the same direction at each film
+    /// point, from two positions. Oracle: the camera with one eye.
     #[test]
     fn others_only_move_the_eye(x in -20.0..20.0_f64, y in -15.0..15.0_f64, beta in 0.1..20.0_f64) {
         let eye = Point::new(3.0, 4.0, 12.0);
@@ -183,8 +182,8 @@ proptest! {
         }
     }
 
-    /// Law: each eye's `project` is the inverse of its own ray; out of one eye's view is not out of the
-    /// other's. Oracle: the place that was asked for.
+    /// Law: each eye's `project` is the inverse of its own rays, whether or not the other eye sees the point.
+    /// Oracle: the film point of the ray.
     #[test]
     fn project_is_for_one_eye(
         x in -20.0..20.0_f64,
@@ -201,15 +200,15 @@ proptest! {
                     return Err(TestCaseError::fail("it is not seen"));
                 };
                 let off = (found[0] - x).abs().max((found[1] - y).abs());
-                // the point has the rounding of numbers up to 100, seen from half a unit
+                // the point has the rounding error of numbers up to 100, and may be as near as half a unit
                 prop_assert!(off < 1e-11, "{found:?} {off:e}");
             }
         }
     }
 }
 
-/// Law: by hand, with the eyes at ±1, d = 10 and nothing between: a point at half the distance has the
-/// parallax 2, one at twice −1; to the edge of the picture, which each eye has for itself.
+/// Law: by hand, with the eyes at ±1 and d = 10: a point at half the distance has the parallax 2, one at
+/// twice the distance −1; each eye has its own edges of the picture.
 #[test]
 fn parallax_by_hand() {
     // tan(β/2) = 1/10
@@ -217,10 +216,10 @@ fn parallax_by_hand() {
     let view = from_front(10.0, Pinhole { distance: 10.0, zoom: 1.0 }, beta);
     let project = |z: f64| SIDES.map(|side| view.eye(side).project(Point::new(0.0, 0.0, z)));
     for (z, left, right) in [(5.0, 1.0, -1.0), (0.0, 0.0, 0.0), (-10.0, -0.5, 0.5)] {
-        let [l, r] = project(z).map(|place| place.expect("in view"));
+        let [l, r] = project(z).map(|point| point.expect("in view"));
         assert!((l[0] - left).abs() < 1e-14 && (r[0] - right).abs() < 1e-14, "{l:?} {r:?}");
     }
-    // 9.7 before the eyes, 0.3 from them, at 20 · 0.03 to the right: the left eye sees it too far right
+    // 0.4 in front of the eyes, which see it at about ±24: beyond the edges at ±20
     let p = Point::new(0.0, 0.0, 9.6);
     assert_eq!(SIDES.map(|side| view.eye(side).project(p)), [None, None]);
     let p = Point::new(-0.8, 0.0, 9.6);
@@ -245,9 +244,9 @@ fn a_picture_agrees_with_project() {
     }
 }
 
-/// Law: a pair that cannot be says which field is wrong and what fits. Oracle: the text.
+/// Law: an invalid separation is refused, with the field's name and the valid range. Oracle: the text.
 #[test]
-fn pairs_that_cannot_be_are_refused() {
+fn invalid_separations_are_refused() {
     for (separation, found) in [(-1.0, "-1"), (180.0, "180"), (f64::NAN, "NaN")] {
         let viewpoint =
             viewpoint(Point::new(0.0, 0.0, 5.0), Orthographic { zoom: 1.0 }, separation);

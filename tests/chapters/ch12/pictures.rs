@@ -63,8 +63,8 @@ fn the_gap_is_black() {
     }
 }
 
-/// Law: without separation both images are the same, bit for bit, and that of one eye; with it they are
-/// not. Oracle: the camera without stereo.
+/// Law: without separation both images are the same, bit for bit, as that of one eye; with separation they
+/// differ. Oracle: the camera without stereo.
 #[test]
 fn no_separation_gives_two_equal_images() {
     for lens in lenses() {
@@ -94,8 +94,8 @@ fn transverse_swaps_the_halves() {
     assert_same_bits("right", &a[1], &b[1]);
 }
 
-/// Law: the image of an eye is what a camera in its place sees, with the same samples: for cameras
-/// without a window, bit for bit. Oracle: one eye, moved by hand.
+/// Law: the image of an eye is that of a camera at its position, with the same samples: for cameras without a
+/// window, to 1e-9. Oracle: one eye, moved by hand.
 #[test]
 fn each_image_is_that_of_a_camera_in_its_place() {
     let mut scene = pair(Viewing::Transverse, 6.0);
@@ -105,9 +105,9 @@ fn each_image_is_that_of_a_camera_in_its_place() {
     for (side, image) in [Side::Left, Side::Right].into_iter().zip(&images) {
         let mut mono = scene.clone();
         mono.camera.stereo = None;
-        let place = world.view.eye(side).position();
-        mono.camera.look_at = mono.camera.look_at + (place - mono.camera.eye);
-        mono.camera.eye = place;
+        let position = world.view.eye(side).position();
+        mono.camera.look_at = mono.camera.look_at + (position - mono.camera.eye);
+        mono.camera.eye = position;
         let (_, mono) = rendered(&mono);
         // the direction to the point looked at may differ in its last bits
         let differ = pixels(WIDTH, HEIGHT).filter(|&at| {
@@ -118,8 +118,8 @@ fn each_image_is_that_of_a_camera_in_its_place() {
     }
 }
 
-/// Law: both eyes use the same samples: the pixel of the eye's image names them, not that of the
-/// picture. Oracle: place, lens place and weight of each.
+/// Law: both eyes use the same samples: their key is the pixel of the eye's image, not that of the whole
+/// picture. Oracle: film point, lens point and weight of each.
 #[test]
 fn both_eyes_use_the_same_samples() {
     for lens in lenses() {
@@ -167,8 +167,8 @@ fn a_symmetric_scene_has_mirrored_images() {
     }
 }
 
-/// Law: no length is special: scaled by a power of two, a pair is the same picture, bit for bit, with
-/// every camera. Oracle: the pair as it is.
+/// Law: no length scale is special: scaled by a power of two, a pair is the same picture, bit for bit, with
+/// every camera. Oracle: the pair before.
 #[test]
 fn scaling_by_powers_of_two_changes_no_pair() {
     for lens in lenses() {
@@ -181,8 +181,8 @@ fn scaling_by_powers_of_two_changes_no_pair() {
     }
 }
 
-/// Law: written to a file and read again, a pair is the same picture; what a file leaves out is the
-/// book's: a gap of 5. Oracle: the pair as it is.
+/// Law: written to a file and read again, a pair is the same picture; the default gap is the book's, 5.
+/// Oracle: the pair before.
 #[test]
 fn pairs_are_plain_data() {
     let scene = pair(Viewing::Transverse, 3.0);
@@ -197,7 +197,7 @@ fn pairs_are_plain_data() {
     assert_eq!(world.picture_size(), [2 * WIDTH + 5, HEIGHT]);
 }
 
-/// Law: a part of the picture is that part, across the gap too. Oracle: the whole picture.
+/// Law: a crop equals that part of the whole picture, across the gap too. Oracle: the whole picture.
 #[test]
 fn a_part_of_a_pair_is_that_part() {
     let (world, whole) = rendered(&pair(Viewing::Parallel, 5.0));
@@ -224,7 +224,7 @@ fn an_anaglyph_has_both_images() {
     assert!(render::eye_images(&mono, &render::render(&mono)).is_none(), "one eye has no pair");
 }
 
-/// Law: a pixel is explained as it is rendered: in both images; in the gap it is said that there is no
+/// Law: a pixel is explained as it is rendered, in both images; in the gap the text says that there is no
 /// ray. Oracle: the picture.
 #[test]
 fn pixels_of_pairs_are_explained() {
@@ -241,7 +241,7 @@ fn pixels_of_pairs_are_explained() {
     }
 }
 
-/// Law: a pair of more pixels than fit is refused before anything is made. Oracle: the text.
+/// Law: a pair of too many pixels is refused before it is built. Oracle: the text.
 #[test]
 fn pairs_of_too_many_pixels_are_refused() {
     let mut scene = pair(Viewing::Parallel, 5.0);

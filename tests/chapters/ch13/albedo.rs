@@ -1,4 +1,4 @@
-//! What lobes send back of uniform light, against integrals that are as exact.
+//! The albedo of lobes, against integrals of the same accuracy.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -12,13 +12,12 @@ use crate::support::optics::albedo_about_the_mirror_direction;
 use crate::support::optics::by_angles;
 use crate::support::stage::at_angle;
 
-/// The code integrates by another rule and variable; both err by some roundings of the sum.
+/// The code integrates with another rule and variable; both sums have some rounding errors.
 const ACCURACY: f64 = 1e-12;
 
-/// Law: the albedo of the glossy lobe is `k_s c_s ∫ cosᵉα cosθ_i dω`, to 1e-12 of it: for lobes
-/// from the broadest to needles, seen from straight above to within 1e-6 of grazing, where the
-/// horizon cuts off half of them. Oracle: composite Gauss–Legendre quadrature about the mirror
-/// direction.
+/// Law: the albedo of the glossy lobe is `k_s c_s ∫ cosᵉα cosθ_i dω`, to a relative error of 1e-12: for lobes
+/// from the broadest to the narrowest, seen from straight above to within 1e-6 of grazing, where the horizon
+/// cuts off half of them. Oracle: composite Gauss–Legendre quadrature about the mirror direction.
 #[test]
 fn the_glossy_albedo_is_exact_to_twelve_digits() {
     let mut worst = (0.0, 0.0, 0.0);
@@ -44,9 +43,9 @@ fn the_glossy_albedo_is_exact_to_twelve_digits() {
     println!("largest relative error {:e}, at e = {}, cosine {}", worst.0, worst.1, worst.2);
 }
 
-/// Law: the oracle is right where there are closed forms: `2π/(e + 2)` from straight above, and for
-/// `e = 0` the part of the cosine-weighted sky on the mirror direction's side, `π (1 + cos_o)/2`.
-/// Oracle: these.
+/// Law: the oracle is right where there are closed forms: `2π/(e + 2)` from straight above, and for `e = 0`
+/// the part of the cosine-weighted sky on the mirror direction's side, `π (1 + cos_o)/2`. Oracle: the closed
+/// forms.
 #[test]
 fn the_quadrature_of_the_albedo_has_the_closed_forms() {
     for e in [0.0, 0.25, 1.0, 10.0, 2000.0, 1e6] {
@@ -61,12 +60,12 @@ fn the_quadrature_of_the_albedo_has_the_closed_forms() {
     near!(acos(0.25), acos_of_one_minus(0.75), 1e-15);
 }
 
-/// What a lobe sends back of uniform light, by other means than its own: the integral of its `f`,
-/// or the textbook's share for a single direction.
+/// The albedo of a lobe, not by its own code: the integral of its `f`, or the textbook's reflectance for a
+/// single direction.
 fn outside_albedo(lobe: &Lobe, wo: Vector) -> f64 {
     let relative = |eta: f64| if wo.z() < 0.0 { 1.0 / eta } else { eta };
     let sine = (wo.x() * wo.x() + wo.y() * wo.y()).sqrt();
-    // from the denser side the angles are those of the way back
+    // from the denser side: the angles of the reversed path
     let reflected = |eta: f64| match relative(eta) {
         1.0 => 0.0,
         eta if eta > 1.0 => by_angles(sine, eta),
@@ -81,7 +80,7 @@ fn outside_albedo(lobe: &Lobe, wo: Vector) -> f64 {
         }
         Lobe::GlossyReflection(_) if wo.z() < 0.0 => 0.0,
         Lobe::GlossyReflection(glossy) => match glossy.rule {
-            // all of it: see `ch25::every_direction_is_above_the_surface`
+            // the whole reflectance: see `ch25::every_direction_is_above_the_surface`
             GlossyRule::Book => glossy.reflectance.max(),
             GlossyRule::Normalised => {
                 let scale = glossy.reflectance.max() * (glossy.exponent + 2.0) / (2.0 * PI);
@@ -100,10 +99,10 @@ fn outside_albedo(lobe: &Lobe, wo: Vector) -> f64 {
     }
 }
 
-/// Law: a lobe's albedo is what it sends back, and a lobe that claims to conserve energy sends out
-/// no more than arrives: the refracted ones count radiance, which grows by η² in the denser medium.
-/// The glossy lobe, which does not claim it, does not: `2π/(e + 2) > 1` for small `e` (ch. 13, 15).
-/// Oracle: quadrature, Fresnel's equations in terms of angles, and the lobes' data.
+/// Law: a lobe's albedo is the share of uniform light that it scatters, and a lobe that claims to conserve
+/// energy scatters no more than arrives: the refracting ones count radiance, which grows by η² in the denser
+/// medium. The glossy lobe does not claim it, as `2π/(e + 2) > 1` for small `e` (ch. 13, 15). Oracle:
+/// quadrature, Fresnel's equations in terms of angles, and the lobes' data.
 #[test]
 fn no_lobe_that_conserves_energy_reflects_more_than_all() {
     let mut claimed = 0;

@@ -1,4 +1,4 @@
-//! Point and spot lights: how they fade, and where they end.
+//! Point and spot lights: how they fade with distance, and the edges of a spot.
 
 use std::f64::consts::{FRAC_1_PI, TAU};
 
@@ -26,13 +26,13 @@ fn plane(normal: Normal, source: impl Into<Kind>) -> Scene {
     scene
 }
 
-/// What is seen of the origin from a direction beside the normal.
+/// The radiance of the origin, seen from a direction beside the normal.
 fn seen(scene: &Scene, normal: Normal) -> Rgb {
     let to_eye = at_angle(normal, 0.4, 2.0);
     look(&built(scene), Point::ORIGIN + 1e-3 * to_eye, -to_eye)
 }
 
-/// A spot light at `far · towards` whose axis leans by `angle` degrees from the way to the origin.
+/// A spot light at `far · towards` whose axis leans by `angle` degrees from the direction to the origin.
 fn spot(towards: Vector, far: f64, angle: f64, turn: f64, inner: f64, outer: f64) -> Spot {
     let back = Normal::new(-towards).expect("a unit vector");
     let lean = to_radians(angle);
@@ -52,10 +52,9 @@ fn spot(towards: Vector, far: f64, angle: f64, turn: f64, inner: f64, outer: f64
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: at the angle a from its axis a spot light sends the share `s² (3 − 2s)` of its light,
-    /// `s = (outer − a)/(outer − inner)`, of `l_s c_l/d^k`: coloured, and fading as a point light.
-    /// Oracle: that polynomial; the angle from which the light is built, which the code finds by an
-    /// arc tangent.
+    /// Law: at the angle a from its axis a spot light sends the share `s² (3 − 2s)`, `s = (outer − a)/(outer
+    /// − inner)`, of the light `l_s c_l/d^k`: coloured, and fading as a point light. Oracle: that polynomial,
+    /// at the angle from which the light is built; the code finds it by an arc tangent.
     #[test]
     fn a_spot_light_falls_off_by_a_smooth_step(
         (n, towards) in normal_and_direction_above(),
@@ -71,8 +70,8 @@ proptest! {
         let cosine = n.dot(towards);
         let expected = (share * cosine * FRAC_1_PI * 3.0 / power(far, k)) * light.color;
         let found = seen(&plane(n, light), n);
-        // an angle is known to some u of 180°: to `180 u/width` of s, which the step makes `1.5`
-        // of; and the cosine, of a grazing light, to some u
+        // an angle has an error of some u of 180°, so s has one of `180 u/width`, which the step multiplies
+        // by `1.5`; the cosine of a grazing light has one of some u
         let tolerance =
             ROUNDING * expected.r.abs() + (power(far, -k) + 1.0) * (2e4 * U / width + 64.0 * U);
         for (found, expected) in found.to_array().into_iter().zip(expected.to_array()) {
@@ -100,7 +99,7 @@ proptest! {
             attenuation: k,
             ..spot(towards, 2.0, angle, turn, inner, outer)
         };
-        // not nearer to the edges than angles are known
+        // not nearer to the edges than the accuracy of angles
         let within = with((1.0 - share) * (inner - 1e-9).max(0.0), inner, outer);
         if inner > 1e-6 {
             prop_assert_eq!(seen(&plane(n, within.clone()), n), seen(&plane(n, point(&within)), n));
@@ -117,9 +116,8 @@ proptest! {
         );
     }
 
-    /// Law: a spot light has no edge: across `inner` and `outer` a small step of the angle changes
-    /// its light little: by the square of the step. Oracle: the smooth step is flat at both ends,
-    /// `3 (δ/width)²`.
+    /// Law: a spot light fades continuously: across `inner` and `outer` a small step of the angle changes its
+    /// light by the square of the step. Oracle: the smooth step is flat at both ends, `3 (δ/width)²`.
     #[test]
     fn a_spot_light_is_continuous(
         (inner, width) in (1.0..60.0_f64, 2.0..60.0_f64),
@@ -142,9 +140,8 @@ proptest! {
         prop_assert_eq!(at(outer + step), 0.0);
     }
 
-    /// Law: light from a place fades as `d^−k` along any direction, in each channel alike, whatever
-    /// k; the ratio of two places on one line is `(d₁/d₂)^k`. Oracle: that power, for point and
-    /// spot lights.
+    /// Law: the light of a point or spot light fades as `d^−k` along any direction, in each channel alike,
+    /// for every k; the ratio at two distances on one line is `(d₁/d₂)^k`. Oracle: that power.
     #[test]
     fn light_fades_with_the_power_of_the_distance(
         (n, towards) in normal_and_direction_above(),
@@ -164,7 +161,7 @@ proptest! {
         };
         let (here, there) = (at(near), at(ratio * near));
         let expected = (3.0 * n.dot(towards) * FRAC_1_PI / power(near, k)) * color;
-        // the point that is hit is some u of 1e-3 off, which a near and grazing light feels
+        // the hit point has an error of some u of 1e-3, which matters for a near and grazing light
         let tolerance = ROUNDING * (1.0 + k) + 64.0 * U / n.dot(towards);
         close!(here, expected, tolerance);
         prop_assert!(
@@ -173,9 +170,9 @@ proptest! {
         );
     }
 
-    /// Law: an object in the way of a spot light takes all of it, unless the light casts no
-    /// shadows: then it is what it is without the object, bit for bit; an object beyond the light
-    /// takes nothing. Oracle: the scene without the object.
+    /// Law: an object between a spot light and the ground blocks all of its light, unless the light casts no
+    /// shadows: then the picture is that without the object, bit for bit; an object beyond the light blocks
+    /// nothing. Oracle: the scene without the object.
     #[test]
     fn a_spot_light_has_its_shadow_switch(
         towards in (-0.5..0.5_f64, -0.5..0.5_f64),

@@ -1,4 +1,4 @@
-//! Surface acne: what an epsilon does that is too small for its scene.
+//! Surface acne: the effect of an epsilon that is too small for its scene.
 
 use groundtruth::math::{Point, Span, Vector};
 use groundtruth::render;
@@ -6,12 +6,12 @@ use groundtruth::render;
 use crate::pictures::studio::{bits, built, pixels, small};
 use crate::support::camera_ray;
 
-/// Law: where the sun reaches the planet, the book's routines find it in its own shadow in many pixels, the
-/// library's in none. Oracle: sphere and shadow by their equations, in coordinates about the planet's
+/// Law: where the sun lights the planet, the book's routines put it into its own shadow in many pixels, the
+/// library's in none. Oracle: sphere and shadow by their equations, in coordinates around the planet's
 /// centre, which keep their digits.
 #[test]
 fn the_planet_shades_itself_by_the_textbook_only() {
-    /// Of some 1000 pixels that the sun reaches.
+    /// Of some 1000 pixels that are lit by the sun.
     const MANY: usize = 200;
     let sun = Vector::new(-4.0, 2.0, 2.5).unit().expect("not zero");
     let (radius, moon) = (2.5e7, Vector::new(-2.6e7, 1.7e7, 2.2e7));
@@ -28,10 +28,10 @@ fn the_planet_shades_itself_by_the_textbook_only() {
             let d = ray.direction.unit().expect("not zero");
             let (b, c) = (o.dot(d), o.length_squared() - radius * radius);
             if b * b <= c || world.hit(&ray, Span::AHEAD).is_none_or(|hit| hit.object.index != 0) {
-                continue; // beside the planet, or on the moon before it
+                continue; // beside the planet, or on the moon in front of it
             }
             let p = o + (-b - (b * b - c).sqrt()) * d;
-            // more than a grazing ray, and well beside the moon's shadow
+            // not grazing, and well outside the moon's shadow
             let from_moon = (p - moon).cross(sun).length();
             if p.dot(sun) > 0.1 * radius && from_moon > 5.5e6 {
                 reached += 1;

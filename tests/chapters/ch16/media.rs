@@ -32,7 +32,7 @@ fn matte() -> Matte {
     Matte { ka: 0.5.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
 }
 
-/// A floor under water, the camera in it.
+/// A floor under water; the camera is under water too.
 fn sea(source: impl Into<Kind>) -> Scene {
     let mut scene = stage(Rgb::BLACK);
     scene.camera.medium = water();
@@ -45,8 +45,8 @@ fn shadows(tree: &RayTree) -> Vec<&Node> {
     tree.nodes().iter().filter(|node| matches!(node.kind, RayKind::Shadow { .. })).collect()
 }
 
-/// Offsets from the surface and from the light, of some error bounds each, are missing in the
-/// length.
+/// The length of a shadow ray lacks its offsets from the surface and from the light, of some error bounds
+/// each.
 const OFFSETS: f64 = 4096.0 * U;
 
 proptest! {
@@ -75,8 +75,8 @@ proptest! {
         close!(seen, expected, 2.0 * OFFSETS);
     }
 
-    /// Law: of light from infinitely far away an absorbing medium leaves nothing, and all in
-    /// channels that it does not absorb. Oracle: the limits 0 and 1.
+    /// Law: of light from infinitely far away an absorbing medium transmits nothing, except in channels that
+    /// it does not absorb. Oracle: the limits 0 and 1.
     #[test]
     fn no_light_comes_through_infinitely_much_water(
         (ex, ey) in (-3.0..3.0_f64, 0.2..5.0_f64),
@@ -97,9 +97,8 @@ proptest! {
         );
     }
 
-    /// Law: light that meets the ambient reflectance is not dimmed on its way to the surface, which
-    /// has no length: plain or occluded. Only the way to the eye dims it. Oracle: the product `k_a
-    /// l_s exp(−σ d)`.
+    /// Law: ambient light, plain or occluded, has no path length to the surface and is not dimmed there. Only
+    /// the path to the eye dims it. Oracle: the product `k_a l_s exp(−σ d)`.
     #[test]
     fn ambient_light_is_dimmed_on_the_way_to_the_eye_only(
         (ex, ey, ez) in (-3.0..3.0_f64, 0.2..5.0_f64, -3.0..3.0_f64),
@@ -124,8 +123,8 @@ proptest! {
         }
     }
 
-    /// Law: without shadows no ray is cast and no object is in the way, but the medium dims the light on
-    /// its way all the same. Oracle: clear air, times `exp(−σ d)` of both ways.
+    /// Law: without shadows no ray is cast and no object blocks the light, but the medium dims it all the
+    /// same. Oracle: clear air, times `exp(−σ d)` of both paths.
     #[test]
     fn without_shadows_the_medium_dims_a_lamp_all_the_same(
         (x, y, z) in (-3.0..3.0_f64, 0.2..5.0_f64, -3.0..3.0_f64),
@@ -143,9 +142,9 @@ proptest! {
     }
 }
 
-/// Law: whatever the light, a shadow ray records the transmittance of its own length, nothing of it
-/// from infinity; that of ambient light is 1. Oracle: `exp(−σ |ray|)` for a segment, which the ray
-/// spans from t = 0 to 1; for all kinds of light, sampled.
+/// Law: for every kind of light, a shadow ray records the transmittance of its own length: 0 from infinity;
+/// that of ambient light is 1. Oracle: `exp(−σ |ray|)` for a segment, which the ray spans from t = 0 to 1;
+/// for all kinds of light, sampled.
 #[test]
 fn each_shadow_ray_records_the_transmittance_of_its_length() {
     let mut scene = all_lights();
@@ -178,8 +177,7 @@ fn each_shadow_ray_records_the_transmittance_of_its_length() {
     assert_eq!(seen.len(), scene.lights.len() - 1, "{seen:?}");
 }
 
-/// A glass ball of radius 2 full of coloured water about a small matte ball, seen through its clear
-/// skin.
+/// A glass ball of radius 2, filled with coloured water, around a small matte ball.
 fn aquarium(location: Point) -> Scene {
     let mut scene = stage(Rgb::BLACK);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });
@@ -190,10 +188,10 @@ fn aquarium(location: Point) -> Scene {
     scene
 }
 
-/// Law: a surface inside a dielectric is lit through the medium inside: the shadow ray's
-/// transmittance is that of its way to a lamp in there, and the way out to the eye counts inside
-/// only. A lamp outside is hidden by the boundary, as shadow rays are not refracted. Oracle: Beer's
-/// law for the two distances; equal indices, so that rays pass straight and whole.
+/// Law: a surface inside a dielectric is lit through the medium inside: the shadow ray has the transmittance
+/// of its path to a lamp inside, and the path to the eye is dimmed inside only. A lamp outside is hidden by
+/// the boundary, as shadow rays are not refracted. Oracle: Beer's law for the two distances; equal indices,
+/// so that rays pass unchanged.
 #[test]
 fn a_surface_inside_a_dielectric_is_lit_through_its_medium() {
     let eye = Point::new(0.0, 0.0, 9.0);
@@ -202,7 +200,7 @@ fn a_surface_inside_a_dielectric_is_lit_through_its_medium() {
         let location = point + far * Vector::new(0.6, 0.0, 0.8);
         let tree = recorded(&built(&aquarium(location)), eye, -Vector::Z);
         let inside = shadows(&tree).into_iter().find(|node| node.ray.origin.z() < 1.9);
-        let shadow = inside.expect("the matte ball looks for the lamp");
+        let shadow = inside.expect("a shadow ray from the matte ball");
         let expected = through(far);
         let found = shadow.transmittance;
         close!(found, expected, OFFSETS, "lamp at {far}");
@@ -212,11 +210,11 @@ fn a_surface_inside_a_dielectric_is_lit_through_its_medium() {
     }
     let outside = recorded(&built(&aquarium(Point::new(0.0, 0.0, 5.0))), eye, -Vector::Z);
     assert_eq!(outside.root().radiance, Rgb::BLACK);
-    assert!(!shadows(&outside).is_empty(), "its rays are blocked, not left out");
+    assert!(!shadows(&outside).is_empty(), "its shadow rays are cast and blocked");
 }
 
-/// Law: a highlight on a boundary comes through the medium on the light's side: outside the water,
-/// though the camera is said to be in something else. Oracle: the transmittances 1 and `exp(−σ d)`.
+/// Law: the light of a highlight on a boundary passes through the medium on the light's side, that outside
+/// the ball, whatever the camera's medium is. Oracle: the transmittances 1 and `exp(−σ d)`.
 #[test]
 fn a_highlight_on_a_boundary_comes_through_the_medium_outside() {
     let phong = Phong { ks: 0.5.into(), exponent: 4.0.into(), ..Phong::default() };

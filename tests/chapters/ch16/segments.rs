@@ -37,9 +37,9 @@ fn seen(scene: &Scene, scale: f64) -> Rgb {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: an object just before a point light is in the way, one just behind it is not, down to a
-    /// billionth of the distance, at every scale. Oracle: the order of the distances; the scene
-    /// without the object.
+    /// Law: an object just in front of a point light blocks it, one just behind it does not, down to a
+    /// billionth of the distance, at every scale. Oracle: the order of the distances; the scene without the
+    /// object.
     #[test]
     fn the_shadow_ray_ends_at_the_light_to_nine_digits(
         (towards, (cosine, phi)) in ((0.2..1.0_f64, 0.0..TAU), (0.3..1.0_f64, 0.0..TAU)),
@@ -85,7 +85,7 @@ proptest! {
         let across = by.to_vector() - normal.dot(by.to_vector()) * normal;
         put(&mut with_plane, Plane { point: (location + across).scaled(scale), normal }, white());
         prop_assert_eq!(seen(&with_plane, scale), seen(&lit, scale));
-        // the sphere is behind the light, and not about the eye
+        // the sphere is behind the light, and not around the eye
         prop_assume!(3.0 * towards.y() + radius * (normal.y() - 1.0) > 0.1);
         let mut with_sphere = lit.clone();
         let center = (location + radius * normal).scaled(scale);
@@ -93,10 +93,9 @@ proptest! {
         prop_assert_eq!(seen(&with_sphere, scale), seen(&lit, scale));
     }
 
-    /// Law: light from below the true surface does not reach its front, however its normals lean,
-    /// also if there is nothing behind it: an open surface hides its own back. Light from above is
-    /// shaded by the normal that leans. Oracle: the sides, by both cosines; lights of single
-    /// directions and jittered ones.
+    /// Law: light from below the true surface does not light its front, however its normals lean, also if
+    /// there is nothing behind it: an open surface hides its own back. Light from above is shaded with the
+    /// leaning normal. Oracle: the sides, by both cosines; lights of single directions and jittered ones.
     #[test]
     fn an_open_surface_hides_its_front_from_light_below(
         (lean, turn) in (0.2..1.0_f64, 0.0..TAU),

@@ -1,4 +1,4 @@
-//! What holds for each sample.
+//! Laws that hold for each single sample.
 
 use std::f64::consts::TAU;
 
@@ -18,13 +18,13 @@ use super::*;
 use crate::support::replicas::with_samples;
 use crate::support::{U, laws, point, unit};
 
-/// Samples of a pixel: all of them are looked at.
+/// Samples of a pixel: all of them are tested.
 const SAMPLES: u32 = 64;
 
 /// The products of four numbers, in two orders.
 const PRODUCTS: f64 = 8.0 * U;
 
-/// What each sample of a pixel sees.
+/// The radiance of each sample of a pixel.
 fn each(scene: &Scene, eye: Point, towards: Vector) -> Vec<Rgb> {
     let world = built(&with_samples(scene.clone(), SAMPLES));
     let ray = ray(eye, towards);
@@ -38,7 +38,7 @@ fn plain(scene: &Scene) -> Scene {
     scene
 }
 
-/// A floor with things on it and above it, for light of any kind.
+/// A floor with objects on it and above it, in the light of the occluder.
 fn heap() -> Scene {
     let mut scene = floor(Vector::Y);
     put(&mut scene, ball(Point::new(0.0, 1.0, 0.0), 1.0), chalk());
@@ -52,8 +52,8 @@ fn heap() -> Scene {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a plane alone is not occluded anywhere: each sample is plain ambient light, bit for
-    /// bit, and has cast one ray that met nothing. Oracle: the ambient light of chapter 14.
+    /// Law: a plane alone is not occluded anywhere: each sample is plain ambient light, bit for bit, and
+    /// casts one ray that hits nothing. Oracle: the ambient light of chapter 14.
     #[test]
     fn an_infinite_plane_alone_is_not_occluded(
         n in unit(),
@@ -69,9 +69,8 @@ proptest! {
         prop_assert_eq!(counted(&built(&scene), eye, -to_eye).shadow, 1);
     }
 
-    /// Law: inside a closed body every sample is `min_amount` of ambient light. Oracle: that
-    /// product; in boxes, spheres and meshes, turned and stretched, as a hole anywhere would let
-    /// the sky in.
+    /// Law: inside a closed body every sample is `min_amount` of ambient light. Oracle: that product; in
+    /// boxes, spheres, meshes and cylinders, turned and stretched, as any gap would let the sky in.
     #[test]
     fn inside_a_closed_body_only_the_least_light_is_left(
         kind in 0..4_usize,
@@ -93,16 +92,15 @@ proptest! {
         put(&mut scene, Instance::new(closed, steps.clone()), chalk());
         scene.materials[0].two_sided = true;
         shine(&mut scene, occluder());
-        // the eye is carried along, so that it is inside
+        // the eye is transformed too, so that it is inside
         let transform = groundtruth::math::Transform::from_steps(&steps).expect("not singular");
         for seen in each(&scene, transform.point(eye), towards.into()) {
             close!(seen, shade(0.0), PRODUCTS);
         }
     }
 
-    /// Law: each sample is ambient light or `min_amount` of it, nothing else: never above the one
-    /// or below the other; the one if and only if its ray met nothing. Oracle: the recorded outcome
-    /// and the closed form.
+    /// Law: each sample is either all of the ambient light or `min_amount` of it; all of it if and only if
+    /// its ray hit nothing. Oracle: the recorded outcome and the closed form.
     #[test]
     fn a_sample_is_all_light_or_the_least(from in unit(), target in point(1.0)) {
         let world = built(&with_samples(heap(), SAMPLES));
@@ -126,8 +124,8 @@ proptest! {
         }
     }
 
-    /// Law: with `min_amount = 1` the occluder is plain ambient light, whatever is in the way.
-    /// Oracle: that light.
+    /// Law: with `min_amount = 1` the occluder is plain ambient light, whatever blocks its rays. Oracle: that
+    /// light.
     #[test]
     fn the_least_amount_of_one_is_plain_ambient_light(from in unit(), target in point(1.0)) {
         let mut scene = heap();
@@ -136,10 +134,10 @@ proptest! {
         prop_assert_eq!(each(&scene, eye, target - eye), each(&plain(&scene), eye, target - eye));
     }
 
-    /// Law: without shadows the occluder is plain ambient light, and casts no ray; and an object
-    /// that casts no shadow is not in the way. Oracle: that light, and the floor alone.
+    /// Law: without shadows the occluder is plain ambient light, and casts no ray; and an object that casts
+    /// no shadow blocks none. Oracle: that light.
     #[test]
-    fn what_casts_no_shadow_is_not_in_the_way(from in unit(), target in point(1.0)) {
+    fn objects_that_cast_no_shadow_do_not_occlude(from in unit(), target in point(1.0)) {
         let mut scene = heap();
         let eye = Point::ORIGIN + 9.0 * from + 10.0 * Vector::Y;
         let expected = each(&plain(&scene), eye, target - eye);
@@ -150,7 +148,7 @@ proptest! {
         scene.objects.iter_mut().take(3).for_each(|object| object.casts_shadows = false);
         scene.materials[3].casts_shadows = false;
         let seen = each(&scene, eye, target - eye);
-        // but for directions below the surface of the smooth mesh
+        // except for directions below the surface of the smooth mesh
         let hit = recorded(&built(&scene), eye, target - eye).root().outcome.clone();
         if !matches!(hit, Outcome::Hit { hit } if hit.object == 3) {
             prop_assert_eq!(seen, expected);
@@ -185,10 +183,9 @@ fn nothing_is_drawn_where_no_ambient_light_is_reflected() {
     }
 }
 
-/// Law: the occluder lights by `ka`, whichever side the normal of a one-sided surface has: an open
-/// surface with its normal on the other side shows the sky behind it. A two-sided one shows that of
-/// the viewer (ch. 17: "open surfaces need the normal on the viewed side"). Oracle: a ceiling that
-/// is in the way on one side only.
+/// Law: the occluder lights the side of the normal of a one-sided surface: an open surface with its normal on
+/// the side away from the viewer shows the sky behind it. A two-sided one shows that of the viewer's side
+/// (ch. 17: "open surfaces need the normal on the viewed side"). Oracle: a ceiling on one side only.
 #[test]
 fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
     let ceiling = Plane { point: Point::new(0.0, 1.0, 0.0), normal: Vector::Y };
@@ -206,16 +203,16 @@ fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
             );
         }
     }
-    // the ground for the ceiling's own front is free
+    // the sky above the ceiling is free
     let mut scene = floor(Vector::Y);
     put(&mut scene, ceiling, chalk());
     let seen = each(&scene, Point::new(0.0, 2.0, 0.0), -Vector::Y);
     seen.into_iter().for_each(|seen| close!(seen, shade(1.0), PRODUCTS));
 }
 
-/// Law: directions are spread by the cosine about the normal, on the normal's side: the samples of
-/// a pixel fall one into each of the N strata of the disk that they are projected to (Nusselt).
-/// Oracle: equal areas of the disk for the set's squares, by radius; azimuths all around.
+/// Law: directions are distributed by the cosine around the normal, on the normal's side: one sample of a
+/// pixel falls into each of N rings of equal area of the disk to which they are projected (Nusselt). Oracle:
+/// equal areas of the disk, by radius.
 #[test]
 fn the_samples_of_a_pixel_are_stratified_over_the_sky() {
     let mut scene = floor(Vector::new(0.3, 1.0, -0.2));

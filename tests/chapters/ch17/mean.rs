@@ -19,21 +19,19 @@ use crate::support::replicas::*;
 /// Samples of a pixel.
 const SAMPLES: u32 = 1024;
 
-/// The standard error that each mean may have at most: so an error of 2 % would be 10 of them.
+/// The largest standard error that each mean may have: an error of 2 % would be 10 of them.
 const POWER: f64 = 2e-3;
 
-/// What the eye sees of a surface point, in each replica: from a little above it, so that nothing
-/// is in between.
+/// The radiance of a surface point, in each replica: from a little above it, so that nothing is in between.
 fn seen(scene: &Scene, point: Point, normal: impl Into<Vector>) -> Vec<Rgb> {
     let out = normal.into() + 0.3 * Vector::new(0.2, 0.7, -0.4);
     let eye = point + 1e-3 * out;
     replicas(&with_samples(scene.clone(), SAMPLES), |world| view(world, eye, -out))
 }
 
-/// Law: a sphere of radius R that lies on a plane takes away the cosine-weighted share `(R/√(R² +
-/// x²))³` of the sky at the distance x from where it lies; `min_amount` of that is given back.
-/// Oracle: the closed form (a sphere above the horizon is `sin²α cosθ`, with `sinα = cosθ` here;
-/// ch. 17).
+/// Law: a sphere of radius R that lies on a plane occludes the cosine-weighted share `(R/√(R² + x²))³` of the
+/// sky at the distance x from the point of contact; `min_amount` of that is added back. Oracle: the closed
+/// form (a sphere above the horizon is `sin²α cosθ`, with `sinα = cosθ` here; ch. 17).
 #[test]
 fn a_sphere_on_a_plane_darkens_it_by_the_cube_of_its_sine() {
     for radius in [0.5, 1.0, 30.0] {
@@ -49,9 +47,9 @@ fn a_sphere_on_a_plane_darkens_it_by_the_cube_of_its_sine() {
     }
 }
 
-/// Law: where the normal of a sphere above an infinite plane makes the angle a with the plane's,
-/// the share `(1 + cos a)/2` of the sky is visible, whatever the height and the azimuth: all at the
-/// top, one half at the equator, none at the bottom. Oracle: the closed form (ch. 17).
+/// Law: where the normal of a sphere above an infinite plane makes the angle a with the plane's, the share
+/// `(1 + cos a)/2` of the sky is visible, whatever the height and the azimuth: all at the top, one half at
+/// the equator, nothing at the bottom. Oracle: the closed form (ch. 17).
 #[test]
 fn a_sphere_above_a_plane_sees_half_of_one_plus_the_cosine() {
     let up = Normal::new(Vector::new(1.0, 2.0, -0.5)).expect("not zero");
@@ -81,11 +79,10 @@ fn wall(floor: Normal, phi: f64, tall: f64, far: f64) -> Rectangle {
     }
 }
 
-/// Law: beside a long wall that rises to the angle a above the horizon the share `(1 + cos a)/2` of
-/// the sky is visible, one half if it has no end; in every direction of the wall and of the floor,
-/// on whichever side the wall has its front, be it an instance or not. Oracle: the closed form of a
-/// long strip, `½ (sin φ₂ − sin φ₁)` with angles from the normal: from `π/2 − a` to `π/2` it is `½
-/// (1 − cos a)`.
+/// Law: beside a long wall that rises to the angle a above the horizon the share `(1 + cos a)/2` of the sky
+/// is visible, one half if its height is infinite; for every direction of the wall and of the floor, for
+/// either front of the wall, and for instances too. Oracle: the closed form of a long strip, `½ (sin φ₂ − sin
+/// φ₁)` with angles from the normal: from `π/2 − a` to `π/2` it is `½ (1 − cos a)`.
 #[test]
 fn beside_a_wall_half_of_one_plus_the_cosine_of_its_height_is_visible() {
     let mut random = Pcg32::new(17, 0);
@@ -102,7 +99,7 @@ fn beside_a_wall_half_of_one_plus_the_cosine_of_its_height_is_visible() {
             let corner = half.corner.to_vector();
             let half = Rectangle { corner: Point::ORIGIN, ..half };
             let steps = vec![Step::Scale(Vector::new(-2.0, -2.0, -2.0)), Step::Translate(corner)];
-            // turned about its corner to the other side of it, and shifted back
+            // mirrored in its corner to the other side, and shifted back
             let back = vec![Step::Translate(2.0 * half.b)];
             put(&mut scene, Instance::new(Instance::new(half, steps), back), chalk());
         }
@@ -113,9 +110,8 @@ fn beside_a_wall_half_of_one_plus_the_cosine_of_its_height_is_visible() {
     }
 }
 
-/// Law: turning everything about the normal changes nothing: whatever the azimuth of the frame,
-/// each wall takes the same away. Oracle: the closed form of a corner of two walls without end: a
-/// quarter is visible.
+/// Law: turning everything around the normal changes nothing: whatever the azimuth, the walls occlude the
+/// same share. Oracle: the closed form of a corner of two infinite walls: a quarter is visible.
 #[test]
 fn the_azimuth_of_the_frame_does_not_matter() {
     for turn in 0..8 {
@@ -130,8 +126,8 @@ fn the_azimuth_of_the_frame_does_not_matter() {
     }
 }
 
-/// Law: two colours mix by visibility: `V c_open + (1 − V) min c_occluded`. Oracle: that, with V of
-/// the wall.
+/// Law: two colours mix by visibility: `V c_open + (1 − V) min c_occluded`. Oracle: this formula, with the
+/// wall's V.
 #[test]
 fn two_colours_mix_by_visibility() {
     let occluded = Rgb::new(0.1, 0.2, 1.0);
@@ -192,14 +188,14 @@ fn directions_below_the_true_surface_are_blocked() {
         let cosine = Vector::from(hit.normal).dot(hit.shading);
         leans += u32::from(cosine < 0.97);
         let values = seen(&scene, hit.point, hit.normal);
-        let what = format!("place {i}, where the normals' cosine is {cosine}");
+        let what = format!("point {i}, where the normals' cosine is {cosine}");
         assert_color(&what, &values, shade(0.5 * (1.0 + cosine)), 8, POWER);
     }
-    assert!(leans >= 3, "the normals lean at {leans} places only");
+    assert!(leans >= 3, "the normals lean at {leans} points only");
 }
 
-/// Law: so does an open surface, behind which there is nothing else to stop them. Oracle: the share
-/// of a tilted plane, for a triangle whose normals lean as they are told to.
+/// Law: an open surface also blocks directions below itself, although nothing else is behind it. Oracle: the
+/// share of a tilted plane, for a triangle with given leaning normals.
 #[test]
 fn an_open_surface_blocks_directions_below_itself() {
     for cosine in [0.9, 0.5, 0.2] {
@@ -237,7 +233,7 @@ fn a_mirror_shows_the_same_occlusion() {
 const PIXELS: u32 = 4096;
 const VARIANCE_RATIO: f64 = 5.0 * 0.0221;
 
-/// The variance of what is seen at the origin, of unit light, over pixels seeded apart.
+/// The variance of the radiance at the origin, in units of unoccluded light, over reseeded pixels.
 fn variance(scene: &Scene, sampler: Sampler, samples: u32) -> f64 {
     let mut scene = scene.clone();
     (scene.image.samples, scene.image.sampler) = (samples, Some(sampler));
@@ -277,9 +273,9 @@ fn noise_is_that_of_a_coin() {
     }
 }
 
-/// Law: what hangs over a point of an open two-sided surface darkens the side that it hangs over,
-/// and the other side not: each viewer sees the sky of their own side. Oracle: the closed form of a
-/// disk parallel to the surface, `R²/(R² + h²)`, and a free sky.
+/// Law: an object above a point of an open two-sided surface darkens that side and not the other: each viewer
+/// sees the sky of the viewer's side. Oracle: the closed form of a disk parallel to the surface, `R²/(R² +
+/// h²)`, and a free sky.
 #[test]
 fn an_open_surface_is_darkened_on_the_viewers_side() {
     let mut scene = floor(Vector::Y);
@@ -297,10 +293,9 @@ fn an_open_surface_is_darkened_on_the_viewers_side() {
     }
 }
 
-/// Law: what is in the way is the nearest part of any shape, block or ball, that casts shadows: a
-/// block around the edge of which the sky is seen. Oracle: the view factor of a rectangle
-/// perpendicular to the surface whose foot is at it, `(1/2π)(atan(b/c) − (c/√(c² + h²)) atan(b/√(c²
-/// + h²)))` for one half of width b, height h, distance c.
+/// Law: a block occludes the view factor of its face; sky is visible around its edges. Oracle: the view
+/// factor of a rectangle perpendicular to the surface that stands on it, `(1/2π)(atan(b/c) − (c/√(c² + h²))
+/// atan(b/√(c² + h²)))` for one half of width b, height h, distance c.
 #[test]
 fn a_block_hides_the_view_factor_of_its_face() {
     let (b, h, c) = (1.5, 0.8, 1.0_f64);

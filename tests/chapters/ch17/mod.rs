@@ -12,15 +12,15 @@ use groundtruth::shapes::{Plane, Sphere};
 
 use crate::support::stage::*;
 
-/// Of the surfaces, for ambient light.
+/// The ambient coefficient and the colour of the surfaces.
 pub const KA: f64 = 0.75;
 pub const CD: Rgb = Rgb::new(1.0, 0.5, 0.25);
-/// Of the light.
+/// The strength, the colour and the least amount of the light.
 pub const LS: f64 = 1.5;
 pub const COLOR: Rgb = Rgb::new(0.5, 1.0, 0.75);
 pub const MIN: f64 = 0.25;
 
-/// A surface that ambient light alone makes visible.
+/// A surface that reflects ambient light only.
 pub fn chalk() -> Matte {
     Matte { ka: KA.into(), kd: 0.0.into(), cd: CD.into() }
 }
@@ -35,7 +35,7 @@ pub fn occluder() -> AmbientOccluder {
     }
 }
 
-/// What is seen of chalk where this share of the sky is visible.
+/// The radiance of chalk where this share of the sky is visible.
 pub fn shade(visible: f64) -> Rgb {
     (KA * LS * (visible + MIN * (1.0 - visible))) * (CD * COLOR)
 }
@@ -44,8 +44,8 @@ pub fn ball(center: Point, radius: f64) -> Sphere {
     Sphere { center, radius, inward: false }
 }
 
-/// A plane through the origin on a stage in the light of the occluder; the background is bright, as
-/// it must not count.
+/// A plane through the origin in the light of the occluder; the background is bright, as it must not
+/// contribute.
 pub fn floor(normal: Vector) -> Scene {
     let mut scene = stage(Rgb::new(3.0, 5.0, 7.0));
     put(&mut scene, Plane { point: Point::ORIGIN, normal }, chalk());

@@ -1,4 +1,4 @@
-//! What lights draw, and how many rays they cost.
+//! The draws of lights, and how many rays they cast.
 
 use groundtruth::cameras::ThinLens;
 use groundtruth::lights::{Ambient, Directional, Point as PointLight};
@@ -12,7 +12,7 @@ use super::*;
 use crate::support::lamps::all_lights;
 use crate::support::{laws, point, unit};
 
-/// The recorded samples of a pixel at some places.
+/// The recorded samples of a pixel at some points of the scene.
 fn trees(world: &World) -> Vec<RayTree> {
     let eye = Point::new(1.0, 1.8, 4.0);
     let mut trees = Vec::new();
@@ -32,8 +32,8 @@ fn rays(tree: &RayTree, except: u32) -> Vec<(RayKind, Ray)> {
     tree.nodes().iter().filter(other).map(|node| (node.kind, node.ray)).collect()
 }
 
-/// What is drawn for each light: direction and density stand in the terms, also where no shadow ray
-/// is cast.
+/// The draws for each light, as far as its direct terms show them: cosine, density and weight, also where no
+/// shadow ray is cast.
 fn weights(tree: &RayTree, except: Option<u32>) -> Vec<(u32, [f64; 3], f64)> {
     let term = |source: &TermSource| match *source {
         TermSource::Direct { light, cos_i, pdf, .. } => Some((light, cos_i, pdf.unwrap_or(-1.0))),
@@ -47,9 +47,9 @@ fn weights(tree: &RayTree, except: Option<u32>) -> Vec<(u32, [f64; 3], f64)> {
     drawn.filter(|(light, ..)| Some(*light) != except).collect()
 }
 
-/// Law: switching a light off takes its own rays away and changes no draw of any other light;
-/// switching its shadows off changes no draw at all, its own included. Oracle: all lights, bit for
-/// bit: rays, cosines, densities.
+/// Law: switching a light off removes its own rays and changes no draw of any other light; switching its
+/// shadows off changes no draw at all, its own included. Oracle: all lights, bit for bit: rays, cosines,
+/// densities.
 #[test]
 fn switching_a_light_or_its_shadows_changes_no_other_draw() {
     let scene = all_lights();
@@ -81,8 +81,8 @@ fn switching_a_light_or_its_shadows_changes_no_other_draw() {
     }
 }
 
-/// Law: a recorder changes no draw. Oracle: no recorder; and the counter of draws: one pair for
-/// each light that needs one, two for those of three numbers.
+/// Law: a recorder changes no draw. Oracle: no recorder; and the counter of draws: one pair for each light
+/// that needs one or two numbers, two pairs for three numbers.
 #[test]
 fn a_recorder_changes_no_draw() {
     let scene = all_lights();
@@ -103,8 +103,8 @@ fn a_recorder_changes_no_draw() {
     }
 }
 
-/// Where on a lamp, a rectangle of the sides X and Z about (0, 2, 0), the shadow rays of a pixel's
-/// samples end.
+/// Where the shadow rays of a pixel's samples end on a lamp, a rectangle with the sides X and Z around x = z
+/// = 0.
 fn ends(world: &World, pixel: [u32; 2], lamp: u32) -> Vec<[f64; 2]> {
     let ray = ray(Point::new(0.0, 1.0, 0.0), -Vector::Y);
     let mut ends = Vec::new();
@@ -130,9 +130,8 @@ fn two_lamps() -> Scene {
     scene
 }
 
-/// Law: the N samples of a pixel are as well spread over a lamp as they are over the pixel: each
-/// stratum has one of them, cells, columns and rows; over a second lamp in another order. Oracle:
-/// counting, where the recorded shadow rays end.
+/// Law: the N samples of a pixel are as well stratified over a lamp as over the pixel: one in each cell,
+/// column and row; over a second lamp in another order. Oracle: counting, where the recorded shadow rays end.
 #[test]
 fn the_samples_of_a_pixel_are_stratified_over_each_lamp() {
     for side in [4_usize, 8] {
@@ -161,10 +160,9 @@ fn the_samples_of_a_pixel_are_stratified_over_each_lamp() {
     }
 }
 
-/// Law: with one sample and no sampler named, pixel and lens are sampled in the middle, as in the
-/// book, and lights are not: from pixel to pixel the places on a lamp are spread all over it.
-/// Oracle: the middle, exactly; all nine parts of the lamp, and over replicas the mean of the
-/// places, its middle.
+/// Law: with one sample and no sampler named, pixel and lens are sampled in the middle, as in the book, and
+/// lights are not: from pixel to pixel the points on a lamp are spread all over it. Oracle: the middle,
+/// exactly; all nine parts of the lamp, and over replicas the mean of the points, its middle.
 #[test]
 fn one_sample_is_in_the_middle_of_pixel_and_lens_only() {
     let mut scene = two_lamps();
@@ -178,24 +176,24 @@ fn one_sample_is_in_the_middle_of_pixel_and_lens_only() {
         let mut cells = [0; 9];
         let mut sums = [0.0; 2];
         for pixel in (0..144).map(|i| [i % 12, i / 12]) {
-            let way = camera_sample(world, pixel, 0).expect("no gap");
+            let cam = camera_sample(world, pixel, 0).expect("no gap");
             let middle = pixel.map(f64::from);
-            assert_eq!(way.lens, Some([0.0; 2]), "lens of {pixel:?}");
-            assert!((way.film[0] - 1e-3 * (middle[0] - 5.5)).abs() < 1e-15, "{pixel:?}: {way:?}");
-            assert!((way.film[1] - 1e-3 * (5.5 - middle[1])).abs() < 1e-15, "{pixel:?}: {way:?}");
+            assert_eq!(cam.lens, Some([0.0; 2]), "lens of {pixel:?}");
+            assert!((cam.film[0] - 1e-3 * (middle[0] - 5.5)).abs() < 1e-15, "{pixel:?}: {cam:?}");
+            assert!((cam.film[1] - 1e-3 * (5.5 - middle[1])).abs() < 1e-15, "{pixel:?}: {cam:?}");
             let mut tree = RayTree::default();
             sample(world, pixel, 0, &mut tree);
             let end = tree.nodes()[1].ray.at(1.0);
-            let place = [end.x() + 0.5, end.z() + 0.5];
-            sums.iter_mut().zip(place).for_each(|(sum, c)| *sum += c / 144.0);
-            cells[place
+            let point = [end.x() + 0.5, end.z() + 0.5];
+            sums.iter_mut().zip(point).for_each(|(sum, c)| *sum += c / 144.0);
+            cells[point
                 .map(|c| ((3.0 * c) as usize).min(2))
                 .iter()
                 .fold(0, |cell, c| 3 * cell + c)] += 1;
         }
         assert!(
             cells.iter().all(|&count| count > 0),
-            "places in each ninth of the lamp: {cells:?}"
+            "points in each ninth of the lamp: {cells:?}"
         );
         sums
     });
@@ -244,7 +242,7 @@ proptest! {
         let counts = counted(&world, eye, target - eye);
         let Some(hit) = tree.root().outcome.hit() else { return Ok(()) };
         let above = directions.iter().filter(|(direction, near, shadows, enabled)| {
-            // the sphere's normal is its point
+            // the normal of the unit sphere is the hit point itself
             let n = hit.point.to_vector();
             let towards = if *near { 3.0 * *direction - n } else { (*direction).into() };
             *shadows && *enabled && n.dot(towards) > 0.0

@@ -1,4 +1,4 @@
-//! What cannot be a lamp, or a sky, and what the user is told.
+//! Lamps and skies that are refused, and the error messages.
 
 use groundtruth::background::{Background, Pattern, Sinusoid};
 use groundtruth::lights::Environment;
@@ -19,9 +19,9 @@ fn refusal(scene: &Scene) -> String {
     World::build(scene).err().map_or_else(|| "it is built".to_owned(), |error| error.to_string())
 }
 
-/// Law: a light that cannot be is refused with the place and what would fit. Oracle: these texts.
+/// Law: an invalid light is refused, with its field and what is valid. Oracle: these texts.
 #[test]
-fn what_cannot_be_a_lamp_is_refused() {
+fn invalid_lamps_are_refused() {
     let naming =
         |object: &str, sampling: Option<Sampling>| Area { object: object.to_owned(), sampling };
     let with = |change: &dyn Fn(&mut Scene)| {
@@ -86,9 +86,9 @@ fn what_cannot_be_a_lamp_is_refused() {
     assert_eq!(refusal(&scene()), "it is built");
 }
 
-/// Law: a background that looks different from different places is no sky. Oracle: the text.
+/// Law: a background that looks different from different points is no sky. Oracle: the text.
 #[test]
-fn a_background_that_depends_on_the_place_is_no_sky() {
+fn a_background_that_depends_on_the_point_is_no_sky() {
     let mut scene = scene();
     shine(&mut scene, Environment {});
     assert_eq!(refusal(&scene), "it is built");
@@ -98,7 +98,7 @@ fn a_background_that_depends_on_the_place_is_no_sky() {
         "lights[1] \"1\", source.environment: the background depends on where a ray starts, so it is no sky; a \
          colour is one"
     );
-    // also if the light is off, and not if there is none
+    // also if the light is off, but not without such a light
     scene.lights[1].enabled = false;
     assert!(refusal(&scene).contains("it is no sky"), "{}", refusal(&scene));
     scene.lights.pop();

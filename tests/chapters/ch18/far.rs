@@ -1,4 +1,4 @@
-//! From far away a lamp is a point, and what is seen directly does not fade.
+//! From far away a lamp is a point light, and the radiance of a lamp seen directly does not fade.
 
 use groundtruth::lights::Point as PointLight;
 use groundtruth::materials::Emissive;
@@ -9,8 +9,8 @@ use super::*;
 use crate::support::replicas::assert_color;
 use crate::support::{U, laws, unit};
 
-/// How large lamps are, seen from the place that is lit: each sample of a lamp is off by a few
-/// times as much, the mean by its square.
+/// The size of the lamps divided by their distance from the lit point: each sample has an error of a few
+/// times that, the mean one of its square.
 const SIZE: f64 = 1e-5;
 
 /// Lamps of that size at a distance, their area, and the cosine with which they face the origin.
@@ -30,7 +30,7 @@ fn small_lamps(to_lamp: Vector, far: f64, turned: Vector) -> Vec<(shapes::Kind, 
         (panel(center, a, b).into(), r * r, cosine),
         (disk.into(), pi * r * r, cosine),
         (triangle.into(), 0.5 * r * r, cosine),
-        // of a sphere the disk that is seen counts
+        // a sphere has the area of its projected disk
         (ball(center, r).into(), pi * r * r, 1.0),
     ]
 }
@@ -38,10 +38,9 @@ fn small_lamps(to_lamp: Vector, far: f64, turned: Vector) -> Vec<(shapes::Kind, 
 proptest! {
     #![proptest_config(ProptestConfig { cases: laws().cases / 4, ..laws() })]
 
-    /// Law: from far away a flat lamp is a point light of strength `L A cosθ'` that fades with the
-    /// square of the distance, a sphere one of `L π R²`: flat ones in each sample, whichever point
-    /// it draws. Oracle: that point light (ch. 14, 18); twice as large an area at the same radiance
-    /// gives twice the light, at half the radiance the same.
+    /// Law: from far away a flat lamp is a point light of strength `L A cosθ'` that fades with the square of
+    /// the distance, a sphere one of `L π R²`; this holds for each sample, whichever point it draws. Oracle:
+    /// that point light (ch. 14, 18).
     #[test]
     fn from_far_away_a_lamp_is_a_point_light(
         (n, to_lamp) in (unit(), unit()),
@@ -67,8 +66,8 @@ proptest! {
             let mut by_point = floor(n);
             shine(&mut by_point, point);
             let expected = look(&built(&by_point), eye, Point::ORIGIN - eye);
-            // the cosines change by the lamp's size over themselves; rounding of the place of a
-            // small thing far away
+            // the cosines change by the lamp's size divided by themselves; coordinates of a small lamp far
+            // away are rounded
             let tolerance = 8.0 * SIZE / (cosine * cos_i) + 64.0 * U / SIZE;
             prop_assert!(
                 close(found, expected, tolerance),
@@ -77,10 +76,10 @@ proptest! {
         }
     }
 
-    /// Law: a lamp seen directly has the radiance `l_s c_e`, at any distance and angle, whether a
-    /// light names it or not. Oracle: the product, bit for bit.
+    /// Law: a lamp seen directly has the radiance `l_s c_e`, at any distance and angle, whether a light names
+    /// it or not. Oracle: the product, bit for bit.
     #[test]
-    fn a_lamp_is_seen_as_it_shines(to_eye in unit(), far in 1.0..1e6_f64, spot in unit()) {
+    fn a_visible_lamp_has_its_radiance(to_eye in unit(), far in 1.0..1e6_f64, spot in unit()) {
         for (name, shape) in every_lamp() {
             let center = Point::new(0.0, 3.0, 0.0);
             let eye = center + far * to_eye;
@@ -111,7 +110,7 @@ fn twice_the_area_is_twice_the_light() {
     let (one, two, half) = (at(0.01, LS), at(0.02, LS), at(0.02, 0.5 * LS));
     let mean = one.iter().copied().sum::<Rgb>();
     let expected = (1.0 / one.len() as f64) * mean;
-    // a lamp of size s at the distance d is a point up to (s/d)²
+    // a lamp of size s at the distance d is a point light up to (s/d)²
     let tolerance = 4.0 * 4e-4 * 4e-4;
     for (two, half) in two.iter().zip(&half) {
         assert!(

@@ -8,7 +8,7 @@ use crate::support::replicas::assert_color;
 use crate::support::{laws, unit};
 
 const SAMPLES: u32 = 1024;
-/// How well the mean of a law here is known, at worst.
+/// The largest standard error that a mean may have here.
 const POWER: f64 = 8e-3;
 
 /// A black plane: it hides what is behind it and reflects nothing.
@@ -17,8 +17,8 @@ fn black_plane(scene: &mut Scene, point: Point, normal: Vector) {
     put(scene, Plane { point, normal }, black);
 }
 
-/// A rectangle of these sides that lies in the plane of `normal` through `center`, with its front where
-/// the normal points.
+/// A rectangle with these side lengths, in the plane through `center` with this normal; its front is on the
+/// normal's side.
 fn flat_panel(center: Point, normal: Normal, [long, wide]: [f64; 2], turn: f64) -> Rectangle {
     let a = at_angle(normal, 0.0, turn);
     let b = normal.cross(a);
@@ -32,9 +32,9 @@ fn corners(r: &Rectangle) -> [Point; 4] {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a ceiling does not shadow a lamp in its plane, at any tilt, distance and scale, and however
-    /// flat the light leaves: the floor is 1 below, the lamp up to 1000 aside. Oracle: the same samples
-    /// without shadows, bit for bit.
+    /// Law: a ceiling does not shadow a lamp in its plane, at any tilt, distance and scale, however grazing
+    /// the light: the floor is 1 below, the lamp up to 1000 to the side. Oracle: the same samples without
+    /// shadows, bit for bit.
     #[test]
     fn a_ceiling_does_not_shadow_a_lamp_in_its_plane(
         (n, turn) in (unit(), 0.0..6.3_f64),
@@ -69,9 +69,9 @@ proptest! {
     }
 }
 
-/// Law: a disk in the plane of a ceiling lights the floor as one that hangs freely, whichever of the two
-/// the scene lists first. Oracle: the closed form of a parallel disk beside the point (Howell's
-/// catalogue, B-13).
+/// Law: a disk in the plane of a ceiling lights the floor like one that hangs freely, whichever of the two
+/// the scene lists first. Oracle: the closed form of a parallel disk beside the point (Howell's catalogue,
+/// B-13).
 #[test]
 fn a_disk_in_the_plane_of_the_ceiling_gives_its_closed_form() {
     let n = Normal::new(Vector::new(0.3, 1.0, -0.6)).expect("not zero");
@@ -99,15 +99,15 @@ fn a_disk_in_the_plane_of_the_ceiling_gives_its_closed_form() {
 }
 
 /// Law: a sphere that lies on the floor lights it with `(R/D)² cosθ = (R/D)³`: the floor is the tangent
-/// plane, so the horizon cuts nothing off. Oracle: that closed form, for points from a tenth of the
-/// radius to ten radii away from where it touches.
+/// plane, so the horizon cuts nothing off. Oracle: that closed form, for points from a tenth of the radius to
+/// ten radii away from the point of contact.
 #[test]
 fn a_sphere_that_lies_on_the_floor_gives_its_closed_form() {
     const RADIUS: f64 = 0.8;
     for sampling in [Sampling::SolidAngle, Sampling::Area] {
         for aside in [0.1, 0.5, 1.0, 3.0, 10.0_f64] {
             let aside = aside * RADIUS;
-            // by area, a sample next to the place where it touches is rare and bright
+            // by area, a sample next to the point of contact is rare and bright
             if sampling == Sampling::Area && aside < RADIUS {
                 continue;
             }
@@ -124,8 +124,8 @@ fn a_sphere_that_lies_on_the_floor_gives_its_closed_form() {
     }
 }
 
-/// Law: a rectangle flush with a floor, or with the top of a box, lights a wall and a ceiling as one that
-/// hangs freely; the floor around it is in its plane and gets nothing. Oracle: Lambert's formula.
+/// Law: a rectangle flush with a floor, or with the top of a box, lights a wall and a ceiling like one that
+/// hangs freely; the floor around it is in its plane and gets no light. Oracle: Lambert's formula.
 #[test]
 fn a_rectangle_flush_with_a_floor_or_a_box_gives_lamberts_light() {
     let top = 0.7;
@@ -171,9 +171,9 @@ fn a_rectangle_flush_with_a_floor_or_a_box_gives_lamberts_light() {
     }
 }
 
-/// Law: of a lamp and a ceiling in one plane that is level, the one that the scene lists first is seen
-/// from the front, all over the lamp. Oracle: the radiance `l_s c_e`, and black. (In a tilted plane the
-/// rounding of each hit decides.)
+/// Law: if a lamp and a ceiling lie in one horizontal plane, the one that the scene lists first is seen,
+/// everywhere on the lamp. Oracle: the radiance `l_s c_e`, and black. (In a tilted plane the rounding of each
+/// hit decides.)
 #[test]
 fn of_a_lamp_and_a_ceiling_in_one_plane_the_first_is_seen() {
     let center = Point::new(0.2, 1.7, -0.4);

@@ -12,10 +12,10 @@ use crate::support::replicas::assert_color;
 const SAMPLES: u32 = 1024;
 const POWER: f64 = 4e-3;
 
-/// Law: a disk parallel to the surface, of radius R at height h and beside it by a, fills the share
-/// `½ (1 − (h² + a² − R²)/√((h² + a² + R²)² − 4 R² a²))`; on the axis that is `R²/(R² + h²)`. So
-/// the floor has the radiance `k_d c_d L` times that. Oracle: the closed form (ch. 18; off the axis
-/// Howell's catalogue, B-13).
+/// Law: a disk parallel to the surface, of radius R at height h and displaced sideways by a, fills the share
+/// `½ (1 − (h² + a² − R²)/√((h² + a² + R²)² − 4 R² a²))` of the cosine-weighted sky; on the axis that is
+/// `R²/(R² + h²)`. So the floor has the radiance `k_d c_d L` times that. Oracle: the closed form (ch. 18; off
+/// the axis Howell's catalogue, B-13).
 #[test]
 fn a_parallel_disk_gives_its_closed_form() {
     for (radius, h, a) in
@@ -40,9 +40,8 @@ fn a_parallel_disk_gives_its_closed_form() {
     }
 }
 
-/// The share of the cosine-weighted sky that a sphere fills whose centre is `distance` radii away
-/// at this angle from the normal: `cosθ/H²` above the horizon; cut by the horizon, Howell's
-/// catalogue, B-43.
+/// The share of the cosine-weighted sky that is filled by a sphere whose centre is `distance` radii away at
+/// this angle from the normal: `cosθ/H²` above the horizon; cut by the horizon, Howell's catalogue, B-43.
 fn sphere_share(distance: f64, angle: f64) -> f64 {
     let (h, half) = (distance, FRAC_PI_2 - acos(1.0 / distance));
     if angle <= FRAC_PI_2 - half {
@@ -58,9 +57,9 @@ fn sphere_share(distance: f64, angle: f64) -> f64 {
     0.5 - asin(s / (h * sin(angle))) / PI + above / (PI * h * h)
 }
 
-/// Law: the closed form for a sphere is right. Oracle: the cap of directions in rings about its
-/// axis, each ring's arc above the horizon by itself; the midpoint rule over 4000 rings errs by
-/// some `1e-7`.
+/// Law: the closed form for a sphere is right. Oracle: its cone of directions, integrated in rings around the
+/// axis, of each ring the arc above the horizon; the midpoint rule with 4000 rings has an error of some
+/// `1e-7`.
 #[test]
 fn the_share_of_a_sphere_is_the_integral_over_its_cap() {
     const RINGS: u32 = 4000;
@@ -89,9 +88,9 @@ fn the_share_of_a_sphere_is_the_integral_over_its_cap() {
     }
 }
 
-/// Law: a sphere of radius R at the distance D at the angle θ gives `E = π L (R/D)² cosθ` above the
-/// horizon, and the closed form where the horizon cuts it; sampled by area, of which half the
-/// samples face away, and by solid angle. Oracle: the closed forms (ch. 18).
+/// Law: a sphere of radius R at the distance D and at the angle θ from the normal gives `E = π L (R/D)² cosθ`
+/// above the horizon, and the closed form where the horizon cuts it; sampled by area, where half the samples
+/// face away, and by solid angle. Oracle: the closed forms (ch. 18).
 #[test]
 fn a_sphere_gives_its_closed_form_however_it_is_sampled() {
     for sampling in [Sampling::Area, Sampling::SolidAngle] {
@@ -115,8 +114,8 @@ fn a_sphere_gives_its_closed_form_however_it_is_sampled() {
     }
 }
 
-/// Law: a sphere all around gives `k_d c_d L`, as the furnace. Oracle: the reflection equation in
-/// uniform light; the lamp's front is its inner side.
+/// Law: a lamp all around gives `k_d c_d L`, like the furnace. Oracle: the reflection equation in uniform
+/// light; the lamp's front is its inner side.
 #[test]
 fn a_lamp_all_around_is_a_furnace() {
     for sampling in [Sampling::Area, Sampling::SolidAngle] {
@@ -128,9 +127,9 @@ fn a_lamp_all_around_is_a_furnace() {
     }
 }
 
-/// Law: near a lamp, samples by solid angle vary less than samples by area, at least ten times:
-/// those by area fall on what faces away, and vary with `cosθ'/d²`. Both have the same mean (the
-/// laws above). Oracle: the variance over replicas.
+/// Law: near a lamp, the variance of samples by solid angle is at most a tenth of that by area: samples by
+/// area fall on parts that face away, and vary with `cosθ'/d²`. Both have the same mean (the laws above).
+/// Oracle: the variance over replicas.
 #[test]
 fn sampling_by_solid_angle_varies_less_near_a_lamp() {
     for shape in [
@@ -150,7 +149,7 @@ fn sampling_by_solid_angle_varies_less_near_a_lamp() {
         hang(&mut scene, shape, None);
         let Light::Area(area) = &scene.lights[0].source else { panic!("an area light") };
         assert_eq!(area.sampling, None);
-        // left to itself, the light samples by solid angle
+        // by default, the light samples by solid angle
         let mut by_name = scene.clone();
         by_name.lights[0].source =
             Area { sampling: Some(Sampling::SolidAngle), ..area.clone() }.into();
@@ -158,9 +157,9 @@ fn sampling_by_solid_angle_varies_less_near_a_lamp() {
     }
 }
 
-/// Law: an emissive surface with a matte base sends out its own light and reflects what falls on
-/// it. Oracle: the sum of `l_s c_e` and the closed form of a parallel disk; the back does not shine and
-/// reflects nothing, as no light falls on it.
+/// Law: an emissive surface with a matte base emits its own light and reflects the incident light. Oracle:
+/// the sum of `l_s c_e` and the closed form of a parallel disk; the back does not emit, and reflects nothing,
+/// as no light falls on it.
 #[test]
 fn an_emissive_surface_with_a_base_shines_and_reflects() {
     let base = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::new(0.2, 0.4, 1.0).into() };

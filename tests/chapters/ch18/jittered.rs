@@ -15,9 +15,8 @@ use crate::support::{U, laws, point, unit};
 
 const SAMPLES: u32 = 1024;
 
-/// `∫ f` over the cube `[−1, 1]³`, over its volume: midpoints of 48³ cells. They err by the square
-/// of a cell's side, `1/48²`, times a few second derivatives over 24: a few 1e-4 of the value for
-/// the lights below.
+/// The mean of `f` over the cube `[−1, 1]³`, at the midpoints of 48³ cells. The error is the square of a
+/// cell's side, `1/24`, times second derivatives over 24: a few 1e-4 of the value for the lights below.
 fn cube_mean(f: impl Fn(Vector) -> f64) -> f64 {
     const CELLS: u32 = 48;
     let along = |i: u32| (f64::from(2 * i + 1) / f64::from(CELLS)) - 1.0;
@@ -32,9 +31,9 @@ fn cube_mean(f: impl Fn(Vector) -> f64) -> f64 {
     sum / f64::from(CELLS * CELLS * CELLS)
 }
 
-/// Law: a fake spherical light is the mean of point lights all over a cube of side 2r. Oracle: the
-/// sum over 48³ of them, by `k_d l_s cosθ/(π d^k)`; near, so that the corners of the cube count,
-/// and partly below the horizon.
+/// Law: a fake spherical light is the mean of point lights all over a cube of side 2r. Oracle: the mean of
+/// 48³ of them, by `k_d l_s cosθ/(π d^k)`; near enough that the corners of the cube matter, and partly below
+/// the horizon.
 #[test]
 fn a_fake_spherical_light_is_the_mean_of_a_cube_of_points() {
     for (location, jitter, attenuation) in [
@@ -56,8 +55,8 @@ fn a_fake_spherical_light_is_the_mean_of_a_cube_of_points() {
     }
 }
 
-/// Law: a jittered directional light is the mean of directional ones: unit directions moved by up
-/// to r along each axis and made unit again. Oracle: the sum over 48³ of them.
+/// Law: a jittered directional light is the mean of directional ones: unit directions moved by up to r along
+/// each axis and normalised again. Oracle: the mean of 48³ of them.
 #[test]
 fn a_jittered_directional_light_is_the_mean_of_a_cube_of_directions() {
     for (direction, jitter) in [
@@ -84,11 +83,11 @@ fn a_jittered_directional_light_is_the_mean_of_a_cube_of_directions() {
     }
 }
 
-/// Law: the places fill the whole cube and nothing else, each axis evenly: mean 0, mean square 1/3,
-/// product 0. Oracle: these moments, of where the shadow rays end; no place is farther than r along
+/// Law: the points fill the whole cube and nothing else, each axis evenly: mean 0, mean square 1/3, mean
+/// products 0. Oracle: these moments of the end points of the shadow rays; no point is farther than r along
 /// an axis.
 #[test]
-fn the_places_of_a_fake_spherical_light_fill_a_cube() {
+fn the_points_of_a_fake_spherical_light_fill_a_cube() {
     let (location, jitter) = (Point::new(3.0, 5.0, -2.0), 0.25);
     let mut scene = floor(up());
     shine(&mut scene, FakeSpherical { ls: LS, color: CE, location, jitter, attenuation: 0.0 });
@@ -117,7 +116,7 @@ fn the_places_of_a_fake_spherical_light_fill_a_cube() {
         sums
     });
     for which in 0..9 {
-        // 1 is added, so that there is a size to compare the error with
+        // 1 is added, as errors are compared with the size of the value
         let values: Vec<f64> = moments.iter().map(|sums| 1.0 + sums[which]).collect();
         assert_mean(&format!("moment {which}"), &values, 1.0, 9, 0.01);
     }
@@ -126,11 +125,10 @@ fn the_places_of_a_fake_spherical_light_fill_a_cube() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: laws().cases / 4, ..laws() })]
 
-    /// Law: without jitter the fake spherical light is the point light, and the jittered
-    /// directional one the directional light. Oracle: those, shadows and all; bit for bit but for
-    /// making a unit vector unit again.
+    /// Law: without jitter the fake spherical light is the point light, and the jittered directional one the
+    /// directional light. Oracle: those, with shadows; bit for bit, but for normalising a unit vector again.
     #[test]
-    fn without_jitter_there_is_one_place_and_one_direction(
+    fn without_jitter_there_is_one_point_and_one_direction(
         location in point(3.0),
         direction in unit(),
         attenuation in prop_oneof![Just(0.0), Just(2.0), 0.0..3.0_f64],
@@ -151,7 +149,7 @@ proptest! {
         );
         let jittered = with(JitteredDirectional { ls, color, direction, jitter }.into());
         let plain = with(Directional { ls, color, direction }.into());
-        // a grazing light's cosine is known to some u
+        // the cosine of a grazing light has an error of some u
         let rounding = (jittered + -1.0 * plain).to_array().map(f64::abs);
         prop_assert!(
             rounding.into_iter().all(|c| c <= 8.0 * U),

@@ -1,4 +1,4 @@
-//! Lamps as objects: what they shade, which side shines, and their switches.
+//! Lamps as objects: what they shadow, which side emits, and their switches.
 
 use groundtruth::lights::{Directional, Kind};
 use groundtruth::materials::Emissive;
@@ -11,7 +11,7 @@ use crate::support::replicas::assert_color;
 
 const SAMPLES: u32 = 64;
 
-/// What the shadow rays of all samples from a place on the floor meet.
+/// What blocks each shadow ray of all samples from a point on the floor, if anything does.
 fn outcomes(scene: &Scene, at: Point) -> Vec<Option<u32>> {
     let world = built(&with_samples(scene.clone(), SAMPLES));
     let ray =
@@ -31,17 +31,16 @@ fn outcomes(scene: &Scene, at: Point) -> Vec<Option<u32>> {
     met
 }
 
-/// Places on the floor below the lamps and beside them.
-fn places() -> Vec<Point> {
+/// Points on the floor below the lamps and beside them.
+fn floor_points() -> Vec<Point> {
     let mut random = Pcg32::new(18, 7);
     let mut c = || 6.0 * (random.uniform() - 0.5);
     (0..24).map(|_| Point::new(c(), 0.0, c())).collect()
 }
 
-/// Law: no lamp shadows itself, of any shape, however it is sampled, at scales from 2⁻²⁰ to 2²⁰:
-/// each sample that the lamp gives arrives, as it does without shadows. But another object in
-/// between does, and is the one that is named. Oracle: the same scene without shadows, bit for bit;
-/// a screen that hides all of the lamp.
+/// Law: no lamp shadows itself, of any shape, however it is sampled, at scales from 2⁻²⁰ to 2²⁰: each sample
+/// gives the same light as without shadows. An object in between does shadow it, and is the one that is
+/// named. Oracle: the same scene without shadows, bit for bit; a screen that hides all of the lamp.
 #[test]
 fn a_lamp_does_not_shadow_itself_but_others_shadow_it() {
     for (name, shape) in every_lamp() {
@@ -57,10 +56,10 @@ fn a_lamp_does_not_shadow_itself_but_others_shadow_it() {
                 let [scene, free, hidden] =
                     [scene, free, hidden].map(|scene| scene.scaled(exponent));
                 let mut rays = 0;
-                for place in places() {
-                    let at = place.scaled(power_of_two(exponent));
+                for point in floor_points() {
+                    let at = point.scaled(power_of_two(exponent));
                     let met = outcomes(&scene, at);
-                    let what = format!("{name}, {sampling:?}, 2^{exponent}, at {place:?}");
+                    let what = format!("{name}, {sampling:?}, 2^{exponent}, at {point:?}");
                     assert!(met.iter().all(Option::is_none), "{what}: {met:?}");
                     rays += met.len();
                     let [seen, expected] = [&scene, &free].map(|scene| {
@@ -77,8 +76,8 @@ fn a_lamp_does_not_shadow_itself_but_others_shadow_it() {
     }
 }
 
-/// Law: lamps stand in the way of each other's light: a lamp right above a smaller one takes all
-/// its light from the floor's other side. Oracle: the closed form of the nearer disk alone.
+/// Law: lamps block each other's light: a lamp right below a larger one blocks all of its light to the point
+/// on the floor. Oracle: the closed form of the nearer disk alone.
 #[test]
 fn lamps_shadow_other_lamps() {
     let mut scene = floor(up());
@@ -104,9 +103,8 @@ fn lamps_shadow_other_lamps() {
     );
 }
 
-/// Law: the back of a one-sided lamp gives nothing; that of a two-sided one the light of its front;
-/// a two-sided sphere shines within as without. Oracle: nothing, and the closed forms of disk and
-/// furnace.
+/// Law: the back of a one-sided lamp emits nothing, that of a two-sided one the same light as its front; a
+/// two-sided sphere emits inside as well as outside. Oracle: black, and the closed forms of disk and furnace.
 #[test]
 fn the_back_of_a_lamp_shines_if_it_is_two_sided() {
     for two_sided in [false, true] {
@@ -136,16 +134,16 @@ fn the_back_of_a_lamp_shines_if_it_is_two_sided() {
     }
 }
 
-/// Law: the light of a lamp that is off is gone and so is its glow: its object is black, but still
-/// in the way. An emissive object that no light names is seen, and lights nothing. Oracle: the
-/// radiance `l_s c_e`, and black.
+/// Law: a lamp whose light is off does not light and does not glow: its object is black, but still blocks
+/// light. An emissive object that no light names is seen, and lights nothing. Oracle: the radiance `l_s c_e`,
+/// and black.
 #[test]
 fn a_lamp_that_is_off_is_dark_and_one_without_light_is_only_seen() {
     let (below, spot) = (Point::new(0.1, 0.5, 0.2), Point::new(0.1, 3.0, 0.1));
     for (name, shape) in every_lamp() {
         let mut scene = floor(up());
         hang(&mut scene, shape, None);
-        // of a round lamp some samples face away
+        // some samples of a round lamp face away
         let mut scene = with_samples(scene, SAMPLES);
         let on = built(&scene);
         assert_eq!(look(&on, below, spot - below), LS * CE, "{name} on, seen");
@@ -154,10 +152,10 @@ fn a_lamp_that_is_off_is_dark_and_one_without_light_is_only_seen() {
         let off = built(&scene);
         assert_eq!(look(&off, below, spot - below), Rgb::BLACK, "{name} off, seen");
         assert_eq!(view(&off, below, -Vector::Y), Rgb::BLACK, "{name} off, lighting");
-        // it hides the sun that stands right behind it
+        // it hides the sun, which is right behind it
         let direction = spot - Point::new(0.1, 0.0, 0.2);
         shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction });
-        assert!(look(&built(&scene), below, -Vector::Y).is_black(), "{name} off, in the way");
+        assert!(look(&built(&scene), below, -Vector::Y).is_black(), "{name} off, blocking the sun");
         scene.lights.clear();
         let unnamed = built(&scene);
         assert_eq!(look(&unnamed, below, spot - below), LS * CE, "{name} without light, seen");
@@ -165,9 +163,9 @@ fn a_lamp_that_is_off_is_dark_and_one_without_light_is_only_seen() {
     }
 }
 
-/// Law: lights add, of every kind: what is seen in the light of all is the sum of what is seen in
-/// the light of each alone, as each draws what it draws whatever else shines. Oracle: the sum, at
-/// places all over the floor and the ball; lamps that are off are still in the way.
+/// Law: lights of all kinds add: the radiance with all lights is the sum of the radiances with each alone, as
+/// no light's draws depend on the others. Oracle: the sum, at points all over the floor and the ball; lamps
+/// that are off still block light.
 #[test]
 fn lights_of_every_kind_add() {
     let scene = all_lights();
@@ -184,26 +182,26 @@ fn lights_of_every_kind_add() {
         })
         .collect();
     let mut bright = vec![0; alone.len()];
-    for place in places() {
-        let whole = view(&together, eye, place - eye);
-        let parts: Vec<Rgb> = alone.iter().map(|world| view(world, eye, place - eye)).collect();
+    for point in floor_points() {
+        let whole = view(&together, eye, point - eye);
+        let parts: Vec<Rgb> = alone.iter().map(|world| view(world, eye, point - eye)).collect();
         bright.iter_mut().zip(&parts).for_each(|(n, part)| *n += u32::from(!part.is_black()));
         let sum: Rgb = parts.iter().copied().sum();
-        close!(whole, sum, 64.0 * U, "{place:?}");
+        close!(whole, sum, 64.0 * U, "{point:?}");
     }
-    assert!(bright.iter().all(|&n| n > 3), "each light lights something: {bright:?}");
+    assert!(bright.iter().all(|&n| n > 3), "some light lights too few points: {bright:?}");
 }
 
-/// Law: objects stand in the way of every kind of light, and of none that casts no shadows: under a
-/// hood the floor is black, but for ambient light, of which the occluder leaves its least. Oracle:
-/// nothing; and the floor without the hood, bit for bit.
+/// Law: objects block every kind of light, except lights that cast no shadows: under a hood the floor is
+/// black, except for ambient light, of which the occluder leaves its least amount. Oracle: black; and the
+/// floor without the hood, bit for bit.
 #[test]
-fn a_hood_keeps_off_light_of_every_kind() {
+fn a_hood_blocks_light_of_every_kind() {
     let (spot, eye) = (Point::new(1.0, 0.0, 0.9), Point::new(1.02, 0.05, 0.93));
     let mut scene = all_lights();
-    let places = scene.lights.len();
+    let count = scene.lights.len();
     let hood = put(&mut scene, ball(spot, 0.2), white());
-    for only in 0..places {
+    for only in 0..count {
         let mut hooded = scene.clone();
         hooded.lights.iter_mut().enumerate().for_each(|(i, light)| light.enabled = i == only);
         let mut open = hooded.clone();
@@ -227,7 +225,7 @@ fn a_hood_keeps_off_light_of_every_kind() {
     }
 }
 
-/// Law: a light's strength is a factor of its part: twice `l_s` is twice its part, bit for bit, for
+/// Law: a light's part is proportional to its strength: twice `l_s` gives twice its part, bit for bit, for
 /// every kind of light. Oracle: the part before.
 #[test]
 fn twice_the_strength_is_twice_the_light() {
@@ -255,9 +253,9 @@ fn twice_the_strength_is_twice_the_light() {
         }
         assert!(doubled, "a kind of light is missing here");
         let [one, two] = [one, two].map(|scene| built(&scene));
-        for place in places() {
-            let [part, twice] = [&one, &two].map(|world| view(world, eye, place - eye));
-            assert_eq!(twice, 2.0 * part, "light {only} at {place:?}");
+        for point in floor_points() {
+            let [part, twice] = [&one, &two].map(|world| view(world, eye, point - eye));
+            assert_eq!(twice, 2.0 * part, "light {only} at {point:?}");
         }
     }
 }

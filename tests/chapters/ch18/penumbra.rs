@@ -12,12 +12,10 @@ const WIDTH: f64 = 0.6;
 const LAMP: f64 = 4.0;
 const BEAM: f64 = 1.0;
 
-/// Samples: multi-jittered, so that in each direction of the lamp there is one in each of so many
-/// strips.
+/// Samples: multi-jittered, so that along each axis of the lamp there is one in each of 256 strips.
 const SAMPLES: u32 = 256;
 
-/// The lamp's strips are numbered by the sample; the share that is seen is whole strips, but for
-/// the one that the edge cuts, and for rounding.
+/// The visible share is a whole number of strips, except for the one that the edge cuts, and for rounding.
 const STRIP: f64 = 1.0 / 256.0 + 1e-9;
 
 /// A floor under a lamp, with a beam from `−half` to `half` in between. The lamp is sampled by
@@ -32,7 +30,7 @@ fn under_a_beam(half: f64) -> Scene {
     with_samples(scene, SAMPLES)
 }
 
-/// The share of the shadow rays from the floor at x that reach the lamp, and what is seen there.
+/// The share of the shadow rays from the floor at x that reach the lamp, and the radiance there.
 fn unblocked(world: &World, x: f64) -> (f64, Rgb) {
     let ray = ray(Point::new(x, 0.01, 0.02), Vector::new(0.0, -0.01, -0.02));
     let (mut free, mut sum) = (0, Rgb::BLACK);
@@ -45,20 +43,18 @@ fn unblocked(world: &World, x: f64) -> (f64, Rgb) {
     (free as f64 / f64::from(SAMPLES), (1.0 / f64::from(SAMPLES)) * sum)
 }
 
-/// The share of the lamp's width that is seen from the floor at x past a beam from `−half` to
-/// `half`.
+/// The share of the lamp's width that is visible from the floor at x past a beam from `−half` to `half`.
 fn visible(x: f64, half: f64) -> f64 {
-    // an edge of the beam is seen before this place of the lamp: similar triangles
+    // the beam's edge, projected onto the lamp from x: similar triangles
     let onto_lamp = |edge: f64| x + (edge - x) * LAMP / BEAM;
-    let inside = |place: f64| (place / WIDTH + 0.5).clamp(0.0, 1.0);
+    let inside = |x: f64| (x / WIDTH + 0.5).clamp(0.0, 1.0);
     1.0 - (inside(onto_lamp(half)) - inside(onto_lamp(-half)))
 }
 
-/// Law: the share of a lamp that is seen past a beam is that by similar triangles, everywhere: the
-/// umbra is `B − (w − B) h/(H − h)` wide if the beam is that wide, umbra and penumbra together `B +
-/// (B + w) h/(H − h)`, for a beam B at height h under a lamp w at height H. Oracle: the projected
-/// edges, to one strip of the stratified lamp; exactly all and none outside the penumbra, and there
-/// what is seen is what it is without the beam, bit for bit, or black.
+/// Law: the share of a lamp that is visible past a beam is that by similar triangles, everywhere: the umbra
+/// is `B − (w − B) h/(H − h)` wide if that is positive, umbra and penumbra together `B + (B + w) h/(H − h)`,
+/// for a beam B at height h under a lamp w at height H. Oracle: the projected edges, to two strips of the
+/// stratified lamp; in the umbra black, and beyond the penumbra the radiance without the beam, bit for bit.
 #[test]
 fn umbra_and_penumbra_have_the_widths_of_similar_triangles() {
     for half in [0.05, 0.2, 0.5] {
@@ -92,9 +88,9 @@ fn umbra_and_penumbra_have_the_widths_of_similar_triangles() {
     }
 }
 
-/// Law: across a penumbra the floor becomes brighter and brighter: the share that is seen with the
-/// same samples never falls, and neither does the light, in steps of a sixteenth of the penumbra.
-/// Oracle: the neighbour.
+/// Law: across a penumbra the floor becomes steadily brighter: the share that is visible with the same
+/// samples never falls, and the radiance grows, in steps of a sixteenth of the penumbra. Oracle: the
+/// neighbour.
 #[test]
 fn light_grows_across_a_penumbra() {
     let scene = under_a_beam(0.4);
@@ -115,10 +111,9 @@ fn light_grows_across_a_penumbra() {
     assert!(before.0 > 0.99, "at the outer edge {} of the lamp is seen", before.0);
 }
 
-/// Law: a ball between a spherical lamp and the floor: where lamp and ball have their centres on
-/// one line with the point, and the ball looks larger, there is no light; beside the cone that
-/// touches both crosswise it is whole. Oracle: the tangent cones of two spheres on one axis: apex
-/// behind the ball for the umbra, between them for the penumbra.
+/// Law: a ball between a spherical lamp and the floor: where the ball hides all of the lamp there is no
+/// light; outside the cone that touches both crosswise there is all of it. Oracle: the tangent cones of two
+/// spheres on one axis: apex behind the ball for the umbra, between the two for the penumbra.
 #[test]
 fn two_balls_have_an_umbra_and_a_penumbra() {
     let (lamp, ball_at, big, small) = (10.0, 4.0, 1.0, 0.6);

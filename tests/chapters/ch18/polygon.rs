@@ -13,7 +13,7 @@ use crate::support::replicas::assert_color;
 const SAMPLES: u32 = 1024;
 const POWER: f64 = 4e-3;
 
-/// The corners of `corner`, `a`, `b`, counter-clockwise as seen from where `a × b` points.
+/// The four corners of a rectangle, counter-clockwise as seen from where `a × b` points.
 fn corners(rectangle: &Rectangle) -> [Point; 4] {
     let Rectangle { corner, a, b } = *rectangle;
     [corner, corner + a, corner + a + b, corner + b]
@@ -39,9 +39,8 @@ fn rectangles(count: u32) -> Vec<Rectangle> {
     some
 }
 
-/// Law: the formula itself is right: it gives the known form factors of a square, and a polygon is
-/// the sum of its parts. Oracle: the arc tangents for a corner of a parallel rectangle (ch. 18),
-/// and one share for an opening all around.
+/// Law: the formula itself is right: it gives the known form factors of a rectangle. Oracle: the arc tangents
+/// for a corner of a parallel rectangle (ch. 18), of any size.
 #[test]
 fn lamberts_formula_is_the_form_factor_of_a_parallel_rectangle() {
     for (a, b, h) in [(1.0, 1.0, 1.0), (3.0, 0.5, 2.0), (1e6, 1e6, 1.0_f64)] {
@@ -53,16 +52,16 @@ fn lamberts_formula_is_the_form_factor_of_a_parallel_rectangle() {
     }
 }
 
-/// The share of a rectangle parallel to the surface, one corner straight above the point: sides
-/// over the distance (ch. 18).
+/// The form factor of a rectangle parallel to the surface, one corner straight above the point: `a` and `b`
+/// are its sides divided by the distance (ch. 18).
 fn corner_factor(a: f64, b: f64) -> f64 {
     let (sa, sb) = ((1.0 + a * a).sqrt(), (1.0 + b * b).sqrt());
     (a / sa * atan2(b, sa) + b / sb * atan2(a, sb)) / TAU
 }
 
-/// Law: a rectangle parallel to the floor, its corner straight above, fills the share of the arc
-/// tangents; one straight above with its centre four times that of a quarter. Sampled by area and
-/// by solid angle. Oracle: the closed form (ch. 18).
+/// Law: a rectangle parallel to the floor, one corner straight above the point, fills the share given by the
+/// arc tangents; one with its centre straight above, four times that of a quarter. Sampled by area and by
+/// solid angle. Oracle: the closed form (ch. 18).
 #[test]
 fn a_parallel_rectangle_gives_the_form_factor_of_the_arc_tangents() {
     for sampling in [Sampling::Area, Sampling::SolidAngle] {
@@ -82,9 +81,8 @@ fn a_parallel_rectangle_gives_the_form_factor_of_the_arc_tangents() {
     }
 }
 
-/// Law: a rectangle anywhere, also partly below the horizon, and an instance of another one that
-/// becomes it, give the light of Lambert's formula, sampled by area and by solid angle. Oracle:
-/// that formula.
+/// Law: any rectangle, also partly below the horizon, and an instance of a mesh that is transformed into it,
+/// give the light of Lambert's formula, sampled by area and by solid angle. Oracle: that formula.
 #[test]
 fn rectangles_and_their_instances_give_lamberts_light() {
     for (i, rectangle) in rectangles(6).into_iter().enumerate() {
@@ -98,8 +96,8 @@ fn rectangles_and_their_instances_give_lamberts_light() {
         let [corner, at_a, at_b] =
             [rectangle.corner, rectangle.corner + rectangle.a, rectangle.corner + rectangle.b]
                 .map(|p| back.point(p));
-        // undone by the transform, the sides are not at right angles in general: a triangle pair is
-        // a mesh
+        // before the transform, the sides are not at right angles in general: so it is a mesh of two
+        // triangles
         let (a, b) = (at_a - corner, at_b - corner);
         let mesh = Mesh::of_lists(
             vec![corner, corner + a, corner + a + b, corner + b],
@@ -121,9 +119,9 @@ fn rectangles_and_their_instances_give_lamberts_light() {
     }
 }
 
-/// Law: an instance of a rectangle is the transformed rectangle: turned and evenly scaled, or
-/// stretched along its sides; by whichever sampling it allows. Oracle: Lambert's formula for the
-/// transformed corners.
+/// Law: an instance of a rectangle is the transformed rectangle: turned and evenly scaled, stretched along
+/// its sides, or mirrored; with every sampling it allows. Oracle: Lambert's formula for the transformed
+/// corners.
 #[test]
 fn an_instance_of_a_rectangle_is_the_transformed_rectangle() {
     let rectangle = panel(Point::new(0.2, 0.0, -0.1), 2.0 * Vector::X, Vector::Z);
@@ -146,8 +144,7 @@ fn an_instance_of_a_rectangle_is_the_transformed_rectangle() {
     for steps in [similar.to_vec(), stretched.to_vec(), mirrored.to_vec()] {
         let transform = Transform::from_steps(&steps).expect("not singular");
         let mut polygon = corners(&rectangle).map(|p| transform.point(p));
-        // normals go along with the surface: mirrored, the corners run the other way round its
-        // front
+        // the normal is transformed with the surface: when mirrored, the corners run the other way around it
         if transform.determinant() < 0.0 {
             polygon.reverse();
         }
@@ -163,8 +160,8 @@ fn an_instance_of_a_rectangle_is_the_transformed_rectangle() {
     }
 }
 
-/// Law: a triangle gives the light of Lambert's formula, seen from its front, and none from behind;
-/// a mesh that of all its triangles, however different their sizes. Oracle: that formula, added up.
+/// Law: a triangle gives the light of Lambert's formula on its front side, and none behind; a mesh gives that
+/// of all its triangles, however different their sizes. Oracle: that formula, added up.
 #[test]
 fn triangles_and_meshes_give_the_light_of_their_polygons() {
     let at = |x: f64, y: f64, z: f64| Point::new(x, y, z);
@@ -199,12 +196,12 @@ fn triangles_and_meshes_give_the_light_of_their_polygons() {
     assert_color("the mesh", &values, lit(sum), 4, 2.0 * POWER);
 }
 
-/// Law: a lamp shines with the colour of its texture at the point that is sampled: one of two colours
-/// gives each colour's own share. Oracle: Lambert's formula for its parts.
+/// Law: a lamp emits the colour of its texture at the point that is sampled: each of two colours contributes
+/// its own share. Oracle: Lambert's formula for the parts of each colour.
 #[test]
 fn a_painted_lamp_gives_the_light_of_its_parts() {
     const SIZE: f64 = 4.0;
-    /// A checker's borders lie that far below the multiples of its size (see `checker3d`).
+    /// The borders of a checker lie this far from the multiples of its size (see `checker3d`).
     const BORDER: f64 = -2e-4 * SIZE;
     let (red, blue) = (Rgb::new(1.0, 0.1, 0.0), Rgb::new(0.2, 0.4, 1.0));
     let from_to = |from: f64, to: f64| Rectangle {
@@ -217,7 +214,7 @@ fn a_painted_lamp_gives_the_light_of_its_parts() {
     let [left, right] = [from_to(-2.0, BORDER), from_to(BORDER, 2.0)]
         .map(|part| share(spot, up(), &corners(&part)));
     let expected = LS * (left * blue + right * red);
-    // moved within its own space, so that of the checker's borders it meets the one near x = 0 only
+    // moved in its own space, so that it crosses only the checker's border near x = 0
     let Rectangle { corner, a, b } = from_to(-2.0, 2.0);
     let within = Rectangle { corner: corner + Vector::Z, a, b };
     let lamp_shape = Instance::new(within, vec![Step::Translate(-Vector::Z)]);
@@ -231,19 +228,19 @@ fn a_painted_lamp_gives_the_light_of_its_parts() {
     }
 }
 
-/// Law: a tessellated sphere gives the light of those of its triangles that face the point; the
-/// others take their samples for nothing and are not seen through. Oracle: Lambert's formula for
-/// each triangle, which is 0 from behind; a convex body hides no front of its own.
+/// Law: a tessellated sphere gives the light of those of its triangles that face the point; samples on the
+/// others give no light. Oracle: Lambert's formula for each triangle, which is 0 from behind; a convex body
+/// hides none of its own front.
 #[test]
 fn a_tessellated_sphere_gives_the_light_of_the_triangles_that_face_the_point() {
     let sphere = TessellatedSphere::new(9, 6, false);
     let mesh = sphere.mesh();
     let (center, size) = (Vector::new(0.4, 1.9, -0.3), 0.8);
-    let place = |p: Point| Point::ORIGIN + size * p.to_vector() + center;
+    let transformed = |p: Point| Point::ORIGIN + size * p.to_vector() + center;
     let expected: f64 = mesh
         .triangles()
         .iter()
-        .map(|of| share(Point::ORIGIN, up(), &of.map(|i| place(mesh.vertices()[i as usize]))))
+        .map(|of| share(Point::ORIGIN, up(), &of.map(|i| transformed(mesh.vertices()[i as usize]))))
         .sum();
     let steps = vec![Step::Scale(Vector::new(size, size, size)), Step::Translate(center)];
     let mut scene = floor(up());

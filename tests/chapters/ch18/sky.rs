@@ -25,8 +25,8 @@ fn under_the_sky(normal: Normal, matte: Matte) -> Scene {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: under a free sky a matte surface has the radiance `k_d c_d L`, in each single sample:
-    /// directions drawn by the cosine leave no variance. Oracle: the product (ch. 18), to 4e-15 but
+    /// Law: under a free sky a matte surface has the radiance `k_d c_d L`, in each single sample: directions
+    /// drawn in proportion to the cosine leave no variance. Oracle: the product (ch. 18), to some 20 u except
     /// for grazing directions.
     #[test]
     fn each_sample_of_a_free_sky_is_the_whole_of_it(
@@ -46,7 +46,7 @@ proptest! {
             let mut tree = RayTree::default();
             let seen = radiance(&world, &ray, world.draws(pixel, i), &mut tree);
             let expected = kd * (cd * SKY);
-            // the cosine of a grazing direction is known to some u, absolutely
+            // the cosine of a grazing direction has an absolute error of some u
             let cosine = tree.nodes().get(1).map_or(1.0, |shadow| n.dot(shadow.ray.direction));
             let tolerance = 16.0 * U + 4.0 * U / cosine;
             prop_assert!(
@@ -57,8 +57,8 @@ proptest! {
     }
 }
 
-/// Law: the sky that a wall hides gives no light: beside a wall that rises to the angle a, `½ (1 +
-/// cos a)` of it is left. Oracle: the closed form of chapter 17; what hides the sky is black here.
+/// Law: the part of the sky that a wall hides gives no light: beside a wall that rises to the angle a, `½ (1
+/// + cos a)` of it is left. Oracle: the closed form of chapter 17; the wall is black here.
 #[test]
 fn a_wall_hides_its_share_of_the_sky() {
     for tall in [0.5, 2.0_f64] {
@@ -76,8 +76,8 @@ fn a_wall_hides_its_share_of_the_sky() {
     }
 }
 
-/// Law: the sky's highlight on a glossy surface, seen from straight above, is `2π k_s/(e + 2)` of
-/// it, beside the diffuse share. Oracle: the closed form of chapter 15.
+/// Law: the sky's highlight on a glossy surface, seen from straight above, is `2π k_s/(e + 2)` of the sky's
+/// radiance, in addition to the diffuse share. Oracle: the closed form of chapter 15.
 #[test]
 fn the_highlight_of_the_sky_is_its_albedo() {
     for exponent in [0.0, 3.0, 10.0] {
@@ -104,9 +104,9 @@ fn the_highlight_of_the_sky_is_its_albedo() {
     }
 }
 
-/// Law: the noise falls with the number of samples: random ones by 1/N, multi-jittered ones faster.
-/// Oracle: the variance over replicas, against that of a fourth of the samples; half the sky is
-/// hidden by a slanted wall.
+/// Law: the variance falls with the number of samples: as 1/N for random ones, faster for multi-jittered
+/// ones. Oracle: the variance over reseeded pixels, against that with a fourth of the samples; a slanted wall
+/// hides part of the sky.
 #[test]
 fn multi_jittered_noise_falls_faster_than_random_noise() {
     use groundtruth::samplers::{Kind, MultiJittered, Random};

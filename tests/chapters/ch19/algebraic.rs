@@ -1,4 +1,4 @@
-//! Surfaces of a user's own polynomial.
+//! Algebraic surfaces: zero sets of polynomials that the user gives.
 
 use std::sync::Arc;
 
@@ -51,8 +51,8 @@ fn agree(polynomial: &dyn Shape, other: &Arc<dyn Shape>, draw: &mut Draw) -> usi
     hits
 }
 
-/// Law: a sphere and a torus written as polynomials are hit where the sphere and the torus are, with
-/// their normals. Oracle: those kinds.
+/// Law: a sphere and a torus written as polynomials have the same hits and normals as the shapes
+/// `Sphere` and `Torus`. Oracle: those shapes.
 #[test]
 fn polynomials_of_spheres_and_tori_are_spheres_and_tori() {
     let mut draw = Draw::new(1970);
@@ -64,10 +64,10 @@ fn polynomials_of_spheres_and_tori_are_spheres_and_tori() {
     above!(agree(&*built(ring), &built(torus(0.75, 0.25)), &mut draw), 3_000);
 }
 
-/// Law: eight parallel planes in one polynomial of degree 8 are all found, close together
-/// or not. Oracle: the polynomial is made from them.
+/// Law: if up to eight parallel planes are the zero set of one polynomial, a ray hits every one of them,
+/// also where they are close together. Oracle: the planes from which the polynomial is made.
 #[test]
-fn no_sheet_of_many_is_lost() {
+fn every_one_of_eight_sheets_is_hit() {
     let mut draw = Draw::new(1971);
     for _ in 0..2_000 {
         let mut heights: Vec<f64> = (0..8).map(|_| draw.below(65) as f64 / 16.0 - 2.0).collect();
@@ -89,7 +89,8 @@ fn no_sheet_of_many_is_lost() {
         assert!(expected.iter().all(|&t| inside(t)), "{expected:?} along {ray:?}");
         assert_eq!(found.len(), expected.len(), "{heights:?}: {found:?}");
         for (t, e) in found.iter().zip(&expected) {
-            // sheets 1/16 apart: a factor of that for each of seven neighbours, over their reach
+            // planes may be 1/16 apart: each of the seven others makes the root more sensitive to
+            // rounding
             assert!((t - e).abs() < 1e-6, "{heights:?}: {t} for {e}");
         }
     }
@@ -194,9 +195,9 @@ fn a_surface_does_not_depend_on_the_sign_of_its_polynomial() {
     assert!(hits > 300, "{hits}");
 }
 
-/// Law: what is no surface is refused, with the field and what would fit.
+/// Law: terms that define no surface are refused; the message names the field and what is needed.
 #[test]
-fn what_is_no_surface_is_refused() {
+fn terms_without_a_surface_are_refused() {
     let text = |terms: &[(f64, [u32; 3])], half: f64| {
         let kind = Kind::from(surface(terms, half));
         kind.build(&mut Context::default()).expect_err("no surface").to_string()
@@ -221,8 +222,8 @@ fn what_is_no_surface_is_refused() {
     assert!(text(&[(1.0, [1, 0, 0])], 0.0).starts_with("algebraic.max: found [0.0, 0.0, 0.0]"));
 }
 
-/// Law: the point of a hit is on the surface within its error bound also where sheets coincide, cross or
-/// end in a point, so that the gradient there is nothing but rounding. Oracle: the distance from the
+/// Law: the point of a hit is on the surface within its error bound, also where sheets coincide, cross
+/// or end in a point. There the computed gradient is only rounding error. Oracle: the distance from the
 /// sphere, the planes and the cone that the polynomials are made of.
 #[test]
 fn points_where_sheets_meet_are_on_the_surface() {
@@ -272,12 +273,13 @@ fn points_where_sheets_meet_are_on_the_surface() {
         let shape = built(surface(&terms, 2.0));
         let mut hits = 0;
         for _ in 0..2_000 {
-            let reach = if which < 2 { 0.7 } else { draw.pick(&[0.0, 1e-9, 1e-6, 0.3]) };
+            let spread = if which < 2 { 0.7 } else { draw.pick(&[0.0, 1e-9, 1e-6, 0.3]) };
             let target = match which {
-                2 => middle + (draw.between(-1.0, 1.0) * Vector::Y + draw.vector(reach)),
-                _ => middle + draw.vector(reach),
+                2 => middle + (draw.between(-1.0, 1.0) * Vector::Y + draw.vector(spread)),
+                _ => middle + draw.vector(spread),
             };
-            // from afar the place is rounded, and one step does not reach a double root
+            // from far away the position along the ray is rounded, and one correction step does not get
+            // to a double root
             let far = draw.pick(&[3.0, 12.0]);
             let away = draw.decades(0.5, far) * draw.direction();
             let ray = Ray::new(target + away, -away);

@@ -1,10 +1,11 @@
-//! The box that ends the work for a ray that passes a compound by.
+//! The bounding box of a compound: a ray that misses it needs no further tests.
 
 use groundtruth::math::{Aabb, Point, Ray, Vector};
 use groundtruth::verify::Draw;
 
-/// A box, a line that touches it in one corner alone (or along an edge), and a direction from there
-/// away from the box, perpendicular to the line: integers, exact in all that is done with them here.
+/// A box, a corner of it, the direction of a line that touches the box only in this corner (or runs
+/// along an edge or a face), and a direction perpendicular to the line that points away from the box.
+/// All numbers are integers, so that this test computes with them exactly.
 fn touched(draw: &mut Draw) -> (Aabb, Point, Vector, Vector) {
     const SCALE: f64 = (1_u64 << 30) as f64;
     let whole = |draw: &mut Draw, n: usize| draw.below(n) as f64;
@@ -22,9 +23,9 @@ fn touched(draw: &mut Draw) -> (Aabb, Point, Vector, Vector) {
     (Aabb { min, max }, corner, along, away)
 }
 
-/// Law: a line that touches a box in a corner may meet it, wherever it starts and however long its
-/// direction; 10⁻¹² of the coordinates farther out it does not. Oracle: integers, in which a plane
-/// through the corner has all of the box on one side.
+/// Law: a line that touches a box in a corner may meet it, wherever the ray starts and however long its
+/// direction is. Moved outward by about 10⁻¹² of the coordinates, it does not meet it. Oracle: integer
+/// arithmetic; the whole box is on one side of a plane through the corner.
 #[test]
 fn a_line_may_meet_a_box_up_to_its_corner_and_no_farther() {
     let mut draw = Draw::new(1966);
@@ -50,8 +51,8 @@ fn a_line_may_meet_a_box_up_to_its_corner_and_no_farther() {
     }
 }
 
-/// Law: a box is met up to where the ray leaves it, and not beyond, but for roundings. Oracle: worked
-/// by hand.
+/// Law: a ray may meet a box if it starts before the point where it leaves the box, and not if it starts
+/// beyond that, up to rounding. Oracle: worked by hand.
 #[test]
 fn a_ray_may_meet_a_box_up_to_where_it_leaves_it() {
     let unit = Aabb { min: Point::ORIGIN, max: Point::new(1.0, 1.0, 1.0) };
@@ -66,10 +67,10 @@ fn a_ray_may_meet_a_box_up_to_where_it_leaves_it() {
     }
 }
 
-/// Law: lines along an axis, in the plane of a face, and beside it; and boxes without bounds. Oracle:
-/// worked by hand.
+/// Law: the answer is right for rays along an axis, in the plane of a face and beside it, with zeros of
+/// either sign; also for empty and infinite boxes. Oracle: worked by hand.
 #[test]
-fn zeros_and_infinities_decide_as_they_should() {
+fn zeros_and_infinite_boxes_are_handled() {
     let unit = Aabb { min: Point::ORIGIN, max: Point::new(1.0, 1.0, 1.0) };
     for zero in [0.0, -0.0] {
         for (y, meets) in [(-1e-12, false), (0.0, true), (0.5, true), (1.0, true), (1.5, false)] {

@@ -1,4 +1,4 @@
-//! The parts of solids: each of its own material; and what a person who types them wrong is told.
+//! The parts of solids: their materials, and the error messages for wrong input.
 
 use std::sync::Arc;
 
@@ -8,7 +8,8 @@ use groundtruth::shapes::{
     Shape, SolidCone, ThickRing,
 };
 
-/// A ring whose parts may have the materials `red` (0), `glass` (1), which casts no shadows.
+/// A ring whose parts may have the materials `red` (index 0) or `glass` (index 1), which casts no
+/// shadows.
 fn ring(materials: &[(&str, &str)]) -> Result<Arc<dyn Shape>, String> {
     let defined = [("red", 0, true), ("glass", 1, false)];
     let defined = defined.map(|(name, index, casts_shadows)| {
@@ -37,16 +38,16 @@ fn at_parts() -> [(&'static str, Ray); 4] {
     ]
 }
 
-/// Law: a part that `materials` names has its material, every other that of the whole. Oracle: the
-/// list itself.
+/// Law: a part that is named in `materials` has that material; every other part has the material of the
+/// whole solid (`None`). Oracle: the list itself.
 #[test]
 fn each_part_of_a_solid_has_its_material() {
     for (part, _) in at_parts() {
-        for (material, place) in [("red", 0), ("glass", 1)] {
+        for (material, index) in [("red", 0), ("glass", 1)] {
             let shape = ring(&[(part, material)]).expect("a part's name");
             for (name, ray) in at_parts() {
                 let at = shape.hit(&ray, Span::AHEAD).expect("aimed at");
-                let expected = (name == part).then_some(place);
+                let expected = (name == part).then_some(index);
                 assert_eq!(shape.surface(&ray, &at).material, expected, "{part}, {name}");
             }
         }
@@ -58,8 +59,8 @@ fn each_part_of_a_solid_has_its_material() {
     }
 }
 
-/// Law: a part of a material that casts no shadows stands in no light's way; the others do. Oracle:
-/// which part the ray is aimed at.
+/// Law: a part whose material casts no shadows does not block light; the other parts do. Oracle: which
+/// part the ray is aimed at.
 #[test]
 fn a_part_whose_material_casts_no_shadows_lets_light_pass() {
     for (part, _) in at_parts() {
@@ -72,9 +73,9 @@ fn a_part_whose_material_casts_no_shadows_lets_light_pass() {
     }
 }
 
-/// Law: a part or a material that is not there is an error that lists what is.
+/// Law: an unknown part or material is an error, and the message lists the known ones.
 #[test]
-fn an_unknown_part_is_named_with_those_there_are() {
+fn an_unknown_part_is_an_error_that_lists_the_known_ones() {
     assert_eq!(
         ring(&[("lid", "red")]).expect_err("no lid"),
         "thick_ring.materials: no part `lid`; there are: bottom, inner_wall, outer_wall, top"
@@ -85,7 +86,7 @@ fn an_unknown_part_is_named_with_those_there_are() {
     );
 }
 
-/// Law: numbers that no solid has are refused by the name of the field a person typed.
+/// Law: invalid numbers are refused, and the message names the field as it is written in the scene.
 #[test]
 fn solids_name_the_field_that_does_not_fit() {
     let m = Materials::new;

@@ -1,4 +1,4 @@
-//! Solids of several parts: closed, and of the form their equations say.
+//! Solids of several parts: they are closed, and they are the sets that their inequalities describe.
 
 use crate::support::solids::built;
 use crate::support::solids::check_pieces;
@@ -50,8 +50,8 @@ fn bowl(draw: &mut Draw) -> ([f64; 2], f64) {
     ([outer * draw.between(0.7, 0.98), outer], opening)
 }
 
-/// Law and oracle: as [`check_pieces`]; two spheres and the plane in which the inner one opens at
-/// the angle.
+/// Law and oracle: as [`check_pieces`]; two spheres, and the plane of the rim, where the inner sphere
+/// opens at the given angle.
 #[test]
 fn a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim() {
     let mut draw = Draw::new(1932);
@@ -70,8 +70,8 @@ fn a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim() {
     }
 }
 
-/// Law and oracle: as [`check_pieces`]; two spheres up to the cone of the opening, and a tube about
-/// the circle half-way between them there.
+/// Law and oracle: as [`check_pieces`]; two spheres up to the cone of the opening, and a tube whose
+/// centre circle is on that cone, half-way between the spheres.
 #[test]
 fn a_round_rimmed_bowl_is_closed_and_ends_in_a_tube() {
     let mut draw = Draw::new(1933);
@@ -94,11 +94,12 @@ fn a_round_rimmed_bowl_is_closed_and_ends_in_a_tube() {
     }
 }
 
-/// Law: rim and spheres touch: where one ends and the other begins, points and normals are the
-/// same. Oracle: the direction from the centre, along which the spheres' normals are.
+/// Law: the rim joins both spheres smoothly: at the seam points and normals agree. Oracle: the direction
+/// from the centre, which is the direction of both spheres' normals.
 #[test]
 fn the_rim_of_a_bowl_touches_both_spheres() {
-    /// Of a direction, 1e-9 from the seam and a curvature of 1/0.1.
+    /// Tolerance for the direction of a normal, 1e-9 degrees from the seam, where the curvature is
+    /// 1/0.1.
     const BEND: f64 = 4e-8;
     for opening in [180.0, 120.0, 250.0_f64] {
         let materials = Materials::new();
@@ -136,7 +137,7 @@ fn a_concave_lens_is_a_disk_without_two_balls() {
         let thickness = min_distance + draw.between(0.05, 1.9) * radius;
         let [radius, thickness, min_distance] =
             if case == 0 { [4.0, 2.0, 0.35] } else { [radius, thickness, min_distance] };
-        // a circle through (0, m/2) and (±R, T/2): the centre is as far from one as the other
+        // a circle through (0, m/2) and (±R, T/2): its centre is equally far from all three
         let (low, high) = (0.5 * min_distance, 0.5 * thickness);
         let center = (radius * radius + (high - low) * (high + low)) / (2.0 * (high - low));
         let rho = center - low;
@@ -149,9 +150,9 @@ fn a_concave_lens_is_a_disk_without_two_balls() {
     }
 }
 
-/// Law: a lens ends at its rim to some 1e-14 of its radius, also where its hollows are so flat that no
-/// height tells that, and a ray just within meets both of them; hemispheres whose thickness was rounded
-/// are lenses, too. Oracle: the distance from the axis.
+/// Law: a lens ends at its rim, up to 1e-13 of its radius, and a ray just inside the rim meets both
+/// hollows. This holds also for hollows so flat that heights do not tell where the rim is. Hemispheres
+/// whose thickness is rounded are accepted, too. Oracle: the distance from the axis.
 #[test]
 fn the_hollows_of_flat_lenses_end_at_the_rim() {
     let mut draw = Draw::new(1936);
@@ -177,7 +178,7 @@ fn the_hollows_of_flat_lenses_end_at_the_rim() {
     }
 }
 
-/// Law: a cut face is hit where its inequalities hold, and its normal is up. Oracle: the point
+/// Law: a cut face is hit where its inequalities hold, and its normal is (0, 1, 0). Oracle: the point
 /// aimed at.
 #[test]
 fn a_cut_face_is_a_square_without_a_disk() {

@@ -1,4 +1,5 @@
-//! Leaving a surface: no ray meets again the point it starts from, and none skips what comes next.
+//! Leaving a surface: a ray does not hit the point again that it starts from, and it does not miss the
+//! next surface.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -33,7 +34,7 @@ fn check_shapes(cases: Range<usize>, seed: u64) {
             "{case}: the bound {surface:?} is too wide"
         );
         let skipped = check_leaving(&mut draw, &kind, &*shape, form, &surface, &case);
-        assert!(!skipped, "{case}: none of these is so thin");
+        assert!(!skipped, "{case}: no shape here is thin enough to be skipped");
     }
     assert!(10 * hits > 8 * count, "only {hits} hits");
     println!("widest bound: {largest:.1} u of the coordinates");
@@ -42,9 +43,10 @@ fn check_shapes(cases: Range<usize>, seed: u64) {
 /// Error bounds may be a few dozen roundings of the largest coordinate or size, no more.
 const MAX: f64 = 100.0;
 
-/// Law: a ray that leaves a surface does not meet it again at the same place, finds the far side of
-/// what it is inside of and whatever lies beyond 8 error bounds; at scales from 1e-6 to 1e6 and
-/// down to 1e-9 of grazing. Oracle: how often a line meets convex and flat shapes.
+/// Law: a ray that leaves a surface does not hit it again at the same point. It finds the far side of
+/// the solid that it is inside of, and every surface that is more than 8 error bounds away. Scales are
+/// from 1e-6 to 1e6, angles to the surface down to 1e-9. Oracle: how often a line meets convex and flat
+/// shapes.
 #[test]
 fn a_ray_that_leaves_does_not_meet_the_same_point_again() {
     check_shapes(0..40_000, 1900);
@@ -57,8 +59,8 @@ fn rays_leave_thoroughly() {
     check_shapes(0..4_000_000, 1901);
 }
 
-/// Law: a segment between two points of a convex surface, offset at both ends, meets nothing, down
-/// to points a millionth of the size apart. Oracle: convexity.
+/// Law: a segment between two points of a convex surface, offset at both ends, meets nothing, even if
+/// the points are only a millionth of the size apart. Oracle: convexity.
 #[test]
 fn a_shadow_segment_is_free_of_both_its_ends() {
     let mut draw = Draw::new(1902);
@@ -71,7 +73,7 @@ fn a_shadow_segment_is_free_of_both_its_ends() {
         }
         let shape = built(&kind);
         let Some(p) = random_hit(&mut draw, &*shape, middle, size) else { continue };
-        // another point of the surface, as near as that: across from one beside it, inside
+        // another point of the surface: seen from a point inside, which may be very near
         let inside = p.point - (size * draw.decades(-6.0, -1.0)) * p.normal;
         let other = Ray::new(inside, draw.leaving(p.normal));
         let Some(hit) = shape.hit(&other, Span::AHEAD) else { continue };
@@ -93,21 +95,21 @@ fn a_shadow_segment_is_free_of_both_its_ends() {
     assert!(checked > 10_000, "only {checked} segments");
 }
 
-/// Law: between two parallel planes as near as 1e-9 of their distance from the origin a segment
-/// meets neither, and a third one half-way is found. Oracle: geometry.
+/// Law: a segment between two parallel planes meets neither of them, but finds a third one half-way,
+/// even if the gap is only 1e-9 of their distance from the origin. Oracle: geometry.
 #[test]
 fn a_shadow_segment_between_planes_meets_only_what_is_between() {
     let mut draw = Draw::new(1903);
     for i in 0..20_000 {
         let size = draw.decades(-6.0, 6.0);
-        let place = draw.point(size);
+        let base = draw.point(size);
         let n = draw.direction();
         let gap = size * draw.decades(-9.0, 0.0);
         let plane = |point| built(&Plane { point, normal: n.into() }.into());
-        let [low, middle, high] = [0.0, 0.5, 1.0].map(|f| plane(place + (f * gap) * n));
+        let [low, middle, high] = [0.0, 0.5, 1.0].map(|f| plane(base + (f * gap) * n));
         let aim = draw.leaving(n);
-        let down = Ray::new(place + (10.0 * gap) * n, -aim);
-        let up = Ray::new(place - (10.0 * gap) * n, draw.leaving(n));
+        let down = Ray::new(base + (10.0 * gap) * n, -aim);
+        let up = Ray::new(base - (10.0 * gap) * n, draw.leaving(n));
         let surface = |shape: &Arc<dyn Shape>, ray: &Ray| {
             shape.hit(ray, Span::AHEAD).map(|hit| shape.surface(ray, &hit))
         };
@@ -126,10 +128,11 @@ fn a_shadow_segment_between_planes_meets_only_what_is_between() {
     }
 }
 
-/// Law: every kind of the chapter is left for good, at scales from 1e-6 to 1e6, up to a thousand
-/// sizes from the origin and down to 1e-9 of grazing: what a ray that leaves hits next it meets from the
-/// side that it left to, and it finds whatever lies beyond 8 error bounds. Oracle: what is closed is
-/// left and entered in turn.
+/// Law: a ray that leaves a surface of any kind of the chapter does not hit the same point again. If it
+/// leaves to the outside, it hits the next surface from outside, and if to the inside, from inside. It
+/// finds every surface that is more than 8 error bounds away. Scales are from 1e-6 to 1e6, distances
+/// from the origin up to a thousand sizes, angles to the surface down to 1e-9. Oracle: a ray leaves and
+/// enters a closed solid in turn.
 #[test]
 fn every_kind_of_the_chapter_is_left_for_good() {
     check_kinds("ch19", [30, 80], 1905);

@@ -18,9 +18,9 @@ pub fn ts(shape: &dyn Shape, ray: &Ray) -> Vec<f64> {
     shape.roots(ray, Span::LINE).iter().map(|root| root.t).collect()
 }
 
-/// A ray at something of about this reach near the origin.
-pub fn some_ray(draw: &mut Draw, reach: f64) -> Ray {
-    let target = draw.point(reach);
+/// A ray aimed at a random point near the origin, at most about `extent` away.
+pub fn some_ray(draw: &mut Draw, extent: f64) -> Ray {
+    let target = draw.point(extent);
     let origin = target + draw.between(0.0, 4.0) * draw.direction();
     Ray::new(origin, draw.decades(-2.0, 2.0) * (target - origin))
 }
@@ -60,7 +60,7 @@ fn wholes() -> [Kind; 3] {
     ]
 }
 
-/// The roots of both, in order, those of the seam once.
+/// The roots of both shapes in ascending order; a root on the seam, which both may have, counts once.
 fn together(a: &Kind, b: &Kind, ray: &Ray) -> Vec<f64> {
     let mut all = ts(&*built(a.clone()), ray);
     all.extend(ts(&*built(b.clone()), ray));
@@ -93,7 +93,8 @@ fn a_part_and_its_complement_are_the_whole() {
     assert!(hits > 6_000, "{hits}");
 }
 
-/// Law: a range of 360 degrees, wherever it starts, is all around, bit for bit. Oracle: the whole.
+/// Law: a range of 360 degrees, wherever it starts, gives the whole shape, bit for bit. Oracle: the
+/// whole.
 #[test]
 fn a_full_turn_is_the_whole() {
     let mut draw = Draw::new(1931);
@@ -107,7 +108,7 @@ fn a_full_turn_is_the_whole() {
     }
 }
 
-/// Whether an azimuth is in a range, by counting degrees.
+/// Whether an azimuth is in a range, by adding and subtracting full turns.
 fn in_range(phi: f64, [from, to]: [f64; 2]) -> bool {
     let mut phi = phi;
     while phi > from {
@@ -165,8 +166,8 @@ fn a_point_is_hit_if_its_angles_are_in_range() {
     assert!(hits.iter().all(|&n| n > 800), "{hits:?}");
 }
 
-/// Law: 350 to 360 and 0 to 10 meet without a gap at +z, each covers its own side, and 350 to 10 is
-/// both. Oracle: the azimuths aimed at.
+/// Law: the ranges 350 to 360 and 0 to 10 meet at +z without a gap, each covers only its own side, and
+/// 350 to 10 covers both. Oracle: the azimuths aimed at.
 #[test]
 fn ranges_meet_at_azimuth_zero() {
     let ranges = [[350.0, 360.0], [0.0, 10.0], [350.0, 10.0], [-10.0, 10.0]];
@@ -277,7 +278,7 @@ fn hits_of_part_spheres_have_angles_in_range() {
     assert!(hits > 1_000, "{hits}");
 }
 
-/// Law: bounds of a part hold all of it and no more. Oracle: points of it, densely.
+/// Law: the bounds of a part contain all of it and are tight. Oracle: a dense set of its points.
 #[test]
 fn bounds_of_parts_are_tight() {
     let mut draw = Draw::new(1935);
@@ -286,7 +287,7 @@ fn bounds_of_parts_are_tight() {
         let theta = [draw.between(0.0, 120.0), draw.between(121.0, 180.0)];
         let theta = if draw.coin() { theta } else { [theta[0] / 2.0, theta[0]] };
         let width = if phi[1] < phi[0] { phi[1] + 360.0 - phi[0] } else { phi[1] - phi[0] };
-        let place = |i: usize| {
+        let sample = |i: usize| {
             let n = outward(phi[0] + width * (i / 60) as f64 / 360.0);
             let polar = theta[0] + (theta[1] - theta[0]) * (i % 60) as f64 / 59.0;
             let round = sin_degrees(polar) * n + cos_degrees(polar) * Vector::Y;
@@ -297,11 +298,11 @@ fn bounds_of_parts_are_tight() {
                 CENTER + (0.25 + 0.5 * share) * n,
             ]
         };
-        let places = Vec::from_iter((0..361 * 60).map(place));
+        let samples = Vec::from_iter((0..361 * 60).map(sample));
         let mut kinds = all_parts(phi);
         kinds[0] = part_sphere(phi, theta).into();
         for (i, kind) in kinds.into_iter().enumerate() {
-            let points = groundtruth::math::Aabb::around(places.iter().map(|place| place[i]));
+            let points = groundtruth::math::Aabb::around(samples.iter().map(|sample| sample[i]));
             let bounds = built(kind.clone()).bounds();
             for (inner, outer) in [(points.min, bounds.min), (points.max, bounds.max)] {
                 let off = (inner - outer).max_abs();
@@ -314,7 +315,7 @@ fn bounds_of_parts_are_tight() {
     }
 }
 
-/// Law: ranges that mean nothing are refused, and the message says what would fit. Oracle: the text.
+/// Law: invalid ranges are refused, and the message says what is needed. Oracle: the text.
 #[test]
 fn empty_and_impossible_ranges_are_refused() {
     let problem = |kind: Kind| {

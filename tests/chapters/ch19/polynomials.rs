@@ -1,4 +1,4 @@
-//! Roots of polynomials of small degree, on which tori and algebraic surfaces stand.
+//! Roots of polynomials of small degree, which tori and algebraic surfaces need.
 
 use groundtruth::math::polynomial::{real_roots, roots_between};
 use groundtruth::math::power_of_two;
@@ -6,7 +6,8 @@ use groundtruth::verify::Draw;
 
 use crate::support::U;
 
-/// How far from a root of a polynomial with slightly other coefficients: `numerics.md`.
+/// The largest allowed residual of a root, relative to its terms: such a root is exact for slightly
+/// different coefficients (`numerics.md`).
 const RESIDUAL: f64 = 8.0 * U;
 
 /// Law: the solver's textbook examples. Oracle: the polynomials are made from their roots.
@@ -29,8 +30,8 @@ fn the_textbook_quartics_have_their_roots() {
     }
 }
 
-/// Law: a root of multiplicity k is found, where rounding can put it: within u^(1/k) (numerics.md).
-/// Oracle: coefficients made from the roots.
+/// Law: a root of multiplicity k is found as near to its value as rounding allows: within about u^(1/k)
+/// (numerics.md). Oracle: coefficients made from the roots.
 #[test]
 fn roots_that_meet_are_never_lost() {
     let with = |roots: &[f64]| {
@@ -43,7 +44,7 @@ fn roots_that_meet_are_never_lost() {
     for _ in 0..4_000 {
         let whole = |draw: &mut Draw| draw.below(41) as f64 - 20.0;
         let times = 2 + draw.below(3);
-        // thirds: coefficients are rounded, by no more than 4u, and then have no double root at all
+        // with thirds the coefficients are rounded, by at most 4u, so that there is no exact double root
         let share = if times == 2 { 1.0 / 3.0 } else { 1.0 };
         let (meeting, other) = (share * whole(&mut draw), share * whole(&mut draw));
         let mut roots = vec![meeting; times];
@@ -53,8 +54,9 @@ fn roots_that_meet_are_never_lost() {
         let found = real_roots(&with(&roots));
         for &root in &roots {
             let meets = roots.iter().filter(|&&r| r == root).count() as f64;
-            // coefficients rounded by 8u move the value by 8u ∏(|x| + |r|) at most, and m roots that
-            // meet by its m-th root over the product of the distances to the others; twice that
+            // coefficients rounded by 8u change the value by at most 8u ∏(|x| + |r|). An m-fold root
+            // moves by the m-th root of that change over the product of its distances to the other
+            // roots; twice that is allowed
             let value: f64 = roots.iter().map(|r| root.abs() + r.abs()).product();
             let apart: f64 = roots.iter().map(|r| (root - r).abs()).filter(|&d| d > 0.0).product();
             let moved = groundtruth::math::power(8.0 * U * value / apart, 1.0 / meets);
@@ -67,7 +69,7 @@ fn roots_that_meet_are_never_lost() {
     }
 }
 
-/// A polynomial of degree 1 to 8, coefficients of some magnitudes, some of them zero.
+/// A polynomial of degree 1 to 8 whose coefficients have different magnitudes; one may be zero.
 fn any(draw: &mut Draw) -> Vec<f64> {
     let degree = 1 + draw.below(8);
     let spread = draw.between(0.0, 4.0);
@@ -79,8 +81,8 @@ fn any(draw: &mut Draw) -> Vec<f64> {
     c
 }
 
-/// Law: every root is found, none invented, each with a residual of at most 8u of its terms; unless a
-/// change of the coefficients by 16u would make it otherwise. Oracle: 512-bit arithmetic.
+/// Law: all roots are found and no others, unless a change of the coefficients by 16u changes their
+/// number. Each root has a residual of at most 8u of its terms. Oracle: 512-bit arithmetic.
 #[test]
 fn every_root_of_an_interval_is_found() {
     let mut draw = Draw::new(1941);
@@ -108,7 +110,8 @@ fn every_root_of_an_interval_is_found() {
     assert!(judged > 900 && roots > 600, "{judged} judged, {roots} roots");
 }
 
-/// Law: the roots of the whole line are those of a large interval. Oracle: the same, of 512 bits.
+/// Law: the roots on the whole line are those in a large interval. Oracle: the roots in that interval in
+/// 512-bit arithmetic.
 #[test]
 fn every_root_of_the_line_is_found() {
     let mut draw = Draw::new(1942);
@@ -140,8 +143,8 @@ fn scaled_coefficients_have_the_same_roots() {
     }
 }
 
-/// Law: a leading coefficient of zero or next to nothing changes no root within reach. Oracle: the
-/// roots without it.
+/// Law: a leading coefficient that is zero or tiny does not change the roots in a bounded interval.
+/// Oracle: the roots without it.
 #[test]
 fn a_tiny_leading_coefficient_changes_nothing_within_reach() {
     let mut draw = Draw::new(1944);
@@ -157,7 +160,9 @@ fn a_tiny_leading_coefficient_changes_nothing_within_reach() {
     assert!(far.len() == 2 && (far[0] / 1e100 + 1.0).abs() < 4.0 * U && far[1] == 1.0, "{far:?}");
 }
 
-/// Law: what has no roots, or every number, or no numbers, gives none; and ends count.
+/// Law: a polynomial without roots, the zero polynomial, no coefficients, coefficients that are not
+/// finite, too many coefficients and an empty interval give no roots. Roots at the ends of the interval
+/// count.
 #[test]
 fn ends_count_and_nonsense_has_no_roots() {
     for c in [&[][..], &[0.0], &[0.0, 0.0, 0.0], &[5.0], &[1.0, f64::NAN], &[1.0, f64::INFINITY]] {

@@ -8,7 +8,7 @@ use groundtruth::verify::Draw;
 
 use super::parts::{built, some_ray, ts};
 
-/// Coordinates near 1, a dozen roundings.
+/// Tolerance for coordinates near 1: less than a thousand roundings.
 const CLOSE: f64 = 1e-13;
 
 /// Law: every hit of a cone obeys `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`; the normal is
@@ -39,7 +39,7 @@ fn cone_hits_obey_its_equation_and_normals_are_perpendicular_to_generators() {
     assert!(hits > 5_000, "{hits}");
 }
 
-/// Law: a point of the wall is hit; one of the other half of the double cone, or below the base, is
+/// Law: a point of the wall is hit; a point on the other half of the double cone or below the base is
 /// not. Oracle: the point aimed at.
 #[test]
 fn a_point_of_the_wall_is_hit_and_one_beyond_its_ends_is_not() {
@@ -78,8 +78,8 @@ impl Across for Normal {
     }
 }
 
-/// Law: a line along a generator's direction meets the cone once; a steep one once on this half; a
-/// level one above the apex not at all. Oracle: worked by hand (`|x| = 1 − y`).
+/// Law: a line parallel to a generator meets the cone once; a steep line meets this half once; a level
+/// line above the apex does not meet it. Oracle: worked by hand (`|x| = 1 − y`).
 #[test]
 fn rays_along_generators_and_down_the_axis_meet_a_cone_once() {
     let cone = built(Cone { height: 1.0, radius: 1.0, inward: false });
@@ -94,12 +94,12 @@ fn rays_along_generators_and_down_the_axis_meet_a_cone_once() {
     assert_eq!(along([1.0, 0.0, 0.0], [-0.5, 0.5, 0.0]), [2.0]);
     assert_eq!(along([0.0, -1.0, 2.0], [0.0, 1.0, -1.0]), [2.0]);
     assert_eq!(along([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0]), [3.0]);
-    // through the wall of the other half, which is not there
+    // through the other half of the double cone, which is not part of the shape
     assert_eq!(along([0.0, 1.25, 0.0], [0.5, -1.5, 0.0]), [0.25]);
 }
 
-/// Law: a cone and the disk of its base are closed: every line meets them an even number of times.
-/// Oracle: topology.
+/// Law: a cone with the disk of its base, and a paraboloid with its lid, are closed: every line meets
+/// them an even number of times. Oracle: topology.
 #[test]
 fn a_cone_and_its_base_are_closed() {
     let cone = built(Cone { height: 0.8, radius: 0.6, inward: false });
@@ -121,10 +121,10 @@ fn a_cone_and_its_base_are_closed() {
     assert!(hits.iter().all(|&n| n > 10_000), "{hits:?}");
 }
 
-/// Law: cones and paraboloids from flat as a sheet to thin as a needle end where they should: along
-/// the wall 10⁻¹¹ of its length inside the rim is a hit, and as far outside none, for rays that cross
-/// the wall there, along the axis if it is flat and across if it is steep. Oracle: the wall's
-/// equation, by which a share `s` of the radius is at the height `h (1 − s)`, or `h s²`.
+/// Law: cones and paraboloids, from very flat to very thin, end at their rim: a ray that crosses the
+/// wall 10⁻¹¹ of its length inside the rim hits, and one as far outside misses. Rays are parallel to the
+/// axis if the wall is flat, and perpendicular to it if the wall is steep. Oracle: the equation of the
+/// wall: at the share `s` of the radius its height is `h (1 − s)` or `h s²`.
 #[test]
 fn flat_and_steep_walls_end_at_their_rim() {
     let mut draw = Draw::new(1945);
@@ -141,7 +141,7 @@ fn flat_and_steep_walls_end_at_their_rim() {
                     true => (Point::ORIGIN + radius * share * out, away * Vector::Y),
                     false => (Point::new(0.0, y, 0.0), away * out),
                 };
-                // down through the wall; or to the axis, so once
+                // straight down through the wall, or only as far as the axis: one crossing
                 let span = Span { min: 0.0, max: if height < radius { 2.0 } else { 1.0 } };
                 let ray = Ray::new(at + from, -from);
                 assert_eq!(wall.roots(&ray, span).len(), hits, "{wall:?}: {ray:?}");
@@ -177,7 +177,7 @@ fn a_paraboloid_gathers_light_in_its_focus() {
     assert!(hits > 4_000, "{hits}");
 }
 
-/// The example of a row of docs/book.md.
+/// The example in the row of docs/book.md whose first cell is `of`.
 fn example(of: &str) -> Kind {
     let map = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/book.md");
     let map = fs::read_to_string(map).expect("the map is there");
@@ -186,9 +186,9 @@ fn example(of: &str) -> Kind {
     toml::from_str(code).expect("the example is a shape")
 }
 
-/// Law: the ellipsoid of the book's map is `x²/4 + y²/9 + z² = 1`, its elliptic cylinder `x²/4 + z² = 1`
-/// for `0 ≤ y ≤ 1`, its hemisphere the upper half of the unit sphere; each with the gradient for its
-/// normal. Oracle: the equations.
+/// Law: the ellipsoid in docs/book.md is `x²/4 + y²/9 + z² = 1`, its elliptic cylinder `x²/4 + z² = 1`
+/// for `0 ≤ y ≤ 1`, its hemisphere the upper half of the unit sphere; the normal of each is the
+/// gradient. Oracle: the equations.
 #[test]
 fn the_examples_of_the_map_are_the_quadrics_they_say() {
     let mut draw = Draw::new(1944);
@@ -201,7 +201,7 @@ fn the_examples_of_the_map_are_the_quadrics_they_say() {
         let (mut hits, mut expected) = (0, 0);
         for _ in 0..5_000 {
             let ray = some_ray(&mut draw, 2.0);
-            // the roots of the quadratic by the textbook, which is good enough near 1
+            // the roots of the quadratic by the textbook formula, which is accurate enough near 1
             let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin.to_array(), ray.direction.to_array());
             let qa = a * dx * dx + b * dy * dy + c * dz * dz;
             let qb = a * ox * dx + b * oy * dy + c * oz * dz;

@@ -1,4 +1,4 @@
-//! What the shapes of chapter 19 are, by equations and by each other.
+//! The shapes of chapter 19, checked against their equations and against each other.
 
 use std::sync::Arc;
 
@@ -20,18 +20,18 @@ fn first(shape: &dyn Shape, ray: &Ray) -> Option<(Candidate, Surface)> {
     Some((hit, shape.surface(ray, &hit)))
 }
 
-/// A ray at something near the origin.
-fn some_ray(draw: &mut Draw, reach: f64) -> Ray {
-    let target = draw.point(reach);
+/// A ray aimed at a random point near the origin, at most about `extent` away.
+fn some_ray(draw: &mut Draw, extent: f64) -> Ray {
+    let target = draw.point(extent);
     let origin = target + draw.between(0.0, 4.0) * draw.direction();
     Ray::new(origin, draw.decades(-2.0, 2.0) * (target - origin))
 }
 
-/// Coordinates near 1, a dozen roundings.
+/// Tolerance for coordinates near 1: less than a thousand roundings.
 const CLOSE: f64 = 1e-13;
 
-/// Law: every hit of a cylinder obeys `x² + z² = r²`, `y0 ≤ y ≤ y1`, and the normal is `(x, 0,
-/// z)/r`. Oracle: the equation.
+/// Law: every hit of a cylinder obeys `x² + z² = r²`, `y0 ≤ y ≤ y1`, and the normal is `(x, 0, z)/r`.
+/// Oracle: the equation.
 #[test]
 fn cylinder_hits_obey_its_equation() {
     let cylinder = built(OpenCylinder { y0: -0.5, y1: 1.25, radius: 0.75, inward: false });
@@ -53,7 +53,8 @@ fn cylinder_hits_obey_its_equation() {
     above!(hits, 2_000);
 }
 
-/// Law: when the near root is beyond an end, the far one is found. Oracle: worked by hand.
+/// Law: where the near root is beyond an end of the cylinder, the far one is found. Oracle: worked by
+/// hand.
 #[test]
 fn the_far_wall_of_a_cylinder_is_seen_through_its_open_end() {
     let cylinder = built(OpenCylinder { y0: 0.0, y1: 1.0, radius: 1.0, inward: false });
@@ -120,8 +121,7 @@ fn barycentric_coordinates_reproduce_the_hit() {
     above!(hits, 3_000);
 }
 
-/// Law: a hit counts inside the border and not outside: disk and rectangle at a known point.
-/// Oracle: the point aimed at.
+/// Law: a disk and a rectangle are hit inside their border and not outside. Oracle: the point aimed at.
 #[test]
 fn disks_and_rectangles_end_at_their_borders() {
     let mut draw = Draw::new(1923);
@@ -180,8 +180,8 @@ fn two_triangles_that_share_an_edge_leave_no_gap() {
     }
 }
 
-/// Law: `t` counts in lengths of the direction: a direction twice as long has half the `t`, the
-/// bits of all else the same; and turned round, the roots are negated. Oracle: arithmetic.
+/// Law: `t` is measured in lengths of the direction: with a direction four times as long each `t` is a
+/// quarter, and with the opposite direction it is negated, bit for bit. Oracle: arithmetic.
 #[test]
 fn t_is_inverse_to_the_length_of_the_direction() {
     let mut draw = Draw::new(1925);
@@ -204,8 +204,8 @@ fn t_is_inverse_to_the_length_of_the_direction() {
     above!(hits, 10_000);
 }
 
-/// Law: a scene a power of two as large has all its distances and points so much larger, bit for
-/// bit. Oracle: arithmetic.
+/// Law: scaling a shape by a power of two scales all its distances and points by the same factor, bit
+/// for bit. Oracle: arithmetic.
 #[test]
 fn shapes_scale_exactly_by_powers_of_two() {
     let mut draw = Draw::new(1926);
@@ -226,8 +226,8 @@ fn shapes_scale_exactly_by_powers_of_two() {
     }
 }
 
-/// Law: a ray in the plane of a flat shape misses it, zeros of either sign or not. Oracle:
-/// convention.
+/// Law: a ray in the plane of a flat shape, or parallel to it, misses it, whatever the signs of its
+/// zeros. Oracle: convention.
 #[test]
 fn a_ray_in_the_plane_misses() {
     let flat: [Arc<dyn Shape>; 3] = [
@@ -248,7 +248,7 @@ fn a_ray_in_the_plane_misses() {
     }
 }
 
-/// Law: bounds contain every hit. Oracle: comparison, with a few roundings of room.
+/// Law: bounds contain every hit. Oracle: comparison, with a margin of a few roundings.
 #[test]
 fn bounds_contain_every_hit() {
     let mut draw = Draw::new(1927);

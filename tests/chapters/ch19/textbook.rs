@@ -1,4 +1,4 @@
-//! The book's intersection routines, which a scene may ask for.
+//! The book's intersection routines, which a scene may choose instead of the library's.
 
 use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
 use groundtruth::scene::{Intersect, Scene};
@@ -9,7 +9,7 @@ use groundtruth::verify::backward_error::by_the_book;
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels, small};
 use crate::support::camera_ray;
 
-/// What the book's formulas lose from a distance of a few sizes, quartics most.
+/// The rounding error of the book's formulas from a distance of a few sizes; it is largest for quartics.
 const LOST_BY_ROUNDING: f64 = 1e-9;
 
 /// Rays from a few sizes away towards the inside of a shape's box.
@@ -33,14 +33,14 @@ fn easy_rays(shape: &dyn Shape, count: usize) -> Vec<Ray> {
     (0..count).map(ray).collect()
 }
 
-/// Law: on easy rays every kind, in the book's form, is hit where it is hit in the library's: at the same
-/// distance, on the same part, with the same normal. Oracle: the library's routines, which are held
-/// against exact answers elsewhere. Few rays may differ: those that pass an edge within rounding,
-/// and for algebraic surfaces, two roots between two samples.
+/// Law: on easy rays every kind has the same hits in the book's form as in the library's: the same
+/// distance, part and normal. Oracle: the library's routines, which other tests compare with exact
+/// answers. A few rays may differ: those that pass an edge within rounding and, for algebraic surfaces,
+/// those with two roots between two samples.
 #[test]
 fn textbook_and_robust_agree_on_easy_rays() {
     const RAYS: usize = 400;
-    /// Some specimens are far from filling their box.
+    /// Small, because some specimens fill little of their bounding box.
     const MUST_HIT: usize = 10;
     const MAY_DIFFER: usize = 4;
     let beyond = Span { min: EPSILON, ..Span::AHEAD };
@@ -71,7 +71,7 @@ fn textbook_and_robust_agree_on_easy_rays() {
     }
 }
 
-/// A sphere of radius 1 about the origin, intersected as it says itself or as the scene says.
+/// A sphere of radius 1 at the origin; `whole` is the scene's choice of routine, `own` the object's.
 fn ball(whole: Intersect, own: Option<Intersect>, epsilon: Option<f64>) -> Scene {
     let mut scene = from_front(1, 1, 1.0);
     let shape = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
@@ -80,9 +80,9 @@ fn ball(whole: Intersect, own: Option<Intersect>, epsilon: Option<f64>) -> Scene
     scene
 }
 
-/// Law: hits within epsilon of a ray's origin do not count, as a distance whatever the length of the
-/// direction, for shadows as for sight; the default is a thousandth. Oracle: from the centre, the
-/// sphere of radius 1 is at distance 1; from near its surface, as far as that.
+/// Law: hits within epsilon of a ray's origin do not count, for camera rays and for shadow rays. Epsilon
+/// is a distance, whatever the length of the direction; its default is a thousandth. Oracle: the
+/// distance to the sphere of radius 1 is 1 from the centre, and the gap from a point near the surface.
 #[test]
 fn epsilon_is_a_distance() {
     for length in [0.25, 1.0, 8.0] {
@@ -101,7 +101,8 @@ fn epsilon_is_a_distance() {
     }
 }
 
-/// Law: a ray leaves the textbook's surface from the hit point itself, `o + t d`. Oracle: that formula.
+/// Law: with the textbook's routine a ray leaves a surface from the hit point itself, `o + t d`. Oracle:
+/// that formula.
 #[test]
 fn rays_start_at_the_hit_point() {
     let world = built(&ball(Intersect::Textbook, None, None));
@@ -113,10 +114,11 @@ fn rays_start_at_the_hit_point() {
     }
 }
 
-/// Law: a scene and its objects choose by themselves, and the object's choice counts. Oracle: an epsilon
-/// larger than the ball hides it from rays that start inside, but only from the textbook.
+/// Law: the scene and each object may choose the routine, and the object's choice has priority. Oracle:
+/// an epsilon larger than the ball hides it from rays that start inside, but only with the textbook's
+/// routine.
 #[test]
-fn the_objects_choice_is_before_the_scenes() {
+fn the_objects_choice_has_priority_over_the_scenes() {
     let inside = Ray::new(Point::ORIGIN, Vector::X);
     let (robust, textbook) = (Intersect::Robust, Intersect::Textbook);
     for (whole, own, is_hit) in [
@@ -132,11 +134,11 @@ fn the_objects_choice_is_before_the_scenes() {
     }
 }
 
-/// Law: seen from far away, the book's quartic loses many of a torus's hits, and invents others; the
-/// library's routine loses none and invents none. Oracle: the torus's distance function, along which the ray goes.
+/// Law: from far away the book's quartic loses many hits of a torus and finds false ones; the library's
+/// routine does neither. Oracle: steps along the ray as long as the torus's distance function allows.
 #[test]
 fn quartics_lose_the_roots_of_a_far_torus() {
-    /// Of 6144 pixels: a hundredth is plain to see.
+    /// Of 6144 pixels: about one in a hundred, which is plainly visible.
     const MANY: usize = 60;
     /// A ray that comes as near to the surface as this is not judged.
     const NEAR: f64 = 1e-3;

@@ -1,4 +1,4 @@
-//! The torus: its equation, its closed forms, and how it is left.
+//! The torus: its equation, its closed forms, and rays that leave it.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ fn assert_close(found: &[f64], expected: &[f64], tolerance: f64, case: &str) {
     assert!(equal, "{case}: {found:?}, not {expected:?}");
 }
 
-/// Law: the torus of radii 2 and 0.5 is hit where arithmetic says. Oracle: by hand.
+/// Law: the torus of radii 2 and 0.5 is hit at known distances. Oracle: worked by hand.
 #[test]
 fn a_torus_is_hit_where_arithmetic_says() {
     let shape = built(torus(2.0, 0.5));
@@ -44,8 +44,8 @@ fn a_torus_is_hit_where_arithmetic_says() {
     }
 }
 
-/// Law: rays down the axis of the torus of radii 0.9 and 0.1, and beside it within the hole, miss; a
-/// quartic solver finds roots there that are none. Oracle: the hole's radius.
+/// Law: rays through the hole of the torus of radii 0.9 and 0.1, on the axis and beside it, miss; a
+/// quartic solver finds false roots there. Oracle: the radius of the hole.
 #[test]
 fn rays_through_the_hole_miss() {
     let mut draw = Draw::new(1950);
@@ -53,29 +53,31 @@ fn rays_through_the_hole_miss() {
     let axis = Ray::new(Point::new(0.0, 3.0, 0.0), -Vector::Y);
     assert_eq!(ts(&*shape, &axis)[..], [0.0; 0]);
     for _ in 0..10_000 {
-        // two points of the hole's cylinder above and below: all between them is within 0.8
-        let mut place = |y: f64| {
+        // one point above the torus and one below, both within 0.8 of the axis, so the segment between
+        // them is too
+        let mut in_hole = |y: f64| {
             let [x, _, z] = (draw.between(0.0, 0.799) * across(draw.direction())).to_array();
             Point::new(x, y, z)
         };
-        let (top, bottom) = (place(0.1001), place(-0.1001));
+        let (top, bottom) = (in_hole(0.1001), in_hole(-0.1001));
         let ray = Ray::new(bottom + 30.0 * (top - bottom), bottom - top);
         assert!(ts(&*shape, &ray).is_empty(), "{ray:?}");
     }
 }
 
-/// The unit vector along x and z.
+/// The unit vector of the normal's projection on the plane y = 0.
 fn across(n: Normal) -> Vector {
     Vector::new(n.x(), 0.0, n.z()).unit().unwrap_or(Vector::X)
 }
 
-/// The condition of the closed forms: what rounding of radii and distance does, over the slope.
+/// Tolerance for the closed forms: the rounding errors of radii and distance, larger where the ray
+/// grazes.
 fn allowed(size: f64, away: f64, half: f64) -> f64 {
     16.0 * U * (away + size) * (1.0 + size / half)
 }
 
-/// Law: in the plane of its circle a torus is two circles, parallel to its axis the tube's own. Thin
-/// tubes and fat ones, from near and far. Oracle: Pythagoras.
+/// Law: the plane of its centre circle cuts a torus in two circles; a plane through its axis cuts it in
+/// the circle of the tube. Thin tubes and thick ones, from near and far. Oracle: Pythagoras.
 #[test]
 fn a_torus_is_two_circles_across_and_along() {
     let mut draw = Draw::new(1951);
@@ -107,10 +109,10 @@ fn a_torus_is_two_circles_across_and_along() {
     }
 }
 
-/// Law: rays that touch the highest circle, the outermost or the innermost: a hair inside they meet
-/// it, a hair outside not. Oracle: geometry.
+/// Law: rays that are tangent to the torus at its highest or outermost circle hit it if they are moved
+/// inward by a tiny distance, and miss it if moved outward. Oracle: geometry.
 #[test]
-fn a_torus_ends_where_it_is_touched() {
+fn tangent_rays_hit_inside_and_miss_outside() {
     let mut draw = Draw::new(1952);
     for _ in 0..10_000 {
         let a = draw.decades(-2.0, 2.0);
@@ -134,8 +136,8 @@ fn a_torus_ends_where_it_is_touched() {
     }
 }
 
-/// Law: every hit obeys the book's equation, and its normal is the gradient of that. Oracle: the
-/// quartic, and its central differences.
+/// Law: every hit obeys the book's equation, and its normal is the gradient of it. Oracle: the quartic,
+/// and its central differences.
 #[test]
 fn hits_obey_the_quartic_and_normals_are_its_gradient() {
     let mut draw = Draw::new(1953);
@@ -166,8 +168,9 @@ fn hits_obey_the_quartic_and_normals_are_its_gradient() {
     assert!(hits > 2_000, "{hits}");
 }
 
-/// Law: from outside a torus is crossed an even number of times, from within the tube an odd number.
-/// Oracle: topology, and which point is inside by its distance from the circle.
+/// Law: a ray from outside crosses a torus an even number of times, one from inside the tube an odd
+/// number. Oracle: topology; the distance of the origin from the centre circle tells whether it is
+/// inside.
 #[test]
 fn outside_rays_cross_a_torus_an_even_number_of_times() {
     let mut draw = Draw::new(1954);
@@ -185,8 +188,8 @@ fn outside_rays_cross_a_torus_an_even_number_of_times() {
     assert!(counts.iter().all(|&n| n > 30), "{counts:?}");
 }
 
-/// Law: a torus whose normals point inward is hit at the same places, with opposite normals. Oracle:
-/// the other.
+/// Law: a torus whose normals point inward is hit at the same points, with opposite normals. Oracle: the
+/// torus with outward normals.
 #[test]
 fn an_inward_torus_has_opposite_normals() {
     let mut draw = Draw::new(1955);
@@ -203,9 +206,9 @@ fn an_inward_torus_has_opposite_normals() {
     }
 }
 
-/// Law: a ray that leaves a torus, outward or into the tube, meets exactly what an exact ray from the
-/// same place meets: not the place itself, and the next sheet also where that is next to it. At
-/// scales of 1e-6 to 1e6, thin and fat, down to 1e-9 of grazing. Oracle: 512-bit arithmetic.
+/// Law: a ray that leaves a torus, outward or into the tube, has the hits that it has in exact
+/// arithmetic: not its starting point, but the next sheet, even where that is very near. Scales are from
+/// 1e-6 to 1e6, tubes thin and thick, angles to the surface down to 1e-9. Oracle: 512-bit arithmetic.
 #[test]
 fn a_ray_that_leaves_a_torus_meets_what_an_exact_one_does() {
     let mut draw = Draw::new(1956);
@@ -241,11 +244,11 @@ fn a_ray_that_leaves_a_torus_meets_what_an_exact_one_does() {
     assert!(next > 400, "{next}");
 }
 
-/// Law: where a line runs along a torus in a direction in which that is almost flat, and passes it by
-/// some roundings within or without, its hits are on it. Oracle: Euler's formula for the curvature
-/// `cos²α/b + sin²α cosθ/ρ` of such a direction, and the distance from the tube.
+/// Law: hits are on the torus also for a line that runs along it in a direction of almost zero
+/// curvature, a few roundings inside or outside the surface. Oracle: Euler's formula for the curvature
+/// `cos²α/b + sin²α cosθ/ρ` in such a direction, and the distance from the tube.
 #[test]
-fn lines_along_a_torus_hit_it_where_it_is() {
+fn hits_of_lines_along_a_torus_are_on_it() {
     let mut draw = Draw::new(1957);
     let mut hits = 0;
     for i in 0..20_000 {
@@ -259,8 +262,8 @@ fn lines_along_a_torus_hit_it_where_it_is() {
         let flat = (rho / (-b * c)).sqrt() * (1.0 + draw.sign() * draw.decades(-6.0, -1.0));
         let d = (along_tube + (draw.sign() * flat) * around).unit().expect("not zero");
         let off = draw.between(-8.0, 8.0) * U * (a + b);
-        let place = Point::ORIGIN + a * radial + (b + off) * n;
-        let ray = Ray::new(place + draw.between(-1.0, 0.0) * d, d);
+        let near = Point::ORIGIN + a * radial + (b + off) * n;
+        let ray = Ray::new(near + draw.between(-1.0, 0.0) * d, d);
         for root in shape.roots(&ray, Span::LINE) {
             let p = ray.at(root.t);
             let [rho, y] = [p.to_vector().across_y().length(), p.y()];
@@ -272,9 +275,9 @@ fn lines_along_a_torus_hit_it_where_it_is() {
     assert!(hits > 20_000, "{hits}");
 }
 
-/// Law: radii that make no torus are refused, with the field and what would fit.
+/// Law: radii that make no torus are refused; the message names the field and what is needed.
 #[test]
-fn what_is_no_torus_is_refused() {
+fn radii_that_make_no_torus_are_refused() {
     let text = |torus: Torus| {
         let kind = Kind::from(torus);
         kind.build(&mut Context::default()).expect_err("no torus").to_string()
@@ -293,9 +296,9 @@ fn what_is_no_torus_is_refused() {
     );
 }
 
-/// Law: the point of a hit is on the torus, however far the ray comes from, also where its place along
-/// the ray is rounded onto the axis or onto the middle of the tube. Oracle: the distance from the
-/// circle in the middle of the tube.
+/// Law: the point of a hit is on the torus, however far away the ray starts, even if rounding puts the
+/// position along the ray on the axis or on the centre circle of the tube. Oracle: the distance from
+/// that circle.
 #[test]
 fn points_of_hits_from_afar_are_on_the_torus() {
     let assert_on_torus = |surface: Surface, swept_radius: f64, tube_radius: f64, ray: &Ray| {
@@ -322,8 +325,8 @@ fn points_of_hits_from_afar_are_on_the_torus() {
     }
     assert!(on_axis > 100, "{on_axis}");
 
-    // 7² + 24² = 25²: such a place can be the middle of the tube to the last bit, though 25 times the
-    // rounded 7 / 25 is not 7
+    // 7² + 24² = 25²: such a position can be exactly on the centre circle of the tube, though 25 times
+    // the rounded 7 / 25 is not 7
     let narrow = built(torus(25.0, 0.02));
     let mut on_middle = 0;
     for (x, z) in [(7.0, 24.0), (24.0, 7.0), (-7.0, 24.0), (24.0, -7.0)] {

@@ -55,8 +55,9 @@ fn a_part_has_the_hits_whose_angles_are_in_its_ranges() {
     assert!(kept > 5_000 && dropped > 5_000, "{kept} {dropped}");
 }
 
-/// Law: a part and the rest are the whole: each hit of the whole is a hit of one of them, the same
-/// bits. Also for rays aimed at the ends, where both may have it. Oracle: the whole.
+/// Law: a part and its complement are the whole: each hit of the whole is a hit of one of them, bit for
+/// bit. This holds also for rays aimed at the ends of the range, where both may have the hit. Oracle:
+/// the whole.
 #[test]
 fn a_part_and_the_rest_are_the_whole() {
     let mut draw = Draw::new(1961);
@@ -96,7 +97,7 @@ fn a_part_and_the_rest_are_the_whole() {
     assert!(hits > 10_000 && shared > 50, "{hits} hits, {shared} of both parts");
 }
 
-/// Law: the azimuths 350°…360° and 0°…10° meet at +z without a gap, and 350°…10° is both. Oracle:
+/// Law: the azimuths 350°…360° and 0°…10° meet at +z without a gap, and 350°…10° covers both. Oracle:
 /// points aimed at.
 #[test]
 fn the_seam_at_azimuth_zero_has_no_gap() {
@@ -115,7 +116,7 @@ fn the_seam_at_azimuth_zero_has_no_gap() {
     }
 }
 
-/// Law: where the near hit is in no range, the far one is found. Oracle: by hand.
+/// Law: where the near hit is outside the ranges, the far one is found. Oracle: by hand.
 #[test]
 fn the_far_side_is_seen_through_the_missing_part() {
     let ray = Ray::new(Point::new(-5.0, 0.0, 0.0), Vector::X);
@@ -171,7 +172,7 @@ fn the_box_of_a_part_is_tight() {
     }
 }
 
-/// Law: an inward part has the hits of the other with opposite normals. Oracle: the other.
+/// Law: an inward part has the hits of the outward one, with opposite normals. Oracle: the outward part.
 #[test]
 fn an_inward_part_has_opposite_normals() {
     let mut draw = Draw::new(1964);
@@ -188,9 +189,9 @@ fn an_inward_part_has_opposite_normals() {
     }
 }
 
-/// Law: ranges that are none are refused, with the field and what would fit.
+/// Law: invalid ranges are refused; the message names the field and what is needed.
 #[test]
-fn ranges_that_are_none_are_refused() {
+fn invalid_ranges_are_refused() {
     let text = |phi, theta| {
         let kind = Kind::from(part(phi, theta));
         kind.build(&mut Context::default()).expect_err("no range").to_string()

@@ -1,4 +1,4 @@
-//! The step that is given by its matrix.
+//! The transformation step that is given as a matrix.
 
 use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::shapes::{Box as Cuboid, Context, Instance, Kind};
@@ -14,7 +14,7 @@ fn as_matrix(t: &Transform) -> Step {
     Step::Matrix([x, y, z, [0.0, 0.0, 0.0, 1.0]])
 }
 
-/// Law: entries stand in rows, the translation in the last column. Oracle: worked by hand.
+/// Law: a matrix is written row by row, with the translation in the last column. Oracle: worked by hand.
 #[test]
 fn a_matrix_has_its_entries_in_rows() {
     let t = transform(&[Step::Matrix([
@@ -30,9 +30,9 @@ fn a_matrix_has_its_entries_in_rows() {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a matrix among steps is what the steps are whose matrix it is: the same rows when alone,
-    /// bit for bit, and in a list the product in its place. Oracle: the steps themselves, and the
-    /// schoolbook product.
+    /// Law: a matrix step does the same as the steps from which its matrix is made. Alone it has the
+    /// same rows, bit for bit; after other steps the result is the product. Oracle: the steps
+    /// themselves, and the schoolbook product.
     #[test]
     fn a_matrix_is_what_its_steps_are(before in steps(), of in steps(), p in point(3.0)) {
         let (first, then) = (transform(&before), transform(&of));
@@ -52,8 +52,9 @@ proptest! {
     }
 }
 
-/// Law: an instance by a matrix is hit where the one by its steps is. Oracle: that instance; `t` up
-/// to 20, a thousand roundings of it for matrices of small condition.
+/// Law: an instance with a matrix has the same hits as the instance with the steps of that matrix.
+/// Oracle: that instance. `t` is at most 20, and a thousand roundings of it are allowed, as the matrices
+/// have a small condition.
 #[test]
 fn an_instance_by_its_matrix_is_hit_where_the_one_by_steps_is() {
     let mut draw = Draw::new(2013);
@@ -90,8 +91,8 @@ fn an_instance_by_its_matrix_is_hit_where_the_one_by_steps_is() {
     assert!(hits > 100, "{hits}");
 }
 
-/// Law: a matrix whose rows are dependent is singular, and one whose lengths are scaled moves as
-/// much farther. Oracle: twice the first row; the rows with their last column doubled.
+/// Law: a matrix with dependent rows is singular; scaling a matrix step scales only its translation.
+/// Oracle: a second row that is twice the first; the rows with their last column doubled.
 #[test]
 fn singular_matrices_are_refused_and_scenes_scale() {
     let last = [0.0, 0.0, 0.0, 1.0];

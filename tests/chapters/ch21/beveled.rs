@@ -12,8 +12,8 @@ use groundtruth::verify::Draw;
 use super::bevels::{Case, KINDS};
 use crate::support::solids::{built, check_pieces, line};
 
-/// Law: lines are outside and inside of the solid in turn, as the distance from the smaller solid
-/// is above and below the bevel. Oracle: that distance in closed form.
+/// Law: along a line, inside and outside alternate exactly as the distance from the smaller solid is at
+/// most the bevel or larger. Oracle: that distance in closed form.
 #[test]
 fn a_beveled_solid_is_what_is_within_the_bevel_of_a_smaller_one() {
     let mut draw = Draw::new(2130);
@@ -29,7 +29,7 @@ fn a_beveled_solid_is_what_is_within_the_bevel_of_a_smaller_one() {
 /// distance in closed form.
 #[test]
 fn points_of_a_beveled_solid_are_at_the_bevel_from_the_smaller_one() {
-    /// Coordinates of up to 4, some tens of roundings.
+    /// Some tens of roundings of coordinates up to 4.
     const CLOSE: f64 = 4.0 * 64.0 * f64::EPSILON;
     let mut draw = Draw::new(2131);
     for make in KINDS {
@@ -51,8 +51,8 @@ fn points_of_a_beveled_solid_are_at_the_bevel_from_the_smaller_one() {
     }
 }
 
-/// Law: from inside there is no way out but through the surface: a ray crosses it an odd number of
-/// times, once if the solid is convex. Oracle: parity.
+/// Law: a ray from inside crosses the surface an odd number of times, and only once if the solid is
+/// convex. Oracle: parity.
 #[test]
 fn beveled_solids_are_watertight_from_inside() {
     let mut draw = Draw::new(2132);
@@ -105,7 +105,8 @@ fn volume(shape: &dyn Shape, n: u32) -> f64 {
 /// the ring), and so tend to the plain solids' as the square of the bevel. Oracle: those formulas.
 #[test]
 fn the_volume_of_a_beveled_solid_is_known_and_tends_to_the_plain_one() {
-    /// Midpoints of 128² cells: errors of some cells' share at borders that are lines of the grid.
+    /// The error of the midpoint rule with 128² cells: part of a cell along borders that are parallel to
+    /// the grid.
     const CLOSE: f64 = 2e-3;
     let materials = Materials::new;
     for bevel in [0.3, 0.1, 0.01] {
@@ -143,8 +144,8 @@ fn the_volume_of_a_beveled_solid_is_known_and_tends_to_the_plain_one() {
     }
 }
 
-/// Law: with a bevel as large as its radius and half as high, a beveled cylinder is a sphere: the
-/// unit sphere of figure 21.13. Oracle: that sphere.
+/// Law: a beveled cylinder whose bevel is its radius and half its height is a sphere: the unit sphere of
+/// figure 21.13. Oracle: that sphere.
 #[test]
 fn the_cylinder_of_figure_21_13_is_a_unit_sphere() {
     let materials = Materials::new();
@@ -160,7 +161,7 @@ fn the_cylinder_of_figure_21_13_is_a_unit_sphere() {
         assert_eq!(ours.len(), theirs.len(), "{ray:?}");
         for (a, b) in ours.iter().zip(&theirs) {
             let [p, q] = [shape.surface(&ray, a), sphere.surface(&ray, b)];
-            // where a ray meets it slantingly, rounding moves the hit along it
+            // where the ray grazes the sphere, rounding moves the hit along the ray
             let cosine = q.normal.dot(ray.direction).abs();
             assert!((a.t - b.t).abs() * cosine < 1e-14, "{ray:?}: {} and {}", a.t, b.t);
             below!((Vector::from(p.normal) + -Vector::from(q.normal)).length() * cosine, 1e-14);
@@ -170,9 +171,9 @@ fn the_cylinder_of_figure_21_13_is_a_unit_sphere() {
     above!(hits, 15_000);
 }
 
-/// Law: scaling after beveling distorts the bevel (figure 21.12): a cylinder that is beveled and
-/// then stretched is not the stretched cylinder beveled, though both stand in the same box. Oracle:
-/// the ellipse and the circle of their edges' sections, at 45°.
+/// Law: scaling after beveling distorts the bevel (figure 21.12): a cylinder that is beveled and then
+/// stretched is not the stretched cylinder beveled, though both have the same bounding box. Oracle: the
+/// cross-sections of their edges, an ellipse and a circle, at 45°.
 #[test]
 fn stretching_a_beveled_cylinder_stretches_its_bevel() {
     let cylinder = |y: f64, bevel| {
@@ -194,7 +195,7 @@ fn stretching_a_beveled_cylinder_stretches_its_bevel() {
     }
 }
 
-/// Law: bevels that do not fit are refused with the largest that does.
+/// Law: a bevel that does not fit is refused; the message says the largest one that fits.
 #[test]
 fn a_bevel_that_does_not_fit_is_refused_with_one_that_does() {
     let m = Materials::new;

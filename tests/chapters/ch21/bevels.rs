@@ -1,5 +1,6 @@
-//! Beveled solids drawn at random, each with the distance of a point from what is left of it without
-//! its bevel: in closed form, and by no part of the code under test.
+//! Random beveled solids, each with the distance of a point from its inset: the smaller solid that is
+//! left if all that is within the bevel of the surface is removed. The distance is in closed form and
+//! does not use the code under test.
 
 use std::f64::consts::PI;
 
@@ -11,7 +12,7 @@ use groundtruth::verify::Draw;
 
 use crate::support::solids::from_axis;
 
-/// A solid and how far a point is from what is left of it without its bevel (0 inside of that).
+/// A solid, and the distance of a point from its inset (0 inside the inset).
 pub struct Case {
     pub kind: Kind,
     pub bevel: f64,
@@ -20,7 +21,7 @@ pub struct Case {
     pub convex: bool,
 }
 
-/// How far `x` is outside of the interval, shrunk by `bevel` at both ends.
+/// How far `x` is outside of the interval after `bevel` is taken off both ends.
 fn beside([low, high]: [f64; 2], bevel: f64, x: f64) -> f64 {
     let (low, high) = (low + bevel, high - bevel);
     (low - x).max(x - high).max(0.0)
@@ -30,7 +31,7 @@ fn length(x: f64, y: f64) -> f64 {
     (x * x + y * y).sqrt()
 }
 
-/// Bevels of less than the half that fits, of just that, and small ones.
+/// The bevel as a share of the smallest size: exactly the half that fits, very small, or between.
 fn share(draw: &mut Draw) -> f64 {
     match draw.below(4) {
         0 => 0.5,
@@ -78,7 +79,7 @@ fn beveled_ring(draw: &mut Draw) -> Case {
     Case { kind, bevel, from_inset: Box::new(from_inset), convex: false }
 }
 
-/// In the plane, as complex numbers: `z + i x`, whose argument is the azimuth.
+/// A point of the plane y = 0 as the complex number `z + i x`, whose argument is the azimuth.
 type Flat = [f64; 2];
 
 fn turned([a, b]: Flat, degrees: f64) -> Flat {
@@ -102,11 +103,12 @@ fn to_segment(p: Flat, [a, b]: [Flat; 2]) -> f64 {
     apart(v, [share * u[0], share * u[1]])
 }
 
-/// The distance of a level point from what is left of a sector between two radii when all that is
-/// within `bevel` of its border is taken off: from its arcs and from the segments between them.
+/// The distance of a point of the plane from the inset of a sector between two radii: what is left of it
+/// if all that is within `bevel` of its border is removed. The border of the inset consists of two arcs
+/// and the two segments between them.
 fn from_sector(p: Flat, [r0, r1]: [f64; 2], [from, to]: [f64; 2], bevel: f64) -> f64 {
     let width = to - from;
-    // as seen from the first side, and mirrored from the second
+    // in coordinates of the first side; `mirrored` converts between these and those of the second side
     let [x, y] = turned(p, -from);
     let mirrored = |q: Flat| turned([q[0], -q[1]], width);
     let (near, far) = (r0 + bevel, r1 - bevel);

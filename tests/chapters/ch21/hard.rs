@@ -8,7 +8,7 @@ use oracle::hard::{Family, Kind as Hard, cases};
 
 use crate::support::hard_cases::{Pair, instanced, judge_all, pair, sweep, sweep_as};
 
-/// Law: an instance is hit as exactly as the condition of its matrix allows. Oracle: 512-bit
+/// Law: hits of an instance are as exact as the condition of its matrix allows. Oracle: 512-bit
 /// arithmetic on the matrix as the library has it.
 #[test]
 fn instances_are_exact_within_their_condition() {
@@ -32,7 +32,7 @@ fn matrices(count: usize) -> Vec<[[f64; 4]; 3]> {
     all.into_iter().flatten().filter_map(matrix).collect()
 }
 
-/// Law: the steps that stand for a matrix make it. Oracle: the matrix.
+/// Law: the steps that are computed from a matrix compose to that matrix. Oracle: the matrix.
 #[test]
 fn steps_make_their_matrix() {
     let moved = [[1.0, 0.0, 0.0, 3.0], [0.0, 1.0, 0.0, -2.0], [0.0, 0.0, 1.0, 0.5]];
@@ -43,7 +43,7 @@ fn steps_make_their_matrix() {
         let largest = matrix.as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         let pairs = matrix.as_flattened().iter().zip(made.as_flattened());
         let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        let lost = 1e-14 * oracle::condition(&matrix) * largest; // columns that are nearly one
+        let lost = 1e-14 * oracle::condition(&matrix) * largest; // columns may be nearly equal
         assert!(off <= lost, "{matrix:?}: {made:?}");
     }
 }
@@ -55,7 +55,7 @@ fn sweep_instances_of(kind: Hard, seed: u64, count: usize) {
     });
 }
 
-/// Law and oracle as above, for instances of what the generator does not nest.
+/// Law and oracle as above, for instances of kinds that the generator does not nest.
 #[test]
 fn instances_of_cylinders_triangles_and_rectangles_are_exact_within_their_condition() {
     for kind in [Hard::OpenCylinder, Hard::Triangle, Hard::Rectangle, Hard::Plane] {
@@ -72,8 +72,9 @@ fn instances_of_cylinders_triangles_and_rectangles_thoroughly() {
     }
 }
 
-/// Flat rectangles that are stretched, turned and put back, so that they lie flat again but for
-/// rounding, which is all that the box around them is thick; and rays that graze it from far away.
+/// Flat rectangles that are stretched and rotated and then moved back, so that they are flat again up to
+/// rounding; that rounding is the whole thickness of their bounding box. The rays graze the box from far
+/// away.
 fn turned_flat(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
     let mut draw = Draw::new(2101);
     (0..count).map(move |index| {
@@ -112,7 +113,7 @@ fn turned_flat(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)
     })
 }
 
-/// Law: no hit is lost to the box around the instance. Oracle: as above.
+/// Law: the bounding box of the instance loses no hit. Oracle: as above.
 #[test]
 fn instances_turned_flat_keep_every_hit() {
     judge_all(turned_flat(2_000));
@@ -142,7 +143,8 @@ beveled! {
     beveled_wedges_are_the_union_of_their_parts beveled_wedges_thoroughly BeveledWedge;
 }
 
-/// Rays that cut round edges of 10⁻⁷ to 10⁻¹ of a cylinder's size in chords of 10⁻⁴ to 1 of the edge.
+/// Rays that cross the rounded edge of a cylinder in a short chord. The bevel is 10⁻⁷ to 10⁻¹ of the
+/// cylinder's size, the chord 10⁻⁴ to 1 of the bevel.
 fn short_chords(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
     let mut draw = Draw::new(2113);
     (0..count).map(move |index| {
@@ -150,7 +152,8 @@ fn short_chords(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray
         let bevel = size * draw.decades(-7.0, -1.0);
         let (y0, y1) = (-size, size * draw.between(0.0, 1.0));
         let solid = oracle::Solid::BeveledCylinder { y0, y1, radius: size, bevel };
-        // in the half-plane z = 0: a point of the tube, seen from its middle, and across that
+        // in the half-plane z = 0: `out` points from the centre of the tube to its surface, `across` is
+        // perpendicular to it except for a part along z
         let angle = draw.between(1.0, 89.0);
         let out = Vector::new(cos_degrees(angle), sin_degrees(angle), 0.0);
         let across = Vector::new(-out.y(), out.x(), 0.1 * draw.between(-1.0, 1.0));
@@ -164,7 +167,7 @@ fn short_chords(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray
     })
 }
 
-/// Law: thin edges are hit by what cuts them short, too. Oracle: as above.
+/// Law: a ray that crosses a thin edge in a short chord hits it, too. Oracle: as above.
 #[test]
 fn short_chords_of_thin_edges_are_found() {
     judge_all(short_chords(600));

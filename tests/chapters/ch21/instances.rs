@@ -1,4 +1,4 @@
-//! Instances against what they stand for.
+//! Instances, checked against the transformed shapes that they represent.
 
 use std::sync::Arc;
 
@@ -76,8 +76,8 @@ fn an_instance_of_a_sphere_is_the_analytic_ellipsoid() {
             let surface = shape.surface(&ray, root);
             let local = solve(surface.point.to_vector() - shift);
             near!(local.length(), 1.0, CLOSE);
-            // the gradient 2 A⁻ᵀ A⁻¹ (p − b) is perpendicular to A w for every w across the local
-            // point
+            // the gradient 2 A⁻ᵀ A⁻¹ (p − b) is perpendicular to A w for every w perpendicular to the
+            // local point
             let w = local.cross(draw.direction());
             near!(surface.normal.dot(map.vector(w)), 0.0, CLOSE);
             assert!(surface.normal.dot(surface.point.to_vector() - shift) > 0.0, "inward");
@@ -87,8 +87,8 @@ fn an_instance_of_a_sphere_is_the_analytic_ellipsoid() {
     above!(hits, 1_000);
 }
 
-/// Law: `t` means the same outside and inside: a turned and moved sphere is hit at the `t` of the
-/// moved sphere, whatever the length of the direction. Oracle: the sphere placed there.
+/// Law: `t` is the same in world space and in object space: a rotated and moved sphere is hit at the `t`
+/// of the moved sphere, whatever the length of the direction. Oracle: the sphere placed there.
 #[test]
 fn an_instance_keeps_t() {
     let mut draw = Draw::new(2121);
@@ -184,8 +184,7 @@ fn a_reflection_keeps_outward_normals_outward() {
     }
 }
 
-/// Law: every hit lies in the instance's bounds, grown by the error bound of the hit. Oracle:
-/// comparison.
+/// Law: every hit lies in the padded bounds of the instance. Oracle: comparison.
 #[test]
 fn the_bounds_of_an_instance_contain_its_hits() {
     let mut draw = Draw::new(2124);
@@ -215,8 +214,8 @@ fn the_bounds_of_an_instance_contain_its_hits() {
     assert!(hits > 10_000, "only {hits} hits");
 }
 
-/// Law: the local point stays in the space of the innermost shape, where textures live: the map
-/// takes it to the hit point. Oracle: the forward map.
+/// Law: the local point is in the space of the innermost shape, where textures are evaluated: the
+/// forward map takes it to the hit point. Oracle: the forward map.
 #[test]
 fn the_local_point_stays_in_object_space() {
     let mut draw = Draw::new(2125);
@@ -236,8 +235,8 @@ fn the_local_point_stays_in_object_space() {
     }
 }
 
-/// Law: what two instances flatten together is refused as if one did; a stretch that the outer one
-/// undoes is not. Oracle: the condition number of the product, by hand.
+/// Law: nested instances whose product is singular are refused as a single one would be; a scaling that
+/// the outer instance undoes is accepted. Oracle: the condition number of the product, by hand.
 #[test]
 fn instances_that_flatten_together_are_refused() {
     let thin = |y: f64| vec![Step::Scale(Vector::new(1.0, y, 1.0))];
@@ -257,8 +256,8 @@ fn instances_that_flatten_together_are_refused() {
     nested(1e-5, 1e-5).build(&mut context).expect("the next one stands alone");
 }
 
-/// Law: a uniform scale is never singular, however large; one that leaves no room for numbers is
-/// refused for that. Oracle: the law's own words.
+/// Law: a uniform scale is never called singular, however large or small it is; a scale that leaves the
+/// supported range of lengths is refused for that reason. Oracle: the message.
 #[test]
 fn a_scale_beyond_all_lengths_is_not_singular() {
     for factor in [1e-160, 1e-100, 1e100, 1e200] {

@@ -11,7 +11,8 @@ use crate::support::bodies::{Form, body, check_leaving, is_thin, random_hit};
 use crate::support::exact::{exact, walls_along_normal};
 use crate::support::leaving::check_kinds;
 
-/// Turned, sheared, mirrored and scaled by up to 100 either way in each direction.
+/// Steps that rotate, shear, mirror and move, and that scale each axis by a factor from 10⁻ʷ to 10ʷ,
+/// where w is `wildest`.
 fn steps(draw: &mut Draw, wildest: f64) -> Vec<Step> {
     let factor = |draw: &mut Draw| draw.sign() * draw.decades(-wildest, wildest);
     let scale = Vector::new(factor(draw), factor(draw), factor(draw));
@@ -29,7 +30,7 @@ fn steps(draw: &mut Draw, wildest: f64) -> Vec<Step> {
     ]
 }
 
-/// One of so many instances may be thinner than its error bounds.
+/// At most one in this many instances may be thinner than its error bounds.
 const SELDOM: usize = 100_000;
 
 fn check_instances(cases: Range<usize>, seed: u64) {
@@ -39,25 +40,26 @@ fn check_instances(cases: Range<usize>, seed: u64) {
         let size = draw.decades(-3.0, 3.0);
         let (mut kind, form, mut middle) = body(&mut draw, size);
         let depth = 1 + draw.below(3);
-        let mut reach = middle.to_vector().max_abs() + size;
+        let mut extent = middle.to_vector().max_abs() + size;
         let mut least = size;
         for _ in 0..depth {
             let transform = steps(&mut draw, 2.0);
             let map = Transform::from_steps(&transform).expect("not singular");
             middle = map.point(middle);
-            // half the Frobenius norms bound by how much lengths grow and shrink
+            // lengths grow at most by the sum of the lengths of the images of the axes, and shrink at
+            // most to that over the condition number
             let grows = map.vector(Vector::X).length()
                 + map.vector(Vector::Y).length()
                 + map.vector(Vector::Z).length();
             least *= grows / map.condition();
-            reach = map.condition() * (reach * grows + middle.to_vector().max_abs());
+            extent = map.condition() * (extent * grows + middle.to_vector().max_abs());
             kind = Instance::new(kind, transform).into();
         }
         let shape = kind.build(&mut Context::default()).expect("valid");
         let Some(surface) = random_hit(&mut draw, &*shape, middle, least) else { continue };
         let case = format!("case {i}: {kind:?}");
-        largest = largest.max(surface.error / (U * reach));
-        assert!(surface.error <= 100.0 * U * reach, "{case}: the bound {surface:?} is too wide");
+        largest = largest.max(surface.error / (U * extent));
+        assert!(surface.error <= 100.0 * U * extent, "{case}: the bound {surface:?} is too wide");
         skipped += usize::from(check_leaving(&mut draw, &kind, &*shape, form, &surface, &case));
     }
     println!("widest bound: {largest:.1} u of the coordinates and conditions; {skipped} too thin");
@@ -128,9 +130,9 @@ fn pressed_cone(width: f64) -> Kind {
     levels.into_iter().fold(cone, |kind, transform| Instance::new(kind, transform).into())
 }
 
-/// Law: the error bound of a point is at least its distance from the exact surface, and a body
-/// thicker than 8 of them is left like any other; one that is thinner may be passed through.
-/// Oracle: 512-bit arithmetic.
+/// Law: the error bound of a point is at least its distance from the exact surface. A body thicker than
+/// 8 error bounds is left like any other; a ray may pass through a thinner one. Oracle: 512-bit
+/// arithmetic.
 #[test]
 fn a_body_thicker_than_its_bounds_is_left_as_any_other() {
     let mut draw = Draw::new(2112);
@@ -141,7 +143,7 @@ fn a_body_thicker_than_its_bounds_is_left_as_any_other() {
         let point = Point::new(-365.4052580480566, -833.8088926339298, 709.2567550517118);
         let (mut hits, mut thin_there) = (0, 0);
         for _ in 0..200 {
-            // at the axis, from outside
+            // aimed at the axis, from outside
             let Some(s) = random_hit(&mut draw, &*shape, point, 1e-6) else { continue };
             let case = format!("width {width}");
             let off = walls_along_normal(&exact, &s, s.error);
@@ -155,10 +157,11 @@ fn a_body_thicker_than_its_bounds_is_left_as_any_other() {
     }
 }
 
-/// Law: every kind of the chapter is left for good, at scales from 1e-6 to 1e6, up to a thousand
-/// sizes from the origin and down to 1e-9 of grazing: what a ray that leaves hits next it meets from the
-/// side that it left to, and it finds whatever lies beyond 8 error bounds. Oracle: what is closed is
-/// left and entered in turn.
+/// Law: a ray that leaves a surface of any kind of the chapter does not hit the same point again. If it
+/// leaves to the outside, it hits the next surface from outside, and if to the inside, from inside. It
+/// finds every surface that is more than 8 error bounds away. Scales are from 1e-6 to 1e6, distances
+/// from the origin up to a thousand sizes, angles to the surface down to 1e-9. Oracle: a ray leaves and
+/// enters a closed solid in turn.
 #[test]
 fn every_kind_of_the_chapter_is_left_for_good() {
     check_kinds("ch21", [30, 80], 2115);

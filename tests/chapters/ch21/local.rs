@@ -1,4 +1,4 @@
-//! Where textures are looked up, and what copies of one mesh hold.
+//! The points at which textures are evaluated, and the memory of copies of one mesh.
 
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ fn instance(of: Kind, transform: &[Step], transform_texture: bool) -> Kind {
     Instance { transform_texture, ..Instance::new(of, transform.to_vec()) }.into()
 }
 
-/// The surface at the ray's first hit, in this shape.
+/// The surface at the ray's first hit of this shape.
 fn seen(kind: &Kind, ray: &Ray) -> Surface {
     let shape = kind.build(&mut Context::default()).expect("valid");
     let at = shape.hit(ray, Span::AHEAD).expect("aimed inside");
@@ -40,7 +40,7 @@ fn map(steps: &[Step]) -> Transform {
     Transform::from_steps(steps).expect("not singular")
 }
 
-/// A ray at something near the middle of what this map makes of the unit sphere.
+/// A ray aimed near the centre of the image of the unit sphere under this map.
 fn ray_at(draw: &mut Draw, map: &Transform) -> Ray {
     let target = map.point(draw.point(0.4));
     Ray::new(target + 20.0 * draw.direction(), Vector::ZERO).aimed(target)
@@ -119,8 +119,8 @@ fn copies_and_parts_keep_their_own_local_points() {
     }
 }
 
-/// Law: a million copies hold one mesh (invariant 9). Oracle: the number of owners, which one more
-/// mesh would not add to; and the budget of triangles, which 10⁴ meshes of 9800 would exceed.
+/// Law: a million copies share one mesh (invariant 9). Oracle: the reference count of the mesh; and the
+/// budget of triangles, which 10⁴ separate meshes of 9800 triangles would exceed.
 #[test]
 fn a_million_copies_hold_one_mesh() {
     let mesh = Kind::from(TessellatedSphere::new(20, 10, false));

@@ -25,7 +25,7 @@ fn ball(x: f64, radius: f64) -> Sphere {
     Sphere { center: Point::new(x, 0.0, 0.0), radius, inward: false }
 }
 
-/// A sphere as it would be if all compounds were one, with the material nearest around it.
+/// A sphere of the flattened list, with its own material or that of the nearest compound around it.
 struct Leaf {
     shape: Arc<dyn Shape>,
     material: Option<u32>,
@@ -37,7 +37,7 @@ fn tree(draw: &mut Draw, depth: usize, around: Option<u32>, leaves: &mut Vec<Lea
     let mut parts = Vec::new();
     for _ in 0..1 + draw.below(5) {
         let own = if draw.coin() { Some(draw.below(3)) } else { None };
-        let material = own.map(|place| place as u32).or(around);
+        let material = own.map(|index| index as u32).or(around);
         let shape = if depth > 0 && draw.coin() {
             tree(draw, depth - 1, material, leaves)
         } else {
@@ -48,7 +48,7 @@ fn tree(draw: &mut Draw, depth: usize, around: Option<u32>, leaves: &mut Vec<Lea
         };
         let part = Part::new(shape);
         parts.push(match own {
-            Some(place) => part.of_material(NAMES[place]),
+            Some(index) => part.of_material(NAMES[index]),
             None => part,
         });
     }
@@ -61,9 +61,9 @@ fn ray(draw: &mut Draw) -> Ray {
     Ray::new(origin, draw.point(0.6) - origin)
 }
 
-/// Law: leaves are numbered as if nested compounds were one list, of equal distances the first leaf
-/// is seen, `t` and surface are the leaf's own, and the innermost material counts. Oracle: the
-/// spheres one by one, bit for bit.
+/// Law: leaves are numbered as if nested compounds were one list. At equal distances the first leaf is
+/// hit, `t` and surface are the leaf's own, and the innermost material counts. Oracle: the spheres one
+/// by one, bit for bit.
 #[test]
 fn nested_compounds_equal_the_same_parts_in_one_list() {
     let mut draw = Draw::new(2180);
@@ -81,8 +81,8 @@ fn nested_compounds_equal_the_same_parts_in_one_list() {
             let all: Vec<_> = all.collect();
             let first = all.iter().min_by(|a, b| a.2.t.total_cmp(&b.2.t).then(a.0.cmp(&b.0)));
             let found = shape.hit(&ray, Span::AHEAD);
-            let place = found.map(|at| (at.leaf, at.t.to_bits()));
-            assert_eq!(place, first.map(|&(i, _, at)| (i, at.t.to_bits())), "{ray:?}");
+            let leaf_and_t = found.map(|at| (at.leaf, at.t.to_bits()));
+            assert_eq!(leaf_and_t, first.map(|&(i, _, at)| (i, at.t.to_bits())), "{ray:?}");
             let (Some(at), Some((_, leaf, alone))) = (found, first) else { continue };
             let expected = leaf.shape.surface(&ray, alone);
             let expected = Surface { material: leaf.material, ..expected };
@@ -94,8 +94,8 @@ fn nested_compounds_equal_the_same_parts_in_one_list() {
     assert!(hits > 2_000 && ties > 500, "{hits} hits, {ties} ties");
 }
 
-/// Law: a part stands in the light's way exactly if the innermost material around it does,
-/// whatever those farther out do. Oracle: the spheres one by one.
+/// Law: a part blocks light exactly if the innermost material around it casts shadows, whatever the
+/// outer materials do. Oracle: the spheres one by one.
 #[test]
 fn the_innermost_material_says_whether_a_part_casts_a_shadow() {
     let mut draw = Draw::new(2181);
@@ -118,8 +118,8 @@ fn the_innermost_material_says_whether_a_part_casts_a_shadow() {
     assert!(dark > 1_000 && light > 200, "{dark} in shadow, {light} through glass");
 }
 
-/// Law: one material for all parts is written once, around them; a part's own wins; without any the
-/// object's is left to the scene. Oracle: worked by hand.
+/// Law: a material of a compound applies to all its parts, but a part's own material has priority; a
+/// part without any material leaves the choice to the scene. Oracle: worked by hand.
 #[test]
 fn the_innermost_of_three_materials_wins() {
     let row = Compound {
@@ -144,7 +144,7 @@ fn the_innermost_of_three_materials_wins() {
     }
 }
 
-/// Copies of a ball, 2¹⁶ of 2¹⁶ …, so many levels.
+/// A ball in so many nested lattices of 2¹⁶ copies each; the outermost has `last` copies.
 fn many(levels: usize, last: u32) -> Kind {
     (0..levels).fold(ball(0.0, 0.25).into(), |of, level| {
         let counts = [if level + 1 == levels { last } else { 1 << 16 }, 1, 1];
@@ -153,8 +153,8 @@ fn many(levels: usize, last: u32) -> Kind {
     })
 }
 
-/// Law: leaves are counted up to 2⁶⁴ − 1, and more are an error, not a panic, within a lattice and
-/// together. Oracle: powers of two.
+/// Law: up to 2⁶⁴ − 1 leaves are counted; more are an error, not a panic, in one lattice and in a
+/// compound of several. Oracle: powers of two.
 #[test]
 fn more_leaves_than_numbers_are_refused() {
     let half = many(4, 1 << 15);

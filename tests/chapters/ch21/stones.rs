@@ -1,4 +1,5 @@
-//! Rosette and archway: how many stones, where, of one piece, found alike by every method.
+//! Rosettes and archways: the number and the position of their stones, the joints between them, and the
+//! same hits with every search method.
 
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Step, Vector, cos_degrees, sin_degrees};
@@ -29,7 +30,8 @@ fn archway(blocks: u32, wedges: u32, bevel: f64, accel: Option<Method>) -> Archw
     }
 }
 
-/// How many grooves a circle of rays down at a little under the top crosses.
+/// How many grooves a sequence of rays crosses: rays there miss, or their first hit is farther than
+/// `top`.
 fn stones(shape: &dyn Shape, rays: impl Iterator<Item = Ray>, top: f64) -> usize {
     let low: Vec<bool> =
         rays.map(|ray| shape.hit(&ray, Span::AHEAD).is_none_or(|at| at.t > top)).collect();
@@ -57,8 +59,8 @@ fn the_rings_of_a_rosette_have_the_books_numbers_of_wedges() {
     assert_eq!([bounds.min.y(), bounds.max.y()].map(|y| (y * 1e12).round()), [-25e10, 25e10]);
 }
 
-/// Law: an archway has so many blocks in each column and so many wedges over them, and fills the box
-/// of its width, height and depth from the ground up. Oracle: the grooves that rays from the front
+/// Law: an archway has the given number of blocks in each column and of wedges over them, and fills the
+/// box of its width, height and depth from the ground up. Oracle: the grooves that rays from the front
 /// fall into, up along each column and around the arch.
 #[test]
 fn an_archway_has_its_blocks_and_wedges_in_its_box() {
@@ -85,12 +87,12 @@ fn an_archway_has_its_blocks_and_wedges_in_its_box() {
     }
 }
 
-/// Law: a rosette and an archway are closed and inside of plain rings, columns and arch; all of
-/// these but grooves and joints is inside of them. Oracle: the plain solids, and how near to the planes
-/// and cylinders between stones a point is.
+/// Law: a rosette and an archway are closed and lie inside the plain rings, columns and arch; they fill
+/// these except for grooves and joints. Oracle: the plain solids, and the distance of a point from the
+/// planes and cylinders between stones.
 #[test]
 fn stones_fill_the_plain_solid_but_for_grooves_and_joints() {
-    /// In bevels; more than half of the widest joint here, ten times its narrowest.
+    /// In units of the bevel; more than twice the width of the widest joint here.
     const JOINT: f64 = 0.005;
     let mut draw = Draw::new(2140);
     let bevel = 0.1;
@@ -112,9 +114,9 @@ fn stones_fill_the_plain_solid_but_for_grooves_and_joints() {
             if grooves(ring).min(side) < JOINT * bevel {
                 return None;
             }
-            // grooves between wedges are a little deeper at walls that bulge
+            // grooves between wedges are a little deeper at curved walls
             let away = [y, grooves(ring), side].map(|d| d > 1.1 * bevel);
-            // whatever is deeper than the bevel from two of three kinds of face is no groove
+            // a point farther than the bevel from two of the three kinds of face is not in a groove
             (away.iter().filter(|&&a| a).count() >= 2).then_some(true)
         };
         check_known(&*shape, &mut draw, 5_000, deep);
@@ -142,7 +144,8 @@ fn stones_fill_the_plain_solid_but_for_grooves_and_joints() {
     check_known(&*shape, &mut draw, 5_000, deep);
 }
 
-/// Where it is known whether a point is inside, the pieces between roots agree.
+/// Checks the intervals between roots: each point for which `known` says whether it is inside must
+/// agree.
 fn check_known(
     shape: &dyn Shape,
     draw: &mut Draw,
@@ -175,8 +178,8 @@ fn check_known(
     assert!(asked.iter().all(|&count| count > lines / 20), "{asked:?}");
 }
 
-/// Law: between two stones is a joint, from 1/1024 to 1/512 of the bevel wide: a ray in its middle passes,
-/// and one beside it does not. Oracle: the planes between the book's stones.
+/// Law: between two stones is a joint that is 1/1024 to 1/512 of the bevel wide: a ray in its middle
+/// passes, and one beside it does not. Oracle: the planes between the book's stones.
 #[test]
 fn a_ray_in_the_middle_of_a_joint_passes_between_the_stones() {
     let (bevel, floor_bevel) = (0.3, 0.1);
@@ -240,7 +243,7 @@ fn stones_are_found_alike_by_list_and_tree() {
     }
 }
 
-/// The same solid with another bevel; `None` of a kind that has none.
+/// The same solid with another bevel; `None` for a kind without a bevel.
 fn with_bevel(kind: &Kind, bevel: f64) -> Option<Kind> {
     let mut kind = kind.clone();
     *match &mut kind {
@@ -255,12 +258,12 @@ fn with_bevel(kind: &Kind, bevel: f64) -> Option<Kind> {
     Some(kind)
 }
 
-/// Law: a bevel of any length down to some roundings of the largest builds, a smaller one is refused
-/// by its own name and not by that of a part, at all scales. Oracle: 64 u of the largest coordinate,
-/// of an archway its largest extent.
+/// Law: a bevel is accepted down to some roundings of the largest coordinate, at all scales. The message
+/// about a smaller one names the solid's own field and not that of a part. Oracle: 64 u of the largest
+/// coordinate; for an archway, of its largest extent.
 #[test]
-fn bevels_may_be_as_small_as_can_be_told() {
-    let mut seen = 0;
+fn bevels_may_be_as_small_as_rounding_allows() {
+    let mut tested = 0;
     for specimen in Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)()) {
         for scale in [1e-20, 1e-6, 1.0, 3.7e9] {
             let kind = specimen.scaled(scale);
@@ -279,17 +282,17 @@ fn bevels_may_be_as_small_as_can_be_told() {
                         assert!(named, "{text}");
                     }
                 }
-                seen += 1;
+                tested += 1;
             }
         }
     }
-    assert!(seen > 100, "{seen}");
+    assert!(tested > 100, "{tested}");
 }
 
-/// Law: where coordinates are so large that no bevel both can be told and fits, the advice is good.
-/// Oracle: it is followed.
+/// Law: where coordinates are so large that every bevel that fits is lost in rounding, the message gives
+/// good advice. Oracle: the advice is followed.
 #[test]
-fn where_no_bevel_fits_the_advice_does() {
+fn the_advice_where_no_bevel_fits_can_be_followed() {
     let at = |x: f64, bevel: f64| BeveledBox {
         min: Point::new(x, 0.0, 0.0),
         max: Point::new(x + 4.0, 4.0, 4.0),
@@ -306,7 +309,8 @@ fn where_no_bevel_fits_the_advice_does() {
     }
 }
 
-/// Law: what no rosette or archway has is refused by the name of the field a person typed.
+/// Law: invalid rosettes and archways are refused, and the message names the field as it is written in
+/// the scene.
 #[test]
 fn stones_name_the_field_that_does_not_fit() {
     let arch = archway(6, 10, 0.5, None);

@@ -12,7 +12,8 @@ use groundtruth::verify::Draw;
 
 use super::searched::Both;
 
-/// A finite number of any exponent, zeros of either sign among them; or near another one's size.
+/// A finite number with an exponent from −`widest` to `widest`; some are zeros of either sign or
+/// subnormal.
 fn any(draw: &mut Draw, widest: i32) -> f64 {
     if draw.below(10) == 0 {
         return draw.pick(&[0.0, -0.0, f64::MIN_POSITIVE / 4.0, -5e-324]);
@@ -25,7 +26,7 @@ fn any_point(draw: &mut Draw, widest: i32) -> Point {
     Point::new(any(draw, widest), any(draw, widest), any(draw, widest))
 }
 
-/// A shape of such numbers, if they make one.
+/// A shape with such numbers, or `None` if they are not valid for it.
 fn any_shape(draw: &mut Draw, widest: i32) -> Option<Arc<dyn Shape>> {
     let p = any_point(draw, widest);
     let v = any_point(draw, widest).to_vector();
@@ -72,9 +73,9 @@ fn any_shape(draw: &mut Draw, widest: i32) -> Option<Arc<dyn Shape>> {
     kind.build(&mut Context::default()).ok()
 }
 
-/// Law: for numbers of any exponent (here up to 2^±1000, and 2^±60 where more is hit) there is no
-/// panic, every hit lies in the span, the tree equals the list for rays that start near, and surfaces are
-/// finite where the numbers leave room for squares. Oracle: the list.
+/// Law: for numbers of any exponent (here up to 2^±1000, and 2^±60 so that more rays hit) there is no
+/// panic, every hit lies in the span, the tree equals the list for rays that start near, and surfaces
+/// are finite if the squares of the numbers are. Oracle: the list.
 #[test]
 fn chaos_finds_no_panic_and_no_nan() {
     let mut draw = Draw::new(2270);
@@ -100,8 +101,8 @@ fn chaos_finds_no_panic_and_no_nan() {
             });
             for (shape, root) in roots {
                 let surface = shape.surface(&ray, &root);
-                let reach = ray.at(root.t).to_vector().max_abs();
-                if widest > 60 || reach.is_nan() || reach > 1e100 {
+                let coordinate = ray.at(root.t).to_vector().max_abs();
+                if widest > 60 || coordinate.is_nan() || coordinate > 1e100 {
                     continue;
                 }
                 let finite = surface.point.is_finite() && surface.error.is_finite();

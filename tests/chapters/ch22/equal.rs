@@ -1,5 +1,5 @@
-//! Grid and tree of boxes give what the list gives: the same object at the same distance, bit for
-//! bit. Each law is asked of a number of rays.
+//! The grid and the tree of boxes give the same answer as the list: the same object at the same
+//! distance, bit for bit. Each law takes the number of rays to test.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use groundtruth::verify::Draw;
 
 use super::searched::{Both, FARTHEST, Seen, agree, built, some_rays, spheres};
 
-/// For each law a test, and one that is asked of a million rays.
+/// For each law a short test, and a thorough one with a million rays.
 macro_rules! laws {
     ($($short:ident $thorough:ident $law:ident $rays:literal;)*) => {$(
         #[test]
@@ -58,7 +58,8 @@ fn random_spheres(rays: usize) {
     }
 }
 
-/// Law: of objects at the same distance the first counts. Oracle: the list, whose rule is an index.
+/// Law: of several objects at the same distance the first one is found. Oracle: the list, which compares
+/// indices.
 fn coincident_objects(rays: usize) {
     let mut draw = Draw::new(2210);
     let mut objects = spheres(&mut draw, 40);
@@ -99,8 +100,8 @@ fn doubled_sheet(draw: &mut Draw) -> (Vec<Point>, Vec<[u32; 3]>) {
     (vertices, triangles)
 }
 
-/// Law: equal on meshes with triangles that stand there twice, for rays through vertices, along
-/// edges and elsewhere. Oracle: the list; and the same triangles as loose objects.
+/// Law: equal on meshes with duplicate triangles, for rays through vertices, along edges and elsewhere.
+/// Oracle: the list; and the same triangles as loose objects.
 fn doubled_triangles(rays: usize) {
     let mut draw = Draw::new(2220);
     let (vertices, triangles) = doubled_sheet(&mut draw);
@@ -142,19 +143,19 @@ fn doubled_triangles(rays: usize) {
     agree("loose triangles", loose, aimed.into_iter(), 4);
 }
 
-/// Law: equal when everything lies in one plane, of rays across it and in it; with infinite planes
-/// among the objects, one of them the same plane. Oracle: the list.
+/// Law: equal when everything lies in one plane, for rays across it and in it; and with infinite planes
+/// among the objects, some of them that same plane. Oracle: the list.
 fn flat_scenes_and_planes(rays: usize) {
     let mut draw = Draw::new(2230);
     let mut objects: Vec<Arc<dyn Shape>> = Vec::new();
     for i in 0..200 {
-        let place = Point::new(draw.between(-2.0, 2.0), 0.0, draw.between(-2.0, 2.0));
+        let point = Point::new(draw.between(-2.0, 2.0), 0.0, draw.between(-2.0, 2.0));
         let size = draw.between(0.05, 0.4);
         objects.push(match i % 3 {
-            0 => built(Disk { center: place, normal: Vector::Y, radius: size }),
-            1 => built(Rectangle { corner: place, a: size * Vector::X, b: size * Vector::Z }),
+            0 => built(Disk { center: point, normal: Vector::Y, radius: size }),
+            1 => built(Rectangle { corner: point, a: size * Vector::X, b: size * Vector::Z }),
             _ => built(Triangle {
-                vertices: [place, place + size * Vector::X, place + size * Vector::Z],
+                vertices: [point, point + size * Vector::X, point + size * Vector::Z],
                 normals: None,
             }),
         });
@@ -194,8 +195,7 @@ fn faces_and_edges_of_boxes(rays: usize) {
     agree("boxes", objects, along.into_iter(), 4);
 }
 
-/// Law: equal on instances of meshes and of instances, whose own trees are of either kind. Oracle:
-/// the list.
+/// Law: equal on instances of a mesh, and on instances of such instances. Oracle: the list.
 fn instances_of_meshes(rays: usize) {
     let mut draw = Draw::new(2250);
     let sphere = TessellatedSphere { radius: 0.3, ..TessellatedSphere::new(12, 8, false) };
@@ -232,18 +232,18 @@ fn nested_objects(rays: usize) {
     }
     let mut draw = Draw::new(2245);
     let inner = (0..rays).map(move |_| {
-        let mut place = || {
-            let reach = draw.decades(-9.0, 0.0);
-            draw.point(reach)
+        let mut point = || {
+            let extent = draw.decades(-9.0, 0.0);
+            draw.point(extent)
         };
-        let (from, to) = (place(), place());
+        let (from, to) = (point(), point());
         Ray::new(from, to - from)
     });
     agree("nested", objects, inner.chain(some_rays(2246, rays, 1.0)), 2);
 }
 
-/// Law: equal for rays that start as far away as is promised, and small objects far from the origin.
-/// Oracle: the list.
+/// Law: equal for rays that start as far away as [`FARTHEST`] allows, and for small objects far from the
+/// origin. Oracle: the list.
 fn from_afar(rays: usize) {
     for (seed, shift) in [(2247, 0.0), (2248, 1e3), (2249, 1e7), (2250, 1e12)] {
         let mut draw = Draw::new(seed);

@@ -1,4 +1,4 @@
-//! However its parts are searched, at every level, a shape is the same shape.
+//! A shape has the same hits whichever method searches its parts, at every level.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use groundtruth::verify::Draw;
 use super::searched::ray;
 use crate::support::U;
 
-/// The same shape with every level searched by this method, or as it would by itself.
+/// The same shape with every level searched by this method, or by its default one for `None`.
 fn searched(kind: &Kind, by: Option<Method>) -> Kind {
     let accel = by;
     match kind.clone() {
@@ -41,7 +41,7 @@ fn built(kind: &Kind, by: Option<Method>) -> Arc<dyn Shape> {
     searched(kind, by).build(&mut context).expect("valid")
 }
 
-/// How many of the rays hit; fails if any method differs from the list, or the shadow from the hit.
+/// How many of the rays hit; fails if a method differs from the list, or a shadow ray from the hit.
 fn agree(kind: &Kind, rays: impl Iterator<Item = Ray>) -> usize {
     let [list, grid, tree] = Method::ALL.map(|by| built(kind, Some(by)));
     let by_itself = built(kind, None);
@@ -65,9 +65,9 @@ fn agree(kind: &Kind, rays: impl Iterator<Item = Ray>) -> usize {
     hits
 }
 
-fn some_rays(seed: u64, count: usize, reach: f64) -> impl Iterator<Item = Ray> {
+fn some_rays(seed: u64, count: usize, extent: f64) -> impl Iterator<Item = Ray> {
     let mut draw = Draw::new(seed);
-    (0..count).map(move |_| ray(&mut draw, reach))
+    (0..count).map(move |_| ray(&mut draw, extent))
 }
 
 fn squashed(of: impl Into<Kind>, draw: &mut Draw) -> Kind {
@@ -119,8 +119,8 @@ fn nested_grids_and_grids_of_instances_equal_the_list() {
     assert!(hits > 300, "only {hits} hits");
 }
 
-/// Law: planes, which have no bounds, stay apart from the cells of a compound, at any level, and
-/// are hit as in a list (invariant 8). Oracle: the list; for the ray straight down, worked by hand.
+/// Law: planes, which have no bounds, are kept outside the cells of a compound, at any level, and are
+/// hit as in a list (invariant 8). Oracle: the list; for the ray straight down, worked by hand.
 #[test]
 fn planes_in_grids_are_hit_as_in_lists() {
     let mut draw = Draw::new(2293);
@@ -147,16 +147,16 @@ fn planes_in_grids_are_hit_as_in_lists() {
     }
 }
 
-/// Law: what reaches over many cells does not hide what is nearer in a later cell (the book's test
-/// `t < next`, invariant 6). Oracle: worked by hand: a slanting disk found at once, hit last, with
-/// balls before it in a later cell, in each direction along each axis.
+/// Law: a hit on an object that covers many cells does not hide a nearer hit in a later cell (the book's
+/// test `t < next`, invariant 6). Oracle: worked by hand: a slanted disk that is found at once but hit
+/// last, with balls before it in later cells, in each direction along each axis.
 #[test]
 fn a_hit_far_beyond_a_cell_does_not_hide_nearer_ones() {
     for axis in 0..3 {
         for sign in [1.0, -1.0] {
             let along = |x: f64| Point::ORIGIN.with(axis, sign * x);
             let normal = Point::new(0.0, 0.0, 0.0).with(axis, 0.25).with((axis + 1) % 3, 1.0);
-            // its box takes in all cells; the axis pierces it at 9
+            // its box covers all cells; the axis meets it at 9
             let disk = Disk { center: along(9.0), normal: normal.to_vector(), radius: 20.0 };
             let mut parts = vec![Kind::from(disk)];
             let ball = |x| Sphere { center: along(x), radius: 0.25, inward: false };
@@ -171,16 +171,16 @@ fn a_hit_far_beyond_a_cell_does_not_hide_nearer_ones() {
                 }
                 let ray = Ray::new(along(6.5), along(1.0).to_vector());
                 let at = shape.hit(&ray, Span::AHEAD).expect("the disk");
-                // a product and a quotient
+                // the roundings of a product and a quotient
                 assert!(at.leaf == 0 && (at.t - 2.5).abs() <= 4.0 * 2.5 * U, "{at:?}");
             }
         }
     }
 }
 
-/// Law: rays that start on the outside of a grid, on its corners and edges, in its last cell, or
-/// along its outer faces with zeros of either sign, find what a list finds (invariant 2). Oracle:
-/// the list; a block of eight touching boxes.
+/// Law: rays that start on the boundary of a grid, on its corners and edges, in its last cell, or along
+/// its outer faces with zeros of either sign, find what a list finds (invariant 2). Oracle: the list; a
+/// block of eight touching boxes.
 #[test]
 fn rays_that_start_on_the_boundary_of_a_grid_equal_the_list() {
     let mut parts = Vec::new();
@@ -192,11 +192,11 @@ fn rays_that_start_on_the_boundary_of_a_grid_equal_the_list() {
     let ball = Sphere { center: Point::new(0.75, 0.75, 0.75), radius: 0.125, inward: false };
     parts.push(ball.into());
     let kind = Kind::from(Compound::of(parts));
-    let places = [-1.0, -0.5, 0.0, 0.96875, 1.0];
+    let starts = [-1.0, -0.5, 0.0, 0.96875, 1.0];
     let ways = [-1.0, -0.0, 0.0, 0.5, 1.0];
     let mut rays = Vec::new();
     for i in 0..125 {
-        let origin = [i % 5, i / 5 % 5, i / 25].map(|k| places[k]);
+        let origin = [i % 5, i / 5 % 5, i / 25].map(|k| starts[k]);
         for j in 0..125 {
             let direction = Vector::from([j % 5, j / 5 % 5, j / 25].map(|k| ways[k]));
             if direction != Vector::ZERO {

@@ -1,4 +1,4 @@
-//! Random spheres and lattices against exact arithmetic, on rays that are hard for one of the many.
+//! Random spheres and lattices against exact arithmetic, on rays that are hard for one of their parts.
 
 use groundtruth::verify::composites::Kind;
 
@@ -8,13 +8,13 @@ fn sweep_spheres(seed: u64, count: usize) {
     sweep_many(Kind::RandomSpheres, seed, count, 1);
 }
 
-/// Five kinds take turns in lattices: each by each method.
+/// Lattices cycle through five kinds; each round of five is searched by the next method.
 fn sweep_lattices(seed: u64, count: usize) {
     sweep_many(Kind::Lattice, seed, count, 5);
 }
 
-/// Law: random spheres have every hit of each, however they search. Oracle: the spheres in 512-bit
-/// arithmetic, one by one.
+/// Law: random spheres have every hit of each sphere, whichever method searches them. Oracle: the
+/// spheres in 512-bit arithmetic, one by one.
 #[test]
 fn random_spheres_are_exact_within_their_condition() {
     sweep_spheres(2270, 100);

@@ -1,4 +1,4 @@
-//! Lattices and random spheres against the shapes that they stand for.
+//! Lattices and random spheres, checked against the lists of shapes that they represent.
 
 use std::sync::Arc;
 
@@ -32,12 +32,13 @@ fn lattice(of: impl Into<Kind>, counts: [u32; 3], spacing: Vector) -> Lattice {
     Lattice { of: std::boxed::Box::new(of.into()), counts, spacing, accel: None }
 }
 
-/// The same `t`, leaf and surface, bit for bit, of these many rays; how many hit.
-fn same(a: &dyn Shape, b: &dyn Shape, seed: u64, rays: usize, reach: f64) -> usize {
+/// Checks that both shapes have the same `t`, leaf and surface, bit for bit, on so many random rays;
+/// returns how many hit.
+fn same(a: &dyn Shape, b: &dyn Shape, seed: u64, rays: usize, extent: f64) -> usize {
     let mut draw = Draw::new(seed);
     let mut hits = 0;
     for _ in 0..rays {
-        let ray = ray(&mut draw, reach);
+        let ray = ray(&mut draw, extent);
         let at = a.hit(&ray, Span::AHEAD);
         assert_eq!(at, b.hit(&ray, Span::AHEAD), "{ray:?}");
         let [x, y] = [a, b].map(|shape| shape.shadow_hit(&ray, Span::SEGMENT).is_some());
@@ -79,9 +80,9 @@ fn a_lattice_is_a_compound_of_moved_copies() {
     }
 }
 
-/// Law: a lattice of lattices of 10¹⁶ balls finds the one aimed at, tells its number, and
-/// `t` is the distance to it. Oracle: the digits of the number, worked out here; distances by the
-/// sphere alone.
+/// Law: in a lattice of lattices of 10¹⁶ balls the ball aimed at is found, with its leaf number and the
+/// distance to it. Oracle: the leaf number, computed here from its digits; the distance to a single
+/// sphere.
 #[test]
 fn a_ball_among_ten_to_the_sixteenth_is_found() {
     let mut kind = ball(0.375);
@@ -94,16 +95,17 @@ fn a_ball_among_ten_to_the_sixteenth_is_found() {
     assert_eq!(shape.leaves(), 10_000_000_000_000_000);
     let mut draw = Draw::new(2281);
     for _ in 0..2_000 {
-        let (mut place, mut size) = ([0_u64; 3], [1, 1, 1]);
+        let (mut position, mut size) = ([0_u64; 3], [1, 1, 1]);
         let (mut leaf, mut copies) = (0, 1);
         for _ in 0..8 {
             let [i, j, k] = [5, 2, 10].map(|n| draw.below(n) as u64);
-            place = [place[0] + i * size[0], place[1] + j * size[1], place[2] + k * size[2]];
+            position =
+                [position[0] + i * size[0], position[1] + j * size[1], position[2] + k * size[2]];
             size = [5 * size[0], 2 * size[1], 10 * size[2]];
             leaf += (i + 5 * j + 10 * k) * copies;
             copies *= 100;
         }
-        let center = Point::from(place.map(|x| x as f64));
+        let center = Point::from(position.map(|x| x as f64));
         // from between the ball and its neighbours, which begin at 0.625
         let away = Vector::from(draw.direction());
         let ray = Ray::new(center + 0.5 * away, -away);
@@ -121,10 +123,10 @@ fn a_ball_among_ten_to_the_sixteenth_is_found() {
     }
 }
 
-/// Law: what no lattice can be is refused by name: no copies, too many, copies of a plane; at the
-/// limit it is built, and spacings near the largest number do not panic. Oracle: the texts.
+/// Law: invalid lattices are refused, and the message names the field: no copies, too many copies,
+/// copies of a plane. Spacings near the largest number do not panic. Oracle: the texts.
 #[test]
-fn lattices_that_cannot_be_are_refused() {
+fn invalid_lattices_are_refused() {
     let one = Vector::new(1.0, 1.0, 1.0);
     let plane = Plane { point: Point::ORIGIN, normal: Vector::Y };
     for (kind, problem) in [
@@ -162,7 +164,7 @@ fn lattices_that_cannot_be_are_refused() {
         let kind = Kind::from(lattice(ball(1.0), [3, 1, 2], Vector::new(huge, 0.0, huge)));
         if let Ok(shape) = kind.build(&mut Context::default()) {
             let ray = Ray::new(Point::new(0.0, 0.0, 5.0), -Vector::Z);
-            let at = shape.hit(&ray, Span::AHEAD).expect("the first copy stands where it is");
+            let at = shape.hit(&ray, Span::AHEAD).expect("the first copy is not moved");
             assert_eq!((at.t, at.leaf), (4.0, 0), "{huge}");
             let point = shape.surface(&ray, &at).point;
             assert!(point.is_finite(), "{ray:?} meets {point:?}");
@@ -201,26 +203,26 @@ fn random_spheres_equal_a_compound_of_spheres() {
     }
 }
 
-/// Law: the same seed, the same spheres; another seed, others; more of them begin with the same;
-/// scaling by 2ᵏ scales every centre exactly. Oracle: each other.
+/// Law: the same seed gives the same centres, another seed gives others, and a larger count begins with
+/// the same ones. Scaling by 2ᵏ scales every centre exactly. Oracle: each other.
 #[test]
-fn a_seed_settles_where_random_spheres_are() {
-    let places = |data: &RandomSpheres| -> Vec<Point> {
+fn a_seed_determines_the_centres_of_random_spheres() {
+    let centers = |data: &RandomSpheres| -> Vec<Point> {
         data.spheres().iter().map(|sphere| sphere.center).collect()
     };
-    let first = places(&spheres(50, 0.1, 3));
-    assert_eq!(places(&spheres(50, 0.2, 3)), first);
-    assert_eq!(places(&spheres(70, 0.1, 3))[..50], first);
-    let other = places(&spheres(50, 0.1, 4));
+    let first = centers(&spheres(50, 0.1, 3));
+    assert_eq!(centers(&spheres(50, 0.2, 3)), first);
+    assert_eq!(centers(&spheres(70, 0.1, 3))[..50], first);
+    let other = centers(&spheres(50, 0.1, 4));
     assert!(first.iter().all(|p| !other.contains(p)), "two seeds share a centre: {first:?}");
     let factor = power_of_two(-7);
     let small = RandomSpheres { half_side: 1.5 * factor, ..spheres(50, 0.1, 3) };
     let scaled: Vec<Point> = first.iter().map(|p| p.scaled(factor)).collect();
-    assert_eq!(places(&small), scaled);
+    assert_eq!(centers(&small), scaled);
 }
 
-/// Law: centres are uniform in the cube `[−half_side, half_side]³`: none outside, and each eighth
-/// of it has its share within five standard deviations. Oracle: the binomial distribution.
+/// Law: centres are uniform in the cube `[−half_side, half_side]³`: none is outside, and each octant has
+/// its share within five standard deviations. Oracle: the binomial distribution.
 #[test]
 fn centres_of_random_spheres_fill_the_cube() {
     let mut octants = [0_u32; 8];
@@ -240,9 +242,9 @@ fn centres_of_random_spheres_fill_the_cube() {
     assert!(outer.iter().all(|n| n.abs_diff(4_000) < 224), "{outer:?}");
 }
 
-/// Law: what no random spheres are is refused by name. Oracle: the texts.
+/// Law: invalid random spheres are refused, and the message names the field. Oracle: the texts.
 #[test]
-fn random_spheres_that_cannot_be_are_refused() {
+fn invalid_random_spheres_are_refused() {
     let good = spheres(5, 0.1, 0);
     for (kind, problem) in [
         (spheres(0, 0.1, 0), "count: found 0, but at least one sphere is needed"),
@@ -260,9 +262,9 @@ fn random_spheres_that_cannot_be_are_refused() {
     }
 }
 
-/// Law: a random colour belongs to the part alone: from everywhere the same for each copy and each
-/// sphere, others for others, another seed, others; channels are within 0 and 1. Oracle: a table of
-/// first sightings by the place of the sphere's centre.
+/// Law: a random colour depends on the part alone: each sphere of each copy has the same colour from
+/// everywhere, different parts have different colours, and another seed gives others. Channels are
+/// between 0 and 1. Oracle: a table of the colour first found for each sphere, by its centre.
 #[test]
 fn a_part_has_one_random_color_from_everywhere() {
     let shape = built(lattice(spheres(6, 0.3, 5), [2, 1, 2], Vector::new(8.0, 0.0, 8.0)));
@@ -284,7 +286,7 @@ fn a_part_has_one_random_color_from_everywhere() {
         let here = color(1, &surface, &at);
         assert!(here.iter().all(|c| (0.0..1.0).contains(c)), "{here:?}");
         assert_ne!(here, color(2, &surface, &at));
-        match known.iter().find(|(place, _)| place.distance(center) < 1e-9) {
+        match known.iter().find(|(position, _)| position.distance(center) < 1e-9) {
             Some((_, before)) => assert_eq!(here, *before),
             None => known.push((center, here)),
         }

@@ -1,4 +1,4 @@
-//! The same objects searched in every way, and rays to search them along.
+//! The same objects searched by every method, and random rays to test them with.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use groundtruth::math::{Aabb, Ray, Span};
 use groundtruth::shapes::{Candidate, Context, Kind, Shape, Sphere};
 use groundtruth::verify::Draw;
 
-/// Objects in order, and the ray that looks at them.
+/// Objects in order, and the ray to intersect them with.
 pub struct Seen<'a>(pub &'a [Arc<dyn Shape>], pub &'a Ray);
 
 impl Primitives for Seen<'_> {
@@ -16,11 +16,11 @@ impl Primitives for Seen<'_> {
     }
 }
 
-/// How many sizes of the scene a ray may start away for all methods to find the same: see
-/// `docs/accuracy.md`.
+/// The greatest distance of a ray's origin, in sizes of the scene, at which all methods find the same:
+/// see `docs/accuracy.md`.
 pub const FARTHEST: f64 = (1 << 20) as f64;
 
-/// The same objects, searched in every way.
+/// The same objects, searched by every method.
 pub struct Both {
     pub objects: Vec<Arc<dyn Shape>>,
     pub list: Accel,
@@ -48,14 +48,14 @@ impl Both {
         (ray.origin - self.whole.center()).max_abs() <= FARTHEST * size
     }
 
-    /// The first object at the least distance, by asking each.
+    /// The first object at the least distance, found by testing each.
     pub fn first(&self, ray: &Ray) -> Option<(u32, f64)> {
         let hits = (0_u32..).zip(&self.objects);
         let hits = hits.filter_map(|(i, object)| Some((i, object.hit(ray, Span::AHEAD)?.t)));
         hits.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
     }
 
-    /// Whether anything is hit; fails if they do not agree on a ray that starts near.
+    /// Whether anything is hit; fails if the methods disagree on a ray that starts near.
     pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
         let seen = Seen(&self.objects, ray);
         let find = |accel: &Accel| {
@@ -87,13 +87,13 @@ pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")
 }
 
-/// Rays from everywhere, a third of them with zeros of either sign, some from very far.
-pub fn ray(draw: &mut Draw, reach: f64) -> Ray {
+/// A random ray; one in three has zeros of either sign in its direction, and some start very far away.
+pub fn ray(draw: &mut Draw, extent: f64) -> Ray {
     let far = if draw.below(4) == 0 { draw.decades(0.0, 6.0) } else { draw.between(0.0, 2.0) };
-    let target = draw.point(reach);
+    let target = draw.point(extent);
     let away = draw.direction();
     let mut direction = draw.decades(-3.0, 3.0) * away;
-    let origin = target + (far * reach) * away;
+    let origin = target + (far * extent) * away;
     if draw.below(3) == 0 {
         let mut d = direction.to_array();
         for _ in 0..=draw.below(2) {
@@ -101,13 +101,13 @@ pub fn ray(draw: &mut Draw, reach: f64) -> Ray {
         }
         if d != [0.0; 3] {
             direction = d.into();
-            return Ray::new(target - (far * reach / direction.length()) * direction, direction);
+            return Ray::new(target - (far * extent / direction.length()) * direction, direction);
         }
     }
     Ray::new(origin, -direction)
 }
 
-/// Both methods on this many rays; at least one ray in `rarely` hits.
+/// Checks all methods on these rays; fails unless at least one ray in `rarely` hits.
 pub fn agree(
     name: &str,
     objects: Vec<Arc<dyn Shape>>,
@@ -125,9 +125,9 @@ pub fn agree(
     assert!(hits * rarely >= count && count > 0, "{name}: only {hits} of {count} rays hit");
 }
 
-pub fn some_rays(seed: u64, count: usize, reach: f64) -> impl Iterator<Item = Ray> {
+pub fn some_rays(seed: u64, count: usize, extent: f64) -> impl Iterator<Item = Ray> {
     let mut draw = Draw::new(seed);
-    (0..count).map(move |_| ray(&mut draw, reach))
+    (0..count).map(move |_| ray(&mut draw, extent))
 }
 
 pub fn spheres(draw: &mut Draw, count: usize) -> Vec<Arc<dyn Shape>> {

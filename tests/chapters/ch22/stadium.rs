@@ -1,5 +1,5 @@
-//! A teapot in a stadium: things so small beside the scene that single precision cannot tell them
-//! apart.
+//! A teapot in a stadium: objects so small compared with the scene that single precision cannot tell
+//! them apart.
 
 use std::sync::Arc;
 
@@ -26,8 +26,8 @@ fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dy
                 shapes::Box { min, max }.into()
             }
         };
-        // where coordinates have too few digits for their size, boxes and triangles are refused, and
-        // even spheres
+        // where coordinates have too few digits for this size, boxes and triangles are refused, and
+        // sometimes spheres
         let build = |kind: Kind| kind.build(&mut Context::default()).ok();
         build(kind).or_else(|| build(sphere.into()))
     };
@@ -45,15 +45,15 @@ fn stadium(draw: &mut Draw) -> Vec<Arc<dyn Shape>> {
     objects
 }
 
-/// A ray at something within `size` of a point, from a distance of 10^(low … high).
+/// A ray aimed at a random point within `size` of `middle`, from a distance of 10^(low … high).
 fn ray_at(draw: &mut Draw, middle: Point, size: f64, low: f64, high: f64) -> Ray {
     let (target, away) = (middle + draw.vector(size), draw.direction());
     let far = draw.decades(low, high);
     Ray::new(target + far * away, -(draw.decades(-3.0, 3.0) * away))
 }
 
-/// Law: equal among clusters of 2⁻⁸ to 2⁻³⁶ of the scene, in its middle or not, and clusters in
-/// clusters. Oracle: the list.
+/// Law: equal for clusters of objects of 2⁻⁸ to 2⁻³⁶ of the scene's size, in its middle or elsewhere,
+/// and for clusters in clusters. Oracle: the list.
 #[test]
 fn acceleration_equals_the_list_in_a_stadium() {
     let mut draw = Draw::new(2290);
@@ -84,8 +84,8 @@ fn acceleration_equals_the_list_in_a_stadium() {
     }
 }
 
-/// Law: a mesh with fine detail in one place, whose leaves are blocks of triangles, has the hits of
-/// its list, with every kernel; and its triangles are all there. Oracle: the list.
+/// Law: a mesh with fine detail at one point, whose leaves are blocks of triangles, has the hits of its
+/// list, with every kernel. Oracle: the list.
 #[test]
 fn a_mesh_with_fine_detail_equals_its_list() {
     let mut draw = Draw::new(2293);
@@ -124,8 +124,8 @@ fn a_mesh_with_fine_detail_equals_its_list() {
     assert!(hits > 3_000, "{hits}");
 }
 
-/// Law: a teapot costs in a stadium what it costs alone, and some nodes for the stadium. Oracle: the
-/// counts of the search in the teapot alone.
+/// Law: to search a teapot in a stadium costs as much as to search it alone, and a few nodes for the
+/// stadium. Oracle: the counts of the search in the teapot alone.
 #[test]
 fn a_teapot_costs_the_same_in_a_stadium() {
     let mut draw = Draw::new(2291);

@@ -1,4 +1,4 @@
-//! What a search costs, counted rather than timed.
+//! The cost of a search, counted rather than timed.
 
 use groundtruth::accel::{Accel, Counts, Method, Primitives};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, cbrt};
@@ -17,8 +17,8 @@ impl Primitives for Seen<'_> {
 
 const RAYS: usize = 400;
 
-/// Steps and tests for each ray through random spheres, and how many planes between cells of the
-/// book's grid the ray crosses on its way through the cube.
+/// The mean numbers of steps and tests of a ray through random spheres, and of the planes between cells
+/// of the book's grid that it crosses in the cube.
 fn cost(method: Method, count: u32, radius: f64) -> [f64; 3] {
     let data = RandomSpheres { count, radius, half_side: 1.0, seed: 15, accel: None };
     let spheres = data.spheres();
@@ -46,7 +46,7 @@ fn cost(method: Method, count: u32, radius: f64) -> [f64; 3] {
 fn a_grid_takes_as_many_steps_as_planes_are_crossed() {
     let costs = [1_000, 8_000, 64_000].map(|n| cost(Method::Grid, n, 1e-9));
     for [steps, _, planes] in costs {
-        // one more on each axis than 2 n^(1/3) at most, and the first
+        // the grid has at most one cell more on each axis than 2 n^(1/3), and the first cell counts, too
         assert!((0.93..1.1).contains(&(steps / planes)), "{steps} of {planes}");
     }
     for pair in costs.windows(2) {
@@ -57,9 +57,10 @@ fn a_grid_takes_as_many_steps_as_planes_are_crossed() {
     assert_eq!(cost(Method::List, 1_000, 1e-9)[1], 1_000.0);
 }
 
-/// Law: in the book's scene, whose spheres fill the same share of the cube however many they are,
-/// steps grow slower than `n^0.3`: rays end sooner; and few spheres are tested. Oracle: eight times
-/// as many spheres may take 8^0.3 = 1.866 times as many steps; a thousandth of all.
+/// Law: in the book's scene the spheres fill the same share of the cube, however many they are. There
+/// steps grow more slowly than `n^0.3`, because rays end sooner, and few spheres are tested. Oracle:
+/// eight times as many spheres may take 8^0.3 = 1.866 times as many steps; tests of a thousandth of all
+/// spheres.
 #[test]
 fn steps_grow_slowly_in_the_books_scene() {
     let radius = |n: u32| cbrt(0.75 * 0.1 / (std::f64::consts::PI * f64::from(n)));

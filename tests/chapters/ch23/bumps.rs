@@ -26,8 +26,8 @@ fn volume([a, b, c]: [Vector; 3]) -> f64 {
     a.dot(b.cross(c))
 }
 
-/// Law: bumps leave a mesh closed: every edge is shared by exactly two faces in opposite directions
-/// (invariant 3), none is lost, and vertices less edges plus faces are two. Oracle: counting.
+/// Law: a mesh with bumps is closed: every edge is shared by exactly two faces in opposite directions
+/// (invariant 3), none is lost, and vertices minus edges plus faces are two. Oracle: counting.
 #[test]
 fn bumpy_spheres_are_closed() {
     for mesh in some() {
@@ -45,8 +45,8 @@ fn bumpy_spheres_are_closed() {
     }
 }
 
-/// Law: all faces look outward, flat normals and those of vertices: bumps move vertices along their
-/// radii alone. Oracle: the volume between face and centre; the direction from the centre.
+/// Law: all faces and all vertex normals point outward: bumps move vertices only along their radii.
+/// Oracle: the volume between face and centre; the direction from the centre.
 #[test]
 fn bumpy_spheres_look_outward() {
     for mesh in some() {
@@ -87,8 +87,9 @@ fn bumpy_spheres_are_seen_whole_from_the_centre() {
     assert!((0.68..0.8).contains(&low) && (1.2..=1.3).contains(&high), "{low} to {high}");
 }
 
-/// Law: each vertex stands at azimuth φ, polar angle θ of the plain sphere, at the radius
-/// `r (1 + bumps (2/3 sin 9φ sin 7θ + 1/3 sin 31θ))`. Oracle: the formula, a vertex looked for.
+/// Law: each vertex is at azimuth φ, polar angle θ of the plain sphere, at the radius
+/// `r (1 + bumps (2/3 sin 9φ sin 7θ + 1/3 sin 31θ))`. Oracle: the formula; a vertex is searched for at
+/// each of its points.
 #[test]
 fn bumpy_spheres_have_the_vertices_of_their_formula() {
     let mesh = TessellatedSphere { radius: 2.0, ..bumpy(25, 13, 0.4) }.mesh();
@@ -133,8 +134,8 @@ fn bumpy_spheres_have_the_volume_of_their_formula() {
     }
 }
 
-/// Law: bumps so high that the surface would meet its centre, or no number, are refused. Oracle:
-/// the text.
+/// Law: bumps so high that the surface would meet its centre, or that are not a number, are refused.
+/// Oracle: the text.
 #[test]
 fn bumps_as_high_as_the_radius_are_refused() {
     for bumps in [1.0, -0.1, f64::NAN, f64::INFINITY] {

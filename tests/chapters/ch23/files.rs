@@ -48,8 +48,8 @@ fn the_three_encodings_of_ply_give_the_same_hits() {
     }
 }
 
-/// Law: a file in which no triangle has an area is refused, and the message says so. Oracle: the law's
-/// own words.
+/// Law: a file in which no triangle has an area is refused, and the message says so. Oracle: the
+/// message.
 #[test]
 fn a_file_of_flat_triangles_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -61,8 +61,8 @@ fn a_file_of_flat_triangles_is_refused() {
     assert!(problem.contains("file") && problem.contains("area zero"), "{problem}");
 }
 
-/// Law: triangles that are too large or too small for the arithmetic are not said to have no area.
-/// Oracle: the texts.
+/// Law: triangles that are too large or too small for the arithmetic are refused for their size, and not
+/// for having no area. Oracle: the texts.
 #[test]
 fn a_size_that_is_not_supported_is_named() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -18,13 +18,14 @@ fn sweep_instances(seed: u64, count: usize) {
             _ => None,
         })
         .collect();
-    // three in a row, so that each of the 64 matrices meets each of the four methods
+    // the method changes after every three cases, so that each of the 64 matrices meets each of the four
+    // methods
     let instanced = |index: usize| &matrices[index % matrices.len()];
     sweep_many_as(Kind::Mesh, seed, count, 3, |case, index| case.instanced(instanced(index)));
 }
 
-/// Law: a mesh has every hit of its triangles, as exactly as their condition allows, however it
-/// searches. Oracle: 512-bit arithmetic, one triangle after the other.
+/// Law: a mesh has every hit of its triangles, as exactly as their condition allows, whichever method
+/// searches them. Oracle: 512-bit arithmetic, one triangle after the other.
 #[test]
 fn meshes_are_exact_within_their_condition() {
     sweep_meshes(23, 100);

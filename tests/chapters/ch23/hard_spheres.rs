@@ -4,9 +4,9 @@ use groundtruth::verify::composites::Kind;
 
 use crate::support::hard_cases::sweep_many;
 
-/// Law: a tessellated sphere has every hit of its triangles, however it searches. Oracle: those
-/// triangles in 512-bit arithmetic, one by one; that their corners are where they belong is a law
-/// of its own.
+/// Law: a tessellated sphere has every hit of its triangles, whichever method searches them. Oracle:
+/// those triangles in 512-bit arithmetic, one by one; another test checks the positions of their
+/// corners.
 #[test]
 fn tessellated_spheres_are_exact_within_their_condition() {
     sweep_many(Kind::TessellatedSphere, 2360, 100, 1);

@@ -1,4 +1,4 @@
-//! Leaks: what triangles do whose common edge is not the same for both.
+//! Leaks: gaps between triangles that do not compute their common edge in the same way.
 
 use groundtruth::math::{atan2, cos_degrees, to_degrees};
 use groundtruth::render;
@@ -16,13 +16,13 @@ fn the_textbooks_triangles_leak_at_their_edges() {
         let world = built(&small(name, SIDE, SIDE, 1));
         let picture = render::render(&world);
         let background = bits(picture.get([0, 0]));
-        // of its corners, in pixels of the picture: 118 of 257
+        // the distance of the octagon's corners from the centre, in pixels of this picture: 118 of 257
         let radius = 118.0 / 257.0 * f64::from(SIDE);
         let leaks = pixels(SIDE, SIDE).filter(|&pixel| {
             let [x, y] = pixel.map(|i| f64::from(i) - f64::from(SIDE / 2));
             let angle = to_degrees(atan2(y, x)).rem_euclid(45.0) - 22.5;
             let to_side = radius * cos_degrees(22.5) - (x * x + y * y).sqrt() * cos_degrees(angle);
-            // not the pixels at the sides
+            // without the pixels at the sides of the octagon
             to_side > 1.0 && bits(picture.get(pixel)) == background
         });
         leaks.count()

@@ -1,4 +1,4 @@
-//! Meshes whose lists stand in the scene instead of in a file.
+//! Meshes whose vertices and triangles are listed in the scene instead of in a file.
 
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
@@ -32,9 +32,9 @@ fn as_lists(data: &MeshData) -> Mesh {
     Mesh { normals, uvs: data.uvs.clone(), ..Mesh::of_lists(vertices, data.triangles.clone()) }
 }
 
-/// Law: a mesh of lists is the mesh of a file that has them: equal hits, surfaces, texture
-/// coordinates and numbers of triangles, to the last bit, with and without normals, smooth, scaled
-/// and turned. Oracle: the file.
+/// Law: a mesh from lists equals the mesh from a file with the same lists: equal hits, surfaces, texture
+/// coordinates and triangle numbers, to the last bit, with and without normals, smooth, scaled and
+/// reversed. Oracle: the file.
 #[test]
 fn a_mesh_of_lists_is_the_mesh_of_the_file_with_them() {
     let mut draw = Draw::new(2351);
@@ -67,8 +67,8 @@ fn a_mesh_of_lists_is_the_mesh_of_the_file_with_them() {
     assert!(hits > 2_000, "only {hits} hits");
 }
 
-/// Law: an inside-out octahedron of lists is turned by its normals, as a file's would be. Oracle:
-/// normals that point away from the middle.
+/// Law: an octahedron from lists that is wound inside out is turned around by its vertex normals, as one
+/// from a file would be. Oracle: normals that point away from the middle.
 #[test]
 fn normals_of_lists_say_what_is_outside() {
     let corners = [Vector::X, Vector::Y, Vector::Z, -Vector::X, -Vector::Y, -Vector::Z];

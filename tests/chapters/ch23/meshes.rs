@@ -21,7 +21,7 @@ fn corners(mesh: &TriangleMesh, triangle: [u32; 3]) -> [Point; 3] {
     triangle.map(|i| mesh.vertices()[i as usize])
 }
 
-/// Rays towards a thing of radius 1.
+/// Rays towards a shape of radius 1 at the origin.
 fn rays(seed: u64, count: usize) -> Vec<Ray> {
     let mut draw = Draw::new(seed);
     let mut ray = |_| {
@@ -40,8 +40,8 @@ fn a_tessellated_sphere_has_2h_times_v_minus_1_triangles() {
     }
 }
 
-/// Law: the area is below 4π and nears it as the square of the steps. Oracle: the sum of triangle
-/// areas by vector products; halving the steps quarters the rest.
+/// Law: the area is below 4π and nears it as the square of the steps. Oracle: the sum of triangle areas
+/// by vector products; halving the steps quarters the difference.
 #[test]
 fn the_area_of_a_tessellated_sphere_nears_four_pi_quadratically() {
     let missing = |n: u32| {
@@ -107,8 +107,8 @@ fn flat_and_smooth_meshes_have_the_same_hits() {
     above!(turned, 1_000);
 }
 
-/// Law: interpolated normals are within the square of the edge's angle of the sphere's own.
-/// Oracle: `p/|p|`.
+/// Law: interpolated normals differ from the sphere's own by less than the square of the angle of an
+/// edge. Oracle: `p/|p|`.
 #[test]
 fn smooth_normals_of_a_sphere_are_nearly_its_own() {
     let worst = |n: u32| {
@@ -137,7 +137,7 @@ fn vertex_normals_are_the_mean_of_the_adjacent_faces() {
     let mut draw = Draw::new(2333);
     for _ in 0..20 {
         let vertices: Vec<Point> = (0..12).map(|_| draw.point(1.0)).collect();
-        let mut corner = || draw.below(10) as u32; // two vertices stay alone
+        let mut corner = || draw.below(10) as u32; // two vertices touch no face
         let mut triangles: Vec<[u32; 3]> =
             (0..15).map(|_| [corner(), corner(), corner()]).collect();
         triangles.retain(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
@@ -159,7 +159,7 @@ fn vertex_normals_are_the_mean_of_the_adjacent_faces() {
     assert_eq!(mesh.mean_normals(), [Normal::Y; 3]);
 }
 
-/// Law: on a plane mesh the vertex normals are the face normal. Oracle: the plane's.
+/// Law: on a planar mesh the vertex normals are the face normal. Oracle: the normal of the plane.
 #[test]
 fn vertex_normals_of_a_plane_mesh_are_the_planes() {
     let v = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 3.0], [1.0, 1.0]];
@@ -171,10 +171,10 @@ fn vertex_normals_of_a_plane_mesh_are_the_planes() {
     }
 }
 
-/// Law: reversing turns every normal around and keeps every distance; twice is nothing. Oracle: the
-/// mesh before.
+/// Law: reversing a mesh negates every normal and keeps every distance; reversing it twice changes
+/// nothing. Oracle: the mesh before.
 #[test]
-fn reversing_twice_is_nothing() {
+fn reversing_twice_changes_nothing() {
     for smooth in [false, true] {
         let mesh = sphere(9, 5, smooth);
         let mut reversed = mesh.clone();
@@ -246,9 +246,10 @@ fn triangles_of_area_zero_change_nothing() {
     }
 }
 
-/// Law: what finds the triangles takes as much for each of them whether vertices are shared or not, and
-/// whatever else they have; it grows no faster than they. Oracle: the same triangles with vertices of
-/// their own, with normals and uv, and a hundred times as many.
+/// Law: for each triangle the search structure needs as much memory whether vertices are shared or not,
+/// and whether they have normals and texture coordinates or not; it does not grow faster than the number
+/// of triangles. Oracle: the same triangles with vertices of their own, with normals and uv, and a
+/// hundred times as many.
 #[test]
 fn memory_for_each_triangle_does_not_depend_on_vertices() {
     for method in Method::ALL {

@@ -1,4 +1,5 @@
-//! Vertex normals of mesh files: which side is outside, and what shading uses where there are none.
+//! Vertex normals of mesh files: which side is outside, and which normals shading uses where the file
+//! has none.
 
 use std::path::Path;
 
@@ -29,8 +30,8 @@ fn turned(triangles: &Triangles) -> Triangles {
     triangles.iter().map(|&[a, b, c]| [a, c, b]).collect()
 }
 
-/// Turned about the y axis, from its highest point, which is on the axis, to a flat base: radii and
-/// heights. Wound outward.
+/// A solid of revolution about the y axis, wound outward. `profile` lists its radii and heights, from
+/// the highest point, which is on the axis, down to the rim of a flat base.
 fn revolved(around: u32, profile: &[[f64; 2]]) -> (Vec<Point>, Triangles) {
     let mut vertices = vec![Point::new(0.0, profile[0][1], 0.0)];
     for &[radius, y] in &profile[1..] {
@@ -76,7 +77,8 @@ fn area(vertices: &[Point], triangle: &[u32; 3]) -> Vector {
     0.5 * (b - a).cross(c - a)
 }
 
-/// Normals of vertices as programs write them: means of the faces', all alike or by their area.
+/// Vertex normals as programs write them: means of the face normals, all with the same weight or
+/// weighted by area.
 fn means(vertices: &[Point], triangles: &Triangles, by_area: bool) -> Vec<Vector> {
     let mut sums = vec![Vector::ZERO; vertices.len()];
     for triangle in triangles {
@@ -87,7 +89,7 @@ fn means(vertices: &[Point], triangles: &Triangles, by_area: bool) -> Vec<Vector
     sums
 }
 
-/// What rays towards the origin, which is inside, see of a mesh: point, normal and that of shading.
+/// Point, normal and shading normal where rays towards the origin, which is inside, first hit a mesh.
 fn looks(mesh: &Mesh) -> Vec<[Vector; 3]> {
     let shape = Kind::from(mesh.clone()).build(&mut Context::default()).expect("valid");
     let mut draw = Draw::new(2331);
@@ -100,9 +102,9 @@ fn looks(mesh: &Mesh) -> Vec<[Vector; 3]> {
     (0..200).map(look).collect()
 }
 
-/// Law: vertex normals of a file say what is outside of a solid, however it is wound, flat and smooth;
-/// also where edges are so sharp that some normals are on the other side of a face.
-/// `reverse_normals` turns all around. Oracle: the place inside.
+/// Law: the vertex normals of a file decide which side of a solid is outside, however its triangles are
+/// wound, flat and smooth, also where edges are so sharp that some normals are on the other side of a
+/// face. `reverse_normals` turns all of them around. Oracle: the origin, which is inside.
 #[test]
 fn vertex_normals_of_a_file_say_what_is_outside() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -132,8 +134,9 @@ fn vertex_normals_of_a_file_say_what_is_outside() {
     assert!(sharp > 10, "{sharp}");
 }
 
-/// Law: where a file's triangles are wound both ways, most of the area says what is outside, and not most of
-/// the triangles. Oracle: a large triangle and 40 small ones, wound against each other; all normals are up.
+/// Law: where a file's triangles are wound both ways, the larger area decides which side is outside, not
+/// the larger number of triangles. Oracle: a large triangle and 40 small ones, wound against each other;
+/// all vertex normals point up.
 #[test]
 fn most_of_the_area_says_what_is_outside() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -164,8 +167,9 @@ fn most_of_the_area_says_what_is_outside() {
     }
 }
 
-/// Law: vertices for which a file has the zero vector as normal have the mean of their faces'. Oracle:
-/// the file without normals, bit for bit; and normals of other vertices that are not means.
+/// Law: a vertex whose normal in the file is the zero vector has the mean of the normals of its faces.
+/// Oracle: the file without normals, bit for bit; and a file in which one vertex has a normal that is
+/// not the mean.
 #[test]
 fn a_normal_of_zero_in_a_file_is_the_mean() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -181,7 +185,7 @@ fn a_normal_of_zero_in_a_file_is_the_mean() {
     }
 }
 
-/// As lines of an OBJ file.
+/// The corners of a cube, as lines of an OBJ file.
 fn corners_of_a_cube() -> String {
     let corner = |i: usize| {
         let [x, y, z] = [1, 2, 4].map(|bit| if i & bit == 0 { -1 } else { 1 });
@@ -190,8 +194,9 @@ fn corners_of_a_cube() -> String {
     (0..8).map(corner).collect()
 }
 
-/// Law: an OBJ file's faces meet smoothly at a position, whatever texture coordinates they have there,
-/// and also where only others have a normal. Oracle: the file without any, bit for bit.
+/// Law: the faces of an OBJ file are smooth at a position that they share, also if their texture
+/// coordinates differ there, or if only some corners of the file have a normal. Oracle: the file without
+/// both, bit for bit.
 #[test]
 fn texture_coordinates_and_some_normals_make_no_crease() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -220,8 +225,8 @@ fn texture_coordinates_and_some_normals_make_no_crease() {
     assert!((10..190).contains(&tops), "{tops}");
 }
 
-/// Law: a face of the file counts once in the means of its vertices, whatever triangles it is split
-/// into. Oracle: a cube's corners by hand, and a prism's rim, where a wall meets a wall and a cap.
+/// Law: a face of the file counts once in the means of its vertices, however many triangles it is split
+/// into. Oracle: a cube's corners by hand, and the rim of a prism, where two walls and a cap meet.
 #[test]
 fn a_polygon_counts_once_in_means() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -258,7 +263,7 @@ fn a_polygon_counts_once_in_means() {
         let target = Point::new(0.0, 0.999, 0.0) + outward;
         let ray = Ray::new(target + outward, -outward);
         let surface = shape.surface(&ray, &shape.hit(&ray, Span::AHEAD).expect("aimed at it"));
-        // the two walls beside a corner make cos(π/32) outward each, and the cap 1 upward
+        // each of the two walls beside a corner contributes cos(π/32) outward, and the cap 1 upward
         let (out, up) = (2.0 * cos_degrees(180.0 / f64::from(sides)), 1.0);
         let expected = (out * outward + up * Vector::Y).unit().expect("not zero");
         let shading = Vector::from(surface.shading);

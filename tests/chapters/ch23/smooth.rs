@@ -63,7 +63,7 @@ fn a_smooth_triangle_is_a_smooth_mesh_of_one_triangle() {
     }
 }
 
-/// Law: a normal on the other side of the triangle, or none at all, is refused. Oracle: the text.
+/// Law: a normal on the other side of the triangle, or one that is zero, is refused. Oracle: the text.
 #[test]
 fn normals_behind_the_triangle_are_refused() {
     let problem = |normal: [f64; 3]| {
@@ -85,8 +85,8 @@ fn normals_behind_the_triangle_are_refused() {
     );
 }
 
-/// Law: shading uses the triangle's own normal where the vertices' one is on its other side. Oracle: the
-/// sign of the interpolated normal's z in a triangle that lies in z = 0.
+/// Law: shading uses the triangle's own normal where the interpolated one is on the other side of the
+/// triangle. Oracle: the sign of the interpolated normal's z in a triangle in the plane z = 0.
 #[test]
 fn a_normal_on_the_other_side_is_not_used() {
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point::from);
@@ -110,10 +110,10 @@ fn a_normal_on_the_other_side_is_not_used() {
     assert!(beside > 50, "{beside}");
 }
 
-/// Law: near the outline of a smooth mesh, where the interpolated normal faces away from the viewer but
-/// the triangle does not, a matte or glossy surface is as bright as its interpolated normal says, as in
-/// the book, whose BRDFs do not ask on which side of it the viewer is. Oracle: Lambert's cosine over π;
-/// Phong's `(r·ω_o)^e` times the cosine.
+/// Law: near the outline of a smooth mesh, the interpolated normal may face away from the viewer though
+/// the triangle does not. There a matte or glossy surface is as bright as its interpolated normal says,
+/// as in the book, whose BRDFs do not test on which side of it the viewer is. Oracle: Lambert's cosine
+/// over π; Phong's `(r·ω_o)^e` times the cosine.
 #[test]
 fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
     let mut draw = Draw::new(2333);
@@ -134,7 +134,7 @@ fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
         let sun: Vector = draw.direction().into();
         shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: sun });
         let to_eye = draw.direction();
-        // beside the middle, where the view grazes
+        // away from the centre of the sphere, where the view grazes
         let beside = to_eye.cross(draw.direction()).unit().expect("not parallel");
         let target = Point::ORIGIN + draw.between(0.6, 1.0) * beside;
         let tree = recorded(&built(&scene), target + 3.0 * to_eye, -Vector::from(to_eye));
@@ -172,9 +172,9 @@ fn inverse_transpose(m: [[f64; 3]; 3], n: Vector) -> Vector {
     Vector::from(cofactors.map(|row| sign * row.dot(n))).unit().expect("not zero")
 }
 
-/// Law: an instance's shading normal is the inner one moved by M⁻ᵀ, for turned, stretched, mirrored and
-/// nested instances of a smooth mesh. Oracle: the cofactors of the matrices multiplied by hand, of the
-/// normal interpolated by hand.
+/// Law: an instance's shading normal is the inner one transformed by M⁻ᵀ, for rotated, stretched,
+/// mirrored and nested instances of a smooth mesh. Oracle: the cofactors of the product of the matrices,
+/// computed here, applied to the normal interpolated here.
 #[test]
 fn an_instance_moves_shading_normals_by_the_inverse_transpose() {
     let units = normals().map(|n| Normal::new(n).expect("not zero"));

@@ -27,9 +27,9 @@ fn uv_at(x: f64, z: f64) -> [f64; 2] {
     [0.25 * x + 0.125 * z, 1.0 - 0.5 * z + 0.0625 * x]
 }
 
-/// Law: u and v of a hit are the affine functions that the vertices have; through instances,
-/// compounds and lattices too; a mesh without them has none, nor has any other shape. Oracle: the
-/// affine functions of the hit's point, moved back by hand.
+/// Law: if u and v of the vertices are affine functions of their position, u and v of a hit are the same
+/// functions; also through instances, compounds and lattices. A mesh without u and v has none, nor has
+/// any other shape. Oracle: the affine functions of the hit's point, moved back by hand.
 #[test]
 fn texture_coordinates_are_interpolated_where_the_file_has_them() {
     /// Twenty roundings of coordinates up to 4 and of coefficients up to 1.

@@ -44,8 +44,8 @@ fn inside(draw: &mut Draw, mesh: &TriangleMesh) -> Point {
     a + ((b - a) + (c - a)) * (1.0 / 3.0) - depth * normal
 }
 
-/// The number of rays from inside, aimed at shared points, that get out; so many rays for each
-/// kernel that the processor has.
+/// The number of rays from inside, aimed at shared points, that escape; `count` rays for each kernel
+/// that the processor supports.
 fn leaks(mesh: TriangleMesh, start: impl Fn(&mut Draw) -> Point, seed: u64, count: usize) -> usize {
     let mut draw = Draw::new(seed);
     let mut leaks = 0;
@@ -146,8 +146,8 @@ fn every_kernel_gives_the_hits_of_the_list() {
     }
 }
 
-/// Law: where a triangle is level, every ray that sinks by 1 for each unit of t meets it at its
-/// height above the triangle, to the last bit: t lies between the depths of the corners, and no
+/// Law: a ray that sinks by 1 for each unit of t meets a level triangle at a t that equals the height of
+/// its origin above the triangle, to the last bit. So t is between the depths of the corners, and no
 /// rounding takes it out of their boxes. Oracle: one subtraction.
 #[test]
 fn level_triangles_are_hit_at_their_depth_to_the_last_bit() {

@@ -1,4 +1,4 @@
-//! Mirrors on whole pictures: what is seen in them is what stands in the unfolded room.
+//! Whole pictures with mirrors: each equals the picture of the unfolded room without mirrors.
 
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::materials::Emissive;
@@ -15,7 +15,7 @@ use crate::support::stage::{built, counted, look, put};
 const KR: f64 = 0.8;
 const CR: Rgb = Rgb::new(1.0, 0.75, 0.5);
 
-/// Lamps of four colours, and where they stand.
+/// Centre, radius and colour of four lamps.
 const LAMPS: [([f64; 3], f64, Rgb); 4] = [
     ([0.2, 0.5, 0.3], 0.35, Rgb::new(1.0, 0.0, 0.0)),
     ([-0.4, -0.2, 0.6], 0.3, Rgb::new(0.0, 1.0, 0.0)),
@@ -23,7 +23,7 @@ const LAMPS: [([f64; 3], f64, Rgb); 4] = [
     ([0.1, 0.1, -0.6], 0.2, Rgb::new(1.0, 1.0, 1.0)),
 ];
 
-/// A picture of 32 by 32 pixels from this eye, of nothing yet.
+/// A scene with a picture of 32 by 32 pixels from this eye, still without objects.
 fn seen_from(eye: Point, look_at: Point) -> Scene {
     let camera = Viewpoint::new(eye, look_at, Pinhole { distance: 1.0, zoom: 1.0 });
     let image = Image { pixel_size: 0.05, ..Image::new(32, 32) };
@@ -32,8 +32,8 @@ fn seen_from(eye: Point, look_at: Point) -> Scene {
     scene
 }
 
-/// Adds the lamps as they stand in a room turned around this often along each axis, and over as many
-/// mirrors: each dims them by `k_r c_r`.
+/// Adds the lamps as they are seen by way of so many mirrors: moved by `to_place`, and dimmed by
+/// `k_r c_r` for each mirror.
 fn hang(scene: &mut Scene, to_place: impl Fn(Point) -> Point, mirrors: u32) {
     for (center, radius, color) in LAMPS {
         let ball = Sphere { center: to_place(Point::from(center)), radius, inward: false };
@@ -47,16 +47,16 @@ fn assert_same_picture(mirrored: &Scene, unfolded: &Scene) {
     let [seen, expected] = [mirrored, unfolded].map(|scene| render(&built(scene)));
     let mut colors = std::collections::BTreeSet::new();
     for (i, (seen, expected)) in seen.pixels().iter().zip(expected.pixels()).enumerate() {
-        let place = [i % 32, i / 32];
-        close!(*seen, *expected, 256.0 * U, "{place:?}");
+        let at = [i % 32, i / 32];
+        close!(*seen, *expected, 256.0 * U, "{at:?}");
         colors.insert(expected.to_array().map(|c| (1e6 * c) as u64));
     }
     assert!(colors.len() > 8, "only {} images are seen", colors.len());
 }
 
-/// Law: three mirrors at right angles show the room seven times more, turned around along one, two and
-/// three axes, each image dimmed by as many mirrors. Oracle: a room without mirrors in which the
-/// lamps stand eight times.
+/// Law: three mirrors at right angles show seven more images of the room, mirrored along one, two or three
+/// axes and dimmed by one, two or three mirrors. Oracle: a scene without mirrors that contains all eight sets
+/// of lamps.
 #[test]
 fn a_corner_of_mirrors_shows_eight_rooms() {
     let empty = seen_from(Point::new(0.9, 0.8, 1.1), Point::new(-1.0, -1.0, -1.0));
@@ -77,8 +77,8 @@ fn a_corner_of_mirrors_shows_eight_rooms() {
     assert_same_picture(&mirrored, &unfolded);
 }
 
-/// Law: two facing mirrors show a row of rooms without end, every second one turned around, the k-th dimmed
-/// k times. Oracle: the row of lamps without mirrors.
+/// Law: two facing mirrors show an endless row of rooms; every second one is mirrored, and the k-th is
+/// dimmed k times. Oracle: the row of lamps without mirrors.
 #[test]
 fn facing_mirrors_show_a_row_of_rooms() {
     let empty = seen_from(Point::new(0.5, 0.75, 0.9), Point::new(-1.0, -0.1, 0.1));
@@ -95,9 +95,9 @@ fn facing_mirrors_show_a_row_of_rooms() {
     assert_same_picture(&mirrored, &unfolded);
 }
 
-/// Law: what dims light on its way does so on both sides of a mirror, each ray over its own length: the way
-/// over two mirrors counts `exp(−σ (d₁ + d₂ + d₃))`, and with depth to spare N mirrors cost N + 1 rays.
-/// Oracle: the way unfolded, by Pythagoras.
+/// Law: an absorbing medium dims light along the whole path, before and after each mirror: a path by way
+/// of two mirrors has the factor `exp(−σ (d₁ + d₂ + d₃))`. If the depth allows it, N mirrors cost N + 1
+/// rays. Oracle: the length of the unfolded path, by Pythagoras.
 #[test]
 fn an_absorbing_medium_counts_the_whole_way_over_mirrors() {
     let sigma = Rgb::new(0.3, 0.1, 0.7);

@@ -13,11 +13,11 @@ use super::glossy;
 use crate::support::replicas::{assert_mean, replicas, with_samples};
 use crate::support::stage::{built, deep_stage, put, shine};
 
-/// So far away that all of the floor sees the lamp at the same angle, up to 1e-9.
+/// The distance of the lamp: from all points of the floor it is seen at the same angle, up to 1e-9.
 const FAR: f64 = 1e9;
 
-/// Straight down onto a glossy floor, straight above which a lamp of this angular radius shines; it does not
-/// hide the floor, as the eye is below it.
+/// The view straight down on a glossy floor, with a lamp of this angular radius straight above. The lamp
+/// does not hide the floor, because the eye is below it.
 fn under_a_moon(finish: GlossyReflector, degrees: f64, tracer: Tracer) -> Scene {
     let mut scene = deep_stage(Rgb::BLACK, 1);
     scene.tracer = tracer;
@@ -32,10 +32,10 @@ fn under_a_moon(finish: GlossyReflector, degrees: f64, tracer: Tracer) -> Scene 
     with_samples(scene, 256)
 }
 
-/// Law: a lamp of angular radius α in the mirror direction is seen, straight on, as `kr (1 − cos^(e+1) α)` of
-/// itself by the book's rule, and as `kr (1 − cos^(e+2) α)` by the normalised one, in every pixel and
-/// under every tracer that follows it. Oracle: the integral of the lobe over the cone; means of 24
-/// replicas.
+/// Law: seen straight on, a lamp of angular radius α in the mirror direction is reflected with
+/// `kr (1 − cos^(e+1) α)` of its radiance by the book's rule, and with `kr (1 − cos^(e+2) α)` by the
+/// normalised one, in every pixel and with every tracer that follows the glossy ray. Oracle: the
+/// integral of the lobe over the cone; means of 24 replicas.
 #[test]
 fn a_moon_is_blurred_as_the_integral_of_the_lobe_says() {
     let depth = Depth { max_depth: 1 };
@@ -62,11 +62,11 @@ fn a_moon_is_blurred_as_the_integral_of_the_lobe_says() {
     }
 }
 
-/// Law: no pixel of a glossy surface whose `kr` is at most 1 is brighter than the brightest thing around it, by
-/// the book's rule at any angle. Oracle: the lamp's radiance, each sample by itself; that some samples
-/// see the lamp.
+/// Law: by the book's rule, no pixel of a glossy surface whose `kr` is at most 1 is brighter than the
+/// brightest object around it, at any angle. Oracle: the lamp's radiance, for each sample by itself; and
+/// some samples must see the lamp.
 #[test]
-fn gloss_shows_nothing_brighter_than_what_it_mirrors() {
+fn gloss_is_not_brighter_than_what_it_reflects() {
     for exponent in [0.0, 1.0, 30.0] {
         let brightest = [0.0, 1.0, 5.0, 30.0].map(|tilt| {
             let whitted = Tracer::Whitted(Whitted { max_depth: 1 });

@@ -19,11 +19,11 @@ use crate::support::stage::built;
 /// Pixels across and down.
 const SIDE: u32 = 16;
 
-/// Means and standard errors of [`reference_is_made`], three channels of each for each pixel and then for
-/// the mean of all.
+/// Means and standard errors written by [`cornell_reference_is_made`]: one line for each of three channels,
+/// for each pixel and then for the mean of the picture.
 const REFERENCE: &str = include_str!("cornell_reference.txt");
 
-/// How many independent pictures the reference is made of: even, see [`as_values`].
+/// The number of independent pictures behind the reference. It is even, as [`as_values`] needs.
 const REFERENCE_REPLICAS: u64 = 32;
 
 fn cornell_box(tracer: Tracer, samples: u32) -> Scene {
@@ -33,7 +33,7 @@ fn cornell_box(tracer: Tracer, samples: u32) -> Scene {
     with_samples(scene, samples)
 }
 
-/// Each channel of each pixel, and the means of the picture, once for each replica.
+/// The values of all replicas, for each channel of each pixel and then of the picture's mean.
 fn pictures(scene: &Scene) -> Vec<Vec<f64>> {
     let of_each = replicas(scene, |world| channels(render(world).pixels()));
     transposed(&of_each)
@@ -48,7 +48,7 @@ fn transposed(of_each: &[Vec<f64>]) -> Vec<Vec<f64>> {
     (0..of_each[0].len()).map(|i| of_each.iter().map(|values| values[i]).collect()).collect()
 }
 
-/// Values of this mean and standard error, which is all that a t test asks of them.
+/// Values with this mean and standard error; a t test depends on nothing else.
 fn as_values([mean, error]: [f64; 2]) -> Vec<f64> {
     let apart = error * (REFERENCE_REPLICAS as f64 - 1.0).sqrt();
     (0..REFERENCE_REPLICAS).map(|i| if i % 2 == 0 { mean + apart } else { mean - apart }).collect()
@@ -62,8 +62,8 @@ fn reference() -> Vec<Vec<f64>> {
     numbers.collect()
 }
 
-/// Fails if two sets of estimates differ significantly in any mean. Left out are pixels that are nearly dark or
-/// see the box's rim alone: means known no better than to 10 % are of too few paths for a t test.
+/// Fails if two sets of estimates differ significantly in any mean. Pixels that are nearly dark or see only
+/// the box's rim are left out: a mean with a standard error above 10 % comes from too few paths for a t test.
 fn assert_agree(what: &str, a: &[Vec<f64>], b: &[Vec<f64>], tests: usize) {
     assert_eq!(a.len(), b.len(), "{what}: the pictures differ in size");
     let mut compared = 0;
@@ -87,9 +87,9 @@ fn assert_agree(what: &str, a: &[Vec<f64>], b: &[Vec<f64>], tests: usize) {
     assert!(2 * compared > a.len(), "{what}: only {compared} of {} are compared", a.len());
 }
 
-/// Law: `path` and `global_trace` render the Cornell box as paths do that never sample a light. Oracle: the
-/// committed picture, by `path_trace` with 2¹⁴ samples and other seeds, and its variance; Welch's t of
-/// each pixel and of the whole, which is known to 0.5 %.
+/// Law: `path` and `global_trace` render the same Cornell box as `path_trace`, which never samples a light.
+/// Oracle: the committed picture, by `path_trace` with 2¹⁴ samples and other seeds, and its variance; Welch's
+/// t of each pixel and of the whole, which is known to 0.5 %.
 #[test]
 fn the_cornell_box_is_the_reference() {
     let (reference, depth) = (reference(), Depth { max_depth: 10 });
@@ -127,7 +127,7 @@ fn cornell_reference_is_made() {
     std::fs::write(path, text).expect("the folder can be written to");
 }
 
-/// The scene in a mirror that turns x around between the walls.
+/// The mirror image of the scene: x is reversed between the walls.
 fn mirrored(mut scene: Scene) -> Scene {
     let point = |p: Point| p.with(0, 55.28 - p.x());
     let vector = |v: Vector| Vector::new(-v.x(), v.y(), v.z());
@@ -135,15 +135,15 @@ fn mirrored(mut scene: Scene) -> Scene {
         (point(scene.camera.eye), point(scene.camera.look_at));
     for object in &mut scene.objects {
         let Kind::Rectangle(it) = &object.shape else { panic!("{object:?}") };
-        // the sides change places, so that the lamp still faces down
+        // `a` and `b` are swapped so that the lamp still faces down
         let (a, b) = (vector(it.b), vector(it.a));
         object.shape = Rectangle { corner: point(it.corner), a, b }.into();
     }
     scene
 }
 
-/// Law: with the red and the green wall swapped, and blocks, lamp and eye in the mirror as well, the picture is
-/// mirrored. Oracle: the picture turned around; Welch's t of each pixel and of the whole.
+/// Law: if the scene is mirrored (red and green wall swapped; blocks, lamp and eye mirrored), the picture is
+/// mirrored. Oracle: the mirrored picture; Welch's t of each pixel and of the whole.
 #[test]
 fn swapped_walls_show_the_mirrored_picture() {
     let scene = cornell_box(Tracer::Path(Depth { max_depth: 10 }), 16);
@@ -157,7 +157,7 @@ fn swapped_walls_show_the_mirrored_picture() {
         })
         .collect();
     assert_agree("mirrored", &turned, &other, other.len());
-    // and the picture is no mirror image of itself
+    // and the picture differs from its own mirror image
     let unturned = found.iter().zip(&other).filter(|(a, b)| means::two_samples(a, b) < 1e-9);
     assert!(unturned.count() > 20, "the box looks the same from both sides");
     assert_eq!(other[0].len() as u64, REPLICAS);

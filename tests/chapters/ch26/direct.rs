@@ -1,4 +1,4 @@
-//! Direct light, found in different ways: one picture.
+//! Direct light: all estimators give the same picture.
 
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::lights::Area;
@@ -17,7 +17,7 @@ use crate::support::stage::{put, shine};
 const WIDTH: u32 = 6;
 const HEIGHT: u32 = 4;
 
-/// A ball and its half shadow on a floor, under a rectangle and a small ball that shine; the lamps are seen.
+/// A ball and its penumbra on a floor, lit by a rectangle and by a small ball; the lamps are visible.
 fn lit(tracer: Tracer, sampling: Option<Sampling>) -> Scene {
     let lens = Pinhole { distance: 4.0, zoom: 1.0 };
     let camera = Viewpoint::new(Point::new(0.0, 6.0, 6.0), Point::new(0.2, 0.7, 0.0), lens);
@@ -52,10 +52,10 @@ fn lit(tracer: Tracer, sampling: Option<Sampling>) -> Scene {
     with_samples(scene, 256)
 }
 
-/// Law: light straight from lamps is the same picture whether their surfaces are sampled by area or by
-/// solid angle, by ray casting or at the first hit of a path, or are met by what the surface scatters,
-/// or both at once, each weighed against the other. Oracle: each other; Welch's t over 24 replicas of
-/// each pixel, and of the sum of all, which is known to 1 %.
+/// Law: direct light gives the same picture whether the lamps are sampled by area or by solid angle, by ray
+/// casting or at the first hit of a path, whether scattered rays hit the lamps, or whether both are combined
+/// with weights (multiple importance sampling). Oracle: each other; Welch's t over 24 replicas of each pixel,
+/// and of the sum of all, which is known to 1 %.
 #[test]
 fn direct_light_is_one_picture_in_all_ways() {
     let deep = Depth { max_depth: 1 };

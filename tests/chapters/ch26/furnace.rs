@@ -1,4 +1,5 @@
-//! Uniform light: what each material makes of it, under each tracer, and what a closed room adds up.
+//! Uniform light: what each material shows of it under each tracer, and the sum of reflections in a closed
+//! room.
 
 use std::f64::consts::TAU;
 
@@ -21,13 +22,14 @@ use crate::support::optics::albedo_about_the_mirror_direction;
 use crate::support::replicas::{assert_color, assert_mean, replicas, view, with_samples};
 use crate::support::stage::{built, put, shine, stage};
 
-/// How deep the tracers follow rays here: so little that what is cut off is seen.
+/// The maximum depth of the tracers here: so small that the part that is cut off can be seen.
 const DEPTH: u32 = 3;
 
-/// Of each of the 24 replicas.
+/// Samples per pixel in each of the 24 replicas.
 const SAMPLES: u32 = 256;
 
-/// Means are known to this share: most exactly, and a highlight alone so well.
+/// The largest relative standard error of a mean that a test accepts. Most means are exact; that of a
+/// highlight alone comes near this bound.
 const POWER: f64 = 0.05;
 
 /// A ball of radius 1 in white light from all sides. The background is a light as well, so that tracers
@@ -75,8 +77,8 @@ fn glossy(glossy: &GlossyReflector, cosine: f64) -> Rgb {
     (number(&glossy.kr) * share) * plain(&glossy.cr)
 }
 
-/// `r + t² (a + r a² + r² a³ + …)` of a ball that reflects r, lets through t, and dims light by a from side
-/// to side: as many terms as the depth allows.
+/// `r + t² (a + r a² + r² a³ + …)` for a ball that reflects r, transmits t, and dims light by a along its
+/// chord: as many terms as the depth allows.
 fn ball(r: f64, t: f64, a: f64) -> f64 {
     let inner = |k: u32| t * t * power(r, f64::from(k - 1)) * power(a, f64::from(k));
     r + (1..DEPTH).map(inner).sum::<f64>()
@@ -103,8 +105,8 @@ fn dielectric(glass: &Dielectric, cosine: f64) -> Rgb {
     }))
 }
 
-/// What a ball of a material shows of white light from all sides: what it scatters, and what it mirrors and
-/// lets through, which ray casting leaves out.
+/// What a ball of a material shows in white light from all sides: first what it scatters, then what it
+/// mirrors and transmits. Ray casting leaves out the second part.
 fn shown(kind: &Kind, cosine: f64) -> [Rgb; 2] {
     match kind {
         Kind::Matte(it) => [matte(it), Rgb::BLACK],
@@ -117,13 +119,13 @@ fn shown(kind: &Kind, cosine: f64) -> [Rgb; 2] {
         Kind::GlossyReflector(it) => [phong(&it.phong, cosine), glossy(it, cosine)],
         Kind::Transparent(it) => [phong(&it.phong, cosine), transparent(it, cosine)],
         Kind::Dielectric(it) => [phong(&it.phong, cosine), dielectric(it, cosine)],
-        // the specimen shows its second row straight on, and its first from 53° on
+        // of the two cosines of the test, 1 meets the specimen's second material and 0.4 its first
         Kind::SphereMaterials(it) => shown(&it.materials[usize::from(cosine > 0.8)], cosine),
         Kind::Custom(_) => panic!("not in the list"),
     }
 }
 
-/// The material with a highlight that is no needle, which too few samples would meet for a t test.
+/// The material with its highlight widened: too few samples would hit a very narrow one for a t test.
 fn widened(mut kind: Kind) -> Kind {
     if let Kind::Transparent(Transparent { phong, .. })
     | Kind::Dielectric(Dielectric { phong, .. }) = &mut kind
@@ -133,10 +135,10 @@ fn widened(mut kind: Kind) -> Kind {
     kind
 }
 
-/// Law: in uniform light every material shows what its numbers say, under every tracer, seen straight on
-/// and askew: ρ if it is matte, and a ball of glass all but what is cut off with the depth. Oracle:
-/// closed forms of the numbers, Fresnel's equations in angles, quadrature of highlights; means of 24
-/// replicas.
+/// Law: in uniform light every material shows the albedo that its parameters define, under every tracer, seen
+/// straight on and at an angle: ρ if it is matte, and for a ball of glass everything except the part that the
+/// depth cuts off. Oracle: closed forms in the parameters, Fresnel's equations in angles, quadrature of
+/// highlights; means of 24 replicas.
 #[test]
 fn every_material_shows_its_albedo_under_every_tracer() {
     let specimens = Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)());
@@ -155,7 +157,8 @@ fn every_material_shows_its_albedo_under_every_tracer() {
 }
 
 /// Law: the book's highlight is not normalised: with `k_s = 1`, `e = 1` a surface sends back 2π/3 = 2.09
-/// times the light that arrives, under every tracer. Oracle: `2π/(e + 2)`; that the lobe makes no claim.
+/// times the light that arrives, under every tracer. Oracle: `2π/(e + 2)`; the lobe does not claim to
+/// conserve energy.
 #[test]
 fn a_broad_highlight_sends_back_more_than_arrives() {
     let highlight = Phong { ks: 1.0.into(), exponent: 1.0.into(), ..Phong::default() };
@@ -177,7 +180,7 @@ fn a_closed_sphere_sums_the_series_under_every_path_tracer() {
         for n in [0, 1, 2, 5, 20] {
             let expected = 2.0 * (1.0 - power(rho, f64::from(n + 1))) / (1.0 - rho);
             for (tracer, is_lamp) in tracers(n).into_iter().flat_map(|t| [(t, false), (t, true)]) {
-                // few paths go on from dark walls, by roulette
+                // Russian roulette lets few paths continue from dark walls
                 let is_rare = rho < 0.5 && matches!(tracer, Tracer::Path(_));
                 let samples = if is_rare { 2048 } else { 64 };
                 let mut scene = with_samples(stage(Rgb::BLACK), samples);
@@ -199,9 +202,9 @@ fn a_closed_sphere_sums_the_series_under_every_path_tracer() {
     }
 }
 
-/// Law: clear glass of any shape is invisible in uniform light to a path, whichever way it goes: its weights
-/// multiply to 1 on every path that ends outside, and few do not within depth 128. Oracle: the
-/// background; that the glass is met, on most samples more than twice.
+/// Law: in uniform light clear glass of any shape is invisible to path tracers: the weights multiply to 1 on
+/// every path that ends outside, and all but a few do so within depth 128. Oracle: the background; enough
+/// samples hit the glass, and enough of those more than twice.
 #[test]
 fn glass_of_any_shape_is_invisible_in_uniform_light() {
     /// A dozen roundings at each of up to 128 surfaces.

@@ -1,4 +1,4 @@
-//! Paths: what they bring home, how well, and at what cost.
+//! Path tracers: their mean, their variance and their cost.
 
 use groundtruth::lights::{Area, Point as PointLight};
 use groundtruth::lobes::GlossyRule;
@@ -20,8 +20,8 @@ use crate::support::number;
 use crate::support::replicas::{LEVEL, assert_mean, mean_and_error, replicas, view, with_samples};
 use crate::support::stage::{built, counted, look, put, shine, stage};
 
-/// Law: a lamp at the centre of a matte sphere lights all of it by E = I/r²; with every reflection that adds
-/// `ρ E/π · ρᵏ`, so that in the end the wall absorbs what the lamp sends out (the integrating sphere).
+/// Law: a lamp at the centre of a matte sphere lights all of it by E = I/r²; the k-th reflection adds
+/// `ρ E/π · ρᵏ`, so that in the limit the wall absorbs all that the lamp emits (the integrating sphere).
 /// Oracle: the series for N edges.
 #[test]
 fn a_lamp_in_a_matte_sphere_is_an_integrating_sphere() {
@@ -61,8 +61,8 @@ fn furnished_room() -> Scene {
 }
 
 /// Law: the three path tracers have one mean where light comes over mirrors, through glass and from glossy
-/// surfaces too: lights that a single direction leads to count in full, those that could have been
-/// sampled once. Oracle: each other; Welch's t over 24 replicas.
+/// surfaces too: a light that only a single direction reaches counts in full, and one that could also have
+/// been sampled counts once. Oracle: each other; Welch's t over 24 replicas.
 #[test]
 fn path_tracers_agree_over_mirrors_glass_and_gloss() {
     let eye = Point::new(0.5, 2.0, 6.0);
@@ -88,8 +88,9 @@ fn path_tracers_agree_over_mirrors_glass_and_gloss() {
     }
 }
 
-/// Law: radiance is linear in what lamps send out: twice as much is the same picture twice as bright, bit for
-/// bit, under every tracer; and chances do not depend on it. Oracle: the picture times two.
+/// Law: radiance is linear in the emission of the lamps: twice the emission gives the same picture twice as
+/// bright, bit for bit, under every tracer; the random choices do not depend on it. Oracle: the picture times
+/// two.
 #[test]
 fn twice_the_light_is_twice_the_picture() {
     for tracer in Tracer::ALL {
@@ -112,7 +113,7 @@ fn twice_the_light_is_twice_the_picture() {
     }
 }
 
-/// The room in the light of a small lamp alone.
+/// A floor lit by one small lamp.
 fn dim_room(tracer: Tracer) -> Scene {
     let mut scene = stage(Rgb::BLACK);
     scene.tracer = tracer;
@@ -128,9 +129,9 @@ fn floor_seen(world: &groundtruth::world::World) -> f64 {
     view(world, Point::new(1.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0)).g
 }
 
-/// Law: a small lamp is found better by those who look for it: with as many samples the variance of
-/// `global_trace` and `path` is far below that of `path_trace`, which meets this lamp with one ray in 65. Oracle:
-/// `p (1 − p)/n` of a lamp met or missed, and Welch's t for the means.
+/// Law: sampling a small lamp is better than hitting it by chance: with equally many samples the variance of
+/// `global_trace` and `path` is far below that of `path_trace`, which meets this lamp with one ray in 65.
+/// Oracle: `p (1 − p)/n` of a lamp met or missed, and Welch's t for the means.
 #[test]
 fn sampling_a_small_lamp_lowers_the_variance() {
     let [met, first, path] = tracers(2).map(|tracer| {
@@ -146,8 +147,8 @@ fn sampling_a_small_lamp_lowers_the_variance() {
     }
 }
 
-/// Law: the error of independent paths falls as 1/√N, and its size is that of a lamp met or missed. Oracle: the
-/// slope −½ of standard deviations over replicas, and the binomial's at each N.
+/// Law: the error of independent paths falls as 1/√N, and its size is that of a lamp that each path hits or
+/// misses. Oracle: the slope −½ of standard deviations over replicas, and the binomial deviation at each N.
 #[test]
 fn the_error_of_paths_falls_as_the_root_of_their_number() {
     const SEEDS: u64 = 128;
@@ -165,7 +166,7 @@ fn the_error_of_paths_falls_as_the_root_of_their_number() {
             };
             let values: Vec<f64> = (0..SEEDS).map(&mut one).collect();
             let (mean, error) = mean_and_error(&values);
-            // each path brings home ρ L with probability p, or nothing
+            // each path returns ρ L with probability p, and otherwise nothing
             let (p, found) = (mean / 40.0, error * (SEEDS as f64).sqrt());
             let binomial = 40.0 * (p * (1.0 - p) / f64::from(n)).sqrt();
             let off = (found / binomial - 1.0).abs();
@@ -179,8 +180,8 @@ fn the_error_of_paths_falls_as_the_root_of_their_number() {
     assert!((law.exponent + 0.5).abs() < 0.1, "{law:?} of {deviations:?}");
 }
 
-/// Law: a path over mirrors is a line without draws: N + 1 rays, and uniform light counts k_r exactly.
-/// Oracle: counting; the product.
+/// Law: a path over N mirrors draws no random numbers: it casts N + 1 rays, and uniform light is weighted by
+/// k_r exactly. Oracle: counting; the product.
 #[test]
 fn a_path_over_mirrors_draws_nothing() {
     for tracer in tracers(4) {

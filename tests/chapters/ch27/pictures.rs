@@ -12,7 +12,8 @@ use super::{ball, glass};
 use crate::support::U;
 use crate::support::stage::{built, deep_stage, look, put};
 
-/// Cubes in two colours that shine; no mirror image of themselves, as no border passes through the origin.
+/// Emissive cubes in two colours. They are not their own mirror image, as no border passes through the
+/// origin.
 fn checker(size: f64) -> Emissive {
     let checker =
         Checker3d { size, color1: Rgb::WHITE.into(), color2: Rgb::new(0.8, 0.3, 0.1).into() };
@@ -23,9 +24,9 @@ fn picture(scene: &mut Scene, side: u32, pixel_size: f64) {
     (scene.image.width, scene.image.height, scene.image.pixel_size) = (side, side, pixel_size);
 }
 
-/// Law: a wall seen askew through a slab is the same picture, moved by `s = T sin(θ_i − θ_t)/cosθ_t` towards the
-/// normal's foot and `k_t²` times as bright. Oracle: the picture without glass, four rows further down,
-/// with pixels of the side s/4.
+/// Law: a wall seen at an angle through a slab is the same picture, moved by `s = T sin(θ_i − θ_t)/cosθ_t`
+/// towards the foot of the normal, and `k_t²` times as bright. Oracle: the picture without glass, four rows
+/// further down, with pixels of the side s/4.
 #[test]
 fn a_wall_behind_a_slab_is_seen_shifted() {
     const ROWS: u32 = 4;
@@ -51,10 +52,11 @@ fn a_wall_behind_a_slab_is_seen_shifted() {
     assert!(moved > 200, "a shift would be seen in {moved} pixels only");
 }
 
-/// Law: a ball of glass shows the wall behind it upside down and in another place for each pixel: at b from the
-/// axis light is turned by `δ = 2 (θ_i − θ_t)`, `sinθ_i = b = η sinθ_t`, leaves at `2θ_t − θ_i` from the axis
-/// and so meets the wall at `sin(2θ_t − θ_i) − tanδ (D − cos(2θ_t − θ_i))`, weighing k_t². Oracle: the wall at
-/// that place, without glass; near the axis it is on the other side, as D lies beyond the focus at 1.5 radii.
+/// Law: a ball of glass shows the wall behind it upside down. A ray at distance b from the axis is turned by
+/// `δ = 2 (θ_i − θ_t)`, `sinθ_i = b = η sinθ_t`. It leaves the ball at the angle `2θ_t − θ_i` from the axis,
+/// meets the wall at `sin(2θ_t − θ_i) − tanδ (D − cos(2θ_t − θ_i))`, and has the weight k_t². Oracle: the
+/// wall at that point, without glass; near the axis the point is on the other side, as D lies beyond the
+/// focus at 1.5 radii.
 #[test]
 fn a_ball_of_glass_turns_the_wall_behind_it_around() {
     const D: f64 = 2.5;

@@ -1,4 +1,4 @@
-//! How many rays a picture takes is measured before it is rendered.
+//! The ray budget: the number of rays of a picture is estimated before it is rendered.
 
 use groundtruth::gallery;
 use groundtruth::materials::{Dielectric, Medium, Phong, Reflective};
@@ -21,7 +21,7 @@ fn clear(eta: f64) -> Dielectric {
     Dielectric { inside: Medium::clear(eta), ..Dielectric::default() }
 }
 
-/// A picture of the stage, all of which shows what is put at the origin.
+/// A scene in which every pixel shows what is put at the origin.
 fn picture(max_depth: u32) -> Scene {
     let mut scene = deep_stage(Rgb::WHITE, max_depth);
     (scene.image.width, scene.image.height) = (24, 16);
@@ -29,8 +29,8 @@ fn picture(max_depth: u32) -> Scene {
     scene
 }
 
-/// Law: in a slab of glass one ray goes on inside and one leaves at each of its sides: at depth 100 a
-/// picture takes 203 rays a sample, of which two are too deep, and not 2¹⁰¹. Oracle: counting both.
+/// Law: at each side of a slab of glass one ray continues inside and one leaves: at depth 100 a picture takes
+/// 203 rays a sample, of which two are too deep, and not 2¹⁰¹. Oracle: counting both.
 #[test]
 fn a_slab_at_depth_100_counts_as_a_line() {
     let mut scene = picture(100);
@@ -41,7 +41,7 @@ fn a_slab_at_depth_100_counts_as_a_line() {
     assert_eq!((estimate.mean, estimate.is_cut), (1.0 + 2.0 * 101.0, false));
 }
 
-/// Law: inside a mirror a picture takes N + 2 rays a sample, the last of which is too deep. Oracle:
+/// Law: inside a mirroring sphere a picture takes N + 2 rays a sample, the last of which is too deep. Oracle:
 /// counting.
 #[test]
 fn a_mirror_counts_as_a_line() {
@@ -54,8 +54,8 @@ fn a_mirror_counts_as_a_line() {
     }
 }
 
-/// Law: measuring ends also where a single sample would take 2¹⁰⁰ rays, and says so: of balls of glass
-/// in one another at depth 100. Oracle: that the test ends; the number it may count.
+/// Law: measuring also ends, and reports that it was cut, where a single sample would take 2¹⁰⁰ rays: here in
+/// nested glass balls at depth 100. Oracle: the test ends, and the count stays near its limit.
 #[test]
 fn a_tree_without_end_is_cut() {
     let mut scene = picture(100);
@@ -63,16 +63,16 @@ fn a_tree_without_end_is_cut() {
         put(&mut scene, ball(radius), clear(1.0 + radius));
     }
     let estimate = measured(&built(&scene), MAX_COUNTED);
-    // what is being counted when it is cut is still heard: each open ray sends one more
+    // rays that are open at the cut still count: each of them sends one more
     let few = estimate.mean < MAX_COUNTED as f64 + 300.0;
     assert!(estimate.is_cut && estimate.mean >= 1e6 && few, "{estimate:?}");
     let estimate = measured(&built(&scene), 1000);
     assert!(estimate.is_cut && estimate.mean < 1300.0, "{estimate:?}");
 }
 
-/// Law: the estimate is that of the whole picture, up to the spread of 256 of its samples: here some see
-/// two balls of glass in one another and some nothing. Oracle: all rays of the picture counted, and
-/// four standard errors of the mean of 256, by their standard deviation.
+/// Law: the estimate is the mean over the whole picture, up to the error of a mean of 256 samples; here some
+/// samples see two nested glass balls and some see nothing. Oracle: a count of all rays of the picture,
+/// within four standard errors of the mean of 256.
 #[test]
 fn the_estimate_is_that_of_the_picture() {
     let mut scene = picture(8);
@@ -94,10 +94,10 @@ fn the_estimate_is_that_of_the_picture() {
     assert!(error > 0.5 && off < 4.0 * error, "{} of {mean}, error {error}", estimate.mean);
 }
 
-/// Law: where every ray meets glass that sends on two, `2ᴺ⁺¹ − 1` rays are cast at depth N, and the two
-/// of each of the `2ᴺ` last ones are too deep: `too_deep` counts those, and `reflected` and `transmitted`
-/// count them too. Oracle: the full binary tree. From the centre of N + 1 balls in one another, of which
-/// none bends a ray, no ray gets out within N edges.
+/// Law: where every ray hits glass that sends out two further rays, `2ᴺ⁺¹ − 1` rays are cast at depth N, and
+/// the two of each of the `2ᴺ` last ones are too deep: `too_deep` counts those, and `reflected` and
+/// `transmitted` count them too. Oracle: the full binary tree. The rays start at the centre of N + 1 nested
+/// balls, none of which bends a ray, so that none gets out within N edges.
 #[test]
 fn the_last_rays_of_a_full_binary_tree_are_too_deep() {
     for depth in [0, 1, 2, 6, 10] {
@@ -134,8 +134,8 @@ fn counts_of(tree: &RayTree, max_depth: u32) -> RayCounts {
     counts
 }
 
-/// Law: the counts are those of the rays, of trees and of paths, with shadow rays and lamps. Oracle: the
-/// recorded rays, counted one by one.
+/// Law: the counts equal the numbers of recorded rays, for ray trees and for paths, with shadow rays and
+/// lamps. Oracle: the recorded rays, counted one by one.
 #[test]
 fn counts_are_those_of_the_recorded_rays() {
     for name in ["ch24/hall-of-mirrors", "ch26/cornell-box", "ch28/glass-sphere"] {

@@ -25,8 +25,8 @@ const SUM: f64 = 8.0 * U;
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: what is not reflected passes: R + T = 1 within 8u, both from 0 to 1, T from the transmitted
-    /// amplitudes. Oracle: conservation of energy (numerics).
+    /// Law: light that is not reflected is transmitted: R + T = 1 within 8u, and both are from 0 to 1. T is
+    /// computed from the transmitted amplitudes, not as 1 − R. Oracle: conservation of energy (numerics).
     #[test]
     fn reflected_and_transmitted_light_add_up_to_all(cos_i in cosine(), eta in eta()) {
         let f = fresnel(cos_i, eta);
@@ -50,8 +50,8 @@ proptest! {
         prop_assert!((passed - rest).abs() <= tolerance + SUM, "T is {passed}, expected {rest}");
     }
 
-    /// Law: between equal media nothing is reflected, also at grazing incidence; else grazing light is
-    /// reflected whole. Exact. Oracle: 0 and 1 (numerics).
+    /// Law: between equal media nothing is reflected, also at grazing incidence; between other media grazing
+    /// light is reflected entirely. Both hold exactly. Oracle: 0 and 1 (numerics).
     #[test]
     fn equal_media_reflect_nothing_and_grazing_light_is_reflected_whole(
         cos_i in cosine(),
@@ -65,10 +65,10 @@ proptest! {
         prop_assert_eq!(fresnel(0.0, eta).transmitted, 0.0);
     }
 
-    /// Law: at the critical angle R is continuous: beyond it 1, before it `1 − R = T ≤ 2 (1 + η²)/(η cosθ_i)
-    /// √margin`, margin the distance of `sin²θ_i/η²` from 1. Oracle: T is `2 η cosθ_i cosθ_t` times the
-    /// inverse squares of sums of positive terms, each sum at least its term without cosθ_t. (The factor
-    /// is 4√2 at least: 4 itself, as sometimes stated, is too little for any η.)
+    /// Law: at the critical angle R is continuous: beyond it 1, before it
+    /// `1 − R = T ≤ 2 (1 + η²)/(η cosθ_i) √margin`, margin the distance of `sin²θ_i/η²` from 1. Oracle: T is
+    /// `2 η cosθ_i cosθ_t` times the inverse squares of sums of positive terms, each sum at least its term
+    /// without cosθ_t. (The factor is 4√2 at least: 4 itself, as sometimes stated, is too little for any η.)
     #[test]
     fn reflection_is_continuous_at_the_critical_angle(
         eta in 0.2..0.99_f64,
@@ -106,8 +106,8 @@ proptest! {
         prop_assert!(eta == 1.0 || there.transmitted < 1.0, "all of it passes: {there:?}");
     }
 
-    /// Law: near η = 1 reflection does not drown in rounding: straight on it is `((η − 1)/(η + 1))²`, to a few
-    /// u of its root. Oracle: that formula; η ≥ 1 + 1e-9.
+    /// Law: near η = 1 the reflectance keeps its digits: straight on it is `((η − 1)/(η + 1))²`, to a few u
+    /// of its root. Oracle: that formula; η ≥ 1 + 1e-9.
     #[test]
     fn reflection_near_index_one_keeps_its_digits(exponent in -9.0..-1.0_f64) {
         let eta = 1.0 + power(10.0, exponent);
@@ -116,8 +116,8 @@ proptest! {
         prop_assert!((seen - root).abs() <= 4.0 * U, "{seen} {root}");
     }
 
-    /// Law: the two lobes share the light by these shares, the refracted one as radiance, `T/η²`; seen
-    /// from the inner side with `1/η`. Oracle: the shares.
+    /// Law: the weights of the two lobes are Fresnel's R and, as radiance, `T/η²`; seen from the inner side
+    /// with `1/η`. Oracle: the values of R and T.
     #[test]
     fn the_lobes_weigh_light_by_fresnels_shares(
         wo in local(),
@@ -157,8 +157,8 @@ proptest! {
     }
 }
 
-/// Law: nothing is lost where nothing absorbs or nothing is passed: the transmittance is 1 wherever σ or
-/// t is 0, also against ∞; else infinity is black. Oracle: the limits (numerics).
+/// Law: the transmittance is 1 wherever σ or t is 0, also if the other is ∞; otherwise an infinite σ or t is
+/// black. Oracle: the limits (numerics).
 #[test]
 fn transmittance_is_one_without_medium_or_without_length() {
     let inf = f64::INFINITY;

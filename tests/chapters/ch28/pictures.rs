@@ -19,9 +19,9 @@ fn path_tracers(max_depth: u32) -> [Tracer; 3] {
     [Tracer::PathTrace(depth), Tracer::GlobalTrace(depth), Tracer::Path(depth)]
 }
 
-/// Law: a fisheye that looks straight up from under water sees the whole sky in a disc of 48.7535° of its 90°,
-/// as `1 − R` with the exposure `1/η²`, and around it the deep, mirrored in the surface. Oracle: in each
-/// pixel the critical angle and Fresnel's equations in angles, from its distance to the middle.
+/// Law: a fisheye that looks straight up from under water sees the whole sky in a disc of 48.7535° of its
+/// 90°, as `1 − R` with the exposure `1/η²`, and around it the ground, mirrored in the surface. Oracle: in
+/// each pixel the critical angle and Fresnel's equations in angles, from its distance to the middle.
 #[test]
 fn a_fisheye_under_water_sees_snells_window() {
     const SIDE: u32 = 61;
@@ -59,9 +59,9 @@ fn a_fisheye_under_water_sees_snells_window() {
     assert!((share - power(48.7535 / 90.0, 2.0)).abs() < 0.01, "{share}");
 }
 
-/// Law: Beer on a wedge: across an edge of absorbing stuff of index 1, whose thickness grows by `2` for each
-/// unit, a row of pixels falls as an exponential, each channel by its own σ, and each pixel is the mean over
-/// its width. Oracle: `cf^(2(√2 − |x|))` at the middle and its integral over the pixel; replicas.
+/// Law: Beer's law on a wedge: across an edge of an absorbing medium of index 1, whose thickness grows by 2
+/// for each unit, a row of pixels falls exponentially, each channel by its own σ, and each pixel is the mean
+/// over its width. Oracle: `cf^(2(√2 − |x|))` at the middle and its integral over the pixel; replicas.
 #[test]
 fn a_wedge_dims_a_row_of_pixels_as_beer_says() {
     const SIDE: f64 = 0.2;
@@ -98,9 +98,9 @@ fn a_wedge_dims_a_row_of_pixels_as_beer_says() {
     }
 }
 
-/// Law: of light 1 a slab lets `(1 − R)² a/(1 − R² a²)` through and sends `R + (1 − R)² R a²/(1 − R² a²)` back,
-/// `a = exp(−σ T/cosθ_t)`, at every angle and under every tracer that follows glass: as a tree exactly, as
-/// paths in the mean. Oracle: the series summed, with R in terms of angles; means of 24 replicas.
+/// Law: a slab transmits `(1 − R)² a/(1 − R² a²)` and reflects `R + (1 − R)² R a²/(1 − R² a²)`,
+/// `a = exp(−σ T/cosθ_t)`, at every angle and under every tracer that follows glass: exactly with ray trees,
+/// and in the mean with paths. Oracle: the series summed, with R in terms of angles; means of 24 replicas.
 #[test]
 fn an_absorbing_slab_sums_the_series_under_every_tracer() {
     const T: f64 = 0.8;
@@ -136,8 +136,8 @@ fn an_absorbing_slab_sums_the_series_under_every_tracer() {
     }
 }
 
-/// Law: a path that takes one of two ways at each surface brings home what a tree does: in uniform white a glass
-/// ball shows `1 − (1 − R) R^(N−1)` at depth N, and so it does at depth 1 to 4 by every path tracer. Oracle:
+/// Law: a path that takes one of two branches at each surface has the mean of the ray tree: in uniform white
+/// a glass ball shows `1 − (1 − R) R^(N−1)` at depth N by every path tracer, here at depths 1 to 4. Oracle:
 /// the series of all inner reflections; means of 24 replicas.
 #[test]
 fn a_glass_ball_is_the_same_by_paths_as_by_trees() {

@@ -11,7 +11,7 @@ fn exact(x: f64) -> RBig {
     RBig::try_from(x).expect("finite")
 }
 
-/// The root to some 200 bits: three steps of Newton's from one of 50.
+/// The square root to some 200 bits: three Newton steps from a value of 50 bits.
 fn root(x: &RBig) -> RBig {
     let mut y = exact(x.to_f64().value().sqrt());
     for _ in 0..3 {
@@ -42,8 +42,8 @@ fn shares(cos_i: f64, eta: f64) -> [f64; 4] {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: reflectances and transmittances of both polarisations are Fresnel's, to a dozen roundings
-    /// over cosθ_t, by which `cosθ_t` is known. Oracle: the textbook's form in rational numbers, with a
+    /// Law: reflectances and transmittances of both polarisations are Fresnel's, to a dozen roundings over
+    /// cos²θ_t, the relative precision of cosθ_t. Oracle: the textbook's form in rational numbers, with a
     /// root to 200 bits.
     #[test]
     fn each_polarisation_divides_as_fresnel_says(cos_i in 0.001..=1.0_f64, eta in 0.3..4.0_f64) {
@@ -77,13 +77,13 @@ proptest! {
         }
     }
 
-    /// Law: nothing polarised in the plane of incidence is reflected at Brewster's angle, tan θ = η; the
-    /// two are one straight on. Oracle: that angle; `((η − 1)/(η + 1))²`.
+    /// Law: light polarised in the plane of incidence is not reflected at Brewster's angle, tan θ = η;
+    /// straight on, both polarisations are equal. Oracle: that angle; `((η − 1)/(η + 1))²`.
     #[test]
     fn light_in_the_plane_passes_whole_at_brewsters_angle(exponent in -0.5..0.5_f64) {
         let eta = power(10.0, exponent);
         let each = polarised(1.0 / (1.0 + eta * eta).sqrt(), eta);
-        // an amplitude of zero, as well as cosθ_t is known
+        // the amplitude is zero up to the precision of cosθ_t
         let amplitude = 12.0 * U * (1.0 + eta * eta) / (eta * eta);
         prop_assert!(each.p.reflected <= amplitude * amplitude, "{each:?}");
         let r_s = (1.0 - eta * eta) / (1.0 + eta * eta);
@@ -96,8 +96,8 @@ proptest! {
     }
 }
 
-/// Law: between equal media both pass whole, also at grazing incidence; beyond the critical angle both
-/// are reflected whole. Oracle: 0 and 1.
+/// Law: between equal media both are transmitted entirely, also at grazing incidence; beyond the critical
+/// angle both are reflected entirely. Oracle: 0 and 1.
 #[test]
 fn both_polarisations_have_the_same_limits() {
     for (cos_i, eta, reflected) in

@@ -1,4 +1,4 @@
-//! What the recorder says of refraction: the numbers that `explain` and the inspector show.
+//! What the recorder reports about refraction: the numbers that `explain` and the inspector show.
 
 use std::f64::consts::{FRAC_1_PI, TAU};
 
@@ -16,8 +16,8 @@ use crate::support::laws;
 use crate::support::optics;
 use crate::support::stage::*;
 
-/// Angles pass through degrees and back, and through sines: some dozens of roundings, far less than
-/// anything a mistake would make.
+/// Angles are converted to degrees and back, and to sines: a few dozen roundings, far less than the effect of
+/// a mistake.
 const CLOSE: f64 = 1e-12;
 
 /// A ray onto the plane y = 0 at this angle of incidence in degrees, from above or below.
@@ -37,9 +37,9 @@ fn hit_of(node: &Node) -> RecordedHit {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: the recorded angles obey Snell, reflection is total exactly beyond the critical angle,
-    /// R is Fresnel's and `R + T = 1`, and the media stand in the order in which the ray meets them.
-    /// Oracle: `n₁ sin θ₁ = n₂ sin θ₂`, and Fresnel's equations by sums of angles (ch. 27, 28).
+    /// Law: the recorded angles obey Snell, reflection is total exactly beyond the critical angle, R is
+    /// Fresnel's and `R + T = 1`, and the media are listed in the order in which the ray meets them. Oracle:
+    /// `n₁ sin θ₁ = n₂ sin θ₂`, and Fresnel's equations by sums of angles (ch. 27, 28).
     #[test]
     fn a_dielectric_tells_angles_shares_and_media(
         (inside, outside) in (1.0..2.5_f64, 1.0..2.5_f64),
@@ -89,7 +89,7 @@ fn a_transparent_surface_tells_its_constant_shares() {
     {
         let tree = onto_plane(recipe.clone().into(), degrees, 1.0, above);
         let optics = hit_of(tree.root()).optics.expect("it refracts");
-        assert_eq!(optics.media, None, "the material says nothing of media");
+        assert_eq!(optics.media, None, "the material has no media");
         assert_eq!(optics.angle_of_refraction.is_none(), total, "{degrees}");
         let [r, t] = if total { [1.0, 0.0] } else { [0.1, 0.9] };
         near!(optics.reflected.g, r, CLOSE);
@@ -105,8 +105,8 @@ fn transparent(eta: f64) -> Transparent {
     Transparent { phong, kr: 0.0.into(), cr: Rgb::WHITE.into(), kt: 0.0.into(), eta }
 }
 
-/// Law: a matte term is told as reflectance, cosine and light: `ρ/π · cos θ · L`. Oracle: `k_d c_d`,
-/// an angle of 60° and a lamp of 3 (ch. 14).
+/// Law: a matte term is recorded as reflectance, cosine and light: `ρ/π · cos θ · L`. Oracle: `k_d c_d`, an
+/// angle of 60° and a lamp of 3 (ch. 14).
 #[test]
 fn a_matte_term_is_reflectance_and_cosine_and_light() {
     let mut scene = deep_stage(Rgb::BLACK, 1);

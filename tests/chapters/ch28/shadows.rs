@@ -71,8 +71,8 @@ fn a_lamp_in_glass_shines_out_by_one_surface() {
     assert!((found - 0.96).abs() < 1e-14, "{found} instead of 0.96");
 }
 
-/// Law: askew, both sides of a pane let through the same share, as of the refracted light that really
-/// passes, up to grazing angles. Oracle: Fresnel's equations in sines and tangents, squared.
+/// Law: at an angle, both sides of a pane transmit the same share, that of light that is really refracted, up
+/// to grazing angles. Oracle: Fresnel's equations in sines and tangents, squared.
 #[test]
 fn askew_both_sides_of_a_pane_count_alike() {
     /// R by Snell's law, sines and tangents.
@@ -94,8 +94,8 @@ fn askew_both_sides_of_a_pane_count_alike() {
     }
 }
 
-/// Law: the same of a bubble of air in glass, in which the light is: the angle is that in the air.
-/// Oracle: the ball of glass that the bubble turned inside out is, in air: the same share.
+/// Law: the same holds for a slab of air in glass, with the light in the glass: the angle is taken as that in
+/// the air. Oracle: a slab of glass in air transmits the same share.
 #[test]
 fn a_bubble_counts_as_a_ball() {
     let inside_out = |inside, outside| Dielectric { inside, outside, ..Dielectric::default() };
@@ -111,9 +111,9 @@ fn a_bubble_counts_as_a_ball() {
     assert!((shares[0] - shares[1]).abs() < 1e-14 && shares[0] > 0.8, "{shares:?}");
 }
 
-/// Law: simple transparent things let k_t through at each of their surfaces, whatever the angle; the
-/// ray tree says how many there were; what is opaque ends the light, also behind glass; and what
-/// casts no shadow counts nothing. Oracle: powers of k_t, and 0.
+/// Law: simple transparent objects transmit k_t at each of their surfaces, whatever the angle; the ray tree
+/// says how many there were; an opaque object blocks the light, also behind glass; and an object that casts
+/// no shadow has no effect. Oracle: powers of k_t, and 0.
 #[test]
 fn simple_glass_counts_kt_for_each_surface() {
     let glass = Transparent {

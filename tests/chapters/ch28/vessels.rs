@@ -93,19 +93,19 @@ fn media_follow_one_another_along_every_ray() {
     type Build = fn(BoundaryMaterials) -> Kind;
     let vessels: [(Build, usize); 5] =
         [(glass_of_water, 8), (test_tube, 8), (fish_bowl, 7), (narrow_bowl, 7), (shallow_bowl, 6)];
-    for (place, (shape, parts)) in vessels.into_iter().enumerate() {
+    for (index, (shape, parts)) in vessels.into_iter().enumerate() {
         let world = built(&vessel(shape, [AIR, WATER, GLASS], Rgb::BLACK));
         let mut met = BTreeSet::new();
-        for ray in rays(place as u64).take(100_000) {
+        for ray in rays(index as u64).take(100_000) {
             let mut medium = AIR;
             for (part, [before, behind]) in crossed(&world, ray) {
-                assert_eq!(before, medium, "vessel {place}, {part}, {ray:?}");
+                assert_eq!(before, medium, "vessel {index}, {part}, {ray:?}");
                 medium = behind;
                 met.insert(part);
             }
-            assert_eq!(medium, AIR, "vessel {place}, after the last boundary of {ray:?}");
+            assert_eq!(medium, AIR, "vessel {index}, after the last boundary of {ray:?}");
         }
-        assert_eq!(met.len(), parts, "vessel {place}: {met:?}");
+        assert_eq!(met.len(), parts, "vessel {index}: {met:?}");
     }
 }
 
@@ -121,10 +121,10 @@ fn vessels_of_one_medium_are_invisible() {
     }
 }
 
-/// Law: straight down through the level of the glass pass water and the base: the stretches are 1.2 of
-/// water and .3 of glass, and the reflections are those of water, water to glass, and glass to air.
-/// Oracle: `(1 − R₁)(1 − R₂)(1 − R₃) exp(−1.2 σ_w − .3 σ_g)`, and what the level and the base reflect
-/// at depth 3, from the table of ch. 28.
+/// Law: straight down through the water of the glass, light passes 1.2 of water and, in the base, .3 of
+/// glass, and the reflections are those of water, water to glass, and glass to air. Oracle:
+/// `(1 − R₁)(1 − R₂)(1 − R₃) exp(−1.2 σ_w − .3 σ_g)`, and what the level and the base reflect at depth 3,
+/// from the table of ch. 28.
 #[test]
 fn straight_down_a_glass_of_water_light_passes_three_boundaries() {
     let absorbing = |eta, sigma: f64| Medium { eta, absorption: Rgb::grey(sigma) };
@@ -134,7 +134,7 @@ fn straight_down_a_glass_of_water_light_passes_three_boundaries() {
     let found = look(&built(&scene), Point::new(0.1, 5.0, 0.2), -Vector::Y).r;
     let transmitted = [0.020059, 0.003608, 0.04].iter().map(|r| 1.0 - r).product::<f64>();
     let through = transmitted * exp(-(1.2 * 0.5 + 0.3 * 1.0));
-    // light from above by the level, and by the base through the water twice
+    // light from above reflected by the water surface, and by the base after passing the water twice
     let base = 0.003608 * power(1.0 - 0.020059, 2.0) * exp(-2.0 * 1.2 * 0.5);
     let expected = 0.020059 + base + through;
     assert!((found - expected).abs() < 1e-5, "{found} instead of {expected}");
@@ -145,7 +145,7 @@ fn straight_down_a_glass_of_water_light_passes_three_boundaries() {
 /// vertical rays at both ends.
 #[test]
 fn the_meniscus_touches_level_and_glass_without_an_angle() {
-    /// As near the seams as the numbers of the book are exact.
+    /// The distance from a seam, as small as the precision of the book's numbers allows.
     const NEAR: f64 = 1e-6;
     let world = built(&vessel(fish_bowl, [AIR, WATER, GLASS], Rgb::BLACK));
     let (xc, yc, m, beta) = (0.901388, 0.3, 0.05, to_radians(18.408));
@@ -179,8 +179,8 @@ fn the_meniscus_touches_level_and_glass_without_an_angle() {
     assert!((contact.to_vector().length() - 1.0).abs() < 1e-6, "{contact:?}");
 }
 
-/// Law: numbers of which no vessel can be made, and names of no material, get an error that names the
-/// field. Oracle: the messages.
+/// Law: impossible dimensions and unknown names of materials are refused with an error that names the field.
+/// Oracle: the messages.
 #[test]
 fn vessels_that_cannot_be_are_refused() {
     let plain = BoundaryMaterials::default;

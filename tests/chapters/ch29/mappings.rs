@@ -46,7 +46,7 @@ proptest! {
     #![proptest_config(laws())]
 
     /// Law: each mapping undoes the parametrisation of its generic object. Oracle: that parametrisation,
-    /// `(sinθ sinφ, cosθ, sinθ cosφ)` with θ = π (1 − v), φ = 2π u, and its likes.
+    /// `(sinθ sinφ, cosθ, sinθ cosφ)` with θ = π (1 − v), φ = 2π u, and those of the other mappings.
     #[test]
     fn mappings_invert_the_parametrisation((u, v) in (0.01..0.99_f64, 0.1..0.9_f64)) {
         for mapping in ALL {
@@ -64,8 +64,8 @@ proptest! {
         }
     }
 
-    /// Law: on spheres the distance from the centre does not matter, so a hit that is off by its rounding
-    /// has its texel. Oracle: the same direction at twice the distance, exactly.
+    /// Law: on spheres the distance from the centre does not matter, so a hit that rounding moved off the
+    /// sphere keeps its texel. Oracle: the same direction at twice the distance, exactly.
     #[test]
     fn spheres_of_every_radius_have_the_same_coordinates((u, v) in (0.0..1.0_f64, 0.0..1.0_f64)) {
         for mapping in &ALL[2..] {
@@ -97,8 +97,8 @@ proptest! {
     }
 }
 
-/// Law: the book's marks: the north pole is the top row; +z is u = 0, +x a quarter, −z a half, −x three
-/// quarters; the equator is v = ½. Oracle: those numbers, exactly.
+/// Law: the book's reference points: the north pole is the top row; +z is u = 0, +x a quarter, −z a half, −x
+/// three quarters; the equator is v = ½. Oracle: those numbers, exactly.
 #[test]
 fn the_sphere_is_mapped_as_in_the_book() {
     let uv = |x, y, z| Mapping::Spherical.uv(Point::new(x, y, z));
@@ -117,8 +117,8 @@ fn the_sphere_is_mapped_as_in_the_book() {
     assert_eq!(Mapping::Hemispherical.uv(Point::new(0.0, 0.0, 1.0))[1], 0.0, "horizon");
 }
 
-/// Law: of a light probe the middle is +z, the plane z = 0 a circle of half the radius, −z the rim; the
-/// panoramic kind has z the other way round. Oracle: those distances from the middle.
+/// Law: the centre of a light probe is +z, the plane z = 0 is a circle of half the radius, and −z is the rim;
+/// the panoramic kind has z the other way round. Oracle: those distances from the middle.
 #[test]
 fn a_light_probe_is_mapped_by_the_angle_to_its_axis() {
     let from_middle = |mapping: Mapping, x, y, z| {

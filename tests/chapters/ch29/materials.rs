@@ -1,4 +1,4 @@
-//! Materials with images: what is seen, what it costs, what is refused.
+//! Materials with images: pictures, the number of look-ups, and errors.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -27,7 +27,7 @@ use crate::support::stage::{built, deep_stage, look, put, shine, stage};
 
 const UNIT: Sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
 
-/// The square of the plane z = 0 from −1 to 1, which takes u and v of this many times its size.
+/// The square of the plane z = 0 from −1 to 1, whose u and v run from 0 to `times`.
 fn square(times: f64) -> Mesh {
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let vertices = corners.map(|[x, y]| Point::new(x, y, 0.0)).into();
@@ -35,7 +35,7 @@ fn square(times: f64) -> Mesh {
     Mesh { uvs: Some(uvs), ..Mesh::of_lists(vertices, vec![[0, 1, 2], [0, 2, 3]]) }
 }
 
-/// The scene of a lit sphere of a material, in front of a striped wall that it may mirror.
+/// A lit sphere of this material in front of a checkered wall, which it may mirror.
 fn lit(recipe: impl Into<Kind>) -> Scene {
     let mut scene = deep_stage(Rgb::new(0.1, 0.2, 0.3), 4);
     scene.image.width = 12;
@@ -152,8 +152,8 @@ fn asked(cd: impl Into<Paint>) -> u32 {
     counted.asked.load(Relaxed)
 }
 
-/// Law: texture coordinates are worked out only for an image that needs those of the surface, once for
-/// each hit: not for a plain colour, a solid texture or a mapped image. Oracle: nine pixels, counted.
+/// Law: texture coordinates are computed only for an image that needs those of the surface, once for each
+/// hit: not for a plain colour, a solid texture or a mapped image. Oracle: a count over nine pixels.
 #[test]
 fn only_an_image_without_mapping_asks_for_texture_coordinates() {
     let file = image_file([2, 2], |column, row| [column as u16, row as u16, 9]);
@@ -165,8 +165,8 @@ fn only_an_image_without_mapping_asks_for_texture_coordinates() {
 }
 
 /// Law: an object of a shape without texture coordinates, or with a part without any, is refused if its
-/// material needs them, and the message says what helps; a part with a material of its own is judged by
-/// that. Oracle: the scenes by hand.
+/// material needs them, and the message names the material; for a part with a material of its own, that
+/// material decides. Oracle: scenes made by hand.
 #[test]
 fn a_shape_without_texture_coordinates_is_refused() {
     let file = image_file([1, 1], |_, _| [7, 7, 7]);
@@ -257,8 +257,8 @@ fn a_turned_globe_shows_the_next_column() {
     }
 }
 
-/// Law: a lamp sends out the colour of its image at the point that is sampled, by a mesh's coordinates or a
-/// mapping, moved or not. Oracle: Lambert's formula for each half of an image of two colours.
+/// Law: a lamp emits the colour of its image at the sampled point, by the coordinates of a mesh or by a
+/// mapping, also in an instance. Oracle: Lambert's formula for each half of an image of two colours.
 #[test]
 fn a_lamp_with_an_image_gives_the_light_of_its_parts() {
     const SAMPLES: u32 = 256;
@@ -279,7 +279,7 @@ fn a_lamp_with_an_image_gives_the_light_of_its_parts() {
     let expected = LS * (half(-1.0, 0.0) * left + half(0.0, 1.0) * right);
     let mapped =
         Rectangle { corner: Point::new(-1.0, 0.0, 1.0), a: -2.0 * Vector::Z, b: 2.0 * Vector::X };
-    // the square mapping has u along z: a quarter turn takes that to x, and over
+    // the square mapping has u along z: a quarter turn takes that to x; then it is turned over
     let turned = vec![
         Step::RotateY(90.0),
         Step::Reflect(groundtruth::math::Axis::Y),
@@ -299,8 +299,9 @@ fn a_lamp_with_an_image_gives_the_light_of_its_parts() {
     }
 }
 
-/// Law: the explanation of a hit names each textured field with its colour, texel and coordinates, also
-/// those of a base material and of an image within another texture. Oracle: the texel in the middle of the image, by its number.
+/// Law: the explanation of a hit names each textured field with its colour, texel and coordinates, also those
+/// of a base material and of an image within another texture. Oracle: the texel in the centre of the image,
+/// by its column and row.
 #[test]
 fn the_explanation_shows_field_texel_and_colour() {
     let file = image_file([9, 5], |column, row| [column as u16, row as u16, 0]);

@@ -1,4 +1,4 @@
-//! Chapter 29: images on surfaces, and as skies.
+//! Chapter 29: images on surfaces and as skies.
 
 mod mappings;
 mod materials;
@@ -14,8 +14,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::shapes::Surface;
 use groundtruth::textures::{Image, Kind, Mapping, TexturePoint};
 
-/// A linear image whose texel at a column from the left and a row from the bottom has this colour, in
-/// steps of 1/65535; the file is gone with the value.
+/// A linear image whose texel at a column from the left and a row from the bottom has this colour, in steps
+/// of 1/65535; the file is deleted when the value is dropped.
 pub fn image_file(
     [width, height]: [u32; 2],
     color: impl Fn(u32, u32) -> [u16; 3],

@@ -1,4 +1,4 @@
-//! Skies by image: what is seen, and the directions that are drawn from them.
+//! Skies by image: their radiance, and the directions that are sampled from them.
 
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ pub const DOMES: [Dome; 4] =
     [Dome::Spherical, Dome::Hemispherical, Dome::LightProbe, Dome::Panoramic];
 const FILTERINGS: [Filtering; 2] = [Filtering::Nearest, Filtering::Bilinear];
 
-/// EXR files keep radiance; a tone is for eyes.
+/// EXR files store radiance without any tone mapping.
 const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
 
 /// Columns and rows of most skies here: few, so that each is hit often.
@@ -78,7 +78,7 @@ fn random_direction(random: &mut Pcg32) -> Vector {
     groundtruth::math::maps::sphere([random.uniform(), random.uniform()])
 }
 
-/// The texel of the nearest look-up in a direction, worked out here.
+/// The texel of the nearest look-up in a direction, computed independently.
 pub fn texel(dome: Dome, direction: Vector) -> Option<[u32; 2]> {
     if dome == Dome::Hemispherical && direction.y() < 0.0 {
         return None;
@@ -88,8 +88,8 @@ pub fn texel(dome: Dome, direction: Vector) -> Option<[u32; 2]> {
     Some([index(u, SIZE[0]), index(v, SIZE[1])])
 }
 
-/// Law: the colour seen in a direction is that of its texel, times `ls`; below the horizon of half a
-/// sky it is black. Oracle: the texel, worked out from the book's mapping.
+/// Law: the colour seen in a direction is that of its texel, times `ls`; below the horizon of a hemispherical
+/// sky it is black. Oracle: the texel by the book's mapping.
 #[test]
 fn each_direction_shows_its_texel() {
     for dome in DOMES {
@@ -110,8 +110,8 @@ fn each_direction_shows_its_texel() {
 fn domes_have_inverses() {
     /// `atan2` keeps small angles exact: a few dozen roundings.
     const ROUNDING: f64 = 1e-13;
-    /// Beside a pole or the middle u and v lose what a direction's rounding is over its distance from
-    /// there, which among some thousand places is 1e-4 or more.
+    /// Near a pole or the centre of the image the error of u and v is the rounding of the direction divided
+    /// by the distance from there, which is 1e-4 or more among some thousand points.
     const BESIDE_POLES: f64 = 1e-9;
     let mut random = Pcg32::new(29, 2);
     for dome in DOMES {
@@ -143,12 +143,13 @@ fn domes_have_inverses() {
     }
 }
 
-/// Law: `solid_angle` is how many steradians a small square of the image covers. Oracle: the area of
-/// the parallelogram that the differences of `direction` span.
+/// Law: `solid_angle` is the solid angle of a small square of the image, per unit of its area. Oracle: the
+/// area of the parallelogram that the differences of `direction` span.
 #[test]
 fn solid_angles_are_areas_of_small_squares() {
     const STEP: f64 = 1e-5;
-    /// Differences err by the square of the step and by rounding over the step, both far less.
+    /// The error of differences is of the order of the squared step, plus rounding over the step; both are
+    /// far smaller.
     const OF_DIFFERENCES: f64 = 1e-5;
     let mut random = Pcg32::new(29, 3);
     for dome in DOMES {
@@ -167,11 +168,11 @@ fn solid_angles_are_areas_of_small_squares() {
     }
 }
 
-/// Law: the density integrates to the share of the draws that give a direction: to 1 but for angular maps,
-/// whose texels at the rim are cut. Oracle: the midpoint rule over the sphere; counting.
+/// Law: the density integrates to the share of the draws that give a direction: to 1, except for angular
+/// maps, whose texels at the rim are cut off. Oracle: the midpoint rule over the sphere; counting.
 #[test]
 fn the_density_integrates_to_what_is_drawn() {
-    /// The density jumps at the borders of texels; the rule errs by a share of the points there.
+    /// The density jumps at the borders of texels; the error of the rule is a share of the points there.
     const QUADRATURE: f64 = 4e-3;
     for dome in DOMES {
         for filtering in FILTERINGS {
@@ -185,7 +186,7 @@ fn the_density_integrates_to_what_is_drawn() {
             let drawn = (0..draws).filter(|_| draw()).count() as f64 / f64::from(draws);
             let round = matches!(dome, Dome::LightProbe | Dome::Panoramic);
             assert!(round || drawn == 1.0, "{dome:?}: {drawn} of the draws give a direction");
-            // and few are wasted at the rim
+            // only few draws fall outside the rim
             assert!(drawn > 0.8, "{dome:?}: only {drawn} of the draws give a direction");
             let noise = 4.0 * (drawn * (1.0 - drawn) / f64::from(draws)).sqrt();
             assert!(
@@ -196,8 +197,8 @@ fn the_density_integrates_to_what_is_drawn() {
     }
 }
 
-/// Law: directions fall into the texels as the density says: χ² over the texels. Oracle: the integral of
-/// the density over each texel's directions, by the midpoint rule over the sphere.
+/// Law: the directions in each texel are as frequent as the density says: χ² over the texels. Oracle: the
+/// integral of the density over each texel's directions, by the midpoint rule over the sphere.
 #[test]
 fn directions_follow_the_density() {
     const DRAWS: u64 = 40_000;
@@ -280,8 +281,8 @@ fn no_light_is_missed() {
     }
 }
 
-/// Law: at the poles, on the rim and at the ends of the numbers all is finite; a black sky draws nothing.
-/// Oracle: the law itself.
+/// Law: at the poles, on the rim and at the extreme random numbers all values are finite; a black sky gives
+/// no directions. Oracle: finiteness, and unit lengths.
 #[test]
 fn poles_rims_and_black_skies_are_harmless() {
     let ends = [0.0, 0.5, groundtruth::math::ONE_MINUS];
@@ -311,11 +312,12 @@ fn poles_rims_and_black_skies_are_harmless() {
     }
 }
 
-/// Law: a sky turned by ψ shows towards `R_y(ψ) w` what the sky shows towards w, and draws it as often.
-/// Oracle: the same turn of an object; texel centres, so that rounding does not matter.
+/// Law: a sky turned by ψ shows towards `R_y(ψ) w` what the sky shows towards w, with the same density.
+/// Oracle: the same turn of an object; the points lie inside texels, so that rounding does not matter.
 #[test]
 fn skies_turn_as_objects_do() {
-    /// The turn rounds the direction, and beside a pole its density changes with that over the distance.
+    /// The turn rounds the direction; near a pole the relative change of the density is that rounding over
+    /// the distance.
     const ROUNDING: f64 = 1e-9;
     for (dome, degrees) in DOMES.into_iter().flat_map(|d| [90.0, 77.0, -200.0].map(|a| (d, a))) {
         let plain = image("turned", dome, Filtering::Nearest);

@@ -39,9 +39,9 @@ fn tracers() -> [Tracer; 4] {
     [Tracer::RayCast, Tracer::PathTrace(depth), Tracer::GlobalTrace(depth), Tracer::Path(depth)]
 }
 
-/// Law: a matte plane under a sky has the radiance `ρ/π ∫ L cosθ dω`, under every tracer: with the light
-/// drawn, met, or both; also in the mean of one colour, `ρ L`. Oracle: the midpoint rule over all
-/// directions, of texels worked out here.
+/// Law: a matte plane under a sky has the radiance `ρ/π ∫ L cosθ dω`, under every tracer: whether directions
+/// are sampled from the light, from the surface, or from both. Oracle: the midpoint rule over all directions,
+/// with texels computed independently.
 #[test]
 fn every_strategy_finds_the_light_of_the_sky() {
     let normal = Vector::new(0.3, 0.8, 0.4);
@@ -76,7 +76,7 @@ fn a_sky_of_one_colour_lights_as_the_colour() {
     }
 }
 
-/// One texel of 64 × 32 is the sun.
+/// A sky of 64 × 32 texels, one of which is the sun.
 fn sunny() -> Image {
     let file =
         written(
@@ -89,8 +89,8 @@ fn sunny() -> Image {
     Image::of_file(file, Dome::Spherical)
 }
 
-/// Law: a tiny bright sun is no noise where it is drawn, and much where paths must come upon it; the mean
-/// is the same. Oracle: the sum of the closed forms: `∫ cosθ dω` of a texel is
+/// Law: a tiny bright sun gives little noise if it is sampled, and much if paths must hit it by chance; the
+/// mean is the same. Oracle: the sum of the closed forms: `∫ cosθ dω` of a texel is
 /// `(cos²θ₀ − cos²θ₁)/2 · 2π/n`.
 #[test]
 fn a_tiny_sun_converges() {
@@ -106,11 +106,11 @@ fn a_tiny_sun_converges() {
         assert_mean(name, values, expected, 3, 2e-3);
     }
     let [(_, blind), (_, aware)] = [path_trace, path].map(|values| mean_and_error(values));
-    assert!(blind > 20.0 * aware, "the errors are {blind:e} without and {aware:e} with draws");
+    assert!(blind > 20.0 * aware, "the errors are {blind:e} unsampled and {aware:e} sampled");
 }
 
-/// Law: on a sharp gloss, where the lobe's own draws are better than the light's, all path tracers have
-/// one mean. Oracle: each other, Welch's t.
+/// Law: on sharp gloss, where sampling the lobe is better than sampling the light, all path tracers have the
+/// same mean. Oracle: each other, Welch's t.
 #[test]
 fn path_tracers_agree_on_gloss_under_a_sunny_sky() {
     let phong = Phong { kd: 0.3.into(), cd: Rgb::WHITE.into(), ..Phong::default() };

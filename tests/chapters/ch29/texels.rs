@@ -8,18 +8,18 @@ use proptest::prelude::*;
 use super::{by_uv, image_file, linear};
 use crate::support::laws;
 
-/// Texels are kept in single precision, and mixed three times.
+/// Texels are stored in single precision, and interpolated three times.
 const SINGLE: f64 = 4.0 * f32::EPSILON as f64;
 
 const SIZE: [u32; 2] = [5, 4];
 
-/// Each texel says where it is: red counts columns, green rows.
+/// An image whose texels encode their index: red the column, green the row.
 fn numbered() -> tempfile::NamedTempFile {
     image_file(SIZE, |column, row| [column as u16, row as u16, 0])
 }
 
 /// The column and row of a texel of [`numbered`].
-fn place(color: Rgb) -> [u32; 2] {
+fn texel_of(color: Rgb) -> [u32; 2] {
     [color.r, color.g].map(|c| (65535.0 * c).round() as u32)
 }
 
@@ -48,12 +48,12 @@ fn each_texel_covers_an_equal_part_by_the_even_rule() {
         for row in 0..SIZE[1] {
             for fraction in [1e-9, 0.5, 1.0 - 1e-9] {
                 let uv = [inside(column, SIZE[0], fraction), inside(row, SIZE[1], fraction)];
-                assert_eq!(place(color(uv)), [column, row], "at {uv:?}");
+                assert_eq!(texel_of(color(uv)), [column, row], "at {uv:?}");
             }
         }
     }
-    assert_eq!(place(color([1.0, 1.0])), [4, 3], "the top right corner");
-    assert_eq!(place(color([0.0, 0.0])), [0, 0], "the bottom left corner");
+    assert_eq!(texel_of(color([1.0, 1.0])), [4, 3], "the top right corner");
+    assert_eq!(texel_of(color([0.0, 0.0])), [0, 0], "the bottom left corner");
 }
 
 /// Law: by the book's rule a texel covers 1/(n − 1), and the last column and row are reached at 1 only.
@@ -65,16 +65,16 @@ fn the_books_rule_reaches_the_last_texel_at_1_only() {
     let mut counts = [0; 5];
     for step in 0..400 {
         let u = (f64::from(step) + 0.5) / 400.0;
-        counts[place(color([u, 0.0]))[0] as usize] += 1;
+        counts[texel_of(color([u, 0.0]))[0] as usize] += 1;
     }
     assert_eq!(counts, [100, 100, 100, 100, 0]);
-    assert_eq!(place(color([1.0, 1.0])), [4, 3]);
+    assert_eq!(texel_of(color([1.0, 1.0])), [4, 3]);
     let below = 1.0 - f64::EPSILON / 2.0;
-    assert_eq!(place(color([below, below])), [3, 2]);
+    assert_eq!(texel_of(color([below, below])), [3, 2]);
 }
 
-/// The value of the interpolant by the sum over all texels of their tents: `Σ Λ(x − i) Λ(y − j) c`, where
-/// x and y count from the centre of the first texel, and the image goes on by `beyond`.
+/// The interpolated value as a sum of tent functions over all texels: `Σ Λ(x − i) Λ(y − j) c`. x and y count
+/// from the centre of the first texel, and `beyond` extends the image past its borders.
 fn by_tents(
     [x, y]: [f64; 2],
     color: &impl Fn(u32, u32) -> Rgb,
@@ -101,8 +101,8 @@ proptest! {
     #![proptest_config(laws())]
 
     /// Law: bilinear look-up is the sum of tents around the centres of the texels, by either rule and at
-    /// every border; so it is exact at centres, keeps affine images and stays between its neighbours.
-    /// Oracle: that sum over all texels.
+    /// every border; therefore it is exact at centres, reproduces affine images and stays between its
+    /// neighbours. Oracle: that sum over all texels.
     #[test]
     fn bilinear_look_up_is_a_sum_of_tents((u, v) in (0.0..=1.0_f64, 0.0..=1.0_f64)) {
         let (file, exact) = random_colors();
@@ -110,19 +110,19 @@ proptest! {
         let even = [width * u - 0.5, height * v - 0.5];
         let book = [(width - 1.0) * u, (height - 1.0) * v];
         let clamped = |i: i32, n: i32| i.clamp(0, n - 1) as u32;
-        for (rule, place) in [(Rule::Even, even), (Rule::Book, book)] {
+        for (rule, at) in [(Rule::Even, even), (Rule::Book, book)] {
             let image = filtered(&file, Filtering::Bilinear, rule);
             let (wrap_u, wrap_v) = (Some(Wrap::Clamp), Some(Wrap::Clamp));
             let color = by_uv(&Image { wrap_u, wrap_v, ..image });
             let what = format!("{rule:?} at ({u}, {v})");
-            assert_close(color([u, v]), by_tents(place, &exact, clamped), &what);
+            assert_close(color([u, v]), by_tents(at, &exact, clamped), &what);
         }
         let color = by_uv(&filtered(&file, Filtering::Bilinear, Rule::Even));
         let repeated = by_tents(even, &exact, |i, n| i.rem_euclid(n) as u32);
         assert_close(color([u, v]), repeated, &format!("repeated, at ({u}, {v})"));
     }
 
-    /// Law: an image of one colour has it everywhere, to the last bit. Oracle: the colour of its nearest
+    /// Law: an image of one colour has this colour everywhere, bit for bit. Oracle: the colour of its nearest
     /// texel.
     #[test]
     fn one_colour_is_everywhere_the_same((u, v) in (-2.0..3.0_f64, -2.0..3.0_f64)) {
@@ -134,8 +134,8 @@ proptest! {
         }
     }
 
-    /// Law: beyond 0 … 1 an image repeats with period 1, goes on with its border, or is mirrored with
-    /// period 2. Oracle: the colour of the coordinate brought back by hand.
+    /// Law: beyond 0 … 1 an image repeats with period 1, continues with its border, or is mirrored with
+    /// period 2. Oracle: the colour at the coordinate mapped back by hand.
     #[test]
     fn images_go_on_beyond_their_borders(
         (u, v, turns) in (0.01..0.99_f64, 0.01..0.99_f64, -3..=3_i32),
@@ -147,7 +147,7 @@ proptest! {
                 by_uv(&Image { wrap_u: Some(wrap), wrap_v: Some(wrap), ..image })
             };
             let there = f64::from(turns) + u;
-            // u + k − k is u to a rounding of k: no border of texels is so near
+            // u + k − k is u up to a rounding of k: the point is farther than that from any border of texels
             prop_assume!(((5.0 * u).fract() - 0.5).abs() < 0.499);
             let found = by(Wrap::Repeat)([there, v]);
             assert_close(found, by(Wrap::Repeat)([u, v]), &format!("repeated at {there}"));
@@ -160,8 +160,7 @@ proptest! {
         }
     }
 
-    /// Law: whatever the coordinates are, some texel is found. Oracle: none is needed but the range of the
-    /// image's colours.
+    /// Law: whatever the coordinates are, some texel is found. Oracle: the range of the image's colours.
     #[test]
     fn every_coordinate_has_a_texel(uv in prop::array::uniform2(prop_oneof![
         -1e18..1e18_f64,

@@ -10,7 +10,8 @@ use groundtruth::textures::{
 
 use super::*;
 
-/// How far from a border a point is, as a share of a checker, so that no rounding of angles counts.
+/// The least distance of a point from a border, as a share of a checker, at which rounding of angles does not
+/// matter.
 const CLEAR: f64 = 1e-9;
 
 fn lines([horizontal, vertical]: [f64; 2]) -> Lines {
@@ -37,7 +38,7 @@ use Generic::{Cone, Cylinder, Disk, Rectangle, Sphere};
 const ALL: [Generic; 5] = [Sphere, Cylinder, Cone, Disk, Rectangle];
 
 impl Generic {
-    /// The checker with so many columns and rows, where 1 is `unit` long.
+    /// The checker with so many columns and rows, on a shape of size `unit`.
     fn checker(self, [columns, rows]: [u32; 2], unit: f64, widths: [f64; 2]) -> Texture {
         let (color1, color2, lines) = (ONE.into(), TWO.into(), lines(widths));
         let (num_horizontal, num_vertical) = (columns, rows);
@@ -74,7 +75,8 @@ impl Generic {
         }
     }
 
-    /// The rows that may be asked of n: cylinders and rectangles go on in both directions.
+    /// The rows that may be tested, of n on the generic shape: cylinders and rectangles continue in both
+    /// directions.
     fn rows(self, n: u32) -> std::ops::Range<i64> {
         match self {
             Cylinder | Rectangle => -30..30,
@@ -92,7 +94,8 @@ impl Generic {
         }
     }
 
-    /// The share of rows at a point drawn evenly on the surface, for u from 0 to 1: areas inverted.
+    /// The share of rows at a point that is uniformly distributed on the surface, for u from 0 to 1: the
+    /// inverse of `area`.
     fn row_of(self, u: f64) -> f64 {
         match self {
             Sphere => groundtruth::math::acos(1.0 - 2.0 * u) / PI,
@@ -108,8 +111,8 @@ proptest! {
 
     /// Law: at a share s of column i and t of row j a checker shows the line if s or t is within half the
     /// line's width of 0 or 1 (vertical lines border columns, horizontal ones rows), and else the first
-    /// colour if i + j is even; also in negative rows, and for any unit. Oracle: the parametrisation of
-    /// each shape, which makes the point of i, j, s and t with sines and cosines.
+    /// colour if i + j is even; also in negative rows, and for any unit. Oracle: the parametrisation of each
+    /// shape, which gives the point for i, j, s and t with sines and cosines.
     #[test]
     fn checkers_show_cells_and_lines(
         which in 0..5_usize,
@@ -142,7 +145,7 @@ proptest! {
     }
 
     /// Law: a checker of a sphere is the same on spheres of all sizes, that of a disk or a rectangle at all
-    /// heights, and that of a cylinder at all radii. Oracle: the colour before.
+    /// heights, and that of a cylinder or a cone at all radii. Oracle: the colour at the original point.
     #[test]
     fn what_does_not_matter_does_not_matter(
         (s, t) in (0.0..1.0_f64, 0.0..1.0_f64),
@@ -164,9 +167,8 @@ proptest! {
         }
     }
 
-    /// Law: of the textures of a sphere, the checker in column i and row j has the one with the number
-    /// `j n_h + i`, counted round the list; lines are over all. Oracle: the parametrisation of the
-    /// sphere.
+    /// Law: of the textures of a sphere, the checker in column i and row j has number `j n_h + i`, modulo the
+    /// length of the list; lines lie over all. Oracle: the parametrisation of the sphere.
     #[test]
     fn each_checker_of_a_sphere_has_its_texture(
         (columns, rows) in (1..12_u32, 1..12_u32),
@@ -187,7 +189,7 @@ proptest! {
     }
 }
 
-/// Greys that say their number.
+/// Textures of a sphere in greys that encode their number.
 fn numbered([num_horizontal, num_vertical]: [u32; 2], length: usize, widths: [f64; 2]) -> Texture {
     let textures = (0..length).map(|n| Rgb::grey(n as f64 / 1024.0).into()).collect();
     SphereTextures { num_horizontal, num_vertical, textures, lines: lines(widths) }.into()
@@ -199,8 +201,8 @@ const FIVE_SIGMA: f64 = 5.0 * 0.5 / 200.0;
 
 /// Law: lines of widths h and v leave `(1 − v) Σ A_j` of the surface, where `A_j` is the share of its area
 /// between `j + h/2` and `j + 1 − h/2` rows, and for an even number of columns the two colours share that
-/// equally. Oracle: closed forms of the areas of zones, rings and bands, by counting points drawn evenly
-/// on each surface (15 shares, five standard deviations: significance 1e-5).
+/// equally. Oracle: closed forms of the areas of zones, rings and bands, by counting uniformly distributed
+/// points on each surface (15 shares, five standard deviations: significance 1e-5).
 #[test]
 fn lines_cover_their_share_of_each_surface() {
     let mut random = Pcg32::new(30, 2);
@@ -227,9 +229,9 @@ fn lines_cover_their_share_of_each_surface() {
     }
 }
 
-/// Law: a sphere has `n_h n_v` regions of one colour if n_h is even: its seam is a border as all others;
-/// with an odd n_h > 1 the two at the seam are one, so there are `(n_h − 1) n_v`. Oracle: points on a fine
-/// grid around the whole sphere, joined with their neighbours of the same colour.
+/// Law: a sphere has `n_h n_v` regions of one colour if n_h is even: its seam is a border like all others.
+/// With an odd n_h > 1 the two checkers at the seam have one colour, so there are `(n_h − 1) n_v`. Oracle:
+/// points on a fine grid around the whole sphere, joined with their neighbours of the same colour.
 #[test]
 fn a_sphere_has_as_many_regions_as_checkers() {
     /// Points across a checker.
@@ -267,9 +269,9 @@ fn a_sphere_has_as_many_regions_as_checkers() {
     }
 }
 
-/// Law: beside the seam is the last column, however close to it, and the poles are in the first and the
-/// last row: no point belongs to a checker that is not there; rows have as many borders as there are
-/// rows, less one. Oracle: one grey for each checker, read back.
+/// Law: a point just before the seam is in the last column, however close it is, and the poles are in the
+/// first and the last row: no point belongs to a checker that does not exist. Oracle: one grey for each
+/// checker, read back.
 #[test]
 fn seam_and_poles_belong_to_checkers_that_are_there() {
     for columns in 1..25_u32 {

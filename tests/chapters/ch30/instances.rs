@@ -1,4 +1,4 @@
-//! Textures moved against their objects, and objects moved under their textures.
+//! Textures that are moved relative to their objects, and objects that move while their texture stays.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -12,22 +12,22 @@ use groundtruth::textures::{
 
 use super::*;
 
-/// A texture that answers with the local point it was asked for.
+/// A texture whose colour is the local point at which it is evaluated.
 #[derive(Debug)]
-struct Where;
+struct LocalPoint;
 
-impl Asked for Where {
+impl Asked for LocalPoint {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
         Rgb::from(at.local.to_array())
     }
 }
 
-fn whereabouts() -> Texture {
-    Texture::Custom(Custom(Arc::new(Where)))
+fn local_point() -> Texture {
+    Texture::Custom(Custom(Arc::new(LocalPoint)))
 }
 
-/// Where a texture after these steps is asked for its colour at p.
-fn asked_at(texture: impl Into<Texture>, steps: Vec<Step>, p: Point) -> Point {
+/// The local point at which a texture is evaluated for p, after these steps.
+fn evaluated_at(texture: impl Into<Texture>, steps: Vec<Step>, p: Point) -> Point {
     Point::from(at(&TextureInstance::new(texture.into(), steps).into(), p).to_array())
 }
 
@@ -37,7 +37,7 @@ const CLOSE: f64 = 100.0 * 64.0 * U;
 fn assert_close(what: &str, found: Point, expected: Point) -> Result<(), TestCaseError> {
     prop_assert!(
         found.distance(expected) <= CLOSE,
-        "{what}: asked at {found:?}, expected {expected:?}"
+        "{what}: evaluated at {found:?}, expected {expected:?}"
     );
     Ok(())
 }
@@ -57,7 +57,7 @@ fn steps() -> impl Strategy<Value = Vec<Step>> {
     prop::collection::vec(step, 1..4)
 }
 
-/// One of the textures that have another colour at every point, or cells.
+/// Specimens of all kinds of textures.
 fn textures() -> Vec<Texture> {
     Texture::ENTRIES.iter().flat_map(|entry| (entry.specimens)()).collect()
 }
@@ -66,7 +66,7 @@ proptest! {
     #![proptest_config(laws())]
 
     /// Law: without steps, or with steps that do nothing, an instance is the texture itself, bit for bit.
-    /// Oracle: every kind of texture, asked without an instance.
+    /// Oracle: every kind of texture, without an instance.
     #[test]
     fn an_identical_instance_is_the_texture(p in point(10.0)) {
         for texture in textures() {
@@ -89,7 +89,7 @@ proptest! {
         (degrees, a) in (-360.0..360.0_f64, -2.0..2.0_f64),
     ) {
         let [x, y, z] = p.to_array();
-        let asked = |step: Step| asked_at(whereabouts(), vec![step], p);
+        let asked = |step: Step| evaluated_at(local_point(), vec![step], p);
         let scaled = Step::Scale(Vector::new(sx, sy, sz));
         assert_close("scale", asked(scaled), Point::new(x / sx, y / sy, z / sz))?;
         assert_close(
@@ -119,7 +119,7 @@ proptest! {
         assert_close("shear z by y", asked(sheared), Point::new(x, y, z - a * y))?;
     }
 
-    /// Law: the step applied last is outermost, whether steps stand in one list or in nested instances.
+    /// Law: the step applied last is outermost, whether the steps are in one list or in nested instances.
     /// Oracle: two steps that do not commute, by hand; each instance's own map, undone from outside in.
     #[test]
     fn the_last_step_is_outermost(
@@ -127,28 +127,28 @@ proptest! {
         (s, first, second) in (factor(), steps(), steps()),
     ) {
         let (scale, shift) = (Step::Scale(Vector::new(s, s, s)), Step::Translate(by.to_vector()));
-        let asked = asked_at(whereabouts(), vec![scale.clone(), shift.clone()], p);
+        let asked = evaluated_at(local_point(), vec![scale.clone(), shift.clone()], p);
         assert_close("scaled, then moved", asked, Point::ORIGIN + (1.0 / s) * (p - by))?;
-        let asked = asked_at(whereabouts(), vec![shift, scale], p);
+        let asked = evaluated_at(local_point(), vec![shift, scale], p);
         assert_close(
             "moved, then scaled",
             asked,
             Point::ORIGIN + ((1.0 / s) * p.to_vector() - by.to_vector()),
         )?;
 
-        let inner = TextureInstance::new(whereabouts(), first.clone());
-        let nested = asked_at(inner, second.clone(), p);
+        let inner = TextureInstance::new(local_point(), first.clone());
+        let nested = evaluated_at(inner, second.clone(), p);
         let maps =
             [&second, &first].map(|steps| Transform::from_steps(steps).expect("not singular"));
         let forward = maps[0].point(maps[1].point(nested));
         prop_assert!(forward.distance(p) < 1e-9, "nested: {forward:?} is what {p:?} was asked as");
         let together: Vec<Step> = first.into_iter().chain(second).collect();
-        let asked = asked_at(whereabouts(), together, p);
+        let asked = evaluated_at(local_point(), together, p);
         prop_assert!(asked.distance(nested) < 1e-9, "in one list: {asked:?}, nested: {nested:?}");
     }
 
-    /// Law: an instance and one of the inverse about it are the texture, to 1e-12 of a continuous one.
-    /// Oracle: the ramp before.
+    /// Law: an instance inside an instance of the inverse map is the texture itself, to 1e-12 for a
+    /// continuous one. Oracle: the ramp without instances.
     #[test]
     fn an_instance_and_its_inverse_are_the_texture((p, steps) in (point(1.0), steps())) {
         let colors = [ONE, TWO, LINE].map(Paint::from).to_vec();
@@ -164,10 +164,10 @@ proptest! {
         prop_assert!(apart.iter().all(|&apart| apart <= 1e-12), "{found:?}, expected {expected:?}");
     }
 
-    /// Law: an object with `transform_texture = false` moves through its texture, which stays in the world:
-    /// what is seen is the texture at the point of the world, however the object stands; inside another
-    /// instance it stays in that one's coordinates. Oracle: the texture asked at the point that the
-    /// world's own hit has (invariant 10).
+    /// Law: an object with `transform_texture = false` moves through its texture, which stays fixed in the
+    /// world: the texture is evaluated at the world point, whatever the object's transformation is; inside
+    /// another instance it stays fixed in that one's coordinates. Oracle: the point of the world's own hit
+    /// (invariant 10).
     #[test]
     fn a_texture_stays_in_the_world_while_the_object_moves(
         (moves, outer) in (steps(), steps()),
@@ -189,20 +189,20 @@ proptest! {
             (Instance::new(still(moves.clone()), outer.clone()).into(), around.after(&map), around),
         ] {
             let mut scene = gallery();
-            painted(&mut scene, shape, whereabouts());
+            painted(&mut scene, shape, local_point());
             let (world, ray) = (built(&scene), ray(&map));
             let hit = world.hit(&ray, groundtruth::math::Span::AHEAD).expect("aimed at");
             let expected = inside.inverse().point(hit.surface.point);
             let found = at_hit(&world, &ray);
             prop_assert!(
                 found.distance(expected) <= 1e-10,
-                "the texture is asked at {found:?}, the point is {expected:?}"
+                "the texture is evaluated at {found:?}, the point is {expected:?}"
             );
         }
     }
 }
 
-/// Where the texture is asked at the ray's hit.
+/// The local point at which the texture is evaluated at the ray's hit.
 fn at_hit(world: &groundtruth::world::World, ray: &groundtruth::math::Ray) -> Point {
     let hit = world.hit(ray, groundtruth::math::Span::AHEAD).expect("aimed at");
     let mut response = groundtruth::materials::Response::default();
@@ -234,10 +234,10 @@ fn a_texture_instance_undoes_the_stretch_of_its_object() {
     assert!(seen(ONE) > 300 && seen(TWO) > 300, "{} and {} pixels", seen(ONE), seen(TWO));
     let carried = picture(stretched.into(), solid(0.25));
     let differing = long.iter().zip(&carried).filter(|(a, b)| a != b).count();
-    assert!(differing > 200, "{differing} pixels tell a stretched checker from a plain one");
+    assert!(differing > 200, "{differing} pixels show that the checker is stretched");
 }
 
-/// Counts how often it is asked.
+/// A texture of one colour that counts its evaluations.
 #[derive(Debug)]
 struct Counted(AtomicU32, Rgb);
 
@@ -248,9 +248,8 @@ impl Asked for Counted {
     }
 }
 
-/// Law: a texture of textures asks for the colour that is seen and for no other, and a ramp for the two around
-/// the point; with one colour for all it is that colour, bit for bit, wherever it is asked. Oracle: the
-/// count.
+/// Law: a texture of textures evaluates only the one that is seen, and a ramp the two around the point; if
+/// all have one colour, it has that colour everywhere, bit for bit. Oracle: the count.
 #[test]
 fn a_texture_asks_for_the_colour_that_is_seen() {
     let counter = Arc::new(Counted(AtomicU32::new(0), ONE));
@@ -320,7 +319,7 @@ fn a_texture_asks_for_the_colour_that_is_seen() {
             let mut c = || 4.0 * random.uniform() - 2.0;
             counter.0.store(0, Ordering::Relaxed);
             assert_eq!(at(&texture, Point::new(c(), c(), c())), ONE, "{texture:?}");
-            assert_eq!(counter.0.load(Ordering::Relaxed), expected, "colours asked by {texture:?}");
+            assert_eq!(counter.0.load(Ordering::Relaxed), expected, "evaluations by {texture:?}");
         }
     }
 }

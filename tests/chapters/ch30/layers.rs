@@ -16,7 +16,7 @@ fn ramp(axis: usize, [from, to]: [f64; 2], colors: &[Rgb], wrap: Wrap) -> Textur
     Ramp { axis: AXES[axis], from, to, colors, wrap }.into()
 }
 
-/// Where between 0 and 1 a coordinate beyond them is taken to be: by steps of a whole period, one by one.
+/// Maps a coordinate to 0 … 1 as `wrap` says, one period at a time.
 fn brought_back(mut x: f64, wrap: Wrap) -> f64 {
     match wrap {
         Wrap::Clamp => x.clamp(0.0, 1.0),
@@ -72,8 +72,8 @@ proptest! {
     }
 
     /// Law: between its ends a ramp is `Σ cᵢ max(0, 1 − |s − i|)`, where s runs from 0 at the first colour to
-    /// n − 1 at the last; beyond them it goes on as `wrap` says. Oracle: that sum of hats; periods undone
-    /// one by one.
+    /// n − 1 at the last; beyond its ends it continues as `wrap` says. Oracle: that sum of hat functions;
+    /// periods removed one by one.
     #[test]
     fn a_ramp_is_a_sum_of_hats(
         (p, axis) in (point(4.0), 0..3_usize),
@@ -104,13 +104,13 @@ proptest! {
         (from, exponent) in (-8..8_i32, -3..3_i32),
         colors in colors(),
     ) {
-        // stops at numbers without rounding
+        // stops that are exact numbers
         let step = power_of_two(exponent);
         let last = colors.len() - 1;
         let (from, to) = (f64::from(from), f64::from(from) + last as f64 * step);
         let texture = ramp(axis, [from, to], &colors, wrap);
         for (i, &color) in colors.iter().enumerate() {
-            // thirds and fifths of a length are no such numbers
+            // thirds and fifths of a length are not exact
             let stop = p.with(axis, from + i as f64 * step);
             if last.is_power_of_two() {
                 prop_assert_eq!(at(&texture, stop), color, "stop {} of {}", i, last);
@@ -120,8 +120,8 @@ proptest! {
         }
     }
 
-    /// Law: a ramp never leaves the range of its colours. Oracle: least and greatest of each channel, one
-    /// rounding more allowed.
+    /// Law: a ramp never leaves the range of its colours. Oracle: the least and greatest value of each
+    /// channel, plus one rounding.
     #[test]
     fn a_ramp_stays_between_its_colours(
         (p, wrap) in (point(10.0), wraps()),
@@ -150,15 +150,15 @@ fn runs_of_stripes_are_one_size_long_on_both_sides_of_the_origin() {
         let line = |i: i32| Point::new(0.3, 0.3, 0.3).with(axis, f64::from(i) / 256.0);
         let changes: Vec<i32> =
             (-2560..2560).filter(|&i| at(&texture, line(i)) != at(&texture, line(i + 1))).collect();
-        // 26 multiples of 0.75 lie beyond −10 and before 10, and 0 among them
+        // 27 multiples of 0.75 lie between −10 and 10, 0 among them
         assert_eq!(changes.len(), 27, "{changes:?}");
         assert!(changes.windows(2).all(|pair| pair[1] - pair[0] == 192), "{changes:?}");
         assert!(changes.contains(&0), "the first stripe begins a sliver beyond 0: {changes:?}");
     }
 }
 
-/// Law: faces at borders of stripes have no speckle: a ball pressed to a plane y = 3 has one colour there,
-/// whatever way the last bit is rounded. Oracle: the layer beneath.
+/// Law: a face on a border of stripes has no speckle: at y = 3 the texture has one colour, however the last
+/// bits of y are rounded. Oracle: the layer beneath.
 #[test]
 fn a_face_on_a_border_of_stripes_has_one_colour() {
     let texture = stripes(1, 1.0);

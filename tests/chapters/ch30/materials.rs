@@ -1,4 +1,4 @@
-//! A material for each checker of a sphere; and what is refused.
+//! A material for each checker of a sphere, and errors.
 
 use groundtruth::lights::Directional;
 use groundtruth::lobes::GlossyRule;
@@ -38,7 +38,7 @@ fn opaque() -> Vec<Recipe> {
 }
 
 /// A ball of this material, in ambient and direct light, in a coloured sky that mirrors see; turned and
-/// stretched, so that only its local coordinates say which checker is seen.
+/// scaled, so that only its local coordinates decide which checker is seen.
 fn ball_of(recipe: Recipe, transform: &[Step]) -> Scene {
     let mut scene = deep_stage(Rgb::new(0.2, 0.4, 0.6), 2);
     let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
@@ -52,9 +52,9 @@ fn ball_of(recipe: Recipe, transform: &[Step]) -> Scene {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: where the checker in column i and row j is seen, a ball is as one of that checker's material alone,
-    /// the one with the number `j n_h + i`, counted round the list; bit for bit, with lights, mirrors and
-    /// textures, and on an instance. Oracle: the ball of that material.
+    /// Law: where the checker in column i and row j is seen, a ball looks like one of that checker's material
+    /// alone, which has number `j n_h + i`, modulo the length of the list; bit for bit, with lights, mirrors
+    /// and textures, and on an instance. Oracle: the ball of that material.
     #[test]
     fn each_checker_of_a_sphere_has_its_material(
         (columns, rows) in (1..12_u32, 1..12_u32),
@@ -69,7 +69,7 @@ proptest! {
         let phi = std::f64::consts::TAU * share(i, s, columns);
         let theta = std::f64::consts::PI * share(j, t, rows);
         let way = Vector::new(sin(theta) * sin(phi), cos(theta), sin(theta) * cos(phi));
-        // the same turn and stretch, by hand: x to z, and twice as large
+        // the same turn by hand
         let transform = [Step::RotateY(-90.0), Step::Scale(Vector::new(2.0, 2.0, 2.0))];
         let outer = Vector::new(-way.z(), way.y(), way.x());
         let seen = |recipe: Recipe| {
@@ -85,8 +85,8 @@ proptest! {
     }
 }
 
-/// Law: spheres of materials may be nested in one another, each with its own checkers. Oracle: the
-/// material whose column both say.
+/// Law: a sphere of materials may be nested in another, each with its own checkers. Oracle: the material that
+/// both select.
 #[test]
 fn spheres_of_materials_may_be_nested() {
     let halves = |a: Recipe, b: Recipe| SphereMaterials {
@@ -113,8 +113,8 @@ fn spheres_of_materials_may_be_nested() {
     }
 }
 
-/// Law: of a sphere of materials the ray tree names the textures of the checker that is hit alone, with the
-/// material's place in the list. Oracle: three checkers around, by hand.
+/// Law: for a sphere of materials the ray tree names only the textures of the checker that is hit, with the
+/// material's index in the list. Oracle: three checkers around, by hand.
 #[test]
 fn the_tree_names_the_textures_of_the_checker_that_is_hit() {
     let textured = |size| Recipe::from(Matte { cd: Paint::from(solid(size)), ..plain(ONE) });
@@ -138,8 +138,8 @@ fn problem_of(recipe: impl Into<Recipe>) -> String {
     error.to_string()
 }
 
-/// Law: a material of a checker that belongs to the whole surface is refused, and so is a list that does not
-/// fit; the error names the place and says what would fit. Oracle: the texts.
+/// Law: a material that can only belong to a whole surface is refused for a checker, and so is a list of the
+/// wrong length; the error names the field and what is valid. Oracle: the texts.
 #[test]
 fn materials_that_belong_to_a_whole_surface_are_refused() {
     let of = |[num_horizontal, num_vertical]: [u32; 2], materials: Vec<Recipe>| SphereMaterials {
@@ -188,7 +188,7 @@ fn materials_that_belong_to_a_whole_surface_are_refused() {
     );
 }
 
-/// Law: what no texture can be is refused, with the place and what would fit. Oracle: the texts.
+/// Law: invalid textures are refused; the error names the field and what is valid. Oracle: the texts.
 #[test]
 fn textures_that_cannot_be_are_refused() {
     let stripes = |size| Stripes { axis: Axis::X, size, color1: ONE.into(), color2: TWO.into() };
@@ -275,8 +275,9 @@ fn textures_that_cannot_be_are_refused() {
     }
 }
 
-/// Law: scaled by a power of two, a sphere of materials responds at scaled points as before: the textures of
-/// its materials are scaled with it. Oracle: the response before, bit for bit.
+/// Law: scaled by a power of two, a sphere of materials responds at scaled points as the original does at the
+/// original points: the textures of its materials are scaled with it. Oracle: the original response, bit for
+/// bit.
 #[test]
 fn the_textures_of_materials_of_spheres_are_scaled() {
     let recipe =

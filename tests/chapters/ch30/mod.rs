@@ -25,7 +25,8 @@ const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);
 const LINE: Rgb = Rgb::new(0.0, 1.0, 0.0);
 
-/// The checker's offset, as a fraction of its size: within it of a border, the other colour is right.
+/// The checker's offset, as a fraction of its size: nearer to a border than this, the colour of the
+/// neighbouring cell is correct.
 const OFFSET: f64 = 2e-4;
 
 fn solid(size: f64) -> Texture {
@@ -43,7 +44,7 @@ fn flat(size: f64, outline_width: f64) -> Texture {
     .into()
 }
 
-/// The colour at a local point; where it is in the world must not matter.
+/// The colour at a local point; the position in the world must not matter.
 fn at(texture: &Texture, local: Point) -> Rgb {
     let surface = Surface { local, ..Surface::new(Point::new(7.7, 8.8, 9.9), 0.0, Normal::Y) };
     texture
@@ -56,7 +57,7 @@ fn other(color: Rgb) -> Rgb {
     if color == ONE { TWO } else { ONE }
 }
 
-/// Whether a coordinate, in checkers, is farther from the borders than the offset.
+/// Whether each coordinate, in checkers, is farther from all borders than the offset.
 fn clear_of_borders(p: Point, size: f64) -> bool {
     p.to_array().into_iter().all(|x| {
         let fraction = (x / size).rem_euclid(1.0);
@@ -83,7 +84,7 @@ fn painted(scene: &mut Scene, shape: impl Into<Shape>, texture: Texture) {
     put(scene, shape, Matte { ka: 1.0.into(), kd: 0.0.into(), cd: Paint::from(texture) });
 }
 
-/// A stage in ambient light of strength 1: what is seen is the texture.
+/// A stage in ambient light of strength 1: pictures show the texture's colour itself.
 fn gallery() -> Scene {
     let mut scene = stage(Rgb::BLACK);
     shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
@@ -102,8 +103,8 @@ proptest! {
         prop_assert_eq!(at(&solid(size), p), expected);
     }
 
-    /// Law: a step of one size along an axis swaps the colours, two steps or one along each of two axes
-    /// keep them, one along all three swaps (three is odd). Oracle: the colour before.
+    /// Law: a step of one size along an axis swaps the colours, two steps or one along each of two axes keep
+    /// them, one along all three swaps (three is odd). Oracle: the colour at the original point.
     #[test]
     fn the_solid_checker_is_periodic(p in point(20.0), size in 0.1..3.0_f64, axis in 0..3_usize) {
         prop_assume!(clear_of_borders(p, size));
@@ -137,13 +138,13 @@ proptest! {
         let texture = flat(size, width);
         prop_assert_eq!(at(&texture, p), expected);
         prop_assert_eq!(at(&texture, p.with(1, 123.0)), expected);
-        // the mirror image of a line is a line, that of a square its neighbour
+        // the mirror image of a line is a line; that of a square has the other colour
         let mirrored = if expected == LINE { LINE } else { other(expected) };
         prop_assert_eq!(at(&texture, p.with(0, -p.x())), mirrored);
     }
 
-    /// Law: scaled by a power of two, a texture is itself at scaled points, lines too. Oracle: the point
-    /// before, bit for bit.
+    /// Law: scaled by a power of two, a texture has the same colours at scaled points, lines included.
+    /// Oracle: the original colour, bit for bit.
     #[test]
     fn a_scaled_texture_is_itself_at_scaled_points(
         p in point(10.0),
@@ -156,9 +157,9 @@ proptest! {
         }
     }
 
-    /// Law: an instance carries its texture with it: it looks as the plain shape does to an eye moved
-    /// back. Oracle: rotation, scaling and shift undone by hand (ch. 30: textures live in the innermost
-    /// coordinates).
+    /// Law: an instance carries its texture with it: it looks like the plain shape seen by an eye that is
+    /// moved back. Oracle: rotation, scaling and shift applied by hand (ch. 30: textures are evaluated in the
+    /// innermost coordinates).
     #[test]
     fn an_instance_carries_its_texture(eye in unit(), target in point(0.5), by in point(3.0)) {
         let turned = |v: Vector| Vector::new(v.z(), v.y(), -v.x());
@@ -179,7 +180,7 @@ proptest! {
         prop_assert!(seen == plain, "{seen:?} {plain:?}");
     }
 
-    /// Law: ambient and diffuse light meet the same colour of a texture. Oracle: the plain colours.
+    /// Law: ambient and diffuse light use the same colour of a texture. Oracle: the plain colours.
     #[test]
     fn a_texture_colours_each_term(p in point(5.0)) {
         let seen = |cd: Paint| {
@@ -202,7 +203,7 @@ proptest! {
 /// origin. Oracle: the changes, found by scanning.
 #[test]
 fn runs_of_colour_are_one_size_long_on_both_sides_of_the_origin() {
-    // y does not matter to the flat one
+    // the plane checker does not depend on y
     let in_space = &[0, 1, 2][..];
     for (texture, size, axes) in [
         (solid(0.75), 0.75, in_space),
@@ -227,10 +228,9 @@ fn runs_of_colour_are_one_size_long_on_both_sides_of_the_origin() {
 const COUNTED: u32 = 200_000;
 const HALF_ERROR: f64 = 0.0056;
 
-/// Law: over whole periods each colour fills one half of space, and one half of the points whose
-/// neighbour one size away along an axis has the other colour, which is all of them: neither
-/// stripes nor columns do. Oracle: one half and one, by counting random points (one test, five
-/// standard deviations: significance 6e-7).
+/// Law: over whole periods each colour fills one half of space, and every point's neighbour one size away
+/// along an axis has the other colour, which is not so for stripes or columns. Oracle: one half and one, by
+/// counting random points (one test, five standard deviations: significance 6e-7).
 #[test]
 fn each_colour_of_the_solid_checker_fills_one_half() {
     let texture = solid(0.5).build(&mut Resources::default()).expect("valid");
@@ -249,7 +249,7 @@ fn each_colour_of_the_solid_checker_fills_one_half() {
     }
     let share = f64::from(first) / f64::from(COUNTED);
     assert!((share - 0.5).abs() < HALF_ERROR, "the first colour fills {share}, expected 0.5");
-    // but for what rounding carries across a border
+    // except for points that rounding moves across a border
     let most = f64::from(COUNTED) - 3.0;
     assert!(
         alternating.iter().all(|&count| f64::from(count) >= most),
@@ -257,8 +257,8 @@ fn each_colour_of_the_solid_checker_fills_one_half() {
     );
 }
 
-/// Law: lines of width w cover `1 − (1 − w/size)²` of the plane, the squares share the rest equally.
-/// Oracle: the closed form, by counting a grid whose points lie beside all edges: exact (ch. 30).
+/// Law: lines of width w cover `1 − (1 − w/size)²` of the plane, the squares share the rest equally. Oracle:
+/// the closed form, by counting on a grid whose points avoid all edges: exact (ch. 30).
 #[test]
 fn outlines_cover_their_share_of_the_plane() {
     for tenths in 0..=10_u32 {

@@ -11,7 +11,7 @@ fn wires(line_width: f64) -> Texture {
     Wireframe { line_width, line_color: LINE.into(), color: ONE.into() }.into()
 }
 
-/// Corners of a triangle that is no needle, in front of an eye on the z axis.
+/// Corners of a triangle that is not a needle, as seen along the z axis.
 fn corners() -> impl Strategy<Value = [Point; 3]> {
     (point(1.0), point(1.0), point(1.0)).prop_map(|(a, b, c)| [a, b, c]).prop_filter(
         "no needle, not seen from the side",
@@ -22,7 +22,7 @@ fn corners() -> impl Strategy<Value = [Point; 3]> {
     )
 }
 
-/// The distance from the nearest edge: the least over the points of each edge, by thirds.
+/// The distance from the nearest edge: the least distance to a point of each edge, by ternary search.
 fn from_edges(p: Point, [a, b, c]: [Point; 3]) -> f64 {
     let from_edge = |a: Point, b: Point| {
         let (mut low, mut high) = (0.0, 1.0);
@@ -44,7 +44,7 @@ fn mesh([a, b, c]: [Point; 3]) -> Mesh {
     Mesh::of_lists(vertices, vec![[0, 1, 2], [3, 4, 5]])
 }
 
-/// What is seen at a point of the scene's surfaces, from in front.
+/// The colour seen at a point of the scene's surfaces, from the front (+z).
 fn seen(shape: impl Into<Shape>, texture: &Texture, p: Point) -> Rgb {
     let mut scene = gallery();
     painted(&mut scene, shape, texture.clone());
@@ -52,7 +52,7 @@ fn seen(shape: impl Into<Shape>, texture: &Texture, p: Point) -> Rgb {
     look(&built(&scene), eye, p - eye)
 }
 
-/// A search by thirds finds the least distance to the root of a rounding.
+/// A ternary search finds the least distance up to the square root of a rounding.
 const SEARCHED: f64 = 1e-6;
 
 proptest! {
@@ -106,7 +106,7 @@ proptest! {
 
 /// Law: lines of width w leave `(1 − w/2r)²` of a triangle with an incircle of radius r uncovered, and
 /// nothing from w = 2r on. Oracle: the triangle between the lines is similar to the whole, about the
-/// incircle's centre; 20 000 points drawn evenly, five standard deviations (significance 6e-7 each).
+/// incircle's centre; 20 000 uniformly distributed points, five standard deviations (significance 6e-7 each).
 #[test]
 fn lines_leave_a_similar_triangle() {
     let corners = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(Point::from);
@@ -132,8 +132,8 @@ fn lines_leave_a_similar_triangle() {
     }
 }
 
-/// Law: what has no triangles has the colour between the lines, and an instance of the texture does not
-/// move the lines of what has. Oracle: that colour; the picture without the instance.
+/// Law: a shape without triangles has the colour between the lines; on a shape with triangles, an instance of
+/// the texture does not move the lines. Oracle: that colour; the picture without the instance.
 #[test]
 fn wires_belong_to_the_triangles() {
     let mut random = Pcg32::new(30, 4);
@@ -153,13 +153,13 @@ fn wires_belong_to_the_triangles() {
     assert!((50..450).contains(&lines), "{lines} of 500 points on lines");
 }
 
-/// Law: a lamp whose emission is a wireframe lights a floor as its share of lines says: the lines shine,
-/// between them it is black. Oracle: the same lamp with the mean of both as its one colour, far away, where
-/// only the mean counts; 4096 samples, five standard deviations.
+/// Law: a lamp whose emission is a wireframe lights a floor in proportion to the area of its lines: the lines
+/// emit, between them it is black. Oracle: the same lamp, emitting everywhere, times the share of lines; it
+/// is far away, so that only the mean counts; 4096 samples, five standard deviations.
 #[test]
 fn a_lamp_shines_along_its_wires() {
     let corners = [[0.0, 5.0, 0.0], [0.3, 5.0, 0.0], [0.0, 5.0, 0.4]].map(Point::from);
-    // two thirds of the incircle's radius are free
+    // the lines leave two thirds of the incircle's radius free
     let (width, share): (f64, f64) = (0.2 / 3.0, 1.0 - 4.0 / 9.0);
     let paint = Paint::from(Texture::from(Wireframe {
         line_width: width,

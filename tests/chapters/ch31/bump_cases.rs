@@ -1,4 +1,4 @@
-//! Bumps as a whole: what turns with what, what changes nothing, who is asked, what is refused.
+//! Bumps: turned objects, flat bumps, calls of the shape, and errors.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -41,7 +41,7 @@ fn bumps_turn_with_their_object() {
     }
 }
 
-/// Law: a bump that is flat leaves every normal, but for rounding.
+/// Law: a flat bump leaves every normal unchanged, up to rounding.
 #[test]
 fn flat_bumps_change_nothing() {
     let smooth: shapes::Kind = TessellatedSphere::new(12, 6, true).into();
@@ -59,7 +59,7 @@ fn flat_bumps_change_nothing() {
     }
 }
 
-/// A shape that counts how often it is asked where its textures live.
+/// A shape that counts how often it is asked for its texture space.
 #[derive(Debug)]
 struct Counted {
     shape: Arc<dyn Shape>,
@@ -85,8 +85,8 @@ impl Shape for Counted {
     }
 }
 
-/// Law: a surface without a bump pays nothing: its shape is not asked where textures live; one with a
-/// bump is, once for a hit.
+/// Law: a surface without a bump costs nothing: its shape is not asked for its texture space. With a bump it
+/// is asked once for each hit.
 #[test]
 fn only_bumped_surfaces_ask_for_texture_space() {
     let shape = shapes::Kind::from(ball(1.0)).build(&mut Context::default()).expect("a sphere");
@@ -106,7 +106,7 @@ fn only_bumped_surfaces_ask_for_texture_space() {
     assert_ne!(rough.shading, rough.geometry);
 }
 
-/// Law: what no bump can be is refused where it stands.
+/// Law: invalid bumps are refused; the error names the field.
 #[test]
 fn bad_bumps_are_refused() {
     let good = Height::new(Fbm::new(Noise::default(), 1.0), 1.0);

@@ -1,4 +1,4 @@
-//! Bumps: where they turn normals to.
+//! Bumps: the shading normals that they give.
 
 use groundtruth::bumps::{self, Height, Kind as Bump};
 use groundtruth::images::{Drawn, Picture};
@@ -32,14 +32,14 @@ pub fn bumped(shape: impl Into<shapes::Kind>, bump: impl Into<Bump>) -> Scene {
     scene
 }
 
-/// Hears the normals and the point of the first surface.
+/// Records the first surface and the normals with which it is shaded.
 #[derive(Default)]
-struct Heard {
+struct Recorded {
     normals: Option<Normals>,
     at: Option<Surface>,
 }
 
-impl Recorder for Heard {
+impl Recorder for Recorded {
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {}
     fn outcome(&mut self, _: Outcome<&groundtruth::world::Hit<'_>>) {}
     fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
@@ -50,23 +50,23 @@ impl Recorder for Heard {
     fn leave(&mut self, _: Rgb, _: Rgb) {}
 }
 
-/// What a ray meets, and with which normals it is shaded.
+/// The surface that a ray hits, and the normals with which it is shaded.
 pub fn met(world: &World, origin: Point, direction: Vector) -> Option<(Surface, Normals)> {
-    let mut heard = Heard::default();
-    radiance(world, &ray(origin, direction), world.draws([0, 0], 0), &mut heard);
-    Some((heard.at?, heard.normals?))
+    let mut recorded = Recorded::default();
+    radiance(world, &ray(origin, direction), world.draws([0, 0], 0), &mut recorded);
+    Some((recorded.at?, recorded.normals?))
 }
 
 pub fn ball(radius: f64) -> Sphere {
     Sphere { center: Point::ORIGIN, radius, inward: false }
 }
 
-/// How far two unit vectors are apart.
+/// The distance between two unit vectors.
 pub fn apart(a: impl Into<Vector>, b: impl Into<Vector>) -> f64 {
     (a.into() - b.into()).length()
 }
 
-/// Noise of the second implementation as fBm of a point in these cells.
+/// fBm by the second implementation, at a point, with cells of this size.
 fn fbm(data: &Noise, size: f64, p: Point) -> f64 {
     oracle::fbm(data, noise(*data).lattice(), Point::from(p.to_array().map(|c| c / size)))
 }
@@ -88,16 +88,16 @@ fn steps() -> impl Strategy<Value = Vec<Step>> {
     )
 }
 
-/// Slopes are measured over some 1/4000 of a cell: with third derivatives of some hundreds they are right
-/// to 1e-5.
+/// Slopes are measured over about 1/4000 of a cell: with third derivatives of a few hundred their error is
+/// 1e-5.
 const SLOPE: f64 = 1e-4;
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: laws().cases / 4, ..laws() })]
 
     /// Law: a bump of noise is `n + a · fBm(p/size)`, normalised, at the local point, and one of height
-    /// `n − ∇ₛh`, wherever that is above the surface. Oracle: the second implementation on a sphere,
-    /// whose normal is its point; the gradient in space by differences of it, its part along the surface.
+    /// `n − ∇ₛh`, wherever that is above the surface. Oracle: the second implementation on a sphere, whose
+    /// normal is its point; the gradient in space by finite differences, and its component along the surface.
     #[test]
     fn bumps_turn_normals_by_their_formulas(n in unit(), size in 0.3..2.0_f64, a in 0.0..1.0_f64) {
         let data = Noise::of_octaves(2);
@@ -128,9 +128,9 @@ proptest! {
         }
     }
 
-    /// Law: a bump by height has the normal of the surface that is really lifted by so much, in local
-    /// coordinates, and then moved by the instances around it; of a texture that stays in place, in the
-    /// world's. Oracle: the cross product of differences of the lifted plane's points.
+    /// Law: a bump by height has the normal of the surface that is really lifted by that height, in local
+    /// coordinates, and then moved by the instances around it; for a texture that stays fixed, it is lifted
+    /// in world coordinates. Oracle: the cross product of differences of the lifted plane's points.
     #[test]
     fn a_height_has_the_normal_of_the_lifted_surface(
         spot in (-2.0..2.0_f64, -2.0..2.0_f64),
@@ -214,9 +214,9 @@ proptest! {
         }
     }
 
-    /// Law: an image by the texture coordinates of a mesh can be a height: where it rises evenly with u,
+    /// Law: an image by the texture coordinates of a mesh can be a height: where it rises linearly with u,
     /// `n' = n − k ∇u`, in local coordinates, also through instance, compound and lattice, and where the
-    /// texture stays in place. Oracle: u as a linear function, whose gradient is its factors.
+    /// texture stays fixed. Oracle: u as a linear function, whose gradient is known.
     #[test]
     fn an_image_on_a_mesh_is_a_height(
         cell in (1..23_u32, 1..11_u32),
@@ -230,7 +230,7 @@ proptest! {
             .map(|[x, z]| Point::new(x, 0.0, z));
         let mut mesh = Mesh::of_lists(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]]);
         mesh.uvs = Some(corners.map(uv).to_vec());
-        // the middle of a cell of the image's grid, by Cramer's rule
+        // the centre of a cell of the image's grid, by Cramer's rule
         let u = (f64::from(cell.0) + 0.5) / 24.0 - u_of[1];
         let v = (f64::from(cell.1) + 0.5) / 12.0 - v_of[1];
         let determinant = u_of[0] * v_of[2] - u_of[2] * v_of[0];
@@ -265,7 +265,7 @@ proptest! {
         // red is 0.2 + 0.8 u between the lines
         let rise = 0.8 * height * Vector::new(u_of[0], 0.0, u_of[2]);
         let expected = if nesting == 2 {
-            // the gradient of u in the world is that of a covector, its part along the surface
+            // the gradient of u in the world transforms as a covector; its component along the surface counts
             let gradient =
                 Normal::new(rise).map_or(Vector::ZERO, |d| rise.length() * whole.covector(d));
             Vector::from(n) - (gradient - n.dot(gradient) * n)
@@ -277,7 +277,7 @@ proptest! {
         let world = built(&bumped(shape, Height::new(image, height)));
         let (_, normals) = met(&world, spot + 2.0 * n, -Vector::from(n)).expect("it is hit");
         let off = apart(normals.shading, expected);
-        // texels are single precision: two neighbours, 0.8/480 apart, to 6e-8
+        // texels are in single precision: two neighbours differ by 0.8/480, known to 6e-8
         prop_assert!(off < 1e-3, "{:?}, expected {:?}", normals.shading, expected);
     }
 }

@@ -29,8 +29,8 @@ fn in_white(recipe: materials::Kind, bump: Bump, mut tracer: Tracer) -> Scene {
     with_samples(scene, 64)
 }
 
-/// Materials with the most that a smooth surface of them sends back of uniform light, seen from anywhere: a
-/// highlight sends most straight back, `2π/(e + 2)` of `k_s`.
+/// Materials, each with the largest radiance that a smooth surface of it shows in uniform light from any
+/// direction: a highlight shows most straight on, `2π/(e + 2)` times `k_s`.
 fn materials() -> [(materials::Kind, f64); 3] {
     let matte = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::grey(0.8).into() };
     let phong = Phong {
@@ -46,10 +46,11 @@ fn materials() -> [(materials::Kind, f64); 3] {
     [(matte.into(), 0.8), (phong.into(), 0.5 + 0.25 * TAU / 7.0), (mirror.into(), 0.9)]
 }
 
-/// Law: in uniform light a bumped surface sends back at most what a smooth one does, under every tracer,
-/// seen straight on and askew; but not nothing: a mirror all of it, as what bumps send below the surface
-/// is mirrored by the true one. And bumps are there: matte ones lose what falls below the true horizon.
-/// Oracle: the closed forms of smooth surfaces; means of 24 replicas, five standard errors.
+/// Law: in uniform light a bumped surface reflects at most what a smooth one does, under every tracer, seen
+/// straight on and at an angle. A mirror reflects all of it, as directions that bumps would send below the
+/// surface are mirrored at the true surface. Other materials lose the part that falls below the true horizon,
+/// which shows that the bumps have an effect. Oracle: the closed forms of smooth surfaces; means of 24
+/// replicas, five standard errors.
 #[test]
 fn bumps_gain_no_energy() {
     let noise = Noise::of_octaves(2);

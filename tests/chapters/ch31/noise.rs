@@ -9,10 +9,10 @@ use proptest::prelude::*;
 use super::oracle::{self, built, index, linear};
 use crate::support::{laws, point};
 
-/// Sums of 64 products of weights of at most 2 in all, some ten roundings each.
+/// Sums of 64 products, whose weights add up to at most 2, with about ten roundings each.
 const ROUNDING: f64 = 2e-14;
 
-/// A point of whole coordinates.
+/// A point with integer coordinates.
 fn at_whole([i, j, k]: [i64; 3]) -> Point {
     Point::new(i as f64, j as f64, k as f64)
 }
@@ -20,7 +20,7 @@ fn at_whole([i, j, k]: [i64; 3]) -> Point {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: at points of whole coordinates, also negative ones, noise of both kinds is the entry of the
+    /// Law: at points with integer coordinates, also negative ones, noise of both kinds is the entry of the
     /// table at `PERM(ix + PERM(iy + PERM(iz)))`, to the last bit. Oracle: the index in signed numbers.
     #[test]
     fn noise_at_lattice_points_is_in_the_tables(
@@ -36,8 +36,8 @@ proptest! {
         }
     }
 
-    /// Law: between them noise is the sum of its knots with the tent's, or with Catmull's and Rom's
-    /// weights, clamped to −1 … 1. Oracle: all products of weights in Hermite's form, one by one.
+    /// Law: between lattice points noise is the sum of its knots with linear (tent) or Catmull–Rom weights,
+    /// clamped to −1 … 1. Oracle: all products of weights in Hermite's form, one by one.
     #[test]
     fn noise_is_the_weighted_sum_of_its_knots(p in point(700.0), noise in oracle::noises()) {
         let it = built(noise);
@@ -59,8 +59,8 @@ proptest! {
         );
     }
 
-    /// Law: noise has the period 256 along each axis, bit for bit where the sum is exact, up to 2⁴⁴
-    /// periods away on either side. Oracle: the noise here.
+    /// Law: noise has the period 256 along each axis, bit for bit where the sum is exact, up to 2⁴¹ periods
+    /// away on either side. Oracle: the noise at the first point.
     #[test]
     fn noise_repeats_after_256_cells(
         eighths in prop::array::uniform3(-4096..4096_i32),
@@ -105,7 +105,7 @@ proptest! {
         }
         let linear = built(linear(1));
         let [before, after] = slopes(&linear, on_plane);
-        // at most the difference of two knots: no step
+        // no slope exceeds the difference of two knots: there is no step
         prop_assert!(before.abs() <= 2.0 && after.abs() <= 2.0, "slopes {} and {}", before, after);
         let [before, after] = slopes(&linear, at_whole(knot));
         let k = [-1, 0, 1].map(|by| {
@@ -119,8 +119,8 @@ proptest! {
     }
 }
 
-/// Law: cubic noise overshoots its knots here and there, and is clamped where it does; linear noise never
-/// does. Oracle: the sum of weighted knots before the clamp, at random points.
+/// Law: cubic noise overshoots its knots at some points, and is clamped there; linear noise never overshoots.
+/// Oracle: the sum of weighted knots before the clamp, at random points.
 #[test]
 fn cubic_noise_overshoots_and_is_clamped() {
     let noise = Noise::default();
@@ -142,8 +142,8 @@ fn cubic_noise_overshoots_and_is_clamped() {
     assert!(above > 10 && below > 10, "overshot {above} times above and {below} below");
 }
 
-/// Law: coordinates too large for fractions are lattice points, those from 2⁶⁰ on of whole periods, and
-/// those that overflowed no cause of NaN.
+/// Law: coordinates that are too large for fractions are lattice points; those from 2⁶⁰ on are multiples of
+/// the period, and infinite ones do not give NaN.
 #[test]
 fn huge_coordinates_have_noise_too() {
     for noise in [Noise::default(), linear(1)].map(built) {
@@ -160,8 +160,8 @@ fn huge_coordinates_have_noise_too() {
     }
 }
 
-/// Law: a seed gives its tables again, another seed others, and the permutation is the same for all; it
-/// is one of 0 … 255. The book's seed is 253.
+/// Law: the same seed gives the same tables, and another seed gives others; the permutation is the same for
+/// all seeds, and is one of 0 … 255. The book's seed is 253.
 #[test]
 fn tables_are_made_of_their_seed() {
     let (one, again, other) = (Lattice::new(253), Lattice::new(253), Lattice::new(254));
@@ -179,7 +179,8 @@ fn tables_are_made_of_their_seed() {
     assert!(fixed < 10, "{fixed} of 256 entries stay; 1 is expected");
 }
 
-/// Law: the tables are made as `docs/probe.md` says, so that others can make them too. Oracle: those words.
+/// Law: the tables are made as `docs/probe.md` says, so that others can make them too. Oracle: the method
+/// described there.
 #[test]
 fn tables_are_made_as_the_probes_page_says() {
     let lattice = Lattice::new(253);
@@ -193,8 +194,8 @@ fn tables_are_made_as_the_probes_page_says() {
     assert_eq!(permutation, lattice.permutation());
 }
 
-/// Law: the vectors are unit and evenly spread: of the 16 bands of equal height and the 16 sectors of
-/// equal angle each has 16, as multi-jittered samples do, and they add up to about nothing.
+/// Law: the vectors are unit and evenly spread: of the 16 bands of equal height and the 16 sectors of equal
+/// angle each has 16, as multi-jittered samples do, and their sum is nearly zero.
 #[test]
 fn vectors_are_spread_over_the_sphere() {
     for seed in [253, 0, 7] {

@@ -1,10 +1,10 @@
-//! Noise a second time, straight from its definition: all knots, each with its weight.
+//! A second implementation of noise, straight from its definition: all knots, each with its weight.
 
 use groundtruth::math::{Point, Vector};
 use groundtruth::noise::{Interpolation, Lattice, LatticeNoise, Noise};
 use proptest::prelude::*;
 
-/// The noise of these data.
+/// The noise with these parameters.
 pub fn built(noise: Noise) -> LatticeNoise {
     noise.build().expect("the noise is valid")
 }
@@ -13,13 +13,13 @@ pub fn linear(octaves: u32) -> Noise {
     Noise { interpolation: Interpolation::Linear, ..Noise::of_octaves(octaves) }
 }
 
-/// The whole number at or below a number, by truncation.
+/// The largest integer not above a number, by truncation.
 pub fn whole(x: f64) -> i64 {
     let towards_zero = x as i64;
     towards_zero - i64::from((towards_zero as f64) > x)
 }
 
-/// `INDEX`, with whole numbers of any sign.
+/// The book's `INDEX`, for integers of any sign.
 pub fn index(lattice: &Lattice, [i, j, k]: [i64; 3]) -> usize {
     let perm = |i: i64| i64::from(lattice.permutation()[i.rem_euclid(256) as usize]);
     perm(i + perm(j + perm(k))) as usize

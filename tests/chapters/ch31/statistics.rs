@@ -14,9 +14,9 @@ fn moments(values: &[f64]) -> [f64; 2] {
     [mean, values.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / n]
 }
 
-/// Law: along any axis a row of 256 lattice points has each entry of the table once; so mean and variance
-/// there are the table's, about 0 and 1/3. Oracle: the sorted table; the variance of a uniform number,
-/// within five standard deviations of 256: √(1/3/256) and √((1/5 − 1/9)/256).
+/// Law: along any axis a row of 256 lattice points has each entry of the table once. Therefore mean and
+/// variance there are those of the table, about 0 and 1/3. Oracle: the sorted table; the variance of a
+/// uniform number, within five standard deviations of 256: √(1/3/256) and √((1/5 − 1/9)/256).
 #[test]
 fn a_row_of_lattice_points_has_each_entry_once() {
     let noise = built(Noise::default());
@@ -38,8 +38,8 @@ fn a_row_of_lattice_points_has_each_entry_once() {
 
 /// Law: in the middle of cells the variance of noise is the table's times `(Σ w²)³` of the weights: 1/8 for
 /// linear noise, (164/256)³ for cubic; the mean of linear noise is the table's. Oracle: sums of independent
-/// knots; within 25 %, as of the knots of a cell some are the same entry (simulated for linear noise: 0.86
-/// to 1.09 of it). The mean over whole periods is exact: weights add up to 1.
+/// knots, within 25 %, as some knots of a cell may be the same entry (simulated for linear noise: 0.86 to
+/// 1.09 of the expected variance). The mean over whole periods is exact: weights add up to 1.
 #[test]
 fn noise_varies_less_in_the_middle_of_cells() {
     for (noise, share) in [(linear(1), 0.125), (Noise::default(), oracle::power(164.0 / 256.0, 3))]
@@ -61,18 +61,20 @@ fn noise_varies_less_in_the_middle_of_cells() {
     }
 }
 
-/// Samples of a line over one period, which all octaves share: eight for the shortest wave of a band.
+/// Samples of a line over one period, which is a period of all octaves: eight for the shortest wave of a
+/// band.
 const SAMPLES: usize = 8192;
 /// The longest wave of the first band is 1/8 of the period; each band begins at half the wavelength.
 const LONGEST: usize = 8;
 const BANDS: usize = 7;
-/// Lines. The powers of a band are those of at least 8 waves for each, 384 exponential numbers or more,
-/// known to 1/√384 = 5 %; five standard deviations of the ratio of two such are 36 %.
+/// The number of lines. A band has at least 8 waves on each line, thus 384 or more exponentially distributed
+/// powers; their mean is known to 1/√384 = 5 %. Five standard deviations of the ratio of two such means are
+/// 36 %.
 const LINES: u32 = 48;
 const POWER: f64 = 0.36;
 
-/// The mean power of the sum of octaves in each band, along lines through the lattice. They run along z:
-/// all rows along x are one row, moved.
+/// The mean power of the sum of octaves in each band, along lines through the lattice. The lines run along z,
+/// as all rows along x are shifted copies of one row.
 fn spectrum(noise: &LatticeNoise, bound: f64, random: &mut Pcg32) -> Vec<f64> {
     let mut powers = vec![0.0; BANDS];
     for _ in 0..LINES {
@@ -108,9 +110,10 @@ fn fourier(values: &[[f64; 2]]) -> Vec<[f64; 2]> {
     (0..values.len()).map(wave).collect()
 }
 
-/// Law: the power of fBm in octave bands is that of one noise, moved up by an octave and multiplied by
-/// gain² for each: so it falls by a factor of 4 from band to band with gain 1/2, and rises with gain 2.
-/// Oracle: the spectrum of a single octave, added up so.
+/// Law: the power spectrum of fBm in octave bands is the sum of the spectra of its octaves: each is that of
+/// single noise, shifted by one more octave and multiplied by gain² once more. So it falls by a factor of 4
+/// from band to band with gain 1/2, and rises with gain 2. Oracle: that sum, from the spectrum of a single
+/// octave.
 #[test]
 fn the_spectrum_falls_as_the_octaves_say() {
     const OCTAVES: usize = 4;

@@ -1,4 +1,4 @@
-//! Octaves added up: fractal sum, turbulence, fBm, their bounds.
+//! Sums of octaves: fractal sum, turbulence, fBm, and their bounds.
 
 use groundtruth::math::{Pcg32, Point};
 use groundtruth::noise::{MAX_OCTAVES, Noise};
@@ -7,16 +7,16 @@ use proptest::prelude::*;
 use super::oracle::{self, built};
 use crate::support::{laws, point};
 
-/// A coordinate of 20 times 5⁵ is rounded to 7e-12; noise is at most 7 times as steep, its sum as the
-/// gain says, which the bound divides out.
+/// A coordinate of 20 times 5⁵ is rounded to 7e-12; noise has a slope of at most 7. The slope of a sum grows
+/// with the gain, which the bound divides out.
 const ROUNDING: f64 = 1e-9;
 
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: fBm, fractal sum and turbulence, and the sums of vectors, are what their formulas say, for
-    /// any gain and lacunarity; the last two have a gain of 1/2 and a lacunarity of 2 whatever fBm has.
-    /// Oracle: explicit sums of the second implementation, the bounds in closed form.
+    /// Law: fBm, fractal sum and turbulence, and the sums of vectors, follow their formulas, for any gain and
+    /// lacunarity; fractal sum and turbulence have a gain of 1/2 and a lacunarity of 2, whatever those of fBm
+    /// are. Oracle: explicit sums of the second implementation, the bounds in closed form.
     #[test]
     fn octaves_add_up_as_the_formulas_say(p in point(20.0), noise in oracle::noises()) {
         let it = built(noise);
@@ -59,7 +59,8 @@ proptest! {
     }
 
     /// Law: with gain 1/2 and lacunarity 2 fBm is the fractal sum, bit for bit; of one octave it is
-    /// `(noise + 1)/2`, whatever the gain; and a gain towards 0 leaves one octave. Oracle: the other.
+    /// `(noise + 1)/2`, whatever the gain; and as the gain goes to 0 one octave is left. Oracle: the other
+    /// sum.
     #[test]
     fn sums_meet_where_their_formulas_do(p in point(50.0), noise in oracle::noises()) {
         let half = built(Noise { gain: 0.5, lacunarity: 2.0, ..noise });
@@ -74,8 +75,8 @@ proptest! {
     }
 }
 
-/// Law: the bounds of fBm are 1, 1.5, 1.875, 1.96875, 1.9921875 for 1, 2, 4, 6, 8 octaves of gain 1/2, and
-/// 63 for 6 of gain 2; n for gain 1. Oracle: those numbers; at whole points, where lacunarity 2 stays on the
+/// Law: the bounds of fBm are 1, 1.5, 1.875, 1.96875, 1.9921875 for 1, 2, 4, 6, 8 octaves of gain 1/2, and 63
+/// for 6 of gain 2; n for gain 1. Oracle: those numbers; at integer points, which lacunarity 2 keeps on the
 /// lattice, the sum is one of table entries.
 #[test]
 fn bounds_are_the_books() {
@@ -103,7 +104,7 @@ fn bounds_are_the_books() {
     }
 }
 
-/// Law: what no noise can be is refused, and the field named.
+/// Law: invalid noise is refused, and the error names the field.
 #[test]
 fn bad_noises_are_refused() {
     let good = Noise::default();

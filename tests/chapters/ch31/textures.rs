@@ -1,4 +1,4 @@
-//! The textures made of noise, each against its formula.
+//! The noise-based textures, each against its formula.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -21,10 +21,10 @@ const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);
 const THREE: Rgb = Rgb::new(0.5, 1.0, 0.125);
 const RED: Rgb = Rgb::new(1.0, 0.0, 0.0);
 
-/// As for sums of octaves, times an expansion of up to 10.
+/// The tolerance for sums of octaves, times an expansion of up to 10.
 const ROUNDING: f64 = 1e-8;
 
-/// The colour at a local point; where it is in the world must not matter.
+/// The colour at a local point; the position in the world must not matter.
 pub fn at(texture: impl Into<Kind>, local: Point) -> Rgb {
     let surface = Surface { local, ..Surface::new(Point::new(7.7, 8.8, 9.9), 0.0, Normal::Y) };
     let texture = texture.into().build(&mut Resources::default()).expect("the texture is valid");
@@ -36,12 +36,12 @@ fn apart(a: Rgb, b: Rgb) -> f64 {
     (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max)
 }
 
-/// fBm of the second implementation at a point in units of the size.
+/// fBm by the second implementation, at a point in units of the size.
 fn fbm(noise: &LatticeNoise, data: &Noise, p: Point, size: f64) -> f64 {
     oracle::fbm(data, noise.lattice(), Point::from(p.to_array().map(|c| c / size)))
 }
 
-/// Whether rounding may carry a number over one of the borders.
+/// Whether rounding may move a number across one of the borders.
 fn is_beside(x: f64, borders: impl IntoIterator<Item = f64>) -> bool {
     borders.into_iter().any(|border| (x - border).abs() < ROUNDING)
 }
@@ -49,8 +49,8 @@ fn is_beside(x: f64, borders: impl IntoIterator<Item = f64>) -> bool {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: as a number, which may be above 1, fBm is `min + (max − min) noise` and never the warning red, also
-    /// where the texture is moved or chosen by another. Oracle: the second implementation.
+    /// Law: as a number, which may be above 1, fBm is `min + (max − min) noise` and never the warning red,
+    /// also inside an instance or inside another texture. Oracle: the second implementation.
     #[test]
     fn as_a_number_noise_is_not_red(p in point(5.0), size in 0.3..3.0_f64) {
         let data = Noise::of_octaves(3);
@@ -102,9 +102,9 @@ proptest! {
         prop_assert!(apart(found, expected) < ROUNDING, "{:?}, expected {:?}", found, expected);
     }
 
-    /// Law: wrapped noise is the part after the whole number, in `[0, 1)`, from min to max, in the colour
-    /// of the threshold that the noise is below; a texture as second colour nests; with expansion 1 it is
-    /// fBm. Oracle: the second implementation, whole numbers taken off one by one.
+    /// Law: wrapped noise is the fractional part of the expanded noise, in `[0, 1)`, mapped to min … max, in
+    /// the colour of the first threshold above the noise. The second colour may be another texture. With
+    /// expansion 1 it is fBm. Oracle: the second implementation; 1 is subtracted until the number is below 1.
     #[test]
     fn wrapped_noise_starts_again_at_whole_numbers(
         p in point(5.0),
@@ -117,7 +117,7 @@ proptest! {
         let whole_fbm = fbm(&built(noise), &noise, p, size);
         let expanded = expansion * whole_fbm;
         prop_assume!(!is_beside(expanded, (0..11).map(f64::from).chain([1.35])));
-        // where noise is clamped fBm may be 1 itself, which wraps to 0
+        // where noise is clamped fBm may be exactly 1, which wraps to 0
         prop_assume!(!is_beside(whole_fbm, [1.0]));
         let mut wrapped = expanded;
         while wrapped >= 1.0 {
@@ -156,9 +156,9 @@ proptest! {
         }
     }
 
-    /// Law: marble is the ramp at `(1 + sin(y + a fBm))/2`, and wrapped noise that at the part after the
-    /// whole number, by both rules for columns: `⌊n u⌋` and the book's `trunc(u (n − 1))`. Oracle: the
-    /// second implementation; edges of columns counted up to the number.
+    /// Law: marble is the ramp at `(1 + sin(y + a fBm))/2`, and a wrapped ramp is the ramp at the fractional
+    /// part of the noise, by both rules for columns: `⌊n u⌋` and the book's `trunc(u (n − 1))`. Oracle: the
+    /// second implementation; the number of column edges up to that value.
     #[test]
     fn ramps_are_asked_as_images_of_one_row(
         p in point(5.0),
@@ -197,8 +197,9 @@ fn layers(rule: Rule) -> RampFbm {
     RampFbm { ramp, noise: Noise::of_octaves(4), size: 1.0, perturbation: 0.0 }
 }
 
-/// Law: unperturbed marble depends on y alone, has the period 2π sizes, and the same colour at y and π − y;
-/// the first column where the sine is −1 (never column −1), the last where it is 1, by both rules.
+/// Law: unperturbed marble depends on y alone, has the period 2π times the size, and the same colour at y and
+/// π − y. It has the first column where the sine is −1 (never column −1), the last where it is 1, by both
+/// rules.
 #[test]
 fn unperturbed_marble_has_layers() {
     for (rule, size) in [(Rule::Even, 1.0), (Rule::Book, 0.3)] {
@@ -220,8 +221,8 @@ fn unperturbed_marble_has_layers() {
     }
 }
 
-/// Law: of a ramp with columns the first and last are the first and last colour, and those between are
-/// mixed in even steps. Oracle: the straight line between two colours.
+/// Law: in a ramp with columns, the first and last column are the first and last colour, and those between
+/// are mixed in equal steps. Oracle: the straight line between two colours.
 #[test]
 fn ramps_are_mixed_in_even_steps() {
     let ramp =
@@ -236,8 +237,8 @@ fn ramps_are_mixed_in_even_steps() {
     }
 }
 
-/// Law: a pattern with cells k times as large is k times as large, for factors that are no powers of two
-/// too. Oracle: the small pattern.
+/// Law: a pattern scaled by k has the same colours at points scaled by k, also for factors that are not
+/// powers of two. Oracle: the small pattern.
 #[test]
 fn patterns_grow_with_their_size() {
     for entry in Kind::ENTRIES.iter().filter(|entry| entry.chapter == "ch31") {
@@ -247,7 +248,7 @@ fn patterns_grow_with_their_size() {
             for i in 0..40 {
                 let p = Point::new(0.31 * f64::from(i), 0.17 * f64::from(i), 1.9);
                 let (here, there) = (at(texture.clone(), p), at(large.clone(), p.scaled(3.0)));
-                // wrapped noise jumps where rounding carries it over a whole number
+                // wrapped noise jumps where rounding moves it across an integer
                 differ += u32::from(apart(here, there) > 1e-9);
             }
             assert!(differ <= 1, "{}: {differ} of 40 points differ", entry.module);
@@ -255,7 +256,7 @@ fn patterns_grow_with_their_size() {
     }
 }
 
-/// Law: what no texture can be is refused, and the field named.
+/// Law: invalid textures are refused, and the error names the field.
 #[test]
 fn bad_textures_are_refused() {
     let marble = layers(Rule::Even);

@@ -10,7 +10,7 @@ use super::oracle::{self, built};
 use super::textures::at;
 use crate::support::{laws, point};
 
-/// Rings turn the rounding of noise at frequency 50 into at most some 1e-9.
+/// The rings amplify the rounding of noise at frequency 50 to about 1e-9 at most.
 const ROUNDING: f64 = 1e-8;
 
 /// The book's smooth step, branch by branch.
@@ -61,8 +61,8 @@ fn darkness(wood: &Wood, noise: &LatticeNoise, p: Point) -> f64 {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: wood is light and dark as the book's steps say, for any settings, and between its two
-    /// colours. Oracle: those steps written one after the other, with noise of the second implementation.
+    /// Law: the darkness of wood follows the book's steps, for any parameters, and its colour lies between
+    /// its two colours. Oracle: those steps in order, with noise by the second implementation.
     #[test]
     fn wood_grows_as_the_book_says(
         p in point(4.0),
@@ -122,8 +122,8 @@ fn the_defaults_are_the_books() {
     assert_eq!([wood.grain_frequency, wood.grainy, wood.ringy], [25.0, 0.5, 0.5]);
 }
 
-/// Law: no kink anywhere in wood without noise: rings have a slope, the same on both sides of each point.
-/// Oracle: difference quotients along a ray from the middle.
+/// Law: wood without noise has no kink: the slope of the rings is the same on both sides of each point.
+/// Oracle: difference quotients along a line from the centre.
 #[test]
 fn rings_are_smooth() {
     let wood = Wood {
@@ -148,6 +148,6 @@ fn rings_are_smooth() {
         assert!(jump.abs() < 1600.0 * H, "the slope jumps by {jump} at {x}");
         (least, most) = (least.min(f(x)), most.max(f(x)));
     }
-    // the first pass of grain takes 0.4 off
+    // the first pass of the grain subtracts 0.4
     assert!(least == 0.0 && (most - 0.6).abs() < 1e-12, "from {least} to {most}");
 }

@@ -1,4 +1,4 @@
-//! What must hold for every picture: laws tried on scenes drawn at random.
+//! What must hold for every picture: laws tested on random scenes.
 
 use std::collections::HashSet;
 use std::mem::{Discriminant, discriminant};
@@ -21,8 +21,8 @@ fn same(color: Rgb) -> Rgb {
     color
 }
 
-/// Fails if any pixel of the scene's picture is negative, infinite or no number, by its own tracer or by
-/// one that follows paths.
+/// Fails if any pixel of the scene's picture is negative, infinite or NaN, with its own tracer or with a path
+/// tracer.
 fn assert_sound(number: u64) -> Film {
     let scene = any(number);
     let depth = Depth { max_depth: (number % 6) as u32 };
@@ -47,9 +47,9 @@ fn assert_sound_by(number: u64, scene: &Scene) -> Film {
 /// Scenes in each law here.
 const SCENES: u64 = 200;
 
-/// Law: no pixel of any valid scene is negative, infinite or no number; and the scenes are worth
-/// the question: most of their pictures are not black, and all kinds of light and material occur.
-/// Oracle: the definition of radiance.
+/// Law: no pixel of any valid scene is negative, infinite or NaN. The scenes are varied enough to test this:
+/// most of their pictures are not black, and all kinds of light and material occur. Oracle: the definition of
+/// radiance.
 #[test]
 fn no_picture_has_negative_or_infinite_light() {
     let (mut bright, mut lights, mut made_of) = (0, HashSet::new(), HashSet::new());
@@ -73,15 +73,15 @@ fn no_picture_has_negative_or_infinite_light() {
     assert!(shapes.len() + 3 > shapes::Kind::ENTRIES.len(), "{} kinds of shape", shapes.len());
 }
 
-/// The same for many more scenes: some two minutes on two cores.
+/// The same for many more scenes: about two minutes on two cores.
 #[test]
 #[ignore = "cost: cargo test no_picture_of_many -- --ignored"]
 fn no_picture_of_many_has_negative_or_infinite_light() {
     (0..100_000).for_each(|number| drop(assert_sound(number)));
 }
 
-/// Law: red, green and blue know nothing of each other: all colours with their channels moved round
-/// give the picture with its channels moved round, bit for bit. Oracle: the picture before.
+/// Law: red, green and blue are independent: permuting the channels of all colours permutes the channels of
+/// the picture, bit for bit. Oracle: the original picture.
 #[test]
 fn channels_are_independent() {
     let round = |color: Rgb| Rgb::new(color.b, color.r, color.g);
@@ -98,9 +98,9 @@ fn channels_are_independent() {
     }
 }
 
-/// Law: a picture is linear in each light: with twice the strength of one light, what that light
-/// adds is twice as much. Oracle: the picture without the light's strength, and the difference;
-/// lamps are seen too, so their material's strength counts.
+/// Law: a picture is linear in each light: with twice the strength of one light, its contribution is twice as
+/// much. Oracle: the picture with the light's strength set to 0, and the difference; lamps are visible, so
+/// the strength of their material is what is scaled.
 #[test]
 fn pictures_are_linear_in_each_light() {
     /// Sums of some hundred terms, and their difference.
@@ -133,7 +133,7 @@ fn pictures_are_linear_in_each_light() {
     assert!(tested > 100, "{tested} lights");
 }
 
-/// Multiplies the strength of a light; `false` for the sky, which has none of its own.
+/// Multiplies the strength of a light; `false` for the sky, which has no strength of its own.
 fn scaled(scene: &mut Scene, which: usize, factor: f64) -> bool {
     match &mut scene.lights[which].source {
         lights::Kind::Ambient(light) => light.ls *= factor,
@@ -155,14 +155,13 @@ fn scaled(scene: &mut Scene, which: usize, factor: f64) -> bool {
     true
 }
 
-/// Every other scene has textures.
+/// A random scene; every other one has textures.
 fn any(number: u64) -> Scene {
     if number.is_multiple_of(2) { textured_scene(number) } else { scene(number, &same) }
 }
 
-/// Law: no length is special: all lengths times a power of two give the same picture, and list, grid
-/// and bvh do. Written out and read again, it is the same too. Oracle: the scene as it is, bit for
-/// bit.
+/// Law: no absolute length matters: all lengths times a power of two give the same picture, and so do list,
+/// grid and bvh, and the scene exported and read again. Oracle: the scene as it is, bit for bit.
 #[test]
 fn scale_acceleration_and_export_do_not_matter() {
     for number in 0..SCENES {
@@ -183,9 +182,9 @@ fn scale_acceleration_and_export_do_not_matter() {
     }
 }
 
-/// Law: a picture is its pixels, each by itself and in any order, recorded or not; at every ray what
-/// arrives is the sum of its terms through the medium. No light keeps what it drew for another
-/// thread. Oracle: single samples, recorded, and the sum worked out again.
+/// Law: every pixel can be computed by itself, in any order, recorded or not; at every ray the radiance is
+/// the sum of its terms, dimmed by the medium. No light reuses what it sampled for another thread. Oracle:
+/// single recorded samples, and the sum computed again.
 #[test]
 fn pictures_are_made_of_single_recorded_samples() {
     for number in 0..SCENES {

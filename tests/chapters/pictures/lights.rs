@@ -1,4 +1,4 @@
-//! Light is linear: it adds up, and lights know nothing of one another.
+//! Light is linear: it adds up, and lights are independent of one another.
 
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::lights::Ambient;
@@ -48,8 +48,8 @@ fn lights_add() {
     }
 }
 
-/// Law: switching a light off takes its own shadow rays away and moves no other ray. Oracle: the tree
-/// with all lights on, its rays to that light left out.
+/// Law: switching a light off removes its own shadow rays and changes no other ray. Oracle: the tree with all
+/// lights on, its rays to that light left out.
 #[test]
 fn switching_a_light_off_moves_no_other_ray() {
     fn rays(tree: &RayTree, except: u32) -> Vec<(RayKind, Ray)> {
@@ -76,8 +76,8 @@ fn switching_a_light_off_moves_no_other_ray() {
     }
 }
 
-/// The inside of a sphere that sends back `kr` of what it gets and shines with `emission`, all in
-/// ambient light; the eye is in it.
+/// The inside of a sphere that reflects `kr` of the light and emits `emission`, by way of ambient light; the
+/// eye is inside it.
 fn furnace(emission: f64, kr: f64, max_depth: u32, eye: Point) -> Scene {
     let mut camera =
         Viewpoint::new(eye, Point::new(0.0, 0.0, -9.0), Pinhole { distance: 1.0, zoom: 1.0 });
@@ -98,8 +98,8 @@ fn furnace(emission: f64, kr: f64, max_depth: u32, eye: Point) -> Scene {
 /// Two roundings for each of at most 20 reflections, and room to spare.
 const SERIES: f64 = 2e-13;
 
-/// Law: a closed mirror in which every surface adds 1 and passes half on shows the geometric series
-/// of chapter 2: with six surfaces 1.96875, exactly. Oracle: the series.
+/// Law: a closed mirror in which every hit adds 1 and reflects half shows the geometric series of chapter 2:
+/// with six hits 1.96875, exactly. Oracle: the series.
 #[test]
 fn a_furnace_of_half_mirrors_shows_the_geometric_series() {
     let film = render::render(&built(&furnace(1.0, 0.5, 5, Point::ORIGIN)));

@@ -1,5 +1,5 @@
-//! Metamorphic laws on whole pictures: what must not change, or must change in a known way, when a
-//! scene is changed.
+//! Metamorphic laws on whole pictures: how a picture must change, or must not change, when its scene is
+//! changed.
 
 mod any_scene;
 mod lights;

@@ -1,4 +1,4 @@
-//! Scenes drawn at random, of every kind of light, material and shape.
+//! Random scenes, with every kind of light, material and shape.
 
 use groundtruth::cameras::{Orthographic, Pinhole, Viewpoint};
 use groundtruth::lights::{
@@ -17,11 +17,11 @@ use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted}
 use groundtruth::shapes::{self, Disk, Instance, Plane, Rectangle, Sphere, TessellatedSphere};
 use groundtruth::textures::{self, Checker3d, Paint};
 
-/// A source of random choices, and what is done to every colour.
+/// A source of random choices, and a function that is applied to every colour.
 struct Die<'a> {
     random: Pcg32,
     tint: &'a dyn Fn(Rgb) -> Rgb,
-    /// Whether colours may be textures of every kind, which pass through no tint.
+    /// Whether colours may be textures of every kind; `tint` is not applied to these.
     textures: bool,
 }
 
@@ -47,7 +47,7 @@ impl Die<'_> {
         self.point(1.0).to_vector() + 1e-3 * Vector::X
     }
 
-    /// A channel is 0 or 1 now and then.
+    /// A random colour; each channel is 0 or 1 in one of four cases.
     fn color(&mut self) -> Rgb {
         let mut channel = || match self.random.below(8) {
             0 => 0.0,

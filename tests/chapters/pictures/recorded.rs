@@ -8,10 +8,10 @@ use groundtruth::trace::{RayKind, RayTree};
 
 use super::studio::{assert_same_bits, bits, built, gallery_in_small, pixels, small};
 
-/// Law: a recorded sample has the bits of a silent one, for every pixel of every scene, and is what
-/// arrives along the camera's ray times the filter's weight; black without a ray. At every ray
-/// what arrives is `T · Σ terms`, each term local or `weight · L(child)`, to the bit. Oracle: the
-/// silent rendering, and the sum worked out again from the tree.
+/// Law: a recorded sample has the same bits as an unrecorded one, for every pixel of every scene. It is the
+/// radiance along the camera's ray times the filter's weight, and black without a ray. At every ray the
+/// radiance is `T · Σ terms`, each term local or `weight · L(child)`, bit for bit. Oracle: the unrecorded
+/// rendering, and the sum computed again from the tree.
 #[test]
 fn recorded_is_silent_and_every_node_is_the_sum_of_its_terms() {
     for (name, scene) in gallery_in_small(2) {
@@ -37,8 +37,8 @@ fn recorded_is_silent_and_every_node_is_the_sum_of_its_terms() {
     }
 }
 
-/// Law: in a tree each child is one edge deeper than its parent, starts after it in the list, has one
-/// parent, and shadow rays have no children. Oracle: the definition of a tree.
+/// Law: in a tree each child is one edge deeper than its parent (shadow rays have depth 0), comes after it in
+/// the list and has one parent; shadow rays have no children. Oracle: the definition of a tree.
 #[test]
 fn recorded_rays_form_a_tree() {
     for (name, scene) in gallery_in_small(1) {
@@ -66,9 +66,9 @@ fn recorded_rays_form_a_tree() {
     }
 }
 
-/// Law: the explanation's pixel and samples are the film's. The radiance of a sample is the sum of
-/// what its rays add where light enters: terms of its leaves. Oracle: the silent rendering; the
-/// contributions worked out from the weights, another order of the same products.
+/// Law: the explanation's pixel and samples are the film's. The radiance of a sample is the sum of the
+/// contributions at which light enters: local terms and shadow rays. Oracle: the unrecorded rendering; the
+/// contributions computed from the weights, which is another order of the same products.
 #[test]
 fn the_explanation_is_the_picture() {
     let scene = small("ch28/glass-sphere", 24, 24, 4);
@@ -87,7 +87,7 @@ fn the_explanation_is_the_picture() {
     }
 }
 
-/// What a ray's own terms and all rays after it add to the sample.
+/// The contribution of a ray's own terms and of all its descendants to the sample.
 fn added(ray: &explain::RayExplanation) -> [f64; 3] {
     if matches!(ray.kind, RayKind::Shadow { .. }) {
         return ray.contribution.to_array();

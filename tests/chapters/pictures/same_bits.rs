@@ -1,4 +1,4 @@
-//! Changes that must not change a single bit of a picture, or hardly one.
+//! Changes of a scene that must not change any bit of its picture, or only a few.
 
 use std::path::Path;
 
@@ -11,8 +11,8 @@ use groundtruth::world::from_toml;
 
 use super::studio::{assert_same_bits, built, gallery_in_small, pixels, small};
 
-/// Law: no length is special: every scene, all lengths multiplied by a power of two, is the same
-/// picture. An absolute epsilon anywhere would show. Oracle: the scene as it is.
+/// Law: no absolute length matters: every scene gives the same picture with all lengths multiplied by a power
+/// of two. An absolute epsilon anywhere would break this. Oracle: the scene as it is.
 #[test]
 fn scaling_by_powers_of_two_changes_no_picture() {
     for (name, scene) in gallery_in_small(1) {
@@ -24,7 +24,7 @@ fn scaling_by_powers_of_two_changes_no_picture() {
     }
 }
 
-/// Law: grid and bvh are the list. Oracle: the list.
+/// Law: grid and bvh give the picture of the list. Oracle: the list.
 #[test]
 fn list_grid_and_bvh_give_the_same_picture() {
     for (name, mut scene) in gallery_in_small(2) {
@@ -49,8 +49,9 @@ fn export_and_reread_gives_the_same_picture() {
     }
 }
 
-/// Law: where no two objects are hit at the same distance, their order does not matter; nor that of
-/// materials, ever. Oracle: the scene as it is. (Order of lights is that of a sum, which rounds.)
+/// Law: where no two objects are hit at the same distance, their order does not matter; the order of
+/// materials never does. Oracle: the scene as it is. (The order of lights is the order of a sum, which
+/// rounds.)
 #[test]
 fn the_order_of_objects_does_not_matter() {
     for name in
@@ -68,7 +69,7 @@ fn the_order_of_objects_does_not_matter() {
     }
 }
 
-/// Law: an object that is switched off is not there. Oracle: the scene without it.
+/// Law: an object that is switched off has no effect. Oracle: the scene without it.
 #[test]
 fn what_is_switched_off_is_not_there() {
     let scene = small("ch14/page-one", 32, 32, 1);
@@ -103,9 +104,9 @@ fn moved(scene: &Scene, transform: &[Step], eye: impl Fn(Point) -> Point) -> Sce
     moved
 }
 
-/// Law: moving and turning camera, lights and objects together changes nothing that is seen. Oracle:
-/// the scene as it is. Points differ by rounding; so may pixels, by 1e-9, and where a rounded ray
-/// just misses an edge, by anything: few pixels.
+/// Law: moving and turning camera, lights and objects together does not change the picture. Oracle: the scene
+/// as it is. Points differ by rounding, and so pixels may differ by 1e-9; a few pixels may differ by any
+/// amount, where a rounded ray just misses an edge.
 #[test]
 fn camera_and_scene_moved_together_show_the_same() {
     let shift = Vector::new(3.0, -7.0, 11.0);
@@ -122,7 +123,7 @@ fn camera_and_scene_moved_together_show_the_same() {
                 (0..3).any(|i| (a[i] - b[i]).abs() > 1e-9)
             })
             .count();
-        // solid textures and planes' checkers sit on cell borders at whole numbers
+        // solid textures and planes' checkers have cell borders at integers
         assert!(differ <= 8, "{name}: {differ} of 1600 pixels differ");
     }
 }
@@ -141,7 +142,7 @@ fn resizing_keeps_the_view() {
         let four = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[i, j]| fine.get([2 * x + i, 2 * y + j]));
         let mean = render::mean(four.into_iter()).to_array();
         let pixel = coarse.get([x, y]).to_array();
-        // the rays' places on the view plane may differ in the last bit
+        // the points on the view plane may differ in the last bit
         assert!((0..3).all(|i| (mean[i] - pixel[i]).abs() < 1e-9), "({x}, {y})");
     }
 }

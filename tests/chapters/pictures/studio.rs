@@ -1,4 +1,4 @@
-//! What the laws on pictures share: small scenes, and comparing pictures bit for bit.
+//! Shared by the laws on pictures: small scenes, and the comparison of pictures bit for bit.
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::film::Film;
@@ -12,14 +12,14 @@ use groundtruth::world::World;
 
 pub const RED: Rgb = Rgb::new(1.0, 0.0, 0.0);
 
-/// Nothing yet, seen from z = 100 by parallel rays along −z.
+/// An empty scene, seen from z = 100 by parallel rays along −z.
 pub fn from_front(width: u32, height: u32, pixel_size: f64) -> Scene {
     let lens = Orthographic { zoom: 1.0 };
     let camera = Viewpoint::new(Point::new(0.0, 0.0, 100.0), Point::ORIGIN, lens);
     Scene::new("", Image { pixel_size, ..Image::new(width, height) }, camera)
 }
 
-/// Adds an object that shines in one colour on both sides, as chapter 3 has them.
+/// Adds an object that emits one colour on both sides, as in chapter 3.
 pub fn add_flat(scene: &mut Scene, name: &str, shape: impl Into<shapes::Kind>, color: Rgb) {
     let mut material = Material::new(name, Emissive::new(1.0, color));
     material.two_sided = true;

@@ -11,19 +11,18 @@ use groundtruth::verify::Draw;
 
 use super::exact::{exact, walls_along_normal};
 
-/// How often a ray that leaves meets the shape again.
+/// How often a ray that leaves the surface hits the shape again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
     /// Never.
     Flat,
     /// Once to the inside, never to the outside.
     Convex,
-    /// As convex, but through the open ends.
+    /// As convex, but a ray may also leave through the open ends.
     Tube,
 }
 
-/// A shape of this size, placed up to a thousand sizes from the origin; and a point of it or
-/// inside.
+/// A shape of this size, up to a thousand sizes from the origin, and a point on it or inside it.
 pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
     let reach = size * draw.decades(-1.0, 3.0);
     let center = draw.point(reach);
@@ -128,8 +127,8 @@ fn round_part(draw: &mut Draw, size: f64, center: Point) -> (Kind, Form, Point) 
     }
 }
 
-/// A hit of a ray through this point of the shape, from up to ten thousand sizes away or from
-/// within; `None` where rounding makes it miss a thin one.
+/// A hit of a ray through this point of the shape, from up to ten thousand sizes away or from within; `None`
+/// if rounding makes it miss a thin shape.
 pub fn random_hit(draw: &mut Draw, shape: &dyn Shape, aim: Point, size: f64) -> Option<Surface> {
     let distance = size * draw.decades(-1.0, 4.0);
     let away = draw.direction();
@@ -137,9 +136,8 @@ pub fn random_hit(draw: &mut Draw, shape: &dyn Shape, aim: Point, size: f64) -> 
     shape.hit(&ray, Span::AHEAD).map(|hit| shape.surface(&ray, &hit))
 }
 
-/// Ends with the case if the ray that leaves in a direction on the outer (or inner) side does not
-/// do what the form says. Where a body is thinner than 8 error bounds, its far wall may be skipped:
-/// says whether it was.
+/// Fails, naming the case, if a ray that leaves to the outer or to the inner side does not behave as the form
+/// says. Where a body is thinner than 8 error bounds, its far wall may be skipped; returns whether it was.
 pub fn check_leaving(
     draw: &mut Draw,
     kind: &Kind,
@@ -181,7 +179,7 @@ pub fn is_thin(kind: &Kind, s: &Surface) -> bool {
     exact(kind).is_some_and(|exact| walls_along_normal(&exact, s, 8.0 * s.error).len() > 1)
 }
 
-/// Ends with the case if a plane parallel to the surface just beyond 8 error bounds is not found.
+/// Fails, naming the case, if a plane parallel to the surface just beyond 8 error bounds is not hit.
 pub fn check_next(ray: &Ray, n: Vector, s: &Surface, case: &str) {
     let anchor = s.point + (8.5 * s.error) * n;
     if (anchor - s.point).dot(n) <= 8.0 * s.error {
@@ -189,7 +187,7 @@ pub fn check_next(ray: &Ray, n: Vector, s: &Surface, case: &str) {
     }
     let plane = Kind::from(Plane { point: anchor, normal: n });
     let plane = plane.build(&mut Context::default()).expect("valid");
-    assert!(plane.hit(ray, Span::AHEAD).is_some(), "{case}: skips what lies beyond {s:?}");
+    assert!(plane.hit(ray, Span::AHEAD).is_some(), "{case}: skips the plane just beyond {s:?}");
 }
 
 pub fn built(kind: &Kind) -> Arc<dyn Shape> {

@@ -1,4 +1,4 @@
-//! What the chapters' laws share: how cases are drawn.
+//! Shared by the chapters' laws: how cases are generated.
 
 use groundtruth::cameras::{View, ViewPlane};
 use groundtruth::math::{Normal, Point, Ray, Vector};
@@ -25,14 +25,14 @@ impl Seen for View {
     }
 }
 
-/// The camera's ray of a sample, and its place on the film.
+/// The camera's ray of a sample, and its point on the film.
 pub fn camera_ray(world: &World, pixel: [u32; 2], index: u32) -> (Ray, [f64; 2]) {
     let sample = render::camera_sample(world, pixel, index).expect("the picture has no gap");
     (sample.ray.expect("the camera sees all its film"), sample.film)
 }
 
-/// How laws are tested: the same cases every time, and those that ever failed first. The variable
-/// `LAWS_SEED` draws other cases, `LAWS_CASES` more of them.
+/// How laws are tested: with the same cases every time, and first those that failed before. The environment
+/// variable `LAWS_SEED` selects other cases, and `LAWS_CASES` their number.
 pub fn laws() -> ProptestConfig {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
     ProptestConfig {
@@ -56,7 +56,7 @@ pub fn point(reach: f64) -> impl Strategy<Value = Point> {
     (c(), c(), c()).prop_map(|(x, y, z)| Point::new(x, y, z))
 }
 
-/// A number of a material that is no texture.
+/// The value of an amount that is a plain number, not a texture.
 pub fn number(amount: &Amount) -> f64 {
     let Amount::Plain(value) = amount else { panic!("{amount:?} is no plain number") };
     *value

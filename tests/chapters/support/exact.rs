@@ -1,10 +1,10 @@
-//! The exact counterparts of library shapes, for laws that need to know what is really there.
+//! The exact counterparts of library shapes, for laws that need exact intersections.
 
 use groundtruth::math::{Transform, Vector};
 use groundtruth::shapes::{Kind, Surface};
 use oracle::Shape;
 
-/// The oracle's shape of the same data; `None` for kinds that it does not know.
+/// The oracle's shape with the same data; `None` for kinds that the oracle does not have.
 pub fn exact(kind: &Kind) -> Option<Shape> {
     Some(match kind {
         Kind::Sphere(it) => Shape::Sphere { center: it.center.into(), radius: it.radius },
@@ -29,8 +29,8 @@ pub fn exact(kind: &Kind) -> Option<Shape> {
     })
 }
 
-/// Where the line along the normal of a hit really meets the shape, as far as this from the hit:
-/// above it positive.
+/// The exact intersections of the shape with the line along the normal of a hit, within `reach` of the hit;
+/// distances above the surface are positive.
 pub fn walls_along_normal(exact: &Shape, s: &Surface, reach: f64) -> Vec<f64> {
     let side = |sign: f64| {
         let direction = (sign * Vector::from(s.normal)).into();

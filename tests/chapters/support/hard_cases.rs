@@ -1,8 +1,8 @@
-//! The library's shapes against exact answers, on rays that bite (`/tests/oracle`).
+//! The library's shapes against exact answers, on hard rays (`/tests/oracle`).
 //!
-//! A hit is judged against its condition: an error is counted in units of `u · cond`, and 100 of
-//! them are allowed, as if the input had been wrong by so much. Whether there is a hit at all must
-//! be right unless a relative change of the input by 1e-13 would change the answer. For instances, see
+//! A hit is judged by its condition number: an error is measured in units of `u · cond`, and 100 of them are
+//! allowed, as if the input had been wrong by 100 u. Whether there is a hit at all must be right unless a
+//! relative change of the input by 1e-13 would change the answer. For instances, see
 //! [`groundtruth::verify::backward_error`].
 
 use std::fmt;
@@ -21,7 +21,7 @@ use oracle::hard::{Family, Kind, cases};
 
 use super::U;
 
-/// The largest errors met, and where.
+/// The largest errors found, and their cases.
 #[derive(Default)]
 pub struct Worst {
     cases: usize,
@@ -31,7 +31,7 @@ pub struct Worst {
     failures: Vec<String>,
 }
 
-/// An error in units of what a relative change by `u` may do, and the case that has it.
+/// An error in units of the effect of a relative change by `u`, and its case.
 #[derive(Default)]
 struct Error {
     size: f64,
@@ -88,10 +88,10 @@ struct Case {
     name: String,
     ours: Arc<dyn shapes::Shape>,
     ray: Ray,
-    /// Where hits are asked for.
+    /// The span in which hits are requested.
     span: Span,
     exact: Answer,
-    /// Of an instance's matrix.
+    /// The condition number of an instance's matrix.
     condition: f64,
 }
 
@@ -110,11 +110,11 @@ impl Case {
     }
 }
 
-/// How a shape of many may search them; `None` as it would by itself.
+/// The acceleration methods of a composite shape; `None` is its own choice.
 const METHODS: [Option<Method>; 4] =
     [None, Some(Method::List), Some(Method::Grid), Some(Method::Bvh)];
 
-/// Judges `count` cases of each family of a shape made of many, so many in a row by each method.
+/// Judges `count` cases of each family of a composite shape; each method gets `in_a_row` cases in turn.
 pub fn sweep_many(kind: composites::Kind, seed: u64, count: usize, in_a_row: usize) {
     sweep_many_as(kind, seed, count, in_a_row, |case, _| Some(case));
 }
@@ -195,7 +195,7 @@ impl Worst {
             return;
         }
         if through_accelerator(&**ours, ray, *span) != found.first().copied() {
-            fail(format!("the rule of the own box loses the first of {found:?}"));
+            fail(format!("the test of the shape's own box loses the first of {found:?}"));
         }
         for (hit, root) in found.iter().zip(&answer.roots) {
             let t = t_error(root, hit.t);
@@ -218,7 +218,7 @@ impl Worst {
     }
 }
 
-/// Whether hit, shadow and roots say the same, and the roots are some that may be.
+/// Whether hit, shadow hit and roots agree, and the roots ascend within the span.
 fn is_consistent(shape: &dyn shapes::Shape, ray: &Ray, span: Span) -> Result<(), String> {
     let (roots, nearest) = (shape.roots(ray, span), shape.hit(ray, span));
     if nearest != roots.first().copied() {

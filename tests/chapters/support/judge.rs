@@ -1,5 +1,5 @@
-//! The verbs of laws about numbers: each says what was measured, what was expected and how far apart
-//! they are. After the values there may be words on the case, as in `assert!`.
+//! Assertion macros for numbers: each reports the measured value, the expected value and their distance. A
+//! message on the case may follow the values, as in `assert!`.
 
 use std::fmt::Debug;
 use std::ops::Sub;
@@ -24,7 +24,7 @@ impl Size for Vector {
     }
 }
 
-/// What is wrong with a value that ought to be near another one; `None` if it is.
+/// The error message for a value that should be near another one; `None` if it is near.
 pub fn far<A, B>(found: A, expected: B, tolerance: f64) -> Option<String>
 where
     A: Copy + Debug + Sub<B>,
@@ -118,7 +118,7 @@ macro_rules! in_order {
     };
 }
 
-/// The words on a case.
+/// The message on a case.
 macro_rules! judge_words {
     () => {
         ""
@@ -128,8 +128,8 @@ macro_rules! judge_words {
     };
 }
 
-/// Law: the verbs accept what is near and in order, refuse what is not, NaN among it, and say both values
-/// and their distance. Oracle: texts by hand.
+/// Law: the macros accept values that are near or in order, refuse others, NaN included, and report both
+/// values and their distance. Oracle: texts written by hand.
 #[test]
 fn verbs_say_what_was_found_and_what_was_expected() {
     near!(1.0, 1.25, 0.25);

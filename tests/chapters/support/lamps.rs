@@ -17,11 +17,11 @@ use groundtruth::shapes::{
 use super::replicas::{replicas, view, with_samples};
 use super::stage::*;
 
-/// What lamps send out.
+/// The radiance of lamps is `LS` times `CE`.
 pub const LS: f64 = 2.5;
 pub const CE: Rgb = Rgb::new(1.0, 0.5, 0.25);
 
-/// A surface whose diffuse part alone is seen.
+/// A white matte surface without ambient reflection.
 pub fn white() -> Matte {
     Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
 }
@@ -30,45 +30,43 @@ pub fn ball(center: Point, radius: f64) -> Sphere {
     Sphere { center, radius, inward: false }
 }
 
-/// A white plane through the origin; nothing shines yet. The background is bright where the sky
-/// does not light: it must not count.
+/// A white plane through the origin; there is no light yet. The background is bright, but it is not a light
+/// and must not count.
 pub fn floor(normal: impl Into<Vector>) -> Scene {
     let mut scene = stage(Rgb::new(3.0, 5.0, 7.0));
     put(&mut scene, Plane { point: Point::ORIGIN, normal: normal.into() }, white());
     scene
 }
 
-/// Adds a lamp and its light; returns the place of the object.
+/// Adds a lamp and its light; returns the index of the object.
 pub fn hang(
     scene: &mut Scene,
     shape: impl Into<shapes::Kind>,
     sampling: Option<Sampling>,
 ) -> usize {
-    let place = put(scene, shape, Emissive::new(LS, CE));
-    shine(scene, Area { object: place.to_string(), sampling });
-    place
+    let index = put(scene, shape, Emissive::new(LS, CE));
+    shine(scene, Area { object: index.to_string(), sampling });
+    index
 }
 
-/// What the eye sees, in each replica, of a point from a little above it, so that nothing is in
-/// between.
+/// The radiance of a point in each replica, seen from just above it so that nothing is in between.
 pub fn seen(scene: &Scene, samples: u32, point: Point, normal: impl Into<Vector>) -> Vec<Rgb> {
     let out = normal.into() + 0.3 * Vector::new(0.2, 0.7, -0.4);
     let eye = point + 1e-3 * out;
     replicas(&with_samples(scene.clone(), samples), |world| view(world, eye, -out))
 }
 
-/// A rectangle of these sides about its centre; its front is where `a × b` points.
+/// A rectangle with this centre and these sides; its front side faces along `a × b`.
 pub fn panel(center: Point, a: Vector, b: Vector) -> Rectangle {
     Rectangle { corner: center - 0.5 * (a + b), a, b }
 }
 
-/// The radiance of a white surface of which the lamps fill this share of the cosine-weighted sky:
-/// `F L`.
+/// The radiance of a white surface if lamps fill this share of its cosine-weighted hemisphere: `F L`.
 pub fn lit(share: f64) -> Rgb {
     (share * LS) * CE
 }
 
-/// A lamp of each shape that can be one, about the point (0, 3, 0), flat ones facing down.
+/// A lamp of each shape that can be a lamp, around the point (0, 3, 0); flat ones face down.
 pub fn every_lamp() -> Vec<(&'static str, shapes::Kind)> {
     use groundtruth::math::Step;
     let center = Point::new(0.0, 3.0, 0.0);
@@ -133,10 +131,9 @@ fn above(point: Point, normal: Normal, polygon: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// The share of the cosine-weighted sky of a point that a polygon fills whose corners run
-/// counter-clockwise as its front is seen; 0 from behind: `(1/2π) Σ γ_i (n·Γ_i)`, γ the angle under
-/// which an edge is seen and Γ the unit normal of the plane through edge and point (Lambert 1760,
-/// "Photometria").
+/// The share of a point's cosine-weighted hemisphere that a polygon fills; its corners run counter-clockwise
+/// seen from its front, and from behind the share is 0: `(1/2π) Σ γ_i (n·Γ_i)`, γ the angle under which an
+/// edge is seen and Γ the unit normal of the plane through edge and point (Lambert 1760, "Photometria").
 pub fn share(point: Point, normal: Normal, polygon: &[Point]) -> f64 {
     let corners = above(point, normal, polygon);
     let edge = |i: usize| {
@@ -148,7 +145,7 @@ pub fn share(point: Point, normal: Normal, polygon: &[Point]) -> f64 {
     (sum / TAU).max(0.0)
 }
 
-/// One light of each kind over a floor with things on it, and the lamps of the area lights.
+/// One light of each kind over a floor with a ball on it, and the lamps of the area lights.
 pub fn all_lights() -> Scene {
     let mut scene = stage(Rgb::new(0.2, 0.3, 0.5));
     let matte = Matte { ka: 0.4.into(), kd: 0.6.into(), cd: Rgb::new(0.9, 0.6, 0.3).into() };

@@ -1,5 +1,5 @@
-//! Leaving a surface, for all kinds of a chapter at all scales; laws that know more of some kinds are
-//! theirs.
+//! Rays that leave a surface, for all kinds of a chapter at all scales. Stricter laws for single kinds are in
+//! their chapters.
 
 use groundtruth::math::{Aabb, Ray, Span, Step, Vector};
 use groundtruth::shapes::{Context, Instance, Kind, Shape, Surface};
@@ -7,16 +7,16 @@ use groundtruth::verify::Draw;
 
 use super::bodies::check_next;
 
-/// A shape about to be left: its box, and whether it has an inside.
+/// A shape that rays leave: its bounding box, and whether it has an inside.
 struct Body<'a> {
     shape: &'a dyn Shape,
     bounds: Aabb,
     closed: bool,
 }
 
-/// Ends with the first ray that leaves a specimen of a kind of the chapter, at one of `scales` scales
-/// from 1e-6 to 1e6 and up to a thousand sizes away, and meets it again at the same place; so many
-/// rays each.
+/// Fails at the first ray that leaves a specimen and hits it again at the same point. The specimens are those
+/// of the chapter's kinds, each at `scales` scales from 1e-6 to 1e6 and up to a thousand sizes away, with
+/// `rays` rays each.
 pub fn check_kinds(chapter: &str, [scales, rays]: [usize; 2], seed: u64) {
     let kinds = Kind::ENTRIES.iter().filter(|entry| entry.chapter == chapter);
     for entry in kinds.filter(|entry| entry.module != "plane") {
@@ -61,7 +61,7 @@ fn random_ray(draw: &mut Draw, bounds: Aabb) -> Ray {
     Ray::new(aim + distance * away, (-draw.decades(-3.0, 3.0)) * away)
 }
 
-/// Whether every line meets it an even number of times.
+/// Whether random lines all hit the shape an even number of times.
 fn is_closed(draw: &mut Draw, shape: &dyn Shape, bounds: Aabb) -> bool {
     (0..1000).all(|_| shape.roots(&random_ray(draw, bounds), Span::LINE).len().is_multiple_of(2))
 }
@@ -72,8 +72,8 @@ impl Body<'_> {
         self.shape.hit(&ray, Span::AHEAD).map(|hit| self.shape.surface(&ray, &hit))
     }
 
-    /// What the ray hits next it meets from the side it left to: it goes out of what it is in, and
-    /// into what it is not in. An open shape it may meet from the other side, but not near by.
+    /// A ray that leaves inward must next hit the shape from inside, and one that leaves outward from
+    /// outside. It may hit an open shape from the other side, but not nearby.
     fn check(&self, draw: &mut Draw, s: &Surface, case: &str) {
         for n in [s.normal, -s.normal] {
             let inward = n != s.normal;

@@ -1,4 +1,4 @@
-//! What the chapters' laws share: how cases are drawn, built and judged.
+//! Shared by the chapters' laws: how cases are generated, built and judged.
 
 #[macro_use]
 pub mod judge;

@@ -1,4 +1,4 @@
-//! Integrals and formulas of optics, by other ways than the library's.
+//! Integrals and formulas of optics, computed differently from the library.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -47,11 +47,11 @@ fn integral(rule: &[(f64, f64)], [a, b]: [f64; 2], f: impl Fn(f64) -> f64) -> f6
     half * rule.iter().map(|(x, weight)| weight * f(middle + half * x)).sum::<f64>()
 }
 
-/// `∫ cosᵉα max(0, cosθ_i) dω` about the mirror direction, which is `α_h` above the horizon, `sin
-/// α_h = cos_o`: rings `α`, and of each the arc `|φ| ≤ φ_h` above the horizon, over which `cosθ_i =
-/// cosα cosθ_o + sinα sinθ_o cosφ` is integrated by itself. Panels grow by factors of two from the
-/// width of the lobe, from `α_h` and from the end; where the arc begins to shrink, like a root, the
-/// variable is the root.
+/// `∫ cosᵉα max(0, cosθ_i) dω` about the mirror direction, which is `α_h` above the horizon,
+/// `sin α_h = cos_o`: rings `α`, and of each the arc `|φ| ≤ φ_h` above the horizon, over which
+/// `cosθ_i = cosα cosθ_o + sinα sinθ_o cosφ` is integrated separately. The panels grow by factors of two from
+/// the width of the lobe, from `α_h` and from the end. Beyond `α_h` the arc shrinks like a square root, so
+/// the variable there is `√(α − α_h)`.
 pub fn albedo_about_the_mirror_direction(e: f64, cos_o: f64) -> f64 {
     let rule = gauss_legendre(24);
     let sin_o = ((1.0 - cos_o) * (1.0 + cos_o)).sqrt();

@@ -1,4 +1,4 @@
-//! Estimates judged by replicas: the same view with all random choices made anew, again and again.
+//! Estimates judged by replicas: the same view, computed repeatedly with independent random choices.
 
 use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
@@ -11,14 +11,14 @@ use groundtruth::world::World;
 
 use super::stage::{built, ray};
 
-/// Seeded independently: more than the 16 that a t test of nearly normal values needs.
+/// The number of independently seeded replicas: more than the 16 that a t test of nearly normal values needs.
 pub const REPLICAS: u64 = 24;
 
 /// The probability that any of the means of one law raises a false alarm, for seeds chosen at
 /// random.
 pub const LEVEL: f64 = 1e-6;
 
-/// An estimate without variance errs by its rounding only: a few dozen products and sums.
+/// The relative error of an estimate without variance is rounding only: a few dozen products and sums.
 const ROUNDING: f64 = 1e-13;
 
 /// Gives each pixel so many multi-jittered samples.
@@ -28,7 +28,7 @@ pub fn with_samples(mut scene: Scene, samples: u32) -> Scene {
     scene
 }
 
-/// What arrives at a place from a direction: the mean over a pixel's samples.
+/// The radiance along a ray: the mean over a pixel's samples.
 pub fn view(world: &World, origin: Point, direction: Vector) -> Rgb {
     let n = world.samples_per_pixel();
     let ray = ray(origin, direction);
@@ -54,16 +54,15 @@ pub fn mean_and_error(values: &[f64]) -> (f64, f64) {
     (mean, (squares / (n - 1.0) / n).sqrt())
 }
 
-/// Fails if the mean of the values is known too badly for a test to mean much: its standard error is above
-/// `power` times the mean.
+/// Fails if the mean of the values is too imprecise for a useful test: its standard error is above `power`
+/// times the mean.
 pub fn assert_known(what: &str, values: &[f64], power: f64) {
     let (mean, error) = mean_and_error(values);
     assert!(error <= power * mean.abs(), "{what}: the mean {mean} is known to {error:e} only");
 }
 
-/// Fails if the mean of the values differs significantly from what is expected, as one of so many
-/// tests; or if it is known too badly to tell: its standard error is above `power` times the
-/// expected value.
+/// Fails if the mean of the values differs significantly from what is expected, as one of so many tests; or
+/// if it is too imprecise to judge: its standard error is above `power` times the expected value.
 pub fn assert_mean(what: &str, values: &[f64], expected: f64, tests: usize, power: f64) {
     let (mean, error) = mean_and_error(values);
     let apart = (mean - expected).abs();
@@ -83,11 +82,11 @@ pub fn assert_mean(what: &str, values: &[f64], expected: f64, tests: usize, powe
     );
     assert!(
         error <= power * expected.abs(),
-        "{what}: the mean {mean} is known to {error:e} only, too badly to judge {expected}"
+        "{what}: the mean {mean} is known to {error:e} only, too imprecise to judge {expected}"
     );
 }
 
-/// As [`assert_mean`], in each channel.
+/// Like [`assert_mean`], in each channel.
 pub fn assert_color(what: &str, values: &[Rgb], expected: Rgb, tests: usize, power: f64) {
     for (channel, expected) in expected.to_array().into_iter().enumerate() {
         let values: Vec<f64> = values.iter().map(|value| value.to_array()[channel]).collect();

@@ -7,7 +7,7 @@ use groundtruth::samplers::{Kind, Sampler};
 use groundtruth::verify::significance::sidak;
 use groundtruth::verify::{chi_square, ks};
 
-/// The chance of a false alarm of each law here that judges chance.
+/// The probability of a false alarm for each statistical law that uses this level.
 pub const LEVEL: f64 = 1e-3;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Sampler> {
@@ -42,8 +42,8 @@ pub fn random_points(count: u32, seed: u64) -> Vec<[f64; 2]> {
     (0..count).map(|_| [random.uniform(), random.uniform()]).collect()
 }
 
-/// Fails unless independent points are uniform over the unit square: each coordinate by Kolmogorov and
-/// Smirnov, both together by χ² over 7 × 11 cells; as one of `families` such questions.
+/// Fails unless independent points are uniform over the unit square: each coordinate by the
+/// Kolmogorov–Smirnov test, both together by χ² over 7 × 11 cells; as one of `families` such tests.
 pub fn assert_uniform(what: &str, points: &[[f64; 2]], families: usize) {
     let level = sidak(LEVEL, 3 * families);
     let along = |axis: usize| ks::uniform(&points.iter().map(|p| p[axis]).collect::<Vec<_>>());

@@ -1,4 +1,4 @@
-//! Solids: built, crossed by lines, and judged by which points are inside.
+//! Solids: tests by lines that cross them and by the points inside.
 
 use std::sync::Arc;
 
@@ -21,12 +21,12 @@ pub fn line(draw: &mut Draw, shape: &dyn Shape) -> Ray {
     Ray::new(target - 2.0 * extent.length() * direction, direction)
 }
 
-/// Pieces of a line shorter than this, as a share of the solid's size, are not asked about: there
-/// the rounding of the roots could decide.
+/// Pieces of a line shorter than this, as a share of the solid's size, are not tested, as the rounding of the
+/// roots could decide there.
 const SHORT: f64 = 1e-6;
 
-/// Law: the pieces into which a solid's roots cut a line are outside and inside it in turn. So it
-/// is closed, is crossed an even number of times, and is the set of points that `inside` says.
+/// Law: the pieces into which a solid's roots cut a line are alternately outside and inside. So the solid is
+/// closed, is crossed an even number of times, and is the set of points for which `inside` is true.
 pub fn check_pieces(kind: &Kind, draw: &mut Draw, lines: usize, inside: impl Fn(Point) -> bool) {
     let shape = built(kind);
     let size = shape.bounds().extent().length();

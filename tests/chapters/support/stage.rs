@@ -25,27 +25,27 @@ pub fn deep_stage(background: Rgb, max_depth: u32) -> Scene {
     Scene { tracer: Tracer::Whitted(Whitted { max_depth }), ..stage(background) }
 }
 
-/// Adds an object with a material of its own; the name of both is its place.
+/// Adds an object with a material of its own; the name of both is the returned index.
 pub fn put(
     scene: &mut Scene,
     shape: impl Into<shapes::Kind>,
     recipe: impl Into<materials::Kind>,
 ) -> usize {
-    let place = scene.objects.len();
-    let name = place.to_string();
+    let index = scene.objects.len();
+    let name = index.to_string();
     scene.objects.push(Object::new(&name, &name, shape));
     scene.materials.push(Material::new(&name, recipe));
-    place
+    index
 }
 
-/// Adds a light that casts shadows; its name is its place.
+/// Adds a light that casts shadows; its name is the returned index.
 pub fn shine(scene: &mut Scene, source: impl Into<lights::Kind>) -> usize {
-    let place = scene.lights.len();
-    scene.lights.push(Light::new(&place.to_string(), source));
-    place
+    let index = scene.lights.len();
+    scene.lights.push(Light::new(&index.to_string(), source));
+    index
 }
 
-/// The scene built; the scenes of these laws are valid.
+/// Builds the scene, which must be valid.
 pub fn built(scene: &Scene) -> World {
     World::build(scene).expect("the scene is valid")
 }
@@ -55,7 +55,7 @@ pub fn ray(origin: Point, direction: Vector) -> Ray {
     Ray::new(origin, direction.unit().expect("a direction"))
 }
 
-/// What arrives at the origin from that direction.
+/// The radiance along the ray from this origin in this direction.
 pub fn look(world: &World, origin: Point, direction: Vector) -> Rgb {
     radiance(world, &ray(origin, direction), world.draws([0, 0], 0), &mut ())
 }

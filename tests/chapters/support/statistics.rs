@@ -1,10 +1,10 @@
-//! How the chapters judge chance: with fixed seeds, at one level of significance that all tests of a
-//! law share (Šidák), without second tries.
+//! The statistical tests of the chapters: with fixed seeds, at one significance level for all tests of a law
+//! together (Šidák), and without retries.
 
 use groundtruth::math::power;
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 
-/// The chance that a law which holds is called broken, if the seeds were drawn anew.
+/// The probability, over the choice of seeds, that a law that holds is reported as broken.
 const SIGNIFICANCE: f64 = 1e-3;
 
 /// The significance of each of `tests` independent tests.
@@ -12,13 +12,15 @@ fn sidak(tests: u32) -> f64 {
     1.0 - power(1.0 - SIGNIFICANCE, 1.0 / f64::from(tests))
 }
 
-/// How many standard errors a true mean may be away, on either side, in `tests` tests.
+/// The largest number of standard errors by which a sample mean may differ from the true mean, on either
+/// side, in `tests` tests.
 pub fn most_sigmas(tests: u32) -> f64 {
     let normal = Normal::standard();
     -normal.inverse_cdf(sidak(tests) / 2.0)
 }
 
-/// Pearson's χ² test of equal `expected` counts: the probability of such `observed` ones, or worse.
+/// Pearson's χ² test of equal `expected` counts: the probability of `observed` counts that deviate as much as
+/// these, or more.
 fn probability(observed: &[u64], expected: f64) -> f64 {
     assert!(expected >= 5.0, "cells too small for χ²: {expected} expected");
     let deviation = |&count: &u64| (count as f64 - expected) * (count as f64 - expected);

@@ -7,8 +7,8 @@ use crate::{
     real::{Real, V, magnitude, nearest, real, sign},
 };
 
-/// `(sin, cos)` of an angle in degrees: the remainder after quarters of a turn is exact, its series
-/// ends where terms no longer count.
+/// `(sin, cos)` of an angle in degrees. Quarter turns are subtracted exactly; the Taylor series of the
+/// rest ends when its terms are negligible.
 pub(crate) fn sin_cos(degrees: &Real) -> (Real, Real) {
     let quarter = (nearest(degrees) / 90.0).round();
     let rest = degrees - real(90.0) * real(quarter);
@@ -49,16 +49,16 @@ pub(crate) fn degree() -> &'static Real {
     })
 }
 
-/// The azimuths from `phi[0]` up to `phi[1]` degrees, through 360 if the first is larger; `x = ρ sin
-/// φ` and `z = ρ cos φ`.
+/// The azimuths from `phi[0]` up to `phi[1]` degrees, through 360 if the first is larger;
+/// `x = ρ sin φ` and `z = ρ cos φ`.
 pub(crate) struct Wedge {
     /// `(sin φ, 0, cos φ)` of the ends.
     pub(crate) ends: [V; 2],
-    /// By how many radians a relative change by 1 turns the ends.
+    /// The angle in radians by which a relative change of 1 turns each end: `|φ|`.
     pub(crate) turns: [f64; 2],
     wide: bool,
     pub(crate) all: bool,
-    /// The relative change that brings the ends together, either way round.
+    /// The smallest relative change that makes the range empty or a full turn.
     pub(crate) order: f64,
 }
 
@@ -91,7 +91,7 @@ impl Wedge {
         [x * &a.0[2] - z * &a.0[0], z * &b.0[0] - x * &b.0[2]]
     }
 
-    /// Whether the range holds a point that moves by at most `reach·ε`.
+    /// Whether the range contains the point, which moves by at most `reach·ε`.
     pub(crate) fn holds(&self, p: &V, reach: f64) -> Verdict {
         if self.all {
             return Verdict { holds: true, margin: f64::INFINITY };

@@ -1,4 +1,4 @@
-//! The answer, and the errors of a computed one.
+//! The exact answer, and the errors of a computed answer.
 
 use crate::{
     real::{M, Real, V, nearest, real, sign},
@@ -20,9 +20,9 @@ pub struct Root {
     /// The smallest relative change for which another face of a cuboid is hit (so that `normal`
     /// jumps while `t` does not); infinite for shapes without edges between faces.
     pub face_margin: f64,
-    /// By how much more a rounding of coordinates inside an instance counts than one of the world's:
-    /// `‖A⁻¹‖·|g|/|A⁻ᵀ g|` for the surface's gradient g inside, at most the condition of A; 1 for what
-    /// is no instance.
+    /// The factor by which rounding object-space coordinates of an instance matters more than rounding
+    /// world-space coordinates: `‖A⁻¹‖·|g|/|A⁻ᵀ g|` for the surface's object-space gradient g. It is at
+    /// most the condition of A, and 1 for shapes that are not instances.
     pub squeeze: f64,
     pub(crate) exact_t: Real,
     pub(crate) exact_normal: V,
@@ -37,7 +37,7 @@ impl Root {
         nearest(&(real(computed) - &self.exact_t)).abs()
     }
 
-    /// The distance of the unit vectors along `computed` and along the exact normal; infinite if
+    /// The distance between the unit vectors along `computed` and the exact normal; infinite if
     /// `computed` has no direction.
     pub fn normal_error(&self, computed: [f64; 3]) -> f64 {
         if !computed.iter().all(|x| x.is_finite()) {
@@ -51,12 +51,12 @@ impl Root {
 /// Everything about one ray and one shape.
 #[derive(Clone, Debug)]
 pub struct Answer {
-    /// Every meeting with `t > 0`, or beyond the start that was asked for, ascending; a double root may
-    /// stand there twice or once.
+    /// Every intersection with `t > 0`, or beyond the given start, in ascending order; a double root may
+    /// be listed once or twice.
     pub roots: Vec<Root>,
     /// No relative change of the inputs smaller than this changes the number of roots; for an
     /// instance, none smaller than this over [`Shape::condition`]. A lower bound, mostly within a
-    /// factor of 4 of the truth; 0 where the answer hangs by a thread.
+    /// factor of 4 of the truth; 0 where an arbitrarily small change can change the answer.
     pub margin: f64,
 }
 
@@ -68,8 +68,8 @@ pub fn intersect(shape: &Shape, ray: &Ray) -> Answer {
     answer(&shape.exact(), &ray.exact())
 }
 
-/// Where the ray meets the shape beyond `start`: [`Answer::margin`] is of that alone, however close
-/// to the shape the ray starts.
+/// Where the ray meets the shape beyond `start`. [`Answer::margin`] considers only these roots, however
+/// close the ray's origin is to the shape.
 ///
 /// # Panics
 /// As [`intersect`].
@@ -82,11 +82,11 @@ pub(crate) fn answer(shape: &Shape<Real>, ray: &Ray<Real>) -> Answer {
     answer_beyond(shape, ray, &real(0.0))
 }
 
-/// What is met in front of the ray whose origin is the point at `start`.
+/// The roots with `t > start`, computed for the ray moved to its point at `start`.
 fn answer_beyond(shape: &Shape<Real>, ray: &Ray<Real>, start: &Real) -> Answer {
     let beam = Beam::new(ray);
     let moved = Ray { origin: beam.at(start).0, direction: ray.direction.clone() };
-    // moved by the inputs' changes as far as this, which is more than its own length may say
+    // how far a change of the inputs moves the new origin: this may exceed the new origin's length
     let o_reach = beam.o_reach + nearest(start).abs() * beam.d_reach;
     let mut found = solve::solve(shape, &Beam { o_reach, ..Beam::new(&moved) });
     found.hits.retain(|hit| sign(&hit.t).is_gt());
@@ -96,8 +96,8 @@ fn answer_beyond(shape: &Shape<Real>, ray: &Ray<Real>, start: &Real) -> Answer {
     Answer { roots, margin: found.margin }
 }
 
-/// Of a surface `F(o + t d; x) = 0` with gradient `g`: `∂t/∂x = −F_x / (g·d)`, where `F_o = g` and
-/// `F_d = t g`; the rest of the sum is the shape's own.
+/// For a surface `F(o + t d; x) = 0` with gradient `g`: `∂t/∂x = −F_x / (g·d)`, where `F_o = g` and
+/// `F_d = t g`; the shape adds the terms of its own inputs.
 fn root(hit: solve::Hit, beam: &Beam) -> Root {
     let slope = nearest(&hit.gradient.dot(&beam.d)).abs();
     let t = nearest(&hit.t);

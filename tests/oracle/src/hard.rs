@@ -1,9 +1,8 @@
-//! Cases on which textbook intersections fail, the same for the same seed everywhere.
+//! Cases on which textbook intersections fail. A seed gives the same cases on every platform.
 //!
-//! A case is made backwards: a shape, a point of its surface or border, then a ray through it or a
-//! little beside it. About half of the rays hit. Nothing here is rounded to look nice; what an `f64`
-//! cannot express (a point *exactly* on a sphere) is off by its rounding, and the oracle judges the
-//! numbers as they are.
+//! A case is built backwards: a shape, a point of its surface or border, then a ray through this point
+//! or a little beside it. About half of the rays hit. A point that `f64` cannot express (*exactly* on a
+//! sphere, say) is off by a rounding, and the oracle takes the numbers as they are.
 
 mod features;
 mod parts;
@@ -110,7 +109,7 @@ impl Kind {
         Kind::BeveledWedge,
     ];
 
-    /// Whether it is a [`Shape::Solid`], made of the others.
+    /// Whether it is a [`Shape::Solid`], composed of several parts.
     pub fn is_solid(self) -> bool {
         self as u64 > Kind::CutFace as u64
     }
@@ -127,7 +126,7 @@ pub enum Family {
     Grazing,
     /// Rays that pass a silhouette or border at a relative distance of 10⁻⁵ to 10⁻¹⁴, on either side.
     Tangent,
-    /// Sizes of 10⁻⁶ to 10⁻³ at places and distances near 1.
+    /// Sizes of 10⁻⁶ to 10⁻³; positions and distances near 1.
     TinyShape,
     /// Sizes of 10³ to 10⁶, seen from near and far.
     HugeShape,
@@ -137,7 +136,7 @@ pub enum Family {
     AxisParallel,
     /// Rays through edges, corners, rims and poles, exactly where the numbers allow it.
     EdgesAndCorners,
-    /// Aspects of 10³ to 10⁶: needles, caps, plates, rods; for a sphere, a small one far off.
+    /// Aspect ratios of 10³ to 10⁶: needles, caps, plates, rods; for spheres, small ones far away.
     Thin,
     /// Zero and negative-zero components, rays in or parallel to a plane, along a generator, through
     /// a centre, starting on a face's plane.
@@ -182,7 +181,7 @@ pub fn rays(shape: &Shape, family: Family, seed: u64, n: usize) -> Vec<Ray> {
     (0..n).map(|_| rays::ray(shape, family, &mut rng)).collect()
 }
 
-/// About how large a shape is.
+/// The approximate size of a shape.
 #[cfg(test)]
 pub(crate) fn size_of(shape: &Shape) -> f64 {
     features::place(shape).1

@@ -3,7 +3,7 @@
 //! The oracle judges the library `groundtruth` and knows nothing of it: inputs and answers are
 //! plain `f64`, taken as exact numbers; everything between is computed with 512 bits. It says where
 //! a ray meets a shape ([`intersect`]), how much each answer depends on rounding ([`Root::cond`],
-//! [`Answer::margin`]), and makes inputs that bite ([`hard`]).
+//! [`Answer::margin`]), and generates hard inputs ([`hard`]).
 //!
 //! A *relative change by ε* moves every input point and vector by at most ε times its length, in
 //! any direction, each independently of the others; a radius, a height and the 3×3 part of a matrix

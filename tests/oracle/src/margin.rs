@@ -1,8 +1,8 @@
-//! How far an exact answer is from being another one.
+//! The smallest change of the inputs that can change an exact answer.
 //!
-//! An answer hangs on signs. A [`Gate`] is one sign with a bound on what a relative change of the
-//! inputs by ε can do to its value, `|Δ| ≤ first·ε + second·ε²`; a [`Verdict`] is a statement made of
-//! such signs with a lower bound of the ε that makes it false (if it holds) or true (if not).
+//! An answer depends on signs. A [`Gate`] is one sign with a bound on how much a relative change of the
+//! inputs by ε changes its value: `|Δ| ≤ first·ε + second·ε²`. A [`Verdict`] is a statement composed of
+//! such signs, with a lower bound of the ε that makes it false (if it holds) or true (if not).
 
 use std::cmp::Ordering;
 
@@ -56,7 +56,7 @@ impl Verdict {
         Verdict { holds: !self.holds, ..self }
     }
 
-    /// All of them: broken by the weakest; else every failing one must be mended.
+    /// All parts hold. The weakest part breaks this; if it does not hold, every failing part must change.
     pub(crate) fn all(parts: impl IntoIterator<Item = Verdict>) -> Verdict {
         let (mut weakest, mut mended, mut holds) = (f64::INFINITY, 0.0_f64, true);
         for part in parts {
@@ -69,7 +69,7 @@ impl Verdict {
         Verdict { holds, margin: if holds { weakest } else { mended } }
     }
 
-    /// One of them at least.
+    /// At least one part holds.
     pub(crate) fn any(parts: impl IntoIterator<Item = Verdict>) -> Verdict {
         Verdict::all(parts.into_iter().map(Verdict::not)).not()
     }

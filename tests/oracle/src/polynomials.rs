@@ -1,4 +1,4 @@
-//! Polynomials in one variable, asked for themselves.
+//! Residuals and roots of polynomials in one variable.
 
 use crate::{
     real::{Real, magnitude, nearest, real},
@@ -21,8 +21,8 @@ fn relative(coefficients: &[f64], x: &Real) -> f64 {
     if sum == 0.0 { 0.0 } else { magnitude(&exact(coefficients).value(x)) / sum }
 }
 
-/// The roots in `[low, high]`, ascending and rounded to the nearest `f64`; and how much the
-/// coefficients must change, at least and relatively, to change their number.
+/// The roots in `[low, high]`, ascending and rounded to the nearest `f64`; and a lower bound of the
+/// relative change of the coefficients that changes the number of roots.
 pub fn polynomial_roots(coefficients: &[f64], low: f64, high: f64) -> (Vec<f64>, f64) {
     let levels = exact(coefficients).levels(&real(low), &real(high));
     let places = levels[1..].iter().flatten().cloned().chain([real(low), real(high)]);

@@ -1,4 +1,4 @@
-//! What is asked about: a ray and a shape, as plain numbers.
+//! The oracle's inputs: a ray and a shape, as plain numbers.
 
 use crate::{
     real::{Real, real},
@@ -10,7 +10,7 @@ use crate::{
 pub struct Ray<T = f64> {
     /// The point at `t = 0`.
     pub origin: [T; 3],
-    /// Not zero; `t` counts in its length.
+    /// Not zero; `t` is in units of its length.
     pub direction: [T; 3],
 }
 
@@ -44,7 +44,7 @@ pub enum Shape<T = f64> {
         vertices: [[T; 3]; 3],
     },
     /// All `p = corner + x` in the plane of `a` and `b` with `0 ≤ x·a ≤ a·a` and `0 ≤ x·b ≤ b·b`;
-    /// `a` and `b` are perpendicular but for rounding. The normal is `a × b`.
+    /// `a` and `b` are perpendicular except for rounding. The normal is `a × b`.
     Rectangle {
         /// Where both sides start.
         corner: [T; 3],
@@ -151,7 +151,7 @@ pub enum Shape<T = f64> {
         /// Around the tube in degrees, from the outermost line upwards.
         theta: [T; 2],
     },
-    /// All `p` inside the box where the sum of the terms is 0; the normal points to where it is more.
+    /// All `p` inside the box where the sum of the terms is 0; the normal is the direction of growth.
     Algebraic {
         /// A coefficient, and the powers of x, y and z.
         terms: Vec<(T, [u32; 3])>,
@@ -170,11 +170,11 @@ pub enum Shape<T = f64> {
     },
     /// A closed surface of several parts.
     Solid(Solid<T>),
-    /// `of`, moved by the affine `matrix`; the normal moves by the inverse transpose.
+    /// `of`, transformed by the affine `matrix`; the normal transforms by the inverse transpose.
     Instance {
         /// The rows of the map from object to world, translation last; not singular.
         matrix: [[T; 4]; 3],
-        /// What is moved.
+        /// The shape in object space.
         of: Box<Shape<T>>,
     },
 }
@@ -200,7 +200,7 @@ impl Shape {
 }
 
 impl<T> Shape<T> {
-    /// The same shape, each number changed.
+    /// The same shape with `f` applied to every number.
     pub(crate) fn map<U>(&self, f: &impl Fn(&T) -> U) -> Shape<U> {
         let all = |v: &[T; 3]| v.each_ref().map(f);
         match self {

@@ -1,8 +1,8 @@
-//! Solids of several parts, and where the parts are: from the book's descriptions (Suffern, ch. 19
+//! Solids of several parts, and the position of each part: from the book's descriptions (Suffern, ch. 19
 //! and 21), with every number derived in full precision.
 //!
-//! The book rounds boxes with whole cylinders and spheres, of which most is hidden inside; here,
-//! parts are what can be seen.
+//! The book rounds boxes with whole cylinders and spheres, most of whose surface is hidden inside; here
+//! the parts are only the visible pieces.
 
 mod beveled;
 
@@ -23,25 +23,25 @@ pub enum Solid<T = f64> {
     Cone { height: T, radius: T },
     /// Two walls and two annuli.
     ThickRing { y0: T, y1: T, inner: T, outer: T },
-    /// Two spheres about the origin up to the height where the inner one is seen across under the
-    /// angle `opening`, in degrees; and an annulus.
+    /// Two spheres about the origin, cut at the height where the inner sphere's rim subtends the angle
+    /// `opening` (in degrees) at the origin; and an annulus.
     FlatRimmedBowl { inner: T, outer: T, opening: T },
-    /// Two spheres about the origin up to the cone of that angle, and half a torus.
+    /// Two spheres about the origin, cut by the cone of that angle, and half a torus.
     RoundRimmedBowl { inner: T, outer: T, opening: T },
     /// A wall of this height, and two spherical hollows that are `min_distance` apart on the axis.
     ConcaveLens { radius: T, thickness: T, min_distance: T },
-    /// The points at `bevel` from the box that is smaller by so much on each side.
+    /// The points at distance `bevel` from the box that is smaller by `bevel` on each side.
     BeveledBox { min: [T; 3], max: [T; 3], bevel: T },
-    /// The points at `bevel` from the cylinder that is smaller by so much.
+    /// The points at distance `bevel` from the cylinder that is smaller by `bevel`.
     BeveledCylinder { y0: T, y1: T, radius: T, bevel: T },
-    /// The points at `bevel` from the ring that is smaller by so much.
+    /// The points at distance `bevel` from the ring that is smaller by `bevel`.
     BeveledRing { y0: T, y1: T, inner: T, outer: T, bevel: T },
-    /// The same of the part of a ring from `phi[0]` up to `phi[1]`, in degrees from +z to +x.
+    /// The same for the part of a ring from `phi[0]` up to `phi[1]`, in degrees from +z to +x.
     BeveledWedge { y0: T, y1: T, inner: T, outer: T, phi: [T; 2], bevel: T },
 }
 
-/// A part in a frame of its own: the point `p` of the world is at the dot products of `p − origin`
-/// with the axes, which are unit and perpendicular to one another, perhaps left-handed.
+/// A part in its own coordinate frame. The local coordinates of a world point `p` are the dot products of
+/// `p − origin` with the axes, which are orthonormal, perhaps left-handed.
 pub(crate) struct Part {
     pub(crate) form: Form,
     pub(crate) axes: [V; 3],
@@ -53,8 +53,8 @@ pub(crate) struct Part {
 pub(crate) enum Form {
     Shape(Shape<Real>),
     Cap(Cap),
-    /// Of the sphere that touches y = 0 at the origin from above and goes through this circle, what is
-    /// not above it.
+    /// The cap below the circle of this radius at the height `depth`, of the sphere that goes through the
+    /// circle and touches y = 0 at the origin from above.
     Dish {
         radius: Real,
         depth: Real,
@@ -68,7 +68,7 @@ impl Solid {
 }
 
 impl<T> Solid<T> {
-    /// Every number, to be moved.
+    /// Mutable references to all numbers.
     #[cfg(test)]
     pub(crate) fn numbers(&mut self) -> Vec<&mut T> {
         match self {
@@ -89,7 +89,7 @@ impl<T> Solid<T> {
         }
     }
 
-    /// The same solid, each number changed.
+    /// The same solid with `f` applied to every number.
     pub(crate) fn map<U>(&self, f: impl Fn(&T) -> U) -> Solid<U> {
         let all = |v: &[T; 3]| v.each_ref().map(&f);
         match self {
@@ -136,7 +136,6 @@ impl<T> Solid<T> {
     }
 }
 
-/// Half a number.
 fn half(x: Real) -> Real {
     x / real(2.0)
 }
@@ -154,7 +153,7 @@ fn axis(i: usize, side: f64) -> V {
     V(std::array::from_fn(|j| real(if i == j { side } else { 0.0 })))
 }
 
-/// The angle in degrees, from 0 up to 360, whose sine and cosine have this ratio and these signs.
+/// The angle in degrees, from 0 up to 360, whose sine and cosine are proportional to `s` and `c`.
 fn degrees(s: &Real, c: &Real) -> Real {
     s.atan2_unit(c, 360)
 }
@@ -214,7 +213,7 @@ fn quarter(from: f64) -> [Real; 2] {
     [real(from), real(from + 90.0)]
 }
 
-/// Bottom and top: the heights, and which way is out.
+/// Bottom and top: the height, and the sign of the outward y direction.
 fn ends<'a>(y0: &'a Real, y1: &'a Real) -> [(&'a Real, f64); 2] {
     [(y0, -1.0), (y1, 1.0)]
 }

@@ -1,4 +1,4 @@
-//! Each kind of shape: its meetings with a ray, its derivatives, its margin.
+//! For each kind of shape: its intersections with a ray, their derivatives, and the margin.
 
 mod algebraic;
 mod border;
@@ -29,7 +29,7 @@ use crate::{
 pub(crate) struct Beam {
     pub(crate) o: V,
     pub(crate) d: V,
-    /// A relative change of all inputs outside the shape by ε moves `o` by at most `o_reach·ε` …
+    /// A relative change by ε of all inputs other than the shape's moves `o` by at most `o_reach·ε` …
     pub(crate) o_reach: f64,
     /// … and `d` by at most `d_reach·ε`.
     pub(crate) d_reach: f64,
@@ -48,7 +48,7 @@ impl Beam {
     }
 }
 
-/// A root of `F(o + t d) = 0`, and what is known of `F` there.
+/// A root of `F(o + t d) = 0`, and the derivatives of `F` there.
 pub(crate) struct Hit {
     pub(crate) t: Real,
     /// `∇F`, along the outward normal.
@@ -72,7 +72,7 @@ impl Hit {
     }
 }
 
-/// All roots, also behind the origin, and the margin of the answer for `t > 0`.
+/// All roots, also those behind the origin, and the margin of the answer for `t > 0`.
 pub(crate) struct Found {
     pub(crate) hits: Vec<Hit>,
     pub(crate) margin: f64,
@@ -118,7 +118,7 @@ pub(crate) fn solve(shape: &Shape<Real>, beam: &Beam) -> Found {
     }
 }
 
-/// The sign of `n·d`: 0 when the ray runs in the plane.
+/// The sign of `n·d`: 0 when the ray is parallel to the plane.
 fn facing(n: &V, beam: &Beam) -> Gate {
     let (n_len, d_len) = (n.len(), beam.d.len());
     Gate::new(&n.dot(&beam.d), n_len * (beam.d_reach + d_len), n_len * beam.d_reach)
@@ -131,8 +131,8 @@ fn height(p: &V, n: &V, beam: &Beam) -> Gate {
     Gate::new(&w.dot(n), shift + w.len() * n_len, shift)
 }
 
-/// Both real roots of `a t² + 2 b t + c` for a discriminant `b² − a c` known otherwise, ascending;
-/// the one away from `−b/a` first, so that nothing cancels.
+/// Both real roots of `a t² + 2 b t + c`, ascending, for a given discriminant `b² − a c`. The root of
+/// larger modulus is computed first, the other from it, so that nothing cancels.
 fn quadratic(a: &Real, b: &Real, c: &Real, discriminant: &Real) -> Vec<Real> {
     use crate::real::{real, sign};
     if sign(a).is_eq() || sign(discriminant).is_lt() {

@@ -1,5 +1,5 @@
-//! The oracle judged by second methods: exact rational arithmetic, difference quotients, perturbed
-//! inputs, and cases that a person can work out.
+//! The oracle checked by independent methods: exact rational arithmetic, difference quotients, perturbed
+//! inputs, and cases worked out by hand.
 
 mod beyond;
 mod by_hand;
@@ -17,7 +17,7 @@ use crate::{
     hard::{Family, Kind, cases},
 };
 
-/// `n` cases of every family and kind that is not made of others; fewer where the answers cost more.
+/// `n` cases of every family and every kind but solids; fewer of kinds whose answers cost more.
 fn everything(n: usize) -> impl Iterator<Item = (Kind, Family, Shape, Ray)> {
     let single = Kind::ALL.into_iter().filter(|kind| !kind.is_solid());
     let pairs = single.flat_map(|k| Family::ALL.map(|f| (k, f)));

@@ -1,6 +1,6 @@
 //! Errors of questions about rays, shapes, transformations and grids.
 
-/// Questions, and the errors they get.
+/// Questions, and their errors.
 pub const ERRORS: &[(&str, &str)] = &[
     (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, 0]}}}"#,

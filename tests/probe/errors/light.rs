@@ -1,6 +1,6 @@
 //! Errors of questions about lobes, lights and textures.
 
-/// Questions, and the errors they get.
+/// Questions, and their errors.
 pub const ERRORS: &[(&str, &str)] = &[
     (
         r#"{"lobe": {"lobe": {"lambertian": {"reflectance": -1}}, "wo": [0, 0, 1]}}"#,

@@ -1,6 +1,6 @@
 //! Errors of questions about cameras, samples and whole scenes.
 
-/// Questions, and the errors they get.
+/// Questions, and their errors.
 pub const ERRORS: &[(&str, &str)] = &[
     (
         r#"{"camera_ray": {"camera": {"eye": [0, 0, 4], "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "pixel": [6, 0]}}"#,

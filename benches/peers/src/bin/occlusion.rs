@@ -1,9 +1,9 @@
-//! Ambient occlusion of a mesh: our renderer against a hand-written loop over Embree, 512×512, 64
-//! samples of a pixel, each a camera ray and a cosine-distributed shadow ray, on all processors, in
-//! turns. `scripts/peers.sh occlusion`
+//! Ambient occlusion of a mesh: our renderer compared with a hand-written loop over Embree. The image has
+//! 512×512 pixels with 64 samples each; a sample is a camera ray and a cosine-distributed shadow ray. Both
+//! programs use all processors and run in turns: `scripts/peers.sh occlusion`
 
 #[path = "../../../bumpy.rs"]
-#[allow(dead_code)] // the rays of the other comparison
+#[allow(dead_code)] // only the other comparison uses its rays
 mod bumpy;
 #[path = "../embree.rs"]
 mod embree;
@@ -39,7 +39,7 @@ fn world(vertices: &[Point], triangles: &[[u32; 3]]) -> World {
     World::build(&scene).expect("the scene is valid")
 }
 
-/// The mean of all pixels, and how long they took.
+/// Our mean of all pixels, and the time in seconds.
 fn ours(world: &World) -> (f64, f64) {
     let start = Instant::now();
     let canvas = Canvas::new(world);
@@ -50,8 +50,8 @@ fn ours(world: &World) -> (f64, f64) {
     (sum / film.pixels().len() as f64, time)
 }
 
-/// What a person writes with Embree at hand: a jittered grid in the pixel, random numbers for directions,
-/// a constant epsilon.
+/// The same for the loop that a user of Embree would write: a jittered grid in the pixel, random numbers
+/// for directions, a constant epsilon.
 fn loop_over(scene: &embree::Scene) -> (f64, f64) {
     const EPSILON: f64 = 1e-4;
     let start = Instant::now();

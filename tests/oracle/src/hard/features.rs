@@ -1,4 +1,4 @@
-//! Points of a shape worth aiming at.
+//! Points of a shape at which rays are aimed.
 
 use super::{
     parts,
@@ -11,16 +11,16 @@ use crate::{
     real::{nearest, real},
 };
 
-/// A point of the surface and a unit vector that points away from the shape there: the normal, or
-/// at a border the way out.
+/// A point of the surface and a unit vector that points away from the shape there: the normal, or at a
+/// border the direction in which the surface ends.
 pub(super) struct Feature {
     pub(super) point: V,
     pub(super) out: V,
-    /// Whether rays perpendicular to `out` touch the shape (else all rays do that pass the point).
+    /// Whether rays through the point must be perpendicular to `out` to touch the shape; at a border, all do.
     pub(super) silhouette: bool,
 }
 
-/// A box about the shape, roughly: a centre and a size.
+/// The approximate centre and size of the shape.
 pub(super) fn place(shape: &Shape) -> (V, f64) {
     match shape {
         Shape::Plane { point, .. } => (*point, 1.0),
@@ -61,7 +61,7 @@ pub(super) fn place(shape: &Shape) -> (V, f64) {
     }
 }
 
-/// A point inside the surface.
+/// A point of the surface, not on its border.
 pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
     let (point, out) = match shape {
         Shape::Plane { point, normal } => {
@@ -121,7 +121,7 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
     Feature { point, out, silhouette: true }
 }
 
-/// A point of an edge, corner, rim; a pole where there is none.
+/// A point of an edge, corner or rim; for shapes without any, a pole or an extreme line.
 pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
     let quarter = |rng: &mut SplitMix64| 0.25 * rng.below(5) as f64;
     let (point, out, silhouette) = match shape {
@@ -204,7 +204,7 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
     Feature { point, out, silhouette }
 }
 
-/// A direction in which a plane of the shape, a generator or an axis of it runs.
+/// A direction parallel to a plane, a generator or an axis of the shape.
 pub(super) fn generator(shape: &Shape, rng: &mut SplitMix64) -> V {
     match shape {
         Shape::Plane { normal, .. }
@@ -229,7 +229,7 @@ pub(super) fn generator(shape: &Shape, rng: &mut SplitMix64) -> V {
     }
 }
 
-/// A vector exactly perpendicular to one coordinate of `n` and one other: `(n_y, −n_x, 0)` turned.
+/// A vector exactly perpendicular to `n`: `(n_y, −n_x, 0)` with the axes cyclically permuted.
 fn in_plane(n: V, rng: &mut SplitMix64) -> V {
     let i = rng.below(3);
     let (j, k) = ((i + 1) % 3, (i + 2) % 3);
@@ -254,8 +254,8 @@ fn on_tube([a, b]: [f64; 2], [phi, theta]: [f64; 2]) -> (V, V) {
     (at(a + b * cos, b * sin), at(cos, sin))
 }
 
-/// A zero of the sum of terms between two points of the box, and its gradient there; a point of the
-/// box if none is found.
+/// A zero of the sum of terms on a segment between two points of the box, and the unit gradient there;
+/// if no sign change is found, some point of the box.
 fn on_zero(terms: &[(f64, [u32; 3])], [min, max]: [V; 2], rng: &mut SplitMix64) -> (V, V) {
     let value = |powers: &[u32; 3], p: V| {
         let factors = (0..3).flat_map(|i| vec![p[i]; powers[i] as usize]);
@@ -289,7 +289,7 @@ fn on_zero(terms: &[(f64, [u32; 3])], [min, max]: [V; 2], rng: &mut SplitMix64) 
     (ends[0], if length(gradient) > 0.0 { unit(gradient) } else { [0.0, 1.0, 0.0] })
 }
 
-/// So far on from the first end of a range of degrees to its last.
+/// The angle at the fraction `part` of a range of degrees.
 fn between([first, last]: &[f64; 2], part: f64) -> f64 {
     let turn = if last < first { last - first + 360.0 } else { last - first };
     first + part * turn
@@ -307,7 +307,7 @@ fn moved(matrix: &[[f64; 4]; 3], p: V) -> V {
     std::array::from_fn(|i| dot([matrix[i][0], matrix[i][1], matrix[i][2]], p) + matrix[i][3])
 }
 
-/// The way out moves like a normal, by the cofactors; a mirror turns those round.
+/// `out` is transformed like a normal, by the cofactors, whose sign a mirror reverses.
 fn carried(matrix: &[[f64; 4]; 3], feature: Feature) -> Feature {
     let [a, b, c] = columns(matrix);
     let cofactors = [cross(b, c), cross(c, a), cross(a, b)];

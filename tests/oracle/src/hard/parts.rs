@@ -1,4 +1,4 @@
-//! Points worth aiming at of cones, paraboloids, and parts of round shapes.
+//! Target points on cones, paraboloids, and parts of round shapes.
 
 use super::{
     features::around_y,
@@ -18,18 +18,18 @@ fn sin_cos(degrees: f64) -> [f64; 2] {
     [nearest(&s), nearest(&c)]
 }
 
-/// The direction of an azimuth, and the one of its growth.
+/// The horizontal direction of an azimuth, and the direction in which the azimuth grows.
 fn outward(phi: f64) -> [V; 2] {
     let [s, c] = sin_cos(phi);
     [[s, 0.0, c], [c, 0.0, -s]]
 }
 
-/// Somewhere in a range of azimuths.
+/// A random azimuth of a range.
 fn azimuth([from, to]: [f64; 2], rng: &mut SplitMix64) -> f64 {
     from + rng.unit() * if to < from { to + 360.0 - from } else { to - from }
 }
 
-/// One of the ends of a range, and on which side of it the range is not.
+/// One end of a range, and the side (±1) of this end that is outside the range.
 fn end(range: [f64; 2], rng: &mut SplitMix64) -> (f64, f64) {
     if rng.coin() { (range[0], -1.0) } else { (range[1], 1.0) }
 }
@@ -65,7 +65,7 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> (V, V) {
     }
 }
 
-/// A point of the border, the way out, and whether rays across that touch the shape (at a vertex).
+/// A point of the border, the outward direction, and [`super::features::Feature::silhouette`].
 pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> (V, V, bool) {
     match shape {
         Shape::PartAnnulus { center, inner, outer, phi } => {

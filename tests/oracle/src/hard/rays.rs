@@ -31,8 +31,9 @@ pub(super) fn ray(shape: &Shape, family: Family, rng: &mut SplitMix64) -> Ray {
     }
 }
 
-/// At a point of the surface, or (as often) beside it by up to its size, or away from it, which is
-/// the only way to miss a plane; unit direction or not.
+/// Aimed at a point of the surface or, equally often, beside it by about the shape's size. One ray in
+/// 16 (at planes more than half) points away: a plane cannot be missed otherwise. Half of the
+/// directions are unit.
 fn aimed(shape: &Shape, origin: V, rng: &mut SplitMix64) -> Ray {
     let target = beside(shape, surface(shape, rng).point, rng);
     let unbounded = matches!(shape, Shape::Plane { .. }) && rng.coin();
@@ -41,14 +42,14 @@ fn aimed(shape: &Shape, origin: V, rng: &mut SplitMix64) -> Ray {
     Ray { origin, direction: if rng.coin() { unit(direction) } else { direction } }
 }
 
-/// The point itself, or (as often) one beside it by up to the shape's size.
+/// The point itself or, equally often, one at a distance of half to twice the shape's size.
 fn beside(shape: &Shape, point: V, rng: &mut SplitMix64) -> V {
     let distance = place(shape).1 * rng.between(0.5, 2.0);
     if rng.coin() { point } else { along(point, distance, rng.direction()) }
 }
 
-/// From a place near the surface of a huge shape, or far from it, outside or (one in eight) inside;
-/// mostly anywhere, as a shape that fills half the sky is hit by half of such rays.
+/// From a point near the surface of a huge shape or far from it, outside or (one in eight) inside. Two
+/// in three directions are random: a shape that fills half the sky is hit by half of such rays.
 fn huge(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     let Feature { point, out, .. } = surface(shape, rng);
     let distance = if rng.coin() { rng.decades(-3, 1) } else { size * rng.unit() };
@@ -70,7 +71,7 @@ fn grazing(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     Ray { origin: along(target, -size * rng.between(0.1, 5.0), direction), direction }
 }
 
-/// Past a silhouette or border, by a hair inside or outside.
+/// Past a silhouette or border, slightly inside or outside.
 fn tangent(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     let smooth = round(shape) && rng.coin();
     let Feature { point, out, silhouette } =
@@ -81,7 +82,7 @@ fn tangent(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     Ray { origin: along(target, -size * rng.between(1.0, 10.0), direction), direction }
 }
 
-/// Whether rays touch the shape elsewhere than at its border.
+/// Whether rays can be tangent to the shape away from its border.
 fn round(shape: &Shape) -> bool {
     match shape {
         Shape::Sphere { .. }
@@ -99,7 +100,7 @@ fn round(shape: &Shape) -> bool {
     }
 }
 
-/// From the surface, anywhere.
+/// From a point of the surface, in a random direction or towards another point of it.
 fn on_surface(shape: &Shape, rng: &mut SplitMix64) -> Ray {
     let origin = surface(shape, rng).point;
     let across = minus(surface(shape, rng).point, origin);
@@ -107,7 +108,7 @@ fn on_surface(shape: &Shape, rng: &mut SplitMix64) -> Ray {
     Ray { origin, direction: if other { across } else { rng.direction() } }
 }
 
-/// Along a coordinate axis, zeros of either sign; from before the shape, or one in four from behind.
+/// Along a coordinate axis, with zeros of either sign; one in four starts beyond the target.
 fn along_axis(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     let axis = rng.axis();
     let target = beside(shape, surface(shape, rng).point, rng);
@@ -128,8 +129,8 @@ fn signed_zeros(v: V, rng: &mut SplitMix64) -> V {
     })
 }
 
-/// Through a point of an edge or corner: exactly, where point and origin have few bits. Convex
-/// shapes are touched there half the time; one ray in eight runs away.
+/// Through a point of an edge or corner, exactly where point and origin have few bits. At silhouettes
+/// half of the rays are tangent; one ray in eight points away.
 fn through_border(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     let Feature { point, out, silhouette } = border(shape, rng);
     let free = rng.place(4.0);
@@ -143,12 +144,12 @@ fn through_border(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     }
     let origin = minus(point, direction);
     if add(origin, direction) != point {
-        direction = minus(point, origin); // the nearest to it
+        direction = minus(point, origin); // the nearest direction to it
     }
     Ray { origin, direction: if rng.below(8) == 0 { scale(-1.0, direction) } else { direction } }
 }
 
-/// Along planes and generators; from the plane of a face; with zeros of either sign.
+/// Along planes, generators and axes; from the plane of a face; with zeros of either sign.
 fn degenerate(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     let (center, _) = place(shape);
     let feature = if rng.coin() { border(shape, rng) } else { surface(shape, rng) };

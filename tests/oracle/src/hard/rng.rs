@@ -48,7 +48,7 @@ impl SplitMix64 {
         from[self.below(from.len())]
     }
 
-    /// From 10^low to 10^high, about uniform in the logarithm.
+    /// From 10^low to 10^high, approximately uniform in the logarithm.
     pub(super) fn decades(&mut self, low: i32, high: i32) -> f64 {
         let steps = (high - low) as f64 * self.unit();
         let (whole, rest) = (steps as i32, steps.fract());
@@ -61,7 +61,7 @@ impl SplitMix64 {
         [(); 3].map(|()| self.between(-h, h))
     }
 
-    /// A unit vector, uniform over the sphere but for rounding.
+    /// A unit vector, uniform over the sphere except for rounding.
     pub(super) fn direction(&mut self) -> V {
         loop {
             let v = self.place(1.0);
@@ -71,7 +71,7 @@ impl SplitMix64 {
         }
     }
 
-    /// A coordinate axis, either way.
+    /// A coordinate axis, with either sign.
     pub(super) fn axis(&mut self) -> V {
         let i = self.below(3);
         scale(self.sign(), std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }))

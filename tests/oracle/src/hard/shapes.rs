@@ -8,7 +8,7 @@ use super::{
 };
 use crate::Shape;
 
-/// What a family asks of a shape.
+/// What a family requires of a shape.
 pub(super) struct Want {
     /// The overall size.
     pub(super) size: f64,
@@ -19,7 +19,7 @@ pub(super) struct Want {
 }
 
 impl Want {
-    /// Coordinates that a few bits hold, so that points of edges are exact.
+    /// Whether coordinates need to have few bits, so that points of edges are exact.
     pub(super) fn exact(&self) -> bool {
         matches!(self.family, Family::EdgesAndCorners | Family::Degenerate)
     }
@@ -86,13 +86,13 @@ pub(super) fn shape(kind: Kind, family: Family, rng: &mut SplitMix64) -> Shape {
     }
 }
 
-/// To the nearest 64th, and not to 0.
+/// Rounded to the nearest multiple of 1/64, but not to 0.
 pub(super) fn snapped(x: f64) -> f64 {
     let whole = (x * 64.0).round();
     if whole == 0.0 { 1.0 / 64.0 } else { whole / 64.0 }
 }
 
-/// Of any length from 10⁻³ to 10³; along an axis half the time where planes are to be parallel to rays.
+/// Unit, or of a length from 10⁻³ to 10³; for [`Family::Degenerate`] along an axis half the time.
 fn normal(want: &Want, rng: &mut SplitMix64) -> V {
     if want.family == Family::Degenerate && rng.coin() {
         return rng.axis();
@@ -101,7 +101,7 @@ fn normal(want: &Want, rng: &mut SplitMix64) -> V {
     scale(length, rng.direction())
 }
 
-/// A sphere cannot be thin; a small one at a distance is the nearest to it.
+/// A sphere cannot be thin; the thin case is a small sphere at a distance.
 fn sphere(want: &Want) -> Shape {
     let thin = want.family == Family::Thin;
     Shape::Sphere {
@@ -113,7 +113,7 @@ fn sphere(want: &Want) -> Shape {
 pub(super) fn cuboid(want: &Want, rng: &mut SplitMix64) -> Shape {
     let mut half = [(); 3].map(|()| want.size * rng.between(0.3, 1.0));
     if want.family == Family::Thin {
-        half[rng.below(3)] *= want.aspect; // a plate, or with another a rod
+        half[rng.below(3)] *= want.aspect; // a plate; with two short axes, a rod
         half[rng.below(3)] *= want.aspect;
     }
     if want.exact() {
@@ -192,7 +192,7 @@ fn radii(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
     [if want.exact() { (inner * 64.0).floor() / 64.0 } else { inner }, want.size]
 }
 
-/// Height and radius; when thin, a needle or nearly a disk.
+/// Height and radius; when thin, a needle or almost a disk.
 pub(super) fn tall_or_flat(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
     let mut sizes = [want.size * rng.between(0.5, 2.0), want.size];
     if want.family == Family::Thin {
@@ -201,8 +201,8 @@ pub(super) fn tall_or_flat(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
     if want.exact() { sizes.map(snapped) } else { sizes }
 }
 
-/// From 20 to 340 degrees wide, also through 0; quarters where numbers are to be exact; when thin,
-/// half are slivers.
+/// From 20 to 340 degrees wide, also through 0; whole quarters where numbers are exact; when thin, half
+/// are slivers.
 fn azimuths(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
     let (start, width) = if want.exact() {
         (90.0 * rng.below(4) as f64, 90.0 * (1 + rng.below(4)) as f64)
@@ -232,7 +232,7 @@ fn polar_angles(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
     match rng.below(8) {
         0 => [0.0, width],
         1 => [180.0 - width, 180.0],
-        2 => [rng.decades(-4, 0), 170.0], // without a small cap
+        2 => [rng.decades(-4, 0), 170.0], // all but small caps
         _ => {
             let start = rng.between(0.0, 180.0 - width);
             [start, start + width]
@@ -240,7 +240,7 @@ fn polar_angles(want: &Want, rng: &mut SplitMix64) -> [f64; 2] {
     }
 }
 
-/// When thin, a thread or a ring whose hole is as narrow.
+/// When thin, a thread or a ring with a tiny hole.
 fn torus(want: &Want, rng: &mut SplitMix64) -> Shape {
     let ratio = match want.family {
         Family::Thin if rng.coin() => want.aspect,
@@ -277,7 +277,7 @@ fn part_torus(want: &Want, rng: &mut SplitMix64) -> Shape {
     Shape::PartTorus { swept_radius, tube_radius, phi: range(), theta: range() }
 }
 
-/// One of some known surfaces, or one of random coefficients; when thin, pressed flat.
+/// A known surface, or one with random coefficients; when thin, compressed along an axis.
 fn algebraic(want: &Want, rng: &mut SplitMix64) -> Shape {
     let mut terms: Vec<(f64, [u32; 3])> = Vec::new();
     let axis = |i: usize, power: u32| {

@@ -1,4 +1,4 @@
-//! The cut face and the solids of several parts: their numbers, and points worth aiming at.
+//! The cut face and the solids of several parts: their dimensions, and target points.
 
 use super::{
     Family, Kind,
@@ -14,8 +14,8 @@ use crate::{
     solve::{face::Cap, solid::outside},
 };
 
-/// A hole that leaves the sides alone, or one that leaves the corners; when thin, a speck or almost
-/// all.
+/// A square with a hole inside it, or with one that cuts the sides and leaves only corners; when thin, a
+/// tiny hole, or one that leaves almost nothing.
 pub(super) fn cut_face(want: &Want, rng: &mut SplitMix64) -> Shape {
     let share = match want.family {
         Family::Thin if rng.coin() => want.aspect,
@@ -30,12 +30,12 @@ fn number(want: &Want, x: f64) -> f64 {
     if want.exact() { snapped(x) } else { x }
 }
 
-/// A share of what is possible; when thin, mostly a sliver.
+/// A share of the possible size; when thin, half of them are slivers.
 fn share(want: &Want, [low, high]: [f64; 2], rng: &mut SplitMix64) -> f64 {
     if want.family == Family::Thin && rng.coin() { want.aspect } else { rng.between(low, high) }
 }
 
-/// Bevels of all that is possible, of some, and of little.
+/// Bevels of the largest possible size (one in four) or smaller.
 fn bevel(want: &Want, most: f64, rng: &mut SplitMix64) -> f64 {
     match rng.below(4) {
         0 => most,
@@ -44,7 +44,7 @@ fn bevel(want: &Want, most: f64, rng: &mut SplitMix64) -> f64 {
     }
 }
 
-/// Ascending heights, and a radius.
+/// Two ascending heights and a radius.
 fn heights(want: &Want, rng: &mut SplitMix64) -> [f64; 3] {
     match cylinder(want, rng) {
         Shape::OpenCylinder { y0, y1, radius } => [y0, y1, radius],
@@ -119,7 +119,7 @@ pub(super) fn solid(kind: Kind, want: &Want, rng: &mut SplitMix64) -> Solid {
             };
             let to = from + width;
             let phi = [from, if to > 360.0 { to - 360.0 } else { to }];
-            // the inner corners of the narrowest one: sin(width/2) = b/(inner + b) > 1/4
+            // so that the inner corners fit the narrowest wedge: b/(inner + b) ≤ 1/4 < sin(30°/2)
             let fits = if width < 180.0 { inner / 3.0 } else { outer };
             let bevel = bevel(want, (0.5 * (outer - inner).min(y1 - y0)).min(fits), rng);
             Solid::BeveledWedge { y0, y1, inner, outer, phi, bevel }
@@ -132,7 +132,7 @@ fn opening(want: &Want, rng: &mut SplitMix64) -> f64 {
     if want.exact() || rng.coin() { 180.0 } else { rng.between(60.0, 300.0) }
 }
 
-/// A box about the solid, roughly: a centre and a size.
+/// The approximate centre and size of the solid.
 pub(super) fn place(solid: &Solid) -> (V, f64) {
     let round = |y0: f64, y1: f64, radius: f64| ([0.0, 0.5 * (y0 + y1), 0.0], radius.max(y1 - y0));
     match *solid {
@@ -155,14 +155,14 @@ pub(super) fn place(solid: &Solid) -> (V, f64) {
     }
 }
 
-/// One of the parts, each as likely.
+/// A random part, all equally likely.
 fn any_part(solid: &Solid, rng: &mut SplitMix64) -> Part {
     let mut parts = parts(&solid.exact());
     let which = rng.below(parts.len());
     parts.swap_remove(which)
 }
 
-/// A point of a part, in the world.
+/// A feature of a part, in world space.
 fn carried(part: &Part, feature: Feature) -> Feature {
     let exact = |v: V| Exact(v.map(real));
     let world = |v: &Exact| outside(part, v).0.each_ref().map(nearest);
@@ -193,7 +193,7 @@ pub(super) fn border(solid: &Solid, rng: &mut SplitMix64) -> Feature {
     Feature { silhouette: true, ..carried(&part, Feature { silhouette: true, ..feature }) }
 }
 
-/// Beside the first side of a wedge: on the line where the bevel begins, or a little on from there.
+/// Beside the first side of a wedge: on the line where the bevel begins, or a little farther inside.
 fn on_cap(cap: &Cap, at_border: bool, rng: &mut SplitMix64) -> Feature {
     let (s, c) = crate::angle::sin_cos(&cap.phi[0]);
     let [s, c, bevel] = [&s, &c, &cap.bevel].map(nearest);
@@ -205,17 +205,17 @@ fn on_cap(cap: &Cap, at_border: bool, rng: &mut SplitMix64) -> Feature {
     Feature { point, out: away, silhouette: true }
 }
 
-/// At such a share of the rim's radius; out of the ball.
+/// A point at this share of the rim's radius; `out` points away from the sphere's centre.
 fn on_dish([radius, depth]: [f64; 2], share: f64, rng: &mut SplitMix64) -> Feature {
     let (u, rho) = (around_y(rng), share * radius);
-    // y = κ (ρ² + y²)/2, the lower of two
+    // the lower solution of y = κ (ρ² + y²)/2
     let bend = 2.0 * depth / (depth * depth + radius * radius);
     let y = bend * rho * rho / (1.0 + (1.0 - (bend * rho) * (bend * rho)).max(0.0).sqrt());
     let point = along([0.0, y, 0.0], rho, u);
     Feature { point, out: minus(scale(bend, point), [0.0, 1.0, 0.0]), silhouette: true }
 }
 
-/// A point of the square and not in the hole.
+/// A point of the square outside the hole, and the normal.
 pub(super) fn on_cut_face(size: f64, radius: f64, rng: &mut SplitMix64) -> (V, V) {
     let half = 0.5 * size;
     let up = [0.0, 1.0, 0.0];
@@ -225,13 +225,13 @@ pub(super) fn on_cut_face(size: f64, radius: f64, rng: &mut SplitMix64) -> (V, V
             return ([x, 0.0, z], up);
         }
     }
-    // near a corner, which is almost all that is left
+    // the hole leaves almost only the corners: a point near one
     let inset = 0.5 * (half - radius * 0.5_f64.sqrt()) * rng.unit();
     let corner = half - inset;
     ([rng.sign() * corner, 0.0, rng.sign() * corner], up)
 }
 
-/// A point of a side or of the hole, and the way out.
+/// A point of a side or of the hole's edge, and the direction away from the surface.
 pub(super) fn border_of_cut_face(size: f64, radius: f64, rng: &mut SplitMix64) -> (V, V) {
     let half = 0.5 * size;
     for _ in 0..32 {

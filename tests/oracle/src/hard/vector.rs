@@ -1,4 +1,4 @@
-//! Vectors of `f64`, for making cases.
+//! Vectors of `f64`, for the generation of cases.
 
 pub(super) type V = [f64; 3];
 
@@ -35,7 +35,7 @@ pub(super) fn unit(a: V) -> V {
     scale(1.0 / length(a), a)
 }
 
-/// The part of `a` perpendicular to the unit vector `n`, taken off twice so that it is so to rounding.
+/// The part of `a` perpendicular to the unit vector `n`; projected twice, for accuracy to rounding.
 pub(super) fn perpendicular(a: V, n: V) -> V {
     let once = along(a, -dot(a, n), n);
     along(once, -dot(once, n), n)

@@ -10,7 +10,7 @@ use crate::{
 
 const SIDES: [f64; 2] = [-1.0, 1.0];
 
-/// 6 faces, 12 edges and 8 corners, each edge and corner in a frame whose axes point out of the box.
+/// Up to 6 faces, 12 edges and 8 corners; the frames of edges and corners point out of the box.
 pub(super) fn beveled_box([min, max]: [&[Real; 3]; 2], b: &Real) -> Vec<Part> {
     let end = |i: usize, side: f64| if side < 0.0 { &min[i] + b } else { &max[i] - b };
     let is_left = |i: usize| end(i, -1.0) < end(i, 1.0);

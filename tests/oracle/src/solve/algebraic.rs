@@ -1,5 +1,5 @@
-//! The zeros of a polynomial in x, y, z inside a box: along the ray a polynomial in t, solved between
-//! the roots of its derivatives.
+//! The zeros of a polynomial in x, y, z inside a box. Along the ray it is a polynomial in t, solved
+//! between the roots of its derivatives.
 
 use std::array::from_fn;
 
@@ -9,23 +9,24 @@ use crate::{
     real::{M, Real, V, magnitude, nearest, real, sign},
 };
 
-/// To second order margins say nothing about larger changes than this.
+/// The margins are second-order estimates, which are not valid for changes larger than this.
 const MAX: f64 = 1e-4;
 
 /// A coefficient, and the powers of x, y, z.
 type Term = (Real, [u32; 3]);
 
-/// Everything to second order at a point.
+/// Value and derivatives up to second order at a point.
 struct Local {
     value: Real,
     gradient: V,
     hessian: M,
-    /// The sum of the magnitudes of the terms, and of those of their gradients.
+    /// The sum of the magnitudes of the terms.
     terms: f64,
+    /// The sum of the lengths of the terms' gradients.
     slopes: f64,
 }
 
-/// `F_c = xⁱ yʲ zᵏ`; the box moves no root.
+/// `F_c = xⁱ yʲ zᵏ`; roots do not depend on the box.
 pub(super) fn algebraic(terms: &[Term], corners: [&V; 2], beam: &Beam) -> Found {
     let domain = cuboid::cuboid(corners, beam);
     let [enter, leave] = match &domain.hits[..] {
@@ -80,7 +81,7 @@ fn local(terms: &[Term], p: &V) -> Local {
     }
 }
 
-/// The number of roots changes only where the ray starts on the surface or touches it (asked at the
+/// The number of roots changes only where the ray starts on the surface or touches it (tested at the
 /// stationary points, and where higher derivatives vanish), or where a root passes a face of the box.
 fn margin(
     terms: &[Term],
@@ -95,8 +96,8 @@ fn margin(
     let start = sign(&ends[0].t).is_le().then(|| touch(terms, &real(0.0), false, beam));
     let faces = ends.iter().filter(|end| sign(&end.t).is_gt());
     let faces = faces.map(|end| {
-        // the point where the ray meets the face moves by as much as the face and the ray do, and
-        // along the ray by as much over the slope
+        // the point where the ray meets the face moves as far as the face and the ray do, and along
+        // the ray by this distance over the slope
         let own = corners.map(V::len).into_iter().fold(0.0, f64::max);
         let slope = nearest(&end.gradient.dot(&beam.d)).abs() / beam.d.len();
         let moves = (beam.o_reach + magnitude(&end.t) * beam.d_reach + own) * (1.0 + 1.0 / slope);
@@ -105,14 +106,14 @@ fn margin(
     stationary.chain(higher).chain(start).chain(faces).fold(MAX, f64::min)
 }
 
-/// What it takes to make the value 0 where the point moves by so much.
+/// The relative change that makes the value 0 at a point that moves by at most `moves·ε`.
 fn vanish(at: &Local, moves: f64) -> f64 {
     let first = at.terms + at.gradient.len() * moves;
     let second = at.hessian.len() * moves * moves + at.slopes * moves;
     smallest(magnitude(&at.value), first, second)
 }
 
-/// What it takes to make the point at `t` one of the surface, and if asked the ray tangent there.
+/// The relative change that puts the point at `t` on the surface and, if `sloped`, makes the ray tangent.
 fn touch(terms: &[Term], t: &Real, sloped: bool, beam: &Beam) -> f64 {
     let at = local(terms, &beam.at(t));
     let moves = beam.o_reach + magnitude(t) * beam.d_reach;

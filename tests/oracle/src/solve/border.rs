@@ -1,4 +1,4 @@
-//! What it takes to make a ray pass through a border: a piece of a line or of a circle.
+//! The relative change that makes a ray pass through a border: a piece of a line or of a circle.
 
 use super::Beam;
 use crate::real::{Real, V, nearest, real, sign};
@@ -9,17 +9,17 @@ pub(super) struct Curve {
     p: V,
     q: V,
     round: bool,
-    /// The places of the ends: shares of the line, or of the circle as [`quarters`] counts it.
+    /// The parameters of the ends: 0 to 1 on a line, the scale of [`quarters`] on a circle.
     ends: [f64; 2],
     /// A relative change of the shape by ε moves a point by at most `reach·ε`.
     reach: f64,
 }
 
-/// Half the angle of an eighth of a turn: `√2 − 1`.
+/// The tangent of half of an eighth of a turn: `√2 − 1`.
 const TANGENT: f64 = 0.414_213_562_373_095_05;
 
-/// An angle, given by its sine and cosine, on a scale on which 1 is a quarter of a turn (and nearly
-/// even between): from −2 to 2.
+/// An angle, given by its sine and cosine, on a scale from −2 to 2 on which 1 is a quarter of a turn;
+/// between whole numbers the scale is only nearly uniform.
 pub(super) fn quarters(s: f64, c: f64) -> f64 {
     let scale = |s: f64, c: f64| s / (1.0 + c) / (2.0 * TANGENT); // tan of the half
     match (s, c) {
@@ -31,10 +31,10 @@ pub(super) fn quarters(s: f64, c: f64) -> f64 {
     }
 }
 
-/// `(sin, cos)` of a place on that scale, on the circle to the last bit.
-fn on_circle(place: f64) -> (Real, Real) {
-    let quarter = place.round();
-    let (s, c) = turn(&real((place - quarter) * 2.0 * TANGENT));
+/// `(sin, cos)` of a value on that scale, normalised to the last bit.
+fn on_circle(param: f64) -> (Real, Real) {
+    let quarter = param.round();
+    let (s, c) = turn(&real((param - quarter) * 2.0 * TANGENT));
     match quarter.rem_euclid(4.0) as u8 {
         0 => (s, c),
         1 => (c, -s),
@@ -57,7 +57,7 @@ impl Curve {
         Curve { center: zero, p: from.clone(), q, round: false, ends: [0.0, 1.0], reach }
     }
 
-    /// The part of the circle between two places; a hair more, as the ends themselves are rounded.
+    /// The part of the circle between two parameters; slightly longer, because the ends are rounded.
     pub(super) fn arc(center: &V, [p, q]: [&V; 2], [from, to]: [f64; 2], reach: f64) -> Curve {
         let ends = [from - 1e-12, to + 1e-12];
         Curve { center: center.clone(), p: p.clone(), q: q.clone(), round: true, ends, reach }
@@ -67,45 +67,45 @@ impl Curve {
         Curve::arc(center, axes, [-2.0, 2.0], reach)
     }
 
-    /// The place relative to the centre, and its derivative.
-    fn at(&self, place: f64) -> [V; 2] {
+    /// The point relative to the centre, and its derivative.
+    fn at(&self, param: f64) -> [V; 2] {
         if !self.round {
-            return [&self.p + &(&self.q * &real(place)), self.q.clone()];
+            return [&self.p + &(&self.q * &real(param)), self.q.clone()];
         }
-        let (s, c) = on_circle(place);
+        let (s, c) = on_circle(param);
         [&(&self.p * &c) + &(&self.q * &s), &(&self.q * &c) - &(&self.p * &s)]
     }
 }
 
-/// The least relative change of everything by which the ray passes through the curve: the minimum
-/// over its points and those of the ray of their distance over how much both move. Found roughly
-/// first, then by Gauss and Newton's method with full precision.
+/// The least relative change of all inputs that makes the ray pass through the curve: the minimum, over
+/// the points of the curve and of the ray, of their distance divided by how far both move. It is found
+/// approximately first, then by the Gauss–Newton method with full precision.
 pub(super) fn approach(curve: &Curve, beam: &Beam) -> f64 {
     let rough = Rough::new(curve, beam);
     let [from, to] = curve.ends;
     let steps = if curve.round { 12.0 * (to - from).ceil() } else { 4.0 };
-    let place = |i: f64| from + (to - from) * i / steps;
+    let param = |i: f64| from + (to - from) * i / steps;
     let mut best = f64::INFINITY;
-    let values: Vec<f64> = (0..=steps as usize).map(|i| rough.least(place(i as f64)).0).collect();
+    let values: Vec<f64> = (0..=steps as usize).map(|i| rough.least(param(i as f64)).0).collect();
     for i in 0..values.len() {
         let before = i.checked_sub(1).map_or(f64::INFINITY, |j| values[j]);
         let after = values.get(i + 1).copied().unwrap_or(f64::INFINITY);
         if values[i] > before || values[i] > after {
             continue;
         }
-        let around = [i as f64 - 1.0, i as f64 + 1.0].map(|i| place(i.clamp(0.0, steps)));
+        let around = [i as f64 - 1.0, i as f64 + 1.0].map(|i| param(i.clamp(0.0, steps)));
         let found = rough.search(around);
         let (value, t) = rough.least(found);
         best = best.min(if value < 1e-3 { exact(curve, beam, found, t) } else { value });
     }
-    // of two minima as near as the steps, the one that counts is where the ray crosses the plane
-    if let Some((place, t)) = crossing(curve, beam) {
-        best = best.min(exact(curve, beam, place, t));
+    // steps may be too coarse to separate two minima; the decisive one is where the ray crosses the plane
+    if let Some((param, t)) = crossing(curve, beam) {
+        best = best.min(exact(curve, beam, param, t));
     }
     if best < NOTHING { 0.0 } else { best }
 }
 
-/// The place of a circle nearest to where the ray crosses its plane, and the `t` of that.
+/// The parameter on a circle nearest to where the ray crosses its plane, and the `t` of the crossing.
 fn crossing(curve: &Curve, beam: &Beam) -> Option<(f64, f64)> {
     let normal = curve.p.cross(&curve.q);
     let slope = normal.dot(&beam.d);
@@ -119,15 +119,15 @@ fn crossing(curve: &Curve, beam: &Beam) -> Option<(f64, f64)> {
     if sign(&t).is_lt() || sign(&length).is_eq() {
         return None;
     }
-    let place = quarters(nearest(&(s / &length)), nearest(&(c / &length)));
-    let place = if place < curve.ends[0] { place + 4.0 } else { place };
-    (place <= curve.ends[1]).then(|| (place, nearest(&t)))
+    let param = quarters(nearest(&(s / &length)), nearest(&(c / &length)));
+    let param = if param < curve.ends[0] { param + 4.0 } else { param };
+    (param <= curve.ends[1]).then(|| (param, nearest(&t)))
 }
 
-/// What is left of 512 bits where a ray passes through a border exactly.
+/// Smaller results are rounding errors of 512 bits: the ray passes through the border exactly.
 const NOTHING: f64 = 1e-120;
 
-/// The same question in `f64`.
+/// The curve and the ray in `f64`.
 struct Rough {
     /// From the ray's origin to the centre, and the two axes.
     center: [f64; 3],
@@ -157,13 +157,13 @@ impl Rough {
         }
     }
 
-    /// At this place of the curve: the least ratio of distance and reach, and the ray's `t` there.
-    fn least(&self, place: f64) -> (f64, f64) {
+    /// At this parameter of the curve: the least ratio of distance to movement, and the ray's `t` there.
+    fn least(&self, param: f64) -> (f64, f64) {
         let (s, c) = if self.round {
-            let (s, c) = on_circle_rough(place);
+            let (s, c) = on_circle_rough(param);
             (s, c)
         } else {
-            (place, 1.0)
+            (param, 1.0)
         };
         let w: [f64; 3] =
             std::array::from_fn(|i| -(self.center[i] + c * self.p[i] + s * self.q[i]));
@@ -175,7 +175,7 @@ impl Rough {
         (dot(off, off).sqrt() / (self.own + t * self.d_reach), t)
     }
 
-    /// The golden section.
+    /// Golden-section search for the minimum of [`Rough::least`].
     fn search(&self, [mut low, mut high]: [f64; 2]) -> f64 {
         const GOLDEN: f64 = 0.618_033_988_749_894_8;
         let inner = |low: f64, high: f64| {
@@ -199,9 +199,9 @@ impl Rough {
     }
 }
 
-fn on_circle_rough(place: f64) -> (f64, f64) {
-    let quarter = place.round();
-    let m = (place - quarter) * 2.0 * TANGENT;
+fn on_circle_rough(param: f64) -> (f64, f64) {
+    let quarter = param.round();
+    let m = (param - quarter) * 2.0 * TANGENT;
     let (s, c) = (2.0 * m / (1.0 + m * m), (1.0 - m * m) / (1.0 + m * m));
     match quarter.rem_euclid(4.0) as u8 {
         0 => (s, c),
@@ -211,10 +211,10 @@ fn on_circle_rough(place: f64) -> (f64, f64) {
     }
 }
 
-/// From a place and `t` near the best, downhill. A step may leave the curve by a hair (the margin only
-/// shrinks), one that would leave the ray ends at its origin.
-fn exact(curve: &Curve, beam: &Beam, place: f64, t: f64) -> f64 {
-    let [mut along, mut tangent] = curve.at(place);
+/// Descends from a parameter and a `t` near the minimum. A step may slightly leave the curve, which only
+/// reduces the margin; a step that would leave the ray ends at its origin.
+fn exact(curve: &Curve, beam: &Beam, param: f64, t: f64) -> f64 {
+    let [mut along, mut tangent] = curve.at(param);
     let mut t = real(t);
     let ratio = |along: &V, t: &Real| {
         let w = &beam.at(t) - &(&curve.center + along);
@@ -223,7 +223,7 @@ fn exact(curve: &Curve, beam: &Beam, place: f64, t: f64) -> f64 {
     };
     let (mut best, mut w) = ratio(&along, &t);
     for _ in 0..6 {
-        // w + δt d − δs tangent as short as can be
+        // minimise |w + δt d − δs tangent|
         let (dd, ss, ds) = (beam.d.dot(&beam.d), tangent.dot(&tangent), beam.d.dot(&tangent));
         let (wd, ws) = (w.dot(&beam.d), w.dot(&tangent));
         let determinant = &dd * &ss - &ds * &ds;

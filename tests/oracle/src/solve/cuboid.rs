@@ -1,4 +1,4 @@
-//! The box: entered through the last of its near planes, left through the first of its far ones.
+//! The box: a ray enters through the last of its near planes and leaves through the first far one.
 //!
 //! Whether the plane at `xᵢ` is met before the one at `xⱼ` is the sign of
 //! `E = (xⱼ − oⱼ) dᵢ − (xᵢ − oᵢ) dⱼ`, times the signs of `dᵢ` and `dⱼ`: the ray's side of one edge.
@@ -29,7 +29,7 @@ struct Slabs<'a> {
     beam: &'a Beam,
 }
 
-/// `F(x) = ±(xᵢ − face)`: the gradient is an axis, and the corner moves it by its own length.
+/// `F(x) = ±(xᵢ − face)`: the gradient is an axis; the face moves by at most its corner's length times ε.
 pub(super) fn cuboid(corners: [&V; 2], beam: &Beam) -> Found {
     let slabs = Slabs {
         corners,
@@ -51,7 +51,7 @@ impl Slabs<'_> {
                 enter.push((if up { low } else { high } / d, i));
                 leave.push((if up { high } else { low } / d, i));
             } else if sign(low).is_gt() || sign(high).is_lt() {
-                return Vec::new(); // beside the slab
+                return Vec::new(); // parallel to the slab and outside it
             }
         }
         let last = enter.into_iter().max_by(|a, b| a.0.cmp(&b.0));
@@ -96,10 +96,10 @@ impl Slabs<'_> {
         Gate::new(&self.from_o[corner].0[axis], self.beam.o_reach + self.reach[corner], 0.0)
     }
 
-    /// Inside there is one root until the origin leaves. Outside there are two or none; whether the
-    /// ray hits depends on which planes are near ones, that is on the signs of `d`, and one of them
-    /// may be 0 or so small that a change flips it. So all eight patterns of signs are asked, in two
-    /// forms of the same statement: some pattern holds and hits; no pattern holds without hitting.
+    /// If the origin is inside, there is one root until the origin leaves. Outside there are two or none.
+    /// Whether the ray hits depends on which planes are near ones, that is on the signs of `d`, and a
+    /// component may be 0 or so small that a change flips its sign. So all eight sign patterns are tested,
+    /// in two equivalent statements: "some pattern holds and hits" and "every pattern that holds hits".
     /// Both give lower bounds.
     fn margin(&self) -> f64 {
         let inside =

@@ -6,7 +6,7 @@ use crate::{
     real::{M, Real, V, nearest, real, sign},
 };
 
-/// `F(x) = (x² + z² − r²)/2`, so `F_r = −r`; the rims do not move a root.
+/// `F(x) = (x² + z² − r²)/2`, so `F_r = −r`; roots do not depend on the rims.
 pub(super) fn cylinder(y: [&Real; 2], r: &Real, beam: &Beam) -> Found {
     let (o, d) = (flat(&beam.o), flat(&beam.d));
     let (a, b) = (d.dot(&d), o.dot(&d));
@@ -40,7 +40,7 @@ fn above(y: &Real, beam: &Beam) -> Gate {
     Gate::new(&(y - &beam.o.0[1]), reach, 0.0)
 }
 
-/// What it takes to bring the ray to the rim: the line to the circle, and the circle ahead.
+/// The change that makes the ray meet the rim: the line has to meet the circle, in front of the origin.
 fn through_rim(y: &Real, r: &Real, beam: &Beam) -> f64 {
     let up = V([real(0.0), real(1.0), real(0.0)]);
     let line = rim(&V([real(0.0), y.clone(), real(0.0)]), &up, r, beam).margin;
@@ -49,7 +49,7 @@ fn through_rim(y: &Real, r: &Real, beam: &Beam) -> f64 {
     if ahead.holds { line } else { line.max(ahead.margin) }
 }
 
-/// What it takes to bring the origin to the wall: its distance, and its height.
+/// The change that puts the origin on the wall: its distance from the axis, and its height.
 fn starts_on_wall(y: [&Real; 2], r: &Real, beam: &Beam) -> f64 {
     let reach = beam.o_reach + nearest(r);
     let wall = Gate::new(&(flat(&beam.o).norm() - r), reach, 0.0).not_negative().margin;
@@ -58,9 +58,9 @@ fn starts_on_wall(y: [&Real; 2], r: &Real, beam: &Beam) -> f64 {
     if between.holds { wall } else { wall.max(between.margin) }
 }
 
-/// What it takes to make the part of the ray between the rims touch the wall: the distance of its
-/// point nearest to the axis, as for the sphere. (Its ends are at a rim or at the origin, and asked
-/// there.)
+/// The change that makes the part of the ray between the rims touch the wall: the distance of its point
+/// nearest to the axis, as for the sphere. (Its ends are at a rim or at the origin, where
+/// [`through_rim`] and [`starts_on_wall`] apply.)
 fn touches(y: [&Real; 2], r: &Real, closest: Option<Real>, beam: &Beam) -> f64 {
     let Some((start, end)) = between_rims(y, beam) else { return f64::INFINITY };
     let after_start = closest.unwrap_or_else(|| start.clone()).max(start);
@@ -72,7 +72,7 @@ fn touches(y: [&Real; 2], r: &Real, closest: Option<Real>, beam: &Beam) -> f64 {
     Gate::new(&(distance - r), first, second).not_negative().margin
 }
 
-/// The span of t ≥ 0 between the rims, without end for a level ray.
+/// The span of t ≥ 0 between the rims; it has no end if the ray is horizontal.
 fn between_rims(y: [&Real; 2], beam: &Beam) -> Option<(Real, Option<Real>)> {
     let (o, d) = (&beam.o.0[1], &beam.d.0[1]);
     if sign(d).is_eq() {

@@ -6,7 +6,7 @@ use crate::{
     real::{Real, V, nearest, real, sign},
 };
 
-/// The hit is the plane's; it counts inside the rim.
+/// The plane's hit, if it is inside the rim.
 pub(super) fn disk(c: &V, n: &V, r: &Real, beam: &Beam) -> Found {
     let ahead = Verdict::same_sign(&[height(c, n, beam), facing(n, beam)]);
     let verdict = Verdict::all([rim(c, n, r, beam), ahead]);
@@ -20,8 +20,8 @@ pub(super) fn disk(c: &V, n: &V, r: &Real, beam: &Beam) -> Found {
 /// `|D| r − |q| ≥ 0`, or `v(u) = |D| r − q·u ≥ 0` for every unit `u` in the plane. Where `v(u)` is 0 the
 /// ray passes the rim at `c ± r u`; there, differentiation gives
 /// `first = |m × d|·(reach of o, c, t d and of r times n) + |D| r` with `m = u × n`, where
-/// `|m × d|² = n² (u·d)² + D²`: flat rays that run towards the rim move it most. The weakest `u` is near
-/// `q`, or along `d`, or between; it is sought among angles that double.
+/// `|m × d|² = n² (u·d)² + D²`: flat rays towards the rim are the most sensitive. The weakest `u` is near
+/// `q`, or along `d`, or between; it is searched among angles from `q` that double.
 pub(super) fn rim(c: &V, n: &V, r: &Real, beam: &Beam) -> Verdict {
     let w = &beam.o - c;
     let slope = n.dot(&beam.d);
@@ -52,7 +52,7 @@ pub(super) fn rim(c: &V, n: &V, r: &Real, beam: &Beam) -> Verdict {
     let margin = if holds {
         margin.fold(f64::INFINITY, f64::min) // every u must stay
     } else {
-        margin.fold(0.0, f64::max) // every failing u must be mended
+        margin.fold(0.0, f64::max) // every failing u must change
     };
     Verdict { holds, margin }
 }

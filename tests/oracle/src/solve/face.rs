@@ -1,4 +1,4 @@
-//! Flat faces of odd outline: the square with a hole, and the top of a beveled wedge.
+//! Flat faces with other outlines: the square with a hole, and the top of a beveled wedge.
 
 use super::{
     Beam, Found,
@@ -24,7 +24,8 @@ fn origin() -> V {
 }
 
 /// The number of roots changes only where the ray passes through a border or starts on the face.
-/// `within` says whether the foot of a point, which moves by at most so much times ε, is in it.
+/// `within` tells whether the projection of a point, which moves by at most the given number times ε, is
+/// in the face.
 fn face(borders: &[Curve], within: impl Fn(&V, f64) -> Verdict, beam: &Beam) -> Found {
     let through = borders.iter().map(|border| approach(border, beam)).fold(f64::INFINITY, f64::min);
     let start = height(&origin(), &up(), beam).not_negative().margin;
@@ -32,7 +33,7 @@ fn face(borders: &[Curve], within: impl Fn(&V, f64) -> Verdict, beam: &Beam) -> 
     let starts = if here.holds { start } else { start.max(here.margin) };
     let hit = flat::plane_hit(&origin(), &up(), beam);
     let hit = hit.filter(|hit| within(&beam.at(&hit.t), 0.0).holds).map(|mut hit| {
-        hit.inputs = 0.0; // the plane is none
+        hit.inputs = 0.0; // the plane y = 0 is not an input
         hit
     });
     Found { hits: hit.into_iter().collect(), margin: through.min(starts) }
@@ -49,13 +50,13 @@ fn arc(radius: &Real, ends: Option<[V; 2]>, reach: f64) -> Curve {
         return Curve::circle(&origin(), [&axes[0], &axes[1]], reach);
     };
     let ahead = level(from.0[2].clone(), -&from.0[0]);
-    let place = quarters(nearest(&to.dot(&ahead)), nearest(&to.dot(&from)));
-    let place = if place < 0.0 { place + 4.0 } else { place };
-    Curve::arc(&origin(), [&(&from * radius), &(&ahead * radius)], [0.0, place], reach)
+    let param = quarters(nearest(&to.dot(&ahead)), nearest(&to.dot(&from)));
+    let param = if param < 0.0 { param + 4.0 } else { param };
+    Curve::arc(&origin(), [&(&from * radius), &(&ahead * radius)], [0.0, param], reach)
 }
 
-/// Four sides and a circle; where that reaches over the sides, eight pieces and four arcs. (Where they
-/// meet they slide along themselves, too, but one goes on where the other ends.)
+/// The borders are four sides and a circle or, if the circle crosses the sides, eight pieces and four
+/// arcs. (A change also moves the ends of the pieces along the curves, but there the next curve begins.)
 pub(super) fn cut_face(size: &Real, radius: &Real, beam: &Beam) -> Found {
     let half = size / real(2.0);
     let (far, hole) = (nearest(&half), nearest(radius));
@@ -93,15 +94,15 @@ pub(super) fn cut_face(size: &Real, radius: &Real, beam: &Beam) -> Found {
     face(&borders, within, beam)
 }
 
-/// What a bevel leaves of the top of a wedge, in the plane y = 0.
+/// The flat part of the top of a beveled wedge, in the plane y = 0.
 pub(crate) struct Cap {
-    /// Of the arcs.
+    /// The radii of the arcs.
     pub(crate) radii: [Real; 2],
     /// How far along the sides the arcs end.
     pub(crate) along: [Real; 2],
     /// The azimuths of the sides, in degrees.
     pub(crate) phi: [Real; 2],
-    /// The azimuths of the arcs, if anything is left of them.
+    /// The azimuths of the arcs; `None` if the bevels leave nothing of an arc.
     pub(crate) arcs: [Option<[Real; 2]>; 2],
     /// The distance from the sides.
     pub(crate) bevel: Real,

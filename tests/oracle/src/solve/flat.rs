@@ -17,15 +17,16 @@ pub(super) fn plane(p: &V, n: &V, beam: &Beam) -> Found {
 pub(super) fn plane_hit(p: &V, n: &V, beam: &Beam) -> Option<Hit> {
     let slope = n.dot(&beam.d);
     if sign(&slope).is_eq() {
-        return None; // a ray in the plane, or beside it, misses
+        return None; // a ray in the plane or parallel to it misses
     }
     let t = (p - &beam.o).dot(n) / slope;
     let inputs = n.len() * (p.len() + (&beam.at(&t) - p).len());
     Some(Hit::flat(t, n.clone(), inputs))
 }
 
-/// With `aᵢ = vᵢ − o`, the edge function `d·(aᵢ × aⱼ)` is the side on which the ray passes the edge,
-/// and `D` is the sum of the three; `N = a₀·(a₁ × a₂)`. The ray hits if all four have one sign.
+/// With `aᵢ = vᵢ − o`, the sign of the edge function `d·(aᵢ × aⱼ)` is the side on which the ray passes
+/// the edge; `D` is the sum of the three, and `N = a₀·(a₁ × a₂)`. The ray hits if all three and `N` have
+/// the same sign.
 /// The barycentric coordinate βₖ of the hit is the opposite edge function over `D`; moving vₖ by δ
 /// moves the plane at the hit by βₖ δ, so `|F_vₖ| = βₖ |n|`.
 pub(super) fn triangle(v: [V; 3], beam: &Beam) -> Found {
@@ -61,7 +62,7 @@ pub(super) fn triangle(v: [V; 3], beam: &Beam) -> Found {
     Found { hits: vec![hit], margin: verdict.margin }
 }
 
-/// The sign of `N`, the volume between the origin and the triangle.
+/// The sign of `N`, six times the volume of the tetrahedron of the origin and the triangle.
 fn tetrahedron(a: &[V; 3], crosses: &[V; 3], reach: [f64; 3], n: &V, beam: &Beam) -> Gate {
     let value = a[0].dot(&crosses[0]);
     let first = beam.o_reach * n.len() + (0..3).map(|k| reach[k] * crosses[k].len()).sum::<f64>();

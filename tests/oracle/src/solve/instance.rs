@@ -1,4 +1,4 @@
-//! A shape moved by an affine map: the ray is moved back, t stays.
+//! A shape transformed by an affine map: the ray is transformed back, and t stays the same.
 
 use super::{Beam, Found, solve};
 use crate::{
@@ -23,8 +23,8 @@ fn parts(matrix: &[[Real; 4]; 3]) -> (M, V) {
 /// `F_A = −(A⁻ᵀ g) pᵀ` and `F_b = −A⁻ᵀ g`.
 ///
 /// A relative change by ε moves the inner origin by at most
-/// `‖A⁻¹‖ (reach of o + |b| + ‖A‖ |o'|) ε`; the condition `‖A‖ ‖A⁻¹‖` is left to the user of the
-/// margin, the rest is the inner ray's reach. Likewise for the direction.
+/// `‖A⁻¹‖ (reach of o + |b| + ‖A‖ |o'|) ε`. The caller divides the margin by the condition `‖A‖ ‖A⁻¹‖`;
+/// the other factor is the inner ray's reach. The same holds for the direction.
 pub(super) fn instance(matrix: &[[Real; 4]; 3], of: &Shape<Real>, beam: &Beam) -> Found {
     let (linear, shift) = parts(matrix);
     let back = linear.inverse().expect("an instance's matrix is not singular");

@@ -1,5 +1,5 @@
-//! Polynomials in one variable and their real roots: between the roots of the derivative there is
-//! one where the signs differ, and none where they do not.
+//! Polynomials in one variable and their real roots. Between neighbouring roots of the derivative there
+//! is one root if the signs at both differ, and none if they do not.
 
 use std::cmp::Ordering;
 
@@ -39,8 +39,8 @@ impl Polynomial {
         Polynomial(terms.map(|(i, c)| c * real(i as f64)).collect())
     }
 
-    /// The roots between `low` and `high` of the polynomial, of its derivative, of the second …:
-    /// one list each, ascending.
+    /// The roots between `low` and `high` of the polynomial, of its first derivative, of its second and so
+    /// on: one ascending list for each.
     pub(crate) fn levels(&self, low: &Real, high: &Real) -> Vec<Vec<Real>> {
         let degree = self.0.iter().rposition(|c| sign(c).is_ne()).unwrap_or(0);
         if degree == 0 || low > high {
@@ -65,7 +65,7 @@ impl Polynomial {
         levels
     }
 
-    /// The root between two places, of which the lower has this sign.
+    /// The root between `low`, where the sign is `at_low`, and `high`: Newton steps, else bisection.
     fn between(&self, slope: &Polynomial, low: Real, high: Real, at_low: Ordering) -> Real {
         let [mut low, mut high] = [low, high];
         let tiny = (0..490).fold(real(1.0), |x, _| x * real(0.5));

@@ -1,11 +1,11 @@
-//! Quadrics of revolution: their equations, and convex functions that say what is inside.
+//! Quadrics of revolution: their equations, and convex functions that are negative inside.
 
 use crate::{
     margin::Gate,
     real::{Real, V, magnitude, nearest, real, sign},
 };
 
-/// The whole surface, with its centre, vertex or foot at the origin.
+/// The whole surface, with its centre, vertex or the centre of its base at the origin.
 pub(super) enum Whole<'a> {
     /// `|p| = r`.
     Sphere { r: &'a Real },
@@ -99,7 +99,7 @@ impl Whole<'_> {
                 nearest(&(rho(p) * rho(p) + k2 * down * &p.0[1]))
             }
             Whole::Paraboloid { .. } => 3.0 * magnitude(&p.0[1]),
-            // κ is changed by (r² − h²)/(r² + h²) of a change of h, and by 2 r²/(r² + h²) of one of r
+            // a relative change of h changes κ by (r² − h²)/(r² + h²) of it, one of r by 2 r²/(r² + h²)
             Whole::Dish { r, h } => {
                 let (r2, h2) = (*r * *r, *h * *h);
                 nearest(&((real(3.0) * &r2 - &h2) / (r2 + h2))) * magnitude(&p.0[1])
@@ -107,8 +107,8 @@ impl Whole<'_> {
         }
     }
 
-    /// A convex function of the point, negative inside; and what a move by `reach·ε + second·ε²` and
-    /// a change of the shape, which moves the surface by `own·ε`, do to it.
+    /// A convex function of the point, negative inside; with a bound on its change when the point moves by
+    /// `reach·ε + second·ε²` and a change of the shape moves the surface by `own·ε`.
     pub(super) fn excess(&self, p: &V, reach: f64, own: f64, second: f64) -> Gate {
         let moved = reach + own;
         match self {

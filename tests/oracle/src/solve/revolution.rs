@@ -1,5 +1,5 @@
-//! Parts of quadrics of revolution about a vertical axis: a quadratic, each root filtered by height
-//! and azimuth; and a convex function along the ray, whose sign says what is inside.
+//! Parts of quadrics of revolution about a vertical axis: a quadratic, each root filtered by height and
+//! azimuth; and a convex function along the ray, which is negative inside.
 
 use super::{
     Beam, Found, Hit,
@@ -13,8 +13,8 @@ use crate::{
     real::{M, Real, V, magnitude, nearest, real, sign},
 };
 
-/// A height at which the part ends: how far out, and how far a relative change moves its border and
-/// the height itself.
+/// A height `y` at which the part ends, its border's distance `rho` from the axis, and how far a relative
+/// change moves the border and the height.
 struct Level {
     y: Real,
     rho: Real,
@@ -24,14 +24,14 @@ struct Level {
 struct Part<'a> {
     whole: Whole<'a>,
     center: V,
-    /// From the lower to the upper; one that shrinks to a point or does not exist is left out.
+    /// The lower and the upper end; `None` for an end that is a point or does not exist.
     levels: [Option<Level>; 2],
     wedge: Wedge,
     /// The borders along meridians: those of the two ends of the wedge.
     meridians: Vec<Curve>,
     /// How far a relative change moves the surface.
     own: f64,
-    /// The relative change that brings the ends of a range together.
+    /// The relative change that makes the ends of a range meet.
     order: f64,
 }
 
@@ -53,10 +53,10 @@ pub(super) fn part_sphere(
     };
     let wedge = Wedge::new(phi);
     let up = V([real(0.0), r.clone(), real(0.0)]);
-    let places = ends.each_ref().map(|(s, c)| quarters(nearest(s), nearest(c)).abs());
+    let params = ends.each_ref().map(|(s, c)| quarters(nearest(s), nearest(c)).abs());
     let meridian = |i: usize| {
         let reach = own + wedge.turns[i] * nearest(r);
-        Curve::arc(&origin(), [&up, &(&wedge.ends[i] * r)], places, reach)
+        Curve::arc(&origin(), [&up, &(&wedge.ends[i] * r)], params, reach)
     };
     let meridians = if wedge.all { Vec::new() } else { vec![meridian(0), meridian(1)] };
     let levels = [level(1), level(0)];
@@ -82,7 +82,7 @@ pub(super) fn part_cylinder(y: [&Real; 2], r: &Real, phi: &[Real; 2], beam: &Bea
 
 pub(super) fn cone(h: &Real, r: &Real, beam: &Beam) -> Found {
     let base = Level { y: real(0.0), rho: r.clone(), reach: nearest(r) };
-    // either end of the slanted wall moves it by at most this along its normal
+    // moving either end of the slanted wall moves the wall by at most this along its normal
     let own = 1.01 * nearest(&(h * r / (h * h + r * r).sqrt()));
     whole_turn(Whole::Cone { r, h }, [Some(base), None], own).solve(beam)
 }
@@ -140,7 +140,7 @@ impl Part<'_> {
             let hessian = Some(hessian.clone());
             self.holds(&p, 0.0).holds.then(|| Hit::new(t, gradient, inputs, hessian))
         });
-        // at an apex, too, which steep rays cannot help but hit
+        // also at an apex, which every steep ray through it hits
         let margin = if double { 0.0 } else { self.margin(&local) };
         Found { hits: hits.collect(), margin }
     }
@@ -179,7 +179,7 @@ impl Part<'_> {
         margin
     }
 
-    /// Through the border at a level: the whole circle, and where it is not all of it, its range.
+    /// The change that makes the ray meet the border at a level: the whole circle, or an arc of it.
     fn through(&self, level: &Level, local: &Beam) -> f64 {
         let [from, to] = &self.wedge.ends;
         if self.wedge.all {
@@ -188,13 +188,13 @@ impl Part<'_> {
             let center = with_height(&origin(), &level.y);
             return approach(&Curve::circle(&center, [&axes[0], &axes[1]], level.reach), local);
         }
-        // the axes turned so that the range begins with the first
+        // axes rotated so that the range begins at the first one
         let ahead = V([from.0[2].clone(), real(0.0), -&from.0[0]]);
-        let place = quarters(nearest(&to.dot(&ahead)), nearest(&to.dot(from)));
-        let place = if place < 0.0 { place + 4.0 } else { place };
+        let param = quarters(nearest(&to.dot(&ahead)), nearest(&to.dot(from)));
+        let param = if param < 0.0 { param + 4.0 } else { param };
         let axes = [from, &ahead].map(|axis| axis * &level.rho);
         let center = with_height(&origin(), &level.y);
-        approach(&Curve::arc(&center, [&axes[0], &axes[1]], [0.0, place], level.reach), local)
+        approach(&Curve::arc(&center, [&axes[0], &axes[1]], [0.0, param], level.reach), local)
     }
 
     /// The spans of `t ≥ 0` in which the ray is between the levels and in the wedge.
@@ -236,7 +236,7 @@ impl Part<'_> {
             && self.wedge.holds(p, 0.0).holds
     }
 
-    /// What it takes to make the ray touch the surface within a span.
+    /// The relative change that makes the ray touch the surface within a span.
     fn touches(&self, local: &Beam, from: Real, to: Option<Real>) -> f64 {
         let after =
             self.whole.closest(&local.o, &local.d).unwrap_or_else(|| from.clone()).max(from);

@@ -1,4 +1,4 @@
-//! Annuli: the hit is the plane's; it counts between the radii, and within the azimuths of a part.
+//! Annuli: the plane's hit, if it is between the radii and, for a part, within the azimuths.
 
 use super::{
     Beam, Found,
@@ -19,7 +19,7 @@ pub(super) fn annulus(c: &V, n: &V, radii: [&Real; 2], beam: &Beam) -> Found {
     let v = unit.cross(&u);
     let shift = c.len();
     let circle = |r: &Real| {
-        // tilting the plane moves its points by r, too
+        // tilting the plane also moves the circle's points by up to r
         Curve::circle(c, [&(&u * r), &(&v * r)], shift + 2.0 * nearest(r))
     };
     let borders = radii.into_iter().filter(|r| sign(r).is_gt()).map(circle).collect();
@@ -32,9 +32,9 @@ pub(super) fn part_annulus(c: &V, radii: [&Real; 2], phi: &[Real; 2], beam: &Bea
     let [from, to] = &wedge.ends;
     let ahead =
         if wedge.all { up.cross(from) } else { V([from.0[2].clone(), real(0.0), -&from.0[0]]) };
-    let place = quarters(nearest(&to.dot(&ahead)), nearest(&to.dot(from)));
-    let place = if place < 0.0 { place + 4.0 } else { place };
-    let ends = if wedge.all { [-2.0, 2.0] } else { [0.0, place] };
+    let param = quarters(nearest(&to.dot(&ahead)), nearest(&to.dot(from)));
+    let param = if param < 0.0 { param + 4.0 } else { param };
+    let ends = if wedge.all { [-2.0, 2.0] } else { [0.0, param] };
     let shift = c.len();
     let mut borders: Vec<Curve> = Vec::new();
     for r in radii.into_iter().filter(|r| sign(r).is_gt()) {
@@ -49,7 +49,7 @@ pub(super) fn part_annulus(c: &V, radii: [&Real; 2], phi: &[Real; 2], beam: &Bea
     }
     let mut found = ring(c, &up, radii, Some(&wedge), borders, beam);
     for hit in &mut found.hits {
-        hit.inputs = shift; // the normal is none
+        hit.inputs = shift; // the normal is not an input
     }
     found
 }
@@ -76,7 +76,7 @@ fn ring(
     Found { hits: hit.into_iter().collect(), margin }
 }
 
-/// Whether the foot of a point, which moves by at most `reach·ε`, is between the radii and in the
+/// Whether the projection of a point, which moves by at most `reach·ε`, is between the radii and in the
 /// wedge.
 fn between(w: &V, n: &V, radii: [&Real; 2], wedge: Option<&Wedge>, reach: f64) -> Verdict {
     let distance = n.cross(w).norm() / n.norm();

@@ -1,4 +1,4 @@
-//! Solids: the roots of all parts. A part at another place is asked with the ray moved back.
+//! Solids: the roots of all parts. Each part is intersected with the ray in the part's own frame.
 
 use super::{Beam, Found, Hit, face, revolution, solve};
 use crate::{
@@ -7,9 +7,8 @@ use crate::{
     solid::{Form, Part, Solid, parts},
 };
 
-/// The parts' numbers follow from the solid's. Where those change by ε, no part's surface and no
-/// border moves by more than `moves·ε` beyond what its own numbers would: some lengths, and turns
-/// of them.
+/// The parts' numbers are derived from the solid's. A change of the solid's numbers by ε moves a part's
+/// surface or border by at most `moves·ε` more than the same change of the part's own numbers does.
 pub(super) fn solid(solid: &Solid<Real>, beam: &Beam) -> Found {
     let moves = moves(solid);
     let mut all = Found { hits: Vec::new(), margin: f64::INFINITY };
@@ -21,7 +20,7 @@ pub(super) fn solid(solid: &Solid<Real>, beam: &Beam) -> Found {
     all
 }
 
-/// The sum of all lengths, and as much for each radian of an angle.
+/// The sum of all lengths, times 1 plus the sum of all angles in radians.
 fn moves(solid: &Solid<Real>) -> f64 {
     let sum = std::cell::Cell::new(0.0);
     let mut lengths = solid.map(|x| {
@@ -37,7 +36,7 @@ fn moves(solid: &Solid<Real>) -> f64 {
     (sum.get() - angles) * (1.0 + angles.to_radians())
 }
 
-/// A box around a part, in its frame; `None` for those that cost little.
+/// A bounding box of a part, in its frame; `None` for parts that are cheap to intersect.
 fn bounds(form: &Form) -> Option<[[f64; 3]; 2]> {
     let [radius, low, high] = match form {
         Form::Shape(Shape::PartTorus { swept_radius, tube_radius, .. }) => {
@@ -60,9 +59,9 @@ fn is_zero(x: &Real) -> bool {
     *x == real(0.0)
 }
 
-/// A margin of a part that the ray passes by so far that plain arithmetic can tell, which is right to
-/// some 1e-15 of the same lengths: if it misses a
-/// box that is larger by twice what a change by ε can move anything near it, it goes on missing it.
+/// A margin of a part that the ray clearly misses, from `f64` arithmetic, whose error is about 1e-15 of
+/// the same lengths. If the ray misses a box enlarged by twice the distance by which a change by ε can
+/// move anything near it, the changed ray misses the part.
 fn passes_by(form: &Form, beam: &Beam) -> Option<f64> {
     let [min, max] = bounds(form)?;
     let [o, d] = [&beam.o, &beam.d].map(|v| v.0.each_ref().map(nearest));
@@ -114,7 +113,7 @@ fn part_hits(part: &Part, moves: f64, beam: &Beam) -> Found {
     found
 }
 
-/// Where a point of a part is.
+/// The world position of a point given in the part's frame.
 pub(crate) fn outside(part: &Part, p: &V) -> V {
     &M(part.axes.clone()).transposed().times(p) + &part.origin
 }

@@ -1,4 +1,4 @@
-//! The sphere. Its margins are distances: to the ray, and to the ray's origin.
+//! The sphere. Its margins follow from two distances: to the ray, and to the ray's origin.
 
 use super::{Beam, Found, Hit, quadratic};
 use crate::{
@@ -20,11 +20,11 @@ pub(super) fn sphere(c: &V, r: &Real, beam: &Beam) -> Found {
     Found { hits: hits.collect(), margin: margin(c, r, &w, -b / a, beam) }
 }
 
-/// Inside, there is one root until the origin leaves; outside, the answer hangs on the distance of
-/// the half-line from the centre against r, and on staying outside.
+/// Inside, there is one root until the origin leaves. Outside, the answer changes if the distance of the
+/// half-line from the centre crosses r, or if the origin enters.
 ///
-/// The point at t moves by at most `o_reach + t·d_reach`, and the nearest point of the half-line is
-/// nearest to first order; going along the ray to where it moves more gains the second-order term.
+/// The point at t moves by at most `(o_reach + t·d_reach)·ε`. To first order the nearest point of the
+/// half-line decides; other points of the ray, which move more, add the second-order term.
 fn margin(c: &V, r: &Real, w: &V, closest: Real, beam: &Beam) -> f64 {
     let own = c.len() + nearest(r);
     let start = Gate::new(&(w.norm() - r), beam.o_reach + own, 0.0).not_negative();

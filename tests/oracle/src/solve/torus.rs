@@ -1,5 +1,5 @@
-//! The torus: the book's quartic, solved between the roots of its derivatives; the part of it within
-//! ranges of angles.
+//! The torus, whole or within ranges of angles: the book's quartic, solved between the roots of its
+//! derivatives.
 
 use std::array::from_fn;
 
@@ -9,7 +9,7 @@ use crate::{
     real::{M, Real, V, magnitude, nearest, real, sign},
 };
 
-/// To first order margins say nothing about larger changes than this.
+/// The margins are local estimates, which are not valid for changes larger than this.
 const MAX: f64 = 1e-3;
 
 /// A range of angles: the ends in degrees.
@@ -22,7 +22,7 @@ struct End<'a> {
     cos: Real,
 }
 
-/// A point seen from the torus: `k = ρ − a` and the distance `q` from the middle of the tube.
+/// A point in coordinates of the torus: `k = ρ − a`, and the distance `q` from the tube's centre line.
 struct Seen {
     p: V,
     rho: Real,
@@ -31,7 +31,7 @@ struct Seen {
 }
 
 impl Seen {
-    /// Away from the axis; on the axis, where only a tube thicker than its ring gets, any way.
+    /// The unit vector away from the axis. On the axis, which only a tube with `b ≥ a` meets, it is +z.
     fn out(&self) -> V {
         let [x, _, z] = &self.p.0;
         let level = V([x.clone(), real(0.0), z.clone()]);
@@ -89,8 +89,8 @@ impl Torus<'_> {
         Seen { p, rho, k, q }
     }
 
-    /// The quartic is `((ρ − a)² + y² − b²)((ρ + a)² + y² − b²)`; where the tube is thicker than the
-    /// ring is wide, the second factor has roots, too, which are on the other side of the axis.
+    /// The quartic is `((ρ − a)² + y² − b²)((ρ + a)² + y² − b²)`. If `b > a`, the second factor has roots,
+    /// too; they belong to the tube on the other side of the axis.
     fn is_on_tube(&self, seen: &Seen) -> bool {
         let beyond = &seen.rho + self.a;
         let other = (&beyond * &beyond + &seen.p.0[1] * &seen.p.0[1]).sqrt();
@@ -115,10 +115,10 @@ impl Torus<'_> {
         Hit::new(t, gradient, inputs, Some(hessian))
     }
 
-    /// The number of roots changes only where the ray starts on the surface or touches it. It
-    /// touches where the distance from the tube and its slope are 0: so asked at the stationary
-    /// points of the quartic, and where higher derivatives vanish, as three or four roots may meet
-    /// there. A part is also left or entered at its ends.
+    /// The number of roots changes only where the ray starts on the surface or touches it. It touches the
+    /// surface where the distance from the tube and its slope are 0. This is tested at the stationary
+    /// points of the quartic, and where higher derivatives vanish, as three or four roots may meet there.
+    /// The roots of a part also change where one passes an end of a range.
     fn margin(&self, levels: &[Vec<Real>]) -> f64 {
         let ahead = |level: usize| {
             let points = levels.get(level).into_iter().flatten();
@@ -138,7 +138,7 @@ impl Torus<'_> {
         stationary.chain(higher).chain(ends).chain(widths).chain([start]).fold(MAX, f64::min)
     }
 
-    /// What it takes to make the point at `t` one of the surface, and if asked the ray tangent there.
+    /// The change that puts the point at `t` on the surface and, if `sloped`, makes the ray tangent there.
     fn touch(&self, t: &Real, sloped: bool) -> f64 {
         let seen = self.seen(t);
         let [q, k, a, b] = [&seen.q, &seen.k, self.a, self.b].map(nearest);
@@ -166,7 +166,7 @@ impl Torus<'_> {
         self.beam.o_reach + magnitude(t) * self.beam.d_reach
     }
 
-    /// What it takes to bring a root to an end of a range. It stays on the surface: where the ray
+    /// The change that moves a root to an end of a range. The root stays on the surface: where the ray
     /// moves by δ, the root moves by `δ − d (n·δ)/(n·d)`, and across an end with normal m by
     /// `(m − n (m·d)/(n·d))·δ`.
     fn at_ends(&self, t: &Real) -> f64 {
@@ -193,7 +193,7 @@ impl Torus<'_> {
         ends.iter().flatten().map(|end| end.0).fold(f64::INFINITY, f64::min)
     }
 
-    /// 0 for a point in both ranges; else what it takes to bring it there.
+    /// 0 for a point in both ranges; else the change that moves it there.
     fn out_of_range(&self, seen: &Seen, moves: impl Fn(&V) -> (f64, f64)) -> f64 {
         let part = self.part.iter().flatten();
         let outside = part.zip(self.ends(seen, moves)).map(|(range, ends)| {
@@ -212,9 +212,9 @@ impl Torus<'_> {
         outside.fold(0.0, f64::max)
     }
 
-    /// For each end of each range: what it takes to bring the point there, and whether it is less
-    /// than 180° on from it. `moves` says how far the point moves in a direction, to first and
-    /// second order.
+    /// For each end of each range: the change that moves the point there, and whether the point is at an
+    /// angle of 0° to 180° after this end. `moves` gives how far the point moves in a direction, to first
+    /// and second order.
     fn ends(&self, seen: &Seen, moves: impl Fn(&V) -> (f64, f64)) -> Vec<[(f64, bool); 2]> {
         let zero = || real(0.0);
         let out = seen.out();

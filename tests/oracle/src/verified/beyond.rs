@@ -1,4 +1,4 @@
-//! Answers beyond a start.
+//! Answers beyond a given start.
 
 use crate::{
     Answer, Ray, Root, Shape,
@@ -8,10 +8,10 @@ use crate::{
 
 use super::everything;
 
-/// Law: beyond a start there is what lies beyond it, with the same conditions. Second method: the
-/// whole answer, cut off. Starts that a root is near are left out, but that they are few is checked.
+/// Law: the answer beyond a start consists of the roots beyond it, with the same conditions. Second
+/// method: the whole answer, cut off. Starts near a root are left out; the test checks that they are few.
 #[test]
-fn beyond_a_start_is_what_lies_beyond_it() {
+fn the_answer_beyond_a_start_has_the_roots_beyond_it() {
     let near_by = |(a, b): (f64, f64)| a == b || (a - b).abs() <= 1e-12 * a.abs().max(1.0);
     let same = |a: &Root, b: &Root| {
         let normals = a.normal.into_iter().zip(b.normal);
@@ -41,8 +41,8 @@ fn beyond_a_start_is_what_lies_beyond_it() {
     assert!(3 * near < all && met[0] > 100 && met[1] > 100, "{near} of {all}, {met:?}");
 }
 
-/// Law: on the sphere's own surface the margin of the hit across it is that of this hit. Oracle: by
-/// hand.
+/// Law: for a ray that starts on the sphere, the margin beyond the start is that of the far hit alone.
+/// Oracle: by hand.
 #[test]
 fn the_start_itself_does_not_count() {
     let sphere = Shape::Sphere { center: [0.0; 3], radius: 1.0 };
@@ -56,8 +56,9 @@ fn the_start_itself_does_not_count() {
     assert!(none.roots.is_empty() && (0.01..0.25).contains(&none.margin), "{none:?}");
 }
 
-/// Law: the margin counts from where the ray starts, not from where it is asked. Oracle: by hand; a ray
-/// that passes a unit sphere by one radius from 10⁸ away may turn by 10⁻⁸ until it touches.
+/// Law: the margin depends on the whole distance from the ray's origin, not only on that from the start.
+/// Oracle: by hand; a ray from 10⁸ away that misses a unit sphere by one radius touches it if turned by
+/// 10⁻⁸.
 #[test]
 fn margins_are_those_of_the_whole_way() {
     let sphere = Shape::Sphere { center: [0.0; 3], radius: 1.0 };
@@ -68,7 +69,7 @@ fn margins_are_those_of_the_whole_way() {
     }
 }
 
-/// Law: most rays from a surface can be judged beyond their start, and none at it.
+/// Law: many rays from a surface have a positive margin beyond their start, and almost none at it.
 #[test]
 fn rays_from_a_surface_are_judged_beyond_it() {
     for kind in [Kind::Sphere, Kind::Cuboid, Kind::Torus, Kind::Cone, Kind::Rectangle] {

@@ -1,4 +1,4 @@
-//! Cases that a person can work out.
+//! Cases worked out by hand.
 
 use crate::{Ray, Root, Shape, condition, intersect};
 
@@ -8,7 +8,7 @@ fn roots(shape: &Shape, ray: &Ray) -> Vec<(f64, [f64; 3])> {
     intersect(shape, ray).roots.iter().map(|root| (root.t, root.normal)).collect()
 }
 
-/// Fails unless a number is the expected one within this share of it.
+/// Fails unless the relative error of a number is below `tolerance`.
 #[track_caller]
 fn near(found: f64, expected: f64, tolerance: f64) {
     let off = (found / expected - 1.0).abs();
@@ -113,8 +113,8 @@ fn the_condition_of_a_matrix_is_that_of_its_stretches() {
     assert_eq!(condition(&[[1.0, 2.0, 3.0, 0.0]; 3]), f64::INFINITY);
 }
 
-/// Perpendicular: t moves with the height of the origin (5), the length of the direction (4) and the
-/// radius (1); the centre is at 0.
+/// At a perpendicular hit t depends on the origin (length 5), the direction (t times its length: 4) and
+/// the radius (1); the centre, at 0, adds nothing.
 #[test]
 fn the_condition_of_a_perpendicular_hit_is_the_sum_of_its_lengths() {
     let sphere = Shape::Sphere { center: [0.0; 3], radius: 1.0 };
@@ -123,7 +123,7 @@ fn the_condition_of_a_perpendicular_hit_is_the_sum_of_its_lengths() {
 
 #[test]
 fn errors_are_measured_from_the_exact_answer() {
-    // t = 1/3 is no f64: even the nearest one has an error
+    // t = 1/3 is not an f64: even the nearest one has an error
     let plane = Shape::Plane { point: [1.0, 0.0, 0.0], normal: [1.0, 0.0, 0.0] };
     let root = only(&plane, &Ray { origin: [0.0; 3], direction: [3.0, 0.0, 0.0] });
     let ulp = f64::EPSILON / 4.0;

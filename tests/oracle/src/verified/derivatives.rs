@@ -14,7 +14,7 @@ fn tiny(exponent: usize) -> Real {
     (0..exponent).fold(real(1.0), |x, _| x / real(10.0))
 }
 
-/// Grows outwards (to the side of the normal), 0 on the surface.
+/// A function that is 0 on the surface and grows in the direction of the normal.
 fn implicit(shape: &Shape<Real>, p: &V) -> Real {
     let v = |x: &[Real; 3]| V(x.clone());
     match shape {
@@ -71,7 +71,7 @@ fn the_normal_is_the_direction_in_which_the_implicit_function_grows() {
         let case = Case::new(&shape, &ray);
         let before = answer(&case.shape, &case.ray);
         if before.margin < 1e-30 {
-            continue; // such as a ray within a face, which has no one side there
+            continue; // such as a ray within a face, where the function has no gradient
         }
         for root in before.roots.iter().filter(|root| root.face_margin > 1e-30) {
             let d = V(case.ray.direction.clone());
@@ -92,7 +92,7 @@ fn the_normal_is_the_direction_in_which_the_implicit_function_grows() {
     }
 }
 
-/// Oracle: every component of every input moved by 10⁻⁴⁰ of its group's length.
+/// Oracle: every component of every input is moved by 10⁻⁴⁰ of its group's length.
 #[test]
 fn the_condition_is_how_far_t_moves() {
     let step = tiny(40);

@@ -1,4 +1,4 @@
-//! The hard cases are as hard as they say.
+//! The hard cases are as hard as documented.
 
 use super::everything;
 use crate::{
@@ -46,14 +46,14 @@ fn half_hit(n: usize) {
             let cases = cases(kind, family, 11, if kind.is_solid() { n / 2 } else { n });
             let hits = cases.iter().filter(|(s, r)| !intersect(s, r).roots.is_empty()).count();
             let (least, most) = match family {
-                Family::EdgesAndCorners => (40, 185), // the border counts, unless the ray turns away
-                Family::Degenerate if level => (10, 170), // and half of these
+                Family::EdgesAndCorners => (40, 185), // the border belongs to the shape
+                Family::Degenerate if level => (10, 170), // most of these are level, too
                 Family::Degenerate => (25, 170),      // a ray in a plane misses it
-                // points of a level plane are exact, and a ray that starts there misses it
+                // points of a level plane are exact: t is 0 there, which is not a hit
                 Family::OnSurface if level => (0, 0),
                 Family::AxisParallel if level => (15, 170), // most are level, too
-                _ if kind.is_solid() => (25, 195), // there is no way out of a closed surface
-                Family::OnSurface => (40, 185), // surfaces of many sheets are left through another
+                _ if kind.is_solid() => (25, 195), // from inside, every ray hits a closed surface
+                Family::OnSurface => (40, 185),    // a ray may hit another sheet of the surface
                 _ => (40, 170),
             };
             let hits = hits * 200 / cases.len();
@@ -69,7 +69,7 @@ fn far_origins_are_far() {
     assert!(count > 50, "{count} of 200 beyond 1e6");
 }
 
-/// The angle with the surface, as `|d·n|/|d|`.
+/// The sine of the angle between ray and surface is `|d·n|/|d|`.
 #[test]
 fn grazing_rays_graze() {
     for kind in [Kind::Plane, Kind::Sphere, Kind::Triangle, Kind::Disk, Kind::OpenCylinder] {
@@ -102,7 +102,7 @@ fn tangents_pass_within_1e_12_on_both_sides() {
     }
 }
 
-/// The long side over the height on it.
+/// A needle has one very short side; a cap has three long sides.
 #[test]
 fn thin_triangles_are_needles_and_caps_of_aspect_1e5_and_more() {
     let (mut needles, mut caps) = (0, 0);
@@ -148,7 +148,7 @@ fn degenerate_rays_have_zeros_of_both_signs() {
     }
 }
 
-/// A ray through an edge hangs by a thread: its margin is 0 or a few roundings.
+/// The margin of a ray through an edge is 0 or a few roundings.
 #[test]
 fn rays_through_edges_meet_them() {
     for kind in [Kind::Triangle, Kind::Rectangle] {
@@ -162,7 +162,7 @@ fn rays_through_edges_meet_them() {
     }
 }
 
-/// The oracle takes sides as given; the inside test by projections means what it says only then.
+/// The oracle takes the sides as given; its inside test by projections is right only if this holds.
 #[test]
 fn sides_of_rectangles_are_perpendicular_to_rounding() {
     for family in Family::ALL {

@@ -1,4 +1,4 @@
-//! The inputs of a case as groups (a point, a vector, a radius, a matrix), to be moved.
+//! The inputs of a case in groups (a point, a vector, a radius, a matrix), which the tests move.
 
 use crate::{
     hard::SplitMix64,
@@ -29,7 +29,7 @@ impl Case {
         for group in case.groups() {
             let random =
                 |rng: &mut SplitMix64| (rng.next_u64() >> 11) as f64 - (1_u64 << 52) as f64;
-            // a component or all of them: bounds along an axis are met by single components
+            // one component or all of them: some bounds are attained only by moves along an axis
             let only = rng.next_u64() as usize % (2 * group.len());
             let direction: Vec<Real> = (0..group.len())
                 .map(|i| real(if only < group.len() && i != only { 0.0 } else { random(rng) }))
@@ -99,7 +99,7 @@ fn of_shape<'a>(shape: &'a mut Shape<Real>, groups: &mut Vec<Vec<&'a mut Real>>)
             groups.push(center.iter_mut().collect());
             groups.push(vec![radius]);
             azimuths(phi, groups);
-            // to the pole is no number but a word, as is all around
+            // 180° means "up to the pole", as 360° means "all around": neither is moved
             groups.extend(theta.iter_mut().filter(|x| **x != real(180.0)).map(|x| vec![x]));
         }
         Shape::PartCylinder { y0, y1, radius, phi } => {

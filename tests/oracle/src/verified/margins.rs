@@ -46,8 +46,8 @@ fn shaken(n: usize) {
     }
 }
 
-/// The worst direction is the one from the centre to the ray's nearest point: ray, centre and radius
-/// all change along it, towards the other answer.
+/// The worst direction is that from the centre to the ray's nearest point: ray, centre and radius all
+/// change along it, towards the other answer.
 #[test]
 fn a_change_of_four_margins_flips_a_tangent_sphere() {
     let mut judged = 0;
@@ -75,12 +75,12 @@ fn a_change_of_four_margins_flips_a_tangent_sphere() {
     assert!(judged > 100, "only {judged} cases near tangency");
 }
 
-/// A margin of 0 everywhere would be a true lower bound, and would judge nothing.
+/// A margin of 0 everywhere would be a correct lower bound, but a useless one.
 #[test]
 fn ordinary_cases_have_ample_margins() {
     for kind in Kind::ALL {
         let margins = cases(kind, Family::Ordinary, 5, 300);
-        // the threads by which the answer of a solid may hang are those of all its parts
+        // the margin of a solid is the smallest of all its parts' margins
         let ample = if kind.is_solid() { 1e-7 } else { 1e-4 };
         let scarce = margins.iter().filter(|(shape, ray)| intersect(shape, ray).margin < ample);
         let scarce = scarce.count();
@@ -89,7 +89,7 @@ fn ordinary_cases_have_ample_margins() {
 }
 
 /// Closed form: the ray at height 1 − h over the x axis, from x = −5, against the unit sphere at the
-/// origin: h over 5 (origin, nearly), 5 (direction over five units of length), 1 (radius).
+/// origin: h over the sum of √26 (length of the origin), 5 (direction, times t = 5) and 1 (radius).
 #[test]
 fn the_margin_of_a_near_tangent_is_its_distance_over_what_moves() {
     let height = 1.0 - 1e-9;
@@ -100,7 +100,7 @@ fn the_margin_of_a_near_tangent_is_its_distance_over_what_moves() {
     assert!((margin / expected - 1.0).abs() < 1e-6, "{margin:e}, expected {expected:e}");
 }
 
-/// Which way the margin falls, by difference quotients.
+/// The direction in which the margin decreases fastest, by difference quotients.
 fn downhill(case: &mut Case, margin: f64) -> Vec<Vec<Real>> {
     let mut gradient = Vec::new();
     for g in 0..case.groups().len() {
@@ -116,11 +116,12 @@ fn downhill(case: &mut Case, margin: f64) -> Vec<Vec<Real>> {
     gradient
 }
 
-/// All inputs move the way that the margin falls: not before the margin is used up does the answer
-/// flip (a rim's margin is sought on a grid, hence half), and before it is used up four times it does.
+/// All inputs move in the direction in which the margin decreases. The answer does not change for steps
+/// below the margin (below half of it for rims, whose margin is searched on a grid), and mostly changes
+/// for a step of at most four margins.
 #[test]
-fn down_the_steepest_way_the_answer_flips_when_the_margin_is_used_up() {
-    // those of solids are but lower bounds: their parts may move by a sum of lengths
+fn moves_in_the_steepest_direction_flip_the_answer_near_the_margin() {
+    // for solids the margins are only lower bounds, as they assume that parts move by a sum of lengths
     for kind in Kind::ALL.into_iter().filter(|kind| !kind.is_solid()) {
         let rim = matches!(kind, Kind::Disk | Kind::OpenCylinder | Kind::Annulus);
         let (mut judged, mut flipped) = (0, 0);
@@ -145,7 +146,7 @@ fn down_the_steepest_way_the_answer_flips_when_the_margin_is_used_up() {
     }
 }
 
-/// An instance far from the origin: its inner ray is near, and yet moves as the numbers 10⁶ do.
+/// An instance far from the origin: its object-space ray is near, but moves as much as numbers of 10⁶.
 #[test]
 fn the_margin_of_a_far_instance_counts_its_translation() {
     let matrix = [[1.0, 0.0, 0.0, 1e6], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];

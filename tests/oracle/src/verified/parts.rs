@@ -1,5 +1,5 @@
-//! Counts of the roots of parts: signs of the exact quadratic at the ends of the spans in which the ray
-//! is inside the part's planes. Sines and cosines: addition theorems and closed forms.
+//! The number of roots of parts, from the signs of the exact quadratic at the ends of the spans in which
+//! the ray is inside the part's planes. Sines and cosines are checked by addition theorems and closed forms.
 
 use super::rational::{Line, Q, Q3, implicit, q};
 use crate::{
@@ -8,7 +8,7 @@ use crate::{
     real::{Real, magnitude, nearest, real},
 };
 
-/// The number to some 300 bits, as a fraction.
+/// The number to about 300 bits, as a fraction.
 fn fraction(x: &Real) -> Q {
     let (mut rest, mut sum) = (x.clone(), Q::ZERO);
     for _ in 0..6 {
@@ -27,7 +27,7 @@ fn side_of(gate: &Side, p: &Q3) -> Q {
     &a[0] * &p[0] + &a[1] * &p[1] + &a[2] * &p[2] + b
 }
 
-/// The planes through the axis at both ends of a range, and whether both sides are needed.
+/// The planes through the axis at the ends of a range; whether both must hold; whether it is a full turn.
 fn wedge(phi: &[f64; 2]) -> ([Q3; 2], bool, bool) {
     let [a, b] = phi.map(|phi| {
         let (s, c) = sin_cos(&real(phi));
@@ -48,7 +48,7 @@ pub(super) fn in_wedge(phi: &[f64; 2], w: &Q3) -> bool {
     all || if both { a && b } else { a || b }
 }
 
-/// Above and below, and the wedge about which centre.
+/// The half-spaces above and below, the range of azimuths, and its centre.
 fn filters(shape: &Shape) -> (Vec<Side>, Option<[f64; 2]>, [f64; 3]) {
     let above = |y: Q| ([Q::ZERO, q(1.0), Q::ZERO], -y);
     let below = |y: Q| ([Q::ZERO, q(-1.0), Q::ZERO], y);
@@ -61,7 +61,7 @@ fn filters(shape: &Shape) -> (Vec<Side>, Option<[f64; 2]>, [f64; 3]) {
         Shape::PartSphere { center, radius, phi, theta } => {
             let [top, bottom] =
                 theta.map(|theta| q(center[1]) + q(*radius) * fraction(&sin_cos(&real(theta)).1));
-            // at a pole the plane touches, and rounding must not cut it off
+            // at a pole the plane touches the sphere; with rounding it could cut the pole off
             let mut sides = Vec::new();
             sides.extend((theta[1] < 180.0).then(|| above(bottom)));
             sides.extend((theta[0] > 0.0).then(|| below(top)));
@@ -140,8 +140,7 @@ fn roots(shape: &Shape, line: &Line, from: &Q, to: Option<&Q>) -> usize {
     if between && positive(&f(&vertex)) != first { 2 } else { 0 }
 }
 
-/// Oracle: 30°, 45° and 36° in closed form, `s² + c² = 1`, and the addition theorem, which with the
-/// value at one small angle leaves no other function.
+/// Oracle: 30°, 45° and 36° in closed form, `s² + c² = 1`, and the addition theorem.
 #[test]
 fn sines_and_cosines_obey_the_addition_theorem() {
     let close = |x: Real, y: Real| {

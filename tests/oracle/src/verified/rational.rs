@@ -1,4 +1,4 @@
-//! Exact rational arithmetic: no roundings, no square roots, only signs.
+//! Exact rational arithmetic: no rounding and no square roots, only signs.
 
 use dashu_ratio::RBig;
 
@@ -217,8 +217,8 @@ fn count(shape: &Shape, line: &Line) -> usize {
     }
 }
 
-/// The roots of the whole torus whose angles, by the arc tangent, are in the ranges. (In `f64`
-/// that decides nothing nearer to an end than 1e-9: such cases are not asked.)
+/// The roots of the whole torus whose angles, by the arc tangent, are in the ranges. (Angles in `f64` are
+/// too inexact for cases within 1e-9 of an end; these are left out.)
 fn in_ranges([a, b]: [f64; 2], ranges: [[f64; 2]; 2], line: &Line) -> usize {
     let f64s = |v: &Q3| v.each_ref().map(|x| x.to_f64().value());
     let ray = Ray { origin: f64s(&line.o), direction: f64s(&line.d) };
@@ -237,7 +237,7 @@ fn in_ranges([a, b]: [f64; 2], ranges: [[f64; 2]; 2], line: &Line) -> usize {
     whole.roots.iter().filter(inside).count()
 }
 
-/// Where the line is between min and max on these axes.
+/// The interval in which the line is between min and max on these axes.
 fn span(line: &Line, axes: &[usize], min: &[f64; 3], max: &[f64; 3]) -> Option<(Q, Q)> {
     let mut span: Option<(Q, Q)> = None;
     for &i in axes {
@@ -279,14 +279,14 @@ fn convex(
 const MAY_TOUCH: [Kind; 6] =
     [Kind::Cuboid, Kind::Cone, Kind::Algebraic, Kind::Torus, Kind::PartTorus, Kind::Instance];
 
-/// Oracle: signs of the exact implicit function at t ± 2⁻²⁰⁰ t or so.
+/// Oracle: signs of the exact implicit function at about t ± 2⁻²⁰⁰ t.
 #[test]
 fn the_exact_function_changes_sign_at_every_root() {
     let mut seen = 0;
     for (kind, family, shape, ray) in everything(30) {
         let answer = intersect(&shape, &ray);
         if answer.margin == 0.0 && MAY_TOUCH.contains(&kind) {
-            continue; // along a face or edge, or where it is tangent, the function stays 0 or touches it
+            continue; // the function stays 0 along a face or edge, and touches 0 at a tangent
         }
         let line = Line::new(&ray);
         for (i, root) in answer.roots.iter().enumerate() {
@@ -314,8 +314,8 @@ fn the_exact_function_changes_sign_at_every_root() {
     assert!(seen > 1500, "only {seen} roots");
 }
 
-/// Oracle: counts from signs of rational numbers. Where the margin is 0 a square root may have
-/// rounded what the rational numbers decide, except for shapes that need none.
+/// Oracle: counts from signs of rational numbers. Where the margin is about 0, the oracle's rounded
+/// square roots may decide differently; shapes without square roots are checked there, too.
 #[test]
 fn no_root_is_lost_and_none_invented() {
     for (kind, family, shape, ray) in everything(60) {

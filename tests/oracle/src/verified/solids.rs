@@ -1,5 +1,5 @@
-//! Solids: a ray is outside and inside in turn as the solid's inequality says, in closed form; and
-//! margins hold for changed numbers.
+//! Solids: along a ray, outside and inside alternate as the solid's inequality in closed form says; and
+//! the margins hold for changed inputs.
 
 #![expect(clippy::disallowed_methods, reason = "compared to 1e-7: any platform's sines will do")]
 
@@ -46,7 +46,7 @@ fn excess(solid: &Solid, [x, y, z]: [f64; 3]) -> f64 {
         }
         Solid::ConcaveLens { radius, thickness, min_distance } => {
             let (low, high) = (0.5 * min_distance, 0.5 * thickness);
-            // as far from the middle of the hollow as from its rim
+            // the height of the sphere's centre, which is equally far from the hollow's middle and rim
             let center = (radius * radius + (high - low) * (high + low)) / (2.0 * (high - low));
             let hollow = center - low - length(rho, y.abs() - center);
             (rho - radius).max(y.abs() - high).max(hollow)
@@ -69,8 +69,8 @@ fn excess(solid: &Solid, [x, y, z]: [f64; 3]) -> f64 {
     }
 }
 
-/// How far a level point `z + i x` is from the points of a sector that are `b` or more from its
-/// border: the nearest of many of them, when it is none itself.
+/// The distance of a level point `z + i x` from the points of a sector that are at least `b` from its
+/// border: 0 for one of these, else the least distance to the pieces of their outline.
 fn from_sector([z, x]: [f64; 2], [r0, r1]: [f64; 2], [from, to]: [f64; 2], b: f64) -> f64 {
     let width = if to < from { to - from + 360.0 } else { to - from };
     let rho = length(z, x);
@@ -99,7 +99,7 @@ fn from_sector([z, x]: [f64; 2], [r0, r1]: [f64; 2], [from, to]: [f64; 2], b: f6
             least = least.min(apart(at(r, low))).min(apart(at(r, high)));
         }
     }
-    // along the sides, perhaps only where they begin
+    // the straight sides, or their ends
     let [s0, s1] = [near, far].map(|r| ((r - b) * (r + b)).sqrt());
     for [p, q] in [[u, v], at(rho, width - azimuth)] {
         least = least.min(length(p - p.min(s1).max(s0), q - b));
@@ -107,7 +107,7 @@ fn from_sector([z, x]: [f64; 2], [r0, r1]: [f64; 2], [from, to]: [f64; 2], b: f6
     least
 }
 
-/// Law: between two roots a ray is inside where it was outside. Oracle: the solid's inequality.
+/// Law: at each root a ray passes from outside to inside or back. Oracle: the solid's inequality.
 #[test]
 fn roots_of_solids_are_where_their_inequalities_change() {
     for kind in solids() {
@@ -158,7 +158,7 @@ fn check_pieces(kind: Kind, solid: &Solid, ray: &Ray, roots: Vec<crate::Root>) -
     pieces
 }
 
-/// Law: numbers moved by a quarter of the margin leave the answer as it is. Oracle: the answer itself.
+/// Law: inputs moved by a quarter of the margin do not change the answer. Oracle: the answer itself.
 #[test]
 fn no_change_below_the_margin_changes_the_answer_of_a_solid() {
     let mut rng = SplitMix64::new(8);
@@ -183,8 +183,8 @@ fn no_change_below_the_margin_changes_the_answer_of_a_solid() {
     }
 }
 
-/// Law: a ray along the axis of a cylinder whose edges are rounder than its ends are wide meets the
-/// two ends, where its tori meet themselves. Oracle: the heights.
+/// Law: a ray parallel to the axis of a cylinder whose bevel exceeds half the radius meets the two ends,
+/// near where the edges' tori intersect themselves. Oracle: the heights.
 #[test]
 fn along_the_axis_of_a_round_edged_cylinder_there_are_two_ends() {
     let solid = Solid::BeveledCylinder { y0: 0.25, y1: 1.85, radius: 1.0, bevel: 0.75 };

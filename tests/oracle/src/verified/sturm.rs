@@ -1,4 +1,4 @@
-//! Real roots counted by Sturm's theorem, in exact rational arithmetic.
+//! The number of real roots by Sturm's theorem, in exact rational arithmetic.
 
 use dashu_ratio::RBig;
 
