@@ -103,8 +103,8 @@ impl Lamp {
     }
 }
 
-/// The end of the shadow ray to a point of a lamp: in front of the lamp by more than the error of a hit, so
-/// that neither the lamp nor a surface in its plane shadows the point, even at grazing angles.
+/// The end of the shadow ray to a point of a lamp. It is in front of the lamp by more than the error of a
+/// hit: the lamp, and a surface in its plane, block no light, even at grazing angles.
 fn end(from: math::Point, at: &Surface, direction: Vector) -> math::Point {
     // the error of a hit on such a surface is a few u of the coordinates
     let size = at.point.to_vector().max_abs() + from.to_vector().max_abs();

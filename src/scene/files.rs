@@ -19,7 +19,7 @@ impl Scene {
         let mut data = file::table(self).map_err(|invalid| SceneError::NotPlain { invalid })?;
         let joined = join_files(&mut data, folder);
         joined.map_err(|invalid| SceneError::NotPlain { invalid })?;
-        // by way of text, so that tables need no way of their own into each kind of data
+        // by way of text: to read tables directly, each kind would be compiled a second time
         file::parse(data.to_string(), folder).map(|(scene, _)| scene)
     }
 }

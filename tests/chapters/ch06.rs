@@ -127,7 +127,7 @@ proptest! {
     fn the_jacobian_is_a_quarter_of_pi([u1, u2] in [0.001..0.999_f64, 0.001..0.999_f64]) {
         const H: f64 = 1e-5;
         let [a, b] = centered([u1, u2]);
-        // not near a seam, nor near the centre, where the third derivatives grow
+        // away from the seams, and from the centre, where the third derivatives are large
         prop_assume!((a.abs() - b.abs()).abs() > 4.0 * H && a.abs().max(b.abs()) > 0.05);
         let slope = |to: [f64; 2], from: [f64; 2]| {
             let (to, from) = (maps::disk(to), maps::disk(from));

@@ -45,8 +45,8 @@ const NASTY: [f64; 24] = [
     90.0,
 ];
 
-/// Whether squares and products of `x` neither overflow nor underflow. For other numbers a hit promises only
-/// its `t`.
+/// Whether `x` can be squared and multiplied without overflow and underflow. Of a hit with other numbers only
+/// `t` is promised.
 pub fn is_tame(x: f64) -> bool {
     x == 0.0 || (1e-30..=1e30).contains(&x.abs())
 }
