@@ -8,7 +8,7 @@ use crate::samplers::Branch;
 use arrayvec::ArrayVec;
 
 /// The lobes of a surface, as a viewer in the direction `wo` sees them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Bsdf<'a> {
     lobes: &'a Lobes,
     normals: Normals,
@@ -16,6 +16,8 @@ pub struct Bsdf<'a> {
     wo: Vector,
     /// About the shading normal.
     frame: Frame,
+    /// See [`Bsdf::chances`].
+    chances: ArrayVec<f64, MAX_LOBES>,
 }
 
 /// The two normals of a hit; those of a two-sided surface are turned to the viewer.
@@ -83,7 +85,21 @@ pub struct BsdfSample {
 impl<'a> Bsdf<'a> {
     /// The lobes of a surface with these normals, seen from the unit direction `wo`.
     pub fn new(lobes: &'a Lobes, normals: Normals, wo: Vector) -> Self {
-        Self { lobes, normals, wo, frame: Frame::around(normals.shading) }
+        let (frame, chances) = (Frame::around(normals.shading), ArrayVec::new());
+        Self { lobes, normals, wo, frame, chances }
+    }
+
+    /// The same for a path, which takes one of the lobes.
+    #[must_use]
+    pub fn choosing(mut self) -> Self {
+        let chance =
+            |(lobe, kind): &(Lobe, NormalKind)| lobe.chance(self.frame(*kind).to_local(self.wo));
+        self.chances = self.lobes.iter().map(chance).collect();
+        let sum: f64 = self.chances.iter().sum();
+        if sum > 0.0 {
+            self.chances.iter_mut().for_each(|chance| *chance /= sum);
+        }
+        self
     }
 
     /// The lobes, in the order in which the material listed them.
@@ -96,16 +112,10 @@ impl<'a> Bsdf<'a> {
         self.is_outward(self.wo) && self.lobes.iter().any(|(lobe, _)| which.has(lobe))
     }
 
-    /// With which probability a path takes each lobe.
-    pub fn chances(&self) -> ArrayVec<f64, MAX_LOBES> {
-        let chance =
-            |(lobe, kind): &(Lobe, NormalKind)| lobe.chance(self.frame(*kind).to_local(self.wo));
-        let mut chances: ArrayVec<f64, MAX_LOBES> = self.lobes.iter().map(chance).collect();
-        let sum: f64 = chances.iter().sum();
-        if sum > 0.0 {
-            chances.iter_mut().for_each(|chance| *chance /= sum);
-        }
-        chances
+    /// With which probability a path takes each lobe: all 0 if nothing is scattered, none if it does not
+    /// choose ([`Bsdf::choosing`]).
+    pub fn chances(&self) -> &[f64] {
+        &self.chances
     }
 
     /// The density with which a path goes on in a direction, per steradian, whatever lobe it takes; that
@@ -114,11 +124,11 @@ impl<'a> Bsdf<'a> {
         if !(self.is_outward(self.wo) && self.is_outward(wi)) {
             return 0.0;
         }
-        let density = |((lobe, kind), chance): (&(Lobe, NormalKind), f64)| {
+        let density = |((lobe, kind), chance): (&(Lobe, NormalKind), &f64)| {
             let frame = self.frame(*kind);
             chance * lobe.pdf(frame.to_local(self.wo), frame.to_local(wi))
         };
-        self.lobes.iter().zip(self.chances()).map(density).sum()
+        self.lobes.iter().zip(&self.chances).map(density).sum()
     }
 
     /// Whether a direction leads to the side of the true surface that the normal points to.

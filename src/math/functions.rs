@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 pub use libm::{
     acos, atan, atan2, cbrt, cos, erf, exp, expm1 as exp_m1, floor, log as ln, log1p as ln_1p, sin,
-    tan,
+    sincos as sin_cos, tan,
 };
 
 /// `base^exponent` for `base ≥ 0`; whole exponents up to 2³⁰ by multiplication, because `pow` is not
@@ -59,7 +59,7 @@ fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
     // the remainder is exact, so 360° and 0° are the same angle to the last bit
     let quarter = libm::rint(degrees / 90.0);
     let rest = to_radians(degrees - 90.0 * quarter);
-    let (s, c) = (sin(rest), cos(rest));
+    let (s, c) = sin_cos(rest);
     match quarter.rem_euclid(4.0) as u8 {
         0 => (s, c),
         1 => (c, -s),

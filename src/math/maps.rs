@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use super::{ONE_MINUS, Vector, atan, atan2, cos, exp_m1, ln_1p, power, sin};
+use super::{ONE_MINUS, Vector, atan, atan2, exp_m1, ln_1p, power, sin_cos};
 
 /// A point of the unit disk: concentric squares become concentric circles, areas keep their ratio
 /// (Suffern, ch. 6; Shirley & Chiu, "A Low Distortion Map Between Disk and Square", 1997).
@@ -15,11 +15,11 @@ use super::{ONE_MINUS, Vector, atan, atan2, cos, exp_m1, ln_1p, power, sin};
 pub fn disk([u1, u2]: [f64; 2]) -> [f64; 2] {
     let (a, b) = (2.0 * u1 - 1.0, 2.0 * u2 - 1.0);
     if a.abs() > b.abs() {
-        let phi = 0.25 * PI * (b / a);
-        [a * cos(phi), a * sin(phi)]
+        let (sin, cos) = sin_cos(0.25 * PI * (b / a));
+        [a * cos, a * sin]
     } else if b != 0.0 {
-        let phi = 0.25 * PI * (a / b);
-        [b * sin(phi), b * cos(phi)]
+        let (sin, cos) = sin_cos(0.25 * PI * (a / b));
+        [b * sin, b * cos]
     } else {
         [0.0, 0.0]
     }
@@ -53,7 +53,7 @@ pub fn disk_by_rejection(
 /// A unit vector about the z axis with density proportional to `cos^e θ`: `cosθ = (1 − u₂)^(1/(e+1))`,
 /// `φ = 2π u₁` (Suffern, ch. 7). `e ≥ 0` is any real number; 0 is uniform, 1 weighs by the cosine.
 pub fn hemisphere([u1, u2]: [f64; 2], e: f64) -> Vector {
-    let phi = 2.0 * PI * u1;
+    let (sin_phi, cos_phi) = sin_cos(2.0 * PI * u1);
     let (cos_theta, sin_theta) = if e == 1.0 {
         // by far the most frequent case, and four times as fast
         ((1.0 - u2).sqrt(), u2.sqrt())
@@ -62,7 +62,7 @@ pub fn hemisphere([u1, u2]: [f64; 2], e: f64) -> Vector {
         let sin_squared = -exp_m1(2.0 * ln_1p(-u2) / (e + 1.0));
         (power(1.0 - u2, 1.0 / (e + 1.0)), sin_squared.sqrt())
     };
-    Vector::new(sin_theta * cos(phi), sin_theta * sin(phi), cos_theta)
+    Vector::new(sin_theta * cos_phi, sin_theta * sin_phi, cos_theta)
 }
 
 /// The point of the square that [`hemisphere`] maps to this direction, of any length and `z ≥ 0`.
@@ -79,8 +79,8 @@ pub fn sphere([u1, u2]: [f64; 2]) -> Vector {
     let z = 1.0 - 2.0 * u1;
     // √(1 − z²), without the cancellation near the poles
     let r = 2.0 * (u1 * (1.0 - u1)).sqrt();
-    let phi = 2.0 * PI * u2;
-    Vector::new(r * cos(phi), r * sin(phi), z)
+    let (sin_phi, cos_phi) = sin_cos(2.0 * PI * u2);
+    Vector::new(r * cos_phi, r * sin_phi, z)
 }
 
 /// The point of the square that [`sphere`] maps to this unit vector.

@@ -28,7 +28,7 @@ pub use exact::exact_cross;
 pub use frame::Frame;
 pub use functions::{
     acos, atan, atan2, cbrt, cos, cos_degrees, erf, exp, exp_m1, floor, ln, ln_1p, power,
-    power_of_two, sin, sin_degrees, tan, to_degrees, to_radians,
+    power_of_two, sin, sin_cos, sin_degrees, tan, to_degrees, to_radians,
 };
 pub(crate) use quadrature::tanh_sinh;
 pub use random::{Pcg32, hash, hash_onto, splitmix};

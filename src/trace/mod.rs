@@ -136,6 +136,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let mut response = Response::default();
         material.respond(&hit.texture_point(), point.cos_o, &mut response);
         let bsdf = Bsdf::new(&response.lobes, point.normals, point.wo);
+        let bsdf = if self.strategy.is_path() { bsdf.choosing() } else { bsdf };
         self.recorder.surface(&point, &response.lobes);
 
         if self.strategy.samples_lights(path.depth) {
