@@ -28,7 +28,7 @@ use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{
     Aabb, Normal, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root, cbrt,
-    cos,
+    sin_cos,
 };
 use crate::shapes::{Candidate, Context, Shape, Surface};
 
@@ -109,7 +109,13 @@ pub(in crate::shapes) fn from_axis(p: Vector) -> f64 {
 }
 
 /// A point inside the tube and one outside, as values of `s`, with one hit between them.
-type Bracket = [f64; 2];
+#[derive(Clone, Copy)]
+struct Bracket {
+    inside: f64,
+    /// The tube function at `inside`; negative.
+    depth: f64,
+    outside: f64,
+}
 
 /// The roots of `s³ + p s + q = F′/4` where `F` has a minimum: the only one, or the least and the greatest
 /// of three (Cardano; Viète). They are good to 1e-8, and to 1e-5 where they are close to each other. That
@@ -126,8 +132,9 @@ fn minima(p: f64, q: f64) -> ArrayVec<f64, 2> {
     }
     let h = (-third).sqrt();
     let angle = acos((-half / (h * h * h)).clamp(-1.0, 1.0)) / 3.0;
-    minima.push(-2.0 * h * cos(std::f64::consts::FRAC_PI_3 - angle));
-    minima.push(2.0 * h * cos(angle));
+    let (sin, cos) = sin_cos(angle);
+    minima.push(-h * (cos + 3.0_f64.sqrt() * sin)); // −2h cos(π/3 − angle)
+    minima.push(2.0 * h * cos);
     minima
 }
 
@@ -171,20 +178,34 @@ impl Torus {
         let k = m_squared + (a - b) * (a + b);
         let e = d.x() * d.x() + d.z() * d.z();
         let h = m.x() * d.x() + m.z() * d.z();
+        let value = |s: f64| self.tube_function(line, s)[0];
         let minima = minima(k - 2.0 * a * a * e, -2.0 * a * a * h);
-        let inside = |s: f64| self.tube_function(line, s)[0] < 0.0;
+        let minima: ArrayVec<_, 2> = minima.into_iter().map(|s| (s, value(s))).collect();
+        let mut add = |(inside, depth), outside| {
+            brackets.push(Bracket { inside, depth, outside });
+        };
         match minima[..] {
-            [c] if inside(c) => brackets.extend([[c, -end], [c, end]]),
-            [c, e] => match (inside(c), inside(e)) {
-                (true, false) => brackets.extend([[c, -end], [c, e]]),
-                (false, true) => brackets.extend([[e, c], [e, end]]),
+            [c] if c.1 < 0.0 => {
+                add(c, -end);
+                add(c, end);
+            }
+            [c, e] => match (c.1 < 0.0, e.1 < 0.0) {
+                (true, false) => {
+                    add(c, -end);
+                    add(c, e.0);
+                }
+                (false, true) => {
+                    add(e, c.0);
+                    add(e, end);
+                }
                 (true, true) => {
-                    brackets.push([c, -end]);
-                    let maximum = -(c + e); // the sum of the cubic's three roots is 0
-                    if !inside(maximum) {
-                        brackets.extend([[c, maximum], [e, maximum]]);
+                    add(c, -end);
+                    let maximum = -(c.0 + e.0); // the sum of the cubic's three roots is 0
+                    if value(maximum) >= 0.0 {
+                        add(c, maximum);
+                        add(e, maximum);
                     }
-                    brackets.push([e, end]);
+                    add(e, end);
                 }
                 (false, false) => {}
             },
@@ -195,13 +216,13 @@ impl Torus {
 
     /// The hit of a bracket, by Newton's method. `G` is nearly `G(inside) + (s − inside)²` where it has a
     /// minimum, so it starts at the root of that.
-    fn solve(&self, line: &Line, [inside, outside]: Bracket) -> f64 {
+    fn solve(&self, line: &Line, Bracket { inside, depth, outside }: Bracket) -> f64 {
         let size = self.extent();
         let tolerance = Tolerance {
             value: 2.0 * UNIT_ROUNDOFF * size * self.tube_radius,
             step: 2.0 * UNIT_ROUNDOFF * size,
         };
-        let step = (-self.tube_function(line, inside)[0]).sqrt().copysign(outside - inside);
+        let step = (-depth).sqrt().copysign(outside - inside);
         let g = |s: f64| self.tube_function(line, s);
         bracketed_root(g, [inside, outside], inside + step, tolerance)
     }
@@ -218,7 +239,8 @@ impl Torus {
         let brackets = line.as_ref().map(|line| self.brackets(line)).unwrap_or_default();
         brackets.into_iter().filter_map(move |bracket| {
             let line = line.as_ref()?;
-            let [first, last] = [bracket[0].min(bracket[1]), bracket[0].max(bracket[1])];
+            let Bracket { inside, outside, .. } = bracket;
+            let [first, last] = [inside.min(outside), inside.max(outside)];
             if line.t(last) <= span.min || line.t(first) >= span.max {
                 return None;
             }
