@@ -23,7 +23,7 @@ pub struct Arguments {
     /// Samples for each pixel
     #[arg(long, value_name = "N")]
     pub samples: Option<u32>,
-    /// How light is followed, instead of as the scene says: ray_cast, whitted,
+    /// The tracer, instead of that of the scene: ray_cast, whitted,
     /// path_trace, global_trace or path
     #[arg(long, value_name = "NAME")]
     pub tracer: Option<Tracer>,

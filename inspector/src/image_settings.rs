@@ -18,7 +18,7 @@ impl ImageSettings {
         grid.show(ui, |ui| {
             let resized = size(ui, scene);
             let sampled = number(ui, "Samples", &mut scene.image.samples, 1..=MAX_SAMPLES)
-                .on_hover_text("For each pixel; some samplers round up")
+                .on_hover_text("Samples per pixel; some samplers round up")
                 .changed();
             ui.end_row();
             let traced = tracer(ui, scene);
@@ -35,7 +35,8 @@ impl ImageSettings {
             field = field.text_color(ui.visuals().error_fg_color);
         }
         let field = ui.add(field).labelled_by(label.id);
-        let about = format!("Of all random choices: a whole number from 0 to {}", u64::MAX);
+        let about =
+            format!("The seed of all random choices: a whole number from 0 to {}", u64::MAX);
         let field = field.on_hover_text(about);
         ui.end_row();
         let mut changed = false;
@@ -79,7 +80,7 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
             }
         }
     });
-    combo.response.labelled_by(label.id).on_hover_text("How light is followed");
+    combo.response.labelled_by(label.id).on_hover_text("How light is traced");
     ui.end_row();
     match scene.tracer.max_depth() {
         Some(max_depth) => {

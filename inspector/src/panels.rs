@@ -122,7 +122,11 @@ pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
             picture.view = crate::view::View::WHOLE;
         }
         for zoom in [1.0_f32, 4.0, 12.0] {
-            if ui.button(format!("{zoom}×")).on_hover_text("Points for a pixel").clicked() {
+            if ui
+                .button(format!("{zoom}×"))
+                .on_hover_text("Screen points per pixel of the picture")
+                .clicked()
+            {
                 picture.set_zoom(size, zoom);
             }
         }

@@ -79,7 +79,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     ui.label(RichText::new(total).monospace().size(12.0).strong());
     let bits = |color: Rgb| color.to_array().map(f64::to_bits);
     match rendered {
-        None => ui.weak("the picture has not come to this pixel yet"),
+        None => ui.weak("this pixel is not rendered yet"),
         Some(radiance) if bits(radiance) == bits(answer.radiance) => {
             let good = Color32::from_rgb(120, 220, 120);
             ui.colored_label(good, "= the pixel of the picture, bit for bit")

@@ -1,5 +1,5 @@
 //! The samples of the selected pixel: their positions in pixel, lens and light, and whether their sampler
-//! is fair.
+//! is unbiased.
 
 use eframe::egui::{
     Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
@@ -46,7 +46,7 @@ enum Outline {
     Disk,
 }
 
-/// The distribution of all points that a sampler may draw, compared with a fair sampler's.
+/// The distribution of all points that a sampler may draw, compared with an unbiased sampler's.
 struct Fairness {
     /// The number of points in each strip of x.
     strips: Vec<u64>,
@@ -89,9 +89,11 @@ impl Fairness {
 
     fn verdict(&self) -> String {
         let words = match self.p {
-            p if p < 1e-3 => "not fair: some places are drawn too often (as on a fixed grid)",
-            p if p > 0.999 => "fair, and more even than chance: stratified",
-            _ => "fair: as even as chance",
+            p if p < 1e-3 => {
+                "biased: some parts of the square are drawn too often (as on a fixed grid)"
+            }
+            p if p > 0.999 => "unbiased, and more even than independent points: stratified",
+            _ => "unbiased: as even as independent points",
         };
         let Self { points, p, .. } = self;
         format!("χ² of {points} places in {CELLS} × {CELLS} cells: p = {p:.3}; {words}")
@@ -142,7 +144,7 @@ impl Samples {
             plot("lens", "where on the lens", Outline::Disk, lens_points),
             plot(
                 "light",
-                "what the first light that is sampled draws at the first hit",
+                "where on the first sampled light, at the first hit",
                 Outline::Square,
                 light_points,
             ),
@@ -283,7 +285,7 @@ fn histogram(ui: &mut Ui, strips: &[u64]) {
     let most = strips.iter().copied().max().unwrap_or(0).max(1);
     let size = vec2(ui.available_width().min(3.0 * SIDE), 44.0);
     let (area, response) = ui.allocate_exact_size(size, Sense::hover());
-    response.on_hover_text("The places of all sets by their x: level if the sampler is fair");
+    response.on_hover_text("Histogram of x over all sets: level if the sampler is unbiased");
     let painter = ui.painter_at(area);
     painter.rect_filled(area, 2.0, Color32::from_gray(18));
     let width = area.width() / strips.len() as f32;

@@ -4,7 +4,7 @@ use crate::lights::{Light, Meets};
 use crate::scene::Tracer;
 use crate::world::World;
 
-/// How light is followed: every tracer of the book is a value of it.
+/// How light is traced: every tracer of the book is a value of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strategy {
     /// The hits at which lights are sampled.

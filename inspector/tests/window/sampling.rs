@@ -130,10 +130,11 @@ fn the_picture_follows_sampler_and_count() {
     assert!(window.query_by_label("rounded up to 9").is_some());
 }
 
-/// Law: the verdict is that of the χ² test: jittered draws are fair, those of a fixed grid are not.
+/// Law: the verdict is that of the χ² test: jittered draws are unbiased, those of a fixed grid are not.
 #[test]
 fn the_verdict_tells_a_fair_sampler_from_a_fixed_one() {
-    for (sampler, words) in [(Kind::from(Jittered {}), "; fair"), (Regular {}.into(), "; not fair")]
+    for (sampler, words) in
+        [(Kind::from(Jittered {}), "; unbiased"), (Regular {}.into(), "; biased")]
     {
         let mut scene = sixteen();
         scene.image.sampler = Some(sampler);

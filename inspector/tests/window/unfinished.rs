@@ -35,7 +35,7 @@ fn an_unrendered_pixel_is_not_shown_as_black() {
     let mut window = dark_window_not_begun();
     assert_eq!(words_at(&mut window, GROUND), "(30, 44)  not rendered yet");
     click(&mut window, GROUND);
-    assert!(window.query_by_label("the picture has not come to this pixel yet").is_some());
+    assert!(window.query_by_label("this pixel is not rendered yet").is_some());
 
     let rendering = &window.state().rendering;
     rendering.canvas.render(&rendering.world);
