@@ -110,9 +110,7 @@ impl<R: Recorder> Tracing<'_, R> {
             let sky = self.world.sky();
             let mis = sky.and_then(|sky| self.share(path, sky, &Target::Infinity(ray.direction)));
             let share = mis.unwrap_or(1.0);
-            if share > 0.0 {
-                sum.add(self.recorder, TermSource::Background { mis }, Rgb::grey(share), radiance);
-            }
+            sum.add(self.recorder, TermSource::Background { mis }, Rgb::grey(share), radiance);
         }
         let arriving = transmittance * sum.0;
         self.recorder.leave(transmittance, arriving);
@@ -129,7 +127,7 @@ impl<R: Recorder> Tracing<'_, R> {
             let to = Target::Surface(&hit.surface);
             let mis = lamp_of.and_then(|light| self.share(path, light, &to));
             let share = mis.unwrap_or(1.0);
-            if !emitted.is_black() && share > 0.0 {
+            if !emitted.is_black() {
                 sum.add(self.recorder, TermSource::Emission { mis }, Rgb::grey(share), emitted);
             }
         }

@@ -11,6 +11,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Random;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Plane, Sphere};
+use groundtruth::trace::{RayKind, Term, TermSource};
 use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 use groundtruth::verify::slope::power_law;
@@ -18,7 +19,7 @@ use groundtruth::verify::slope::power_law;
 use super::{room, tracers};
 use crate::support::number;
 use crate::support::replicas::{LEVEL, assert_mean, mean_and_error, replicas, view, with_samples};
-use crate::support::stage::{built, counted, look, put, shine, stage};
+use crate::support::stage::{built, counted, look, put, recorded, shine, stage};
 
 /// Law: a lamp at the centre of a matte sphere lights all of it by E = I/r²; the k-th reflection adds
 /// `ρ E/π · ρᵏ`, so that in the limit the wall absorbs all that the lamp emits (the integrating sphere).
@@ -111,6 +112,26 @@ fn twice_the_light_is_twice_the_picture() {
             assert_eq!(2.0 * *once, *twice, "{}", tracer.name());
         }
     }
+}
+
+/// Law: where `global_trace` meets a lamp whose light was sampled at the hit before, the ray tree has the
+/// lamp's emission with the weight 0, so that a reader sees why it is not counted. Oracle: the emission of
+/// the lamp, a sphere around the floor, which each reflected ray meets.
+#[test]
+fn a_lamp_that_was_sampled_is_a_term_of_weight_zero() {
+    let mut scene = stage(Rgb::BLACK);
+    scene.tracer = Tracer::GlobalTrace(Depth { max_depth: 3 });
+    let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
+    put(&mut scene, floor, Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() });
+    let dome = Sphere { center: Point::ORIGIN, radius: 4.0, inward: true };
+    let dome = put(&mut scene, dome, Emissive::new(7.0, Rgb::WHITE));
+    shine(&mut scene, Area { object: dome.to_string(), sampling: None });
+    let tree = recorded(&built(&scene), Point::new(0.5, 1.0, 0.0), Vector::new(0.2, -1.0, 0.3));
+    let reflected: Vec<_> = tree.nodes().iter().filter(|n| n.kind == RayKind::Reflected).collect();
+    assert_eq!(reflected.len(), 1);
+    let terms: Vec<_> = reflected[0].terms.iter().map(|recorded| recorded.term).collect();
+    let (source, arriving) = (TermSource::Emission { mis: Some(0.0) }, Rgb::grey(7.0));
+    assert_eq!(terms, [Term { source, weight: Rgb::BLACK, arriving, value: Rgb::BLACK }]);
 }
 
 /// A floor lit by one small lamp.
