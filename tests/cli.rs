@@ -245,7 +245,7 @@ fn help_speaks_of_every_option() {
         ("list", &["--json"][..]),
         ("render", &["--output", "--crop", "--stereo", "--threads"]),
         ("explain", &["<X>", "<Y>", "--sample", "--all", "--min-share", "--largest", "--json"]),
-        ("export", &["--output"]),
+        ("export", &["--output", "--replace"]),
         ("kinds", &["--page", "--schema", "docs/scene.md"]),
         ("probe", &["docs/probe.md"]),
     ] {

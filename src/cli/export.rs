@@ -17,6 +17,9 @@ pub struct Export {
     /// goes to the standard output, with absolute file names
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Replace the output if it exists
+    #[arg(long, requires = "output")]
+    replace: bool,
 }
 
 impl Export {
@@ -33,6 +36,11 @@ impl Export {
         let Some(output) = &self.output else { return print(&text) };
         if output.is_dir() {
             return Err(unwritable(output, "it is a folder"));
+        }
+        if output.exists() && !self.replace {
+            // it may have been edited since it was exported
+            let problem = "exists already; write to another file, or replace it with --replace";
+            return Err(format!("{}: {problem}", output.display()).into());
         }
         film::replace(output, text.as_bytes()).map_err(|e| unwritable(output, e))?;
         Ok(Answer::Yes)

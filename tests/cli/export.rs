@@ -50,6 +50,24 @@ fn picture(folder: &Path, scene: &str) -> Vec<u8> {
     fs::read(file).expect("it was written")
 }
 
+/// Law: an edited scene is not lost: export leaves a file that exists as it is, unless told to replace it.
+#[test]
+fn an_edited_scene_is_replaced_only_on_request() {
+    let folder = folder();
+    let edited = folder.path().join("edited.toml");
+    fs::write(&edited, "mine").expect("it can be written");
+    let export = ["export", "ch03/single-sphere", "-o", "edited.toml"];
+    let run = run_in(folder.path(), &export);
+    assert_eq!(run.status, Some(2), "{}", run.stderr);
+    let expected =
+        "error: edited.toml: exists already; write to another file, or replace it with --replace\n";
+    assert_eq!(run.stderr, expected);
+    assert_eq!(fs::read_to_string(&edited).expect("it is there"), "mine");
+    good(folder.path(), &[&export[..], &["--replace"]].concat());
+    let text = fs::read_to_string(&edited).expect("it is there");
+    assert_eq!(text, good(folder.path(), &export[..2]));
+}
+
 /// Law: the picture is the same from any folder, and the name in the file is the shortest relative path.
 /// Oracle: the picture of the original scene, and the names by hand.
 #[test]
@@ -64,7 +82,7 @@ fn an_exported_mesh_is_found_from_the_new_folder() {
         (".", "scenes/first.toml", "scenes/meshes/second.toml", "../meshes/knot.ply"),
     ] {
         let here = folder.path().join(here);
-        assert_eq!(good(&here, &["export", from, "-o", to]), "");
+        assert_eq!(good(&here, &["export", from, "-o", to, "--replace"]), "");
         let text = fs::read_to_string(here.join(to)).expect("it was written");
         assert!(text.contains(&format!("\"{name}\"")), "{from} to {to}:\n{text}");
         assert!(picture(&here, to) == expected, "{from} to {to}");
