@@ -87,8 +87,8 @@ fn answer_beyond(shape: &Shape<Real>, ray: &Ray<Real>, start: &Real) -> Answer {
     let beam = Beam::new(ray);
     let moved = Ray { origin: beam.at(start).0, direction: ray.direction.clone() };
     // how far a change of the inputs moves the new origin: this may exceed the new origin's length
-    let o_reach = beam.o_reach + nearest(start).abs() * beam.d_reach;
-    let mut found = solve::solve(shape, &Beam { o_reach, ..Beam::new(&moved) });
+    let o_shift = beam.o_shift + nearest(start).abs() * beam.d_shift;
+    let mut found = solve::solve(shape, &Beam { o_shift, ..Beam::new(&moved) });
     found.hits.retain(|hit| sign(&hit.t).is_gt());
     found.hits.sort_by(|a, b| a.t.cmp(&b.t));
     let beyond = |hit: solve::Hit| solve::Hit { t: &hit.t + start, ..hit };

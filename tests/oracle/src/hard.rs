@@ -184,5 +184,5 @@ pub fn rays(shape: &Shape, family: Family, seed: u64, n: usize) -> Vec<Ray> {
 /// The approximate size of a shape.
 #[cfg(test)]
 pub(crate) fn size_of(shape: &Shape) -> f64 {
-    features::place(shape).1
+    features::center_and_size(shape).1
 }

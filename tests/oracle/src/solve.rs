@@ -29,18 +29,18 @@ use crate::{
 pub(crate) struct Beam {
     pub(crate) o: V,
     pub(crate) d: V,
-    /// A relative change by ε of all inputs other than the shape's moves `o` by at most `o_reach·ε` …
-    pub(crate) o_reach: f64,
-    /// … and `d` by at most `d_reach·ε`.
-    pub(crate) d_reach: f64,
+    /// A relative change by ε of all inputs other than the shape's moves `o` by at most `o_shift·ε` …
+    pub(crate) o_shift: f64,
+    /// … and `d` by at most `d_shift·ε`.
+    pub(crate) d_shift: f64,
 }
 
 impl Beam {
     pub(crate) fn new(ray: &Ray<Real>) -> Beam {
         let (o, d) = (V(ray.origin.clone()), V(ray.direction.clone()));
-        let (o_reach, d_reach) = (o.len(), d.len());
-        assert!(d_reach > 0.0, "a ray has a direction");
-        Beam { o, d, o_reach, d_reach }
+        let (o_shift, d_shift) = (o.len(), d.len());
+        assert!(d_shift > 0.0, "a ray has a direction");
+        Beam { o, d, o_shift, d_shift }
     }
 
     pub(crate) fn at(&self, t: &Real) -> V {
@@ -121,13 +121,13 @@ pub(crate) fn solve(shape: &Shape<Real>, beam: &Beam) -> Found {
 /// The sign of `n·d`: 0 when the ray is parallel to the plane.
 fn facing(n: &V, beam: &Beam) -> Gate {
     let (n_len, d_len) = (n.len(), beam.d.len());
-    Gate::new(&n.dot(&beam.d), n_len * (beam.d_reach + d_len), n_len * beam.d_reach)
+    Gate::new(&n.dot(&beam.d), n_len * (beam.d_shift + d_len), n_len * beam.d_shift)
 }
 
 /// The sign of `(p − o)·n`: 0 when the ray starts in the plane.
 fn height(p: &V, n: &V, beam: &Beam) -> Gate {
     let (w, n_len) = (p - &beam.o, n.len());
-    let shift = n_len * (beam.o_reach + p.len());
+    let shift = n_len * (beam.o_shift + p.len());
     Gate::new(&w.dot(n), shift + w.len() * n_len, shift)
 }
 

@@ -21,7 +21,7 @@ pub(super) struct Feature {
 }
 
 /// The approximate centre and size of the shape.
-pub(super) fn place(shape: &Shape) -> (V, f64) {
+pub(super) fn center_and_size(shape: &Shape) -> (V, f64) {
     match shape {
         Shape::Plane { point, .. } => (*point, 1.0),
         Shape::Sphere { center, radius } | Shape::Disk { center, radius, .. } => (*center, *radius),
@@ -52,9 +52,9 @@ pub(super) fn place(shape: &Shape) -> (V, f64) {
             ([0.0; 3], swept_radius + tube_radius)
         }
         Shape::CutFace { size, .. } => ([0.0; 3], 0.5 * size),
-        Shape::Solid(solid) => solids::place(solid),
+        Shape::Solid(solid) => solids::center_and_size(solid),
         Shape::Instance { matrix, of } => {
-            let (center, size) = place(of);
+            let (center, size) = center_and_size(of);
             let stretch = columns(matrix).map(length).into_iter().fold(0.0, f64::max);
             (moved(matrix, center), stretch * size)
         }
@@ -66,7 +66,7 @@ pub(super) fn surface(shape: &Shape, rng: &mut SplitMix64) -> Feature {
     let (point, out) = match shape {
         Shape::Plane { point, normal } => {
             let n = unit(*normal);
-            (add(*point, perpendicular(rng.place(2.0), n)), n)
+            (add(*point, perpendicular(rng.point_in_cube(2.0), n)), n)
         }
         Shape::Sphere { center, radius } => {
             let n = rng.direction();
@@ -272,13 +272,14 @@ fn on_zero(terms: &[(f64, [u32; 3])], [min, max]: [V; 2], rng: &mut SplitMix64) 
             |(c, powers): &(f64, [u32; 3])| c * f64::from(powers[axis]) * value(&lower(powers), p);
         terms.iter().map(slope).sum::<f64>()
     };
-    let mut place = || -> V { std::array::from_fn(|i| min[i] + (max[i] - min[i]) * rng.unit()) };
-    let mut ends = [place(), place()];
+    let mut random_point =
+        || -> V { std::array::from_fn(|i| min[i] + (max[i] - min[i]) * rng.unit()) };
+    let mut ends = [random_point(), random_point()];
     for _ in 0..50 {
         if (sum(ends[0]) < 0.0) != (sum(ends[1]) < 0.0) {
             break;
         }
-        ends = [place(), place()];
+        ends = [random_point(), random_point()];
     }
     for _ in 0..60 {
         let middle = scale(0.5, add(ends[0], ends[1]));

@@ -2,14 +2,14 @@
 
 use super::{
     Family,
-    features::{Feature, border, generator, place, surface},
+    features::{Feature, border, center_and_size, generator, surface},
     rng::SplitMix64,
     vector::{V, add, along, length, minus, perpendicular, scale, unit},
 };
 use crate::{Ray, Shape};
 
 pub(super) fn ray(shape: &Shape, family: Family, rng: &mut SplitMix64) -> Ray {
-    let (center, size) = place(shape);
+    let (center, size) = center_and_size(shape);
     let from = |distance: f64, rng: &mut SplitMix64| along(center, distance, rng.direction());
     match family {
         Family::Ordinary => aimed(shape, from(size * rng.between(2.0, 10.0), rng), rng),
@@ -44,7 +44,7 @@ fn aimed(shape: &Shape, origin: V, rng: &mut SplitMix64) -> Ray {
 
 /// The point itself or, equally often, one at a distance of half to twice the shape's size.
 fn beside(shape: &Shape, point: V, rng: &mut SplitMix64) -> V {
-    let distance = place(shape).1 * rng.between(0.5, 2.0);
+    let distance = center_and_size(shape).1 * rng.between(0.5, 2.0);
     if rng.coin() { point } else { along(point, distance, rng.direction()) }
 }
 
@@ -133,7 +133,7 @@ fn signed_zeros(v: V, rng: &mut SplitMix64) -> V {
 /// half of the rays are tangent; one ray in eight points away.
 fn through_border(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
     let Feature { point, out, silhouette } = border(shape, rng);
-    let free = rng.place(4.0);
+    let free = rng.point_in_cube(4.0);
     let across = if silhouette && rng.coin() { perpendicular(free, out) } else { free };
     let mut direction = across.map(|x| (size * x * 16.0).round() / 16.0);
     if rng.below(4) == 0 {
@@ -151,7 +151,7 @@ fn through_border(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
 
 /// Along planes, generators and axes; from the plane of a face; with zeros of either sign.
 fn degenerate(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
-    let (center, _) = place(shape);
+    let (center, _) = center_and_size(shape);
     let feature = if rng.coin() { border(shape, rng) } else { surface(shape, rng) };
     let target = match rng.below(3) {
         0 => center,
@@ -162,7 +162,7 @@ fn degenerate(shape: &Shape, size: f64, rng: &mut SplitMix64) -> Ray {
         0 => generator(shape, rng),
         1 => rng.axis(),
         _ => {
-            let mut v = rng.place(1.0);
+            let mut v = rng.point_in_cube(1.0);
             v[rng.below(3)] = 0.0;
             v
         }

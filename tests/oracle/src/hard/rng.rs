@@ -57,14 +57,14 @@ impl SplitMix64 {
     }
 
     /// A point of the cube of half-width `h`.
-    pub(super) fn place(&mut self, h: f64) -> V {
+    pub(super) fn point_in_cube(&mut self, h: f64) -> V {
         [(); 3].map(|()| self.between(-h, h))
     }
 
     /// A unit vector, uniform over the sphere except for rounding.
     pub(super) fn direction(&mut self) -> V {
         loop {
-            let v = self.place(1.0);
+            let v = self.point_in_cube(1.0);
             if (0.01..1.0).contains(&dot(v, v)) {
                 return unit(v);
             }

@@ -34,7 +34,7 @@ pub(super) fn shape(kind: Kind, family: Family, rng: &mut SplitMix64) -> Shape {
     };
     let aspect = if family == Family::Thin { rng.decades(-6, -3) } else { rng.between(0.3, 1.0) };
     let spread = if family == Family::TinyShape { 1.0 } else { size };
-    let center = if rng.below(4) == 0 { [0.0; 3] } else { rng.place(3.0 * spread) };
+    let center = if rng.below(4) == 0 { [0.0; 3] } else { rng.point_in_cube(3.0 * spread) };
     let mut want = Want { size, aspect, center, family };
     if want.exact() {
         (want.size, want.center) = (snapped(want.size), want.center.map(snapped));
@@ -342,7 +342,7 @@ fn instance(want: &Want, rng: &mut SplitMix64) -> Shape {
     };
     let outer = affine(want, wild, rng);
     let inner = if rng.below(3) == 0 {
-        let plain = Want { size: 1.0, aspect: 1.0, center: rng.place(1.0), family };
+        let plain = Want { size: 1.0, aspect: 1.0, center: rng.point_in_cube(1.0), family };
         Shape::Instance { matrix: affine(&plain, false, rng), of: Box::new(inner) }
     } else {
         inner

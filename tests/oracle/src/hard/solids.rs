@@ -133,7 +133,7 @@ fn opening(want: &Want, rng: &mut SplitMix64) -> f64 {
 }
 
 /// The approximate centre and size of the solid.
-pub(super) fn place(solid: &Solid) -> (V, f64) {
+pub(super) fn center_and_size(solid: &Solid) -> (V, f64) {
     let round = |y0: f64, y1: f64, radius: f64| ([0.0, 0.5 * (y0 + y1), 0.0], radius.max(y1 - y0));
     match *solid {
         Solid::Cylinder { y0, y1, radius } | Solid::BeveledCylinder { y0, y1, radius, .. } => {

@@ -100,7 +100,7 @@ fn margin(
         // the ray by this distance over the slope
         let own = corners.map(V::len).into_iter().fold(0.0, f64::max);
         let slope = nearest(&end.gradient.dot(&beam.d)).abs() / beam.d.len();
-        let moves = (beam.o_reach + magnitude(&end.t) * beam.d_reach + own) * (1.0 + 1.0 / slope);
+        let moves = (beam.o_shift + magnitude(&end.t) * beam.d_shift + own) * (1.0 + 1.0 / slope);
         vanish(&local(terms, &beam.at(&end.t)), moves)
     });
     stationary.chain(higher).chain(start).chain(faces).fold(MAX, f64::min)
@@ -116,13 +116,13 @@ fn vanish(at: &Local, moves: f64) -> f64 {
 /// The relative change that puts the point at `t` on the surface and, if `sloped`, makes the ray tangent.
 fn touch(terms: &[Term], t: &Real, sloped: bool, beam: &Beam) -> f64 {
     let at = local(terms, &beam.at(t));
-    let moves = beam.o_reach + magnitude(t) * beam.d_reach;
+    let moves = beam.o_shift + magnitude(t) * beam.d_shift;
     let distance = vanish(&at, moves);
     if !sloped {
         return distance;
     }
     let bend = at.hessian.len() * beam.d.len();
-    let first = at.slopes * beam.d.len() + bend * moves + at.gradient.len() * beam.d_reach;
-    let second = (at.slopes + at.hessian.len() * moves) * beam.d_reach + bend * moves;
+    let first = at.slopes * beam.d.len() + bend * moves + at.gradient.len() * beam.d_shift;
+    let second = (at.slopes + at.hessian.len() * moves) * beam.d_shift + bend * moves;
     distance.max(smallest(magnitude(&at.gradient.dot(&beam.d)), first, second))
 }

@@ -136,7 +136,7 @@ struct Rough {
     d: [f64; 3],
     round: bool,
     own: f64,
-    d_reach: f64,
+    d_shift: f64,
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -152,8 +152,8 @@ impl Rough {
             q: v(&curve.q),
             d: v(&beam.d),
             round: curve.round,
-            own: beam.o_reach + curve.reach,
-            d_reach: beam.d_reach,
+            own: beam.o_shift + curve.reach,
+            d_shift: beam.d_shift,
         }
     }
 
@@ -168,11 +168,11 @@ impl Rough {
         let w: [f64; 3] =
             std::array::from_fn(|i| -(self.center[i] + c * self.p[i] + s * self.q[i]));
         let (wd, dd, ww) = (dot(w, self.d), dot(self.d, self.d), dot(w, w));
-        let down = self.own * dd - self.d_reach * wd;
-        let t = (self.d_reach * ww - self.own * wd) / down;
+        let down = self.own * dd - self.d_shift * wd;
+        let t = (self.d_shift * ww - self.own * wd) / down;
         let t = if down > 0.0 { t.max(0.0) } else { 0.0 };
         let off: [f64; 3] = std::array::from_fn(|i| w[i] + t * self.d[i]);
-        (dot(off, off).sqrt() / (self.own + t * self.d_reach), t)
+        (dot(off, off).sqrt() / (self.own + t * self.d_shift), t)
     }
 
     /// Golden-section search for the minimum of [`Rough::least`].
@@ -218,7 +218,7 @@ fn exact(curve: &Curve, beam: &Beam, param: f64, t: f64) -> f64 {
     let mut t = real(t);
     let ratio = |along: &V, t: &Real| {
         let w = &beam.at(t) - &(&curve.center + along);
-        let reach = beam.o_reach + nearest(t) * beam.d_reach + curve.reach;
+        let reach = beam.o_shift + nearest(t) * beam.d_shift + curve.reach;
         (nearest(&w.norm()) / reach, w)
     };
     let (mut best, mut w) = ratio(&along, &t);

@@ -83,17 +83,17 @@ impl Slabs<'_> {
         let (x_i, x_j) = (&self.from_o[k].0[i], &self.from_o[l].0[j]);
         let value = x_j * d_i - x_i * d_j;
         let size = |a: &Real, b: &Real| nearest(&(a * a + b * b).sqrt());
-        let first = size(d_i, d_j) * self.beam.o_reach
-            + size(x_i, x_j) * self.beam.d_reach
+        let first = size(d_i, d_j) * self.beam.o_shift
+            + size(x_i, x_j) * self.beam.d_shift
             + magnitude(d_j) * self.reach[k]
             + magnitude(d_i) * self.reach[l];
-        let second = self.beam.d_reach * (self.beam.o_reach + self.reach[k] + self.reach[l]);
+        let second = self.beam.d_shift * (self.beam.o_shift + self.reach[k] + self.reach[l]);
         Gate::new(&value, first, second)
     }
 
     /// The sign of `x − o` for the plane of this axis and corner.
     fn offset(&self, axis: usize, corner: usize) -> Gate {
-        Gate::new(&self.from_o[corner].0[axis], self.beam.o_reach + self.reach[corner], 0.0)
+        Gate::new(&self.from_o[corner].0[axis], self.beam.o_shift + self.reach[corner], 0.0)
     }
 
     /// If the origin is inside, there is one root until the origin leaves. Outside there are two or none.
@@ -121,7 +121,7 @@ impl Slabs<'_> {
     /// "The components of `d` have these signs."
     fn pattern(&self, up: [bool; 3]) -> Verdict {
         Verdict::all(
-            (0..3).map(|i| Gate::new(&self.beam.d.0[i], self.beam.d_reach, 0.0).has_sign(up[i])),
+            (0..3).map(|i| Gate::new(&self.beam.d.0[i], self.beam.d_shift, 0.0).has_sign(up[i])),
         )
     }
 

@@ -36,7 +36,7 @@ fn flat(v: &V) -> V {
 
 /// The sign of `y − o_y`.
 fn above(y: &Real, beam: &Beam) -> Gate {
-    let reach = beam.o_reach + nearest(y).abs();
+    let reach = beam.o_shift + nearest(y).abs();
     Gate::new(&(y - &beam.o.0[1]), reach, 0.0)
 }
 
@@ -44,14 +44,14 @@ fn above(y: &Real, beam: &Beam) -> Gate {
 fn through_rim(y: &Real, r: &Real, beam: &Beam) -> f64 {
     let up = V([real(0.0), real(1.0), real(0.0)]);
     let line = rim(&V([real(0.0), y.clone(), real(0.0)]), &up, r, beam).margin;
-    let rise = Gate::new(&beam.d.0[1], beam.d_reach, 0.0);
+    let rise = Gate::new(&beam.d.0[1], beam.d_shift, 0.0);
     let ahead = Verdict::same_sign(&[above(y, beam), rise]);
     if ahead.holds { line } else { line.max(ahead.margin) }
 }
 
 /// The change that puts the origin on the wall: its distance from the axis, and its height.
 fn starts_on_wall(y: [&Real; 2], r: &Real, beam: &Beam) -> f64 {
-    let reach = beam.o_reach + nearest(r);
+    let reach = beam.o_shift + nearest(r);
     let wall = Gate::new(&(flat(&beam.o).norm() - r), reach, 0.0).not_negative().margin;
     let between =
         Verdict::all([above(y[0], beam).not_positive(), above(y[1], beam).not_negative()]);
@@ -66,8 +66,8 @@ fn touches(y: [&Real; 2], r: &Real, closest: Option<Real>, beam: &Beam) -> f64 {
     let after_start = closest.unwrap_or_else(|| start.clone()).max(start);
     let t = end.map_or(after_start.clone(), |end| after_start.min(end));
     let distance = flat(&beam.at(&t)).norm();
-    let drift = beam.d_reach / beam.d.len();
-    let first = beam.o_reach + nearest(&t) * beam.d_reach + nearest(r);
+    let drift = beam.d_shift / beam.d.len();
+    let first = beam.o_shift + nearest(&t) * beam.d_shift + nearest(r);
     let second = 0.5 * drift * drift * nearest(&distance);
     Gate::new(&(distance - r), first, second).not_negative().margin
 }

@@ -39,9 +39,9 @@ pub(super) fn rim(c: &V, n: &V, r: &Real, beam: &Beam) -> Verdict {
     let u1 = n.cross(&u0).unit().expect("u0 is perpendicular to n");
     let (d0, d1) = (nearest(&beam.d.dot(&u0)), nearest(&beam.d.dot(&u1)));
 
-    let shift = beam.o_reach + c.len();
-    let reach = shift + r_len + beam.d_reach / d_len * (w_len + r_len);
-    let second = 2.0 * n_len * (beam.d_reach * (shift + w_len + r_len) + shift * d_len);
+    let shift = beam.o_shift + c.len();
+    let reach = shift + r_len + beam.d_shift / d_len * (w_len + r_len);
+    let second = 2.0 * n_len * (beam.d_shift * (shift + w_len + r_len) + shift * d_len);
     let gate = |cos: f64, sin: f64, one_minus_cos: f64| {
         let v = value + q_len * one_minus_cos;
         let along = n_len * (d0 * cos + d1 * sin);

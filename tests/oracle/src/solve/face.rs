@@ -29,7 +29,7 @@ fn origin() -> V {
 fn face(borders: &[Curve], within: impl Fn(&V, f64) -> Verdict, beam: &Beam) -> Found {
     let through = borders.iter().map(|border| approach(border, beam)).fold(f64::INFINITY, f64::min);
     let start = height(&origin(), &up(), beam).not_negative().margin;
-    let here = within(&beam.o, beam.o_reach);
+    let here = within(&beam.o, beam.o_shift);
     let starts = if here.holds { start } else { start.max(here.margin) };
     let hit = flat::plane_hit(&origin(), &up(), beam);
     let hit = hit.filter(|hit| within(&beam.at(&hit.t), 0.0).holds).map(|mut hit| {

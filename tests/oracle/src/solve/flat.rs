@@ -42,13 +42,13 @@ pub(super) fn triangle(v: [V; 3], beam: &Beam) -> Found {
         let edge = &v[j] - &v[i];
         let [from_i, from_j] = [i, j].map(|i| beam.d.cross(&a[i]).len());
         // Δ(aᵢ × aⱼ) = Δvᵢ × aⱼ + aᵢ × Δvⱼ − Δo × (aⱼ − aᵢ) + …: o enters by the edge only
-        let first = beam.d_reach * crosses[k].len()
-            + beam.o_reach * beam.d.cross(&edge).len()
+        let first = beam.d_shift * crosses[k].len()
+            + beam.o_shift * beam.d.cross(&edge).len()
             + reach[i] * from_j
             + reach[j] * from_i;
-        let turned = reach[i] * a[j].len() + reach[j] * a[i].len() + beam.o_reach * edge.len();
-        let pair = reach[i] * reach[j] + beam.o_reach * (reach[i] + reach[j]);
-        let second = beam.d_reach * turned + (beam.d.len() + beam.d_reach) * pair;
+        let turned = reach[i] * a[j].len() + reach[j] * a[i].len() + beam.o_shift * edge.len();
+        let pair = reach[i] * reach[j] + beam.o_shift * (reach[i] + reach[j]);
+        let second = beam.d_shift * turned + (beam.d.len() + beam.d_shift) * pair;
         gates.push(Gate::new(value, first, second));
     }
     let verdict = Verdict::same_sign(&gates);
@@ -65,8 +65,8 @@ pub(super) fn triangle(v: [V; 3], beam: &Beam) -> Found {
 /// The sign of `N`, six times the volume of the tetrahedron of the origin and the triangle.
 fn tetrahedron(a: &[V; 3], crosses: &[V; 3], reach: [f64; 3], n: &V, beam: &Beam) -> Gate {
     let value = a[0].dot(&crosses[0]);
-    let first = beam.o_reach * n.len() + (0..3).map(|k| reach[k] * crosses[k].len()).sum::<f64>();
-    let moved = reach.map(|r| r + beam.o_reach);
+    let first = beam.o_shift * n.len() + (0..3).map(|k| reach[k] * crosses[k].len()).sum::<f64>();
+    let moved = reach.map(|r| r + beam.o_shift);
     let second = (0..3)
         .map(|k| moved[(k + 1) % 3] * moved[(k + 2) % 3] * (a[k].len() + moved[k] / 3.0))
         .sum();
@@ -81,7 +81,7 @@ pub(super) fn rectangle(corner: &V, a: &V, b: &V, beam: &Beam) -> Found {
     let n = a.cross(b);
     let w = &beam.o - corner;
     let (a_len, b_len) = (a.len(), b.len());
-    let shift = beam.o_reach + corner.len();
+    let shift = beam.o_shift + corner.len();
 
     let start = (corner - &beam.o).dot(&n);
     let first = n.len() * shift + a_len * b.cross(&w).len() + b_len * w.cross(a).len();
@@ -108,9 +108,9 @@ fn edge(value: &Real, side: &V, along: &V, w: &V, shift: f64, beam: &Beam) -> Ga
     let squared = nearest(&side.dot(side));
     let (length, d_len, w_len) = (along.len(), beam.d.len(), w.len());
     let first = shift * along.cross(&beam.d).len()
-        + beam.d_reach * along.cross(w).len()
+        + beam.d_shift * along.cross(w).len()
         + 2.0 * length * w.cross(&beam.d).len();
     let second =
-        length * (3.0 * shift * beam.d_reach + 2.0 * w_len * beam.d_reach + 2.0 * shift * d_len);
+        length * (3.0 * shift * beam.d_shift + 2.0 * w_len * beam.d_shift + 2.0 * shift * d_len);
     Gate::new(value, squared * first, squared * second)
 }

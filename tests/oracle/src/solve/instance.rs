@@ -31,8 +31,8 @@ pub(super) fn instance(matrix: &[[Real; 4]; 3], of: &Shape<Real>, beam: &Beam) -
     let (o, d) = (back.times(&(&beam.o - &shift)), back.times(&beam.d));
     let (size, shift) = (linear.len(), shift.len());
     let inner = Beam {
-        o_reach: (beam.o_reach + shift) / size + o.len(),
-        d_reach: beam.d_reach / size + d.len(),
+        o_shift: (beam.o_shift + shift) / size + o.len(),
+        d_shift: beam.d_shift / size + d.len(),
         o,
         d,
     };

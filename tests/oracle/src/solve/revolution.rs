@@ -108,8 +108,8 @@ impl Part<'_> {
         let local = Beam {
             o: &beam.o - &self.center,
             d: beam.d.clone(),
-            o_reach: beam.o_reach,
-            d_reach: beam.d_reach,
+            o_shift: beam.o_shift,
+            d_shift: beam.d_shift,
         };
         let Quadric { square, linear, constant } = self.whole.quadric();
         let times = |v: &V| V(std::array::from_fn(|i| &square.0[i] * &v.0[i]));
@@ -170,8 +170,8 @@ impl Part<'_> {
         for level in self.levels.iter().flatten() {
             margin = margin.min(self.through(level, local));
         }
-        let start = self.whole.excess(&local.o, local.o_reach, self.own, 0.0).not_negative().margin;
-        let within = self.holds(&local.o, local.o_reach);
+        let start = self.whole.excess(&local.o, local.o_shift, self.own, 0.0).not_negative().margin;
+        let within = self.holds(&local.o, local.o_shift);
         margin = margin.min(if within.holds { start } else { start.max(within.margin) });
         for (from, to) in self.spans(local) {
             margin = margin.min(self.touches(local, from, to));
@@ -242,9 +242,9 @@ impl Part<'_> {
             self.whole.closest(&local.o, &local.d).unwrap_or_else(|| from.clone()).max(from);
         let t = to.map_or(after.clone(), |to| after.min(to));
         let p = local.at(&t);
-        let drift = local.d_reach / local.d.len();
+        let drift = local.d_shift / local.d.len();
         let bend = 0.5 * drift * drift * (p.len() + self.own);
-        let reach = local.o_reach + nearest(&t) * local.d_reach;
+        let reach = local.o_shift + nearest(&t) * local.d_shift;
         self.whole.excess(&p, reach, self.own, bend).not_negative().margin
     }
 }

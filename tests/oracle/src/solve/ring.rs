@@ -69,7 +69,7 @@ fn ring(
         margin = margin.min(approach(border, beam));
     }
     let start = height(c, n, beam).not_negative().margin;
-    let within = between(&(&beam.o - c), n, radii, wedge, beam.o_reach + c.len());
+    let within = between(&(&beam.o - c), n, radii, wedge, beam.o_shift + c.len());
     margin = margin.min(if within.holds { start } else { start.max(within.margin) });
     let hit = flat::plane_hit(c, n, beam)
         .filter(|hit| between(&(&beam.at(&hit.t) - c), n, radii, wedge, 0.0).holds);

@@ -66,8 +66,8 @@ fn passes_by(form: &Form, beam: &Beam) -> Option<f64> {
     let [min, max] = bounds(form)?;
     let [o, d] = [&beam.o, &beam.d].map(|v| v.0.each_ref().map(nearest));
     let size = (0..3).map(|i| max[i].abs().max(min[i].abs())).sum::<f64>();
-    let along = beam.d_reach / beam.d.len();
-    let moves = beam.o_reach + size + (beam.o.len() + size) * along;
+    let along = beam.d_shift / beam.d.len();
+    let moves = beam.o_shift + size + (beam.o.len() + size) * along;
     [1e-3, 1e-6, 1e-9, 1e-11].into_iter().find(|margin| {
         let more = 2.0 * margin * moves;
         let (mut start, mut end) = (0.0_f64, f64::INFINITY);
@@ -91,8 +91,8 @@ fn part_hits(part: &Part, moves: f64, beam: &Beam) -> Found {
     let local = Beam {
         o: axes.times(&(&beam.o - &part.origin)),
         d: axes.times(&beam.d),
-        o_reach: beam.o_reach + moves,
-        d_reach: beam.d_reach,
+        o_shift: beam.o_shift + moves,
+        d_shift: beam.d_shift,
     };
     if let Some(margin) = passes_by(&part.form, &local) {
         return Found { hits: Vec::new(), margin };

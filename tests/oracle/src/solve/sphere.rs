@@ -23,18 +23,18 @@ pub(super) fn sphere(c: &V, r: &Real, beam: &Beam) -> Found {
 /// Inside, there is one root until the origin leaves. Outside, the answer changes if the distance of the
 /// half-line from the centre crosses r, or if the origin enters.
 ///
-/// The point at t moves by at most `(o_reach + t·d_reach)·ε`. To first order the nearest point of the
+/// The point at t moves by at most `(o_shift + t·d_shift)·ε`. To first order the nearest point of the
 /// half-line decides; other points of the ray, which move more, add the second-order term.
 fn margin(c: &V, r: &Real, w: &V, closest: Real, beam: &Beam) -> f64 {
     let own = c.len() + nearest(r);
-    let start = Gate::new(&(w.norm() - r), beam.o_reach + own, 0.0).not_negative();
+    let start = Gate::new(&(w.norm() - r), beam.o_shift + own, 0.0).not_negative();
     if !start.holds {
         return start.margin;
     }
     let t = if sign(&closest).is_gt() { closest } else { real(0.0) };
     let distance = (&beam.at(&t) - c).norm();
-    let drift = beam.d_reach / beam.d.len();
-    let first = beam.o_reach + nearest(&t) * beam.d_reach + own;
+    let drift = beam.d_shift / beam.d.len();
+    let first = beam.o_shift + nearest(&t) * beam.d_shift + own;
     let second = 0.5 * drift * drift * nearest(&distance);
     let missed = Gate::new(&(distance - r), first, second).not_negative();
     if missed.holds { missed.margin } else { missed.margin.min(start.margin) }

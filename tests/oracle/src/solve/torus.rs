@@ -23,14 +23,14 @@ struct End<'a> {
 }
 
 /// A point in coordinates of the torus: `k = ρ − a`, and the distance `q` from the tube's centre line.
-struct Seen {
+struct TubePoint {
     p: V,
     rho: Real,
     k: Real,
     q: Real,
 }
 
-impl Seen {
+impl TubePoint {
     /// The unit vector away from the axis. On the axis, which only a tube with `b ≥ a` meets, it is +z.
     fn out(&self) -> V {
         let [x, _, z] = &self.p.0;
@@ -62,8 +62,8 @@ pub(super) fn torus(a: &Real, b: &Real, part: Option<[Range<'_>; 2]>, beam: &Bea
     let margin = torus.margin(&levels);
     let hits = levels.into_iter().next().unwrap_or_default();
     let hits = hits.into_iter().filter(|t| {
-        let seen = torus.seen(t);
-        torus.is_on_tube(&seen) && torus.out_of_range(&seen, |_| (0.0, 0.0)) == 0.0
+        let point = torus.tube_point(t);
+        torus.is_on_tube(&point) && torus.out_of_range(&point, |_| (0.0, 0.0)) == 0.0
     });
     Found { hits: hits.map(|t| torus.hit(t)).collect(), margin }
 }
@@ -81,26 +81,26 @@ impl Torus<'_> {
         sum.times(&sum).plus(&flat.times(&factor))
     }
 
-    fn seen(&self, t: &Real) -> Seen {
+    fn tube_point(&self, t: &Real) -> TubePoint {
         let p = self.beam.at(t);
         let rho = (&p.0[0] * &p.0[0] + &p.0[2] * &p.0[2]).sqrt();
         let k = &rho - self.a;
         let q = (&k * &k + &p.0[1] * &p.0[1]).sqrt();
-        Seen { p, rho, k, q }
+        TubePoint { p, rho, k, q }
     }
 
     /// The quartic is `((ρ − a)² + y² − b²)((ρ + a)² + y² − b²)`. If `b > a`, the second factor has roots,
     /// too; they belong to the tube on the other side of the axis.
-    fn is_on_tube(&self, seen: &Seen) -> bool {
-        let beyond = &seen.rho + self.a;
-        let other = (&beyond * &beyond + &seen.p.0[1] * &seen.p.0[1]).sqrt();
-        magnitude(&(&seen.q - self.b)) <= magnitude(&(other - self.b))
+    fn is_on_tube(&self, point: &TubePoint) -> bool {
+        let beyond = &point.rho + self.a;
+        let other = (&beyond * &beyond + &point.p.0[1] * &point.p.0[1]).sqrt();
+        magnitude(&(&point.q - self.b)) <= magnitude(&(other - self.b))
     }
 
     fn hit(&self, t: Real) -> Hit {
-        let seen = self.seen(&t);
-        let out = seen.out();
-        let Seen { p, rho, k, .. } = seen;
+        let point = self.tube_point(&t);
+        let out = point.out();
+        let TubePoint { p, rho, k, .. } = point;
         let around = V([out.0[2].clone(), real(0.0), -&out.0[0]]);
         let gradient = V([&k * &out.0[0], p.0[1].clone(), &k * &out.0[2]]);
         let bend = if sign(&rho).is_gt() { &k / &rho } else { real(0.0) };
@@ -140,37 +140,37 @@ impl Torus<'_> {
 
     /// The change that puts the point at `t` on the surface and, if `sloped`, makes the ray tangent there.
     fn touch(&self, t: &Real, sloped: bool) -> f64 {
-        let seen = self.seen(t);
-        let [q, k, a, b] = [&seen.q, &seen.k, self.a, self.b].map(nearest);
-        if q == 0.0 || nearest(&seen.rho) == 0.0 {
+        let point = self.tube_point(t);
+        let [q, k, a, b] = [&point.q, &point.k, self.a, self.b].map(nearest);
+        if q == 0.0 || nearest(&point.rho) == 0.0 {
             return smallest(b, self.moves(t) + a + b, 0.0);
         }
         let moves = self.moves(t);
         let first = moves + (k / q).abs() * a + b;
-        let bend = 1.0 / q + 1.0 / nearest(&seen.rho);
+        let bend = 1.0 / q + 1.0 / nearest(&point.rho);
         let reach = moves + a;
-        let distance = smallest(magnitude(&(&seen.q - self.b)), first, bend * reach * reach);
-        let distance = distance.max(self.out_of_range(&seen, |_| (moves, 0.0)));
+        let distance = smallest(magnitude(&(&point.q - self.b)), first, bend * reach * reach);
+        let distance = distance.max(self.out_of_range(&point, |_| (moves, 0.0)));
         if !sloped {
             return distance;
         }
-        let [x, y, z] = seen.p.0.each_ref();
+        let [x, y, z] = point.p.0.each_ref();
         let [dx, dy, dz] = self.beam.d.0.each_ref();
-        let slope = (&seen.k * (x * dx + z * dz) / &seen.rho + y * dy) / &seen.q;
-        let turn = self.beam.d_reach + self.beam.d.len() * bend * reach;
+        let slope = (&point.k * (x * dx + z * dz) / &point.rho + y * dy) / &point.q;
+        let turn = self.beam.d_shift + self.beam.d.len() * bend * reach;
         distance.max(smallest(magnitude(&slope), turn, turn * bend * reach))
     }
 
     /// How far the point at `t` may move.
     fn moves(&self, t: &Real) -> f64 {
-        self.beam.o_reach + magnitude(t) * self.beam.d_reach
+        self.beam.o_shift + magnitude(t) * self.beam.d_shift
     }
 
     /// The change that moves a root to an end of a range. The root stays on the surface: where the ray
     /// moves by δ, the root moves by `δ − d (n·δ)/(n·d)`, and across an end with normal m by
     /// `(m − n (m·d)/(n·d))·δ`.
     fn at_ends(&self, t: &Real) -> f64 {
-        let seen = self.seen(t);
+        let point = self.tube_point(t);
         let hit = self.hit(t.clone());
         let moves = self.moves(t);
         let (size, slope) = (hit.gradient.len(), nearest(&hit.gradient.dot(&self.beam.d)));
@@ -178,25 +178,25 @@ impl Torus<'_> {
             return 0.0; // a double root
         }
         let along = (size * moves + hit.inputs) / slope.abs() * self.beam.d.len();
-        let bend = 1.0 / nearest(self.b) + 1.0 / nearest(&seen.rho);
+        let bend = 1.0 / nearest(self.b) + 1.0 / nearest(&point.rho);
         let moved = |m: &V| {
             let ratio = nearest(&(m.dot(&self.beam.d) / hit.gradient.dot(&self.beam.d)));
             let across = (m - &(&hit.gradient * &real(ratio))).len();
             let second = ratio.abs() * size * bend * (moves + along) * (moves + along);
             (across * moves + ratio.abs() * hit.inputs, second)
         };
-        let outside = self.out_of_range(&seen, moved);
+        let outside = self.out_of_range(&point, moved);
         if outside > 0.0 {
             return outside;
         }
-        let ends = self.ends(&seen, moved);
+        let ends = self.ends(&point, moved);
         ends.iter().flatten().map(|end| end.0).fold(f64::INFINITY, f64::min)
     }
 
     /// 0 for a point in both ranges; else the change that moves it there.
-    fn out_of_range(&self, seen: &Seen, moves: impl Fn(&V) -> (f64, f64)) -> f64 {
+    fn out_of_range(&self, point: &TubePoint, moves: impl Fn(&V) -> (f64, f64)) -> f64 {
         let part = self.part.iter().flatten();
-        let outside = part.zip(self.ends(seen, moves)).map(|(range, ends)| {
+        let outside = part.zip(self.ends(point, moves)).map(|(range, ends)| {
             let [after, before] = ends.map(|end| end.1);
             let turn = range[1].degrees - range[0].degrees;
             let turn = if sign(&turn).is_lt() { turn + real(360.0) } else { turn };
@@ -215,14 +215,14 @@ impl Torus<'_> {
     /// For each end of each range: the change that moves the point there, and whether the point is at an
     /// angle of 0° to 180° after this end. `moves` gives how far the point moves in a direction, to first
     /// and second order.
-    fn ends(&self, seen: &Seen, moves: impl Fn(&V) -> (f64, f64)) -> Vec<[(f64, bool); 2]> {
+    fn ends(&self, point: &TubePoint, moves: impl Fn(&V) -> (f64, f64)) -> Vec<[(f64, bool); 2]> {
         let zero = || real(0.0);
-        let out = seen.out();
+        let out = point.out();
         let z = V([zero(), zero(), real(1.0)]);
         let x = V([real(1.0), zero(), zero()]);
         let y = V([zero(), real(1.0), zero()]);
-        let around_axis = ([&seen.p.0[2], &seen.p.0[0]], &seen.rho, [&z, &x], 0.0);
-        let around_tube = ([&seen.k, &seen.p.0[1]], &seen.q, [&out, &y], nearest(self.a));
+        let around_axis = ([&point.p.0[2], &point.p.0[0]], &point.rho, [&z, &x], 0.0);
+        let around_tube = ([&point.k, &point.p.0[1]], &point.q, [&out, &y], nearest(self.a));
         let part = self.part.iter().flatten().zip([around_axis, around_tube]);
         let ends = part.map(|(range, ([cos, sin], radius, axes, a))| {
             range.each_ref().map(|End { degrees, sin: end_sin, cos: end_cos }| {
