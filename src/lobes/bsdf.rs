@@ -1,7 +1,7 @@
 //! The lobes of a hit in the world's directions: what light from a direction leaves towards the
 //! viewer, and where light is to be looked for.
 
-use super::{Lobe, Lobes, MAX_LOBES, NormalKind};
+use super::{Lobe, Lobes, MAX_LOBES, NormalKind, mirrored};
 use crate::math::{Frame, Normal, Vector};
 use crate::rgb::Rgb;
 use crate::samplers::Branch;
@@ -92,8 +92,9 @@ impl<'a> Bsdf<'a> {
     /// The same for a path, which takes one of the lobes.
     #[must_use]
     pub fn choosing(mut self) -> Self {
-        let chance =
-            |(lobe, kind): &(Lobe, NormalKind)| lobe.chance(self.frame(*kind).to_local(self.wo));
+        let chance = |(lobe, kind): &(Lobe, NormalKind)| {
+            lobe.chance(self.viewer(lobe, &self.frame_of(lobe, *kind)))
+        };
         self.chances = self.lobes.iter().map(chance).collect();
         let sum: f64 = self.chances.iter().sum();
         if sum > 0.0 {
@@ -125,8 +126,8 @@ impl<'a> Bsdf<'a> {
             return 0.0;
         }
         let density = |((lobe, kind), chance): (&(Lobe, NormalKind), &f64)| {
-            let frame = self.frame(*kind);
-            chance * lobe.pdf(frame.to_local(self.wo), frame.to_local(wi))
+            let frame = self.frame_of(lobe, *kind);
+            chance * lobe.pdf(self.viewer(lobe, &frame), frame.to_local(wi))
         };
         self.lobes.iter().zip(&self.chances).map(density).sum()
     }
@@ -136,27 +137,42 @@ impl<'a> Bsdf<'a> {
         self.normals.geometry.dot(direction) > 0.0
     }
 
-    fn frame(&self, kind: NormalKind) -> Frame {
+    /// The frame of a lobe. Where the mirror direction about an interpolated normal falls on the other side
+    /// of the true surface, a mirror and its blurred form are about the true normal: without this, smooth
+    /// mirrors would have black outlines.
+    fn frame_of(&self, lobe: &Lobe, kind: NormalKind) -> Frame {
+        let is_mirrored = matches!(lobe.branch(), Branch::Mirror | Branch::Gloss);
+        let falls_behind = || {
+            let mirrored = self.frame.to_world(mirrored(self.frame.to_local(self.wo)));
+            self.is_outward(mirrored) != self.is_outward(self.wo)
+        };
         match kind {
-            NormalKind::Shading => self.frame,
-            NormalKind::Geometry => Frame::around(self.normals.geometry),
+            NormalKind::Shading if !(is_mirrored && falls_behind()) => self.frame,
+            NormalKind::Shading | NormalKind::Geometry => Frame::around(self.normals.geometry),
+        }
+    }
+
+    /// The direction to the viewer in the frame of a lobe. A viewer above the true surface sees also what is
+    /// scattered about an interpolated normal that faces away, near the outline of a smooth mesh: as from
+    /// the same angle above that normal's horizon.
+    fn viewer(&self, lobe: &Lobe, frame: &Frame) -> Vector {
+        let wo = frame.to_local(self.wo);
+        match !lobe.is_specular() && self.is_outward(self.wo) {
+            true => Vector::new(wo.x(), wo.y(), wo.z().abs()),
+            false => wo,
         }
     }
 
     /// What each of these lobes makes of light from the unit direction `wi`; those that make nothing of it
-    /// are left out.
-    ///
-    /// A viewer below the true surface gets nothing. One above it does, also where an interpolated
-    /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on which
-    /// side of that normal the viewer is.
+    /// are left out. A viewer below the true surface gets nothing.
     pub fn lit(&self, which: Which, wi: Vector) -> ArrayVec<Lit, MAX_LOBES> {
         let mut lit = ArrayVec::new();
         if !self.is_outward(self.wo) {
             return lit;
         }
         for (lobe, kind) in self.lobes.iter().filter(|(lobe, _)| which.has(lobe)) {
-            let frame = self.frame(*kind);
-            let [wo, wi] = [self.wo, wi].map(|w| frame.to_local(w));
+            let frame = self.frame_of(lobe, *kind);
+            let (wo, wi) = (self.viewer(lobe, &frame), frame.to_local(wi));
             let cos_i = wi.z();
             if cos_i <= 0.0 {
                 continue; // the light is behind the surface
@@ -171,17 +187,17 @@ impl<'a> Bsdf<'a> {
 
     /// A direction drawn by one of the lobes; `None` where it scatters nothing.
     pub fn sample(&self, lobe: &Lobe, kind: NormalKind, u: [f64; 2]) -> Option<BsdfSample> {
-        let frame = self.frame(kind);
-        let wo = frame.to_local(self.wo);
+        if !lobe.is_specular() && !self.is_outward(self.wo) {
+            return None;
+        }
+        let frame = self.frame_of(lobe, kind);
+        let wo = self.viewer(lobe, &frame);
         let sample = lobe.sample(wo, u)?;
         let transmits = sample.wi.z() * wo.z() < 0.0;
         let direction = frame.to_world(sample.wi);
         let stays = self.is_outward(direction) == self.is_outward(self.wo);
         if stays == transmits {
-            // an interpolated normal sends it to the wrong side of the true surface: without this,
-            // smooth mirrors would have black outlines
-            let mirror = lobe.branch() == Branch::Mirror && kind == NormalKind::Shading;
-            return if mirror { self.sample(lobe, NormalKind::Geometry, u) } else { None };
+            return None; // an interpolated normal sent it to the wrong side of the true surface
         }
         // an index of refraction so far from 1 that the direction overflows has no direction
         let direction = direction.unit()?;

@@ -3,6 +3,7 @@
 mod cornell;
 mod direct;
 mod furnace;
+mod outline;
 mod paths;
 
 use groundtruth::gallery;
