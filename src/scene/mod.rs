@@ -115,7 +115,8 @@ pub struct Light {
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub enabled: bool,
-    /// Whether objects block its light; on by default (off in the sample code of the book).
+    /// Whether objects block its light; on by default (off in the sample code of the book). Path
+    /// tracers block the light of lamps and of the sky in any case, as their paths can hit these.
     #[serde(default = "kinds::yes")]
     pub shadows: bool,
     /// The kind of light.
@@ -132,7 +133,8 @@ pub struct Material {
     /// surfaces; not for transparent ones, where the normal tells the inside from the outside.
     #[serde(default, skip_serializing_if = "kinds::is_no")]
     pub two_sided: bool,
-    /// Whether objects of this material cast shadows.
+    /// Whether objects of this material cast shadows. For path tracers they always do in the light
+    /// of lamps and of the sky, which paths can hit.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub casts_shadows: bool,
@@ -157,7 +159,7 @@ pub struct Object {
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub enabled: bool,
-    /// Whether it casts shadows.
+    /// Whether it casts shadows; see the material's.
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub casts_shadows: bool,

@@ -22,6 +22,18 @@ struct Between {
     transmittance: Rgb,
 }
 
+/// The surfaces that end a shadow ray.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Blockers {
+    /// All, also those that cast no shadow. For lights that paths can hit: where a path reaches such a light
+    /// by itself, a sample of the light would count it twice.
+    All,
+    /// Those that cast shadows.
+    Casting,
+    /// Those of them that transmit no light.
+    Opaque,
+}
+
 impl<R: Recorder> Tracing<'_, R> {
     /// The radiance of a light's sample that arrives, and whether a shadow ray was cast.
     pub(super) fn arriving(
@@ -37,7 +49,7 @@ impl<R: Recorder> Tracing<'_, R> {
             Some(Segment::To(end)) => end.distance(point.hit.surface.point),
         };
         match sample.segment {
-            Some(segment) if light.shadows => {
+            Some(segment) if light.shadows || self.is_met(light) => {
                 // The hemisphere is about the interpolated normal. The surface itself hides the part of it
                 // below the true normal's horizon, also if the surface is open.
                 if point.normals.geometry.dot(sample.direction) <= 0.0 {
@@ -62,8 +74,14 @@ impl<R: Recorder> Tracing<'_, R> {
         let (ray, span, length) = stretch(origin, sample.direction, segment);
         let kind = RayKind::Shadow { light: light.index };
         self.recorder.enter(kind, &ray, 0, Rgb::WHITE);
-        let between = if self.passes_glass(light) {
-            self.straight_through(origin, sample.direction, segment, medium)
+        let blockers = self.blockers(light);
+        let is_simple = match blockers {
+            Blockers::All => self.world.all_cast_shadows,
+            Blockers::Casting => self.world.all_boundaries_cast_shadows,
+            Blockers::Opaque => false,
+        };
+        let between = if !is_simple {
+            self.straight_through(origin, sample.direction, (segment, medium), blockers)
         } else {
             let blocked_by = self.world.occluder(&ray, span).map(|object| object.index);
             let passed = if blocked_by.is_some() { Rgb::BLACK } else { Rgb::WHITE };
@@ -91,23 +109,29 @@ impl<R: Recorder> Tracing<'_, R> {
         arriving
     }
 
-    /// Whether the shadow rays of this light pass through transparent surfaces. Not if paths can hit the
-    /// light: they reach it through glass themselves, and it would be counted twice.
-    fn passes_glass(&self, light: &PlacedLight) -> bool {
-        let is_met = light.light.object().is_some() || light.light.is_sky();
-        self.world.transparency.shadows == TransparentShadows::Attenuated
-            && !(self.strategy.is_path() && is_met)
+    /// Whether paths can hit this light.
+    fn is_met(&self, light: &PlacedLight) -> bool {
+        self.strategy.is_path() && (light.light.object().is_some() || light.light.is_sky())
     }
 
-    /// Follows a shadow ray straight through transparent surfaces, an approximation. Each surface transmits
-    /// its share for the straight ray's angle on the side of the smaller index, and each stretch between
-    /// surfaces its medium's transmittance.
+    /// The surfaces that end a shadow ray of this light.
+    fn blockers(&self, light: &PlacedLight) -> Blockers {
+        match self.world.transparency.shadows {
+            _ if self.is_met(light) => Blockers::All,
+            TransparentShadows::Opaque => Blockers::Casting,
+            TransparentShadows::Attenuated => Blockers::Opaque,
+        }
+    }
+
+    /// Follows a shadow ray straight through the surfaces that do not block it, an approximation. Each
+    /// transparent surface that casts shadows transmits its share for the straight ray's angle on the side
+    /// of the smaller index, and each stretch between surfaces its medium's transmittance.
     fn straight_through(
         &self,
         mut origin: Point,
         direction: Vector,
-        segment: Segment,
-        mut medium: Rgb,
+        (segment, mut medium): (Segment, Rgb),
+        blockers: Blockers,
     ) -> Between {
         let (mut boundaries, mut passed, mut transmittance) = (0, Rgb::WHITE, Rgb::WHITE);
         loop {
@@ -119,15 +143,22 @@ impl<R: Recorder> Tracing<'_, R> {
                 return Between { blocked_by: None, boundaries, passed, transmittance };
             };
             origin = hit.surface.leave(direction);
-            if hit.casts_shadow() {
-                passed = passed * transmitted(&hit, direction);
+            if blockers == Blockers::All || hit.casts_shadow() {
+                passed = match blockers {
+                    Blockers::Opaque => passed * transmitted(&hit, direction),
+                    Blockers::All | Blockers::Casting => Rgb::BLACK,
+                };
                 if passed.is_black() {
                     let blocked_by = Some(hit.object.index);
                     return Between { blocked_by, boundaries, passed, transmittance };
                 }
                 boundaries += 1;
-                let point = ShadingPoint::new(&hit, -direction);
-                medium = medium_towards(medium, &point, direction);
+            }
+            let point = ShadingPoint::new(&hit, -direction);
+            let beyond = medium_towards(medium, &point, direction);
+            // light may leave a medium through what casts no shadow, but is not absorbed on its way in
+            if hit.casts_shadow() || beyond.average() < medium.average() {
+                medium = beyond;
             }
         }
     }

@@ -65,6 +65,9 @@ impl World {
         let mut objects = Objects(placed_objects(scene, resources, &materials)?);
         let lights = placed_lights(scene, &background, &materials, &mut objects.0)?;
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
+        let all_cast_shadows = objects.0.iter().all(|object| object.all_cast_shadows);
+        let all_boundaries_cast_shadows =
+            objects.0.iter().all(|object| object.all_boundaries_cast_shadows);
         // a single object needs no structure
         let method = if bounds.len() == 1 { Method::List } else { scene.accel };
         Ok(Self {
@@ -80,6 +83,8 @@ impl World {
             materials,
             accel: Accel::build(method, &bounds),
             objects,
+            all_cast_shadows,
+            all_boundaries_cast_shadows,
         })
     }
 

@@ -49,6 +49,10 @@ pub struct World {
     pub materials: Vec<PlacedMaterial>,
     objects: Objects,
     accel: Accel,
+    /// Whether every part of every object casts shadows.
+    pub(crate) all_cast_shadows: bool,
+    /// Whether every boundary between media does.
+    pub(crate) all_boundaries_cast_shadows: bool,
 }
 
 /// A light that is on.
@@ -91,8 +95,12 @@ pub struct PlacedObject {
     pub index: u32,
     /// The index of its material; parts may have their own.
     material: u32,
-    /// Whether it blocks light.
+    /// Whether some part of it blocks light.
     casts_shadows: bool,
+    /// Whether each part of it does.
+    all_cast_shadows: bool,
+    /// Whether each of its boundaries between media does.
+    all_boundaries_cast_shadows: bool,
     /// Whether it emits the light of its material: not while its area light is off.
     pub(crate) shines: bool,
     /// The area light whose lamp it is, by its index among those that are on.

@@ -6,7 +6,7 @@ use groundtruth::lights::{Ambient, AmbientOccluder, Directional, Kind, Point as 
 use groundtruth::materials::{Dielectric, Matte, Medium, Phong};
 use groundtruth::math::{Point, Vector, exp};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, Tracer, Whitted};
+use groundtruth::scene::{Scene, Tracer, TransparentShadows, Whitted};
 use groundtruth::shapes::{Plane, Sphere};
 use groundtruth::trace::{Node, RayKind, RayTree, TermSource, radiance};
 use proptest::prelude::*;
@@ -48,6 +48,48 @@ fn shadows(tree: &RayTree) -> Vec<&Node> {
 /// The length of a shadow ray lacks its offsets from the surface and from the light, of some error bounds
 /// each.
 const OFFSETS: f64 = 4096.0 * U;
+
+/// A ball of absorbing glass that casts no shadow, of radius 1, without refraction.
+fn shadowless_glass(scene: &mut Scene) {
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
+    let sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+    put(scene, sphere, Dielectric { inside: water(), ..Dielectric::default() });
+    scene.materials.last_mut().expect("just put").casts_shadows = false;
+}
+
+/// Law: light that reaches a surface inside glass which casts no shadow is absorbed inside the glass only.
+/// Oracle: `exp(−σ/2)` twice, from the sun and to the eye, for a ball of half the radius.
+#[test]
+fn shadowless_glass_absorbs_only_inside() {
+    let mut scene = stage(Rgb::BLACK);
+    shadowless_glass(&mut scene);
+    put(&mut scene, Sphere { center: Point::ORIGIN, radius: 0.5, inward: false }, matte());
+    shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::Y });
+    let seen = look(&built(&scene), Point::new(0.0, 4.0, 0.0), -Vector::Y);
+    close!(seen, (2.0 * FRAC_1_PI) * through(1.0), OFFSETS);
+}
+
+/// Law: glass that casts no shadow does not colour the light that passes it, whether transparent shadows are
+/// attenuated or not. Oracle: the floor without the glass.
+#[test]
+fn shadowless_glass_leaves_no_shadow_on_the_floor() {
+    let floor = |has_glass: bool, shadows| {
+        let mut scene = stage(Rgb::BLACK);
+        scene.transparency.shadows = shadows;
+        if has_glass {
+            shadowless_glass(&mut scene);
+        }
+        let point = Point::new(0.0, -2.0, 0.0);
+        put(&mut scene, Plane { point, normal: Vector::Y }, matte());
+        shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::Y });
+        look(&built(&scene), Point::new(3.0, -1.0, 0.0), Vector::new(-3.0, -1.0, 0.0))
+    };
+    for shadows in [TransparentShadows::Opaque, TransparentShadows::Attenuated] {
+        let bare = floor(false, shadows);
+        close!(bare, (2.0 * FRAC_1_PI) * Rgb::WHITE, OFFSETS);
+        assert_eq!(floor(true, shadows), bare, "{shadows:?}");
+    }
+}
 
 proptest! {
     #![proptest_config(laws())]

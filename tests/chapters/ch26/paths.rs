@@ -1,6 +1,6 @@
 //! Path tracers: their mean, their variance and their cost.
 
-use groundtruth::lights::{Area, Point as PointLight};
+use groundtruth::lights::{Area, Environment, Point as PointLight};
 use groundtruth::lobes::GlossyRule;
 use groundtruth::materials::{
     Dielectric, Emissive, GlossyReflector, Matte, Medium, Phong, Reflective,
@@ -9,7 +9,7 @@ use groundtruth::math::{Point, Vector, power};
 use groundtruth::render::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Random;
-use groundtruth::scene::{Depth, Scene, Tracer};
+use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Plane, Sphere};
 use groundtruth::trace::{RayKind, Term, TermSource};
 use groundtruth::verify::means;
@@ -86,6 +86,28 @@ fn path_tracers_agree_over_mirrors_glass_and_gloss() {
             );
             assert!(e < 0.05 * a && f < 0.05 * b, "{name} towards {target:?}: ± {e:e}, ± {f:e}");
         }
+    }
+}
+
+/// Law: path tracers shadow the light of lamps and of the sky whether or not objects and lights cast
+/// shadows: where paths can hit the light, light samples that pass through would count it twice. Oracle: the
+/// same picture, bit for bit; with `whitted`, which obeys, it differs.
+#[test]
+fn paths_shadow_what_they_can_hit() {
+    let whitted = Tracer::Whitted(Whitted { max_depth: 5 });
+    for tracer in tracers(5).into_iter().chain([whitted]) {
+        let mut scene = Scene { tracer, ..furnished_room() };
+        shine(&mut scene, Environment {});
+        scene.image.samples = 4;
+        (scene.image.width, scene.image.height, scene.image.pixel_size) = (16, 16, 0.3);
+        scene.camera.eye = Point::new(0.5, 6.0, 8.0);
+        let with_shadows = render(&built(&scene));
+        scene.materials.iter_mut().for_each(|material| material.casts_shadows = false);
+        let without_objects = render(&built(&scene));
+        scene.lights.iter_mut().for_each(|light| light.shadows = false);
+        let without_lights = render(&built(&scene));
+        let same = [without_objects, without_lights].map(|it| it.pixels() == with_shadows.pixels());
+        assert_eq!(same, [tracer != whitted; 2], "{}", tracer.name());
     }
 }
 
