@@ -42,9 +42,9 @@ pub struct RayCounter {
 }
 
 impl RayCounter {
-    /// Counts up to `most` rays, at most [`MAX_COUNTED`].
+    /// Counts up to `most` rays.
     pub fn up_to(most: u64) -> Self {
-        Self { rays: 0, most: most.min(MAX_COUNTED), samples: 0 }
+        Self { rays: 0, most, samples: 0 }
     }
 
     /// Counts the rays of a sample.
@@ -65,11 +65,11 @@ impl RayCounter {
     }
 }
 
-/// Traces one sample in each of some of a world's pixels, up to `most` rays.
+/// Traces one sample in each of some of a world's pixels, up to `most` rays, at most [`MAX_COUNTED`].
 pub fn measured(world: &World, most: u64) -> RaysPerSample {
     let mut random = Pcg32::new(world.seed, u64::from(PIXELS));
     let [width, height] = world.picture_size();
-    let mut counter = RayCounter::up_to(most);
+    let mut counter = RayCounter::up_to(most.min(MAX_COUNTED));
     for _ in 0..PIXELS {
         let pixel = [random.below(width), random.below(height)];
         let index = random.below(world.samples_per_pixel());

@@ -52,7 +52,7 @@ fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
     scene.image.resize(60, 60);
     scene.image.samples = 1;
     let world = World::build(&scene).expect("gallery scenes are valid");
-    let explanation = explain::pixel(&scene, &world, [20, 15], None);
+    let explanation = explain::pixel(&scene, &world, [20, 15], None).expect("few rays");
     reads_as_before!(explanation.text(0.01, false));
 }
 
@@ -212,7 +212,7 @@ fn the_samples_statistics_are_theirs() {
     scene.image.resize(48, 48);
     scene.image.samples = 16;
     let world = World::build(&scene).expect("gallery scenes are valid");
-    let explained = explain::pixel(&scene, &world, [7, 20], Some(3));
+    let explained = explain::pixel(&scene, &world, [7, 20], Some(3)).expect("few rays");
     let reds: Vec<f64> = explained.radiances.iter().map(|radiance| radiance.r).collect();
     let mean = reds.iter().sum::<f64>() / 16.0;
     let squares: f64 = reds.iter().map(|red| (red - mean) * (red - mean)).sum();

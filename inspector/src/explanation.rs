@@ -88,7 +88,8 @@ fn answer(scene: &Scene, world: &World, question: Question) -> Answer {
     let few =
         counter.rays().saturating_mul(world.samples_per_pixel().into()) <= MAX_RAYS_OF_A_PIXEL;
     let only = if few { None } else { Some(question.sample) };
-    Ok(Arc::new(explain::pixel(scene, world, question.pixel, only)))
+    let explained = explain::pixel(scene, world, question.pixel, only);
+    explained.map(Arc::new).map_err(|e| e.to_string())
 }
 
 impl Selection {

@@ -53,7 +53,7 @@ impl Explain {
             let count = world.samples_per_pixel();
             return Err(format!("no sample {index}: the pixel has {count}, numbered from 0").into());
         }
-        let explanation = explain::pixel(&scene, &world, [self.x, self.y], only);
+        let explanation = explain::pixel(&scene, &world, [self.x, self.y], only)?;
         if self.json {
             return print(&(serde_json::to_string_pretty(&explanation)? + "\n"));
         }

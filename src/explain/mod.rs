@@ -21,7 +21,7 @@ use crate::trace::{
 use crate::world::World;
 
 pub use outline::{Outline, Row};
-pub use sources::{Source, SourceExplanation, Sources};
+pub use sources::{Source, SourceExplanation, Sources, TooManyRays};
 pub use text::{brief, count, percent, short, table, unblocked};
 
 /// A pixel explained: its samples and their sum.
@@ -179,12 +179,21 @@ pub struct TermExplanation {
 }
 
 /// Explains a pixel (x right, y down): one of its samples, or all.
-pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -> PixelExplanation {
+///
+/// # Errors
+/// If its samples have so many rays that tracing them would take minutes or more.
+pub fn pixel(
+    scene: &Scene,
+    world: &World,
+    pixel: [u32; 2],
+    only: Option<u32>,
+) -> Result<PixelExplanation, TooManyRays> {
+    // first, because it ends if there are too many rays
+    let (radiances, sources) = sources::of(scene, world, pixel)?;
     let count = world.samples_per_pixel();
     let explained = only.map_or(0..count, |index| index..index + 1);
     let samples = explained.map(|index| sample(scene, world, pixel, index)).collect();
-    let (radiances, sources) = sources::of(scene, world, pixel);
-    PixelExplanation {
+    Ok(PixelExplanation {
         pixel,
         left_out: trace::omitted_lights(world),
         samples_per_pixel: count,
@@ -194,7 +203,7 @@ pub fn pixel(scene: &Scene, world: &World, pixel: [u32; 2], only: Option<u32>) -
         sources,
         radiance: render::expose(world, radiances.iter().copied()),
         radiances,
-    }
+    })
 }
 
 /// Explains one sample of a pixel.

@@ -60,23 +60,48 @@ pub struct SourceExplanation {
     pub standard_deviation: Option<Rgb>,
 }
 
+/// The largest number of rays of a pixel that is explained: some seconds.
+const MAX_RAYS: u64 = 1 << 25;
+
+/// A pixel has too many rays to be explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "pixel ({}, {}) has more than {MAX_RAYS} rays, too many to be explained; lower max_depth or the \
+     number of samples",
+    .0[0], .0[1]
+)]
+pub struct TooManyRays(pub [u32; 2]);
+
 /// The radiances of all samples of a pixel, and the contribution of each source.
-pub(super) fn of(scene: &Scene, world: &World, pixel: [u32; 2]) -> (Vec<Rgb>, Sources) {
-    let samples = (0..world.samples_per_pixel()).map(|index| sample(world, pixel, index));
-    let (radiances, sums): (Vec<Rgb>, Vec<_>) = samples.unzip();
-    let (entries, first_hits): (Vec<Sums>, Vec<Sums>) = sums.into_iter().unzip();
+pub(super) fn of(
+    scene: &Scene,
+    world: &World,
+    pixel: [u32; 2],
+) -> Result<(Vec<Rgb>, Sources), TooManyRays> {
+    let mut rays_left = MAX_RAYS;
+    let (mut radiances, mut entries, mut first_hits) = (Vec::new(), Vec::new(), Vec::new());
+    for index in 0..world.samples_per_pixel() {
+        let (radiance, by_entry, by_first_hit) = sample(world, pixel, index, &mut rays_left);
+        if rays_left == 0 {
+            return Err(TooManyRays(pixel));
+        }
+        radiances.push(radiance);
+        entries.push(by_entry);
+        first_hits.push(by_first_hit);
+    }
     let [by_entry, by_first_hit] = [entries, first_hits].map(|sums| explain(scene, world, &sums));
-    (radiances, Sources { by_entry, by_first_hit })
+    Ok((radiances, Sources { by_entry, by_first_hit }))
 }
 
 /// A sample's radiance, and the contribution of each source: by entry, and by the first hit.
-fn sample(world: &World, pixel: [u32; 2], index: u32) -> (Rgb, (Sums, Sums)) {
-    let mut recorder = SourceRecorder::default();
+fn sample(world: &World, pixel: [u32; 2], index: u32, rays_left: &mut u64) -> (Rgb, Sums, Sums) {
+    let mut recorder = SourceRecorder { rays_left: *rays_left, ..SourceRecorder::default() };
     let radiance = render::sample(world, pixel, index, &mut recorder);
+    *rays_left = recorder.rays_left;
     let weight = render::camera_sample(world, pixel, index).map_or(0.0, |sample| sample.weight);
     let [by_entry, by_first_hit] =
         [recorder.finished, recorder.first_hit].map(|sums| sums.times(Rgb::grey(weight)));
-    (radiance, (by_entry, by_first_hit))
+    (radiance, by_entry, by_first_hit)
 }
 
 /// The sources of all samples, the largest standard deviation first.
@@ -154,11 +179,18 @@ struct SourceRecorder {
     finished: Sums,
     /// What arrives along the camera's ray, by the first hit.
     first_hit: Sums,
+    /// The number of rays that may still be cast.
+    rays_left: u64,
 }
 
 impl Recorder for SourceRecorder {
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {
         self.open.push(Sums::default());
+        self.rays_left = self.rays_left.saturating_sub(1);
+    }
+
+    fn is_full(&self) -> bool {
+        self.rays_left == 0
     }
 
     fn outcome(&mut self, _: Outcome<&Hit<'_>>) {}

@@ -96,14 +96,14 @@ pub(super) fn all_of(shape: &dyn Shape) -> Result<(), Invalid> {
 }
 
 /// Refuses so many samples if they would take too long: `look` is one of them, and others are those of the
-/// whole picture.
+/// whole picture. Returns the number of rays at which tracing them must end: estimates may be too low.
 pub(super) fn traceable(
     scene: &Scene,
     world: &World,
     primitives: u64,
     samples: f64,
     look: impl FnOnce(&World, &mut RayCounter) -> Rgb,
-) -> Result<(), Invalid> {
+) -> Result<u64, Invalid> {
     let tests = match scene.accel {
         // a teapot in a stadium is in one cell
         accel::Method::List | accel::Method::Grid => primitives as f64,
@@ -111,7 +111,7 @@ pub(super) fn traceable(
     };
     let tests = tests.max(1.0);
     let most = (MAX_WORK / tests) as u64;
-    let mut asked = RayCounter::up_to(most);
+    let mut asked = RayCounter::up_to(most.min(MAX_COUNTED));
     asked.count(|counter| look(world, counter));
     if asked.is_full() {
         return Err(Invalid::new(format!(
@@ -128,5 +128,5 @@ pub(super) fn traceable(
              {MAX_WORK:.0e} fit; ask for fewer samples or replicas, or lower the scene's max_depth"
         )));
     }
-    Ok(())
+    Ok(2 * most)
 }

@@ -11,6 +11,7 @@ use super::numbers::{RayData, Triple, color};
 use super::{camera_ray, limits};
 use crate::invalid::{Invalid, Key};
 use crate::math::Ray;
+use crate::ray_budget::RayCounter;
 use crate::rgb::Rgb;
 use crate::scene::{Scene, SceneError};
 use crate::trace::Recorder;
@@ -88,13 +89,20 @@ impl super::Question for Radiance {
             return Err(Invalid::field("replicas", problem));
         }
         let seed = self.seed.unwrap_or(DEFAULT_SEED);
-        let mut world = self.world(seed, &looks, f64::from(replicas))?;
+        let (mut world, most) = self.world(seed, &looks, f64::from(replicas))?;
+        let mut rays = RayCounter::up_to(most);
         let mut values = Vec::with_capacity(replicas as usize);
         for i in 0..replicas {
             if i > 0 {
                 world.reseed(seed.wrapping_add(u64::from(i)));
             }
-            values.push(looks.value(&world));
+            values.push(looks.value(&world, &mut rays));
+            if rays.is_full() {
+                return Err(Invalid::new(format!(
+                    "this casts more than {most} rays; ask for fewer samples or replicas, or lower the \
+                     scene's max_depth"
+                )));
+            }
         }
         let mean = render::mean(values.iter().copied());
         Ok(Answer {
@@ -121,8 +129,8 @@ impl Looks {
     }
 
     /// The value of a pixel, or the mean of as many samples along a ray.
-    fn value(&self, world: &World) -> Rgb {
-        let samples = (0..world.samples_per_pixel()).map(|i| self.sample(world, i, &mut ()));
+    fn value(&self, world: &World, rays: &mut RayCounter) -> Rgb {
+        let samples = (0..world.samples_per_pixel()).map(|i| self.sample(world, i, rays));
         match self {
             Self::AtPixel(_) => render::expose(world, samples),
             Self::Along(_) => render::mean(samples),
@@ -139,7 +147,8 @@ impl Radiance {
         }
     }
 
-    fn world(&self, seed: u64, looks: &Looks, replicas: f64) -> Result<World, Invalid> {
+    /// The world, and the number of rays at which tracing must end.
+    fn world(&self, seed: u64, looks: &Looks, replicas: f64) -> Result<(World, u64), Invalid> {
         let outer = |e: Invalid| e.inside("scene");
         let mut read = None;
         let (scene, folder) = match &self.scene {
@@ -168,10 +177,11 @@ impl Radiance {
             camera_ray::inside(*pixel, world.picture_size())?;
         }
         let samples = f64::from(world.samples_per_pixel());
-        limits::traceable(&scene, &world, primitives, samples * replicas, |world, counter| {
+        let samples = samples * replicas;
+        let most = limits::traceable(&scene, &world, primitives, samples, |world, counter| {
             looks.sample(world, 0, counter)
         })?;
-        Ok(world)
+        Ok((world, most))
     }
 }
 

@@ -60,7 +60,7 @@ pub fn room(kd: f64, ks: f64, samples: u32) -> Scene {
 /// The camera's rays of the samples of a room.
 fn paths(scene: &Scene) -> Vec<RayExplanation> {
     let world = World::build(scene).expect("the scene is valid");
-    let samples = explain::pixel(scene, &world, [0, 0], None).samples;
+    let samples = explain::pixel(scene, &world, [0, 0], None).expect("few rays").samples;
     samples.into_iter().filter_map(|sample| sample.ray).collect()
 }
 

@@ -1,9 +1,10 @@
 //! What each light and each lobe adds to a pixel.
 
 use std::f64::consts::PI;
+use std::path::Path;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{self, RayExplanation, Source, SourceExplanation};
+use groundtruth::explain::{self, RayExplanation, Source, SourceExplanation, TooManyRays};
 use groundtruth::filters::Mitchell;
 use groundtruth::gallery;
 use groundtruth::lights::{Ambient, Directional};
@@ -14,8 +15,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Random;
 use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::shapes::Plane;
-use groundtruth::trace::TermSource;
-use groundtruth::world::World;
+use groundtruth::trace::{RayCounts, TermSource};
+use groundtruth::world::{self, World};
 
 use crate::paths::room;
 
@@ -55,7 +56,7 @@ fn the_means_add_up_to_the_pixel() {
     {
         let world = World::build(&scene).expect("gallery scenes are valid");
         for pixel in (0..12).map(|i| [2 * i, (7 * i) % 24]) {
-            let explained = explain::pixel(&scene, &world, pixel, Some(0));
+            let explained = explain::pixel(&scene, &world, pixel, Some(0)).expect("few rays");
             for (words, sources) in explained.sources.lists() {
                 let sum: Rgb = sources.iter().map(|source| source.mean).sum();
                 assert_near(sum, render::pixel(&world, pixel), words);
@@ -102,7 +103,7 @@ fn a_mirror_before_a_wall_is_divided_as_by_hand() {
         Light::new("below", towards(-Vector::Z)).without_shadows(),
     ];
     let world = World::build(&scene).expect("the scene is valid");
-    let sources = explain::pixel(&scene, &world, [0, 0], None).sources;
+    let sources = explain::pixel(&scene, &world, [0, 0], None).expect("few rays").sources;
     let by_entry = [
         ("light \"above\"", 0.5),
         ("light \"ambient\"", 0.1 + 0.25 * 0.4),
@@ -179,7 +180,7 @@ fn two_samples_deviate_by_their_difference() {
         let mut world = World::build(&scene).expect("the scene is valid");
         for seed in 0..16 {
             world.reseed(seed);
-            let explained = explain::pixel(&scene, &world, pixel, None);
+            let explained = explain::pixel(&scene, &world, pixel, None).expect("few rays");
             let [a, b] = &explained.samples[..] else { panic!("two samples") };
             let roots = [a, b].map(|sample| sample.ray.as_ref().expect("the camera sees all"));
             let time = scene.camera.exposure_time;
@@ -207,8 +208,51 @@ fn two_samples_deviate_by_their_difference() {
 fn a_single_sample_has_no_deviation() {
     let scene = small("ch28/glass-sphere", 24, 1);
     let world = World::build(&scene).expect("gallery scenes are valid");
-    let explained = explain::pixel(&scene, &world, [10, 8], None);
+    let explained = explain::pixel(&scene, &world, [10, 8], None).expect("few rays");
     let rows = &explained.sources.by_entry;
     assert!(rows.len() > 2 && rows.iter().all(|row| row.standard_deviation.is_none()));
     assert!(explained.text(0.01, false).contains("one sample"));
+}
+
+/// Three nested balls of glass at depth 100, and a pixel at their outline.
+const ENDLESS: &str = r#"
+background = 1
+tracer.whitted = { max_depth = 100 }
+[image]
+width = 1000
+height = 1000
+pixel_size = 0.1
+samples = 16
+[camera]
+eye = [0, 0, 5]
+lens = { pinhole = { distance = 5 } }
+[[materials]]
+name = "glass"
+recipe = { dielectric = { inside = { eta = 1.5 } } }
+[[objects]]
+name = "outer"
+material = "glass"
+shape = { sphere = { center = [0, 0, 0], radius = 1 } }
+[[objects]]
+name = "middle"
+material = "glass"
+shape = { sphere = { center = [0, 0, 0], radius = 0.9 } }
+[[objects]]
+name = "inner"
+material = "glass"
+shape = { sphere = { center = [0, 0, 0], radius = 0.8 } }
+"#;
+
+/// Law: a pixel whose ray trees have no end is refused, although the sample that was asked for meets no glass.
+/// Oracle: the test ends.
+#[test]
+fn a_pixel_of_endless_trees_is_refused() {
+    let (scene, world) =
+        world::from_toml(ENDLESS, Path::new("endless.toml")).expect("the scene is valid");
+    let pixel = [489, 500];
+    let mut counts = RayCounts::default();
+    let _ = render::sample(&world, pixel, 0, &mut counts);
+    assert_eq!(counts.camera + counts.reflected + counts.transmitted, 1, "{counts:?}");
+    let refused = explain::pixel(&scene, &world, pixel, Some(0));
+    assert_eq!(refused.map(drop), Err(TooManyRays(pixel)));
 }

@@ -24,7 +24,7 @@ fn noisy_pixel() -> (Window, PixelExplanation) {
     settle(&mut window);
     click(&mut window, ON_THE_BACK_WALL);
     let scene = small_cornell_box();
-    (window, explain::pixel(&scene, &built(&scene), ON_THE_BACK_WALL, None))
+    (window, explain::pixel(&scene, &built(&scene), ON_THE_BACK_WALL, None).expect("few rays"))
 }
 
 /// The continuing rays of a path, each with the term that receives its light, and the path's shadow rays.

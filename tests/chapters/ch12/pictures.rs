@@ -231,7 +231,7 @@ fn pixels_of_pairs_are_explained() {
     let scene = pair(Viewing::Parallel, 5.0);
     let (world, film) = rendered(&scene);
     for at in [[3, 4], [WIDTH + 1, 4], [WIDTH + 6, 4], [2 * WIDTH + 2, HEIGHT - 1]] {
-        let explained = explain::pixel(&scene, &world, at, None);
+        let explained = explain::pixel(&scene, &world, at, None).expect("few rays");
         assert_eq!(bits(explained.radiance), bits(film.get(at)));
         let in_gap = (WIDTH..WIDTH + 3).contains(&at[0]);
         for sample in &explained.samples {
