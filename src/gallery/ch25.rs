@@ -17,7 +17,7 @@ pub const SCENES: List = &[
         in_uniform_surroundings(about, GlossyRule::Book)
     }),
     ("ch25/sphere-normalised", || {
-        let about = "as figure 25.7, normalised: darker where the lobe extends below the surface";
+        let about = "as figure 25.7, normalised: darker towards the outline, by about the cosine of the viewer's angle";
         in_uniform_surroundings(about, GlossyRule::Normalised)
     }),
     ("ch25/boxes", boxes),

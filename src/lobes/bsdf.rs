@@ -137,14 +137,15 @@ impl<'a> Bsdf<'a> {
         self.normals.geometry.dot(direction) > 0.0
     }
 
-    /// The frame of a lobe. Where the mirror direction about an interpolated normal falls on the other side
-    /// of the true surface, a mirror and its blurred form are about the true normal: without this, smooth
-    /// mirrors would have black outlines.
+    /// The frame of a lobe. Where an interpolated normal faces away from the viewer or sends the mirror
+    /// direction to the other side of the true surface, a mirror and its blurred form are about the true
+    /// normal: without this, smooth mirrors would have black outlines.
     fn frame_of(&self, lobe: &Lobe, kind: NormalKind) -> Frame {
         let is_mirrored = matches!(lobe.branch(), Branch::Mirror | Branch::Gloss);
         let falls_behind = || {
-            let mirrored = self.frame.to_world(mirrored(self.frame.to_local(self.wo)));
-            self.is_outward(mirrored) != self.is_outward(self.wo)
+            let wo = self.frame.to_local(self.wo);
+            let mirrored = self.frame.to_world(mirrored(wo));
+            [wo.z() > 0.0, self.is_outward(mirrored)] != [self.is_outward(self.wo); 2]
         };
         match kind {
             NormalKind::Shading if !(is_mirrored && falls_behind()) => self.frame,
@@ -152,9 +153,9 @@ impl<'a> Bsdf<'a> {
         }
     }
 
-    /// The direction to the viewer in the frame of a lobe. A viewer above the true surface sees also what is
-    /// scattered about an interpolated normal that faces away, near the outline of a smooth mesh: as from
-    /// the same angle above that normal's horizon.
+    /// The direction to the viewer for which a lobe draws directions, in its frame. Where an interpolated
+    /// normal faces away from a viewer above the true surface, it is the one as far above that normal's
+    /// horizon as the viewer is below it: lobes draw nothing for a viewer below.
     fn viewer(&self, lobe: &Lobe, frame: &Frame) -> Vector {
         let wo = frame.to_local(self.wo);
         match !lobe.is_specular() && self.is_outward(self.wo) {
@@ -164,7 +165,11 @@ impl<'a> Bsdf<'a> {
     }
 
     /// What each of these lobes makes of light from the unit direction `wi`; those that make nothing of it
-    /// are left out. A viewer below the true surface gets nothing.
+    /// are left out.
+    ///
+    /// A viewer below the true surface gets nothing. One above it does, also where an interpolated
+    /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on which
+    /// side of that normal the viewer is.
     pub fn lit(&self, which: Which, wi: Vector) -> ArrayVec<Lit, MAX_LOBES> {
         let mut lit = ArrayVec::new();
         if !self.is_outward(self.wo) {
@@ -172,7 +177,7 @@ impl<'a> Bsdf<'a> {
         }
         for (lobe, kind) in self.lobes.iter().filter(|(lobe, _)| which.has(lobe)) {
             let frame = self.frame_of(lobe, *kind);
-            let (wo, wi) = (self.viewer(lobe, &frame), frame.to_local(wi));
+            let [wo, wi] = [self.wo, wi].map(|w| frame.to_local(w));
             let cos_i = wi.z();
             if cos_i <= 0.0 {
                 continue; // the light is behind the surface
@@ -192,7 +197,11 @@ impl<'a> Bsdf<'a> {
         }
         let frame = self.frame_of(lobe, kind);
         let wo = self.viewer(lobe, &frame);
-        let sample = lobe.sample(wo, u)?;
+        let mut sample = lobe.sample(wo, u)?;
+        let true_wo = frame.to_local(self.wo);
+        if let Some(pdf) = sample.pdf.filter(|_| wo != true_wo) {
+            sample.weight = (sample.wi.z() / pdf) * lobe.formula(true_wo, sample.wi);
+        }
         let transmits = sample.wi.z() * wo.z() < 0.0;
         let direction = frame.to_world(sample.wi);
         let stays = self.is_outward(direction) == self.is_outward(self.wo);

@@ -31,7 +31,8 @@ pub enum GlossyRule {
     /// surface is turned half around the mirror direction. Not reciprocal.
     #[default]
     Book,
-    /// `f = k_r c_r (e + 2)/2π (r·ω_o)^e`: reciprocal, and at most the reflectance (Lafortune & Willems,
+    /// `f = k_r c_r (e + 2)/2π (r·ω_o)^e`: reciprocal, and darker: a narrow lobe reflects about
+    /// `k_r c_r cosθ_o` of uniform light, where a mirror reflects `k_r c_r` (Lafortune & Willems,
     /// "Using the Modified Phong Reflectance Model for Physically Based Rendering", 1994).
     Normalised,
 }

@@ -17,7 +17,7 @@ key, its name, and its fields inside: `shape.sphere = { center = [0, 0, 0], radi
 
 Shapes that have an inside, such as spheres, boxes and meshes, are boundaries of it: their normals point
 outward. To move, turn or stretch a shape, wrap it in an [`instance`](#instance). Mirrors and glass need
-the tracer [`whitted`](#whitted).
+the tracer [`whitted`](#whitted) or one of the path tracers.
 
 Render a file with `groundtruth render my.toml -o my.png`. An error names the line, the field and the
 entry of this page.

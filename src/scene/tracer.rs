@@ -17,9 +17,10 @@ pub enum Tracer {
     Whitted(Whitted),
     /// Path tracing without sampling of lights (chapter 26): light is reflected between all
     /// surfaces. A path collects the emission of the surfaces and of the background that it hits;
-    /// point, directional and spot lights contribute nothing.
+    /// lights without a surface (point, directional, spot …) contribute nothing.
     PathTrace(Depth),
-    /// Path tracing that samples the lights at the first hit only (chapter 26).
+    /// Path tracing that samples the lights at the first hit only (chapter 26). A lamp that a path
+    /// hits at its second hit counts as sampled: sharp gloss under a sampled sky is very noisy.
     GlobalTrace(Depth),
     /// The recommended path tracer (not in the book): it samples the lights at every hit, with
     /// multiple importance sampling and Russian roulette.
@@ -32,7 +33,9 @@ pub enum Tracer {
 #[schemars(example = Depth { max_depth: 8 })]
 pub struct Depth {
     /// The largest depth of a ray that is traced; deeper rays are black. The camera's ray has depth
-    /// 0, each reflection or refraction adds 1. From 0 to 128; 10 is enough for most rooms.
+    /// 0, each reflection or refraction adds 1, and so does a ray to a light: at a hit of depth
+    /// `max_depth` lights are not sampled, and with 0 only what shines itself is seen. From 0 to
+    /// 128; 10 is enough for most rooms.
     pub max_depth: u32,
 }
 

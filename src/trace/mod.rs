@@ -52,8 +52,8 @@ struct PathState {
     medium: Rgb,
     /// The hit that it left, if lights were sampled there.
     left: Option<Left>,
-    /// The weight at the eye of light that arrives along the path, without the 1/η² of radiance; Russian
-    /// roulette depends on it.
+    /// The weight at the eye of light that arrives along the path, without the 1/η² of radiance and the
+    /// absorption of media; Russian roulette depends on it.
     throughput: Rgb,
 }
 

@@ -6,7 +6,7 @@ use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use groundtruth::explain::count;
 use groundtruth::gallery;
-use groundtruth::scene::Intersect;
+use groundtruth::scene::{Depth, Intersect, Tracer};
 use groundtruth::world::{MAX_SAMPLES, World};
 use inspector::scene_picker::found;
 use inspector::thumbnails;
@@ -159,4 +159,19 @@ fn a_count_of_one_has_the_singular() {
     let mut window = open(scene);
     settle(&mut window);
     assert!(window.query_by_label("48 × 48, 1 sample").is_some());
+}
+
+/// Law: the window says which lights the tracer leaves out, without a click on the black picture. Oracle: the
+/// scene's own lights, of which `path_trace` can meet none.
+#[test]
+fn lights_that_the_tracer_leaves_out_are_named() {
+    let mut scene = small_glass_sphere();
+    assert!(!scene.lights.is_empty());
+    scene.tracer = Tracer::PathTrace(Depth { max_depth: 2 });
+    let names: Vec<String> = scene.lights.iter().map(|light| light.name.clone()).collect();
+    let mut window = open(scene);
+    settle(&mut window);
+    for name in names {
+        text_with(&window, &format!("path_trace leaves out the light \"{name}\""));
+    }
 }

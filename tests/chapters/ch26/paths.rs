@@ -223,10 +223,10 @@ fn the_error_of_paths_falls_as_the_root_of_their_number() {
     assert!((law.exponent + 0.5).abs() < 0.1, "{law:?} of {deviations:?}");
 }
 
-/// Law: a path over N mirrors draws no random numbers: it casts N + 1 rays, and uniform light is weighted by
-/// k_r exactly. Oracle: counting; the product.
+/// Law: a path over a mirror draws no random numbers: it casts two rays, and uniform light is weighted by k_r
+/// exactly. Oracle: counting; the product.
 #[test]
-fn a_path_over_mirrors_draws_nothing() {
+fn a_path_over_a_mirror_draws_nothing() {
     for tracer in tracers(4) {
         let mut scene = stage(Rgb::grey(2.0));
         scene.tracer = tracer;
