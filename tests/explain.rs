@@ -229,3 +229,39 @@ fn the_samples_statistics_are_theirs() {
     }
     assert_eq!(explained.samples[0].radiance, explained.radiances[3]);
 }
+
+/// A floor under water, lit from two above and seen from one above.
+const UNDER_WATER: &str = r#"
+[image]
+width = 1
+height = 1
+[camera]
+eye = [0, 1, 0]
+look_at = [0, 0, 0]
+up = [0, 0, 1]
+lens = { pinhole = { distance = 1 } }
+medium = { eta = 1.33, absorption = [0.5, 0.25, 0] }
+[[lights]]
+name = "lamp"
+source = { point = { ls = 3, color = 1, location = [0, 2, 0] } }
+[[materials]]
+name = "white"
+recipe = { matte = { kd = 1, cd = 1 } }
+[[objects]]
+name = "floor"
+material = "white"
+shape = { plane = { point = [0, 0, 0], normal = [0, 1, 0] } }
+"#;
+
+/// Law: the lines of a shadow ray give the light that it found and what the medium left of it. Oracle: Beer's
+/// law, `exp(−2σ)`: 0.368 and 0.607.
+#[test]
+fn a_shadow_ray_says_what_the_medium_absorbs() {
+    let path = std::path::Path::new("under_water.toml");
+    let (scene, world) = groundtruth::world::from_toml(UNDER_WATER, path).expect("it is valid");
+    let explained = explain::pixel(&scene, &world, [0, 0], None).expect("few rays");
+    let text = explained.text(0.0, false);
+    let shadow: Vec<&str> = text.lines().skip_while(|line| !line.contains("shadow ray")).collect();
+    assert!(shadow[2].ends_with("+ 3  light \"lamp\": weight 1 × light 3"), "{text}");
+    assert!(shadow[3].ends_with("× (0.368, 0.607, 1)  through the medium"), "{text}");
+}

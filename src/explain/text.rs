@@ -74,12 +74,16 @@ impl RayExplanation {
         if let Some(hit) = self.outcome.hit() {
             lines.extend(hit.lines());
         }
-        if matches!(self.kind, RayKind::Shadow { .. }) {
-            return lines;
+        let is_shadow = matches!(self.kind, RayKind::Shadow { .. });
+        if !is_shadow {
+            let (weight, radiance) = (short(self.weight), short(self.radiance));
+            lines.push(format!("weight {weight}  radiance {radiance}"));
         }
-        let (weight, radiance) = (short(self.weight), short(self.radiance));
-        lines.push(format!("weight {weight}  radiance {radiance}"));
-        lines.extend(self.terms.iter().map(|term| format!("  {}", term.line())));
+        // of a shadow ray only what is lost: its light stands in the term that it belongs to
+        let terms = self.terms.iter().filter(|term| {
+            !is_shadow || term.weight != Rgb::WHITE || self.transmittance != Rgb::WHITE
+        });
+        lines.extend(terms.map(|term| format!("  {}", term.line())));
         if self.transmittance != Rgb::WHITE {
             lines.push(format!("  × {}  through the medium", short(self.transmittance)));
         }
