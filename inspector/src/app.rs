@@ -7,7 +7,7 @@ use eframe::egui::{
     Vec2, ViewportCommand, vec2,
 };
 use groundtruth::scene::Scene;
-use groundtruth::trace::omitted_lights;
+use groundtruth::trace::omissions;
 
 use crate::explanation::Selection;
 use crate::image_settings::ImageSettings;
@@ -199,7 +199,7 @@ impl Inspector {
             ui.add_space(6.0);
         }
         let changed = self.settings.show(ui, &mut self.wanted, &mut self.seed);
-        for note in omitted_lights(&self.rendering.world) {
+        for note in omissions(&self.rendering.world) {
             ui.label(RichText::new(note).color(ui.visuals().warn_fg_color));
         }
         ui.add_space(8.0);

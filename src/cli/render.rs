@@ -62,7 +62,7 @@ impl Render {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
             None => Canvas::new(&world),
         });
-        trace::omitted_lights(&world).iter().for_each(|note| eprintln!("note: {note}"));
+        trace::omissions(&world).iter().for_each(|note| eprintln!("note: {note}"));
         let rays = ray_budget::measured(&world, MAX_COUNTED);
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
         rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));

@@ -195,7 +195,7 @@ pub fn pixel(
     let samples = explained.map(|index| sample(scene, world, pixel, index)).collect();
     Ok(PixelExplanation {
         pixel,
-        left_out: trace::omitted_lights(world),
+        left_out: trace::omissions(world),
         samples_per_pixel: count,
         exposure_time: world.view.exposure_time,
         samples,

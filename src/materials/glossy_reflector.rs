@@ -89,6 +89,10 @@ impl Material for BlurredMirror {
         }
     }
 
+    fn needs_rays(&self) -> bool {
+        true
+    }
+
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let Self { kr, cr, exponent, .. } = self;
         let own = [("kr", kr.texture()), ("cr", cr.texture()), ("exponent", exponent.texture())];

@@ -48,6 +48,11 @@ pub trait Material: Debug + Send + Sync {
     fn transmits(&self) -> bool {
         self.boundary().is_some()
     }
+
+    /// Whether part of it is seen by reflected or refracted rays only.
+    fn needs_rays(&self) -> bool {
+        self.transmits()
+    }
 }
 
 /// A texture of a material, and the field it stands in.

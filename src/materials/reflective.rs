@@ -70,6 +70,10 @@ impl Material for ReflectiveMaterial {
         }
     }
 
+    fn needs_rays(&self) -> bool {
+        true
+    }
+
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let mut all = textured([("kr", self.kr.texture()), ("cr", self.cr.texture())]);
         all.extend(within("phong", &self.phong, at));

@@ -89,6 +89,10 @@ impl Material for SphereMaterialsMaterial {
         self.materials[self.turn(at)].respond(at, cos_o, response);
     }
 
+    fn needs_rays(&self) -> bool {
+        self.materials.iter().any(|material| material.needs_rays())
+    }
+
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         let turn = self.turn(at);
         within(&format!("materials[{turn}]"), &*self.materials[turn], at).collect()

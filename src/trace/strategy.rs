@@ -2,7 +2,7 @@
 
 use crate::lights::{Light, Meets};
 use crate::scene::Tracer;
-use crate::world::World;
+use crate::world::{PlacedMaterial, World};
 
 /// How light is traced: every tracer of the book is a value of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,12 +115,25 @@ impl Strategy {
     }
 }
 
-/// A sentence for the user about each light that the world's tracer leaves out.
-pub fn omitted_lights(world: &World) -> Vec<String> {
+/// A sentence for the user about each light that the world's tracer leaves out, and about each mirror and
+/// glass that it does not trace.
+pub fn omissions(world: &World) -> Vec<String> {
     let strategy = Strategy::of(world.tracer);
-    let of = |light: &crate::world::PlacedLight| {
+    let tracer = world.tracer.name();
+    let of_light = |light: &crate::world::PlacedLight| {
         let [what, why] = strategy.leaves_out(&*light.light)?;
-        Some(format!("{} {what} the light \"{}\": {why}", world.tracer.name(), light.name))
+        Some(format!("{tracer} {what} the light \"{}\": {why}", light.name))
     };
-    world.lights.iter().filter_map(of).collect()
+    let of_material = |material: &PlacedMaterial| {
+        let is_left_out = strategy.scatter == Scatter::Nothing && material.recipe.needs_rays();
+        is_left_out.then(|| {
+            format!(
+                "{tracer} traces no reflections or refractions of the material \"{}\"; `whitted` and the \
+                 path tracers do",
+                material.name
+            )
+        })
+    };
+    let lights = world.lights.iter().filter_map(of_light);
+    lights.chain(world.materials.iter().filter_map(of_material)).collect()
 }

@@ -11,7 +11,7 @@ use groundtruth::math::{Point, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, Tracer, Whitted};
 use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
-use groundtruth::trace::{Outcome, RayKind, RayTree};
+use groundtruth::trace::{Outcome, RayKind, RayTree, omissions};
 use proptest::prelude::*;
 
 use crate::support::stage::*;
@@ -352,4 +352,29 @@ fn a_mirror_lights_no_other_surface() {
     };
     assert_eq!(seen(true), seen(false));
     above!(seen(true).r, 0.0);
+}
+
+/// Law: a mirror under `ray_cast`, which is black, is explained by a note that names its material; under
+/// `whitted` there is nothing to say, and of a matte surface neither. Oracle: the picture, and the name.
+#[test]
+fn a_mirror_that_is_not_traced_is_named() {
+    let mut scene = stage(Rgb::WHITE);
+    let sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+    let mirror = Reflective { phong: Phong::default(), kr: 1.0.into(), cr: Rgb::WHITE.into() };
+    put(&mut scene, sphere, mirror);
+    put(
+        &mut scene,
+        Plane { point: Point::new(0.0, -1.0, 0.0), normal: Vector::Y },
+        Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() },
+    );
+    for (tracer, brightness, notes) in
+        [(Tracer::RayCast, 0.0, 1), (Tracer::Whitted(Whitted { max_depth: 3 }), 1.0, 0)]
+    {
+        scene.tracer = tracer;
+        let world = built(&scene);
+        assert_eq!(look(&world, Point::new(0.0, 0.0, 3.0), -Vector::Z), Rgb::grey(brightness));
+        let said = omissions(&world);
+        assert_eq!(said.len(), notes, "{said:?}");
+        assert!(said.iter().all(|note| note.contains("\"0\"")), "{said:?}");
+    }
 }

@@ -14,7 +14,7 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Disk, Plane, Sphere};
-use groundtruth::trace::{TermSource, omitted_lights};
+use groundtruth::trace::{TermSource, omissions};
 use groundtruth::verify::means;
 use groundtruth::verify::significance::sidak;
 
@@ -182,18 +182,18 @@ fn what_is_left_out_is_said() {
         let tree = recorded(&world, below.0, below.1);
         let mut terms = tree.nodes().iter().flat_map(|node| &node.terms);
         assert!(terms.all(|term| !matches!(term.term.source, TermSource::Ambient { .. })));
-        let said = omitted_lights(&world);
+        let said = omissions(&world);
         assert!(said.len() == 1 && said[0].contains("leaves out the light \"1\""), "{said:?}");
     }
     scene.tracer = Tracer::RayCast;
-    assert_eq!(omitted_lights(&built(&scene)), Vec::<String>::new());
+    assert_eq!(omissions(&built(&scene)), Vec::<String>::new());
     let location = Point::new(0.0, 5.0, 0.0);
     let lamp = PointLight { ls: 1.0, color: Rgb::WHITE, location, attenuation: 0.0 };
     let lamp = format!("the light \"{}\"", shine(&mut scene, lamp));
     let words = [Some("leaves out"), Some("counts at the first hit only"), None];
     for (tracer, words) in tracers(3).into_iter().zip(words) {
         scene.tracer = tracer;
-        let notes = omitted_lights(&built(&scene));
+        let notes = omissions(&built(&scene));
         let said = notes.iter().find(|note| note.contains(&lamp)).map(String::as_str);
         let is_right = said.is_some() == words.is_some();
         assert!(
