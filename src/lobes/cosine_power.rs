@@ -4,7 +4,18 @@
 use std::f64::consts::PI;
 
 use super::mirrored;
+use crate::invalid::{Invalid, not_negative};
 use crate::math::{Frame, Normal, Vector, atan2, exp, exp_m1, ln, ln_1p, maps, power, tanh_sinh};
+
+/// Refuses exponents that are negative or too large, of the field `exponent`. At 1e15 the lobe is as narrow as
+/// the rounding of directions: a narrower one would have an infinite density, or none, where it draws.
+pub(crate) fn check_exponent(exponent: f64) -> Result<(), Invalid> {
+    if not_negative("exponent", exponent)? <= 1e15 {
+        return Ok(());
+    }
+    let problem = format!("found {exponent:e}, but at most 1e15 fits; a mirror is `reflective`");
+    Err(Invalid::field("exponent", problem))
+}
 
 /// `(r·ω_i)^e`, or 0 where `ω_i` is more than 90° from r.
 pub(super) fn value(exponent: f64, wo: Vector, wi: Vector) -> f64 {

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Branch, Claims, LobeSample, Scatter, cosine_power, drawn};
-use crate::invalid::{Invalid, not_negative};
+use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -54,7 +54,7 @@ impl Scatter for GlossyReflection {
     }
 
     fn check(&self) -> Result<(), Invalid> {
-        not_negative("exponent", self.exponent)?;
+        cosine_power::check_exponent(self.exponent)?;
         self.reflectance.checked("reflectance").map(drop)
     }
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
 use super::{Branch, Claims, LobeSample, Scatter, cosine_power, drawn};
-use crate::invalid::{Invalid, not_negative};
+use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -28,7 +28,7 @@ impl Scatter for GlossySpecular {
     }
 
     fn check(&self) -> Result<(), Invalid> {
-        not_negative("exponent", self.exponent)?;
+        cosine_power::check_exponent(self.exponent)?;
         self.reflectance.checked("reflectance").map(drop)
     }
 

@@ -26,6 +26,7 @@ use crate::rgb::Rgb;
 use crate::samplers::Branch;
 
 pub use bsdf::{Bsdf, BsdfSample, Lit, Normals, Which};
+pub(crate) use cosine_power::check_exponent;
 pub use fresnel::{Fresnel, Polarised, fresnel, polarised};
 pub use glossy_reflection::GlossyRule;
 pub use refract::refract;

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Material, Response, TexturedField, textured, within};
+use super::{Material, Response, TexturedField, built_exponent, textured, within};
 use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
@@ -28,7 +28,7 @@ pub struct GlossyReflector {
     /// The colour of the reflection.
     #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
-    /// The exponent `e` of the reflection, not negative: 10 blurs all but the nearest, 10000 hardly
+    /// The exponent `e` of the reflection, from 0 to 1e15: 10 blurs all but the nearest, 10000 hardly
     /// anything.
     pub exponent: Amount,
     /// What a reflected ray counts; as in the book if left out.
@@ -54,7 +54,7 @@ impl Specification for GlossyReflector {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             kr: self.kr.build("kr", resources)?,
             cr: self.cr.build("cr", resources)?,
-            exponent: self.exponent.build("exponent", resources)?,
+            exponent: built_exponent(&self.exponent, resources)?,
             rule: self.rule,
         }))
     }

@@ -15,11 +15,12 @@ mod transparent;
 use std::fmt::Debug;
 
 use crate::emission::Emission;
-use crate::lobes::Lobes;
+use crate::invalid::Invalid;
+use crate::lobes::{Lobes, check_exponent};
 pub use crate::medium::{Boundary, Medium};
 use crate::resources::Resources;
 use crate::rgb::Rgb;
-use crate::textures::{Texture, TexturePoint};
+use crate::textures::{Amount, Texture, TexturePoint, Value};
 
 /// What a surface is made of. Contract: `tests/contracts/material.rs`.
 pub trait Material: Debug + Send + Sync {
@@ -64,6 +65,14 @@ fn textured<'a>(
 ) -> Vec<TexturedField<'a>> {
     let some = |(name, texture): (&str, Option<_>)| Some((name.to_owned(), texture?));
     fields.into_iter().filter_map(some).collect()
+}
+
+/// Builds the exponent of a lobe.
+fn built_exponent(exponent: &Amount, resources: &mut Resources) -> Result<Value, Invalid> {
+    if let Amount::Plain(exponent) = exponent {
+        check_exponent(*exponent)?;
+    }
+    exponent.build("exponent", resources)
 }
 
 /// The textures of a material that stands in a field of another.

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::matte::{self, Matte};
-use super::{Material, Response, TexturedField, textured};
+use super::{Material, Response, TexturedField, built_exponent, textured};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{GlossySpecular, NormalKind};
@@ -29,7 +29,7 @@ pub struct Phong {
     pub ks: Amount,
     /// The colour of the highlight; white takes the colour of the light.
     pub cs: Paint,
-    /// The exponent `e` of the highlight, not negative: 20 is wide, 2000 is small and sharp.
+    /// The exponent `e` of the highlight, from 0 to 1e15: 20 is wide, 2000 is small and sharp.
     pub exponent: Amount,
 }
 
@@ -63,7 +63,7 @@ impl Phong {
             matte: matte.check(resources)?,
             ks: self.ks.build("ks", resources)?,
             cs: self.cs.build("cs", resources)?,
-            exponent: self.exponent.build("exponent", resources)?,
+            exponent: built_exponent(&self.exponent, resources)?,
         })
     }
 }

@@ -71,7 +71,7 @@ fn samples_of(lobe: GlossyReflection, wo: Vector, count: u32) -> Vec<Vector> {
 /// exactly and at every angle. Oracle: the product.
 #[test]
 fn uniform_surroundings_are_seen_times_the_reflectance() {
-    for exponent in [0.0, 1.0, 10.0, 1000.0, 1e5] {
+    for exponent in [0.0, 1.0, 10.0, 1000.0, 1e5, 1e10, 1e15] {
         let mut scene = deep_stage(Rgb::new(0.8, 0.9, 1.0), 1);
         put(&mut scene, floor(), glossy(0.8, exponent, GlossyRule::Book));
         let world = built(&scene);
@@ -300,4 +300,18 @@ fn black_surroundings_are_reflected_as_black() {
     assert!(
         look(&built(&scene), Point::new(0.0, 3.0, 5.0), Vector::new(0.0, -3.0, -5.0)).is_black()
     );
+}
+
+/// Law: an exponent so large that directions cannot be told apart is refused, with the alternative; 1e15 is
+/// not. Oracle: the message.
+#[test]
+fn exponents_beyond_the_rounding_of_directions_are_refused() {
+    let world = |exponent| {
+        let mut scene = deep_stage(Rgb::WHITE, 1);
+        put(&mut scene, floor(), glossy(0.8, exponent, GlossyRule::Book));
+        World::build(&scene)
+    };
+    assert!(world(1e15).is_ok());
+    let error = world(1e19).expect_err("too large").to_string();
+    assert!(error.contains("exponent: found 1e19, but at most 1e15 fits"), "{error}");
 }
