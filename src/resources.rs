@@ -24,6 +24,7 @@ pub struct Resources {
     texels: u64,
     /// The number of images that use the surface's own texture coordinates.
     uses_of_uv: u32,
+    notes: Vec<String>,
 }
 
 impl Resources {
@@ -43,9 +44,19 @@ impl Resources {
         }
         self.take_bytes(&path).map_err(|problem| Invalid::field("file", problem))?;
         let mesh = mesh_file::read(&path).map_err(|e| Invalid::field("file", e.to_string()))?;
+        self.note_all(&path, &mesh.notes);
         let mesh = Arc::new(mesh);
         self.meshes.insert(path, Arc::clone(&mesh));
         Ok(mesh)
+    }
+
+    /// What was ignored or clamped in the files read so far, in sentences for the user.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    fn note_all(&mut self, path: &Path, notes: &[String]) {
+        self.notes.extend(notes.iter().map(|note| format!("{}: {note}", path.display())));
     }
 
     /// The number of images so far that use the surface's own texture coordinates.

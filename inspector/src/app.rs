@@ -6,8 +6,8 @@ use eframe::egui::{
     self, CentralPanel, Context, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui, UiBuilder,
     Vec2, ViewportCommand, vec2,
 };
+use groundtruth::explain;
 use groundtruth::scene::Scene;
-use groundtruth::trace::omissions;
 
 use crate::explanation::Selection;
 use crate::image_settings::ImageSettings;
@@ -199,7 +199,7 @@ impl Inspector {
             ui.add_space(6.0);
         }
         let changed = self.settings.show(ui, &mut self.wanted, &mut self.seed);
-        for note in omissions(&self.rendering.world) {
+        for note in explain::notes(&self.rendering.world) {
             ui.label(RichText::new(note).color(ui.visuals().warn_fg_color));
         }
         ui.add_space(8.0);

@@ -280,7 +280,7 @@ impl Selection {
             let ray = root.map(|root| self.tree.selected(root));
             pixel::copies(ui, rendering, answer.pixel, index, ray);
         });
-        for note in &answer.left_out {
+        for note in &answer.notes {
             ui.weak(note);
         }
         pixel::sum(ui, answer, rendered(rendering, answer.pixel));

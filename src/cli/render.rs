@@ -5,10 +5,10 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
+use groundtruth::explain;
 use groundtruth::film::{self, Tone};
 use groundtruth::ray_budget::{self, MAX_COUNTED};
 use groundtruth::render::{self, Canvas};
-use groundtruth::trace;
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -62,7 +62,7 @@ impl Render {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
             None => Canvas::new(&world),
         });
-        trace::omissions(&world).iter().for_each(|note| eprintln!("note: {note}"));
+        explain::notes(&world).iter().for_each(|note| eprintln!("note: {note}"));
         let rays = ray_budget::measured(&world, MAX_COUNTED);
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
         rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));

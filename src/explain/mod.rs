@@ -29,9 +29,9 @@ pub use text::{brief, count, percent, short, table, unblocked};
 pub struct PixelExplanation {
     /// x right and y down from the top left, from 0.
     pub pixel: [u32; 2],
-    /// What the tracer leaves out, a sentence each.
+    /// What was ignored or clamped in the scene's files and what the tracer leaves out, a sentence each.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub left_out: Vec<String>,
+    pub notes: Vec<String>,
     /// The number of samples of the pixel.
     pub samples_per_pixel: u32,
     /// Multiplies the mean of the samples.
@@ -178,6 +178,11 @@ pub struct TermExplanation {
     pub ray: Option<usize>,
 }
 
+/// Sentences for the user: what was ignored or clamped in the scene's files, and what the tracer leaves out.
+pub fn notes(world: &World) -> Vec<String> {
+    world.notes.iter().cloned().chain(trace::omissions(world)).collect()
+}
+
 /// Explains a pixel (x right, y down): one of its samples, or all.
 ///
 /// # Errors
@@ -195,7 +200,7 @@ pub fn pixel(
     let samples = explained.map(|index| sample(scene, world, pixel, index)).collect();
     Ok(PixelExplanation {
         pixel,
-        left_out: trace::omissions(world),
+        notes: notes(world),
         samples_per_pixel: count,
         exposure_time: world.view.exposure_time,
         samples,

@@ -272,7 +272,7 @@ impl PixelExplanation {
         let [x, y] = self.pixel;
         let samples = self.samples.len();
         writeln!(f, "pixel ({x}, {y}), {samples} of {} samples", self.samples_per_pixel)?;
-        self.left_out.iter().try_for_each(|note| writeln!(f, "{note}"))?;
+        self.notes.iter().try_for_each(|note| writeln!(f, "{note}"))?;
         for sample in &self.samples {
             writeln!(f)?;
             sample.write(f, min_share, largest)?;

@@ -43,6 +43,8 @@ pub struct MeshData {
     /// For each vertex the first vertex with the same position index in the OBJ file; empty if no
     /// two vertices share a position index.
     pub first_at_position: Vec<u32>,
+    /// What was ignored in the file, in sentences for the user, with line and count.
+    pub notes: Vec<String>,
 }
 
 /// Reads a `.ply` or `.obj` file; the case of the extension does not matter.

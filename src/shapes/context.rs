@@ -99,6 +99,11 @@ impl Context {
         self.textbook
     }
 
+    /// What was ignored or clamped in the files read so far, in sentences for the user.
+    pub fn notes(&self) -> &[String] {
+        self.resources.notes()
+    }
+
     /// The material of this name.
     ///
     /// # Errors

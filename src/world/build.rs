@@ -62,7 +62,8 @@ impl World {
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
         let materials = placed_materials(scene, &mut resources)?;
-        let mut objects = Objects(placed_objects(scene, resources, &materials)?);
+        let (objects, notes) = placed_objects(scene, resources, &materials)?;
+        let mut objects = Objects(objects);
         let lights = placed_lights(scene, &background, &materials, &mut objects.0)?;
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
         let all_cast_shadows = objects.0.iter().all(|object| object.all_cast_shadows);
@@ -81,6 +82,7 @@ impl World {
             filter,
             lights,
             materials,
+            notes,
             accel: Accel::build(method, &bounds),
             objects,
             all_cast_shadows,

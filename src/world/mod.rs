@@ -47,6 +47,8 @@ pub struct World {
     pub lights: Vec<PlacedLight>,
     /// The scene's materials, in its order.
     pub materials: Vec<PlacedMaterial>,
+    /// What was ignored or clamped in the files that the scene names, in sentences for the user.
+    pub notes: Vec<String>,
     objects: Objects,
     accel: Accel,
     /// Whether every part of every object casts shadows.

@@ -133,11 +133,12 @@ fn check_epsilon(epsilon: Option<f64>, is_used: bool) -> Result<(), Invalid> {
     Ok(())
 }
 
+/// The objects that are on, and notes on the files that the scene names.
 pub(super) fn placed_objects(
     scene: &Scene,
     resources: Resources,
     materials: &[PlacedMaterial],
-) -> Result<Vec<PlacedObject>, Invalid> {
+) -> Result<(Vec<PlacedObject>, Vec<String>), Invalid> {
     let known: BTreeMap<String, PartMaterial> = materials
         .iter()
         .map(|m| (m.name.clone(), PartMaterial { index: m.index, casts_shadows: m.casts_shadows }))
@@ -186,5 +187,5 @@ pub(super) fn placed_objects(
             shape,
         });
     }
-    Ok(objects)
+    Ok((objects, context.notes().to_vec()))
 }
