@@ -222,6 +222,7 @@ fn any_mesh() -> impl Strategy<Value = MeshData> {
                 triangles,
                 faces: Vec::new(),
                 first_at_position: Vec::new(),
+                notes: Vec::new(),
             })
     })
 }

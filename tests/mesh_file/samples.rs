@@ -19,6 +19,7 @@ pub fn pyramid() -> MeshData {
         triangles: vec![[0, 1, 2], [0, 2, 3], [0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0]],
         faces: vec![0, 0, 1, 2, 3, 4],
         first_at_position: Vec::new(),
+        notes: Vec::new(),
     }
 }
 
