@@ -32,6 +32,8 @@ pub struct Surface {
     pub shading: Normal,
     /// The point in the coordinates of the innermost shape, where textures live.
     pub local: Point,
+    /// Where the point is relative to the border of its part.
+    pub border: Border,
     /// The material of that part of a compound, by its index in the scene; the object's own if `None`.
     pub material: Option<u32>,
 }
@@ -39,7 +41,13 @@ pub struct Surface {
 impl Surface {
     /// A surface with one normal, in its own coordinates.
     pub fn new(point: Point, error: f64, normal: Normal) -> Self {
-        Self { point, error, normal, shading: normal, local: point, material: None }
+        let (shading, local) = (normal, point);
+        Self { point, error, normal, shading, local, border: Border::NONE, material: None }
+    }
+
+    /// The same surface, on a part that has this border.
+    fn within(self, border: Border) -> Self {
+        Self { border: border.along(self.normal), ..self }
     }
 
     /// The same surface, its normals turned round if it is an inward one.
@@ -67,11 +75,11 @@ impl Surface {
     }
 
     /// Where a ray that leaves in this direction starts: off the surface by three error bounds,
-    /// on the side it leaves to. There is no constant epsilon: see Pharr, Jakob & Humphreys,
+    /// on the side it leaves to, and not nearer to the border of its part than rounding can tell. There is no constant epsilon: see Pharr, Jakob & Humphreys,
     /// *PBRT*, "Managing rounding error".
     pub fn leave(&self, direction: Vector) -> Point {
         let side = 3.0_f64.copysign(self.normal.dot(direction));
-        self.point + (side * self.error) * self.normal
+        self.border.moved_inside(self.point) + (side * self.error) * self.normal
     }
 }
 
@@ -188,6 +196,7 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 }
 
 // shared by the kinds
+mod border;
 mod context;
 mod sampled;
 pub mod textbook;
@@ -206,6 +215,7 @@ use part::*;
 use plain::*;
 use solid::*;
 
+pub use border::Border;
 pub use composite::assembly::Materials;
 pub use composite::compound::Part;
 pub use composite::part_path::{Face, Level, PartPath};

@@ -4,6 +4,7 @@ mod algebraic;
 mod bounding;
 mod compound_parts;
 pub mod compounds;
+mod edges;
 mod hard;
 mod hard_compounds;
 mod inward;

@@ -10,6 +10,7 @@
 use arrayvec::ArrayVec;
 
 use crate::math::{Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root};
+use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::plain::torus::{Line, from_axis};
 use crate::shapes::{Candidate, Shape, Surface, normal_along};
 
@@ -86,8 +87,8 @@ impl Shoulder {
         crossings.into_iter().filter_map(move |s| {
             let line = line.as_ref()?;
             let (t, p) = (line.t(s), line.at(s));
-            let is_on_edge = from_axis(p) >= self.a && p.y() >= 0.0;
-            (span.contains(t) && is_on_edge).then(|| Candidate::at(t))
+            let is_on_edge = || from_axis(p) >= self.a && p.y() >= 0.0 || is_rounding(self, ray, t);
+            (span.contains(t) && is_on_edge()).then(|| Candidate::at(t))
         })
     }
 }
@@ -105,7 +106,10 @@ impl Shape for Shoulder {
         let point = Point::ORIGIN + (border + self.b * normal);
         // as the torus
         let error = 20.0 * UNIT_ROUNDOFF * (self.a + self.b);
-        Surface::new(point, error, normal)
+        let from_disk =
+            (from_axis(point.to_vector()) - self.a, along(point.to_vector().across_y()));
+        let border = Border::of([from_disk, (point.y(), Vector::Y)], self.a + self.b);
+        Surface::new(point, error, normal).within(border)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

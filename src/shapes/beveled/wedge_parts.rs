@@ -18,8 +18,9 @@ use crate::kinds::Custom;
 use crate::math::{
     Aabb, Axis, Normal, Point, Ray, Span, Step, Vector, atan2, cos_degrees, sin_degrees, to_degrees,
 };
+use crate::shapes::border::{Border, is_rounding};
 use crate::shapes::part::angles::Angles;
-use crate::shapes::plain::annulus::between;
+use crate::shapes::plain::annulus::{between, rims};
 use crate::shapes::{
     Candidate, Instance, Kind, PartCylinder, Rectangle, Shape, Surface, plane_distance,
 };
@@ -171,13 +172,16 @@ struct Cap {
 
 impl Cap {
     fn contains(&self, v: Vector) -> bool {
-        // v in coordinates along the side, which starts at the axis, and across it
-        let is_clear = |[s, c]: [f64; 2]| {
-            let along = v.x() * s + v.z() * c;
-            let across = v.x() * c - v.z() * s;
+        let is_clear = |side| {
+            let [along, across] = Self::along_and_across(side, v);
             along <= 0.0 || across.abs() >= self.bevel
         };
         between(self.r, v) && self.phi.has_azimuth_of(v) && self.sides.into_iter().all(is_clear)
+    }
+
+    /// `v` in coordinates along a side, which starts at the axis, and across it.
+    fn along_and_across([s, c]: [f64; 2], v: Vector) -> [f64; 2] {
+        [v.x() * s + v.z() * c, v.x() * c - v.z() * s]
     }
 
     fn anchor(&self) -> Point {
@@ -188,12 +192,24 @@ impl Cap {
 impl Shape for Cap {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, self.anchor(), self.normal);
-        let hit = span.contains(t) && self.contains((ray.at(t) - self.anchor()).across_y());
-        hit.then(|| Candidate::at(t))
+        if !span.contains(t) {
+            return None;
+        }
+        let v = (ray.at(t) - self.anchor()).across_y();
+        let within = self.contains(v) || self.phi.has_azimuth_of(v) && is_rounding(self, ray, t);
+        within.then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        Surface::flat(ray.at(at.t), self.anchor(), self.normal)
+        let surface = Surface::flat(ray.at(at.t), self.anchor(), self.normal);
+        let v = (surface.point - self.anchor()).across_y();
+        let sides = self.sides.into_iter().filter_map(|side @ [s, c]| {
+            let [along, across] = Self::along_and_across(side, v);
+            let away = across.signum() * Vector::new(c, 0.0, -s);
+            (along > 0.0).then_some((across.abs() - self.bevel, away))
+        });
+        let size = self.r[1] + self.y.abs();
+        surface.within(Border::of(rims(self.r, v).into_iter().chain(sides), size))
     }
 
     fn bounds(&self) -> Aabb {

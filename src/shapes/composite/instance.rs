@@ -238,7 +238,8 @@ fn moved_out(transform: &Transform, inner: Surface, ray: &Ray) -> Surface {
     let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
     let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
     let error = stretch * (inner.error + drift + 12.0 * UNIT_ROUNDOFF * rounding);
-    Surface { point, error, normal, shading: outer(inner.shading), ..inner }
+    let border = inner.border.outside(transform, UNIT_ROUNDOFF * back.magnitude(point).max_abs());
+    Surface { point, error, normal, shading: outer(inner.shading), border, ..inner }
 }
 
 /// The box around a transformed box, padded by the rounding of a hit that is moved into the inner coordinates

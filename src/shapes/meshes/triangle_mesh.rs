@@ -19,7 +19,8 @@ use crate::mesh_bvh::watertight::{self, ShearedRay};
 use crate::mesh_bvh::{Kernel, MeshBvh};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{
-    Candidate, Context, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface, textbook,
+    Border, Candidate, Context, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
+    textbook,
 };
 
 /// Triangles on shared vertices. Triangles of area zero are removed: no ray hits them.
@@ -132,7 +133,8 @@ impl TriangleMesh {
         let corners = self.corners(triangle);
         let normal = watertight::normal(corners).expect("triangles of area zero were removed");
         let (point, error) = watertight::point_on(corners, [beta, gamma], normal);
-        let mut surface = Surface::new(point, error, normal);
+        let border = Border::of_triangle(corners, [beta, gamma], point);
+        let mut surface = Surface::new(point, error, normal).within(border);
         if let Some(normals) = &self.normals {
             let [n0, n1, n2] = triangle.map(|vertex| normals[vertex as usize]);
             let interpolated = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;

@@ -1,5 +1,7 @@
 //! Ranges of angles of part objects (Suffern, ch. 19).
 
+use arrayvec::ArrayVec;
+
 use crate::invalid::Invalid;
 use crate::math::{Vector, cos_degrees, sin_degrees};
 
@@ -63,6 +65,26 @@ impl Angles {
             Width::Wide => past_start || before_end,
             Width::All => true,
         }
+    }
+
+    /// Both ends, by the distance of the point `[cos, sin]` from them and the unit vector away from them;
+    /// none of a full turn. Where the range is wide, a point is beyond the nearer end only.
+    pub fn borders(&self, at: [f64; 2]) -> ArrayVec<(f64, [f64; 2]), 2> {
+        let [start, end] = self.ends;
+        let past_start = (cross(start, at), [-start[1], start[0]]);
+        let before_end = (cross(at, end), [end[1], -end[0]]);
+        match self.width {
+            Width::Narrow => [past_start, before_end].into(),
+            Width::Wide if past_start.0 > before_end.0 => ArrayVec::from_iter([past_start]),
+            Width::Wide => ArrayVec::from_iter([before_end]),
+            Width::All => ArrayVec::new(),
+        }
+    }
+
+    /// The same of a range of azimuths about the y axis.
+    pub fn azimuth_borders(&self, v: Vector) -> impl Iterator<Item = (f64, Vector)> {
+        let borders = self.borders([v.z(), v.x()]).into_iter();
+        borders.map(|(distance, [z, x])| (distance, Vector::new(x, 0.0, z)))
     }
 
     /// Whether the direction from the y axis to this point is in a range of azimuths.

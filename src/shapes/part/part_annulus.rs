@@ -13,7 +13,8 @@ use super::angles::{Angles, full_turn};
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
-use crate::shapes::plain::annulus::{between, radii};
+use crate::shapes::border::{Border, is_rounding};
+use crate::shapes::plain::annulus::{between, radii, rims};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
 /// The part of a level annulus within a range of azimuths.
@@ -104,12 +105,16 @@ impl Shape for PartAnnulusShape {
             return None;
         }
         let from_center = (ray.at(t) - self.center).across_y();
-        let hit = between(self.radii, from_center) && self.phi.has_azimuth_of(from_center);
-        hit.then(|| Candidate::at(t))
+        let within = between(self.radii, from_center) && self.phi.has_azimuth_of(from_center);
+        (within || is_rounding(self, ray, t)).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        Surface::flat(ray.at(at.t), self.center, self.normal)
+        let surface = Surface::flat(ray.at(at.t), self.center, self.normal);
+        let from_center = (surface.point - self.center).across_y();
+        let rims = rims(self.radii, from_center).into_iter();
+        let size = self.radii[1] + self.center.to_vector().max_abs();
+        surface.within(Border::of(rims.chain(self.phi.azimuth_borders(from_center)), size))
     }
 
     fn bounds(&self) -> Aabb {

@@ -13,6 +13,7 @@ use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, lists};
+use crate::shapes::border::{Border, is_rounding};
 use crate::shapes::{Candidate, Context, OpenCylinder, Shape, Surface, all_of, first_of};
 
 /// The part of an open cylinder within a range of azimuths.
@@ -67,7 +68,7 @@ impl PartCylinderShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
         |t| {
             let in_range = self.phi.has_azimuth_of(ray.at(t).to_vector());
-            in_range && self.whole.is_between_ends(ray, t)
+            in_range && self.whole.is_between_ends(ray, t) || is_rounding(self, ray, t)
         }
     }
 }
@@ -78,7 +79,11 @@ impl Shape for PartCylinderShape {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.whole.surface(ray, at)
+        let surface = self.whole.surface(ray, at);
+        let sides = self.phi.azimuth_borders(surface.point.to_vector());
+        let border =
+            Border::of(self.whole.ends(surface.point).into_iter().chain(sides), self.whole.size());
+        surface.within(border)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -15,6 +15,7 @@ use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
+use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::{Candidate, Context, Shape, Sphere, Surface, all_of, first_of};
 
 /// The part of a sphere within a range of azimuths φ and one of polar angles θ.
@@ -98,7 +99,7 @@ impl Specification for PartSphere {
 
 impl PartSphereShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| self.contains(ray.at(t) - self.whole.center)
+        |t| self.contains(ray.at(t) - self.whole.center) || is_rounding(self, ray, t)
     }
 
     fn contains(&self, v: Vector) -> bool {
@@ -108,6 +109,18 @@ impl PartSphereShape {
         let above_end = y * s1 - rho * c1 >= 0.0; // r sin(θ_max − θ)
         below_start && above_end && self.phi.has_azimuth_of(v)
     }
+
+    /// The circles at `θ_min` and `θ_max`, unless they are poles, and the meridians at the ends of φ.
+    fn border(&self, v: Vector) -> Border {
+        let (y, rho, radial) = (v.y(), v.across_y().length(), along(v.across_y()));
+        let down = along(y * radial - rho * Vector::Y);
+        let [[s0, c0], [s1, c1]] = self.theta;
+        let start = (s0 > 0.0).then_some((rho * c0 - y * s0, down));
+        let end = (s1 > 0.0).then_some((y * s1 - rho * c1, -down));
+        let size = self.whole.radius + self.whole.center.to_vector().max_abs();
+        let circles = start.into_iter().chain(end);
+        Border::of(circles.chain(self.phi.azimuth_borders(v)), size)
+    }
 }
 
 impl Shape for PartSphereShape {
@@ -116,7 +129,8 @@ impl Shape for PartSphereShape {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.whole.surface(ray, at)
+        let surface = self.whole.surface(ray, at);
+        surface.within(self.border(surface.point - self.whole.center))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

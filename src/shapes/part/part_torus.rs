@@ -13,6 +13,7 @@ use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
+use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::plain::torus::{Torus, from_axis};
 use crate::shapes::{Candidate, Context, Shape, Surface};
 
@@ -87,10 +88,23 @@ impl Specification for PartTorus {
 
 impl PartTorusShape {
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        self.torus.hits(ray, span, &self.padded, |p: Vector| {
-            self.phi.has_azimuth_of(p)
-                && self.theta.contains([from_axis(p) - self.torus.swept_radius, p.y()])
+        self.torus.hits(ray, span, &self.padded, |t, p| {
+            self.phi.has_azimuth_of(p) && self.theta.contains(self.from_middle(p))
+                || is_rounding(self, ray, t)
         })
+    }
+
+    /// The point in the plane of a section, from the middle of the tube.
+    fn from_middle(&self, p: Vector) -> [f64; 2] {
+        [from_axis(p) - self.torus.swept_radius, p.y()]
+    }
+
+    fn border(&self, p: Vector) -> Border {
+        let radial = along(p.across_y());
+        let around = self.theta.borders(self.from_middle(p)).into_iter();
+        let around = around.map(|(distance, [out, up])| (distance, out * radial + up * Vector::Y));
+        let size = self.torus.swept_radius + self.torus.tube_radius;
+        Border::of(around.chain(self.phi.azimuth_borders(p)), size)
     }
 }
 
@@ -100,7 +114,8 @@ impl Shape for PartTorusShape {
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.torus.surface_at(ray, at)
+        let surface = self.torus.surface_at(ray, at);
+        surface.within(self.border(surface.point.to_vector()))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, direction, finite_point, length, not_negative, shown};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
 /// The points of a plane from `inner_radius` to `outer_radius` away from `center`.
@@ -85,15 +86,27 @@ pub fn between([inner, outer]: [f64; 2], from_center: Vector) -> bool {
     (inner * inner..=outer * outer).contains(&from_center.length_squared())
 }
 
+/// Both circles, for [`Border::of`]; a hole of radius 0 is none.
+pub fn rims([inner, outer]: [f64; 2], from_center: Vector) -> [(f64, Vector); 2] {
+    let (rho, radial) = (from_center.length(), along(from_center));
+    let hole = if inner > 0.0 { rho - inner } else { f64::INFINITY };
+    [(outer - rho, -radial), (hole, radial)]
+}
+
 impl Shape for AnnulusShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, self.center, self.normal);
-        let hit = span.contains(t) && between(self.radii, ray.at(t) - self.center);
-        hit.then(|| Candidate::at(t))
+        if !span.contains(t) {
+            return None;
+        }
+        let within = between(self.radii, ray.at(t) - self.center) || is_rounding(self, ray, t);
+        within.then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        Surface::flat(ray.at(at.t), self.center, self.normal)
+        let surface = Surface::flat(ray.at(at.t), self.center, self.normal);
+        let size = self.radii[1] + self.center.to_vector().max_abs();
+        surface.within(Border::of(rims(self.radii, surface.point - self.center), size))
     }
 
     fn bounds(&self) -> Aabb {

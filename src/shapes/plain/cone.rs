@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
+use crate::shapes::border::{Border, is_rounding};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
 /// The points with `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`: the apex is at `(0, h, 0)`, the
@@ -92,7 +93,9 @@ impl ConeShape {
             (shift, l, across - along)
         };
         let (across, along) = squares(l.cross(d));
+        // a steep line meets the double cone always: its discriminant is negative by rounding only
         let discriminant = across - along;
+        let discriminant = if a < 0.0 { discriminant.max(0.0) } else { discriminant };
         if discriminant.is_nan() || discriminant < 0.0 {
             return None;
         }
@@ -129,28 +132,50 @@ impl ConeShape {
     }
 }
 
+impl ConeShape {
+    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
+        |t| self.is_above_base(ray, t) || is_rounding(self, ray, t)
+    }
+
+    /// The base's circle and the apex, by the distances from them along the wall.
+    fn border(&self, p: Point, radial: Vector) -> Border {
+        let Cone { height: h, radius: r, .. } = self.data;
+        let rho = p.to_vector().across_y().length();
+        let slant = Vector::new(h, r, 0.0).length();
+        let up = (h / slant) * Vector::Y - (r / slant) * radial;
+        let from_base = if h >= r { p.y() * (slant / h) } else { (r - rho) * (slant / r) };
+        Border::of([(from_base, up), (rho * (slant / r), -up)], h.max(r)).cut_across(Vector::Y)
+    }
+}
+
+/// From the axis to the point; the apex belongs to each line of the wall, one of which is taken.
+fn radial(p: Point) -> Vector {
+    p.to_vector().across_y().unit().unwrap_or(Vector::X)
+}
+
 impl Shape for ConeShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, |t| self.is_above_base(ray, t))
+        first_of(self.distances(ray)?, span, self.has(ray))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let Cone { height: h, radius: r, inward } = self.data;
         let raw = ray.at(at.t);
         let rho = raw.to_vector().across_y().length();
-        // the gradient ((h/r)² x, h − y, (h/r)² z), with h − y = (h/r) ρ, times r²/h
-        let normal = normal_along(Vector::new(h * raw.x(), r * rho, h * raw.z()), ray);
+        // the gradient ((h/r)² x, h − y, (h/r)² z), with h − y = (h/r) ρ, divided by hρ/r²
+        let radial = radial(raw);
+        let normal = normal_along(h * radial + r * Vector::Y, ray);
         // the distance from the wall, which in the plane of axis and point is a line through the apex
         let slant = Vector::new(h, r, 0.0).length();
         let off = (rho * h + (raw.y() - h) * r) / slant;
         let point = raw - off * normal;
         // rounding of the stretched coordinates, which are of the size of ρ, and of y itself
         let error = UNIT_ROUNDOFF * ((24.0 * rho * h + 8.0 * point.y().abs() * r) / slant);
-        Surface::new(point, error, normal).turned(inward)
+        Surface::new(point, error, normal).turned(inward).within(self.border(point, radial))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, |t| self.is_above_base(ray, t))
+        all_of(self.distances(ray), span, self.has(ray))
     }
 
     fn bounds(&self) -> Aabb {

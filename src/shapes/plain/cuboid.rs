@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, finite_point};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF};
+use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
+use crate::shapes::border::Border;
 use crate::shapes::{Candidate, Context, Face, Level, PartPath, Shape, Surface};
 
 /// The surface of the box between two corners; normals point outward.
@@ -109,7 +110,14 @@ impl Shape for Box {
             _ => (self.max.along(axis), outward),
         };
         let point = ray.at(at.t).with(axis, face);
-        Surface::new(point, 4.0 * UNIT_ROUNDOFF * face.abs(), normal)
+        let edges = [(axis + 1) % 3, (axis + 2) % 3].into_iter().flat_map(|axis| {
+            let unit = Vector::from([Normal::X, Normal::Y, Normal::Z][axis]);
+            let p = point.along(axis);
+            [(p - self.min.along(axis), unit), (self.max.along(axis) - p, -unit)]
+        });
+        let size = self.min.to_vector().max_abs().max(self.max.to_vector().max_abs());
+        let border = Border::of(edges, size);
+        Surface::new(point, 4.0 * UNIT_ROUNDOFF * face.abs(), normal).within(border)
     }
 
     fn path(&self, at: &Candidate) -> PartPath {

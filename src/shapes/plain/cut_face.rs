@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
 /// The points of the plane y = 0 with `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`; the normal is
@@ -61,11 +62,18 @@ impl Shape for CutFace {
         let p = ray.at(t).to_vector().across_y();
         let in_square = p.max_abs() <= 0.5 * self.size;
         let in_hole = p.length_squared() < self.radius * self.radius;
-        (in_square && !in_hole).then(|| Candidate::at(t))
+        (in_square && !in_hole || is_rounding(self, ray, t)).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        Surface::flat(ray.at(at.t), Point::ORIGIN, Normal::Y)
+        let surface = Surface::flat(ray.at(at.t), Point::ORIGIN, Normal::Y);
+        let p = surface.point.to_vector().across_y();
+        let half = 0.5 * self.size;
+        let inner = |x: f64| (half - x.abs(), -1.0_f64.copysign(x));
+        let ((from_x, to_x), (from_z, to_z)) = (inner(p.x()), inner(p.z()));
+        let hole = (p.length() - self.radius, along(p));
+        let border = [(from_x, to_x * Vector::X), (from_z, to_z * Vector::Z), hole];
+        surface.within(Border::of(border, self.size))
     }
 
     fn bounds(&self) -> Aabb {

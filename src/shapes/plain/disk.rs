@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, direction, finite_point, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Frame, Normal, Point, Ray, Span, Vector, maps};
+use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
 
@@ -69,11 +70,14 @@ impl Shape for DiskShape {
             return None;
         }
         let within = ray.at(t).distance_squared(self.center) <= self.radius * self.radius;
-        within.then(|| Candidate::at(t))
+        (within || is_rounding(self, ray, t)).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        Surface::flat(ray.at(at.t), self.center, self.normal)
+        let surface = Surface::flat(ray.at(at.t), self.center, self.normal);
+        let from_center = surface.point - self.center;
+        let rim = (self.radius - from_center.length(), -along(from_center));
+        surface.within(Border::of([rim], self.radius + self.center.to_vector().max_abs()))
     }
 
     fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {

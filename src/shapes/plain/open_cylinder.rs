@@ -14,7 +14,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, finite, length};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, circle_roots};
+use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, circle_roots};
+use crate::shapes::border::{Border, is_rounding};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
 /// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the axis.
@@ -75,11 +76,25 @@ impl OpenCylinder {
         let y = ray.origin.y() + t * ray.direction.y();
         self.y0 <= y && y <= self.y1
     }
+
+    /// Both ends, for [`Border::of`].
+    pub(in crate::shapes) fn ends(&self, p: Point) -> [(f64, Vector); 2] {
+        [(p.y() - self.y0, Vector::Y), (self.y1 - p.y(), -Vector::Y)]
+    }
+
+    /// The largest number in its tests.
+    pub(in crate::shapes) fn size(&self) -> f64 {
+        self.radius.max(self.y0.abs()).max(self.y1.abs())
+    }
+
+    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
+        |t| self.is_between_ends(ray, t) || is_rounding(self, ray, t)
+    }
 }
 
 impl Shape for OpenCylinder {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, |t| self.is_between_ends(ray, t))
+        first_of(self.distances(ray)?, span, self.has(ray))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -88,11 +103,14 @@ impl Shape for OpenCylinder {
         let normal = normal_along(raw.to_vector().across_y(), &flat_ray);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
-        Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal).turned(self.inward)
+        let border = Border::of(self.ends(point), self.size());
+        Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)
+            .turned(self.inward)
+            .within(border)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, |t| self.is_between_ends(ray, t))
+        all_of(self.distances(ray), span, self.has(ray))
     }
 
     fn bounds(&self) -> Aabb {

@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
+use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
 /// The points with `y/h = (x² + z²)/r²` and `y ≤ h`: from the origin up to the circle of radius `r`
@@ -86,9 +87,24 @@ impl ParaboloidShape {
     }
 }
 
+impl ParaboloidShape {
+    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
+        |t| self.is_below_rim(ray, t) || is_rounding(self, ray, t)
+    }
+
+    /// The rim, by the distance from it along the wall, which slopes by `2 h ρ/r²`.
+    fn border(&self, p: Point) -> Border {
+        let Paraboloid { height: h, radius: r, .. } = self.data;
+        let (rho, radial) = (p.to_vector().across_y().length(), along(p.to_vector().across_y()));
+        let up = along(radial + (2.0 * h / r) * (rho / r) * Vector::Y);
+        let below_rim = if h >= r { (h - p.y()) / up.y() } else { (r - rho) / up.dot(radial) };
+        Border::of([(below_rim, -up)], h.max(r)).cut_across(Vector::Y)
+    }
+}
+
 impl Shape for ParaboloidShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, |t| self.is_below_rim(ray, t))
+        first_of(self.distances(ray)?, span, self.has(ray))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -108,11 +124,11 @@ impl Shape for ParaboloidShape {
         // rounding of the terms of F, each of the size of y/h, and of the ray's next origin
         let error = 32.0 * UNIT_ROUNDOFF * (point.y().abs() / h) / gradient.length()
             + 4.0 * UNIT_ROUNDOFF * point.to_vector().abs().dot(Vector::from(normal).abs());
-        Surface::new(point, error, normal).turned(inward)
+        Surface::new(point, error, normal).turned(inward).within(self.border(point))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, |t| self.is_below_rim(ray, t))
+        all_of(self.distances(ray), span, self.has(ray))
     }
 
     fn bounds(&self) -> Aabb {

@@ -12,6 +12,7 @@ use super::spherical_rectangle::SphericalRectangle;
 use crate::invalid::{Invalid, finite_point, finite_vector};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross};
+use crate::shapes::border::{Border, is_rounding};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
 
@@ -97,11 +98,20 @@ impl Shape for RectangleShape {
         let (along_a, along_b) = (d.dot(a), d.dot(b));
         let inside_a = 0.0 <= along_a && along_a <= a_squared;
         let inside_b = 0.0 <= along_b && along_b <= b_squared;
-        (inside_a && inside_b).then(|| Candidate::at(t))
+        (inside_a && inside_b || is_rounding(self, ray, t)).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        Surface::flat(ray.at(at.t), self.data.corner, self.normal)
+        let Rectangle { corner, a, b } = self.data;
+        let surface = Surface::flat(ray.at(at.t), corner, self.normal);
+        let d = surface.point - corner;
+        let edges = [a, b].into_iter().zip(self.squared).flat_map(|(side, squared)| {
+            let (length, from_start) = (squared.sqrt(), d.dot(side));
+            let unit = side / length;
+            [(from_start / length, unit), ((squared - from_start) / length, -unit)]
+        });
+        let size = [corner.to_vector(), a, b].iter().map(|v| v.max_abs()).sum();
+        surface.within(Border::of(edges, size))
     }
 
     fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {

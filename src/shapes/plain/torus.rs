@@ -227,13 +227,13 @@ impl Torus {
         bracketed_root(g, [inside, outside], inside + step, tolerance)
     }
 
-    /// The hits inside the span whose points are wanted, ascending; `bounds` is a box around them.
+    /// The hits inside the span that are wanted, by `t` and point, ascending; `bounds` is a box around them.
     pub(in crate::shapes) fn hits(
         &self,
         ray: &Ray,
         span: Span,
         bounds: &Aabb,
-        wanted: impl Fn(Vector) -> bool,
+        wanted: impl Fn(f64, Vector) -> bool,
     ) -> impl Iterator<Item = Candidate> {
         let line = if bounds.may_meet(ray, span.min) { Line::new(ray) } else { None };
         let brackets = line.as_ref().map(|line| self.brackets(line)).unwrap_or_default();
@@ -246,7 +246,7 @@ impl Torus {
             }
             let s = self.solve(line, bracket);
             let t = line.t(s);
-            (span.contains(t) && wanted(line.at(s))).then(|| Candidate::at(t))
+            (span.contains(t) && wanted(t, line.at(s))).then(|| Candidate::at(t))
         })
     }
 
@@ -269,7 +269,7 @@ impl Torus {
 
 impl Shape for Torus {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span, &self.bounds().padded(), |_| true).next()
+        self.hits(ray, span, &self.bounds().padded(), |_, _| true).next()
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -277,7 +277,7 @@ impl Shape for Torus {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span, &self.bounds().padded(), |_| true).collect()
+        self.hits(ray, span, &self.bounds().padded(), |_, _| true).collect()
     }
 
     fn bounds(&self) -> Aabb {

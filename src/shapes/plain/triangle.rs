@@ -12,6 +12,7 @@ use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, maps};
 use crate::mesh_bvh::watertight;
+use crate::shapes::border::Border;
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{
     Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, size_problem,
@@ -123,7 +124,8 @@ impl TriangleShape {
     /// The surface at these barycentric coordinates.
     fn surface_at(&self, [beta, gamma]: [f64; 2]) -> Surface {
         let (point, error) = watertight::point_on(self.vertices, [beta, gamma], self.normal);
-        let mut surface = Surface::new(point, error, self.normal);
+        let border = Border::of_triangle(self.vertices, [beta, gamma], point);
+        let mut surface = Surface::new(point, error, self.normal).within(border);
         if let Some([n0, n1, n2]) = self.normals {
             let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
             surface.shading = Normal::new(mean).unwrap_or(self.normal);

@@ -9,6 +9,7 @@
 //! other terms cancel.
 
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
+use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::{Candidate, Shape, Surface, all_of, first_of, normal_along};
 
 /// The part of a sphere about a point of the y axis that is nearer to a level plane than its rim,
@@ -73,8 +74,17 @@ impl SphericalCap {
             let p = self.unmirrored(ray.at(t).to_vector());
             let [sin, cos] = self.rim;
             let beyond = [p.across_y().length() - self.radius, p.y() - self.heights[1]];
-            beyond[0] * cos + beyond[1] * sin <= 0.0
+            beyond[0] * cos + beyond[1] * sin <= 0.0 || is_rounding(self, ray, t)
         }
+    }
+
+    /// The rim, from which the surface leads inward and down.
+    fn border(&self, point: Point) -> Border {
+        let p = self.unmirrored(point.to_vector());
+        let [sin, cos] = self.rim;
+        let beyond = [p.across_y().length() - self.radius, p.y() - self.heights[1]];
+        let inward = -self.unmirrored(cos * along(p.across_y()) + sin * Vector::Y);
+        Border::of([(-(beyond[0] * cos + beyond[1] * sin), inward)], self.radius + self.heights[1])
     }
 }
 
@@ -97,7 +107,7 @@ impl Shape for SphericalCap {
         // roundings of p, and of the next ray's origin
         let magnitude = point.to_vector().abs().dot(Vector::from(normal).abs());
         let error = UNIT_ROUNDOFF * (16.0 * p.length() + 4.0 * magnitude);
-        Surface::new(point, error, normal)
+        Surface::new(point, error, normal).within(self.border(point))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

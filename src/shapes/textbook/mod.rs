@@ -38,7 +38,7 @@ use std::sync::Arc;
 pub use quartic::{cubic_roots, quartic_roots};
 pub(super) use searched::{mesh, spheres};
 
-use super::{Candidate, Facet, Kind, PartPath, SampledSurface, Sampling, Shape, Surface};
+use super::{Border, Candidate, Facet, Kind, PartPath, SampledSurface, Sampling, Shape, Surface};
 use crate::math::{Aabb, Point, Ray, Span, Transform, Vector, atan2, to_radians};
 
 /// Where a hit is too near to the ray's origin to count, as a distance: the book's `kEpsilon` of most
@@ -171,7 +171,8 @@ impl Form for Whole {
 
     /// The point is on the ray; an error of 0 lets the next ray start there.
     fn surface(&self, ours: &dyn Shape, ray: &Ray, at: &Candidate) -> Surface {
-        Surface { point: ray.at(at.t), error: 0.0, ..ours.surface(ray, at) }
+        let (point, border) = (ray.at(at.t), Border::NONE);
+        Surface { point, error: 0.0, border, ..ours.surface(ray, at) }
     }
 }
 

@@ -5,6 +5,7 @@ pub mod judge;
 
 pub mod bodies;
 mod cases;
+pub mod edged;
 pub mod exact;
 pub mod hard_cases;
 pub mod lamps;

@@ -1,0 +1,141 @@
+//! Borders of parts: the ends of a wall, the rim of a disk, the edges of a triangle.
+//!
+//! Two parts with a common border round their tests differently. Two rules keep light from passing between
+//! them. A hit belongs to a part also if it is beyond the border by no more than its rounding
+//! ([`is_rounding`]). And a ray that leaves a hit near a border starts a little inside of it
+//! ([`Border::moved_inside`]): there it is on the right side of the neighbouring part too, where the parts
+//! meet at more than a degree.
+
+use super::{Candidate, Shape};
+use crate::math::{Normal, Point, Ray, Transform, UNIT_ROUNDOFF, Vector};
+
+/// Where a point of a part is relative to the part's border.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Border {
+    /// From the nearest point of the border; negative beyond it.
+    distance: f64,
+    /// Along the surface: `s` times this vector leads at least `s` farther inside, away from all borders nearby.
+    inward: Vector,
+    /// Points inside across the nearest part of the border: against the normal of the wall that meets it.
+    across: Vector,
+    /// Bound on the rounding of positions along the surface.
+    rounding: f64,
+}
+
+/// Rays start this many roundings inside of a border: three error bounds off a wall of some ten roundings,
+/// they are then still on the inner side of a wall that meets it at a degree.
+const ROUNDINGS_INSIDE: f64 = 4096.0;
+
+/// More than the rounding of a hit, in units of the largest number of which it is a sum.
+const HIT: f64 = 32.0 * UNIT_ROUNDOFF;
+
+/// A smaller cosine between ray and normal enlarges the rounding of a hit along the surface no more: a hit
+/// that counts stays within the padding of bounds.
+const MIN_COSINE: f64 = 1.0 / (1 << 16) as f64;
+
+impl Border {
+    /// Of a surface that has none.
+    pub const NONE: Self =
+        Self { distance: f64::INFINITY, inward: Vector::ZERO, across: Vector::ZERO, rounding: 0.0 };
+
+    /// The border of which these are the parts: for each the distance from it, negative outside, and the unit
+    /// vector along the surface that leads away from it. `size` is the largest number in the test.
+    pub fn of(parts: impl IntoIterator<Item = (f64, Vector)>, size: f64) -> Self {
+        let mut border = Self { rounding: UNIT_ROUNDOFF * size, ..Self::NONE };
+        let mut second = Self::NONE;
+        for (distance, inward) in parts {
+            if distance < border.distance {
+                (second.distance, second.inward) = (border.distance, border.inward);
+                (border.distance, border.inward) = (distance, inward);
+            } else if distance < second.distance {
+                (second.distance, second.inward) = (distance, inward);
+            }
+        }
+        border.across = border.inward;
+        // in a corner away from both; two opposite ends are no corner
+        let cosine = border.inward.dot(second.inward);
+        if second.distance < size / 256.0 && cosine > -0.75 {
+            border.inward = (1.0 / (1.0 + cosine)) * (border.inward + second.inward);
+        }
+        border
+    }
+
+    /// The same on a surface with this normal at the point, if the border's own plane differs by a small angle.
+    pub(super) fn along(self, normal: Normal) -> Self {
+        Self { inward: self.inward - self.inward.dot(normal) * normal, ..self }
+    }
+
+    /// The same, if another wall meets it there whose normal is `across`, on either side.
+    pub fn cut_across(self, across: Vector) -> Self {
+        Self { across: 1.0_f64.copysign(across.dot(self.inward)) * across, ..self }
+    }
+
+    /// The border of a triangle with the barycentric coordinates β and γ of the point. Away from all three
+    /// edges is towards the centroid, whose distance from an edge is a third of the height above it.
+    pub fn of_triangle(corners: [Point; 3], [beta, gamma]: [f64; 2], point: Point) -> Self {
+        let weights = [1.0 - beta - gamma, beta, gamma];
+        if weights.iter().all(|&weight| weight > 1.0 / 256.0) {
+            return Self::NONE; // as nearly everywhere
+        }
+        let [a, b, c] = corners;
+        let (ab, ac) = (b - a, c - a);
+        let area = ab.cross(ac).length(); // twice
+        let heights = [c - b, ac, ab].map(|edge| area / edge.length());
+        let distances = [0, 1, 2].map(|i| weights[i] * heights[i]);
+        let to_centroid = (a - point + (b - point) + (c - point)) / 3.0;
+        let least = |values: [f64; 3]| values.into_iter().fold(f64::INFINITY, f64::min);
+        let size = corners.iter().fold(0.0_f64, |size, p| size.max(p.to_vector().max_abs()));
+        Self {
+            distance: least(distances),
+            inward: to_centroid / (least(heights) / 3.0),
+            across: Vector::ZERO,
+            rounding: UNIT_ROUNDOFF * size,
+        }
+    }
+
+    /// The same outside of an instance whose inner coordinates are rounded by `rounding`.
+    pub fn outside(self, transform: &Transform, rounding: f64) -> Self {
+        if self == Self::NONE {
+            return self;
+        }
+        let inward = transform.vector(self.inward);
+        let stretch = inward.length() / self.inward.length();
+        Self {
+            distance: stretch * self.distance,
+            inward: inward / stretch,
+            across: self.across,
+            rounding: stretch * (self.rounding + rounding),
+        }
+    }
+
+    /// The point itself; if it is near the border, the point is moved along the surface to where rays start.
+    pub fn moved_inside(&self, point: Point) -> Point {
+        let least = ROUNDINGS_INSIDE * self.rounding;
+        if self.distance < least { point + (least - self.distance) * self.inward } else { point }
+    }
+}
+
+/// The unit vector along `v`; zero where it has no direction.
+pub fn along(v: Vector) -> Vector {
+    v.unit().unwrap_or(Vector::ZERO)
+}
+
+/// Whether a hit at `t` that is beyond the border of its part is so by rounding only.
+///
+/// The part that is added by this is outside of the solid, if there is one. A ray that only touches the edge
+/// must not meet it from the inside: a ray that comes out of the solid there, leaves it across the wall that
+/// meets this one, too, and one that enters it, enters across both.
+#[cold]
+#[inline(never)]
+pub fn is_rounding(shape: &dyn Shape, ray: &Ray, t: f64) -> bool {
+    let surface = shape.surface(ray, &Candidate::at(t));
+    let Border { distance, inward, across, .. } = surface.border;
+    let d = ray.direction;
+    let size =
+        ray.origin.to_vector().max_abs() + (t * d).max_abs() + surface.point.to_vector().max_abs();
+    // a rounding across the surface moves the hit along the ray
+    let slope = surface.normal.dot(d);
+    let steep = slope.abs().max(MIN_COSINE * d.length());
+    let rounding = HIT * size * (1.0 + inward.dot(d).abs() / steep);
+    distance >= -rounding && slope * across.dot(d) <= 0.0
+}
