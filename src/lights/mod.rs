@@ -114,6 +114,16 @@ pub enum Segment {
     To(math::Point),
 }
 
+impl Segment {
+    /// Its length from this point.
+    pub fn length(self, from: math::Point) -> f64 {
+        match self {
+            Self::Infinity => f64::INFINITY,
+            Self::To(end) => end.distance(from),
+        }
+    }
+}
+
 crate::kinds! {
     /// Where light comes from, and how much.
     Kind builds dyn Light with Context;

@@ -43,11 +43,6 @@ impl<R: Recorder> Tracing<'_, R> {
         light: &PlacedLight,
         sample: &LightSample,
     ) -> (Rgb, bool) {
-        let length = match sample.segment {
-            None => 0.0,
-            Some(Segment::Infinity) => f64::INFINITY,
-            Some(Segment::To(end)) => end.distance(point.hit.surface.point),
-        };
         match sample.segment {
             Some(segment) if light.shadows || self.is_met(light) => {
                 // The hemisphere is about the interpolated normal. The surface itself hides the part of it
@@ -57,9 +52,40 @@ impl<R: Recorder> Tracing<'_, R> {
                 }
                 (self.shadow(medium, point, light, (segment, sample)), true)
             }
-            // the medium absorbs also without a shadow ray
-            _ => (medium.transmittance(length) * sample.radiance, false),
+            Some(segment) if !medium.is_black() && self.world.has_boundaries => {
+                (self.unshadowed(medium, point, light, (segment, sample)), true)
+            }
+            // one medium everywhere: it absorbs over the whole distance, without a ray
+            segment => {
+                let from = point.hit.surface.point;
+                let length = segment.map_or(0.0, |segment| segment.length(from));
+                (medium.transmittance(length) * sample.radiance, false)
+            }
         }
+    }
+
+    /// Casts the ray to a light without shadows from a point in an absorbing medium, and returns the
+    /// radiance that arrives. Nothing blocks it: it only finds where it leaves the medium.
+    fn unshadowed(
+        &mut self,
+        medium: Rgb,
+        point: &ShadingPoint<'_>,
+        light: &PlacedLight,
+        (segment, sample): (Segment, &LightSample),
+    ) -> Rgb {
+        let origin = point.hit.surface.leave(sample.direction);
+        let (ray, ..) = stretch(origin, sample.direction, segment);
+        self.recorder.enter(RayKind::Shadow { light: light.index }, &ray, 0, Rgb::WHITE);
+        let from = point.hit.surface.point;
+        let (boundaries, transmittance) =
+            self.way_out(medium, (from, origin), sample.direction, segment);
+        self.recorder.outcome(Outcome::Unblocked { boundaries });
+        let (weight, value) = (Rgb::WHITE, sample.radiance);
+        let source = TermSource::Light { light: light.index };
+        self.recorder.term(Term { source, weight, arriving: value, value });
+        let arriving = transmittance * value;
+        self.recorder.leave(transmittance, arriving);
+        arriving
     }
 
     /// Casts a shadow ray and returns the radiance of the light's sample that arrives.
@@ -164,12 +190,53 @@ impl<R: Recorder> Tracing<'_, R> {
     }
 }
 
+impl<R> Tracing<'_, R> {
+    /// The number of boundaries between media on the straight way from a point to a light without shadows,
+    /// and the transmittance of the way: each stretch between boundaries counts with its medium. Bodies that
+    /// the point is not in do not absorb, as they do not for a point in a clear medium.
+    fn way_out(
+        &self,
+        mut medium: Rgb,
+        (mut from, mut origin): (Point, Point),
+        direction: Vector,
+        segment: Segment,
+    ) -> (u32, Rgb) {
+        let (mut boundaries, mut transmittance) = (0, Rgb::WHITE);
+        // bodies that the ray has entered and not left
+        let mut entered = 0_u32;
+        loop {
+            let (ray, span, _) = stretch(origin, direction, segment);
+            let Some(hit) = self.world.hit(&ray, span) else { break };
+            origin = hit.surface.leave(direction);
+            if hit.material.recipe.boundary().is_none() {
+                continue;
+            }
+            boundaries += 1;
+            let point = ShadingPoint::new(&hit, -direction);
+            let beyond = medium_towards(medium, &point, direction);
+            let absorbs_less = beyond.average() < medium.average();
+            let enters = point.normals.geometry.dot(direction) < 0.0;
+            if absorbs_less || !(enters || entered > 0) {
+                let end = hit.surface.point;
+                transmittance = transmittance * medium.transmittance(end.distance(from));
+                (from, medium) = (end, beyond);
+            }
+            entered = match enters {
+                true if absorbs_less => entered,
+                true => entered + 1,
+                false => entered.saturating_sub(1),
+            };
+        }
+        (boundaries, transmittance * medium.transmittance(segment.length(from)))
+    }
+}
+
 /// The ray from `origin` to a light, without the light itself, and its length.
 fn stretch(origin: Point, direction: Vector, segment: Segment) -> (Ray, Span, f64) {
     match segment {
-        Segment::Infinity => (Ray::new(origin, direction), Span::AHEAD, f64::INFINITY),
+        Segment::Infinity => (Ray::new(origin, direction), Span::AHEAD, segment.length(origin)),
         Segment::To(end) => {
-            (Ray::new(origin, end - origin), up_to(end, origin), end.distance(origin))
+            (Ray::new(origin, end - origin), up_to(end, origin), segment.length(origin))
         }
     }
 }

@@ -69,6 +69,7 @@ impl World {
         let all_cast_shadows = objects.0.iter().all(|object| object.all_cast_shadows);
         let all_boundaries_cast_shadows =
             objects.0.iter().all(|object| object.all_boundaries_cast_shadows);
+        let has_boundaries = materials.iter().any(|it| it.recipe.boundary().is_some());
         // a single object needs no structure
         let method = if bounds.len() == 1 { Method::List } else { scene.accel };
         Ok(Self {
@@ -87,6 +88,7 @@ impl World {
             objects,
             all_cast_shadows,
             all_boundaries_cast_shadows,
+            has_boundaries,
         })
     }
 

@@ -55,6 +55,8 @@ pub struct World {
     pub(crate) all_cast_shadows: bool,
     /// Whether every boundary between media does.
     pub(crate) all_boundaries_cast_shadows: bool,
+    /// Whether some material is a boundary between media.
+    pub(crate) has_boundaries: bool,
 }
 
 /// A light that is on.

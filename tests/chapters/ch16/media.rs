@@ -7,7 +7,7 @@ use groundtruth::materials::{Dielectric, Matte, Medium, Phong};
 use groundtruth::math::{Point, Vector, exp};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, Tracer, TransparentShadows, Whitted};
-use groundtruth::shapes::{Plane, Sphere};
+use groundtruth::shapes::{Box as Cuboid, Plane, Sphere};
 use groundtruth::trace::{Node, RayKind, RayTree, TermSource, radiance};
 use proptest::prelude::*;
 
@@ -91,8 +91,96 @@ fn shadowless_glass_leaves_no_shadow_on_the_floor() {
     }
 }
 
+/// Law: a sun without shadows outside absorbing glass lights the ball inside as if glass and ball cast no
+/// shadow. Oracle: the same scene with shadows, and with objects that cast none.
+#[test]
+fn a_sun_without_shadows_sees_shadowless_objects() {
+    for direction in [Vector::new(0.3, 1.0, 0.2), Vector::new(-0.5, 0.1, 0.4)] {
+        let mut scene = stage(Rgb::BLACK);
+        shadowless_glass(&mut scene);
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 0.5, inward: false }, matte());
+        shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction });
+        let mut unshadowed = scene.clone();
+        unshadowed.lights[0].shadows = false;
+        unshadowed.materials[0].casts_shadows = true;
+        scene.materials[1].casts_shadows = false;
+        let [shadowed, unshadowed] = [scene, unshadowed]
+            .map(|scene| look(&built(&scene), Point::new(0.0, 4.0, 0.1), -Vector::Y));
+        assert!(shadowed.r > 0.01);
+        close!(unshadowed, shadowed, OFFSETS, "{direction:?}");
+    }
+}
+
+/// The way inside the body of radius 1 about the origin, from a point in it in a unit direction.
+fn chord(from: Point, direction: Vector) -> f64 {
+    let from = from.to_vector();
+    let b = from.dot(direction);
+    (b * b + 1.0 - from.length_squared()).sqrt() - b
+}
+
 proptest! {
     #![proptest_config(laws())]
+
+    /// Law: light without shadows is absorbed on its way inside the body of the hit only, wherever it stands:
+    /// from infinity, outside, inside, beyond or in a second absorbing body, past a bubble, through an
+    /// opaque wall. It takes one ray, which a hit in clear air does not. Oracle: `exp(−σ d)`, d the chord
+    /// of the sphere by the quadratic, less that of the bubble.
+    #[test]
+    fn light_without_shadows_is_absorbed_inside_the_body_only(
+        (n, up) in normal_and_direction_above(),
+        distance in 0.01..8.0_f64,
+        is_sun in any::<bool>(),
+        has_wall in any::<bool>(),
+        has_second in any::<bool>(),
+        bubble in prop_oneof![Just(0.0), 0.05..0.2_f64],
+    ) {
+        let way = Vector::from(n) + up;
+        let way = way.unit().expect("n and up are less than 90° apart");
+        let mut scene = stage(Rgb::BLACK);
+        shadowless_glass(&mut scene);
+        scene.materials[0].casts_shadows = true;
+        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 0.25, inward: false }, matte());
+        let start = Point::ORIGIN + 0.25 * n;
+        let inside = chord(start, way);
+        if has_wall {
+            let (min, max) = (Point::new(-9.0, -9.0, -9.0), Point::new(9.0, 9.0, 9.0));
+            put(&mut scene, Cuboid { min, max }, matte());
+            put(&mut scene, Sphere { center: start + 0.1 * way, radius: 0.02, inward: false }, matte());
+        }
+        if has_second {
+            let center = start + (inside + 2.0) * way;
+            let second = Medium { eta: 1.0, absorption: 3.0 * SIGMA };
+            let glass = Dielectric { inside: second, ..Dielectric::default() };
+            put(&mut scene, Sphere { center, radius: 1.5, inward: false }, glass);
+        }
+        if bubble > 0.0 {
+            let air = Dielectric { inside: Medium::default(), outside: water(), ..Dielectric::default() };
+            let center = start + 0.3 * way;
+            put(&mut scene, Sphere { center, radius: bubble, inward: false }, air);
+        }
+        let (ls, color) = (2.0, Rgb::WHITE);
+        match is_sun {
+            true => shine(&mut scene, Directional { ls, color, direction: way }),
+            false => {
+                let location = start + distance * way;
+                shine(&mut scene, Lamp { ls, color, location, attenuation: 0.0 })
+            }
+        };
+        scene.lights[0].shadows = false;
+        let length = if is_sun { inside } else { inside.min(distance) };
+        let in_bubble = if is_sun { 2.0 * bubble } else { (distance - 0.3 + bubble).clamp(0.0, 2.0 * bubble) };
+        let eye = Point::ORIGIN + 0.27 * n;
+        scene.camera.medium = water();
+        let seen = recorded(&built(&scene), eye, -Vector::from(n));
+        let [ray] = shadows(&seen)[..] else { panic!("one ray to the light: {seen:?}") };
+        let expected = through(length - in_bubble);
+        prop_assert!(close(ray.transmittance, expected, 1e-12), "{:?}, not {expected:?}", ray.transmittance);
+        prop_assert_eq!(seen.folded(seen.root()), seen.root().radiance);
+
+        scene.camera.medium = Medium::default();
+        let clear = counted(&built(&scene), eye, -Vector::from(n));
+        prop_assert_eq!(clear.shadow, 0);
+    }
 
     /// Law: in an absorbing medium light is dimmed twice: `exp(−σ d)` from the lamp to the surface
     /// and again to the eye; the shadow ray records the first. Oracle: the closed form, with the
