@@ -141,6 +141,19 @@ pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
     ))
 }
 
+/// The largest channel of a colour and the largest factor of one. The product of two is 1e36: the light of
+/// a hundred such sources still fits into the `f32` of picture files, whose largest number is 3.4e38.
+pub const BRIGHTEST: f64 = 1e18;
+
+/// `value`, if it can be a share or strength of light: from 0 to [`BRIGHTEST`].
+pub fn strength(field: &str, value: f64) -> Result<f64, Invalid> {
+    if not_negative(field, value)? <= BRIGHTEST {
+        return Ok(value);
+    }
+    let problem = format!("found {}, but at most {} fits", shown(value), shown(BRIGHTEST));
+    Err(Invalid::field(field, problem))
+}
+
 /// `value`, if it lies in this range.
 pub fn within(
     field: &str,
@@ -152,6 +165,22 @@ pub fn within(
     }
     let [least, most] = [range.start(), range.end()].map(|&end| shown(end));
     Err(Invalid::field(field, format!("found {}, but {least} to {most} fit", shown(value))))
+}
+
+/// The indices of refraction of media. Fresnel's equations and the change of radiance square the ratio of
+/// two: 1e40 at most, far from the ends of `f64`.
+const INDICES: std::ops::RangeInclusive<f64> = 1e-10..=1e10;
+
+/// `eta`, if it can be the index of a medium.
+pub fn index(field: &str, eta: f64) -> Result<f64, Invalid> {
+    positive(field, eta)?;
+    within(field, eta, INDICES)
+}
+
+/// `eta`, if the media on both sides of a surface can have this ratio of indices.
+pub fn index_ratio(field: &str, eta: f64) -> Result<f64, Invalid> {
+    positive(field, eta)?;
+    within(field, eta, 1e-20..=1e20) // two of `INDICES` divided
 }
 
 /// `value`, if it is an angle above 0° and at most `most`.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, index};
 use crate::kinds;
 use crate::rgb::Rgb;
 
@@ -21,7 +21,7 @@ pub struct Boundary {
 #[serde(deny_unknown_fields)]
 #[schemars(example = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) })]
 pub struct Medium {
-    /// The index of refraction; positive. Air is 1, water 1.33, glass about 1.5.
+    /// The index of refraction, from 1e-10 to 1e10. Air is 1, water 1.33, glass about 1.5.
     #[serde(default = "kinds::one")]
     pub eta: f64,
     /// `σ` per unit length: the book's colour filter is `exp(−σ)`, so clear is 0. It may be
@@ -43,8 +43,8 @@ impl Medium {
     }
 
     pub(crate) fn checked(self, field: &str) -> Result<Self, Invalid> {
-        positive("eta", self.eta).map_err(|e| e.inside(field))?;
-        self.absorption.checked("absorption").map_err(|e| e.inside(field))?;
+        index("eta", self.eta).map_err(|e| e.inside(field))?;
+        self.absorption.not_negative("absorption").map_err(|e| e.inside(field))?;
         Ok(self)
     }
 

@@ -11,7 +11,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::invalid::Invalid;
+use crate::invalid::{BRIGHTEST, Invalid, shown};
 use crate::math::{exp, power};
 
 /// Red, green and blue, linear. In scene files `[r, g, b]`, or one number for a grey.
@@ -81,8 +81,18 @@ impl Rgb {
         })
     }
 
-    /// `self`, if every channel is finite and not negative.
+    /// `self`, if it can be a reflectance or radiance: every channel is from 0 to [`BRIGHTEST`].
     pub(crate) fn checked(self, field: &str) -> Result<Self, Invalid> {
+        if self.not_negative(field)?.max() <= BRIGHTEST {
+            return Ok(self);
+        }
+        let found = self.to_array().map(shown).join(", ");
+        let problem = format!("found [{found}], but channels of at most {} fit", shown(BRIGHTEST));
+        Err(Invalid::field(field, problem))
+    }
+
+    /// `self`, if every channel is finite and not negative.
+    pub(crate) fn not_negative(self, field: &str) -> Result<Self, Invalid> {
         if self.to_array().iter().all(|c| c.is_finite() && *c >= 0.0) {
             return Ok(self);
         }

@@ -1,6 +1,8 @@
 //! Laws of the mesh file readers: a valid file gives the mesh that it describes. A damaged file gives an
 //! error, never a panic, and never takes more memory than its size allows.
 
+#[path = "mesh_file/as_found.rs"]
+mod as_found;
 #[path = "mesh_file/damage.rs"]
 mod damage;
 #[path = "mesh_file/obj.rs"]

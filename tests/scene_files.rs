@@ -1,6 +1,8 @@
 //! Scene files that are wrong: each gets one error with file, line, object, field and the valid values;
 //! never a panic, a hang or gigabytes of memory.
 
+#[path = "scene_files/light_bounds.rs"]
+mod light_bounds;
 #[path = "scene_files/mesh_lists.rs"]
 mod mesh_lists;
 #[path = "scene_files/meshes.rs"]

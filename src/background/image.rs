@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::images::{Drawn, Encoding, Picture, Texels};
-use crate::invalid::{Invalid, finite, not_negative};
+use crate::invalid::{Invalid, finite, strength};
 use crate::kinds;
 use crate::math::{Point, Step, Transform, Vector, atan2, cos, sin};
 use crate::resources::Resources;
@@ -107,7 +107,7 @@ impl Image {
             texels,
             dome: self.mapping,
             sampling: Sampling { filtering, rule: Rule::Even, wraps },
-            ls: not_negative("ls", self.ls)?,
+            ls: strength("ls", self.ls)?,
             turn_back: turn.inverse(),
             turn,
         })

@@ -111,7 +111,7 @@ fn png(film: &Film, tone: &Tone) -> std::io::Result<Vec<u8>> {
 fn exr(film: &Film) -> std::io::Result<Vec<u8>> {
     let size = (film.width() as usize, film.height() as usize);
     let channels = SpecificChannels::rgb(|at: exr::math::Vec2<usize>| {
-        let [r, g, b] = film.get([at.0 as u32, at.1 as u32]).to_array().map(|c| c as f32);
+        let [r, g, b] = film.get([at.0 as u32, at.1 as u32]).to_array().map(super::stored);
         (r, g, b)
     });
     let mut encoded = Cursor::new(Vec::new());

@@ -61,10 +61,17 @@ impl Film {
         part
     }
 
-    /// All channels as they are stored in files: single precision.
+    /// All channels as they are stored in files: single precision, and at most `f32::MAX`.
     pub fn to_f32(&self) -> impl Iterator<Item = [f32; 3]> {
-        self.pixels.iter().map(|pixel| pixel.to_array().map(|c| c as f32))
+        self.pixels.iter().map(|pixel| pixel.to_array().map(stored))
     }
+}
+
+/// A channel as it is stored in files. What is too large for them becomes `f32::MAX`: readers refuse
+/// infinities, also ours.
+fn stored(channel: f64) -> f32 {
+    let single = channel as f32;
+    if single == f32::INFINITY { f32::MAX } else { single }
 }
 
 /// One picture for red and cyan glasses: red from the left eye's image, green and blue from the right

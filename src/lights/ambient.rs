@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Context, Light, LightContext, LightSample, Meets};
-use crate::invalid::{Invalid, not_negative};
+use crate::invalid::{Invalid, strength};
 use crate::kinds::{self, Specification};
 use crate::rgb::Rgb;
 
@@ -32,7 +32,7 @@ impl Specification for Ambient {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        let radiance = not_negative("ls", self.ls)? * self.color.checked("color")?;
+        let radiance = strength("ls", self.ls)? * self.color.checked("color")?;
         Ok(Arc::new(Constant { radiance }))
     }
 

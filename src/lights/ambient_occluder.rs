@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Context, Light, LightContext, LightSample, Meets, Segment, Target};
-use crate::invalid::{Invalid, length, not_negative, within};
+use crate::invalid::{Invalid, length, strength, within};
 use crate::kinds::{self, Specification};
 use crate::math::{Frame, maps};
 use crate::rgb::Rgb;
@@ -56,7 +56,7 @@ impl Specification for AmbientOccluder {
     type Context = Context;
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        let ls = not_negative("ls", self.ls)?;
+        let ls = strength("ls", self.ls)?;
         let open = ls * self.color.checked("color")?;
         let occluded = self.occluded_color.unwrap_or(self.color).checked("occluded_color")?;
         let min_amount = within("min_amount", self.min_amount, 0.0..=1.0)?;

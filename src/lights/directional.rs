@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Context, Light, LightContext, LightSample, Segment};
-use crate::invalid::{Invalid, direction, not_negative};
+use crate::invalid::{Invalid, direction, strength};
 use crate::kinds::{self, Specification};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -37,7 +37,7 @@ impl Specification for Directional {
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         Ok(Arc::new(Parallel {
-            radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
+            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
             direction: direction("direction", self.direction)?.into(),
         }))
     }

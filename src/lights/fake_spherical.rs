@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::jittered_directional::in_cube;
 use super::point::from_point;
 use super::{Context, Light, LightContext, LightSample};
-use crate::invalid::{Invalid, finite_point, not_negative};
+use crate::invalid::{Invalid, finite_point, not_negative, strength};
 use crate::kinds::{self, Specification};
 use crate::math::{self, power};
 use crate::rgb::Rgb;
@@ -48,7 +48,7 @@ impl Specification for FakeSpherical {
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         Ok(Arc::new(JitteredPoint {
-            radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
+            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
             location: finite_point("location", self.location)?,
             jitter: not_negative("jitter", self.jitter)?,
             attenuation: not_negative("attenuation", self.attenuation)?,

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Context, Light, LightContext, LightSample, Segment};
-use crate::invalid::{Invalid, finite_point, not_negative};
+use crate::invalid::{Invalid, finite_point, not_negative, strength};
 use crate::kinds::{self, Specification};
 use crate::math::{self, power};
 use crate::rgb::Rgb;
@@ -43,7 +43,7 @@ impl Specification for Point {
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         Ok(Arc::new(PointSource {
-            radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
+            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
             location: finite_point("location", self.location)?,
             attenuation: not_negative("attenuation", self.attenuation)?,
         }))

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::point::from_point;
 use super::{Context, Light, LightContext, LightSample};
-use crate::invalid::{Invalid, direction, finite_point, not_negative, within};
+use crate::invalid::{Invalid, direction, finite_point, not_negative, strength, within};
 use crate::kinds::{self, Specification};
 use crate::math::{self, Normal, Vector, atan2, power, to_degrees};
 use crate::rgb::Rgb;
@@ -54,7 +54,7 @@ impl Specification for Spot {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         let outer = within("outer", self.outer, 0.0..=180.0)?;
         Ok(Arc::new(Cone {
-            radiance: not_negative("ls", self.ls)? * self.color.checked("color")?,
+            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
             location: finite_point("location", self.location)?,
             axis: direction("direction", self.direction)?,
             inner: within("inner", self.inner, 0.0..=outer)?,

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Branch, Claims, LobeSample, Scatter, fresnel, mirrored, relative};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -23,7 +23,7 @@ impl Scatter for FresnelReflector {
     }
 
     fn check(&self) -> Result<(), Invalid> {
-        positive("eta", self.eta).map(drop)
+        index_ratio("eta", self.eta).map(drop)
     }
 
     fn chance(&self, wo: Vector) -> f64 {

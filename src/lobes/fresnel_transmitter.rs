@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Branch, Claims, LobeSample, Scatter, fresnel, normal_towards, refract, relative};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -24,7 +24,7 @@ impl Scatter for FresnelTransmitter {
     }
 
     fn check(&self) -> Result<(), Invalid> {
-        positive("eta", self.eta).map(drop)
+        index_ratio("eta", self.eta).map(drop)
     }
 
     fn chance(&self, wo: Vector) -> f64 {

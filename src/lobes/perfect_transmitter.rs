@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::refract::cos_refracted;
 use super::{Branch, Claims, LobeSample, Scatter, normal_towards, refract, relative};
-use crate::invalid::{Invalid, not_negative, positive};
+use crate::invalid::{Invalid, index_ratio, not_negative};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -38,7 +38,7 @@ impl Scatter for PerfectTransmitter {
 
     fn check(&self) -> Result<(), Invalid> {
         not_negative("transmittance", self.transmittance)?;
-        positive("eta", self.eta).map(drop)
+        index_ratio("eta", self.eta).map(drop)
     }
 
     fn chance(&self, wo: Vector) -> f64 {

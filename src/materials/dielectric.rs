@@ -6,7 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Boundary, Material, Medium, Response, TexturedField, within};
+use super::{
+    Boundary, Material, Medium, Reflectance, Response, TexturedField, reflectances_within, within,
+};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
@@ -77,6 +79,10 @@ impl Material for DielectricMaterial {
 
     fn boundary(&self) -> Option<Boundary> {
         Some(self.boundary)
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        reflectances_within("phong", &self.phong).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

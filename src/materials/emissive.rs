@@ -6,7 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::matte::{self, Matte};
-use super::{Material, Response, TexturedField, textured, within};
+use super::{
+    Material, Reflectance, Response, TexturedField, reflectances_within, textured, within,
+};
 use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
@@ -76,6 +78,10 @@ impl Material for Shining {
 
     fn emission(&self) -> Option<&Emission> {
         Some(&self.emission)
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        self.matte.iter().flat_map(|matte| reflectances_within("matte", matte)).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

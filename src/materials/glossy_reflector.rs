@@ -6,7 +6,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Material, Response, TexturedField, built_exponent, textured, within};
+use super::{
+    Material, Reflectance, Response, TexturedField, built_exponent, constant, reflectances_within,
+    textured, within,
+};
 use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
@@ -91,6 +94,11 @@ impl Material for BlurredMirror {
 
     fn needs_rays(&self) -> bool {
         true
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        let own = constant(("kr", &self.kr), ("cr", &self.cr));
+        own.into_iter().chain(reflectances_within("phong", &self.phong)).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Material, Response, TexturedField, textured};
+use super::{Material, Reflectance, Response, TexturedField, constant, textured};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{Lambertian, NormalKind};
@@ -75,6 +75,12 @@ impl Material for MatteMaterial {
             let lobe = Lambertian { reflectance: kd * cd };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        let Self { ka, kd, cd } = self;
+        let shares = [("ka", ka), ("kd", kd)];
+        shares.into_iter().filter_map(|share| constant(share, ("cd", cd))).collect()
     }
 
     fn textures(&self, _: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

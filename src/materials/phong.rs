@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::matte::{self, Matte};
-use super::{Material, Response, TexturedField, built_exponent, textured};
+use super::{Material, Reflectance, Response, TexturedField, built_exponent, constant, textured};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::lobes::{GlossySpecular, NormalKind};
@@ -103,6 +103,12 @@ impl Material for PhongMaterial {
             let lobe = GlossySpecular { reflectance, exponent: self.exponent.at(at) };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        let mut all = self.matte.reflectances();
+        all.extend(constant(("ks", &self.ks), ("cs", &self.cs)));
+        all
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

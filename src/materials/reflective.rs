@@ -6,7 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Material, Response, TexturedField, textured, within};
+use super::{
+    Material, Reflectance, Response, TexturedField, constant, reflectances_within, textured, within,
+};
 use crate::invalid::Invalid;
 use crate::kinds::{self, Specification};
 use crate::lobes::{NormalKind, PerfectSpecular};
@@ -72,6 +74,11 @@ impl Material for ReflectiveMaterial {
 
     fn needs_rays(&self) -> bool {
         true
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        let own = constant(("kr", &self.kr), ("cr", &self.cr));
+        own.into_iter().chain(reflectances_within("phong", &self.phong)).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Kind, Material, Matte, Phong, Response, TexturedField, within};
+use super::{
+    Kind, Material, Matte, Phong, Reflectance, Response, TexturedField, reflectances_within, within,
+};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::resources::Resources;
@@ -91,6 +93,13 @@ impl Material for SphereMaterialsMaterial {
 
     fn needs_rays(&self) -> bool {
         self.materials.iter().any(|material| material.needs_rays())
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        let of = |(i, material): (usize, &Arc<dyn Material>)| {
+            reflectances_within(&format!("materials[{i}]"), &**material).collect::<Vec<_>>()
+        };
+        self.materials.iter().enumerate().flat_map(of).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

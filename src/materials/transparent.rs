@@ -6,8 +6,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
-use super::{Material, Response, TexturedField, textured, within};
-use crate::invalid::{Invalid, positive};
+use super::{
+    Material, Reflectance, Response, TexturedField, constant, reflectances_within, textured, within,
+};
+use crate::invalid::{Invalid, index};
 use crate::kinds::{self, Specification};
 use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
 use crate::resources::Resources;
@@ -31,8 +33,8 @@ pub struct Transparent {
     pub cr: Paint,
     /// The share of light that is let through; not negative, and `kr + kt` should be 1.
     pub kt: Amount,
-    /// The index of refraction inside over the one outside, `ior` in the book; positive. Glass is
-    /// about 1.5, water 1.33.
+    /// The index of refraction inside over the one outside, `ior` in the book; from 1e-10 to 1e10. Glass
+    /// is about 1.5, water 1.33.
     pub eta: f64,
 }
 
@@ -55,7 +57,7 @@ impl Specification for Transparent {
             kr: self.kr.build("kr", resources)?,
             cr: self.cr.build("cr", resources)?,
             kt: self.kt.build("kt", resources)?,
-            eta: positive("eta", self.eta)?,
+            eta: index("eta", self.eta)?,
         }))
     }
 
@@ -97,6 +99,16 @@ impl Material for TransparentMaterial {
 
     fn transmits(&self) -> bool {
         true
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        let reflected = constant(("kr", &self.kr), ("cr", &self.cr));
+        let refracted = match self.kt {
+            Value::Plain(kt) => Some(("kt".to_owned(), Rgb::grey(kt))),
+            Value::Textured(_) => None,
+        };
+        let own = reflected.into_iter().chain(refracted);
+        own.chain(reflectances_within("phong", &self.phong)).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

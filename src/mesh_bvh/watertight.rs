@@ -196,9 +196,18 @@ fn greatest<L: Lanes>([a, b, c]: [L; 3]) -> L {
     a.max(b).max(c)
 }
 
-/// The normal of a triangle by its winding, `(b − a) × (c − a)`; `None` if its area is zero.
+/// Twice the least area of a triangle: that of one as long as the shortest supported length, 1e-40, and 1e40
+/// times thinner. The reciprocal of a smaller one can overflow, and the weights of the corners are then NaN.
+const LEAST_AREA: f64 = 1e-120;
+
+/// The normal of a triangle by its winding, `(b − a) × (c − a)`; `None` if its area is zero, or too small to
+/// divide by.
 pub fn normal([a, b, c]: [Point; 3]) -> Option<Normal> {
-    Normal::new(exact_cross(a, b, c))
+    let cross = exact_cross(a, b, c);
+    if cross.max_abs() < LEAST_AREA {
+        return None;
+    }
+    Normal::new(cross)
 }
 
 /// The point with these barycentric coordinates, and a bound of its distance, along the normal, from the

@@ -29,6 +29,9 @@ pub enum MeshFileError {
         /// What is wrong, and where.
         source: Box<MeshFileError>,
     },
+    /// Text of two bytes a character.
+    #[error("the text is UTF-16; save it again as UTF-8 or ASCII")]
+    Utf16,
     /// Not a PLY file at all.
     #[error("line 1: not a PLY file; the first line of a PLY file is `ply`")]
     NotPly,
@@ -46,7 +49,9 @@ pub enum MeshFileError {
         expected: &'static str,
     },
     /// A PLY header without the element `vertex` or `face`.
-    #[error("the header has no element `{element}`; a mesh needs `vertex` and `face`")]
+    #[error(
+        "the header has no element `{element}`; a mesh needs `vertex` and `face` (or `tristrips`)"
+    )]
     MissingElement {
         /// The element's name.
         element: &'static str,
@@ -83,12 +88,6 @@ pub enum MeshFileError {
         /// What would be right.
         expected: &'static str,
     },
-    /// Triangle strips, which are not supported.
-    #[error(
-        "element `tristrips`: triangle strips are not read; \
-         convert them to triangles and export the mesh again"
-    )]
-    TriangleStrips,
     /// A declared count of elements that needs more bytes than the rest of the file has.
     #[error(
         "element `{element}`: the header promises {count} of at least {size} bytes each, but \
@@ -126,14 +125,6 @@ pub enum MeshFileError {
         /// The property's name.
         property: String,
     },
-    /// A line of a PLY file with more values than the header says.
-    #[error("{location}: `{found}` is one value too many; the header has no property for it")]
-    SurplusValue {
-        /// The line.
-        location: Location,
-        /// The value.
-        found: String,
-    },
     /// A value that is out of range or not a number.
     #[error("{location}: `{found}` found for `{property}`, expected {expected}")]
     Value {
@@ -157,14 +148,6 @@ pub enum MeshFileError {
         index: i64,
         /// The valid range.
         allowed: String,
-    },
-    /// A face with fewer than 3 vertices.
-    #[error("{location}: a face with {count} vertices; it needs at least 3")]
-    FewCorners {
-        /// The face.
-        location: Location,
-        /// How many it has.
-        count: usize,
     },
     /// A face with too many corners for ear clipping, whose time can grow as their cube.
     #[error(

@@ -9,6 +9,7 @@
 
 use std::iter::repeat_n;
 
+use super::notes::{FEW_CORNERS, Tally};
 use super::{Location, MeshFileError};
 
 /// The largest number of corners of a polygon that is not convex: the time of ear clipping can grow
@@ -21,38 +22,72 @@ const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 #[derive(Default)]
 pub(super) struct Faces {
     corners: Vec<u32>,
-    /// For each polygon the end of its range of `corners`.
+    /// For each polygon the end of its range of `corners`; an empty range where one was left out.
     ends: Vec<usize>,
+    left_out: Tally,
 }
 
 impl Faces {
-    /// No polygons, with capacity for this many triangles.
-    pub(super) fn with_capacity(triangles: usize) -> Self {
-        Self { corners: Vec::with_capacity(3 * triangles), ends: Vec::with_capacity(triangles) }
+    /// Makes room for this many triangles.
+    pub(super) fn reserve(&mut self, triangles: usize) {
+        self.corners.reserve_exact(3 * triangles);
+        self.ends.reserve_exact(triangles);
     }
 
-    /// Appends a polygon.
-    pub(super) fn push(
-        &mut self,
-        corners: &[u32],
-        location: impl FnOnce() -> Location,
-    ) -> Result<(), MeshFileError> {
-        if corners.len() < 3 {
-            return Err(MeshFileError::FewCorners { location: location(), count: corners.len() });
+    /// Appends a polygon; one of fewer than three corners is left out. Whether it was appended.
+    pub(super) fn push(&mut self, corners: &[u32], location: impl FnOnce() -> Location) -> bool {
+        let is_polygon = corners.len() >= 3;
+        if is_polygon {
+            self.corners.extend(corners);
+        } else {
+            self.left_out.add(location);
         }
-        self.corners.extend(corners);
         self.ends.push(self.corners.len());
-        Ok(())
+        is_polygon
+    }
+
+    /// Appends the triangles of a strip: each corner after the second makes one with the two before
+    /// it, wound like the first. Triangles that name a vertex twice only join strips.
+    pub(super) fn push_strip(&mut self, strip: &[u32], location: impl FnOnce() -> Location) {
+        if matches!(strip.len(), 1 | 2) {
+            self.left_out.add(location);
+        }
+        for (index, corners) in strip.windows(3).enumerate() {
+            let [a, b, c] = [corners[0], corners[1], corners[2]];
+            if a != b && b != c && c != a {
+                self.corners.extend(if index % 2 == 0 { [a, b, c] } else { [b, a, c] });
+                self.ends.push(self.corners.len());
+            }
+        }
+    }
+
+    /// The vertices of all corners, polygon after polygon.
+    pub(super) fn corners(&self) -> &[u32] {
+        &self.corners
+    }
+
+    /// The vertices of all corners, to be renumbered.
+    pub(super) fn corners_mut(&mut self) -> &mut [u32] {
+        &mut self.corners
+    }
+
+    /// Appends the note on the polygons that were left out.
+    pub(super) fn note(&self, notes: &mut Vec<String>) {
+        self.left_out.note(notes, FEW_CORNERS);
     }
 
     /// The triangles of all polygons, with the winding of the polygons; a polygon of n corners has
     /// n − 2. The triangles of a polygon that crosses itself are unspecified.
     pub(super) fn triangles(&self, vertices: &[[f64; 3]]) -> Result<Vec<[u32; 3]>, MeshFileError> {
-        let mut triangles = Vec::with_capacity(self.corners.len() - 2 * self.ends.len());
+        let count = self.counts().map(|corners| corners.saturating_sub(2)).sum();
+        let mut triangles = Vec::with_capacity(count);
         let mut start = 0;
         for (index, &end) in self.ends.iter().enumerate() {
             let corners = &self.corners[start..end];
             start = end;
+            if corners.is_empty() {
+                continue;
+            }
             if let &[a, b, c] = corners {
                 triangles.push([a, b, c]);
                 continue;
@@ -73,12 +108,17 @@ impl Faces {
 
     /// For each triangle the number of its polygon; empty if all are triangles.
     pub(super) fn of_triangles(&self) -> Vec<u32> {
-        if self.corners.len() == 3 * self.ends.len() {
+        if self.counts().all(|corners| matches!(corners, 0 | 3)) {
             return Vec::new();
         }
+        let counts = (0..).zip(self.counts());
+        counts.flat_map(|(face, corners)| repeat_n(face, corners.saturating_sub(2))).collect()
+    }
+
+    /// The number of corners of each polygon; 0 where one was left out.
+    fn counts(&self) -> impl Iterator<Item = usize> {
         let starts = [0].into_iter().chain(self.ends.iter().copied());
-        let corners = self.ends.iter().zip(starts).map(|(end, start)| end - start);
-        (0..).zip(corners).flat_map(|(face, corners)| repeat_n(face, corners - 2)).collect()
+        self.ends.iter().zip(starts).map(|(end, start)| end - start)
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! A file is read whole. The counts in its header are checked against the bytes that follow:
 //! besides the file itself, reading needs less than 64 bytes of memory for each byte of the file.
+//! What every common reader loads and has one meaning is loaded, with a note of what was ignored.
 //! The result is checked: finite numbers, indices of existing vertices, one normal and one
 //! uv per vertex or none at all. Triangles without area, normals that are not unit and unused
 //! vertices are left to the mesh.
@@ -13,6 +14,8 @@
 
 mod error;
 mod faces;
+mod notes;
+mod numbers;
 mod obj;
 mod ply;
 
@@ -40,8 +43,8 @@ pub struct MeshData {
     /// For each triangle the index of its face in the file, ascending; empty if all faces are
     /// triangles.
     pub faces: Vec<u32>,
-    /// For each vertex the first vertex with the same position index in the OBJ file; empty if no
-    /// two vertices share a position index.
+    /// For each vertex the first vertex of the same position (the same index in an OBJ file, the same
+    /// vertex in a PLY file); empty if no two vertices share one.
     pub first_at_position: Vec<u32>,
     /// What was ignored in the file, in sentences for the user, with line and count.
     pub notes: Vec<String>,
@@ -68,6 +71,7 @@ pub fn read(path: &Path) -> Result<MeshData, MeshFileError> {
 fn with_triangles(mut data: MeshData, faces: &Faces) -> Result<MeshData, MeshFileError> {
     data.triangles = faces.triangles(&data.vertices)?;
     data.faces = faces.of_triangles();
+    faces.note(&mut data.notes);
     if data.triangles.is_empty() {
         return Err(MeshFileError::NoFaces);
     }
@@ -83,9 +87,12 @@ fn at_most_u32(what: &'static str, count: u64) -> Result<(), MeshFileError> {
     Ok(())
 }
 
-/// The bytes without the UTF-8 byte-order mark that some editors write.
-fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+/// The bytes without the UTF-8 byte-order mark that some editors write; fails if they are UTF-16.
+fn without_byte_order_mark(bytes: &[u8]) -> Result<&[u8], MeshFileError> {
+    if let [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, 1..=0x7f, ..] | [1..=0x7f, 0, ..] = bytes {
+        return Err(MeshFileError::Utf16);
+    }
+    Ok(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes))
 }
 
 /// The byte that ends a line: `\r` if the first line ends with `\r` alone, else `\n` (a `\r` before

@@ -2,8 +2,8 @@
 //!
 //! A corner of a face has separate indices for position, texture coordinate and normal; a mesh has
 //! one index for all three. So each distinct corner becomes a vertex, in the order of first use,
-//! and a position used with two normals becomes two vertices. Groups, materials, lines and all
-//! other statements are skipped. The text is read twice: first the points, because a face may use a
+//! and a position used with two normals becomes two vertices. All other statements are skipped; for
+//! groups, materials, lines and curves a note says so. The text is read twice: first the points, because a face may use a
 //! point that comes later.
 
 use std::borrow::Cow;
@@ -11,6 +11,8 @@ use std::collections::HashMap;
 
 use super::error::quoted;
 use super::faces::Faces;
+use super::notes::{NO_NORMAL, NO_UV, Tally};
+use super::numbers::{is_within_number, parse_number};
 use super::{Location, MeshData, MeshFileError};
 use super::{at_most_u32, line_end, parse_word, with_triangles, without_byte_order_mark, words};
 
@@ -19,8 +21,9 @@ use super::{at_most_u32, line_end, parse_word, with_triangles, without_byte_orde
 /// # Errors
 /// The first thing that is wrong; the message says in which line.
 pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
-    let bytes = without_byte_order_mark(bytes);
-    let points = Points::read(bytes)?;
+    let bytes = without_byte_order_mark(bytes)?;
+    let mut ignored = Ignored::default();
+    let points = Points::read(bytes, &mut ignored)?;
     let mut vertices = Vertices::default();
     let mut faces = Faces::default();
     let mut face = Vec::new();
@@ -31,18 +34,75 @@ pub fn parse_obj(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
             Some(b"v") => before[0] += 1,
             Some(b"vt") => before[1] += 1,
             Some(b"vn") => before[2] += 1,
-            Some(b"f") => {
+            // `fo` is the older name
+            Some(b"f" | b"fo") => {
                 face.clear();
                 for word in words {
-                    let corner = parse_corner(line, word, before, points.counts())?;
+                    let mut corner =
+                        parse_corner(line, word, before, points.counts(), &mut ignored)?;
+                    if !is_finite(&points.positions[corner.0 as usize]) {
+                        return Err(position_error(bytes, corner.0));
+                    }
+                    corner.1 = corner.1.filter(|&at| is_finite(&points.uvs[at as usize]));
+                    corner.2 = corner.2.filter(|&at| is_finite(&points.normals[at as usize]));
                     face.push(vertices.index_of(corner)?);
                 }
-                faces.push(&face, || Location::Line(line))?;
+                faces.push(&face, || Location::Line(line));
             }
             _ => {}
         }
     }
-    with_triangles(vertices.into_data(&points), &faces)
+    let mut data = vertices.into_data(&points);
+    ignored.note(&mut data.notes);
+    with_triangles(data, &faces)
+}
+
+/// What is ignored in the file.
+#[derive(Default)]
+struct Ignored {
+    /// Faces that name texture coordinates, or normals, of which the file gives none.
+    never_given: [Tally; 2],
+    normals: Tally,
+    uvs: Tally,
+    groups: Tally,
+    curves: Tally,
+}
+
+impl Ignored {
+    fn note(&self, notes: &mut Vec<String>) {
+        let [uvs, normals] = &self.never_given;
+        uvs.note(
+            notes,
+            "a corner names a texture coordinate, but the file gives none: it is ignored",
+        );
+        normals.note(notes, "a corner names a normal, but the file gives none: it is ignored");
+        self.normals.note(notes, NO_NORMAL);
+        self.uvs.note(notes, NO_UV);
+        let groups = "`mtllib`, `usemtl` and `g` are ignored: the whole mesh has the material of its \
+            object";
+        self.groups.note(notes, groups);
+        self.curves.note(notes, "points, lines, curves and curved surfaces are ignored");
+    }
+}
+
+fn is_finite(numbers: &[f64]) -> bool {
+    numbers.iter().all(|x| x.is_finite())
+}
+
+/// What is wrong with the position of this index: it is used, but not finite.
+fn position_error(bytes: &[u8], index: u32) -> MeshFileError {
+    let is_position = |text: &[u8]| words(text).next() == Some(b"v");
+    let mut positions = statements(bytes).filter(|(_, text)| is_position(text));
+    let (line, text) = positions.nth(index as usize).expect("a position read before");
+    let axes = ["x", "y", "z"].into_iter().zip(words(&text).skip(1));
+    let is_wrong = |word: &[u8]| !parse_number(word).is_some_and(f64::is_finite);
+    let (axis, word) = axes.into_iter().find(|(_, word)| is_wrong(word)).expect("it is not finite");
+    MeshFileError::Value {
+        location: Location::Line(line),
+        property: axis.into(),
+        found: quoted(word),
+        expected: "a finite number",
+    }
 }
 
 /// The lines with their numbers, without comments; a line that ends with `\` continues on the next
@@ -66,7 +126,9 @@ fn statements(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
 
 /// The line before its comment.
 fn code(line: &[u8]) -> &[u8] {
-    line.split(|&b| b == b'#').next().unwrap_or_default().trim_ascii()
+    let mut signs = (0..line.len()).filter(|&at| line[at] == b'#');
+    let end = signs.find(|&at| !is_within_number(line, at)).unwrap_or(line.len());
+    line[..end].trim_ascii()
 }
 
 /// All points of the file, in file order.
@@ -78,7 +140,8 @@ struct Points {
 }
 
 impl Points {
-    fn read(bytes: &[u8]) -> Result<Points, MeshFileError> {
+    /// Reads them; those that are not numbers are kept as such.
+    fn read(bytes: &[u8], ignored: &mut Ignored) -> Result<Points, MeshFileError> {
         let mut points = Points::default();
         for (line, text) in statements(bytes) {
             let mut words = words(&text);
@@ -86,8 +149,24 @@ impl Points {
                 // a weight or colour after a position is ignored, and so is a third texture
                 // coordinate
                 Some(b"v") => points.positions.push(numbers(line, ["x", "y", "z"], words)?),
-                Some(b"vt") => points.uvs.push(uv(line, words)?),
-                Some(b"vn") => points.normals.push(numbers(line, ["nx", "ny", "nz"], words)?),
+                Some(b"vt") => {
+                    let uv = uv(line, words)?;
+                    if !is_finite(&uv) {
+                        ignored.uvs.add(|| Location::Line(line));
+                    }
+                    points.uvs.push(uv);
+                }
+                Some(b"vn") => {
+                    let normal = numbers(line, ["nx", "ny", "nz"], words)?;
+                    if !is_finite(&normal) {
+                        ignored.normals.add(|| Location::Line(line));
+                    }
+                    points.normals.push(normal);
+                }
+                Some(b"mtllib" | b"usemtl" | b"g") => ignored.groups.add(|| Location::Line(line)),
+                Some(b"p" | b"l" | b"curv" | b"curv2" | b"surf") => {
+                    ignored.curves.add(|| Location::Line(line));
+                }
                 _ => {}
             }
         }
@@ -111,8 +190,8 @@ fn numbers<'a, const N: usize>(
         let Some(word) = words.next() else {
             return Err(MeshFileError::MissingValue { location, property });
         };
-        let Some(number) = parse_word(word).filter(|number: &f64| number.is_finite()) else {
-            let (found, expected) = (quoted(word), "a finite number");
+        let Some(number) = parse_number(word) else {
+            let (found, expected) = (quoted(word), "a number");
             return Err(MeshFileError::Value { location, property, found, expected });
         };
         *value = number;
@@ -140,6 +219,7 @@ fn parse_corner(
     word: &[u8],
     before: [usize; 3],
     counts: [usize; 3],
+    ignored: &mut Ignored,
 ) -> Result<Corner, MeshFileError> {
     let expected = "a corner `v`, `v/vt`, `v//vn` or `v/vt/vn` of integers";
     let wrong = || MeshFileError::Syntax { line, found: quoted(word), expected };
@@ -152,6 +232,12 @@ fn parse_corner(
     }
     if indices[0].is_none() || parts.next().is_some() {
         return Err(wrong());
+    }
+    for kind in [1, 2] {
+        if indices[kind].is_some() && counts[kind] == 0 {
+            indices[kind] = None;
+            ignored.never_given[kind - 1].add(|| Location::Line(line));
+        }
     }
     let at = |kind: usize| {
         let index = indices[kind];

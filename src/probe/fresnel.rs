@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::numbers::{Real, Triple, triple, unit};
-use crate::invalid::{Invalid, direction, positive};
+use crate::invalid::{Invalid, direction, index_ratio};
 use crate::lobes::{fresnel, polarised, refract};
 use crate::math::Vector;
 
@@ -34,7 +34,7 @@ impl super::Question for Fresnel {
     type Answer = Answer;
 
     fn answer(&self) -> Result<Answer, Invalid> {
-        let eta = positive("eta", self.eta)?;
+        let eta = index_ratio("eta", self.eta)?;
         let (cos_i, refracted) = match (self.cos_i, self.wo, self.n) {
             (Some(cos_i), None, None) => {
                 if !(0.0..=1.0).contains(&cos_i) {

@@ -10,7 +10,7 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::{Kind, Texture, TexturePoint};
-use crate::invalid::{Invalid, not_negative};
+use crate::invalid::{Invalid, strength};
 use crate::resources::Resources;
 
 /// A number of a material, not negative: in scene files a number, or a texture whose red channel is
@@ -55,7 +55,7 @@ impl Amount {
     /// Checks the data of the field of this name and builds the number.
     pub(crate) fn build(&self, field: &str, resources: &mut Resources) -> Result<Value, Invalid> {
         match self {
-            Self::Plain(value) => not_negative(field, *value).map(Value::Plain),
+            Self::Plain(value) => strength(field, *value).map(Value::Plain),
             Self::Textured(kind) => {
                 kind.build(resources).map(Value::Textured).map_err(|e| e.inside(field))
             }

@@ -1,7 +1,7 @@
 //! Noise in the coordinates of a texture, shared by the noise textures (Suffern, ch. 31).
 
 use super::TexturePoint;
-use crate::invalid::{Invalid, length, not_negative};
+use crate::invalid::{Invalid, length, strength};
 use crate::math::{Point, floor};
 use crate::noise::{LatticeNoise, Noise};
 
@@ -40,7 +40,7 @@ pub(super) struct Range {
 impl Range {
     /// Checks the fields `min` and `max` of a texture.
     pub fn build(min: f64, max: f64) -> Result<Self, Invalid> {
-        Ok(Self { min: not_negative("min", min)?, max: not_negative("max", max)? })
+        Ok(Self { min: strength("min", min)?, max: strength("max", max)? })
     }
 
     /// `min + (max − min) value`.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::placing::{placed_lights, placed_materials, placed_objects};
+use super::placing::{placed_lights, placed_materials, placed_objects, reflectance_notes};
 use super::{Objects, World};
 use crate::accel::{Accel, Method};
 use crate::cameras::View;
@@ -62,7 +62,8 @@ impl World {
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
         let materials = placed_materials(scene, &mut resources)?;
-        let (objects, notes) = placed_objects(scene, resources, &materials)?;
+        let (objects, mut notes) = placed_objects(scene, resources, &materials)?;
+        notes.extend(reflectance_notes(&materials));
         let mut objects = Objects(objects);
         let lights = placed_lights(scene, &background, &materials, &mut objects.0)?;
         let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();

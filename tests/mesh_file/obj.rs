@@ -10,6 +10,11 @@ fn square(rest: &str) -> MeshData {
     parse_obj(format!("{SQUARE}{rest}").as_bytes()).unwrap()
 }
 
+/// The mesh of a file, without the notes on what was ignored.
+fn without_notes(bytes: &[u8]) -> MeshData {
+    MeshData { notes: Vec::new(), ..parse_obj(bytes).unwrap() }
+}
+
 /// The corner points of all triangles: they do not depend on how vertices are numbered.
 pub fn soup(mesh: &MeshData) -> Vec<[[f64; 3]; 3]> {
     mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i as usize])).collect()
@@ -85,14 +90,14 @@ fn comments_groups_materials_lines_and_line_ends_change_nothing() {
     let dressed = "mtllib no such file.mtl\no \nv 0 0 0 1.0 # weight\nv 1 0 0 0.5 0.5 0.5\n#v 9 9 9\n\
         v 1 1 0\n  v\t0 1 0  \ng a b\nusemtl \u{e4}\ns 1\nl 1 2 3\np 1\nvp 0.1\nf 1 2 \\\n3 # half\n\
         f 1// 3// 4//\ncstype bezier\nzzz\n";
-    assert_eq!(parse_obj(dressed.as_bytes()).unwrap(), expected);
+    assert_eq!(without_notes(dressed.as_bytes()), expected);
     for end in ["\r\n", "\r", " \n\n"] {
         let other = dressed.replace('\n', end).replace("\\ \n\n", "\\\n");
-        assert_eq!(parse_obj(other.as_bytes()).unwrap(), expected, "{end:?}");
+        assert_eq!(without_notes(other.as_bytes()), expected, "{end:?}");
     }
     assert_eq!(parse_obj(bare.trim_end().as_bytes()).unwrap(), expected, "no end of the last line");
     let latin1 = [b"g Z\xfcrich\n", bare.as_bytes()].concat();
-    assert_eq!(parse_obj(&latin1).unwrap(), expected);
+    assert_eq!(without_notes(&latin1), expected);
 }
 
 #[test]

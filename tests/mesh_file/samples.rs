@@ -53,7 +53,7 @@ pub fn ornate_pyramid_ply(encoding: Encoding) -> Vec<u8> {
         "element face 5",
         "property int32 flags",
         "property list uchar int vertex_index",
-        "property list int8 float texcoord",
+        "property list int8 float weights",
         "element tail 1",
         "property uint32 end",
     ]);

@@ -6,7 +6,8 @@ use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
 pub fn run(data: &[u8]) {
     let Ok(mesh) = parse_ply(data) else { return };
     super::obj::assert_in_order(&mesh, data.len());
-    let triangles = MeshData { faces: Vec::new(), ..mesh };
+    let (faces, first_at_position, notes) = (Vec::new(), Vec::new(), Vec::new());
+    let triangles = MeshData { faces, first_at_position, notes, ..mesh };
     for encoding in [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian] {
         let again =
             parse_ply(&write_ply(&triangles, encoding)).expect("what is written can be read");

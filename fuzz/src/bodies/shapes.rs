@@ -1,5 +1,5 @@
-//! Shapes. For any finite numbers: no panic, `t` inside the span, and the same hit for every span. For
-//! integers: hit or miss as in exact arithmetic, and where the exact `t` is a fraction, the nearest `f64`.
+//! Shapes. For any finite numbers: no panic; if the direction is from 1e-100 to 1e100 long, also `t` inside the
+//! span, and the same hit for every span. For integers: hit or miss as in exact arithmetic, and where the exact `t` is a fraction, the nearest `f64`.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -11,6 +11,9 @@ use groundtruth::shapes::{self, Candidate, Context, Kind, Shape};
 
 use super::exact::{self, Fraction, Side, Triple};
 use super::input::{Input, Mode, is_tame};
+
+/// The lengths of directions for which answers are promised.
+const LENGTHS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// Reads one shape and some rays.
 pub fn run(data: &[u8]) {
@@ -33,9 +36,12 @@ pub fn run(data: &[u8]) {
 fn one_answer(shape: &dyn Shape, ray: &Ray, span: Span, tame: bool) {
     let hit = shape.hit(ray, span);
     let shadow = shape.shadow_hit(ray, span);
+    let roots = shape.roots(ray, span);
+    if !LENGTHS.contains(&ray.direction.max_abs()) {
+        return; // no panic, and nothing more is promised (docs/accuracy.md)
+    }
     assert_eq!(hit.is_some(), shadow.is_some(), "`hit` and `shadow_hit` disagree");
     assert!(shadow.is_none_or(|t| span.contains(t)), "{shadow:?} is not in {span:?}");
-    let roots = shape.roots(ray, span);
     assert!(roots.iter().all(|root| span.contains(root.t)), "{roots:?} are not in {span:?}");
     assert!(roots.is_sorted_by(|a, b| a.t <= b.t), "{roots:?} are not in order");
     let Some(hit) = hit else { return };
@@ -162,6 +168,10 @@ fn triangle(ray: &Ray, o: Triple, d: Triple, corners: [Triple; 3]) {
         return assert_eq!(normal, [0; 3], "refused");
     };
     assert_ne!(normal, [0; 3], "accepted");
+    let in_plane = exact::dot(d, normal) == 0 && exact::dot(exact::minus(o, a), normal) == 0;
+    if in_plane {
+        return; // no hit or any of the shared points: both are right
+    }
     let hit = it.hit(ray, Span::AHEAD);
     let at = exact::triangle(o, d, corners).filter(|t| t.is_positive());
     // the shear divides by the largest component: exact for powers of two

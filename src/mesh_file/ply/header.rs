@@ -119,7 +119,7 @@ impl<'a> Header<'a> {
             let wrong =
                 |expected| MeshFileError::Syntax { line: number, found: quoted(line), expected };
             let keyword = words(line).next().unwrap_or_default();
-            if matches!(keyword, b"comment" | b"obj_info") {
+            if matches!(keyword, b"comment" | b"obj_info" | b"") {
                 continue; // often not UTF-8
             }
             let text = std::str::from_utf8(line).map_err(|_| wrong(KEYWORD))?;

@@ -2,16 +2,23 @@
 //!
 //! The header, a text, declares elements (`vertex`, `face`, …) and their properties; the body has
 //! the values in that order. The reader uses `x y z`, `nx ny nz` and the first complete pair of `u
-//! v`, `s t`, `texture_u texture_v`, `texture_s texture_t` of `vertex`, and the list
-//! `vertex_indices` or `vertex_index` of `face`. All other elements and properties are skipped.
+//! v`, `s t`, `texture_u texture_v`, `texture_s texture_t` of `vertex`, the list `vertex_indices` or
+//! `vertex_index` of `face` and `tristrips`, and the list `texcoord` of `face`, which goes before the
+//! coordinates of vertices. All other elements and properties are skipped.
 
+mod faces;
 mod header;
 mod values;
+mod wedges;
 mod write;
 
 use super::error::quoted;
 use super::faces::Faces;
-use super::{MeshData, MeshFileError, at_most_u32, with_triangles, without_byte_order_mark};
+use super::notes::{NO_NORMAL, NO_UV, Tally};
+use super::{
+    Location, MeshData, MeshFileError, at_most_u32, with_triangles, without_byte_order_mark,
+};
+use faces::{FaceReader, corner_list, texcoord_list};
 use header::{Element, Header, Property};
 use values::{Binary, Text, Values};
 
@@ -23,7 +30,7 @@ pub use write::write_ply;
 /// # Errors
 /// The first thing that is wrong; the message says where.
 pub fn parse_ply(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
-    let header = Header::parse(without_byte_order_mark(bytes))?;
+    let header = Header::parse(without_byte_order_mark(bytes)?)?;
     match header.encoding {
         Encoding::Ascii => parse_body(&header, Text::new(&header)),
         _ => parse_body(&header, Binary::new(&header)),
@@ -31,38 +38,115 @@ pub fn parse_ply(bytes: &[u8]) -> Result<MeshData, MeshFileError> {
 }
 
 fn parse_body(header: &Header, mut values: impl Values) -> Result<MeshData, MeshFileError> {
-    if header.elements.iter().any(|e| e.name == "tristrips") {
-        return Err(MeshFileError::TriangleStrips);
+    let vertices = unique_element(header, "vertex")?
+        .ok_or(MeshFileError::MissingElement { element: "vertex" })?;
+    let (polygons, strips) =
+        (unique_element(header, "face")?, unique_element(header, "tristrips")?);
+    if polygons.is_none() && strips.is_none() {
+        return Err(MeshFileError::MissingElement { element: "face" });
     }
-    let vertices = unique_element(header, "vertex")?;
-    let faces = unique_element(header, "face")?;
     at_most_u32("vertices", vertices.count)?;
-    let (columns, corners) = (Columns::find(vertices)?, corner_list(faces)?);
-    let (mut data, mut polygons) = (MeshData::default(), Faces::default());
+    let columns = Columns::find(vertices)?;
+    let corners_of_faces = polygons.map(|face| corner_list(face, "face")).transpose()?;
+    let corners_of_strips = strips.map(|strip| corner_list(strip, "tristrips")).transpose()?;
+    let texcoord = polygons.map(texcoord_list).transpose()?.flatten();
+    let (mut data, mut ignored) = (MeshData::default(), Ignored::default());
+    let mut reader = FaceReader::new(vertices.count);
     for element in &header.elements {
         check_declared_count(element, header.encoding, &values)?;
-        match element.name {
-            "vertex" => read_vertices(&mut data, &mut values, element, &columns)?,
-            "face" => polygons = read_faces(&mut values, element, corners, vertices.count)?,
-            _ => skip_element(&mut values, element)?,
+        match (element.name, corners_of_faces, corners_of_strips) {
+            ("vertex", ..) => {
+                read_vertices(&mut data, &mut values, element, &columns, &mut ignored)?;
+            }
+            ("face", Some(list), _) => {
+                reader.read_faces(&mut values, element, (list, texcoord), &mut ignored)?;
+            }
+            ("tristrips", _, Some(list)) => {
+                reader.read_strips(&mut values, element, list, &mut ignored)?;
+            }
+            _ => skip_element(&mut values, element, &mut ignored)?,
         }
     }
     if !values.remaining().trim_ascii().is_empty() {
         return Err(MeshFileError::LeftOver { left: values.remaining().len() });
     }
-    with_triangles(data, &polygons)
+    let FaceReader { mut faces, uvs_of_corners, .. } = reader;
+    ignored.replace_positions(&mut data, &faces)?;
+    wedges::apply(&uvs_of_corners, &mut data, &mut faces)?;
+    ignored.note(&mut data.notes);
+    with_triangles(data, &faces)
 }
 
-/// The element of this name; fails if there is none, or more than one.
+/// What is ignored in the body.
+#[derive(Default)]
+pub(super) struct Ignored {
+    surplus: Tally,
+    normals: Tally,
+    uvs: Tally,
+    corner_uvs: Tally,
+    positions: Tally,
+    /// The vertices whose positions are not finite, ascending, and their locations.
+    not_finite: Vec<(u32, Location)>,
+}
+
+impl Ignored {
+    /// Ends an element, and counts it if it has more values than the header declares.
+    fn end(&mut self, values: &mut impl Values) {
+        if values.end() {
+            self.surplus.add(|| values.location());
+        }
+    }
+
+    /// Replaces the positions that are not finite by one that is used; fails if a face uses one.
+    fn replace_positions(
+        &mut self,
+        data: &mut MeshData,
+        faces: &Faces,
+    ) -> Result<(), MeshFileError> {
+        if self.not_finite.is_empty() {
+            return Ok(());
+        }
+        for &corner in faces.corners() {
+            let position = data.vertices[corner as usize];
+            let Some(axis) = position.iter().position(|x| !x.is_finite()) else { continue };
+            let index = self.not_finite.partition_point(|(vertex, _)| *vertex < corner);
+            return Err(MeshFileError::Value {
+                location: self.not_finite[index].1.clone(),
+                property: ["x", "y", "z"][axis].into(),
+                found: position[axis].to_string(),
+                expected: "a finite number",
+            });
+        }
+        let used = faces.corners().first().map_or([0.0; 3], |&c| data.vertices[c as usize]);
+        for (vertex, location) in self.not_finite.drain(..) {
+            data.vertices[vertex as usize] = used;
+            self.positions.add(|| location);
+        }
+        Ok(())
+    }
+
+    fn note(&self, notes: &mut Vec<String>) {
+        let beyond = "the values beyond those that the header declares are ignored";
+        self.surplus.note(notes, beyond);
+        let unused = "a position that is not a finite number is ignored, because no face uses it";
+        self.positions.note(notes, unused);
+        self.normals.note(notes, NO_NORMAL);
+        self.uvs.note(notes, NO_UV);
+        let corners = "a face whose `texcoord` are not two finite numbers for each corner: they are \
+            ignored";
+        self.corner_uvs.note(notes, corners);
+    }
+}
+
+/// The element of this name; fails if there is more than one.
 fn unique_element<'a>(
     header: &'a Header,
     name: &'static str,
-) -> Result<&'a Element<'a>, MeshFileError> {
+) -> Result<Option<&'a Element<'a>>, MeshFileError> {
     let mut found = header.elements.iter().filter(|e| e.name == name);
-    let element = found.next().ok_or(MeshFileError::MissingElement { element: name })?;
-    match found.next() {
-        Some(_) => Err(MeshFileError::RepeatedElement { element: name }),
-        None => Ok(element),
+    match (found.next(), found.next()) {
+        (_, Some(_)) => Err(MeshFileError::RepeatedElement { element: name }),
+        (element, None) => Ok(element),
     }
 }
 
@@ -159,6 +243,7 @@ fn read_vertices(
     values: &mut impl Values,
     element: &Element,
     columns: &Columns,
+    ignored: &mut Ignored,
 ) -> Result<(), MeshFileError> {
     let capacity = element.count as usize; // at most the number of remaining bytes
     data.vertices = Vec::with_capacity(capacity);
@@ -169,94 +254,33 @@ fn read_vertices(
         let mut row = [0.0; COLUMNS];
         for (property, column) in element.properties.iter().zip(&columns.of_property) {
             match column {
-                Some(column) => row[*column] = finite(values, property)?,
+                Some(column) => row[*column] = values.value(property.scalar, property)?,
                 None => skip(values, property)?,
             }
         }
-        values.end()?;
+        ignored.end(values);
         let [x, y, z, nx, ny, nz, u, v] = row;
-        data.vertices.push([x, y, z]);
-        data.normals.iter_mut().for_each(|normals| normals.push([nx, ny, nz]));
-        data.uvs.iter_mut().for_each(|uvs| uvs.push([u, v]));
+        let (position, mut normal, mut uv) = ([x, y, z], [nx, ny, nz], [u, v]);
+        if !is_finite(&position) {
+            ignored.not_finite.push((index as u32, values.location()));
+        }
+        if !is_finite(&normal) {
+            normal = [0.0; 3];
+            ignored.normals.add(|| values.location());
+        }
+        if !is_finite(&uv) {
+            uv = [0.0; 2];
+            ignored.uvs.add(|| values.location());
+        }
+        data.vertices.push(position);
+        data.normals.iter_mut().for_each(|normals| normals.push(normal));
+        data.uvs.iter_mut().for_each(|uvs| uvs.push(uv));
     }
     Ok(())
 }
 
-fn finite(values: &mut impl Values, property: &Property) -> Result<f64, MeshFileError> {
-    let value = values.value(property.scalar, property)?;
-    if value.is_finite() {
-        return Ok(value);
-    }
-    Err(MeshFileError::Value {
-        location: values.location(),
-        property: quoted(property.name.as_bytes()),
-        found: value.to_string(),
-        expected: "a finite number",
-    })
-}
-
-/// The index of the property that lists a face's vertices.
-fn corner_list(face: &Element) -> Result<usize, MeshFileError> {
-    for name in ["vertex_indices", "vertex_index"] {
-        let Some(at) = property_index(face, "face", name)? else { continue };
-        let property = &face.properties[at];
-        if property.length.is_none() || !property.scalar.is_integer() {
-            let (element, property) = ("face", name.into());
-            let expected = "a list of integers, as `property list uchar int vertex_indices`";
-            return Err(MeshFileError::PropertyType { element, property, expected });
-        }
-        return Ok(at);
-    }
-    let property = "`vertex_indices` or `vertex_index`";
-    Err(MeshFileError::MissingProperty { element: "face", property })
-}
-
-fn read_faces(
-    values: &mut impl Values,
-    element: &Element,
-    corner_list: usize,
-    vertices: u64,
-) -> Result<Faces, MeshFileError> {
-    let mut faces = Faces::with_capacity(element.count as usize); // at most the remaining bytes
-    let mut corners = Vec::new();
-    for index in 0..element.count {
-        values.begin(element.name, index)?;
-        for (at, property) in element.properties.iter().enumerate() {
-            match property.length {
-                Some(length) if at == corner_list => {
-                    corners.clear();
-                    for _ in 0..values.length(length, property)? {
-                        corners.push(corner(values, property, vertices)?);
-                    }
-                }
-                _ => skip(values, property)?,
-            }
-        }
-        values.end()?;
-        faces.push(&corners, || values.location())?;
-    }
-    Ok(faces)
-}
-
-/// The next vertex index; fails if it is out of range.
-fn corner(
-    values: &mut impl Values,
-    property: &Property,
-    vertices: u64,
-) -> Result<u32, MeshFileError> {
-    let index = values.value(property.scalar, property)? as i64; // an integer of at most 32 bits
-    match u32::try_from(index) {
-        Ok(corner) if u64::from(corner) < vertices => Ok(corner),
-        _ => Err(MeshFileError::Index {
-            location: values.location(),
-            what: "vertex",
-            index,
-            allowed: match vertices {
-                0 => "there are no vertices".into(),
-                _ => format!("indices go from 0 to {}", vertices - 1),
-            },
-        }),
-    }
+fn is_finite(numbers: &[f64]) -> bool {
+    numbers.iter().all(|x| x.is_finite())
 }
 
 fn skip(values: &mut impl Values, property: &Property) -> Result<(), MeshFileError> {
@@ -268,14 +292,18 @@ fn skip(values: &mut impl Values, property: &Property) -> Result<(), MeshFileErr
 }
 
 /// Skips an unused element; without properties it has no bytes, whatever its count.
-fn skip_element(values: &mut impl Values, element: &Element) -> Result<(), MeshFileError> {
+fn skip_element(
+    values: &mut impl Values,
+    element: &Element,
+    ignored: &mut Ignored,
+) -> Result<(), MeshFileError> {
     if element.properties.is_empty() {
         return Ok(());
     }
     for index in 0..element.count {
         values.begin(element.name, index)?;
         element.properties.iter().try_for_each(|property| skip(values, property))?;
-        values.end()?;
+        ignored.end(values);
     }
     Ok(())
 }

@@ -3,6 +3,7 @@
 //! An `f64` represents every number type of PLY exactly, so each number is returned as `f64`.
 
 use super::super::error::quoted;
+use super::super::numbers::{parse_number, parse_single};
 use super::super::{Location, MeshFileError, parse_word};
 use super::header::{Encoding, Header, Property, Scalar};
 
@@ -11,8 +12,8 @@ pub(super) trait Values {
     /// Starts the next element; `name` and `index` are for messages.
     fn begin(&mut self, name: &str, index: u64) -> Result<(), MeshFileError>;
 
-    /// Ends the element; fails if a value is left.
-    fn end(&mut self) -> Result<(), MeshFileError>;
+    /// Ends the element, and returns whether values were left, which are ignored.
+    fn end(&mut self) -> bool;
 
     /// The next number, of type `scalar`; the property is for messages.
     fn value(&mut self, scalar: Scalar, property: &Property) -> Result<f64, MeshFileError>;
@@ -87,13 +88,8 @@ impl Values for Text<'_> {
         }
     }
 
-    fn end(&mut self) -> Result<(), MeshFileError> {
-        match self.next_word() {
-            Some(word) => {
-                Err(MeshFileError::SurplusValue { location: self.location(), found: quoted(word) })
-            }
-            None => Ok(()),
-        }
+    fn end(&mut self) -> bool {
+        self.next_word().is_some()
     }
 
     fn value(&mut self, scalar: Scalar, property: &Property) -> Result<f64, MeshFileError> {
@@ -108,8 +104,8 @@ impl Values for Text<'_> {
                 (parse_word::<u32>(word).map(f64::from), "an integer from 0 to 4294967295")
             }
             // rounded to f32: the same number as in a binary file
-            Scalar::F32 => (parse_word::<f32>(word).map(f64::from), "a number"),
-            Scalar::F64 => (parse_word::<f64>(word), "a number"),
+            Scalar::F32 => (parse_single(word), "a number"),
+            Scalar::F64 => (parse_number(word), "a number"),
         };
         value.ok_or_else(|| MeshFileError::Value {
             location: self.location(),
@@ -171,8 +167,8 @@ impl Values for Binary<'_> {
         Ok(())
     }
 
-    fn end(&mut self) -> Result<(), MeshFileError> {
-        Ok(())
+    fn end(&mut self) -> bool {
+        false
     }
 
     fn value(&mut self, scalar: Scalar, _: &Property) -> Result<f64, MeshFileError> {
