@@ -6,7 +6,6 @@ mod tone;
 
 use crate::rgb::Rgb;
 
-pub(crate) use files::decode_exr;
 pub use files::{ImageError, data_uri, read_exr, writable, write};
 pub use replace::{TEMPORARY, folder_of, replace, replaceable};
 pub use tone::{OutOfGamut, Tone};
