@@ -1,6 +1,6 @@
 //! Forms that real files have: what has one meaning loads, with a note on what was ignored.
 
-use exr::prelude::{
+use ::exr::prelude::{
     AnyChannel, AnyChannels, Encoding as ExrEncoding, FlatSamples, Image, IntegerBounds, Layer,
     LayerAttributes, Vec2, WritableImage,
 };
@@ -20,7 +20,7 @@ fn exr_of(names: &[&str], size: [usize; 2], at: [i32; 2], display: [usize; 2]) -
     let channels = AnyChannels::sort(names.iter().enumerate().map(channel).collect());
     let mut attributes = LayerAttributes::default();
     attributes.layer_position = Vec2(at[0], at[1]);
-    let layer = Layer::new(size, attributes, ExrEncoding::UNCOMPRESSED, channels);
+    let layer = Layer::new((size[0], size[1]), attributes, ExrEncoding::UNCOMPRESSED, channels);
     let mut image = Image::from_layer(layer);
     image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(display[0], display[1]));
     let mut bytes = std::io::Cursor::new(Vec::new());

@@ -66,7 +66,10 @@ fn errors_say_file_line_and_field() {
     let srgb = "{ image = { file = \"light.hdr\", encoding = \"srgb\" } }";
     let error = read(folder.path(), srgb, "1").expect_err("HDR is linear");
     assert!(error.contains("background.image.encoding: "), "{error}");
-    assert!(error.contains("light.hdr: the numbers of HDR and EXR files are linear"), "{error}");
+    assert!(
+        error.contains("light.hdr: the numbers of HDR, EXR and PFM files are linear"),
+        "{error}"
+    );
     let square = "{ image = { file = \"right.ppm\", mapping = \"square\" } }";
     let error = read(folder.path(), square, "1").expect_err("a sky is round");
     assert!(error.contains("`hemispherical`"), "`{error}` does not list the mappings");
