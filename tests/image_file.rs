@@ -6,8 +6,12 @@
 mod exr;
 #[path = "image_file/field.rs"]
 mod field;
+#[path = "image_file/files.rs"]
+mod files;
 #[path = "image_file/hdr.rs"]
 mod hdr;
+#[path = "image_file/jpeg.rs"]
+mod jpeg;
 #[path = "image_file/png.rs"]
 mod png;
 #[path = "image_file/pnm.rs"]

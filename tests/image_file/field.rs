@@ -28,7 +28,7 @@ fn exr_of(names: &[&str], size: [usize; 2], at: [i32; 2], display: [usize; 2]) -
     bytes.into_inner()
 }
 
-fn exr_named(names: &[&str]) -> Vec<u8> {
+pub fn exr_named(names: &[&str]) -> Vec<u8> {
     exr_of(names, [1, 1], [0, 0], [1, 1])
 }
 

@@ -11,11 +11,11 @@ use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::{SampleType, f16};
 
 use super::exr_layers::{self, Layer};
-use super::{Problem, check_size, radiance};
+use super::{Problem, Wrong, check_size, radiance};
 use crate::images::Texels;
 
 /// The layer `wanted`, or the only one. Texels outside the data window are black.
-pub fn decode(bytes: &[u8], wanted: Option<&str>, max_texels: u64) -> Result<Texels, Problem> {
+pub fn decode(bytes: &[u8], wanted: Option<&str>, max_texels: u64) -> Result<Texels, Wrong> {
     check_forms(bytes)?;
     let meta = MetaData::read_from_buffered(bytes, false).map_err(|e| of_crate(&e))?;
     let (layer, notes) = exr_layers::choose(&meta.headers, wanted)?;
@@ -28,13 +28,15 @@ pub fn decode(bytes: &[u8], wanted: Option<&str>, max_texels: u64) -> Result<Tex
             "{} of its {} texels are missing; it is damaged",
             header.layer_size.area() - picture.found,
             header.layer_size.area()
-        ));
+        )
+        .into());
     }
     let cropped = picture.cropped;
     let note =
         (cropped > 0).then(|| format!("{cropped} texels outside its display window are ignored"));
-    let [width, height] = picture.size.map(|length| length as u32);
-    Ok(radiance(width, height, picture.colors)?.with_notes(notes).with_notes(note))
+    let size = picture.size.map(|length| length as u32);
+    let channels = if layer.is_grey() { 1 } else { 3 };
+    Ok(radiance(size, channels, picture.colors)?.with_notes(notes).with_notes(note))
 }
 
 /// The texels of the display window, while blocks are read.

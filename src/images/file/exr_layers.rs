@@ -3,7 +3,7 @@
 use exr::meta::header::Header;
 use exr::prelude::ChannelDescription;
 
-use super::Problem;
+use super::{Problem, Wrong};
 
 /// Three channels of one part of a file, or one for all three.
 pub struct Layer {
@@ -16,9 +16,16 @@ pub struct Layer {
     view: Option<String>,
 }
 
+impl Layer {
+    /// Whether one channel is the image.
+    pub fn is_grey(&self) -> bool {
+        self.channels[0] == self.channels[1]
+    }
+}
+
 /// The layer of this name, or the only one; the main image (of channels without a prefix) precedes named
 /// ones.
-pub fn choose(headers: &[Header], wanted: Option<&str>) -> Result<(Layer, Vec<String>), Problem> {
+pub fn choose(headers: &[Header], wanted: Option<&str>) -> Result<(Layer, Vec<String>), Wrong> {
     let colors = all(headers, colors_of);
     let greys = all(headers, grey_of);
     if let Some(wanted) = wanted {
@@ -26,9 +33,15 @@ pub fn choose(headers: &[Header], wanted: Option<&str>) -> Result<(Layer, Vec<St
         let (mut fit, others): (Vec<_>, Vec<_>) =
             layers.partition(|layer| layer.name == wanted || layer.view.as_deref() == Some(wanted));
         return match fit.len() {
-            0 => Err(format!("it has no layer `{wanted}`; it has {}", names(&others))),
+            0 => {
+                let others = names(&others);
+                Err(Wrong::layer(format!("it has no layer `{wanted}`; it has {others}")))
+            }
             1 => Ok((fit.remove(0), Vec::new())),
-            _ => Err(format!("`{wanted}` can be each of {}; name one of them", names(&fit))),
+            _ => {
+                let fit = names(&fit);
+                Err(Wrong::layer(format!("`{wanted}` can be each of {fit}; name one of them")))
+            }
         };
     }
     let mut layers = if colors.is_empty() { greys } else { colors };
@@ -38,9 +51,12 @@ pub fn choose(headers: &[Header], wanted: Option<&str>) -> Result<(Layer, Vec<St
         return Ok((main, if layers.is_empty() { Vec::new() } else { vec![note] }));
     }
     match layers.len() {
-        0 => Err(without_colors(headers)),
+        0 => Err(without_colors(headers).into()),
         1 => Ok((layers.remove(0), Vec::new())),
-        _ => Err(format!("it has several layers; choose one: layer = {}", names(&layers))),
+        _ => {
+            let layers = names(&layers);
+            Err(Wrong::layer(format!("it has several layers; choose one: layer = {layers}")))
+        }
     }
 }
 

@@ -54,6 +54,25 @@ const MAX_MEMORY: u64 = 28;
 /// What is wrong with a file, and what would be right.
 type Problem = String;
 
+/// A problem, and the field of a scene that it is about.
+#[derive(Debug, PartialEq)]
+struct Wrong {
+    field: &'static str,
+    problem: Problem,
+}
+
+impl Wrong {
+    fn layer(problem: Problem) -> Self {
+        Self { field: "layer", problem }
+    }
+}
+
+impl From<Problem> for Wrong {
+    fn from(problem: Problem) -> Self {
+        Self { field: "file", problem }
+    }
+}
+
 /// The formats, by their first bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
@@ -108,7 +127,8 @@ pub fn read(
         let problem = "only EXR files have layers; leave `layer` out";
         return Err(wrong("layer", problem.to_owned()));
     }
-    decode_layer(&bytes, encoding, layer, max_texels).map_err(|problem| wrong("file", problem))
+    decode_format(format, &bytes, encoding, layer, max_texels)
+        .map_err(|Wrong { field, problem }| wrong(field, problem))
 }
 
 /// The texels of the bytes of a file, at most `max_texels`. HDR, EXR and PFM are linear, whatever
@@ -131,13 +151,25 @@ pub fn decode_layer(
     max_texels: u64,
 ) -> Result<Texels, String> {
     let format = Format::of(bytes)?;
-    guard::guarded(|| match format {
-        Format::Png => png::decode(bytes, encoding, max_texels),
-        Format::Jpeg => jpeg::decode(bytes, encoding, max_texels),
-        Format::Pnm => pnm::decode(bytes, encoding, max_texels),
-        Format::Hdr => hdr::decode(bytes, max_texels),
-        Format::Exr => exr::decode(bytes, layer, max_texels),
-        Format::Pfm => pfm::decode(bytes, max_texels),
+    decode_format(format, bytes, encoding, layer, max_texels).map_err(|wrong| wrong.problem)
+}
+
+fn decode_format(
+    format: Format,
+    bytes: &[u8],
+    encoding: Option<Encoding>,
+    layer: Option<&str>,
+    max_texels: u64,
+) -> Result<Texels, Wrong> {
+    guard::guarded(|| {
+        Ok(match format {
+            Format::Png => png::decode(bytes, encoding, max_texels)?,
+            Format::Jpeg => jpeg::decode(bytes, encoding, max_texels)?,
+            Format::Pnm => pnm::decode(bytes, encoding, max_texels)?,
+            Format::Hdr => hdr::decode(bytes, max_texels)?,
+            Format::Exr => exr::decode(bytes, layer, max_texels)?,
+            Format::Pfm => pfm::decode(bytes, max_texels)?,
+        })
     })
 }
 
@@ -264,8 +296,12 @@ fn colors(
 }
 
 /// Radiance from a file; fails unless it is finite. Negative values, which filters leave beside bright
-/// texels, become 0.
-fn radiance(width: u32, height: u32, mut colors: Vec<[f32; 3]>) -> Result<Texels, Problem> {
+/// texels, become 0. `channels` is 1 for grey, whose values stand three times in `colors`, and else 3.
+fn radiance(
+    [width, height]: [u32; 2],
+    channels: u64,
+    mut colors: Vec<[f32; 3]>,
+) -> Result<Texels, Problem> {
     if let Some(at) = colors.iter().position(|color| !color.iter().all(|c| c.is_finite())) {
         let (column, row) = (at % width as usize, at / width as usize);
         return Err(format!(
@@ -280,6 +316,7 @@ fn radiance(width: u32, height: u32, mut colors: Vec<[f32; 3]>) -> Result<Texels
         lowest = lowest.min(*value);
         *value = 0.0;
     }
+    count = count * channels / 3;
     let note =
         (count > 0).then(|| format!("{count} values below 0, the lowest {lowest}, are taken as 0"));
     Ok(Texels::new(width, height, colors).with_notes(note))

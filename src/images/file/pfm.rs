@@ -33,7 +33,7 @@ pub fn decode(bytes: &[u8], max_texels: u64) -> Result<Texels, Problem> {
         }));
     }
     let note = (scale.abs() != 1.0).then(|| format!("its scale of {scale} is ignored"));
-    let texels = radiance(width as u32, height as u32, colors)?;
+    let texels = radiance([width as u32, height as u32], channels, colors)?;
     Ok(texels.with_notes(note).with_notes(after_the_end(after)))
 }
 

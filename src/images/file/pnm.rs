@@ -17,6 +17,11 @@ pub fn decode(
     let bytes = without_comments(bytes);
     let (raster, header) = PnmDecoder::new(Cursor::new(&bytes[..])).map_err(damaged)?.into_inner();
     check_size([header.width(), header.height()].map(u64::from), max_texels)?;
+    let raster = &bytes[raster.position() as usize..];
+    let raster = match raster_bytes(bytes[1], &header) {
+        Some(expected) if raster.len() != expected => behind_comments(raster, expected),
+        _ => raster,
+    };
     let (unscaled, largest) = unscaled(header);
     let mut start = Vec::new();
     unscaled.write(&mut start).expect("nothing fails that is written to memory");
@@ -30,7 +35,8 @@ pub fn decode(
 
 /// The same file without comments, which the decoder does not accept everywhere: from `#` to the end of
 /// the line, in the header, and in all of a file whose samples are text. In a binary file a comment may
-/// stand directly after the last number of the header; behind white space, a `#` is a sample.
+/// stand directly after the last number of the header; for one behind white space see
+/// [`behind_comments`].
 fn without_comments(bytes: &[u8]) -> Vec<u8> {
     let (mut rest, mut kept) = (bytes, Vec::with_capacity(bytes.len()));
     let is_text = matches!(bytes[1], b'1'..=b'3');
@@ -54,6 +60,29 @@ fn without_comments(bytes: &[u8]) -> Vec<u8> {
         }
     }
     kept
+}
+
+/// The length of binary samples.
+fn raster_bytes(format: u8, header: &PnmHeader) -> Option<usize> {
+    let (width, height) = (header.width() as usize, header.height() as usize);
+    let sample = if header.maximal_sample() < 256 { 1 } else { 2 };
+    match format {
+        b'4' => Some(width.div_ceil(8) * height),
+        b'5' => Some(width * height * sample),
+        b'6' => Some(3 * width * height * sample),
+        _ => None,
+    }
+}
+
+/// Without the lines of comments that some programs write before binary samples. A `#` there may be a
+/// sample as well: it begins a comment only if exactly the samples follow.
+fn behind_comments(raster: &[u8], expected: usize) -> &[u8] {
+    let mut rest = raster;
+    while rest.len() > expected && rest.first() == Some(&b'#') {
+        let Some(end) = rest.iter().position(|byte| *byte == b'\n') else { break };
+        rest = &rest[end + 1..];
+    }
+    if rest.len() == expected { rest } else { raster }
 }
 
 /// The same header with the largest maxval of the same number of bytes, and the sample that means
