@@ -27,7 +27,7 @@ pub fn decode(bytes: &[u8], max_texels: u64) -> Result<Texels, Problem> {
     };
     let color = |c: [f32; 3]| std::array::from_fn(|i| (f64::from(c[i]) / factor[i]) as f32);
     let colors = image.pixels().map(|pixel| color(pixel.0)).collect();
-    Ok(radiance(header.width, header.height, colors)?.with_notes(after_the_end(after)))
+    Ok(radiance([header.width, header.height], 3, colors)?.with_notes(after_the_end(after)))
 }
 
 /// The signature that the decoder accepts; `#?RGBE` is valid, too.
