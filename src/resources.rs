@@ -9,7 +9,7 @@ use crate::invalid::Invalid;
 use crate::mesh_file::{self, MeshData};
 
 /// The most bytes in the mesh files of one scene: more would take gigabytes, because they are read whole.
-const MAX_BYTES: u64 = 1 << 28;
+const MAX_BYTES: u64 = mesh_file::MAX_BYTES;
 /// The most texels in its images, of 12 bytes each.
 const MAX_TEXELS: u64 = 1 << 26;
 
@@ -19,7 +19,7 @@ pub struct Resources {
     folder: PathBuf,
     meshes: HashMap<PathBuf, Arc<MeshData>>,
     bytes: u64,
-    images: HashMap<(PathBuf, Option<Encoding>), Arc<Texels>>,
+    images: HashMap<(PathBuf, Option<Encoding>, Option<String>), Arc<Texels>>,
     drawn: HashMap<Drawn, Arc<Texels>>,
     texels: u64,
     /// The number of images that use the surface's own texture coordinates.
@@ -56,7 +56,12 @@ impl Resources {
     }
 
     fn note_all(&mut self, path: &Path, notes: &[String]) {
-        self.notes.extend(notes.iter().map(|note| format!("{}: {note}", path.display())));
+        for note in notes.iter().map(|note| format!("{}: {note}", path.display())) {
+            // a file may be read twice, with two encodings
+            if !self.notes.contains(&note) {
+                self.notes.push(note);
+            }
+        }
     }
 
     /// The number of images so far that use the surface's own texture coordinates.
@@ -78,9 +83,14 @@ impl Resources {
         file: Option<&Path>,
         drawn: Option<Drawn>,
         encoding: Option<Encoding>,
+        layer: Option<&str>,
     ) -> Result<Arc<Texels>, Invalid> {
         match (file, drawn) {
-            (Some(file), None) => self.image(file, encoding),
+            (Some(file), None) => self.image(file, encoding, layer),
+            (None, Some(_)) if layer.is_some() => {
+                let problem = "a drawn image has no layers; leave it out";
+                Err(Invalid::field("layer", problem))
+            }
             (None, Some(_)) if encoding.is_some() => {
                 let problem = "a drawn image is linear; the encoding of a file alone can be said";
                 Err(Invalid::field("encoding", problem))
@@ -96,18 +106,22 @@ impl Resources {
     /// The texels of an image file.
     ///
     /// # Errors
-    /// [`Invalid`] of the field `file`, or `encoding`.
-    fn image(&mut self, file: &Path, encoding: Option<Encoding>) -> Result<Arc<Texels>, Invalid> {
-        let key = (self.folder.join(file), encoding);
+    /// [`Invalid`] of the field `file`, `encoding` or `layer`.
+    fn image(
+        &mut self,
+        file: &Path,
+        encoding: Option<Encoding>,
+        layer: Option<&str>,
+    ) -> Result<Arc<Texels>, Invalid> {
+        let key = (self.folder.join(file), encoding, layer.map(str::to_owned));
         if let Some(known) = self.images.get(&key) {
             return Ok(Arc::clone(known));
         }
         let left = MAX_TEXELS - self.texels;
-        let texels = images::read(&key.0, encoding, left).map_err(|e| {
-            let field = if e.wrong_encoding { "encoding" } else { "file" };
-            Invalid::field(field, e.to_string())
-        })?;
+        let texels = images::read(&key.0, encoding, layer, left)
+            .map_err(|e| Invalid::field(e.field, e.to_string()))?;
         self.texels += u64::from(texels.width()) * u64::from(texels.height());
+        self.note_all(&key.0, texels.notes());
         let texels = Arc::new(texels);
         self.images.insert(key, Arc::clone(&texels));
         Ok(texels)

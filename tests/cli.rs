@@ -61,11 +61,11 @@ const ERRORS: &[(&[&str], &str)] = &[
     (&["render", ".", "-o", "a.png"], "error: .: cannot be read: Is a directory (os error 21)"),
     (
         &["render", "ch03/single-sphere", "-o", "a.jpg"],
-        "error: a.jpg: unknown picture format; end the name with .png or .exr",
+        "error: a.jpg: unknown picture format; end the name with .png, .ppm, .exr or .pfm",
     ),
     (
         &["render", "ch03/single-sphere", "-o", "."],
-        "error: .: unknown picture format; end the name with .png or .exr",
+        "error: .: unknown picture format; end the name with .png, .ppm, .exr or .pfm",
     ),
     (
         &["render", "ch03/single-sphere", "-o", "no/a.png"],

@@ -22,7 +22,7 @@ use crate::textures::{Filtering, Mapping, Rule, Sampling};
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "SkyByImage", example = example())]
 pub struct Image {
-    /// The file, relative to the scene file: PNG, PPM, HDR or EXR. Either this, or `drawn`.
+    /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. Either this, or `drawn`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// In place of a file: an image drawn by a formula.
@@ -34,9 +34,13 @@ pub struct Image {
     /// Which texels count; the nearest if left out.
     #[serde(default)]
     pub filtering: Filtering,
-    /// What the numbers of a PNG or PPM file mean; `srgb` if left out. Those of HDR and EXR are linear.
+    /// What the numbers of a PNG, JPEG or PPM file mean; `srgb` if left out. Those of HDR, EXR and PFM are
+    /// linear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,
+    /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub layer: Option<String>,
     /// The factor from the image's colours to radiance; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
@@ -91,7 +95,16 @@ impl Image {
 
     fn empty(mapping: Dome) -> Self {
         let (filtering, ls, rotate_y) = (Filtering::Nearest, 1.0, 0.0);
-        Self { file: None, drawn: None, mapping, filtering, encoding: None, ls, rotate_y }
+        Self {
+            file: None,
+            drawn: None,
+            mapping,
+            filtering,
+            encoding: None,
+            layer: None,
+            ls,
+            rotate_y,
+        }
     }
 
     /// Checks the data and builds.
@@ -99,7 +112,8 @@ impl Image {
     /// # Errors
     /// [`Invalid`] names the field that does not fit.
     pub(super) fn build(&self, resources: &mut Resources) -> Result<ImageSky, Invalid> {
-        let texels = resources.texels(self.file.as_deref(), self.drawn, self.encoding)?;
+        let (file, layer) = (self.file.as_deref(), self.layer.as_deref());
+        let texels = resources.texels(file, self.drawn, self.encoding, layer)?;
         let degrees = finite("rotate_y", self.rotate_y)?;
         let turn = Transform::from_steps(&[Step::RotateY(degrees)]).expect("a turn has an inverse");
         let (filtering, wraps) = (self.filtering, Mapping::from(self.mapping).wraps());

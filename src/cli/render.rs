@@ -19,7 +19,7 @@ use super::{Answer, Outcome};
 pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The picture file: .png for display, .exr for linear radiance
+    /// The picture file: .png or .ppm for display, .exr or .pfm for linear radiance
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Render only a part: X,Y,WxH from the top left

@@ -1,10 +1,11 @@
-//! Picture files: PNG for viewing, EXR for linear radiance.
+//! Picture files: PNG and PPM for viewing, EXR and PFM for linear radiance.
 
-use std::io::{BufWriter, Cursor, Write};
+use std::io::{BufWriter, Cursor};
 use std::path::{Path, PathBuf};
 
 use exr::prelude::{Image as ExrImage, ReadChannels, ReadLayers, SpecificChannels, WritableImage};
 
+use super::replace::{replace, replaceable};
 use super::{Film, Tone};
 use crate::rgb::Rgb;
 
@@ -13,7 +14,7 @@ use crate::rgb::Rgb;
 #[non_exhaustive]
 pub enum ImageError {
     /// The name does not say which format.
-    #[error("{}: unknown picture format; end the name with .png or .exr", path.display())]
+    #[error("{}: unknown picture format; end the name with .png, .ppm, .exr or .pfm", path.display())]
     Format {
         /// The file.
         path: PathBuf,
@@ -36,17 +37,40 @@ pub enum ImageError {
     },
 }
 
-/// Writes a picture: `.png` as shown by `tone`, `.exr` as linear radiance in single precision. It is
-/// written to a temporary file in the same folder and then renamed, so never partly.
+/// The formats of picture files, by the ends of their names.
+#[derive(Clone, Copy)]
+enum Format {
+    Png,
+    Ppm,
+    Exr,
+    Pfm,
+}
+
+impl Format {
+    fn of(path: &Path) -> Result<Self, ImageError> {
+        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            Some("png") => Ok(Self::Png),
+            Some("ppm") => Ok(Self::Ppm),
+            Some("exr") => Ok(Self::Exr),
+            Some("pfm") => Ok(Self::Pfm),
+            _ => Err(ImageError::Format { path: path.to_owned() }),
+        }
+    }
+}
+
+/// Writes a picture: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear radiance in
+/// single precision. It is written to a temporary file in the same folder and then renamed, so never
+/// partly.
 ///
 /// # Errors
 /// [`ImageError::Format`] and [`ImageError::Unwritable`].
 pub fn write(film: &Film, tone: &Tone, path: &Path) -> Result<(), ImageError> {
-    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
-    let bytes = match extension.as_deref() {
-        Some("png") => png(film, tone),
-        Some("exr") => exr(film),
-        _ => return Err(ImageError::Format { path: path.to_owned() }),
+    let bytes = match Format::of(path)? {
+        Format::Png => png(film, tone),
+        Format::Ppm => Ok(ppm(film, tone)),
+        Format::Exr => exr(film),
+        Format::Pfm => Ok(pfm(film)),
     };
     let unwritable = |source| ImageError::Unwritable { path: path.to_owned(), source };
     replace(path, &bytes.map_err(unwritable)?).map_err(unwritable)
@@ -57,44 +81,25 @@ pub fn write(film: &Film, tone: &Tone, path: &Path) -> Result<(), ImageError> {
 /// # Errors
 /// As [`write()`].
 pub fn writable(path: &Path) -> Result<(), ImageError> {
-    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
-    if !matches!(extension.as_deref(), Some("png" | "exr")) {
-        return Err(ImageError::Format { path: path.to_owned() });
+    Format::of(path)?;
+    replaceable(path).map_err(|source| ImageError::Unwritable { path: path.to_owned(), source })
+}
+
+/// Netpbm's binary form with one byte a sample: the bytes of the PNG.
+fn ppm(film: &Film, tone: &Tone) -> Vec<u8> {
+    let mut bytes = format!("P6\n{} {}\n255\n", film.width(), film.height()).into_bytes();
+    bytes.extend(film.pixels().iter().flat_map(|&pixel| tone.to_bytes(pixel)));
+    bytes
+}
+
+/// Rows from the bottom up; a negative scale says that the least significant byte comes first.
+fn pfm(film: &Film) -> Vec<u8> {
+    let mut bytes = format!("PF\n{} {}\n-1.0\n", film.width(), film.height()).into_bytes();
+    for row in film.pixels().chunks_exact(film.width() as usize).rev() {
+        let samples = row.iter().flat_map(|pixel| pixel.to_array());
+        bytes.extend(samples.flat_map(|c| (c as f32).to_le_bytes()));
     }
-    let probe = temporary_beside(path).map(drop);
-    let not_a_file = || std::io::Error::other("it is a folder");
-    let probe = if path.is_dir() { Err(not_a_file()) } else { probe };
-    probe.map_err(|source| ImageError::Unwritable { path: path.to_owned(), source })
-}
-
-/// The folder that a file stands in: `.` for a bare file name.
-pub fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// A temporary file in the same folder, deleted unless it is renamed.
-fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
-    let file = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(folder_of(path));
-    // without the name of the temporary file, which the user does not know
-    file.map_err(|error| {
-        let text = error.to_string();
-        let reason = text.split_once(" at path ").map_or(text.as_str(), |(reason, _)| reason);
-        std::io::Error::new(error.kind(), reason)
-    })
-}
-
-/// Replaces a file by `bytes`, completely or not at all.
-pub fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut temporary = temporary_beside(path)?;
-    temporary.write_all(bytes)?;
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // temporary files are readable by their owner only; pictures by everyone
-        temporary.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))?;
-    }
-    temporary.persist(path).map_err(|e| e.error)?;
-    Ok(())
+    bytes
 }
 
 fn png(film: &Film, tone: &Tone) -> std::io::Result<Vec<u8>> {
@@ -143,7 +148,7 @@ pub fn read_exr(path: &Path) -> Result<Film, ImageError> {
 ///
 /// # Errors
 /// What is wrong with them.
-pub(crate) fn decode_exr<P: 'static>(
+fn decode_exr<P: 'static>(
     bytes: &[u8],
     create: impl Fn([u32; 2]) -> P + 'static,
     set: impl Fn(&mut P, [u32; 2], [f32; 3]) + 'static,

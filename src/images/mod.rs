@@ -6,7 +6,7 @@ mod file;
 use crate::rgb::Rgb;
 
 pub use drawn::{Drawn, Picture};
-pub use file::{Encoding, ImageFileError, decode, read};
+pub use file::{Encoding, ImageFileError, decode, decode_layer, read};
 
 /// The colours of an image, linear, in single precision.
 #[derive(Debug)]
@@ -15,6 +15,7 @@ pub struct Texels {
     height: u32,
     /// From the top row down, from left to right.
     colors: Vec<[f32; 3]>,
+    notes: Vec<String>,
 }
 
 impl Texels {
@@ -25,7 +26,19 @@ impl Texels {
     pub fn new(width: u32, height: u32, colors: Vec<[f32; 3]>) -> Self {
         assert_eq!(colors.len() as u64, u64::from(width) * u64::from(height), "a colour each");
         assert!(!colors.is_empty(), "an image has at least one texel");
-        Self { width, height, colors }
+        Self { width, height, colors, notes: Vec::new() }
+    }
+
+    /// The same image, with these notes after those that it has.
+    #[must_use]
+    pub fn with_notes(mut self, notes: impl IntoIterator<Item = String>) -> Self {
+        self.notes.extend(notes);
+        self
+    }
+
+    /// What was ignored or clamped in its file, in sentences for the user.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// The number of columns.

@@ -19,6 +19,7 @@ mod numbers;
 mod obj;
 mod ply;
 
+use std::io::Read;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -61,10 +62,33 @@ pub fn read(path: &Path) -> Result<MeshData, MeshFileError> {
         Some("obj") => parse_obj,
         _ => return Err(MeshFileError::Extension { path: path.into() }),
     };
-    let bytes = std::fs::read(path)
+    let bytes = read_bytes(path)
         .map_err(|source| MeshFileError::Unreadable { path: path.into(), source })?;
     parse(&bytes)
         .map_err(|source| MeshFileError::InFile { path: path.into(), source: Box::new(source) })
+}
+
+/// The maximum size of a file, in bytes.
+pub const MAX_BYTES: u64 = 1 << 28;
+
+/// All bytes of a file; fails if it is none, such as an endless device, or is too large.
+fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    let problem = std::io::Error::other::<String>;
+    let metadata = std::fs::metadata(path)?;
+    if !metadata.is_file() {
+        return Err(problem("not a file".to_owned()));
+    }
+    let mut bytes = Vec::new();
+    if metadata.len() <= MAX_BYTES {
+        bytes.try_reserve_exact(metadata.len() as usize)?;
+        // it may grow while it is read
+        std::fs::File::open(path)?.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    }
+    let size = metadata.len().max(bytes.len() as u64);
+    if size > MAX_BYTES {
+        return Err(problem(format!("{size} bytes are too many; at most {MAX_BYTES} fit")));
+    }
+    Ok(bytes)
 }
 
 /// Adds the triangles of the faces; fails if there are none or more than `u32::MAX`.

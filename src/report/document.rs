@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::html::escaped;
 use super::{Provenance, Report};
-use crate::film::replace;
+use crate::film::{TEMPORARY, replace};
 
 const STYLE: &str = "\
 body { font: 16px/1.45 Georgia, 'Times New Roman', serif; color: #111; background: #fff; \
@@ -129,7 +129,7 @@ pub fn check_folder(folder: &Path) -> io::Result<()> {
             return Err(unwritable(&folder.join(name), &io::Error::other("it is a folder")));
         }
     }
-    let probe = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(known);
+    let probe = tempfile::Builder::new().prefix(TEMPORARY).tempfile_in(known);
     probe.map(drop).map_err(|e| unwritable(folder, &io::Error::from(e.kind())))
 }
 

@@ -20,7 +20,7 @@ use crate::rgb::Rgb;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Image {
-    /// The file, relative to the scene file: PNG, PPM, HDR or EXR. An alpha channel is ignored.
+    /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. An alpha channel is ignored.
     /// Either this, or `drawn`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
@@ -48,9 +48,12 @@ pub struct Image {
     /// The part of the image that each texel covers.
     #[serde(default)]
     pub rule: Rule,
-    /// How a PNG or PPM file encodes colours; `srgb` if left out. HDR and EXR files are linear.
+    /// How a PNG, JPEG or PPM file encodes colours; `srgb` if left out. HDR, EXR and PFM files are linear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,
+    /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub layer: Option<String>,
 }
 
 impl Image {
@@ -75,6 +78,7 @@ impl Image {
             wrap_v: None,
             rule: Rule::Even,
             encoding: None,
+            layer: None,
         }
     }
 }
@@ -92,7 +96,8 @@ impl Specification for Image {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        let texels = resources.texels(self.file.as_deref(), self.drawn, self.encoding)?;
+        let (file, layer) = (self.file.as_deref(), self.layer.as_deref());
+        let texels = resources.texels(file, self.drawn, self.encoding, layer)?;
         if self.mapping.is_none() {
             resources.use_uv();
         }

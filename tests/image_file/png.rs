@@ -153,7 +153,7 @@ fn every_damage_is_found() {
     assert_refused("cut", &whole[..whole.len() - 12], "the file ends before its last chunk");
 }
 
-/// Law: a wrong checksum of the uncompressed data is refused, and so are bytes after the last chunk.
+/// Law: a wrong checksum of the uncompressed data is refused; bytes after the last chunk are noted.
 /// Oracle: the text.
 #[test]
 fn damage_that_chunk_checksums_miss_is_refused() {
@@ -165,7 +165,8 @@ fn damage_that_chunk_checksums_miss_is_refused() {
     };
     let whole = file(&data);
     assert_eq!(linear(&whole).len(), 3);
-    assert_refused("more", &[&whole[..], b"more"].concat(), "4 bytes follow its last chunk");
+    let longer = decode(&[&whole[..], b"more"].concat(), None, MAX).expect("the image is whole");
+    assert_eq!(longer.notes(), ["4 bytes after its end are ignored"]);
     *data.last_mut().expect("a checksum") ^= 1;
     assert_refused("checksum", &file(&data), "its data have a wrong checksum");
     data.pop();
@@ -215,5 +216,16 @@ fn huge_sizes_are_refused_at_once() {
         let (depth, color, interlaced, rows) = (16, RGBA, false, vec![]);
         let png = Png { size, depth, color, interlaced, extra: Vec::new(), rows };
         assert_refused("huge", &png.bytes(), "are too many; at most 1048576 more fit");
+    }
+}
+
+/// Law: a palette whose length is no multiple of 3, or that is empty, is refused. Oracle: the text.
+#[test]
+fn palettes_of_odd_lengths_are_refused() {
+    for length in [0, 1, 2, 4, 5, 767, 769, 771] {
+        let extra = vec![chunk(b"PLTE", &vec![0; length])];
+        let (size, depth, color, interlaced, rows) = ([1, 1], 8, PALETTE, false, vec![&[0_u8][..]]);
+        let png = Png { size, depth, color, interlaced, extra, rows };
+        assert_refused("palette", &png.bytes(), "its palette (PLTE) has");
     }
 }

@@ -66,13 +66,65 @@ fn errors_say_file_line_and_field() {
     let srgb = "{ image = { file = \"light.hdr\", encoding = \"srgb\" } }";
     let error = read(folder.path(), srgb, "1").expect_err("HDR is linear");
     assert!(error.contains("background.image.encoding: "), "{error}");
-    assert!(error.contains("light.hdr: the numbers of HDR and EXR files are linear"), "{error}");
+    assert!(
+        error.contains("light.hdr: the numbers of HDR, EXR and PFM files are linear"),
+        "{error}"
+    );
     let square = "{ image = { file = \"right.ppm\", mapping = \"square\" } }";
     let error = read(folder.path(), square, "1").expect_err("a sky is round");
     assert!(error.contains("`hemispherical`"), "`{error}` does not list the mappings");
     let folder_itself = "{ image = { file = \".\" } }";
     let error = read(folder.path(), folder_itself, "1").expect_err("it is a folder");
     assert!(error.contains("not a file"), "{error}");
+}
+
+/// Law: an EXR of several layers, or without the one that is named, is an error of the field `layer`, which
+/// lists them; with a right `layer` it loads. Oracle: the text.
+#[test]
+fn a_layer_is_chosen_by_its_field() {
+    let folder = folder("layers");
+    let names = ["a.R", "a.G", "a.B", "b.R", "b.G", "b.B"];
+    std::fs::write(folder.path().join("two.exr"), super::field::exr_named(&names))
+        .expect("written");
+    let sky = |more: &str| format!("{{ image = {{ file = \"two.exr\"{more} }} }}");
+    for more in ["", ", layer = \"c\""] {
+        let error = read(folder.path(), &sky(more), "1").expect_err("there are two");
+        assert!(error.contains("scene.toml:1: "), "{error}");
+        assert!(error.contains("background.image.layer: "), "{error}");
+        assert!(error.contains("\"a\", \"b\""), "{error}");
+    }
+    read(folder.path(), &sky(", layer = \"b\""), "1").expect("it is there");
+    let ppm = "{ image = { file = \"right.ppm\", layer = \"b\" } }";
+    let error = read(folder.path(), ppm, "1").expect_err("PPM has no layers");
+    assert!(error.contains("background.image.layer: "), "{error}");
+}
+
+/// Law: a world has the notes of its image files, each with the file's name, and once, however often the
+/// image is used. Oracle: the text.
+#[test]
+fn notes_of_images_reach_the_world_once() {
+    let folder = folder("notes");
+    let pfm = [&b"Pf 1 1 -1\n"[..], &(-0.5_f32).to_le_bytes()].concat();
+    std::fs::write(folder.path().join("below.pfm"), pfm).expect("written");
+    std::fs::write(folder.path().join("long.ppm"), b"P6 1 1 255\n\x80\x80\x80\x80")
+        .expect("written");
+    let image = |name: &str| format!("{{ file = \"{name}\", mapping = \"spherical\" }}");
+    let sky = format!("{{ image = {} }}", image("below.pfm"));
+    let linear = "{ file = \"long.ppm\", mapping = \"spherical\", encoding = \"linear\" }";
+    let color = format!(
+        "{{ checker3d = {{ color1 = {{ checker3d = {{ color1 = {{ image = {linear} }}, color2 = {{ image = {} }} }} }}, \
+         color2 = {{ image = {} }} }} }}",
+        image("long.ppm"),
+        image("below.pfm")
+    );
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, text(&sky, &color)).expect("written");
+    let (_, world) = world::read(&path).unwrap_or_else(|e| panic!("{e}"));
+    let of = |name: &str, note: &str| format!("{}: {note}", folder.path().join(name).display());
+    let mut notes = world.notes.clone();
+    notes.sort();
+    let below = of("below.pfm", "1 values below 0, the lowest -0.5, are taken as 0");
+    assert_eq!(notes, [below, of("long.ppm", "1 bytes after its end are ignored")]);
 }
 
 /// Law: file names are relative to the scene file. After they are made independent of its folder, the scene

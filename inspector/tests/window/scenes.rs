@@ -134,8 +134,10 @@ fn the_picture_is_saved_and_errors_are_shown() {
 
     let path = folder.path().join("saved.bmp");
     type_into(&mut window, "Picture", &path.display().to_string());
-    let error =
-        format!("{}: unknown picture format; end the name with .png or .exr", path.display());
+    let error = format!(
+        "{}: unknown picture format; end the name with .png, .ppm, .exr or .pfm",
+        path.display()
+    );
     assert!(window.query_by_label(&error).is_some());
     assert!(!path.exists());
 }

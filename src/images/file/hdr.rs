@@ -6,7 +6,7 @@ use std::io::Read;
 use image::DynamicImage;
 use image::codecs::hdr::{HdrDecoder, HdrMetadata};
 
-use super::{Problem, check_size, damaged, radiance, samples};
+use super::{Problem, after_the_end, check_size, damaged, radiance, samples};
 use crate::images::Texels;
 
 /// The radiance is divided by the factors of the header (EXPOSURE and COLORCORR), as the format
@@ -19,7 +19,7 @@ pub fn decode(bytes: &[u8], max_texels: u64) -> Result<Texels, Problem> {
     check_size([header.width, header.height].map(u64::from), max_texels)?;
     let mut all = Vec::new();
     raster.read_to_end(&mut all).expect("nothing fails that is read from memory");
-    check_scanlines(&all, header.width, header.height)?;
+    let after = check_scanlines(&all, header.width, header.height)?;
     let factor = factors(&header)?;
     let image = samples(HdrDecoder::new(whole()).map_err(damaged)?)?;
     let DynamicImage::ImageRgb32F(image) = image else {
@@ -27,7 +27,7 @@ pub fn decode(bytes: &[u8], max_texels: u64) -> Result<Texels, Problem> {
     };
     let color = |c: [f32; 3]| std::array::from_fn(|i| (f64::from(c[i]) / factor[i]) as f32);
     let colors = image.pixels().map(|pixel| color(pixel.0)).collect();
-    radiance(header.width, header.height, colors)
+    Ok(radiance([header.width, header.height], 3, colors)?.with_notes(after_the_end(after)))
 }
 
 /// The signature that the decoder accepts; `#?RGBE` is valid, too.
@@ -50,9 +50,9 @@ fn factors(header: &HdrMetadata) -> Result<[f64; 3], Problem> {
     Err(format!("EXPOSURE and COLORCORR multiply by {factors:?}; these are finite and positive"))
 }
 
-/// Checks the lengths of the scanlines, and that nothing follows them. (The decoder ignores the
+/// Checks the lengths of the scanlines; returns the bytes after them. (The decoder ignores the
 /// length that a scanline declares, and overflows with too many consecutive run lengths.)
-fn check_scanlines(raster: &[u8], width: u32, height: u32) -> Result<(), Problem> {
+fn check_scanlines(raster: &[u8], width: u32, height: u32) -> Result<&[u8], Problem> {
     let mut rest = raster;
     for row in 0..height {
         let in_row = |problem: &str| format!("row {row} from the top, from 0: {problem}");
@@ -67,13 +67,7 @@ fn check_scanlines(raster: &[u8], width: u32, height: u32) -> Result<(), Problem
         let damaged = "it ends early, or has more texels than the header says; it is damaged";
         rest = after.ok_or_else(|| in_row(damaged))?;
     }
-    if rest.is_empty() {
-        return Ok(());
-    }
-    let left = rest.len();
-    Err(format!(
-        "{left} bytes are left after {width} × {height} texels; the size in its header is wrong"
-    ))
+    Ok(rest)
 }
 
 /// Skips one component of a scanline: runs (128 + length, value) and literals (length, values).

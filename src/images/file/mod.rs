@@ -1,10 +1,14 @@
-//! Image files: PNG and PPM, HDR and EXR.
+//! Image files: PNG, JPEG and PPM; HDR, EXR and PFM.
 //!
 //! The decoders are those of other crates. What they accept is checked here: sizes before memory is
 //! allocated, checksums, counts, and values that are not radiance (negative or not finite).
 
 mod exr;
+mod exr_layers;
+mod guard;
 mod hdr;
+mod jpeg;
+mod pfm;
 mod png;
 mod pnm;
 
@@ -26,8 +30,8 @@ pub struct ImageFileError {
     pub path: PathBuf,
     /// What is wrong, and what would be right.
     pub problem: String,
-    /// Whether the `encoding` that was requested is wrong, and not the file.
-    pub wrong_encoding: bool,
+    /// The field that is wrong: `file`, `encoding` or `layer`.
+    pub field: &'static str,
 }
 
 /// How the numbers of an image file encode colours.
@@ -44,96 +48,170 @@ pub enum Encoding {
 /// The maximum size of a file, which is kept in memory while it is decoded.
 const MAX_BYTES: u64 = 1 << 29;
 
+/// The maximum memory for one texel while it is decoded: samples of 16 bytes, and the colour.
+const MAX_MEMORY: u64 = 28;
+
 /// What is wrong with a file, and what would be right.
 type Problem = String;
+
+/// A problem, and the field of a scene that it is about.
+#[derive(Debug, PartialEq)]
+struct Wrong {
+    field: &'static str,
+    problem: Problem,
+}
+
+impl Wrong {
+    fn layer(problem: Problem) -> Self {
+        Self { field: "layer", problem }
+    }
+}
+
+impl From<Problem> for Wrong {
+    fn from(problem: Problem) -> Self {
+        Self { field: "file", problem }
+    }
+}
 
 /// The formats, by their first bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Png,
+    Jpeg,
     Pnm,
     Hdr,
     Exr,
+    Pfm,
 }
 
 impl Format {
     fn of(bytes: &[u8]) -> Result<Self, Problem> {
         match bytes {
             [0x89, b'P', b'N', b'G', ..] => Ok(Self::Png),
+            [0xff, 0xd8, 0xff, ..] => Ok(Self::Jpeg),
+            [b'P', b'F' | b'f', b' ' | b'\t' | b'\r' | b'\n', ..] => Ok(Self::Pfm),
             [b'P', b'1'..=b'6', ..] => Ok(Self::Pnm),
             [b'#', b'?', ..] => Ok(Self::Hdr),
             [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Self::Exr),
             [] => Err("the file is empty".to_owned()),
-            _ => {
-                Err("its first bytes are not those of a PNG, PPM, HDR or EXR file; convert it to \
-                      one of these"
-                    .to_owned())
-            }
+            _ => Err("its first bytes are not those of a PNG, JPEG, PPM, HDR, EXR or PFM file; \
+                      convert it to one of these"
+                .to_owned()),
         }
     }
 
     /// Whether its numbers are radiance, not display colours.
     fn is_linear(self) -> bool {
-        matches!(self, Self::Hdr | Self::Exr)
+        matches!(self, Self::Hdr | Self::Exr | Self::Pfm)
     }
 }
 
-/// The texels of a file, at most `max_texels`.
+/// The texels of a file, at most `max_texels`; of an EXR file the layer of this name.
 ///
 /// # Errors
 /// [`ImageFileError`] for a file that is not an image, is damaged, or is too large.
 pub fn read(
     path: &Path,
     encoding: Option<Encoding>,
+    layer: Option<&str>,
     max_texels: u64,
 ) -> Result<Texels, ImageFileError> {
-    let path_of = |problem, wrong_encoding| {
-        let path = path.to_owned();
-        ImageFileError { path, problem, wrong_encoding }
-    };
-    let bytes = read_bytes(path).map_err(|problem| path_of(problem, false))?;
-    let format = Format::of(&bytes).map_err(|problem| path_of(problem, false))?;
+    let wrong = |field, problem| ImageFileError { path: path.to_owned(), problem, field };
+    let bytes = read_bytes(path).map_err(|problem| wrong("file", problem))?;
+    let format = Format::of(&bytes).map_err(|problem| wrong("file", problem))?;
     if format.is_linear() && encoding == Some(Encoding::Srgb) {
-        let problem = "the numbers of HDR and EXR files are linear; leave `encoding` out";
-        return Err(path_of(problem.to_owned(), true));
+        let problem = "the numbers of HDR, EXR and PFM files are linear; leave `encoding` out";
+        return Err(wrong("encoding", problem.to_owned()));
     }
-    decode(&bytes, encoding, max_texels).map_err(|problem| path_of(problem, false))
+    if format != Format::Exr && layer.is_some() {
+        let problem = "only EXR files have layers; leave `layer` out";
+        return Err(wrong("layer", problem.to_owned()));
+    }
+    decode_format(format, &bytes, encoding, layer, max_texels)
+        .map_err(|Wrong { field, problem }| wrong(field, problem))
 }
 
-/// The texels of the bytes of a file, at most `max_texels`. HDR and EXR are linear, whatever
+/// The texels of the bytes of a file, at most `max_texels`. HDR, EXR and PFM are linear, whatever
 /// `encoding` is.
 ///
 /// # Errors
 /// A text that says what is wrong with the bytes.
 pub fn decode(bytes: &[u8], encoding: Option<Encoding>, max_texels: u64) -> Result<Texels, String> {
-    match Format::of(bytes)? {
-        Format::Png => png::decode(bytes, encoding, max_texels),
-        Format::Pnm => pnm::decode(bytes, encoding, max_texels),
-        Format::Hdr => hdr::decode(bytes, max_texels),
-        Format::Exr => exr::decode(bytes, max_texels),
-    }
+    decode_layer(bytes, encoding, None, max_texels)
 }
 
-/// All bytes of a file; fails if it is too large.
+/// As [`decode()`]; of an EXR file the layer of this name.
+///
+/// # Errors
+/// As [`decode()`].
+pub fn decode_layer(
+    bytes: &[u8],
+    encoding: Option<Encoding>,
+    layer: Option<&str>,
+    max_texels: u64,
+) -> Result<Texels, String> {
+    let format = Format::of(bytes)?;
+    decode_format(format, bytes, encoding, layer, max_texels).map_err(|wrong| wrong.problem)
+}
+
+fn decode_format(
+    format: Format,
+    bytes: &[u8],
+    encoding: Option<Encoding>,
+    layer: Option<&str>,
+    max_texels: u64,
+) -> Result<Texels, Wrong> {
+    guard::guarded(|| {
+        Ok(match format {
+            Format::Png => png::decode(bytes, encoding, max_texels)?,
+            Format::Jpeg => jpeg::decode(bytes, encoding, max_texels)?,
+            Format::Pnm => pnm::decode(bytes, encoding, max_texels)?,
+            Format::Hdr => hdr::decode(bytes, max_texels)?,
+            Format::Exr => exr::decode(bytes, layer, max_texels)?,
+            Format::Pfm => pfm::decode(bytes, max_texels)?,
+        })
+    })
+}
+
+/// All bytes of a file; fails if its first bytes are not those of an image, or it is too large.
 fn read_bytes(path: &Path) -> Result<Vec<u8>, Problem> {
+    const SIGNATURE: u64 = 4;
     let metadata = std::fs::metadata(path).map_err(|e| e.to_string())?;
     if !metadata.is_file() {
         return Err("not a file".to_owned());
     }
-    if metadata.len() > MAX_BYTES {
-        return Err(format!("{} bytes are too many; at most {MAX_BYTES} fit", metadata.len()));
-    }
-    let file = std::fs::File::open(path).map_err(|e| e.to_string())?;
+    let mut file = std::fs::File::open(path).map_err(|e| e.to_string())?;
     let mut bytes = Vec::new();
-    file.take(MAX_BYTES).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
+    (&mut file).take(SIGNATURE).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
+    Format::of(&bytes)?;
+    let mut size = metadata.len();
+    if size <= MAX_BYTES {
+        bytes.try_reserve_exact(size as usize).map_err(|e| e.to_string())?;
+        // it may grow while it is read
+        file.take(MAX_BYTES).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
+        size = bytes.len() as u64;
+    }
+    if size > MAX_BYTES {
+        return Err(format!("{size} bytes are too many; at most {MAX_BYTES} fit"));
+    }
     Ok(bytes)
 }
 
-/// Fails if the size is zero or too large.
+/// A note on bytes that no texel is made of.
+fn after_the_end(rest: &[u8]) -> Option<String> {
+    (!rest.is_empty()).then(|| format!("{} bytes after its end are ignored", rest.len()))
+}
+
+/// Fails if the size is zero or too large, also for the memory of this machine.
 fn check_size([width, height]: [u64; 2], max_texels: u64) -> Result<(), Problem> {
     match width.checked_mul(height) {
         Some(0) => Err(format!("{width} × {height} texels; an image has at least one")),
-        Some(texels) if texels <= max_texels => Ok(()),
+        Some(texels) if texels <= max_texels => {
+            // the decoders abort the program if they get no memory
+            Vec::<u8>::new()
+                .try_reserve_exact((MAX_MEMORY * texels) as usize)
+                .map_err(|_| format!("{width} × {height} texels need more memory than there is"))
+        }
         _ => Err(format!(
             "{width} × {height} texels, with the images before it, are too many; at most \
              {max_texels} more fit"
@@ -217,18 +295,31 @@ fn colors(
     Ok(colors)
 }
 
-/// Radiance from a file; fails unless it is finite and not negative.
-fn radiance(width: u32, height: u32, colors: Vec<[f32; 3]>) -> Result<Texels, Problem> {
-    let is_radiance = |color: &[f32; 3]| color.iter().all(|c| c.is_finite() && *c >= 0.0);
-    if let Some(at) = colors.iter().position(|color| !is_radiance(color)) {
+/// Radiance from a file; fails unless it is finite. Negative values, which filters leave beside bright
+/// texels, become 0. `channels` is 1 for grey, whose values stand three times in `colors`, and else 3.
+fn radiance(
+    [width, height]: [u32; 2],
+    channels: u64,
+    mut colors: Vec<[f32; 3]>,
+) -> Result<Texels, Problem> {
+    if let Some(at) = colors.iter().position(|color| !color.iter().all(|c| c.is_finite())) {
         let (column, row) = (at % width as usize, at / width as usize);
         return Err(format!(
             "the texel in column {column} from the left, row {row} from the top, both from 0, is \
-             {:?}; light is finite and not negative",
+             {:?}; light is finite",
             colors[at]
         ));
     }
-    Ok(Texels::new(width, height, colors))
+    let (mut count, mut lowest) = (0_u64, 0.0_f32);
+    for value in colors.as_flattened_mut().iter_mut().filter(|value| **value < 0.0) {
+        count += 1;
+        lowest = lowest.min(*value);
+        *value = 0.0;
+    }
+    count = count * channels / 3;
+    let note =
+        (count > 0).then(|| format!("{count} values below 0, the lowest {lowest}, are taken as 0"));
+    Ok(Texels::new(width, height, colors).with_notes(note))
 }
 
 /// The linear value of an sRGB value (IEC 61966-2-1).

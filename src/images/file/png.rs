@@ -6,7 +6,7 @@ use flate2::read::ZlibDecoder;
 use image::codecs::png::PngDecoder;
 use png::{ColorType, Decoder, Reader};
 
-use super::{Encoding, Problem, check_size, damaged, integers, limits, samples};
+use super::{Encoding, Problem, after_the_end, check_size, damaged, integers, limits, samples};
 use crate::images::Texels;
 
 /// The decoder scales samples of fewer than 8 bits to 8, exactly: `255/(2ⁿ − 1)` is an integer.
@@ -16,7 +16,9 @@ pub fn decode(
     encoding: Option<Encoding>,
     max_texels: u64,
 ) -> Result<Texels, Problem> {
-    let chunks = checked_chunks(bytes)?;
+    let (chunks, after) = checked_chunks(bytes)?;
+    check_palette_length(&chunks)?;
+    let bytes = &bytes[..bytes.len() - after.len()];
     let [width, height] = size(&chunks)?.map(u64::from);
     check_size([width, height], max_texels)?;
     // four channels of two bytes
@@ -24,7 +26,8 @@ pub fn decode(
     let image = samples(decoder.map_err(damaged)?)?;
     check_data(bytes, &chunks).map_err(|e| format!("it is damaged: {e}"))?;
     let is_8_bit = image.color().bytes_per_pixel() == image.color().channel_count();
-    integers(image, if is_8_bit { 255 } else { u16::MAX }, encoding)
+    let texels = integers(image, if is_8_bit { 255 } else { u16::MAX }, encoding)?;
+    Ok(texels.with_notes(after_the_end(after)))
 }
 
 struct Chunk<'a> {
@@ -32,9 +35,9 @@ struct Chunk<'a> {
     data: &'a [u8],
 }
 
-/// All chunks; fails if one is incomplete or has a wrong checksum. (The decoder skips damaged
+/// All chunks, and the bytes after them; fails if one is incomplete or has a wrong checksum. (The decoder skips damaged
 /// chunks that it does not need, and stops at the last texel.)
-fn checked_chunks(bytes: &[u8]) -> Result<Vec<Chunk<'_>>, Problem> {
+fn checked_chunks(bytes: &[u8]) -> Result<(Vec<Chunk<'_>>, &[u8]), Problem> {
     let ends = || "the file ends before its last chunk; it is damaged".to_owned();
     let mut chunks: Vec<Chunk<'_>> = Vec::new();
     let mut rest = bytes.get(8..).ok_or_else(ends)?; // after the signature
@@ -52,10 +55,20 @@ fn checked_chunks(bytes: &[u8]) -> Result<Vec<Chunk<'_>>, Problem> {
         chunks.push(Chunk { kind, data });
         rest = after;
     }
-    if !rest.is_empty() {
-        return Err(format!("{} bytes follow its last chunk; it is damaged", rest.len()));
+    Ok((chunks, rest))
+}
+
+/// Fails unless each palette has 1 to 256 colours of three bytes. (The decoder panics.)
+fn check_palette_length(chunks: &[Chunk<'_>]) -> Result<(), Problem> {
+    let is_right = |bytes: usize| bytes.is_multiple_of(3) && (3..=768).contains(&bytes);
+    let mut palettes = chunks.iter().filter(|chunk| chunk.kind == b"PLTE");
+    match palettes.find(|palette| !is_right(palette.data.len())) {
+        Some(palette) => Err(format!(
+            "its palette (PLTE) has {} bytes; right are 3 for each of 1 to 256 colors; it is damaged",
+            palette.data.len()
+        )),
+        None => Ok(()),
     }
-    Ok(chunks)
 }
 
 /// Width and height, from the first chunk.
