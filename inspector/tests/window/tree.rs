@@ -123,7 +123,7 @@ fn what_is_copied_reproduces_the_pixel() {
     assert!(numbers.contains("\nt\t") && numbers.contains("\nrelative η\t1.5\n"), "{numbers}");
 }
 
-/// What a click on a button puts on the clipboard.
+/// What a click on a button puts on the clipboard; the window says so.
 fn copied(window: &mut Window, button: &str) -> String {
     window.run_steps(3);
     if window.query_by_label(button).is_none() {
@@ -139,6 +139,8 @@ fn copied(window: &mut Window, button: &str) -> String {
             _ => None,
         });
         if let Some(text) = text {
+            window.run_steps(2);
+            window.get_by_label("copied");
             return text;
         }
     }
