@@ -1,10 +1,11 @@
 //! Picture files: PNG for viewing, EXR for linear radiance.
 
-use std::io::{BufWriter, Cursor, Write};
+use std::io::{BufWriter, Cursor};
 use std::path::{Path, PathBuf};
 
 use exr::prelude::{Image as ExrImage, ReadChannels, ReadLayers, SpecificChannels, WritableImage};
 
+use super::replace::{replace, replaceable};
 use super::{Film, Tone};
 use crate::rgb::Rgb;
 
@@ -61,40 +62,7 @@ pub fn writable(path: &Path) -> Result<(), ImageError> {
     if !matches!(extension.as_deref(), Some("png" | "exr")) {
         return Err(ImageError::Format { path: path.to_owned() });
     }
-    let probe = temporary_beside(path).map(drop);
-    let not_a_file = || std::io::Error::other("it is a folder");
-    let probe = if path.is_dir() { Err(not_a_file()) } else { probe };
-    probe.map_err(|source| ImageError::Unwritable { path: path.to_owned(), source })
-}
-
-/// The folder that a file stands in: `.` for a bare file name.
-pub fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// A temporary file in the same folder, deleted unless it is renamed.
-fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
-    let file = tempfile::Builder::new().prefix(".groundtruth-").tempfile_in(folder_of(path));
-    // without the name of the temporary file, which the user does not know
-    file.map_err(|error| {
-        let text = error.to_string();
-        let reason = text.split_once(" at path ").map_or(text.as_str(), |(reason, _)| reason);
-        std::io::Error::new(error.kind(), reason)
-    })
-}
-
-/// Replaces a file by `bytes`, completely or not at all.
-pub fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut temporary = temporary_beside(path)?;
-    temporary.write_all(bytes)?;
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // temporary files are readable by their owner only; pictures by everyone
-        temporary.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))?;
-    }
-    temporary.persist(path).map_err(|e| e.error)?;
-    Ok(())
+    replaceable(path).map_err(|source| ImageError::Unwritable { path: path.to_owned(), source })
 }
 
 fn png(film: &Film, tone: &Tone) -> std::io::Result<Vec<u8>> {

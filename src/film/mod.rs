@@ -1,12 +1,14 @@
 //! Film: finished pixels, tone mapping, and picture files.
 
 mod files;
+mod replace;
 mod tone;
 
 use crate::rgb::Rgb;
 
 pub(crate) use files::decode_exr;
-pub use files::{ImageError, data_uri, folder_of, read_exr, replace, writable, write};
+pub use files::{ImageError, data_uri, read_exr, writable, write};
+pub use replace::{TEMPORARY, folder_of, replace, replaceable};
 pub use tone::{OutOfGamut, Tone};
 
 /// A picture of linear radiance, row by row from the top left. Pixels that are not rendered yet are
