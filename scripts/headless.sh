@@ -1,10 +1,10 @@
 #!/bin/sh
 # Installs what a machine without a desktop needs to show the inspector to nobody: a virtual
-# screen, a software OpenGL, and tools that click and take pictures. Debian or Ubuntu; may be run
+# screen, a software OpenGL, and tools that click, copy and take pictures. Debian or Ubuntu; may be run
 # again at any time. A machine with a desktop needs none of it.
 set -eu
 
-packages="xvfb xauth xdotool imagemagick libgl1-mesa-dri libgl1 libx11-6 libx11-xcb1 libxcursor1
+packages="xvfb xauth xdotool xclip imagemagick libgl1-mesa-dri libgl1 libx11-6 libx11-xcb1 libxcursor1
 libxi6 libxkbcommon-x11-0"
 
 missing=

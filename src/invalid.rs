@@ -3,10 +3,11 @@
 use std::fmt;
 
 use crate::math::{Normal, Point, Vector};
+use crate::printable;
 
 /// A value that does not fit. `path` grows from the inside out while the error travels up.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}{problem}", path_text(path))]
+#[error("{}{}", path_text(path), printable::text(problem))]
 pub struct Invalid {
     /// The keys and indices that lead to the value, outermost first.
     pub path: Vec<Key>,
@@ -41,6 +42,8 @@ const SHOWN: usize = 16;
 /// The path and a colon; nothing for the thing as a whole.
 fn path_text(path: &[Key]) -> String {
     use fmt::Write;
+
+    use printable::name;
     let mut text = String::new();
     for (depth, key) in path.iter().enumerate() {
         if path.len() > SHOWN && (SHOWN - 2..path.len() - 2).contains(&depth) {
@@ -50,11 +53,11 @@ fn path_text(path: &[Key]) -> String {
             continue;
         }
         let _ = match key {
-            Key::Field(name) if text.is_empty() => write!(text, "{name}"),
-            Key::Field(name) if text.ends_with('"') => write!(text, ", {name}"),
-            Key::Field(name) => write!(text, ".{name}"),
+            Key::Field(field) if text.is_empty() => write!(text, "{}", name(field)),
+            Key::Field(field) if text.ends_with('"') => write!(text, ", {}", name(field)),
+            Key::Field(field) => write!(text, ".{}", name(field)),
             Key::Item(index, None) => write!(text, "[{index}]"),
-            Key::Item(index, Some(name)) => write!(text, "[{index}] \"{name}\""),
+            Key::Item(index, Some(item)) => write!(text, "[{index}] \"{}\"", name(item)),
         };
     }
     if !text.is_empty() {

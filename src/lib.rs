@@ -34,6 +34,7 @@ pub mod medium;
 pub mod mesh_bvh;
 pub mod mesh_file;
 pub mod noise;
+pub mod printable;
 pub mod probe;
 pub mod ray_budget;
 pub mod reference;

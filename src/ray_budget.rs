@@ -12,6 +12,9 @@ const PIXELS: u32 = 256;
 /// Measuring ends at this number of rays.
 pub const MAX_COUNTED: u64 = 1_000_000;
 
+/// A sample of so many rays, cut off, is one of a tree that may have no end.
+const ENDLESS: u64 = MAX_COUNTED / 2;
+
 /// An estimate of the rays of a sample, shadow rays among them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RaysPerSample {
@@ -19,17 +22,19 @@ pub struct RaysPerSample {
     pub mean: f64,
     /// Whether measuring ended within a sample, so that the mean is too low.
     pub is_cut: bool,
+    /// Whether measuring ended in a sample that alone has so many rays that its tree may have no end.
+    pub is_endless: bool,
 }
 
 /// A picture of more rays than this takes so long that the user is told.
 const MANY: f64 = 1e9;
 
 impl RaysPerSample {
-    /// A note for the user before `samples` samples are rendered, if they are many rays.
+    /// A note for the user before `samples` samples are rendered, if they are many rays or a tree has no end.
     pub fn note(&self, samples: f64) -> Option<String> {
         let about = if self.is_cut { "at least" } else { "about" };
         let rays = self.mean * samples;
-        (rays > MANY).then(|| format!("this will take {about} {rays:.0e} rays"))
+        (rays > MANY || self.is_endless).then(|| format!("this will take {about} {rays:.0e} rays"))
     }
 }
 
@@ -39,17 +44,20 @@ pub struct RayCounter {
     rays: u64,
     most: u64,
     samples: u32,
+    /// The number of rays before the last sample.
+    before: u64,
 }
 
 impl RayCounter {
     /// Counts up to `most` rays.
     pub fn up_to(most: u64) -> Self {
-        Self { rays: 0, most, samples: 0 }
+        Self { rays: 0, most, samples: 0, before: 0 }
     }
 
     /// Counts the rays of a sample.
     pub fn count(&mut self, sample: impl FnOnce(&mut Self) -> Rgb) {
         self.samples += 1;
+        self.before = self.rays;
         let _ = sample(self);
     }
 
@@ -61,7 +69,8 @@ impl RayCounter {
     /// The mean of the samples.
     pub fn estimate(&self) -> RaysPerSample {
         let mean = self.rays as f64 / f64::from(self.samples.max(1));
-        RaysPerSample { mean, is_cut: self.is_full() }
+        let is_endless = self.is_full() && self.rays - self.before >= ENDLESS;
+        RaysPerSample { mean, is_cut: self.is_full(), is_endless }
     }
 }
 

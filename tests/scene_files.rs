@@ -1,6 +1,8 @@
 //! Scene files that are wrong: each gets one error with file, line, object, field and the valid values;
 //! never a panic, a hang or gigabytes of memory.
 
+#[path = "scene_files/hostile_names.rs"]
+mod hostile_names;
 #[path = "scene_files/light_bounds.rs"]
 mod light_bounds;
 #[path = "scene_files/mesh_lists.rs"]
@@ -108,6 +110,16 @@ const ERRORS: &[(&str, &str, &str)] = &[
         "[image]",
         "[imag]",
         "scene.toml:7: imag: unknown field `imag`, expected one of `about`, `tracer`, `transparency`, `accel`, `intersect`, `epsilon`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+    ),
+    (
+        "[[materials]]",
+        "[[maerials]]",
+        "scene.toml:19: maerials: unknown field `maerials`, expected one of `about`, `tracer`, `transparency`, `accel`, `intersect`, `epsilon`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+    ),
+    (
+        "[[lights]]",
+        "[[camera.lights]]",
+        "scene.toml:15: camera.lights: unknown field `lights`, expected one of `eye`, `look_at`, `up`, `roll`, `exposure_time`, `medium`, `stereo`, `lens`",
     ),
     (
         "whitted",
@@ -314,5 +326,36 @@ fn a_scale_is_one_factor_or_three() {
             table["s"].clone().try_into().unwrap()
         };
         assert_eq!(step(one), step(three));
+    }
+}
+
+/// Law: a file that is not UTF-8 text gets the line and the byte in it, from 1. Oracle: where the test put it.
+#[test]
+fn bytes_that_are_no_text_get_line_and_byte() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("scene.toml");
+    let utf16: Vec<u8> =
+        std::iter::once(0xfeff).chain(SCENE.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    let latin1 = with("\"x\"", "\"ü x\"").replacen("red", "§ed", 1);
+    let latin1: Vec<u8> = latin1.chars().map(|c| c as u8).collect();
+    let deep: Vec<u8> =
+        with("eye", "# \u{1}ye").bytes().map(|b| if b == 1 { 0xff } else { b }).collect();
+    for (bytes, error) in [
+        (
+            latin1,
+            "scene.toml:1: byte 10 of the line, 0xfc, is not UTF-8: save the file as UTF-8 text",
+        ),
+        (
+            deep,
+            "scene.toml:12: byte 3 of the line, 0xff, is not UTF-8: save the file as UTF-8 text",
+        ),
+        (
+            utf16,
+            "scene.toml:1: byte 1 of the line, 0xff, is not UTF-8: the file is UTF-16 text; save it as UTF-8",
+        ),
+    ] {
+        std::fs::write(&path, bytes).expect("written");
+        let found = world::read(&path).err().expect("it is no text").to_string();
+        assert!(found.ends_with(error), "{found}");
     }
 }

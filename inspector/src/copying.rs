@@ -1,5 +1,6 @@
-//! Commands that reproduce a pixel outside the window.
+//! Commands that reproduce a pixel outside the window, and the word that says they are copied.
 
+use eframe::egui::{Context, Id, Ui};
 use groundtruth::scene;
 
 use crate::worker::Rendering;
@@ -26,6 +27,30 @@ pub fn probe_line(rendering: &Rendering, pixel: [u32; 2]) -> String {
         "radiance": { "scene": scene, "pixel": pixel, "seed": seed, "replicas": 1 }
     });
     question.to_string()
+}
+
+/// How long "copied" is shown, in seconds.
+const SHOWN: f64 = 2.0;
+
+/// Where the time of the last copy is kept.
+fn copied_at() -> Id {
+    Id::unique("copied at")
+}
+
+/// Something was put on the clipboard now.
+pub fn set_copied(ctx: &Context) {
+    let now = ctx.input(|input| input.time);
+    ctx.data_mut(|data| data.insert_temp(copied_at(), now));
+}
+
+/// "copied", for a short time after something was put on the clipboard.
+pub fn show_copied(ui: &mut Ui) {
+    let Some(at) = ui.data(|data| data.get_temp::<f64>(copied_at())) else { return };
+    let left = at + SHOWN - ui.input(|input| input.time);
+    if left > 0.0 {
+        ui.weak("copied");
+        ui.request_repaint_after(std::time::Duration::from_secs_f64(left));
+    }
 }
 
 /// Whether something was changed in the window that the command line has no option for.

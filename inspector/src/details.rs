@@ -2,6 +2,7 @@
 
 use eframe::egui::{Grid, RichText, Ui};
 use groundtruth::explain::{HitExplanation, RayExplanation, brief, percent, short, unblocked};
+use groundtruth::printable::name;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::Texel;
 use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
@@ -42,14 +43,14 @@ fn fields(ray: &RayExplanation) -> Vec<(&'static str, String)> {
         RayKind::Camera => format!("camera, depth {}", ray.depth),
         RayKind::Reflected => format!("reflected, depth {}", ray.depth),
         RayKind::Transmitted => format!("transmitted, depth {}", ray.depth),
-        RayKind::Shadow { light } => format!("shadow, to light \"{light}\""),
+        RayKind::Shadow { light } => format!("shadow, to light \"{}\"", name(light)),
     };
     let outcome = match &ray.outcome {
         Outcome::Hit { .. } => "hit".to_owned(),
         Outcome::Background => "background".to_owned(),
         Outcome::TooDeep => "too deep".to_owned(),
         Outcome::Unblocked { boundaries } => unblocked(*boundaries),
-        Outcome::Blocked { blocked_by } => format!("blocked by \"{blocked_by}\""),
+        Outcome::Blocked { blocked_by } => format!("blocked by \"{}\"", name(blocked_by)),
     };
     let mut fields = vec![("kind", kind), ("outcome", outcome)];
     fields.push(("origin", exact(ray.origin)));
@@ -68,7 +69,8 @@ fn fields(ray: &RayExplanation) -> Vec<(&'static str, String)> {
 fn hit_fields(hit: &HitExplanation) -> Vec<(&'static str, String)> {
     let same = hit.shading_normal == hit.normal;
     let shading = if same { "the normal".to_owned() } else { exact(hit.shading_normal) };
-    let mut fields = vec![("hits", format!("\"{}\", material \"{}\"", hit.object, hit.material))];
+    let mut fields =
+        vec![("hits", format!("\"{}\", material \"{}\"", name(&hit.object), name(&hit.material)))];
     if !hit.path.is_empty() {
         fields.push(("part", hit.path.to_string()));
     }

@@ -18,7 +18,7 @@ fn main() -> ExitCode {
     match loaded.and_then(|loaded| open(loaded, &arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            eprintln!("error: {}", groundtruth::printable::text(&error.to_string()));
             ExitCode::from(2)
         }
     }

@@ -44,24 +44,27 @@ pub fn copies(
     sample: u32,
     ray: Option<&RayExplanation>,
 ) {
+    let copy = |ui: &mut Ui, text: String| {
+        ui.ctx().copy_text(text);
+        copying::set_copied(ui.ctx());
+        ui.close();
+    };
     ui.menu_button("Copy", |ui| {
         let command = ui.button("The command for a terminal");
         if command.on_hover_text("`explain` shows this sample there").clicked() {
-            ui.ctx().copy_text(copying::explain_command(rendering, pixel, sample));
-            ui.close();
+            copy(ui, copying::explain_command(rendering, pixel, sample));
         }
         let probe = ui.button("The probe's line");
         if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
-            ui.ctx().copy_text(copying::probe_line(rendering, pixel));
-            ui.close();
+            copy(ui, copying::probe_line(rendering, pixel));
         }
         if let Some(ray) = ray
             && ui.button("All numbers of the selected ray").clicked()
         {
-            ui.ctx().copy_text(details::text(ray));
-            ui.close();
+            copy(ui, details::text(ray));
         }
     });
+    copying::show_copied(ui);
 }
 
 /// The sum of the samples that gives the pixel, and whether it equals the rendered pixel.

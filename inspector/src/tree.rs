@@ -133,7 +133,11 @@ impl Tree {
                     Row::Folded { parent, indent, rays, share } => {
                         bar(ui, share);
                         ui.add_space(INDENT * (indent as f32 + 1.0));
-                        let text = format!("{}, {}", count(rays, "more ray"), percent(share));
+                        let text = format!(
+                            "{} from {parent}, {}",
+                            count(rays, "more ray"),
+                            percent(share)
+                        );
                         let line = Button::selectable(false, RichText::new(text).weak());
                         if ui.add(line).on_hover_text("Show them").clicked() {
                             self.outline.unfolded.insert(parent);

@@ -17,6 +17,7 @@ use std::error::Error;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use groundtruth::printable;
 
 /// Ray tracing from the ground up, verified chapter by chapter.
 #[derive(Parser)]
@@ -88,7 +89,7 @@ pub fn run() -> ExitCode {
         Ok(Answer::Unanswered) => ExitCode::from(2),
         Ok(Answer::Interrupted) => ExitCode::from(130),
         Err(error) => {
-            eprintln!("error: {error}");
+            eprintln!("error: {}", printable::text(&error.to_string()));
             ExitCode::from(2)
         }
     }

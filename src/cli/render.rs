@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use groundtruth::explain;
 use groundtruth::film::{self, Tone};
+use groundtruth::printable;
 use groundtruth::ray_budget::{self, MAX_COUNTED};
 use groundtruth::render::{self, Canvas};
 use groundtruth::world::World;
@@ -62,7 +63,7 @@ impl Render {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
             None => Canvas::new(&world),
         });
-        explain::notes(&world).iter().for_each(|note| eprintln!("note: {note}"));
+        explain::notes(&world).iter().for_each(|note| eprintln!("note: {}", printable::text(note)));
         let rays = ray_budget::measured(&world, MAX_COUNTED);
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
         rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));

@@ -90,6 +90,9 @@ pub struct RayExplanation {
     /// Its number in the tree: 0 is the camera's ray, the others follow in the order in which they
     /// were cast.
     pub number: usize,
+    /// The number of the ray that sent it; `None` for the camera's. As data, children stand in their parent.
+    #[serde(skip)]
+    pub parent: Option<usize>,
     /// What it is for.
     #[serde(flatten)]
     pub kind: RayKind<String>,
@@ -258,7 +261,7 @@ struct Explaining<'a> {
 
 impl Explaining<'_> {
     fn root(&self) -> RayExplanation {
-        self.ray(0, self.weight)
+        self.ray((0, None), self.weight)
     }
 
     /// A contribution as a part of the sample.
@@ -269,7 +272,7 @@ impl Explaining<'_> {
 
     /// Explains a ray and those after it. `throughput` is the weight at the eye of the radiance that
     /// arrives at the ray's origin.
-    fn ray(&self, number: usize, throughput: Rgb) -> RayExplanation {
+    fn ray(&self, (number, parent): (usize, Option<usize>), throughput: Rgb) -> RayExplanation {
         let node = &self.tree.nodes()[number];
         // one shadow ray serves several lobes: their weights add up
         let weight_of = |child: usize| -> Rgb {
@@ -278,7 +281,8 @@ impl Explaining<'_> {
         };
         // the throughput of light that leaves the surface: through the medium too
         let leaving = throughput * node.transmittance;
-        let children = node.children.iter().map(|&c| self.ray(c, leaving * weight_of(c)));
+        let children =
+            node.children.iter().map(|&c| self.ray((c, Some(number)), leaving * weight_of(c)));
         let terms = node.terms.iter().map(|recorded| TermExplanation {
             source: recorded.term.source.named(|light| self.light(light)),
             weight: recorded.term.weight,
@@ -293,6 +297,7 @@ impl Explaining<'_> {
         let contribution = throughput * node.radiance;
         RayExplanation {
             number,
+            parent,
             kind: node.kind.named(|light| self.light(light)),
             depth: node.depth,
             origin: node.ray.origin.into(),

@@ -7,6 +7,7 @@ use super::{
     SourceExplanation, Sources, TermExplanation,
 };
 use crate::lobes::Lobe;
+use crate::printable::{self, name};
 use crate::rgb::Rgb;
 use crate::textures::Texel;
 use crate::trace::{Optics, Outcome, RayKind, RecordedTexture, TermSource};
@@ -50,22 +51,26 @@ pub fn count(number: usize, thing: &str) -> String {
 }
 
 impl RayExplanation {
-    /// One line that a person can read: `3  reflected  t 12.3  hits "red sphere"`.
+    /// One line that a person can read: `3  from 1, depth 2  reflected  t 12.3  hits "red sphere"`. The camera's
+    /// ray has no parent.
     pub fn line(&self) -> String {
         let kind = match &self.kind {
             RayKind::Camera => "camera".to_owned(),
             RayKind::Reflected => "reflected".to_owned(),
             RayKind::Transmitted => "transmitted".to_owned(),
-            RayKind::Shadow { light } => format!("shadow ray to \"{light}\""),
+            RayKind::Shadow { light } => format!("shadow ray to \"{}\"", name(light)),
         };
         let outcome = match &self.outcome {
-            Outcome::Hit { hit } => format!("t {}  hits \"{}\"", brief(hit.t), hit.object),
+            Outcome::Hit { hit } => format!("t {}  hits \"{}\"", brief(hit.t), name(&hit.object)),
             Outcome::Background => "hits nothing".to_owned(),
             Outcome::TooDeep => "beyond the largest depth: black".to_owned(),
             Outcome::Unblocked { boundaries } => unblocked(*boundaries),
-            Outcome::Blocked { blocked_by } => format!("blocked by \"{blocked_by}\""),
+            Outcome::Blocked { blocked_by } => format!("blocked by \"{}\"", name(blocked_by)),
         };
-        format!("{}  {kind}  {outcome}", self.number)
+        let parent = self
+            .parent
+            .map_or(String::new(), |parent| format!("  from {parent}, depth {}", self.depth));
+        format!("{}{parent}  {kind}  {outcome}", self.number)
     }
 
     /// Its numbers and terms, a line each.
@@ -99,7 +104,7 @@ impl HitExplanation {
             lines.push(self.path.to_string());
         }
         lines.extend([
-            format!("at {:?}, {side}, material \"{}\"", self.point, self.material),
+            format!("at {:?}, {side}, material \"{}\"", self.point, name(&self.material)),
             format!(
                 "normal {:?}, angle of incidence {}°",
                 self.normal,
@@ -189,10 +194,12 @@ impl TermExplanation {
         match &self.source {
             TermSource::Background { .. } => "background".to_owned(),
             TermSource::Emission { .. } => "emission".to_owned(),
-            TermSource::Ambient { light, .. } => format!("ambient, light \"{light}\""),
-            TermSource::Direct { light, lobe, .. } => format!("{}, light \"{light}\"", lobe.name()),
+            TermSource::Ambient { light, .. } => format!("ambient, light \"{}\"", name(light)),
+            TermSource::Direct { light, lobe, .. } => {
+                format!("{}, light \"{}\"", lobe.name(), name(light))
+            }
             TermSource::Traced { lobe, .. } => lobe.name().to_owned(),
-            TermSource::Light { light } => format!("light \"{light}\""),
+            TermSource::Light { light } => format!("light \"{}\"", name(light)),
         }
     }
 
@@ -272,7 +279,7 @@ impl PixelExplanation {
         let [x, y] = self.pixel;
         let samples = self.samples.len();
         writeln!(f, "pixel ({x}, {y}), {samples} of {} samples", self.samples_per_pixel)?;
-        self.notes.iter().try_for_each(|note| writeln!(f, "{note}"))?;
+        self.notes.iter().try_for_each(|note| writeln!(f, "{}", printable::text(note)))?;
         for sample in &self.samples {
             writeln!(f)?;
             sample.write(f, min_share, largest)?;
@@ -311,7 +318,7 @@ impl Source<String> {
         match self {
             Self::Emission => "emission, seen directly".to_owned(),
             Self::Background => "background, seen directly".to_owned(),
-            Self::Light { light } => format!("light \"{light}\""),
+            Self::Light { light } => format!("light \"{}\"", name(light)),
             Self::Lobe { lobe } => (*lobe).to_owned(),
         }
     }
@@ -393,10 +400,14 @@ fn write_rows(f: &mut String, rows: &[Row<'_>]) -> fmt::Result {
             }
             // among the ray's details
             Row::Local { .. } => {}
-            Row::Folded { indent, rays, share, .. } => {
+            Row::Folded { parent, indent, rays, share } => {
                 let pad = "    ".repeat(*indent);
                 let rays = count(*rays, "more ray");
-                writeln!(f, "{:>7}  {pad}{rays} (--min-share 0 shows all)", percent(*share))?;
+                writeln!(
+                    f,
+                    "{:>7}  {pad}{rays} from {parent} (--min-share 0 shows all)",
+                    percent(*share)
+                )?;
             }
         }
     }

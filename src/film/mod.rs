@@ -7,7 +7,7 @@ mod tone;
 use crate::rgb::Rgb;
 
 pub use files::{ImageError, data_uri, read_exr, writable, write};
-pub use replace::{TEMPORARY, folder_of, replace, replaceable};
+pub use replace::{TEMPORARY, folder_of, replace, replace_all, replaceable};
 pub use tone::{OutOfGamut, Tone};
 
 /// A picture of linear radiance, row by row from the top left. Pixels that are not rendered yet are

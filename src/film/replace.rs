@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-/// How the names of temporary files begin. A run that is killed leaves them behind.
+/// How the names of temporary files begin. What a killed run leaves behind, the next one
+/// removes that writes into the same folder.
 pub const TEMPORARY: &str = ".groundtruth-";
 
 /// Replaces a file by `bytes`, completely or not at all.
@@ -16,18 +17,60 @@ pub const TEMPORARY: &str = ".groundtruth-";
 /// # Errors
 /// The file cannot be written; nothing was left behind.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
-    let target = target_of(path)?;
-    let old = std::fs::metadata(&target).ok();
-    if old.as_ref().is_some_and(|old| !old.is_file() && !old.is_dir()) {
-        return std::fs::OpenOptions::new().write(true).open(target)?.write_all(bytes);
+    Staged::new(path, bytes)?.commit()
+}
+
+/// Replaces several files: none of them unless all could be written, then one after the other in this order.
+///
+/// # Errors
+/// The first file that cannot be written, by its index.
+pub fn replace_all(files: &[(&Path, &[u8])]) -> std::result::Result<(), (usize, Error)> {
+    let mut staged = Vec::new();
+    for (index, (path, bytes)) in files.iter().enumerate() {
+        staged.push(Staged::new(path, bytes).map_err(|error| (index, error))?);
     }
-    let mut temporary = temporary_beside(&target)?;
-    temporary.write_all(bytes)?;
-    if let Some(old) = old {
-        temporary.as_file().set_permissions(old.permissions())?;
+    for (index, file) in staged.into_iter().enumerate() {
+        file.commit().map_err(|error| (index, error))?;
     }
-    temporary.persist(target).map_err(|e| e.error)?;
     Ok(())
+}
+
+/// A new file that is complete, and not yet in its place. Dropped, it is gone.
+#[derive(Debug)]
+struct Staged {
+    target: PathBuf,
+    /// `None` if the target was written to already: a pipe or a device.
+    temporary: Option<NamedTempFile>,
+}
+
+impl Staged {
+    /// Writes `bytes` beside the file that is to be replaced.
+    ///
+    /// # Errors
+    /// As [`replace()`].
+    fn new(path: &Path, bytes: &[u8]) -> Result<Self> {
+        let target = target_of(path)?;
+        let old = std::fs::metadata(&target).ok();
+        if old.as_ref().is_some_and(|old| !old.is_file() && !old.is_dir()) {
+            std::fs::OpenOptions::new().write(true).open(&target)?.write_all(bytes)?;
+            return Ok(Self { target, temporary: None });
+        }
+        let mut temporary = temporary_beside(&target)?;
+        temporary.write_all(bytes)?;
+        if let Some(old) = old {
+            temporary.as_file().set_permissions(old.permissions())?;
+        }
+        Ok(Self { target, temporary: Some(temporary) })
+    }
+
+    /// Puts the new file into its place.
+    ///
+    /// # Errors
+    /// As [`replace()`].
+    fn commit(self) -> Result<()> {
+        let Some(temporary) = self.temporary else { return Ok(()) };
+        temporary.persist(self.target).map(drop).map_err(|e| e.error)
+    }
 }
 
 /// Whether [`replace()`] can write there, found out before there is something to write.
@@ -72,12 +115,89 @@ fn temporary_beside(path: &Path) -> Result<NamedTempFile> {
         // less the umask; by default temporary files are readable by their owner only
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
-    // without the name of the temporary file, which the user does not know
-    builder.tempfile_in(folder_of(path)).map_err(|error| {
-        let text = error.to_string();
-        let reason = text.split_once(" at path ").map_or(text.as_str(), |(reason, _)| reason);
-        Error::new(error.kind(), reason)
-    })
+    let folder = folder_of(path);
+    remove_left(folder);
+    loop {
+        // without the name of the temporary file, which the user does not know
+        let file = builder.tempfile_in(folder).map_err(|error| {
+            let text = error.to_string();
+            let reason = text.split_once(" at path ").map_or(text.as_str(), |(reason, _)| reason);
+            Error::new(error.kind(), reason)
+        })?;
+        // the lock says that a process is at work; the system frees that of a killed one. A process that
+        // came before the lock may have removed the file as one that was left.
+        let is_locked = file.as_file().lock().is_ok();
+        if !is_locked || file.path().exists() {
+            return Ok(file);
+        }
+    }
+}
+
+/// Removes the temporary files that killed runs left in a folder: those that nobody holds a lock on.
+fn remove_left(folder: &Path) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let is_ours = entry.file_name().to_string_lossy().starts_with(TEMPORARY);
+        if !is_ours || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            continue;
+        }
+        if std::fs::File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
+            // what cannot be removed does not stand in the way of the new file
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests_of_leftovers {
+    use super::*;
+
+    /// Law: a temporary file that a killed run left is removed by the next file written into that folder;
+    /// one whose process is at work stays, and so do files and folders of other names. Oracle: a lock that
+    /// the test holds.
+    #[test]
+    fn what_a_killed_run_left_is_removed_by_the_next() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |name: &str| folder.path().join(name);
+        let names = [".groundtruth-left", ".groundtruth-held", "groundtruth-mine"].map(at);
+        names.iter().for_each(|path| std::fs::write(path, "half").expect("written"));
+        std::fs::create_dir(at(".groundtruth-folder")).expect("made");
+        let held = std::fs::File::open(&names[1]).expect("it is there");
+        held.lock().expect("nobody else has it");
+        replace(&at("new"), b"whole").expect("written");
+        assert_eq!(names.each_ref().map(|path| path.exists()), [false, true, true]);
+        assert!(at(".groundtruth-folder").exists());
+        drop(held);
+        replace(&at("new"), b"whole").expect("written");
+        assert!(!names[1].exists());
+        assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 3);
+    }
+
+    /// Law: many writers of one folder do not remove each other's files. Oracle: none of them fails.
+    #[test]
+    fn writers_at_work_leave_each_other_alone() {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::thread::scope(|scope| {
+            for name in ["a", "b", "c", "d"] {
+                let path = folder.path().join(name);
+                scope.spawn(move || (0..200).for_each(|_| replace(&path, b"x").expect("written")));
+            }
+        });
+        assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 4);
+    }
+
+    /// Law: of files that belong together none is replaced unless all can be. Oracle: the old bytes.
+    #[test]
+    fn files_that_belong_together_are_replaced_together() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [data, page] = ["data", "missing/page"].map(|name| folder.path().join(name));
+        std::fs::write(&data, "old").expect("written");
+        let files: [(&Path, &[u8]); 2] = [(&data, b"new"), (&page, b"new")];
+        assert_eq!(replace_all(&files).expect_err("there is no such folder").0, 1);
+        assert_eq!(std::fs::read(&data).expect("there"), b"old");
+        std::fs::create_dir(folder.path().join("missing")).expect("made");
+        replace_all(&files).expect("written");
+        assert_eq!(std::fs::read(&data).expect("there"), b"new");
+    }
 }
 
 #[cfg(all(test, unix))]

@@ -10,6 +10,7 @@ use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{self, UNIT_ROUNDOFF, Vector};
+use crate::printable;
 use crate::rgb::Rgb;
 use crate::shapes::{SampledSurface, Sampling, Shape, Surface};
 use crate::textures::TexturePoint;
@@ -49,10 +50,11 @@ impl Specification for Area {
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         let name = &self.object;
+        let shown = printable::name(name);
         let object = context.object(name).map_err(|e| e.inside("object"))?;
         let Some(emission) = object.emission.clone() else {
             let problem =
-                format!("the material of `{name}` does not shine; an `emissive` one is needed");
+                format!("the material of `{shown}` does not shine; an `emissive` one is needed");
             return Err(Invalid::field("object", problem));
         };
         let by = |sampling| object.shape.sampled(sampling);
@@ -67,7 +69,7 @@ impl Specification for Area {
                 false => ("object", "", SAMPLED),
             };
             let problem =
-                format!("the shape of `{name}` cannot be sampled{which}; these can: {can}");
+                format!("the shape of `{shown}` cannot be sampled{which}; these can: {can}");
             return Err(Invalid::field(field, problem));
         };
         let (shape, two_sided) = (Arc::clone(&object.shape), object.two_sided);

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::background::Sky;
 use crate::emission::Emission;
 use crate::invalid::Invalid;
+use crate::printable::{self, listed};
 use crate::shapes::Shape;
 
 /// The objects that area lights may name, and the sky.
@@ -33,18 +34,16 @@ pub struct LampObject {
 impl Context {
     /// The object of this name.
     pub(super) fn object(&self, name: &str) -> Result<&LampObject, Invalid> {
+        let shown = printable::name(name);
         if self.hidden.contains(name) {
-            return Err(Invalid::new(format!("`{name}` is not there: it has `enabled = false`")));
+            return Err(Invalid::new(format!("`{shown}` is not there: it has `enabled = false`")));
         }
         self.objects.get(name).ok_or_else(|| {
             if self.objects.is_empty() {
-                return Invalid::new(format!("no object `{name}`: the scene has none"));
+                return Invalid::new(format!("no object `{shown}`: the scene has none"));
             }
-            /// The most names in a message.
-            const SHOWN: usize = 12;
-            let known: Vec<&str> = self.objects.keys().map(String::as_str).take(SHOWN).collect();
-            let more = if self.objects.len() > SHOWN { ", …" } else { "" };
-            Invalid::new(format!("no object `{name}`; there are: {}{more}", known.join(", ")))
+            let known = listed(self.objects.keys());
+            Invalid::new(format!("no object `{shown}`; there are: {known}"))
         })
     }
 }

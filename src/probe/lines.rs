@@ -11,7 +11,9 @@ use super::{LONGEST_LINE, Refusal, json, reply, too_long};
 /// As reading and writing.
 pub fn serve(mut input: impl BufRead, mut output: impl Write) -> io::Result<bool> {
     let mut all_answered = true;
+    let mut number = 0;
     while let Some(line) = next_line(&mut input)? {
+        number += 1;
         if line.iter().all(u8::is_ascii_whitespace) {
             continue;
         }
@@ -20,8 +22,12 @@ pub fn serve(mut input: impl BufRead, mut output: impl Write) -> io::Result<bool
             _ if line.len() > LONGEST_LINE => Err(refuse(too_long())),
             Ok(text) => reply(text),
             Err(e) => {
-                let column = e.valid_up_to() + 1;
-                Err(refuse(format!("column {column}: not UTF-8; JSON is UTF-8 text")))
+                let at = e.valid_up_to();
+                Err(refuse(format!(
+                    "line {number}, byte {}: 0x{:02x} is not UTF-8; JSON is UTF-8 text",
+                    at + 1,
+                    line[at]
+                )))
             }
         };
         all_answered &= reply.is_ok();

@@ -35,6 +35,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
 use crate::invalid::{Invalid, plain_words};
+use crate::printable;
 
 pub use limits::{LONGEST_LINE, MAX_POINTS, MAX_TRIANGLES, MAX_WORK};
 pub use lines::serve;
@@ -164,7 +165,8 @@ pub fn answer(line: &str) -> String {
 
 /// The answer, or the refusal.
 fn reply(line: &str) -> Result<String, String> {
-    let refuse = |id: Option<&Value>, error: &str| json(&Refusal { id, error });
+    let refuse =
+        |id: Option<&Value>, error: &str| json(&Refusal { id, error: &printable::text(error) });
     if line.len() > LONGEST_LINE {
         return Err(refuse(None, &too_long()));
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::html::escaped;
 use super::{Provenance, Report};
-use crate::film::{TEMPORARY, replace};
+use crate::film::{TEMPORARY, replace_all};
 
 const STYLE: &str = "\
 body { font: 16px/1.45 Georgia, 'Times New Roman', serif; color: #111; background: #fff; \
@@ -100,9 +100,11 @@ pub fn write(report: &Report, folder: &Path) -> io::Result<[PathBuf; 2]> {
     let json = report.json().map_err(io::Error::other)?;
     std::fs::create_dir_all(folder).map_err(|e| unwritable(folder, &e))?;
     let files = ["index.html", "report.json"].map(|name| folder.join(name));
-    for (path, text) in files.iter().zip([report.html(), json]) {
-        replace(path, text.as_bytes()).map_err(|e| unwritable(path, &e))?;
-    }
+    let [page, data] = &files;
+    let html = report.html();
+    // the data first, so that nobody sees a new page beside old data
+    let texts: [(&Path, &[u8]); 2] = [(data, json.as_bytes()), (page, html.as_bytes())];
+    replace_all(&texts).map_err(|(index, e)| unwritable(texts[index].0, &e))?;
     Ok(files)
 }
 

@@ -4,13 +4,14 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::invalid::Invalid;
+use crate::printable;
 
 /// A scene that cannot be read, built or written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneError {
     /// The file cannot be read.
-    #[error("{}: cannot be read: {source}", path.display())]
+    #[error("{}: cannot be read: {source}", shown(path))]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -52,11 +53,16 @@ impl Location {
     }
 }
 
+/// A path without characters that a terminal obeys.
+fn shown(path: &Path) -> String {
+    printable::text(&path.display().to_string())
+}
+
 impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
-            Some((path, None)) => write!(f, "{}: ", path.display()),
-            Some((path, Some(line))) => write!(f, "{}:{line}: ", path.display()),
+            Some((path, None)) => write!(f, "{}: ", shown(path)),
+            Some((path, Some(line))) => write!(f, "{}:{line}: ", shown(path)),
             None => Ok(()),
         }
     }

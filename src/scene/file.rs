@@ -43,14 +43,29 @@ impl Source {
 pub fn open(path: &Path) -> Result<(Scene, Source), SceneError> {
     let unreadable = |source| SceneError::Unreadable { path: path.to_owned(), source };
     let file = std::fs::File::open(path).map_err(unreadable)?;
-    let mut text = String::new();
+    let mut bytes = Vec::new();
     // limits the bytes that are read, not the reported size: the file may be a pipe
-    file.take(LARGEST_FILE + 1).read_to_string(&mut text).map_err(unreadable)?;
-    if text.len() as u64 > LARGEST_FILE {
+    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST_FILE {
         let problem = format!("it is too large for a scene (at most {LARGEST_FILE} bytes fit)");
         return Err(unreadable(std::io::Error::other(problem)));
     }
+    let text = String::from_utf8(bytes).map_err(|error| not_utf8(&error, path))?;
     parse(text, path)
+}
+
+/// The error of bytes that are no text, with the line and the byte in it, both from 1.
+fn not_utf8(error: &std::string::FromUtf8Error, path: &Path) -> SceneError {
+    let (bytes, at) = (error.as_bytes(), error.utf8_error().valid_up_to());
+    let before = &bytes[..at];
+    let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+    let byte = at - before.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1) + 1;
+    let kind = match bytes {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "the file is UTF-16 text; save it as UTF-8",
+        _ => "save the file as UTF-8 text",
+    };
+    let problem = format!("byte {byte} of the line, 0x{:02x}, is not UTF-8: {kind}", bytes[at]);
+    SceneError::Invalid { location: Location::line(path, line), invalid: Invalid::new(problem) }
 }
 
 /// Parses a scene; `path` is for error messages and for relative file names.

@@ -54,7 +54,14 @@ pub(super) fn parse_error(text: &str, file: &Path, error: &toml::de::Error) -> S
     let Some(document) = parse(text) else {
         return SceneError::Invalid { location, invalid: Invalid::new(problem) };
     };
-    let path = path_at(&document, span.start + end);
+    let mut path = path_at(&document, span.start + end);
+    if let Some(unknown) = problem.strip_prefix("unknown field `") {
+        // a table that nothing knows is named itself, not its first element
+        let is_unknown =
+            |key: &Key| matches!(key, Key::Field(name) if unknown.starts_with(&format!("{name}`")));
+        let last = path.iter().rposition(is_unknown).map_or(path.len(), |index| index + 1);
+        path.truncate(last);
+    }
     let problem = with_help(&path, problem);
     SceneError::Invalid { location, invalid: Invalid { path, problem } }
 }

@@ -9,6 +9,7 @@ use crate::accel;
 use crate::invalid::{Invalid, MAX_NESTING};
 use crate::math::Transform;
 use crate::mesh_file::MeshData;
+use crate::printable::{self, listed};
 use crate::resources::Resources;
 
 /// More triangles in one scene would take gigabytes, up to 300 bytes each while trees are built.
@@ -110,8 +111,8 @@ impl Context {
     /// [`Invalid`] lists the names there are.
     pub fn material(&self, name: &str) -> Result<PartMaterial, Invalid> {
         self.materials.known.get(name).copied().ok_or_else(|| {
-            let known: Vec<&str> = self.materials.known.keys().map(String::as_str).collect();
-            let known = known.join(", ");
+            let known = listed(self.materials.known.keys());
+            let name = printable::name(name);
             Invalid::field("material", format!("no material `{name}`; defined are: {known}"))
         })
     }

@@ -1,6 +1,7 @@
 //! The book's tracers as values.
 
 use crate::lights::{Light, Meets};
+use crate::printable;
 use crate::scene::Tracer;
 use crate::world::{PlacedMaterial, World};
 
@@ -122,7 +123,7 @@ pub fn omissions(world: &World) -> Vec<String> {
     let tracer = world.tracer.name();
     let of_light = |light: &crate::world::PlacedLight| {
         let [what, why] = strategy.leaves_out(&*light.light)?;
-        Some(format!("{tracer} {what} the light \"{}\": {why}", light.name))
+        Some(format!("{tracer} {what} the light \"{}\": {why}", printable::name(&light.name)))
     };
     let of_material = |material: &PlacedMaterial| {
         let is_left_out = strategy.scatter == Scatter::Nothing && material.recipe.needs_rays();
@@ -130,7 +131,7 @@ pub fn omissions(world: &World) -> Vec<String> {
             format!(
                 "{tracer} traces no reflections or refractions of the material \"{}\"; `whitted` and the \
                  path tracers do",
-                material.name
+                printable::name(&material.name)
             )
         })
     };

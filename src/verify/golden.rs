@@ -172,9 +172,19 @@ impl Goldens {
     /// # Errors
     /// [`GoldenError::File`] and [`GoldenError::Manifest`].
     pub fn open(folder: &Path) -> Result<Self, GoldenError> {
+        let unfinished = |source| GoldenError::File { path: folder.to_owned(), source };
+        let mut finished = false;
+        if journal::waits(folder) {
+            // the other run may be at work still
+            let _lock = journal::lock(folder).map_err(unfinished)?;
+            finished = journal::finish(folder).map_err(unfinished)?;
+        }
+        Ok(Self { folder: folder.to_owned(), all: Self::read(folder)?, finished })
+    }
+
+    /// The goldens of the manifest of a folder.
+    fn read(folder: &Path) -> Result<Vec<Golden>, GoldenError> {
         let path = folder.join(MANIFEST);
-        let finished = journal::finish(folder)
-            .map_err(|source| GoldenError::File { path: folder.to_owned(), source })?;
         let text = std::fs::read_to_string(&path)
             .map_err(|source| GoldenError::File { path: path.clone(), source })?;
         let wrong = |problem| GoldenError::Manifest { path: path.clone(), problem };
@@ -189,7 +199,7 @@ impl Goldens {
                 return Err(wrong(format!("{name} is there twice")));
             }
         }
-        Ok(Self { folder: folder.to_owned(), all: manifest.golden, finished })
+        Ok(manifest.golden)
     }
 
     /// Whether the folder has no manifest, and no new manifest waiting to be moved there.
@@ -289,12 +299,19 @@ impl Goldens {
         Ok(Proposal { golden, film })
     }
 
-    /// Accepts the proposed pictures: all of them, or none. If the machine stops meanwhile, the next
+    /// Accepts the proposed pictures: all of them, or none. What another run accepted meanwhile stays, and
+    /// one that is about to is waited for. If the machine stops meanwhile, the next
     /// [`Goldens::open`] finishes, or finds the goldens as they were.
     ///
     /// # Errors
     /// [`GoldenError::File`] and [`GoldenError::Image`].
     pub fn accept(&mut self, proposals: Vec<Proposal>) -> Result<(), GoldenError> {
+        std::fs::create_dir_all(&self.folder).map_err(|e| self.unwritten(e))?;
+        let _lock = journal::lock(&self.folder).map_err(|e| self.unwritten(e))?;
+        journal::finish(&self.folder).map_err(|e| self.unwritten(e))?;
+        if !Self::is_none(&self.folder) {
+            self.all = Self::read(&self.folder)?;
+        }
         let all = self.decide(proposals)?;
         journal::finish(&self.folder).map_err(|e| self.unwritten(e))?;
         self.all = all;
@@ -303,7 +320,6 @@ impl Goldens {
 
     /// Writes pictures and manifest to temporary files, so that only moving them remains.
     fn decide(&self, proposals: Vec<Proposal>) -> Result<Vec<Golden>, GoldenError> {
-        std::fs::create_dir_all(&self.folder).map_err(|e| self.unwritten(e))?;
         journal::clear(&self.folder).map_err(|e| self.unwritten(e))?;
         let staged = journal::stage(&self.folder).map_err(|e| self.unwritten(e))?;
 

@@ -7,6 +7,7 @@ use super::{PlacedLight, PlacedMaterial, PlacedObject};
 use crate::background::Sky;
 use crate::invalid::{Invalid, Key, length, shown};
 use crate::lights::{self, LampObject};
+use crate::printable;
 use crate::resources::Resources;
 use crate::scene::{self, Scene};
 use crate::shapes::{Context, PartMaterial};
@@ -22,7 +23,8 @@ fn unique<'a>(list: &str, names: impl Iterator<Item = &'a str>) -> Result<(), In
     let mut known = std::collections::HashMap::new();
     for (index, name) in names.enumerate() {
         if let Some(first) = known.insert(name, index) {
-            let problem = format!("`{name}` is the name of {list}[{first}] already");
+            let problem =
+                format!("`{}` is the name of {list}[{first}] already", printable::name(name));
             return Err(item(list, index, name)(Invalid::field("name", problem)));
         }
     }
@@ -52,6 +54,7 @@ pub(super) fn placed_lights(
         let built = light.source.build(&mut context).map_err(here)?;
         if let Some(name) = built.object() {
             if let Some(other) = lamps.insert(name.to_owned(), &light.name) {
+                let [name, other] = [name, other].map(printable::name);
                 let problem = format!("`{name}` is the lamp of the light \"{other}\" already");
                 return Err(here(Invalid::field("object", problem).inside("area")));
             }
@@ -63,6 +66,7 @@ pub(super) fn placed_lights(
         if built.is_sky()
             && let Some(other) = sky.replace(&light.name)
         {
+            let other = printable::name(other);
             let problem = format!("the background is the light \"{other}\" already");
             return Err(here(Invalid::field("environment", problem)));
         }
@@ -176,7 +180,7 @@ pub(super) fn placed_objects(
         }
         let needs_uv = |index: u32| materials[index as usize].needs_uv;
         if let Some(found) = shape.material_without_uv(material.index, &needs_uv) {
-            let name = &materials[found as usize].name;
+            let name = printable::name(&materials[found as usize].name);
             let problem = format!(
                 "its material `{name}` has an image without `mapping`, which needs texture coordinates, \
                  but only meshes with `uvs` have these: give the image a mapping"

@@ -290,3 +290,67 @@ fn the_lines_of_a_path_read_as_before() {
     });
     reads_as_before!(said.collect::<Vec<_>>().join("\n"));
 }
+
+/// The number, parent and depth of a ray, as its line in a text tells them.
+fn told(line: &str) -> Option<(usize, Option<usize>, u32)> {
+    let (_share, line) = line.split_once('%')?;
+    let mut fields = line.trim_start().split("  ");
+    let number = fields.next()?.parse().ok()?;
+    match fields.next()?.strip_prefix("from ") {
+        None => Some((number, None, 0)),
+        Some(words) => {
+            let (parent, depth) = words.split_once(", depth ")?;
+            Some((number, Some(parent.parse().ok()?), depth.parse().ok()?))
+        }
+    }
+}
+
+/// Law: the text alone tells the parent and the depth of every ray that it shows, and of which ray others
+/// are folded. Oracle: the tree, walked by the test, in a gallery scene of many branches, nested glass and
+/// paths.
+#[test]
+fn parent_and_depth_of_every_ray_can_be_read() {
+    fn walk(
+        ray: &RayExplanation,
+        parent: Option<usize>,
+        all: &mut Vec<(usize, Option<usize>, u32)>,
+    ) {
+        let depth = parent
+            .map_or(0, |parent| all.iter().find(|it| it.0 == parent).map_or(0, |it| it.2 + 1));
+        all.push((ray.number, parent, depth));
+        ray.children.iter().for_each(|child| walk(child, Some(ray.number), all));
+    }
+    let bowl = groundtruth::gallery::find("ch28/fish-bowl").expect("in the gallery");
+    let mut scene = (bowl.build)();
+    scene.image.samples = 4;
+    let mut shown = 0;
+    for (scene, pixel) in [(scene, [300, 300]), (room(0.8, 0.2, 16), [0, 0])] {
+        let world = World::build(&scene).expect("the scene is valid");
+        let explained = explain::pixel(&scene, &world, pixel, None).expect("few rays");
+        for min_share in [0.0, 0.01, 0.2] {
+            let text = explained.text(min_share, false);
+            let mut read = text.lines().filter_map(told).peekable();
+            for root in explained.samples.iter().filter_map(|sample| sample.ray.as_ref()) {
+                let mut all = Vec::new();
+                walk(root, None, &mut all);
+                let rows = Outline::folding_below(min_share).rows(root);
+                for row in rows.iter() {
+                    if let Row::Ray { ray, .. } = row {
+                        let found = read.next().expect("a line for each ray");
+                        assert_eq!(found.0, ray.number);
+                        assert!(all.contains(&found), "{found:?}: {}", ray.line());
+                        shown += 1;
+                    }
+                    if let Row::Folded { parent, rays, .. } = row {
+                        assert!(text.contains(&format!(
+                            "{} from {parent} (",
+                            explain::count(*rays, "more ray")
+                        )));
+                    }
+                }
+            }
+            assert_eq!(read.next(), None, "and none more");
+        }
+    }
+    assert!(shown > 500, "{shown}");
+}

@@ -34,6 +34,17 @@ fn the_examples_of_the_document_are_true() {
     assert_eq!(count, 65, "examples in docs/probe.md");
 }
 
+/// Law: bytes that are no text get the number of their line, counted with blank ones, and the byte in it, from
+/// 1. Oracle: where the test put them.
+#[test]
+fn bytes_that_are_no_text_get_line_and_byte() {
+    let (text, all) =
+        served(b"{\"fresnel\": {\"cos_i\": 1, \"eta\": 1.5}}\n\n{\"id\": \"\xe9\"}\n");
+    let last = text.lines().last().expect("two replies");
+    assert_eq!(last, r#"{"error":"line 3, byte 9: 0xe9 is not UTF-8; JSON is UTF-8 text"}"#);
+    assert!(!all);
+}
+
 fn any_finite() -> impl Strategy<Value = f64> {
     let bits = any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite());
     prop_oneof![8 => bits, 1 => -1e3..1e3_f64, 1 => prop_oneof![Just(0.0), Just(-0.0)]]

@@ -20,7 +20,7 @@ fn specimens<Kind>(entries: &[Entry<Kind>]) -> Vec<Kind> {
 }
 
 /// A scene with an example of every kind, every step and every field that has a default.
-fn everything(lens: cameras::Kind) -> Scene {
+pub fn everything(lens: cameras::Kind) -> Scene {
     let camera = Viewpoint {
         roll: 10.0,
         medium: Medium { eta: 1.5, absorption: Rgb::new(0.5, 0.25, 0.125) },

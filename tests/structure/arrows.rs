@@ -7,7 +7,8 @@ use super::{code_by_module, without_comments};
 /// The other modules that each module may name.
 const MAY_NAME: &[(&str, &[&str])] = &[
     ("math", &[]),
-    ("invalid", &["math"]),
+    ("printable", &[]),
+    ("invalid", &["math", "printable"]),
     ("rgb", &["invalid", "math"]),
     ("kinds", &["invalid", "kinds", "rgb"]),
     ("noise", &["invalid", "math", "samplers"]),
@@ -18,7 +19,17 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("mesh_bvh", &["accel", "candidate", "math"]),
     (
         "shapes",
-        &["accel", "candidate", "invalid", "kinds", "math", "mesh_bvh", "mesh_file", "resources"],
+        &[
+            "printable",
+            "accel",
+            "candidate",
+            "invalid",
+            "kinds",
+            "math",
+            "mesh_bvh",
+            "mesh_file",
+            "resources",
+        ],
     ),
     ("samplers", &["invalid", "kinds", "math"]),
     ("lobes", &["invalid", "kinds", "math", "rgb", "samplers"]),
@@ -41,7 +52,17 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("medium", &["invalid", "kinds", "rgb"]),
     (
         "lights",
-        &["background", "emission", "invalid", "kinds", "math", "rgb", "shapes", "textures"],
+        &[
+            "printable",
+            "background",
+            "emission",
+            "invalid",
+            "kinds",
+            "math",
+            "rgb",
+            "shapes",
+            "textures",
+        ],
     ),
     ("cameras", &["invalid", "kinds", "math", "medium"]),
     ("film", &["math", "rgb"]),
@@ -52,6 +73,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     (
         "scene",
         &[
+            "printable",
             "accel",
             "background",
             "bumps",
@@ -71,6 +93,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     (
         "world",
         &[
+            "printable",
             "accel",
             "background",
             "bumps",
@@ -91,6 +114,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     (
         "trace",
         &[
+            "printable",
             "lights",
             "lobes",
             "materials",
@@ -107,7 +131,18 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("ray_budget", &["math", "render", "rgb", "trace", "world"]),
     (
         "explain",
-        &["lobes", "math", "render", "rgb", "scene", "shapes", "textures", "trace", "world"],
+        &[
+            "printable",
+            "lobes",
+            "math",
+            "render",
+            "rgb",
+            "scene",
+            "shapes",
+            "textures",
+            "trace",
+            "world",
+        ],
     ),
     (
         "gallery",
@@ -135,6 +170,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     (
         "probe",
         &[
+            "printable",
             "accel",
             "background",
             "cameras",

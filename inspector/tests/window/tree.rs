@@ -45,7 +45,7 @@ fn small_rays_are_folded_until_they_are_asked_for() {
     let small = root.path_to(parent).last().expect("a ray of the tree").children.clone();
     let small = small.iter().find(|ray| ray.share < MIN_SHARE).expect("it folds something");
     assert_eq!(lines(&window, small), 0);
-    let first = window.get_all_by_label_contains("more rays, ").next().expect("a folded line");
+    let first = window.get_all_by_label_contains("more rays from ").next().expect("a folded line");
     first.click();
     settle(&mut window);
     assert_eq!(lines(&window, small), 1, "{}", small.line());
@@ -123,7 +123,30 @@ fn what_is_copied_reproduces_the_pixel() {
     assert!(numbers.contains("\nt\t") && numbers.contains("\nrelative η\t1.5\n"), "{numbers}");
 }
 
-/// What a click on a button puts on the clipboard.
+/// Law: each line of the tree tells number, parent and depth of its ray. Oracle: the library's tree, walked.
+#[test]
+fn each_line_tells_parent_and_depth() {
+    fn walk(ray: &RayExplanation, depth: usize, starts: &mut Vec<String>) {
+        for child in &ray.children {
+            starts.push(format!("{}  from {}, depth {}  ", child.number, ray.number, depth + 1));
+            walk(child, depth + 1, starts);
+        }
+    }
+    let (window, root) = deep_window();
+    let mut starts = Vec::new();
+    walk(&root, 0, &mut starts);
+    let lines: Vec<_> = window.get_all_by_label_contains(", depth ").collect();
+    assert!(lines.len() > 8, "{} lines", lines.len());
+    for line in lines {
+        let text = egui_kittest::kittest::NodeT::accesskit_node(&line).label().unwrap_or_default();
+        assert!(
+            starts.iter().any(|start| text.starts_with(start)) || text.starts_with("camera, depth"),
+            "{text}"
+        );
+    }
+}
+
+/// What a click on a button puts on the clipboard; the window says so.
 fn copied(window: &mut Window, button: &str) -> String {
     window.run_steps(3);
     if window.query_by_label(button).is_none() {
@@ -139,6 +162,8 @@ fn copied(window: &mut Window, button: &str) -> String {
             _ => None,
         });
         if let Some(text) = text {
+            window.run_steps(2);
+            window.get_by_label("copied");
             return text;
         }
     }

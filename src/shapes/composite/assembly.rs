@@ -11,6 +11,7 @@ use std::sync::Arc;
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, Key};
 use crate::math::{Aabb, Ray, Span, Transform, Vector};
+use crate::printable;
 use crate::shapes::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
 
 /// Up to this many parts are tried one after the other unless the scene says how.
@@ -48,7 +49,7 @@ pub fn solid_by(
     let names: BTreeSet<&str> = parts.iter().map(|(name, _)| *name).collect();
     if let Some(unknown) = materials.keys().find(|name| !names.contains(name.as_str())) {
         let known = Vec::from_iter(names).join(", ");
-        let problem = format!("no part `{unknown}`; there are: {known}");
+        let problem = format!("no part `{}`; there are: {known}", printable::name(unknown));
         return Err(Invalid::field("materials", problem));
     }
     for (part, name) in materials {

@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::Serialize;
 
+use crate::printable;
+
 /// The path from a shape to its innermost part that was hit: an instance of a compound of meshes has
 /// three levels. A shape that holds no others and has no numbered parts has none.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
@@ -108,7 +110,7 @@ impl fmt::Display for Level {
             Self::Part { index, name } if name.is_empty() => {
                 write!(f, "part {index} of a compound")
             }
-            Self::Part { index, name } => write!(f, "part {index} ({name})"),
+            Self::Part { index, name } => write!(f, "part {index} ({})", printable::name(name)),
             Self::Copy(copy) => write!(f, "copy {copy:?} of a lattice"),
             Self::Sphere(number) => write!(f, "sphere {number}"),
             Self::Triangle(number) => write!(f, "triangle {number}"),

@@ -4,6 +4,7 @@
 //! that folder to [`ACCEPTED`] decides: before it, nothing has happened; after it, what is left in
 //! the folder is moved to its place, now or when the goldens are opened next.
 
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -13,6 +14,25 @@ use tempfile::TempDir;
 const ACCEPTED: &str = ".accepted";
 /// How the names of folders begin whose files are not decided.
 const STAGED: &str = ".accepting-";
+
+/// What a run locks that changes the folder: the folder itself, or a file in it where folders have no locks.
+fn lockable(folder: &Path) -> io::Result<File> {
+    if cfg!(unix) {
+        return File::open(folder);
+    }
+    File::options().create(true).truncate(false).write(true).open(folder.join(".lock"))
+}
+
+/// Waits until no other run changes the folder, and keeps others out while the file is open. The system
+/// frees the lock of a process that is killed.
+pub fn lock(folder: &Path) -> io::Result<File> {
+    let file = lockable(folder)?;
+    match file.lock() {
+        // a file system without locks
+        Err(error) if error.kind() != io::ErrorKind::Unsupported => Err(error),
+        _ => Ok(file),
+    }
+}
 
 /// A folder for new files, gone again unless it is decided.
 pub fn stage(folder: &Path) -> io::Result<TempDir> {

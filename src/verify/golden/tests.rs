@@ -191,3 +191,30 @@ fn views_show_distance_object_rays_and_normal_of_the_first_hit() {
     let normal = golden.render().unwrap().get([1, 1]);
     assert!((normal.g - 25.0 / 80.0).abs() < 1e-12 && normal.b > 0.9, "{normal:?}");
 }
+
+/// Law: what two runs accept at the same time is all there, and neither fails. Oracle: both names and their
+/// pictures, read again; the runs begin with the same old manifest.
+#[test]
+fn two_runs_at_once_lose_nothing() {
+    const NAMES: [&str; 3] = ["ch03/single-sphere", "ch28/glass-sphere", "ch24/hall-of-mirrors"];
+    let (folder, goldens) = one_golden();
+    let propose = |name: &str| goldens.propose(name, "both looked at it", &small()).unwrap();
+    let proposals = NAMES.map(|name| (goldens.clone(), propose(name)));
+    for _ in 0..20 {
+        std::thread::scope(|scope| {
+            for (goldens, proposal) in &proposals {
+                let mut goldens = goldens.clone();
+                scope.spawn(move || goldens.accept(vec![proposal.clone()]).unwrap());
+            }
+        });
+        let after = Goldens::open(folder.path()).unwrap();
+        for name in NAMES.into_iter().chain([NAME]) {
+            assert_eq!(after.check(name).unwrap().status, Status::Same, "{name}");
+        }
+        assert_eq!(after.all().len(), 4);
+        // from the start again
+        let text = HEADER.to_owned()
+            + &toml::to_string(&Manifest { golden: goldens.all().to_vec() }).unwrap();
+        std::fs::write(folder.path().join(MANIFEST), text).unwrap();
+    }
+}

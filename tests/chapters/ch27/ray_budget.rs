@@ -39,6 +39,7 @@ fn a_slab_at_depth_100_counts_as_a_line() {
     let estimate = measured(&built(&scene), MAX_COUNTED);
     // the camera's, and two at each of the hits at depths 0 to 100
     assert_eq!((estimate.mean, estimate.is_cut), (1.0 + 2.0 * 101.0, false));
+    assert_eq!(estimate.note(24.0 * 16.0), None);
 }
 
 /// Law: inside a mirroring sphere a picture takes N + 2 rays a sample, the last of which is too deep. Oracle:
@@ -66,6 +67,9 @@ fn a_tree_without_end_is_cut() {
     // rays that are open at the cut still count: each of them sends one more
     let few = estimate.mean < MAX_COUNTED as f64 + 300.0;
     assert!(estimate.is_cut && estimate.mean >= 1e6 && few, "{estimate:?}");
+    // also before a single sample is rendered
+    let note = estimate.note(1.0).expect("its user waits for ever");
+    assert!(note.starts_with("this will take at least "), "{note}");
     let estimate = measured(&built(&scene), 1000);
     assert!(estimate.is_cut && estimate.mean < 1300.0, "{estimate:?}");
 }

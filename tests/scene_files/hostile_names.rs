@@ -1,0 +1,146 @@
+//! Names that a terminal would obey, in every place of a scene file that carries a name or a key.
+
+use std::path::Path;
+
+use groundtruth::{cameras, explain, printable, scene, world};
+use proptest::prelude::*;
+use rayon::prelude::*;
+use toml::Value;
+
+use super::not_finite::everything;
+
+/// The most characters of a line: the longest message, its file and line.
+const LONGEST_LINE: usize = printable::LONGEST_TEXT + 100;
+/// What a hostile name tries to put at the start of a line.
+const FORGED: &str = "error: all is well";
+
+/// Texts of characters that a terminal obeys, some of them very long.
+fn hostile() -> impl Strategy<Value = String> {
+    let obeyed = prop_oneof![
+        (0_u32..0x20).prop_map(|c| char::from_u32(c).expect("a control character")),
+        (0x7f_u32..0xa0).prop_map(|c| char::from_u32(c).expect("a control character")),
+        prop::sample::select(vec![
+            '\u{202e}', '\u{2066}', '\u{200f}', '\u{61c}', '\u{2028}', '\u{feff}'
+        ]),
+        any::<char>(),
+    ];
+    let piece = prop_oneof![
+        8 => obeyed.prop_map(String::from),
+        1 => Just(format!("\r\n{FORGED}")),
+        1 => Just("\u{1b}]0;title\u{7}\u{1b}[2J".to_owned()),
+        1 => (1_usize..3000).prop_map(|count| "x`\"".repeat(count)),
+    ];
+    prop::collection::vec(piece, 1..6).prop_map(|pieces| pieces.concat())
+}
+
+/// Fails if a terminal would obey a part of the text, or a line is very long or forged.
+fn check_shown(text: &str, name: &str) {
+    for line in text.lines() {
+        assert!(!line.chars().any(printable::is_obeyed), "{name:?} is obeyed in {line:?}");
+        assert!(line.chars().count() <= LONGEST_LINE, "{} characters", line.chars().count());
+        assert!(!line.trim_start().starts_with(FORGED), "{name:?} makes a line of its own");
+    }
+}
+
+/// What the program says about a scene: its error, or its notes and the explanation of a pixel.
+fn said(text: &str) -> String {
+    match world::from_toml(text, Path::new("scene.toml")) {
+        Err(error) => error.to_string() + "\n",
+        Ok((scene, world)) => match explain::pixel(&scene, &world, [1, 2], None) {
+            Ok(explanation) => explanation.text(0.0, false),
+            Err(_) => String::new(),
+        },
+    }
+}
+
+/// Applies `change` to the number-th string or key in a document, and counts both; true once it is done.
+fn change(value: &mut Value, number: &mut usize, name: &str) -> bool {
+    let mut is_it = || {
+        let found = *number == 0;
+        *number = number.wrapping_sub(1);
+        found
+    };
+    match value {
+        Value::String(text) if is_it() => {
+            name.clone_into(text);
+            true
+        }
+        Value::Array(list) => list.iter_mut().any(|inner| change(inner, number, name)),
+        Value::Table(table) => {
+            let keys: Vec<String> = table.keys().cloned().collect();
+            for key in keys {
+                if *number == 0 {
+                    let inner = table.remove(&key).expect("its key");
+                    table.insert(name.to_owned(), inner);
+                    return true;
+                }
+                *number -= 1;
+                if change(table.get_mut(&key).expect("its key"), number, name) {
+                    return true;
+                }
+            }
+            false
+        }
+        _ => false,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
+
+    /// Law: whatever stands in a place for a name, a key or a kind of a scene file, no message has a
+    /// character that a terminal obeys, a line of its own for the name, or a very long line. Oracle: the
+    /// characters of every error, note and explanation.
+    #[test]
+    fn no_name_is_obeyed(name in hostile()) {
+        let lens = cameras::Kind::from(cameras::Orthographic { zoom: 1.0 });
+        let whole = scene::to_toml(&everything(lens)).expect("no custom kinds");
+        let whole: Value = toml::from_str(&whole).expect("it is TOML");
+        let changed = |number: usize| {
+            let (mut document, mut left) = (whole.clone(), number);
+            change(&mut document, &mut left, &name).then(|| document.to_string())
+        };
+        let count = (0..).take_while(|&number| changed(number).is_some()).count();
+        assert!(count > 300, "only {count} names and keys");
+        (0..count).into_par_iter().for_each(|number| {
+            let text = changed(number).expect("counted");
+            if let Err(error) = world::from_toml(&text, Path::new("scene.toml")) {
+                check_shown(&error.to_string(), &name);
+            }
+        });
+    }
+
+    /// Law: the same of a small scene that is valid with any names: its explanation, and the note on a
+    /// light that its tracer leaves out. Oracle: as above.
+    #[test]
+    fn no_name_of_a_valid_scene_is_obeyed(names in prop::array::uniform3(hostile())) {
+        let mut document: Value = toml::from_str(super::SCENE).expect("it is TOML");
+        let quoted = |name: &str| Value::String(name.to_owned());
+        document["lights"][0]["name"] = quoted(&names[0]);
+        document["materials"][0]["name"] = quoted(&names[1]);
+        document["objects"][0]["material"] = quoted(&names[1]);
+        document["objects"][0]["name"] = quoted(&names[2]);
+        for tracer in ["whitted", "path_trace"] {
+            document["tracer"] = toml::from_str::<Value>(&format!("{tracer}.max_depth = 3")).expect("TOML");
+            let text = document.to_string();
+            world::from_toml(&text, Path::new("scene.toml")).expect("names may be anything");
+            let said = said(&text);
+            prop_assert!(said.contains("hits"), "{said}");
+            check_shown(&said, &names.concat());
+        }
+    }
+}
+
+/// Law: a long name keeps its start and its end. Oracle: both, by hand.
+#[test]
+fn a_long_name_is_shortened_in_the_middle() {
+    let long = format!("start {} end", "x".repeat(100_000));
+    let shown = printable::name(&long);
+    assert!(shown.starts_with("start xx") && shown.contains('…') && shown.ends_with("xx end"));
+    assert_eq!(shown.chars().count(), printable::LONGEST_NAME);
+    for same in ["ball", "Kugel aus Glas, größer als 3 µm", &"x".repeat(printable::LONGEST_NAME)]
+    {
+        assert_eq!(printable::name(same), same);
+    }
+    assert_eq!(printable::name("a\u{1b}[2J\n\u{202e}b"), "a\\u{1b}[2J\\u{a}\\u{202e}b");
+}
