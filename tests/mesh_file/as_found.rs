@@ -82,7 +82,9 @@ fn strips_are_the_triangles_that_they_spell_out() {
         ]);
         (0..20_i8).for_each(|v| file.i8(v).i8(v % 5).i8(0).end());
         file.i32(list.len() as i32);
-        list.iter().for_each(|&index| drop(file.i32(index)));
+        list.iter().for_each(|&index| {
+            file.i32(index);
+        });
         file.end();
         if expected.is_empty() {
             parse_ply(&file.bytes).unwrap_err();
@@ -116,7 +118,9 @@ fn coordinates_of_corners_are_those_of_the_same_mesh_as_obj() {
         }
         for corners in PYRAMID_FACES {
             file.u8(corners.len() as u8);
-            corners.iter().for_each(|&corner| drop(file.i32(corner as i32)));
+            corners.iter().for_each(|&corner| {
+                file.i32(corner as i32);
+            });
             file.u8(2 * corners.len() as u8);
             faces += "f";
             for corner in corners {
