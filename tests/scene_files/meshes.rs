@@ -56,7 +56,7 @@ fn errors_name_the_object_the_file_and_its_line() {
         ),
         (
             ply("end_header", strips),
-            "mesh.ply: element `tristrips`: triangle strips are not read; convert them to triangles and export the mesh again",
+            "mesh.ply: element `tristrips`: the header promises 1 of at least 2 bytes each, but only 0 bytes are left; the file is cut off or its header is wrong",
         ),
         (
             error_of_mesh("mesh.ply", Some("hello")),
