@@ -233,10 +233,19 @@ pub fn direction(field: &str, v: Vector) -> Result<Normal, Invalid> {
     })
 }
 
+/// The message of a text reader with the names short that it quotes by backticks.
+fn with_short_names(message: &str) -> String {
+    let parts = message.split('`').enumerate();
+    let parts: Vec<String> = parts
+        .map(|(i, part)| if i % 2 == 1 { printable::name(part) } else { part.to_owned() })
+        .collect();
+    parts.join("`")
+}
+
 /// The message of a text reader, in words for a user who does not know Rust.
 pub(crate) fn plain_words(message: &str) -> String {
     const COUNT: &str = "expected a whole number from 0 to 4294967295";
-    let message = message.replace('\n', "; ");
+    let message = with_short_names(&message.replace('\n', "; "));
     for (technical, plain) in [
         ("expected u32", COUNT),
         ("expected f64", "expected a number"),

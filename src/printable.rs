@@ -8,7 +8,7 @@ pub const LONGEST_NAME: usize = 64;
 /// How many of them stand before the `…` of a longer name.
 const START: usize = 44;
 /// The most characters of a whole message.
-pub const LONGEST_TEXT: usize = 2000;
+pub const LONGEST_TEXT: usize = 1200;
 
 /// A name for a message: control characters and direction marks as `\u{1b}`, the middle of a long one as `…`.
 pub fn name(name: &str) -> String {

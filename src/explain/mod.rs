@@ -261,7 +261,7 @@ struct Explaining<'a> {
 
 impl Explaining<'_> {
     fn root(&self) -> RayExplanation {
-        self.ray((0, None), self.weight)
+        self.ray(0, None, self.weight)
     }
 
     /// A contribution as a part of the sample.
@@ -272,7 +272,7 @@ impl Explaining<'_> {
 
     /// Explains a ray and those after it. `throughput` is the weight at the eye of the radiance that
     /// arrives at the ray's origin.
-    fn ray(&self, (number, parent): (usize, Option<usize>), throughput: Rgb) -> RayExplanation {
+    fn ray(&self, number: usize, parent: Option<usize>, throughput: Rgb) -> RayExplanation {
         let node = &self.tree.nodes()[number];
         // one shadow ray serves several lobes: their weights add up
         let weight_of = |child: usize| -> Rgb {
@@ -282,7 +282,7 @@ impl Explaining<'_> {
         // the throughput of light that leaves the surface: through the medium too
         let leaving = throughput * node.transmittance;
         let children =
-            node.children.iter().map(|&c| self.ray((c, Some(number)), leaving * weight_of(c)));
+            node.children.iter().map(|&c| self.ray(c, Some(number), leaving * weight_of(c)));
         let terms = node.terms.iter().map(|recorded| TermExplanation {
             source: recorded.term.source.named(|light| self.light(light)),
             weight: recorded.term.weight,
@@ -299,7 +299,8 @@ impl Explaining<'_> {
             number,
             parent,
             kind: node.kind.named(|light| self.light(light)),
-            depth: node.depth,
+            // a shadow ray is recorded with the depth of the hit that it leaves
+            depth: parent.map_or(0, |parent| self.tree.nodes()[parent].depth + 1),
             origin: node.ray.origin.into(),
             direction: node.ray.direction.into(),
             weight: node.weight,

@@ -140,7 +140,9 @@ fn remove_left(folder: &Path) {
         if !is_ours || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
             continue;
         }
-        if std::fs::File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
+        let Ok(file) = std::fs::File::open(entry.path()) else { continue };
+        // held until the file is gone: the process that made it may be about to lock it
+        if file.try_lock().is_ok() {
             // what cannot be removed does not stand in the way of the new file
             let _ = std::fs::remove_file(entry.path());
         }

@@ -4,13 +4,14 @@ use std::path::Path;
 
 use groundtruth::{cameras, explain, printable, scene, world};
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use rayon::prelude::*;
 use toml::Value;
 
 use super::not_finite::everything;
 
-/// The most characters of a line: the longest message, its file and line.
-const LONGEST_LINE: usize = printable::LONGEST_TEXT + 100;
+/// The most characters of a line: the longest message, the steps of its path, file and line.
+const LONGEST_LINE: usize = printable::LONGEST_TEXT + 17 * (printable::LONGEST_NAME + 8) + 100;
 /// What a hostile name tries to put at the start of a line.
 const FORGED: &str = "error: all is well";
 
@@ -55,15 +56,14 @@ fn said(text: &str) -> String {
 
 /// Applies `change` to the number-th string or key in a document, and counts both; true once it is done.
 fn change(value: &mut Value, number: &mut usize, name: &str) -> bool {
-    let mut is_it = || {
-        let found = *number == 0;
-        *number = number.wrapping_sub(1);
-        found
-    };
     match value {
-        Value::String(text) if is_it() => {
+        Value::String(text) if *number == 0 => {
             name.clone_into(text);
             true
+        }
+        Value::String(_) => {
+            *number -= 1;
+            false
         }
         Value::Array(list) => list.iter_mut().any(|inner| change(inner, number, name)),
         Value::Table(table) => {
@@ -85,29 +85,54 @@ fn change(value: &mut Value, number: &mut usize, name: &str) -> bool {
     }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
+/// A document as the text of a file.
+fn written(document: &Value) -> String {
+    toml::to_string(document).expect("a table can be written")
+}
 
-    /// Law: whatever stands in a place for a name, a key or a kind of a scene file, no message has a
-    /// character that a terminal obeys, a line of its own for the name, or a very long line. Oracle: the
-    /// characters of every error, note and explanation.
+/// The scene with every kind of everything, as a document; and the number of its strings and keys.
+fn whole() -> (Value, usize) {
+    let lens = cameras::Kind::from(cameras::Orthographic { zoom: 1.0 });
+    let text = scene::to_toml(&everything(lens)).expect("no custom kinds");
+    let document: Value = toml::from_str(&text).expect("it is TOML");
+    let mut left = usize::MAX;
+    assert!(!change(&mut document.clone(), &mut left, ""), "it has fewer");
+    (document, usize::MAX - left)
+}
+
+/// Checks the error, if there is one, of the document with another text in place of its number-th.
+fn check_error(document: &Value, mut number: usize, name: &str) {
+    let mut document = document.clone();
+    assert!(change(&mut document, &mut number, name), "it has so many");
+    if let Err(error) = world::from_toml(&written(&document), Path::new("scene.toml")) {
+        check_shown(&error.to_string(), name);
+    }
+}
+
+/// Law: whatever stands in a place for a name, a key or a kind of a scene file, no message has a character
+/// that a terminal obeys, a line of its own for the name, or a very long line. Oracle: the characters of the
+/// error of every place.
+#[test]
+fn no_name_in_any_place_is_obeyed() {
+    let (document, count) = whole();
+    assert!(count > 300, "only {count} names and keys");
+    let name = format!("m\u{1b}[31m\u{202e}gnp\r\n{FORGED}\u{9b}2J{}", "x`".repeat(2000));
+    (0..count).into_par_iter().for_each(|number| check_error(&document, number, &name));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64,
+        max_shrink_iters: 64,
+        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
+        ..ProptestConfig::default()
+    })]
+
+    /// Law: the same of random names in random places.
     #[test]
-    fn no_name_is_obeyed(name in hostile()) {
-        let lens = cameras::Kind::from(cameras::Orthographic { zoom: 1.0 });
-        let whole = scene::to_toml(&everything(lens)).expect("no custom kinds");
-        let whole: Value = toml::from_str(&whole).expect("it is TOML");
-        let changed = |number: usize| {
-            let (mut document, mut left) = (whole.clone(), number);
-            change(&mut document, &mut left, &name).then(|| document.to_string())
-        };
-        let count = (0..).take_while(|&number| changed(number).is_some()).count();
-        assert!(count > 300, "only {count} names and keys");
-        (0..count).into_par_iter().for_each(|number| {
-            let text = changed(number).expect("counted");
-            if let Err(error) = world::from_toml(&text, Path::new("scene.toml")) {
-                check_shown(&error.to_string(), &name);
-            }
-        });
+    fn no_random_name_is_obeyed(name in hostile(), at in 0.0..1.0_f64) {
+        static WHOLE: std::sync::LazyLock<(Value, usize)> = std::sync::LazyLock::new(whole);
+        let (document, count) = &*WHOLE;
+        check_error(document, (at * *count as f64) as usize, &name);
     }
 
     /// Law: the same of a small scene that is valid with any names: its explanation, and the note on a
@@ -122,7 +147,7 @@ proptest! {
         document["objects"][0]["name"] = quoted(&names[2]);
         for tracer in ["whitted", "path_trace"] {
             document["tracer"] = toml::from_str::<Value>(&format!("{tracer}.max_depth = 3")).expect("TOML");
-            let text = document.to_string();
+            let text = written(&document);
             world::from_toml(&text, Path::new("scene.toml")).expect("names may be anything");
             let said = said(&text);
             prop_assert!(said.contains("hits"), "{said}");
