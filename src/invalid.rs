@@ -144,9 +144,9 @@ pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
     ))
 }
 
-/// The largest channel of a colour and the largest factor of one. The product of two is 1e36: the light of
-/// a hundred such sources still fits into the `f32` of picture files, whose largest number is 3.4e38.
-pub const BRIGHTEST: f64 = 1e18;
+/// The largest channel of a colour and the largest factor of one: their products stay far from the largest
+/// number also in a scene that is scaled by 2³⁰. Picture files store what is beyond `f32` as its largest number.
+pub const BRIGHTEST: f64 = 1e30;
 
 /// `value`, if it can be a share or strength of light: from 0 to [`BRIGHTEST`].
 pub fn strength(field: &str, value: f64) -> Result<f64, Invalid> {

@@ -108,6 +108,12 @@ impl Border {
         }
     }
 
+    /// The same in a scene whose lengths are multiplied by `factor`.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self { distance: factor * self.distance, rounding: factor * self.rounding, ..self }
+    }
+
     /// The point itself; if it is near the border, the point is moved along the surface to where rays start.
     pub fn moved_inside(&self, point: Point) -> Point {
         let least = ROUNDINGS_INSIDE * self.rounding;
