@@ -355,7 +355,7 @@ fn bytes_that_are_no_text_get_line_and_byte() {
         ),
     ] {
         std::fs::write(&path, bytes).expect("written");
-        let found = world::read(&path).err().expect("it is no text").to_string();
+        let found = world::read(&path).expect_err("it is no text").to_string();
         assert!(found.ends_with(error), "{found}");
     }
 }
