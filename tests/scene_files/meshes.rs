@@ -67,7 +67,7 @@ fn errors_name_the_object_the_file_and_its_line() {
             "mesh.obj: line 4: vertex 4 does not exist; indices go from 1 to 3",
         ),
         (
-            error_of_mesh("mesh.obj", Some("v 0 0 inf\n")),
+            error_of_mesh("mesh.obj", Some("v 0 0 inf\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
             "mesh.obj: line 1: `inf` found for `z`, expected a finite number",
         ),
         (

@@ -9,7 +9,7 @@
 //! other terms cancel.
 
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
-use crate::shapes::border::{Border, along, is_rounding};
+use crate::shapes::border::{Border, along};
 use crate::shapes::{Candidate, Shape, Surface, all_of, first_of, normal_along};
 
 /// The part of a sphere about a point of the y axis that is nearer to a level plane than its rim,
@@ -74,7 +74,7 @@ impl SphericalCap {
             let p = self.unmirrored(ray.at(t).to_vector());
             let [sin, cos] = self.rim;
             let beyond = [p.across_y().length() - self.radius, p.y() - self.heights[1]];
-            beyond[0] * cos + beyond[1] * sin <= 0.0 || is_rounding(self, ray, t)
+            beyond[0] * cos + beyond[1] * sin <= 0.0
         }
     }
 

@@ -65,6 +65,8 @@ fn a_fisheye_under_water_sees_snells_window() {
 #[test]
 fn a_wedge_dims_a_row_of_pixels_as_beer_says() {
     const SIDE: f64 = 0.2;
+    // a ray that hits the edge itself starts beside it by 4096 roundings of coordinates up to 4
+    const AT_EDGE: f64 = 4.0 * 4.0 * 4096.0 * U;
     let sigma = Rgb::new(0.9, 0.0, 0.35);
     let mut scene = deep_stage(Rgb::WHITE, 2);
     scene.camera.eye = Point::new(0.0, 10.0, 0.0);
@@ -80,7 +82,7 @@ fn a_wedge_dims_a_row_of_pixels_as_beer_says() {
         let x = SIDE * (f64::from(column) - 6.0);
         let expected = sigma.map(|sigma| exp(-sigma * depth(x)));
         let found = row.get([column, 1]);
-        close!(found, expected, 64.0 * U, "x = {x}");
+        close!(found, expected, if column == 6 { AT_EDGE } else { 64.0 * U }, "x = {x}");
         // from the middle out; the pixel over the edge itself is the same on both sides of it
         let [near, far] = match column {
             6 => [0.0, 0.5 * SIDE],
