@@ -26,15 +26,12 @@ pub struct Border {
 /// they are then still on the inner side of a wall that meets it at a degree.
 const ROUNDINGS_INSIDE: f64 = 4096.0;
 
-/// More than the rounding of a hit, in units of the largest number of which it is a sum.
-const HIT: f64 = 32.0 * UNIT_ROUNDOFF;
+/// More than the rounding of a hit, relative to the numbers of which it is a sum; all of it together is less
+/// than boxes are grown by.
+const HIT: f64 = 12.0 * UNIT_ROUNDOFF;
 
 /// A smaller cosine between ray and normal enlarges the rounding of a hit along the surface no more.
 const MIN_COSINE: f64 = 1.0 / (1 << 16) as f64;
-
-/// A hit that is farther beyond a border, in roundings of the part's own numbers, does not count: those that
-/// do stay within the padding of bounds, also of rays from far away.
-const MAX_ROUNDINGS: f64 = (1 << 20) as f64;
 
 impl Border {
     /// Of a surface that has none.
@@ -138,13 +135,13 @@ pub fn along(v: Vector) -> Vector {
 #[inline(never)]
 pub fn is_rounding(shape: &dyn Shape, ray: &Ray, t: f64) -> bool {
     let surface = shape.surface(ray, &Candidate::at(t));
-    let Border { distance, inward, across, rounding } = surface.border;
+    let Border { distance, inward, across, .. } = surface.border;
     let d = ray.direction;
     let magnitude = ray.origin.to_vector().abs() + (t * d).abs() + surface.point.to_vector().abs();
     let off = |v: Vector| HIT * magnitude.dot(v.abs());
     // a rounding across the surface moves the hit along the ray
     let slope = surface.normal.dot(d);
-    let moved = inward.dot(d).abs() / slope.abs().max(MIN_COSINE * d.length());
-    let off = off(inward) + off(surface.normal.into()) * moved; // NaN if squares overflow
-    distance >= -off && distance >= -MAX_ROUNDINGS * rounding && slope * across.dot(d) <= 0.0
+    let moved = across.dot(d).abs() / slope.abs().max(MIN_COSINE * d.length());
+    let rounding = off(across) + off(surface.normal.into()) * moved; // NaN if squares overflow
+    distance * inward.dot(across) >= -rounding && slope * across.dot(d) <= 0.0
 }
