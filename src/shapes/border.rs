@@ -30,6 +30,10 @@ const ROUNDINGS_INSIDE: f64 = 4096.0;
 /// than boxes are grown by.
 const HIT: f64 = 12.0 * UNIT_ROUNDOFF;
 
+/// A hit that is farther beyond a border, in roundings of the part's own numbers, does not count: boxes are
+/// grown by more.
+const MAX_ROUNDINGS: f64 = 96.0;
+
 /// A smaller cosine between ray and normal enlarges the rounding of a hit along the surface no more.
 const MIN_COSINE: f64 = 1.0 / (1 << 16) as f64;
 
@@ -135,7 +139,7 @@ pub fn along(v: Vector) -> Vector {
 #[inline(never)]
 pub fn is_rounding(shape: &dyn Shape, ray: &Ray, t: f64) -> bool {
     let surface = shape.surface(ray, &Candidate::at(t));
-    let Border { distance, inward, across, .. } = surface.border;
+    let Border { distance, across, rounding: own, .. } = surface.border;
     let d = ray.direction;
     let magnitude = ray.origin.to_vector().abs() + (t * d).abs() + surface.point.to_vector().abs();
     let off = |v: Vector| HIT * magnitude.dot(v.abs());
@@ -143,5 +147,13 @@ pub fn is_rounding(shape: &dyn Shape, ray: &Ray, t: f64) -> bool {
     let slope = surface.normal.dot(d);
     let moved = across.dot(d).abs() / slope.abs().max(MIN_COSINE * d.length());
     let rounding = off(across) + off(surface.normal.into()) * moved; // NaN if squares overflow
-    distance * inward.dot(across) >= -rounding && slope * across.dot(d) <= 0.0
+    let beyond = -distance;
+    beyond <= rounding && beyond <= MAX_ROUNDINGS * own && slope * across.dot(d) <= 0.0
+}
+
+/// Whether the ray crosses the level `y`, where a wall ends, at `t` or nearly. A level ray beyond it does not,
+/// however the wall's point is rounded.
+pub fn nears_level(ray: &Ray, t: f64, y: f64) -> bool {
+    let (o, step) = (ray.origin.y(), t * ray.direction.y());
+    ((o - y) + step).abs() <= MAX_ROUNDINGS * UNIT_ROUNDOFF * 2.0 * step.abs()
 }

@@ -89,19 +89,19 @@ impl Specification for PartTorus {
 impl PartTorusShape {
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
         self.torus.hits(ray, span, &self.padded, |t, p| {
-            self.phi.has_azimuth_of(p) && self.theta.contains(self.from_middle(p))
+            self.phi.has_azimuth_of(p) && self.theta.contains(self.section_point(p))
                 || is_rounding(self, ray, t)
         })
     }
 
     /// The point in the plane of a section, from the middle of the tube.
-    fn from_middle(&self, p: Vector) -> [f64; 2] {
+    fn section_point(&self, p: Vector) -> [f64; 2] {
         [from_axis(p) - self.torus.swept_radius, p.y()]
     }
 
     fn border(&self, p: Vector) -> Border {
         let radial = along(p.across_y());
-        let around = self.theta.borders(self.from_middle(p)).into_iter();
+        let around = self.theta.borders(self.section_point(p)).into_iter();
         let around = around.map(|(distance, [out, up])| (distance, out * radial + up * Vector::Y));
         let size = self.torus.swept_radius + self.torus.tube_radius;
         Border::of(around.chain(self.phi.azimuth_borders(p)), size)

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
-use crate::shapes::border::{Border, is_rounding};
+use crate::shapes::border::{Border, is_rounding, nears_level};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
 /// The points with `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`: the apex is at `(0, h, 0)`, the
@@ -134,7 +134,7 @@ impl ConeShape {
 
 impl ConeShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| self.is_above_base(ray, t) || is_rounding(self, ray, t)
+        |t| self.is_above_base(ray, t) || nears_level(ray, t, 0.0) && is_rounding(self, ray, t)
     }
 
     /// The base's circle and the apex, by the distances from them along the wall.

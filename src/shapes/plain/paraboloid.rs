@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
-use crate::shapes::border::{Border, along, is_rounding};
+use crate::shapes::border::{Border, along, is_rounding, nears_level};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
 /// The points with `y/h = (x² + z²)/r²` and `y ≤ h`: from the origin up to the circle of radius `r`
@@ -89,7 +89,10 @@ impl ParaboloidShape {
 
 impl ParaboloidShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| self.is_below_rim(ray, t) || is_rounding(self, ray, t)
+        |t| {
+            self.is_below_rim(ray, t)
+                || nears_level(ray, t, self.data.height) && is_rounding(self, ray, t)
+        }
     }
 
     /// The rim, by the distance from it along the wall, which slopes by `2 h ρ/r²`.
