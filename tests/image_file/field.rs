@@ -18,8 +18,7 @@ fn exr_of(names: &[&str], size: [usize; 2], at: [i32; 2], display: [usize; 2]) -
     names.sort_unstable();
     let channel = |(i, name): (usize, &&str)| AnyChannel::new(*name, samples(i, size[0] * size[1]));
     let channels = AnyChannels::sort(names.iter().enumerate().map(channel).collect());
-    let mut attributes = LayerAttributes::default();
-    attributes.layer_position = Vec2(at[0], at[1]);
+    let attributes = LayerAttributes { layer_position: Vec2(at[0], at[1]), ..Default::default() };
     let layer = Layer::new((size[0], size[1]), attributes, ExrEncoding::UNCOMPRESSED, channels);
     let mut image = Image::from_layer(layer);
     image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(display[0], display[1]));
