@@ -8,6 +8,8 @@ mod paths;
 mod same_text;
 #[path = "explain/sources.rs"]
 mod sources;
+#[path = "explain/unlit.rs"]
+mod unlit;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::explain::{self, Outline, RayExplanation, Row};

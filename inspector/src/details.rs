@@ -1,7 +1,9 @@
 //! The details of one ray.
 
 use eframe::egui::{Grid, RichText, Ui};
-use groundtruth::explain::{HitExplanation, RayExplanation, brief, percent, short, unblocked};
+use groundtruth::explain::{
+    HitExplanation, RayExplanation, UnlitLight, brief, lines, percent, short, unblocked,
+};
 use groundtruth::printable::name;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::Texel;
@@ -19,9 +21,13 @@ pub fn exact(numbers: [f64; 3]) -> String {
 pub fn show(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
     ui.label(RichText::new(ray.line()).color(kind_color(ray)).strong());
     let mut clicked = None;
-    if !ray.terms.is_empty() {
+    if !(ray.terms.is_empty() && ray.unlit.is_empty()) {
         ui.add_space(4.0);
         clicked = terms(ui, ray);
+    }
+    if let Some(zeros) = &ray.black {
+        ui.add_space(4.0);
+        ui.label(format!("black: {zeros}"));
     }
     ui.add_space(6.0);
     ui.strong("all its numbers");
@@ -63,6 +69,8 @@ fn fields(ray: &RayExplanation) -> Vec<(&'static str, String)> {
     fields.push(("radiance", color(ray.radiance)));
     fields.push(("contributes", color(ray.contribution)));
     fields.push(("share of the sample", percent(ray.share)));
+    fields.extend(lines(&ray.unlit).into_iter().map(|line| ("adds nothing", line)));
+    fields.extend(ray.black.iter().map(|zeros| ("black", zeros.clone())));
     fields
 }
 
@@ -156,6 +164,13 @@ fn terms(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
                 None => drop(ui.weak("no ray")),
             }
             ui.label(RichText::new(term.factors()).monospace().size(11.5));
+            ui.end_row();
+        }
+        for UnlitLight { light, reason } in &ray.unlit {
+            ui.label(RichText::new("0").monospace().size(11.5));
+            ui.label(format!("light \"{}\"", name(light)));
+            ui.weak("");
+            ui.label(reason.to_string());
             ui.end_row();
         }
     });

@@ -29,6 +29,11 @@ impl Directions {
         Self { sky: Arc::clone(sky), rows, columns }
     }
 
+    /// Whether the sky is black everywhere.
+    pub fn is_black(&self) -> bool {
+        self.rows.total() <= 0.0
+    }
+
     /// A unit direction for two numbers in `[0, 1)`; `None` for a black sky, and sometimes in texels across
     /// the rim of an angular map.
     pub fn sample(&self, [u1, u2]: [f64; 2]) -> Option<Vector> {

@@ -7,6 +7,7 @@
 mod outline;
 mod sources;
 mod text;
+mod unlit;
 
 use serde::Serialize;
 use statrs::statistics::Statistics as _;
@@ -23,6 +24,7 @@ use crate::world::World;
 pub use outline::{Outline, Row};
 pub use sources::{Source, SourceExplanation, Sources, TooManyRays};
 pub use text::{brief, count, percent, short, table, unblocked};
+pub use unlit::{UnlitLight, lines};
 
 /// A pixel explained: its samples and their sum.
 #[derive(Clone, Debug, Serialize)]
@@ -109,6 +111,12 @@ pub struct RayExplanation {
     pub outcome: Outcome<HitExplanation, String>,
     /// What leaves the surface towards the ray's origin, term by term.
     pub terms: Vec<TermExplanation>,
+    /// The lights of the scene that add nothing at its hit.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unlit: Vec<UnlitLight>,
+    /// Which factors are 0, in one sentence, if it brings no light and is no shadow ray.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub black: Option<String>,
     /// The share that the medium lets through.
     pub transmittance: Rgb,
     /// What arrives at its origin: the transmittance times the sum of the terms.
@@ -295,6 +303,7 @@ impl Explaining<'_> {
         let own_terms = node.terms.iter().filter(|recorded| recorded.child.is_none());
         let own: Rgb = own_terms.map(|recorded| recorded.term.value).sum();
         let contribution = throughput * node.radiance;
+        let unlit = self.unlit(node);
         RayExplanation {
             number,
             parent,
@@ -304,11 +313,10 @@ impl Explaining<'_> {
             origin: node.ray.origin.into(),
             direction: node.ray.direction.into(),
             weight: node.weight,
-            outcome: node.outcome.clone().described(
-                |hit| self.hit(hit),
-                |object| self.scene.objects[object as usize].name.clone(),
-            ),
+            outcome: node.outcome.clone().described(|hit| self.hit(hit), |it| self.object(it)),
             terms: terms.collect(),
+            black: self.black(node, &unlit),
+            unlit,
             transmittance: node.transmittance,
             radiance: node.radiance,
             contribution,
@@ -320,7 +328,7 @@ impl Explaining<'_> {
 
     fn hit(&self, hit: RecordedHit) -> HitExplanation {
         HitExplanation {
-            object: self.scene.objects[hit.object as usize].name.clone(),
+            object: self.object(hit.object),
             material: self.scene.materials[hit.material as usize].name.clone(),
             path: hit.path,
             t: hit.t,
@@ -334,6 +342,10 @@ impl Explaining<'_> {
             textures: hit.textures,
             is_switched_off: !hit.shines,
         }
+    }
+
+    fn object(&self, index: u32) -> String {
+        self.scene.objects[index as usize].name.clone()
     }
 
     fn light(&self, index: u32) -> String {

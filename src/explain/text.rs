@@ -4,7 +4,7 @@ use std::fmt::{self, Write as _};
 
 use super::{
     HitExplanation, Outline, PixelExplanation, RayExplanation, Row, SampleExplanation, Source,
-    SourceExplanation, Sources, TermExplanation,
+    SourceExplanation, Sources, TermExplanation, unlit,
 };
 use crate::lobes::Lobe;
 use crate::printable::{self, name};
@@ -89,9 +89,11 @@ impl RayExplanation {
             !is_shadow || term.weight != Rgb::WHITE || self.transmittance != Rgb::WHITE
         });
         lines.extend(terms.map(|term| format!("  {}", term.line())));
+        lines.extend(unlit::lines(&self.unlit).iter().map(|line| format!("  + 0  {line}")));
         if self.transmittance != Rgb::WHITE {
             lines.push(format!("  × {}  through the medium", short(self.transmittance)));
         }
+        lines.extend(self.black.iter().map(|zeros| format!("black: {zeros}")));
         lines
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment, Target};
+use super::{Context, Light, LightContext, LightSample, Segment, Target, Unlit};
 use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
@@ -90,7 +90,7 @@ impl Lamp {
     /// The cosine at the lamp, if the side towards `from` shines. On the back of a two-sided lamp it is
     /// taken with the opposite normal.
     fn cosine(&self, from: math::Point, at: &Surface) -> Option<f64> {
-        let cosine = at.normal.dot((from - at.point).unit()?);
+        let cosine = cosine_at(at, from)?;
         let cosine = if self.two_sided { cosine.abs() } else { cosine };
         (cosine > 0.0).then_some(cosine)
     }
@@ -103,6 +103,11 @@ impl Lamp {
         let hit = self.surface.candidate(from, u);
         self.emission.radiance(&TexturePoint::of_hit(at, &*self.shape, &hit), cosine)
     }
+}
+
+/// The cosine between the normal of a lamp and the direction to `from`.
+fn cosine_at(lamp: &Surface, from: math::Point) -> Option<f64> {
+    Some(lamp.normal.dot((from - lamp.point).unit()?))
 }
 
 /// The end of the shadow ray to a point of a lamp. It is in front of the lamp by more than the error of a
@@ -134,6 +139,14 @@ impl Light for Lamp {
             blocked: Rgb::BLACK,
             pdf: Some(pdf),
         })
+    }
+
+    fn unlit(&self, from: &LightContext, u: &[[f64; 2]]) -> Unlit {
+        let drawn = self.surface.sample(from.point, u[0]);
+        match drawn.and_then(|(at, _)| cosine_at(&at, from.point)) {
+            Some(cos_lamp) => Unlit::BehindLamp { cos_lamp },
+            None => Unlit::HiddenPoint,
+        }
     }
 
     fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64 {

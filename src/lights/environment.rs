@@ -6,7 +6,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment, Target};
+use super::{Context, Light, LightContext, LightSample, Segment, Target, Unlit};
 use crate::background::{Directions, ImageSky, Sky};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
@@ -112,6 +112,10 @@ impl Light for Imaged {
             blocked: Rgb::BLACK,
             pdf: Some(pdf),
         })
+    }
+
+    fn unlit(&self, _: &LightContext, _: &[[f64; 2]]) -> Unlit {
+        if self.directions.is_black() { Unlit::Dark } else { Unlit::NoDirection }
     }
 
     fn pdf(&self, _: &LightContext, to: &Target<'_>) -> f64 {

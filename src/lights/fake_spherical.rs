@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::jittered_directional::in_cube;
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample};
+use super::{Context, Light, LightContext, LightSample, Unlit};
 use crate::invalid::{Invalid, finite_point, not_negative, strength};
 use crate::kinds::{self, Specification};
 use crate::math::{self, power};
@@ -71,13 +71,22 @@ impl Specification for FakeSpherical {
     }
 }
 
+impl JitteredPoint {
+    fn drawn(&self, u: &[[f64; 2]]) -> math::Point {
+        self.location + self.jitter * in_cube(u)
+    }
+}
+
 impl Light for JitteredPoint {
     fn draws(&self) -> usize {
         2
     }
 
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
-        let location = self.location + self.jitter * in_cube(u);
-        from_point(from.point, location, self.radiance, self.attenuation)
+        from_point(from.point, self.drawn(u), self.radiance, self.attenuation)
+    }
+
+    fn unlit(&self, from: &LightContext, u: &[[f64; 2]]) -> Unlit {
+        Unlit::AtLight { distance: from.point.distance(self.drawn(u)) }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment};
+use super::{Context, Light, LightContext, LightSample, Segment, Unlit};
 use crate::invalid::{Invalid, finite_point, not_negative, strength};
 use crate::kinds::{self, Specification};
 use crate::math::{self, power};
@@ -71,6 +71,10 @@ impl Specification for Point {
 impl Light for PointSource {
     fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
         from_point(from.point, self.location, self.radiance, self.attenuation)
+    }
+
+    fn unlit(&self, from: &LightContext, _: &[[f64; 2]]) -> Unlit {
+        Unlit::AtLight { distance: from.point.distance(self.location) }
     }
 }
 

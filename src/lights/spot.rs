@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample};
+use super::{Context, Light, LightContext, LightSample, Unlit};
 use crate::invalid::{Invalid, direction, finite_point, not_negative, strength, within};
 use crate::kinds::{self, Specification};
 use crate::math::{self, Normal, Vector, atan2, power, to_degrees};
@@ -79,11 +79,16 @@ impl Specification for Spot {
 }
 
 impl Cone {
+    /// The angle between the axis and a direction, in degrees.
+    fn angle(&self, direction: Vector) -> f64 {
+        let across = Vector::from(self.axis).cross(direction).length();
+        to_degrees(atan2(across, self.axis.dot(direction)))
+    }
+
     /// The share of light that goes into this direction: `s² (3 − 2s)`, s from 1 at `inner` to 0 at
     /// `outer`.
     fn share(&self, direction: Vector) -> f64 {
-        let across = Vector::from(self.axis).cross(direction).length();
-        let angle = to_degrees(atan2(across, self.axis.dot(direction)));
+        let angle = self.angle(direction);
         if angle <= self.inner {
             return 1.0;
         }
@@ -100,5 +105,14 @@ impl Light for Cone {
         let sample = from_point(from.point, self.location, self.radiance, self.attenuation)?;
         let share = self.share(-sample.direction);
         (share > 0.0).then(|| LightSample { radiance: share * sample.radiance, ..sample })
+    }
+
+    fn unlit(&self, from: &LightContext, _: &[[f64; 2]]) -> Unlit {
+        match from_point(from.point, self.location, self.radiance, self.attenuation) {
+            None => Unlit::AtLight { distance: from.point.distance(self.location) },
+            Some(sample) => {
+                Unlit::OutsideCone { angle: self.angle(-sample.direction), outer: self.outer }
+            }
+        }
     }
 }

@@ -6,7 +6,7 @@ use super::{
     Lamps, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing, context,
     medium_towards, power_heuristic,
 };
-use crate::lights::{LightSample, MAX_DRAWS};
+use crate::lights::{LightSample, MAX_DRAWS, Unlit};
 use crate::lobes::{Bsdf, Lit, MAX_LOBES, Which};
 use crate::rgb::Rgb;
 use crate::samplers::Purpose;
@@ -25,7 +25,11 @@ impl<R: Recorder> Tracing<'_, R> {
         for pair in 0..light.light.draws() as u32 {
             u.push(self.draw(Purpose::Light { path: path.key, light: light.index, pair }));
         }
-        light.light.sample(&from, &u)
+        let sample = light.light.sample(&from, &u);
+        if sample.is_none() {
+            self.recorder.unlit(light.index, || light.light.unlit(&from, &u));
+        }
+        sample
     }
 
     /// Light that meets the ambient reflectance.
@@ -38,6 +42,7 @@ impl<R: Recorder> Tracing<'_, R> {
         sum: &mut RadianceSum,
     ) {
         if reflectance.is_black() {
+            self.recorder.unlit(light.index, || Unlit::NoAmbientReflectance);
             return;
         }
         let Some(sample) = self.sample(path, point, light) else { return };
@@ -57,6 +62,7 @@ impl<R: Recorder> Tracing<'_, R> {
     ) {
         let which = if self.strategy.is_path() { Which::Spread } else { Which::Lit };
         if !bsdf.is_lit(which) {
+            self.recorder.unlit(light.index, || unlit_surface(point, bsdf));
             return;
         }
         let Some(sample) = self.sample(path, point, light) else { return };
@@ -71,6 +77,9 @@ impl<R: Recorder> Tracing<'_, R> {
             .filter(|(_, weight)| counts(*weight, &sample))
             .collect();
         if terms.is_empty() {
+            self.recorder.unlit(light.index, || {
+                unlit_sample(&sample, point, &bsdf.lit(which, sample.direction))
+            });
             return;
         }
         let medium = medium_towards(path.medium, point, sample.direction);
@@ -80,6 +89,30 @@ impl<R: Recorder> Tracing<'_, R> {
                 TermSource::Direct { light: light.index, lobe, f, cos_i, pdf, mis, traced };
             sum.add(self.recorder, source, weight, arriving);
         }
+    }
+}
+
+/// Why samples of lights meet no lobe of a surface.
+fn unlit_surface(point: &ShadingPoint<'_>, bsdf: &Bsdf<'_>) -> Unlit {
+    match bsdf.lobes().is_empty() {
+        true => Unlit::NoLobes,
+        false if point.cos_o <= 0.0 => Unlit::ViewerBehind { cos_o: point.cos_o },
+        false => Unlit::TracedLobesOnly,
+    }
+}
+
+/// Why a light's sample makes no term, of which the lobes make `lit`: the first reason that holds.
+fn unlit_sample(sample: &LightSample, point: &ShadingPoint<'_>, lit: &[Lit]) -> Unlit {
+    let sent = sample.radiance + sample.blocked;
+    let [shading, geometry] = [point.normals.shading, point.normals.geometry];
+    let [cos_i, cos_true] = [shading, geometry].map(|normal| normal.dot(sample.direction));
+    match () {
+        () if sent.is_black() => Unlit::Dark,
+        () if lit.iter().any(|lit| !(lit.f * sent).is_black()) => Unlit::TooWeak,
+        () if !lit.is_empty() => Unlit::OtherColors,
+        () if cos_i <= 0.0 => Unlit::BehindSurface { cos_i },
+        () if cos_true <= 0.0 => Unlit::BehindTrueSurface { cos_i: cos_true },
+        () => Unlit::OutsideLobes { cos_i },
     }
 }
 

@@ -16,7 +16,7 @@ mod shadow;
 mod strategy;
 mod tree;
 
-use crate::lights::{LightContext, Meets, Target};
+use crate::lights::{LightContext, Meets, Target, Unlit};
 use crate::lobes::Bsdf;
 use crate::materials::Response;
 use crate::math::{Ray, Span, Vector};
@@ -141,10 +141,16 @@ impl<R: Recorder> Tracing<'_, R> {
             for light in &self.world.lights {
                 match light.light.meets() {
                     // ambient light replaces indirect light, which paths find themselves
-                    Meets::Ambient if self.strategy.is_path() => {}
+                    Meets::Ambient if self.strategy.is_path() => {
+                        self.recorder.unlit(light.index, || Unlit::LeftOut);
+                    }
                     Meets::Ambient => self.ambient(path, &point, light, response.ambient, sum),
                     Meets::Lobes => self.direct(path, &point, light, &bsdf, sum),
                 }
+            }
+        } else {
+            for light in &self.world.lights {
+                self.recorder.unlit(light.index, || self.strategy.unsampled(&*light.light));
             }
         }
         match self.strategy.scatter {

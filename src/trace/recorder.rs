@@ -5,6 +5,7 @@
 use serde::Serialize;
 
 use super::ShadingPoint;
+use crate::lights::Unlit;
 use crate::lobes::{Lobe, Lobes};
 use crate::math::Ray;
 use crate::rgb::Rgb;
@@ -204,6 +205,10 @@ pub trait Recorder {
     /// Two random numbers are drawn.
     #[inline(always)]
     fn draw(&mut self) {}
+    /// A light of the scene, by its index, adds nothing at the surface. `why` is called only by recorders
+    /// that explain.
+    #[inline(always)]
+    fn unlit(&mut self, _light: u32, _why: impl FnOnce() -> Unlit) {}
     /// A term of its sum, in the order of addition.
     fn term(&mut self, term: Term);
     /// It ends, with the transmittance of its medium and the radiance that arrives at its origin.

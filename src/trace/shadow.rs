@@ -3,7 +3,7 @@
 use super::{
     Optics, Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource, Tracing, medium_towards,
 };
-use crate::lights::{LightSample, Segment};
+use crate::lights::{LightSample, Segment, Unlit};
 use crate::materials::Response;
 use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
@@ -47,7 +47,11 @@ impl<R: Recorder> Tracing<'_, R> {
             Some(segment) if light.shadows || self.is_met(light) => {
                 // The hemisphere is about the interpolated normal. The surface itself hides the part of it
                 // below the true normal's horizon, also if the surface is open.
-                if point.normals.geometry.dot(sample.direction) <= 0.0 {
+                let cos_i = point.normals.geometry.dot(sample.direction);
+                if cos_i <= 0.0 {
+                    if sample.blocked.is_black() {
+                        self.recorder.unlit(light.index, || Unlit::BehindTrueSurface { cos_i });
+                    }
                     return (sample.blocked, false);
                 }
                 (self.shadow(medium, point, light, (segment, sample)), true)

@@ -1,6 +1,6 @@
 //! The book's tracers as values.
 
-use crate::lights::{Light, Meets};
+use crate::lights::{Light, Meets, Unlit};
 use crate::printable;
 use crate::scene::Tracer;
 use crate::world::{PlacedMaterial, World};
@@ -102,6 +102,18 @@ impl Strategy {
                 "no path can meet it, as it has no surface; `path` samples it at every hit",
             ]),
             _ => None,
+        }
+    }
+
+    /// Why a light is not sampled at a hit at which none is.
+    pub(super) fn unsampled(self, light: &dyn Light) -> Unlit {
+        match self.direct {
+            Direct::Shading => unreachable!("lights are sampled at every hit"),
+            _ if light.meets() == Meets::Ambient => Unlit::LeftOut,
+            Direct::FirstHit if self.max_depth > 0 => Unlit::FirstHitOnly,
+            Direct::FirstHit | Direct::EveryHit => Unlit::TooDeep,
+            Direct::Never if self.leaves_out(light).is_some() => Unlit::LeftOut,
+            Direct::Never => Unlit::NotSampled,
         }
     }
 

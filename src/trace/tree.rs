@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::recorder::{Outcome, RayKind, Recorder, Term, TermSource};
 use super::{Optics, ShadingPoint};
+use crate::lights::Unlit;
 use crate::lobes::Lobes;
 use crate::materials::TexturedField;
 use crate::math::{Normal, Point, Ray, Vector, atan2, to_degrees};
@@ -42,6 +43,8 @@ pub struct Node {
     pub outcome: Outcome<RecordedHit>,
     /// The terms of its sum, in order.
     pub terms: Vec<RecordedTerm>,
+    /// The lights that were not counted at its hit, by their indices.
+    pub unlit: Vec<(u32, Unlit)>,
     /// The transmittance of its medium.
     pub transmittance: Rgb,
     /// The radiance that arrives at its origin.
@@ -75,8 +78,13 @@ pub struct RecordedHit {
     pub angle_of_incidence: f64,
     /// How light divides there, if the surface refracts.
     pub optics: Option<Optics>,
+    /// Whether its material shines.
+    pub is_emissive: bool,
     /// Whether the object may shine: not while it is the lamp of a light that is off.
     pub shines: bool,
+    /// The cosine between the true normal and the direction to the viewer; of a two-sided surface, not
+    /// negative.
+    pub cos_o: f64,
     /// The values of its material's textures there.
     pub textures: Vec<RecordedTexture>,
 }
@@ -110,7 +118,9 @@ impl RecordedHit {
             front: hit.front,
             angle_of_incidence: to_degrees(atan2(across, along)),
             optics: None,
+            is_emissive: hit.material.recipe.emission().is_some(),
             shines: hit.object.shines,
+            cos_o: ShadingPoint::new(hit, -ray.direction).cos_o,
             textures: recorded_textures(hit),
         }
     }
@@ -188,6 +198,7 @@ impl Recorder for RayTree {
             weight,
             outcome: Outcome::Background,
             terms: Vec::new(),
+            unlit: Vec::new(),
             transmittance: Rgb::WHITE,
             radiance: Rgb::BLACK,
             children: Vec::new(),
@@ -208,6 +219,12 @@ impl Recorder for RayTree {
         }
         if let Outcome::Hit { hit } = &mut self.current().outcome {
             hit.optics = Optics::of(point, lobes);
+        }
+    }
+
+    fn unlit(&mut self, light: u32, why: impl FnOnce() -> Unlit) {
+        if self.beyond == 0 {
+            self.current().unlit.push((light, why()));
         }
     }
 

@@ -5,11 +5,12 @@ use std::mem::{Discriminant, discriminant};
 use std::path::Path;
 
 use groundtruth::accel::Method;
+use groundtruth::explain;
 use groundtruth::film::Film;
 use groundtruth::render::{self, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Material, Scene, Tracer, to_toml};
-use groundtruth::trace::RayTree;
+use groundtruth::trace::{RayKind, RayTree, TermSource};
 use groundtruth::world::from_toml;
 use groundtruth::{lights, materials, shapes};
 
@@ -153,6 +154,66 @@ fn scaled(scene: &mut Scene, which: usize, factor: f64) -> bool {
         _ => return false,
     }
     true
+}
+
+/// Law: at every hit each light of the scene either adds light or says once why not, and a ray, but for
+/// shadow rays, says why it is black exactly if it is. A light that adds nothing at any hit of a sample can be
+/// switched off without a change of the sample. Oracle: the terms, and the sample of the scene without that
+/// light; lamps and the sky stay on, since they are seen, too.
+#[test]
+fn every_light_adds_light_or_says_why_not() {
+    let (mut unlit, mut switched_off) = (0, 0);
+    for number in 0..SCENES {
+        let scene = any(number);
+        let world = built(&scene);
+        for at in [[1, 2], [3, 4], [4, 3], [6, 5]] {
+            let sample = explain::sample(&scene, &world, at, 0);
+            let Some(root) = sample.ray else { continue };
+            let mut idle: HashSet<&str> = scene.lights.iter().map(|it| it.name.as_str()).collect();
+            let mut rays = vec![&root];
+            while let Some(ray) = rays.pop() {
+                rays.extend(&ray.children);
+                if matches!(ray.kind, RayKind::Shadow { .. }) {
+                    assert!(ray.unlit.is_empty() && ray.black.is_none(), "scene {number}, {at:?}");
+                    continue;
+                }
+                assert_eq!(ray.black.is_some(), ray.radiance.is_black(), "scene {number}, {at:?}");
+                assert!(ray.black.as_ref().is_none_or(|zeros| !zeros.is_empty()), "{ray:?}");
+                for light in &scene.lights {
+                    let adds = ray.terms.iter().any(|term| match &term.source {
+                        TermSource::Ambient { light: it, .. }
+                        | TermSource::Direct { light: it, .. } => {
+                            *it == light.name && !term.value.is_black()
+                        }
+                        _ => false,
+                    });
+                    let reasons = ray.unlit.iter().filter(|it| it.light == light.name).count();
+                    let is_hit = ray.outcome.hit().is_some();
+                    let expected = usize::from(is_hit && !adds);
+                    assert_eq!(reasons, expected, "scene {number}, {at:?}, {}", light.name);
+                    unlit += reasons;
+                    if adds {
+                        idle.remove(light.name.as_str());
+                    }
+                }
+            }
+            let idle = idle.into_iter().find(|name| {
+                let light = scene.lights.iter().find(|light| light.name == *name);
+                light.is_some_and(|light| {
+                    !matches!(light.source, lights::Kind::Area(_) | lights::Kind::Environment(_))
+                })
+            });
+            let Some(name) = idle.map(ToOwned::to_owned) else { continue };
+            let mut off = scene.clone();
+            for light in off.lights.iter_mut().filter(|light| light.name == name) {
+                light.enabled = false;
+            }
+            let without = render::sample(&built(&off), at, 0, &mut ());
+            assert_eq!(bits(without), bits(sample.radiance), "scene {number}, {at:?}, {name}");
+            switched_off += 1;
+        }
+    }
+    assert!(unlit > 1000 && switched_off > 100, "{unlit}, {switched_off}");
 }
 
 /// A random scene; every other one has textures.

@@ -1,0 +1,197 @@
+//! The lights that add nothing at a hit, and why a ray brings no light at all.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::{Explaining, brief};
+use crate::lights::Unlit;
+use crate::printable::name;
+use crate::rgb::Rgb;
+use crate::trace::{Node, Outcome, RayKind, RecordedHit, RecordedTerm, TermSource};
+
+/// A light that adds nothing at a hit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UnlitLight {
+    /// Its name.
+    pub light: String,
+    /// The reason.
+    #[serde(flatten)]
+    pub reason: Unlit,
+}
+
+/// Lines such as `lights "sun", "lamp": switched off`: lights with equal reasons share one.
+pub fn lines(unlit: &[UnlitLight]) -> Vec<String> {
+    let mut groups: Vec<(String, Vec<String>)> = Vec::new();
+    for UnlitLight { light, reason } in unlit {
+        let (reason, light) = (reason.to_string(), format!("\"{}\"", name(light)));
+        match groups.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, lights)) => lights.push(light),
+            None => groups.push((reason, vec![light])),
+        }
+    }
+    let line = |(reason, lights): (String, Vec<String>)| {
+        let s = if lights.len() == 1 { "" } else { "s" };
+        format!("light{s} {}: {reason}", lights.join(", "))
+    };
+    groups.into_iter().map(line).collect()
+}
+
+impl fmt::Display for Unlit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = match self {
+            Self::SwitchedOff => "switched off",
+            Self::LeftOut => "left out by the tracer",
+            Self::NotSampled => "not sampled by the tracer; it counts where a path hits it",
+            Self::FirstHitOnly => "sampled at the first hit only",
+            Self::TooDeep => "beyond the largest depth",
+            Self::NoAmbientReflectance => "the ambient reflectance is 0",
+            Self::ViewerBehind { cos_o } => {
+                let cos_o = brief(*cos_o);
+                return write!(f, "the viewer is behind the one-sided surface, cos θ_o = {cos_o}");
+            }
+            Self::NoLobes => "the material scatters nothing",
+            Self::TracedLobesOnly => "the material scatters light of traced rays only",
+            Self::BehindSurface { cos_i } => {
+                let side = if *cos_i < 0.0 { "behind" } else { "in the plane of" };
+                return write!(f, "{side} the surface, cos θ = {}", brief(*cos_i));
+            }
+            Self::BehindTrueSurface { cos_i } => {
+                let cos_i = brief(*cos_i);
+                return write!(f, "behind the true surface, cos θ = {cos_i} to the true normal");
+            }
+            Self::OutsideLobes { cos_i } => {
+                let cos_i = brief(*cos_i);
+                return write!(f, "no lobe scatters it to the viewer, cos θ = {cos_i}");
+            }
+            Self::Dark => "its radiance is 0",
+            Self::OutsideCone { angle, outer } => {
+                let (angle, outer) = (brief(*angle), brief(*outer));
+                return write!(f, "outside its cone: {angle}° from the axis, dark from {outer}°");
+            }
+            Self::BehindLamp { cos_lamp } => {
+                return write!(f, "behind the one-sided lamp, cos θ' = {}", brief(*cos_lamp));
+            }
+            Self::AtLight { distance } => {
+                return write!(f, "too near the light, distance {}", brief(*distance));
+            }
+            Self::HiddenPoint => "the drawn point is on the far side of the lamp, or seen edge-on",
+            Self::NoDirection => "the drawn numbers give no direction",
+            Self::Blocked { blocked_by } => {
+                return write!(f, "blocked by \"{}\"", name(blocked_by));
+            }
+            Self::Absorbed => "absorbed by the medium",
+            Self::OtherColors => "the surface reflects none of its colours",
+            Self::TooWeak => "smaller than the smallest number of a picture",
+        };
+        f.write_str(text)
+    }
+}
+
+impl Explaining<'_> {
+    /// Each light of the scene that adds nothing at the hit of a ray, in the scene's order.
+    pub(super) fn unlit(&self, node: &Node) -> Vec<UnlitLight> {
+        if node.outcome.hit().is_none() {
+            return Vec::new();
+        }
+        let lights = (0_u32..).zip(&self.scene.lights);
+        let unlit = lights.filter_map(|(index, light)| {
+            let reason = match light.enabled {
+                true => self.reason(node, index)?,
+                false => Unlit::SwitchedOff,
+            };
+            Some(UnlitLight { light: light.name.clone(), reason })
+        });
+        unlit.collect()
+    }
+
+    /// Why a light that is on adds nothing; `None` if it does.
+    fn reason(&self, node: &Node, light: u32) -> Option<Unlit> {
+        if let Some((_, reason)) = node.unlit.iter().find(|(index, _)| *index == light) {
+            return Some(reason.clone());
+        }
+        let is_of_light = |recorded: &&RecordedTerm| match recorded.term.source {
+            TermSource::Ambient { light: index, .. } | TermSource::Direct { light: index, .. } => {
+                index == light
+            }
+            _ => false,
+        };
+        let mut terms = node.terms.iter().filter(is_of_light);
+        if terms.clone().any(|recorded| !recorded.term.value.is_black()) {
+            return None;
+        }
+        let RecordedTerm { term, child } = terms.next()?;
+        let shadow = child.map(|child| &self.tree.nodes()[child]);
+        if let Some(Outcome::Blocked { blocked_by }) = shadow.map(|ray| &ray.outcome) {
+            return Some(Unlit::Blocked { blocked_by: self.object(*blocked_by) });
+        }
+        let is_ambient = matches!(term.source, TermSource::Ambient { .. });
+        Some(match term.arriving.is_black() {
+            // a sample without radiance makes no direct term
+            true if !is_ambient => Unlit::Absorbed,
+            true => Unlit::Dark,
+            false => Unlit::OtherColors,
+        })
+    }
+
+    /// One sentence about a ray, not a shadow ray, that brings no light: the first factor of each of its
+    /// terms that is 0.
+    pub(super) fn black(&self, node: &Node, unlit: &[UnlitLight]) -> Option<String> {
+        if !node.radiance.is_black() || matches!(node.kind, RayKind::Shadow { .. }) {
+            return None;
+        }
+        let terms: Rgb = node.terms.iter().map(|recorded| recorded.term.value).sum();
+        Some(match &node.outcome {
+            Outcome::Blocked { .. } | Outcome::Unblocked { .. } => return None,
+            Outcome::TooDeep => "it is beyond the largest depth, and not cast".to_owned(),
+            Outcome::Hit { .. } | Outcome::Background if !terms.is_black() => {
+                "the medium transmits nothing over its length".to_owned()
+            }
+            Outcome::Background if node.terms.iter().all(|it| it.term.arriving.is_black()) => {
+                "the background is black there".to_owned()
+            }
+            Outcome::Background => SAMPLED_BEFORE.replace("{}", "the background"),
+            Outcome::Hit { hit } => {
+                let mut zeros: Vec<String> = no_emission(node, hit).into_iter().collect();
+                if self.scene.lights.is_empty() {
+                    zeros.push("the scene has no lights".to_owned());
+                }
+                zeros.extend(lines(unlit));
+                zeros.extend(no_traced_light(node));
+                zeros.join("; ")
+            }
+        })
+    }
+}
+
+/// What global_trace says of a lamp or sky that a path meets.
+const SAMPLED_BEFORE: &str = "{} counts 0 here: it was sampled at the hit before";
+
+/// Why a material that shines adds nothing.
+fn no_emission(node: &Node, hit: &RecordedHit) -> Option<String> {
+    if !hit.is_emissive {
+        return None;
+    }
+    let is_met = node.terms.iter().any(|it| matches!(it.term.source, TermSource::Emission { .. }));
+    Some(match () {
+        () if !hit.shines => "its area light is switched off".to_owned(),
+        () if is_met => SAMPLED_BEFORE.replace("{}", "the lamp"),
+        () if hit.cos_o <= 0.0 => {
+            let cos_o = brief(hit.cos_o);
+            format!("it shines on its front only, and the viewer is behind, cos θ_o = {cos_o}")
+        }
+        () => "its emission is 0 there".to_owned(),
+    })
+}
+
+/// The rays that a hit sent and that bring nothing.
+fn no_traced_light(node: &Node) -> Option<String> {
+    let is_traced = |it: &&RecordedTerm| matches!(it.term.source, TermSource::Traced { .. });
+    let traced = node.terms.iter().filter(is_traced).filter_map(|it| it.child);
+    let numbers: Vec<String> = traced.map(|child| child.to_string()).collect();
+    match numbers.len() {
+        0 => None,
+        1 => Some(format!("ray {} brings 0", numbers[0])),
+        _ => Some(format!("rays {} bring 0", numbers.join(", "))),
+    }
+}
