@@ -9,6 +9,7 @@ mod hard;
 mod hard_compounds;
 mod inward;
 pub mod leaving;
+mod light_at_edges;
 mod parts;
 mod polynomials;
 mod quadrics;
