@@ -85,7 +85,7 @@ impl Invalid {
 }
 
 /// A number as people write it: without three hundred digits.
-pub(crate) fn shown(value: f64) -> String {
+pub fn shown(value: f64) -> String {
     let plain = value == 0.0 || (1e-6..1e16).contains(&value.abs());
     if plain || !value.is_finite() { format!("{value}") } else { format!("{value:e}") }
 }
@@ -243,7 +243,7 @@ fn with_short_names(message: &str) -> String {
 }
 
 /// The message of a text reader, in words for a user who does not know Rust.
-pub(crate) fn plain_words(message: &str) -> String {
+pub fn plain_words(message: &str) -> String {
     const COUNT: &str = "expected a whole number from 0 to 4294967295";
     let message = with_short_names(&message.replace('\n', "; "));
     for (technical, plain) in [

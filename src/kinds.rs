@@ -66,6 +66,12 @@ pub fn tag(name: &str) -> String {
     tag
 }
 
+/// The tag that a list gives a kind, or that of its name.
+#[doc(hidden)]
+pub fn tag_of(name: &str, given: &[&str]) -> String {
+    given.first().map_or_else(|| tag(name), |&given| given.to_owned())
+}
+
 /// The schema of a list of kinds: a table of one key, which is the tag of a kind. The title of the
 /// list is its trait's name in the plural.
 #[doc(hidden)]
@@ -112,7 +118,7 @@ macro_rules! kinds {
     (
         $(#[doc = $doc:literal])*
         $Kind:ident builds dyn $Trait:ident with $Context:ty $(, finished by $finish:path)?;
-        $($chapter:ident $module:ident::$Data:ident),* $(,)?
+        $($chapter:ident $module:ident::$Data:ident $(as $tag:literal)?),* $(,)?
     ) => {
         $(pub use $module::$Data;)*
 
@@ -122,6 +128,7 @@ macro_rules! kinds {
         pub enum $Kind {
             $(
                 #[doc = concat!("See [`", stringify!($Data), "`].")]
+                $(#[serde(rename = $tag)])?
                 $Data($Data),
             )*
             /// A kind of a user's own; not in scene files.
@@ -144,7 +151,7 @@ macro_rules! kinds {
 
             fn json_schema(generator: &mut ::schemars::SchemaGenerator) -> ::schemars::Schema {
                 let kinds = [$((
-                    $crate::kinds::tag(stringify!($Data)),
+                    $crate::kinds::tag_of(stringify!($Data), &[$($tag)?]),
                     $crate::kinds::schema_of_kind::<$Data>(stringify!($chapter), generator),
                 )),*];
                 $crate::kinds::schema_of_list(stringify!($Trait), concat!($($doc, "\n"),*), kinds)
@@ -182,21 +189,23 @@ macro_rules! kinds {
                 &self,
                 context: &mut $Context,
             ) -> Result<::std::sync::Arc<dyn $Trait>, $crate::invalid::Invalid> {
-                let (built, name) = match self {
-                    $(Self::$Data(data) => {
-                        ($crate::kinds::Specification::build(data, context), stringify!($Data))
-                    })*
+                let (built, name, given): (_, &str, &[&str]) = match self {
+                    $(Self::$Data(data) => (
+                        $crate::kinds::Specification::build(data, context),
+                        stringify!($Data),
+                        &[$($tag)?],
+                    ),)*
                     Self::Custom(custom) => return Ok(::std::sync::Arc::clone(&custom.0)),
                 };
                 $(let built = built.and_then(|built| $finish(self, built, context));)?
-                built.map_err(|e| e.inside($crate::kinds::tag(name).as_str()))
+                built.map_err(|e| e.inside($crate::kinds::tag_of(name, given).as_str()))
             }
         }
     };
 }
 
 /// The default of many factors in scene files.
-pub(crate) fn one() -> f64 {
+pub fn one() -> f64 {
     1.0
 }
 

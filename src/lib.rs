@@ -5,9 +5,7 @@
 //! into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of which
 //! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
 //! listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has
-//! its colour. [`verify`] holds what checks pictures, statistics and intersections, [`report`]
-//! measures what to choose, [`probe`] answers questions in JSON, [`mod@reference`] says what a scene file
-//! can say.
+//! its colour. The package `harness` wraps it: verification, report, probe and the command line.
 //!
 //! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
 //! lights, cameras, samplers, filters, bumps → lobes, textures → noise, shapes → mesh_bvh →
@@ -35,11 +33,8 @@ pub mod mesh_bvh;
 pub mod mesh_file;
 pub mod noise;
 pub mod printable;
-pub mod probe;
 pub mod ray_budget;
-pub mod reference;
 pub mod render;
-pub mod report;
 pub mod resources;
 pub mod rgb;
 pub mod samplers;
@@ -47,5 +42,4 @@ pub mod scene;
 pub mod shapes;
 pub mod textures;
 pub mod trace;
-pub mod verify;
 pub mod world;

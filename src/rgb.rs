@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::iter::Sum;
 use std::marker::PhantomData;
-use std::ops::{Add, AddAssign, Div, Mul};
+use std::ops::{Add, AddAssign, Div, Mul, Sub};
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
@@ -125,6 +125,13 @@ impl Add for Rgb {
 impl AddAssign for Rgb {
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
+    }
+}
+
+impl Sub for Rgb {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.r - other.r, self.g - other.g, self.b - other.b)
     }
 }
 

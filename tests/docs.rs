@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use groundtruth::{bumps, cameras, filters, lights, lobes, materials, samplers, shapes, textures};
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
 fn documents() -> Vec<PathBuf> {

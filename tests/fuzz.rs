@@ -25,7 +25,7 @@ fn number(name: &str) -> Option<u32> {
 }
 
 fn corpus(target: &str) -> Vec<(PathBuf, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus").join(target);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus").join(target);
     let entries = std::fs::read_dir(&folder).expect("every target has a corpus");
     let mut paths: Vec<_> =
         entries.map(|entry| entry.expect("the folder can be read").path()).collect();
@@ -133,7 +133,7 @@ macro_rules! targets {
             let run = [$(stringify!($target)),*];
             assert!(bodies::TARGETS.iter().map(|(name, _)| *name).eq(run));
             for target in run {
-                let file = format!("fuzz/fuzz_targets/{target}.rs");
+                let file = format!("../fuzz/fuzz_targets/{target}.rs");
                 assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join(&file).exists(), "{file}");
             }
         }

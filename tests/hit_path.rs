@@ -4,11 +4,11 @@ use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::mesh_file::{self, Encoding, MeshData, write_ply};
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{
-    Box as Cuboid, Candidate, Compound, Context, Face, Instance, Kind, Lattice, Level, Mesh, Part,
+    Candidate, Compound, Context, Cuboid, Face, Instance, Kind, Lattice, Level, Mesh, Part,
     PartPath, RandomSpheres, Rectangle, Sphere, TessellatedSphere, Triangle,
 };
-use groundtruth::verify::Draw;
 use groundtruth::world::World;
+use harness::verify::Draw;
 use serde_json::json;
 
 /// A few hundred rounding errors of `t` below 100, in transformations of moderate condition number.
@@ -99,7 +99,7 @@ fn named(kind: &Kind, levels: &[Level], strip: &MeshData) -> (Kind, Vec<Step>) {
             let corners = strip.triangles[*number as usize].map(|v| strip.vertices[v as usize]);
             (Triangle { vertices: corners.map(Point::from), normals: None }.into(), Vec::new())
         }
-        (Kind::Box(block), Some(Level::Face(face))) => (rectangle(block, *face), Vec::new()),
+        (Kind::Cuboid(block), Some(Level::Face(face))) => (rectangle(block, *face), Vec::new()),
         (Kind::Sphere(_), None) => (kind.clone(), Vec::new()),
         (kind, level) => panic!("{level:?} of {kind:?}"),
     }

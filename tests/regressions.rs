@@ -48,7 +48,7 @@ fn a_lamp_on_a_surface_is_not_in_that_surfaces_shadow() {
     let ball = Sphere { center: Point::new(0.1, 0.7, 0.3), radius: 0.3, inward: false };
     let mut scene = scene(vec![floor.into(), ball.into()]);
     // the lowest point of the ball, up to rounding
-    let lamp = lights::Point {
+    let lamp = lights::PointLight {
         ls: 3.0,
         color: Rgb::WHITE,
         location: Point::new(0.1, 0.7 - 0.3, 0.3),
@@ -161,7 +161,7 @@ fn a_light_of_large_attenuation_sends_numbers() {
     let (color, location) = (Rgb::new(1.0, 0.0, 0.0), Point::new(0.0, 0.05, 0.0));
     scene
         .lights
-        .push(Light::new("l", lights::Point { ls: 1.0, color, location, attenuation: 300.0 }));
+        .push(Light::new("l", lights::PointLight { ls: 1.0, color, location, attenuation: 300.0 }));
     let world = World::build(&scene).expect("valid");
     for x in [0.0, 0.3, 0.99] {
         let ray = Ray::new(Point::new(x, 1.0, 0.0), -Vector::Y);

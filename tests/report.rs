@@ -17,9 +17,9 @@ use std::process::Command;
 use std::sync::LazyLock;
 use std::time::{Duration, UNIX_EPOCH};
 
-use groundtruth::report::{self, Interrupted, PAGES, Progress, Settings};
-use groundtruth::verify::backward_error::ALLOWED;
-use groundtruth::verify::composites;
+use harness::report::{self, Interrupted, PAGES, Progress, Settings};
+use harness::verify::backward_error::ALLOWED;
+use harness::verify::composites;
 use oracle::hard::{Family, Kind};
 use serde_json::Value;
 

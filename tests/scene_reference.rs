@@ -10,13 +10,14 @@ use groundtruth::scene::Scene;
 use groundtruth::scene::vocabulary::Definition;
 use groundtruth::textures;
 use groundtruth::{
-    bumps, cameras, filters, gallery, lights, materials, reference, samplers, scene, shapes, world,
+    bumps, cameras, filters, gallery, lights, materials, samplers, scene, shapes, world,
 };
+use harness::reference;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 fn read(path: &str) -> String {
     std::fs::read_to_string(Path::new(ROOT).join(path)).unwrap_or_else(|e| panic!("{path}: {e}"))

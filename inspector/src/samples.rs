@@ -8,8 +8,8 @@ use groundtruth::explain::count;
 use groundtruth::render;
 use groundtruth::samplers::{self, Key, PathKey, Purpose, SETS};
 use groundtruth::scene::Scene;
-use groundtruth::verify::chi_square;
 use groundtruth::world::World;
+use harness::verify::chi_square;
 
 use crate::worker::Rendering;
 

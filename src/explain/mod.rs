@@ -10,7 +10,6 @@ mod text;
 mod unlit;
 
 use serde::Serialize;
-use statrs::statistics::Statistics as _;
 
 use crate::render::{self, CameraSample};
 use crate::rgb::Rgb;
@@ -246,11 +245,7 @@ impl Statistics {
     /// The statistics of at least one sample.
     fn of(radiances: &[Rgb]) -> Self {
         let root = (radiances.len() as f64).sqrt();
-        let error = |channel: usize| {
-            let values = radiances.iter().map(|radiance| radiance.to_array()[channel]);
-            values.std_dev() / root
-        };
-        let standard_error = (radiances.len() > 1).then(|| [0, 1, 2].map(error).into());
+        let standard_error = sources::deviation(radiances).map(|deviation| deviation / root);
         let ranked = || (0_u32..).zip(radiances.iter().map(|radiance| radiance.average()));
         let by_value = |a: &(u32, f64), b: &(u32, f64)| a.1.total_cmp(&b.1);
         let [least, greatest] = [ranked().min_by(by_value), ranked().max_by(by_value)]

@@ -6,7 +6,6 @@
 use std::cmp::Ordering;
 
 use serde::Serialize;
-use statrs::statistics::Statistics as _;
 
 use crate::math::Ray;
 use crate::render;
@@ -125,9 +124,10 @@ fn explain(scene: &Scene, world: &World, samples: &[Sums]) -> Vec<SourceExplanat
 }
 
 /// The standard deviation, by n − 1; none of a single value.
-fn deviation(values: &[Rgb]) -> Option<Rgb> {
-    let of = |channel: usize| values.iter().map(|value| value.to_array()[channel]).std_dev();
-    (values.len() > 1).then(|| [0, 1, 2].map(of).into())
+pub(super) fn deviation(values: &[Rgb]) -> Option<Rgb> {
+    let mean = render::mean(values.iter().copied());
+    let squares: Rgb = values.iter().map(|&value| (value - mean) * (value - mean)).sum();
+    (values.len() > 1).then(|| (squares / (values.len() - 1) as f64).map(f64::sqrt))
 }
 
 impl SourceExplanation {

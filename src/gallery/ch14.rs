@@ -6,7 +6,7 @@ use super::shaded_sets::{
     before_the_set, four_cylinders, matte_set, thirty_five_spheres, two_spheres_before_a_wall,
 };
 use crate::film::OutOfGamut;
-use crate::lights::{Directional, Point as PointLight, Spot};
+use crate::lights::{Directional, PointLight, Spot};
 use crate::materials::Emissive;
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;

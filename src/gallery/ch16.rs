@@ -3,7 +3,7 @@
 use super::List;
 use super::parts::*;
 use super::shaded_sets::{thirty_five_spheres, two_spheres_before_a_wall};
-use crate::lights::Point as PointLight;
+use crate::lights::PointLight;
 use crate::math::Point;
 use crate::rgb::Rgb;
 use crate::scene::{Image, Intersect, Light, Scene};

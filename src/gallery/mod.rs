@@ -32,7 +32,7 @@ mod ch30;
 mod ch31;
 
 // shared by the chapters
-pub(crate) mod parts;
+pub mod parts;
 mod sets;
 mod shaded_sets;
 

@@ -1,7 +1,7 @@
 //! Building blocks of the scenes: short constructors for shapes, materials and lights.
 
 use crate::cameras::{Pinhole, Viewpoint};
-use crate::lights::{Ambient, AmbientOccluder, Directional, Point as PointLight};
+use crate::lights::{Ambient, AmbientOccluder, Directional, PointLight};
 use crate::materials::{Matte, Phong, Reflective};
 use crate::math::{Point, Step, Vector, ln};
 use crate::rgb::Rgb;
@@ -18,28 +18,34 @@ pub fn pinhole(about: &str, size: [u32; 2], view: [Point; 2], distance: f64) -> 
     Scene::new(about, image, camera)
 }
 
+/// A point.
 pub fn point(x: f64, y: f64, z: f64) -> Point {
     Point::new(x, y, z)
 }
 
+/// A vector.
 pub fn vector(x: f64, y: f64, z: f64) -> Vector {
     Vector::new(x, y, z)
 }
 
+/// A colour.
 pub fn rgb(r: f64, g: f64, b: f64) -> Rgb {
     Rgb::new(r, g, b)
 }
 
+/// A grey.
 pub fn grey(value: f64) -> Rgb {
     Rgb::grey(value)
 }
 
+/// A sphere seen from outside.
 pub fn sphere(center: Point, radius: f64) -> Sphere {
     Sphere { center, radius, inward: false }
 }
 
-pub fn boxed(min: Point, max: Point) -> shapes::Box {
-    shapes::Box { min, max }
+/// A box between two corners.
+pub fn boxed(min: Point, max: Point) -> shapes::Cuboid {
+    shapes::Cuboid { min, max }
 }
 
 /// The plane at this height, facing up.
@@ -47,10 +53,12 @@ pub fn ground(y: f64) -> Plane {
     Plane { point: point(0.0, y, 0.0), normal: Vector::Y }
 }
 
+/// A matte material.
 pub fn matte(ka: f64, kd: f64, cd: impl Into<Paint>) -> Matte {
     Matte { ka: ka.into(), kd: kd.into(), cd: cd.into() }
 }
 
+/// A material with white highlights.
 pub fn phong(ka: f64, kd: f64, cd: impl Into<Paint>, ks: f64, exponent: f64) -> Phong {
     Phong {
         ka: ka.into(),
@@ -67,6 +75,7 @@ pub fn mirror(phong: Phong, kr: f64, cr: Rgb) -> Reflective {
     Reflective { phong, kr: kr.into(), cr: cr.into() }
 }
 
+/// Ambient light of this strength.
 pub fn ambient(ls: f64) -> Light {
     Light::new("ambient", Ambient { ls, color: Rgb::WHITE })
 }
@@ -83,10 +92,12 @@ pub fn occluder(min_amount: f64) -> Light {
     Light::new("ambient", source)
 }
 
+/// White light from a direction.
 pub fn directional(name: &str, direction: Vector, ls: f64) -> Light {
     Light::new(name, Directional { ls, color: Rgb::WHITE, direction })
 }
 
+/// A white point light of the same strength at every distance.
 pub fn point_light(name: &str, location: Point, ls: f64) -> Light {
     Light::new(name, PointLight { ls, color: Rgb::WHITE, location, attenuation: 0.0 })
 }

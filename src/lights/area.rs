@@ -12,7 +12,7 @@ use crate::kinds::Specification;
 use crate::math::{self, UNIT_ROUNDOFF, Vector};
 use crate::printable;
 use crate::rgb::Rgb;
-use crate::shapes::{Border, SampledSurface, Sampling, Shape, Surface};
+use crate::shapes::{SampledSurface, Sampling, Shape, Surface};
 use crate::textures::TexturePoint;
 
 /// The light of an emissive object, whose surface is sampled: soft shadows. Its radiance is that of
@@ -116,7 +116,7 @@ fn end(from: math::Point, at: &Surface, direction: Vector) -> math::Point {
     // the error of a hit on such a surface is a few u of the coordinates
     let size = at.point.to_vector().max_abs() + from.to_vector().max_abs();
     let error = at.error.max(32.0 * UNIT_ROUNDOFF * size);
-    Surface { error, border: Border::NONE, ..*at }.leave(-direction)
+    Surface { error, border: None, ..*at }.leave(-direction)
 }
 
 impl Light for Lamp {

@@ -136,7 +136,7 @@ crate::kinds! {
     Kind builds dyn Light with Context;
     ch14 ambient::Ambient,
     ch14 directional::Directional,
-    ch14 point::Point,
+    ch14 point::PointLight as "point",
     ch14 spot::Spot,
     ch17 ambient_occluder::AmbientOccluder,
     ch18 area::Area,

@@ -8,14 +8,13 @@ use serde::{Deserialize, Serialize};
 use super::{Context, Light, LightContext, LightSample, Segment, Unlit};
 use crate::invalid::{Invalid, finite_point, not_negative, strength};
 use crate::kinds::{self, Specification};
-use crate::math::{self, power};
+use crate::math::{Point, power};
 use crate::rgb::Rgb;
 
 /// Light `ls · color / d^k` from one place, `d` the distance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "PointLight")]
-pub struct Point {
+pub struct PointLight {
     /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
@@ -23,7 +22,7 @@ pub struct Point {
     #[serde(default = "kinds::white::<Rgb>")]
     pub color: Rgb,
     /// Where it is.
-    pub location: math::Point,
+    pub location: Point,
     /// The exponent `k` of the distance, not negative: 0, the book's default, for the same light at
     /// every distance; 2 for real lamps, whose `ls` must then be as large as the distance squared.
     #[serde(default)]
@@ -33,11 +32,11 @@ pub struct Point {
 #[derive(Debug)]
 struct PointSource {
     radiance: Rgb,
-    location: math::Point,
+    location: Point,
     attenuation: f64,
 }
 
-impl Specification for Point {
+impl Specification for PointLight {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
@@ -61,7 +60,7 @@ impl Specification for Point {
         let plain = Self {
             ls: 3.0,
             color: Rgb::new(1.0, 0.5, 0.0),
-            location: math::Point::new(10.0, 15.0, 20.0),
+            location: Point::new(10.0, 15.0, 20.0),
             attenuation: 0.0,
         };
         vec![Self { attenuation: 2.0, ls: 600.0, ..plain }, plain]
@@ -81,8 +80,8 @@ impl Light for PointSource {
 /// Light `radiance / d^k` from one place; none at the place itself, where it has no direction, or so near
 /// that it would be infinite.
 pub(super) fn from_point(
-    from: math::Point,
-    location: math::Point,
+    from: Point,
+    location: Point,
     radiance: Rgb,
     attenuation: f64,
 ) -> Option<LightSample> {

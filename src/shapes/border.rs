@@ -9,7 +9,7 @@
 use super::{Candidate, Shape};
 use crate::math::{Normal, Point, Ray, Transform, UNIT_ROUNDOFF, Vector};
 
-/// Where a point of a part is relative to the part's border.
+/// Where a point of a part is relative to the part's border, which is near.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Border {
     /// From the nearest point of the border; negative beyond it.
@@ -30,6 +30,9 @@ const ROUNDINGS_INSIDE: f64 = 4096.0;
 /// than boxes are grown by.
 const HIT: f64 = 12.0 * UNIT_ROUNDOFF;
 
+/// A border at this part of a body's size is too far to matter: by far more than rounding.
+const FAR: f64 = (1 << 16) as f64;
+
 /// A hit that is farther beyond a border, in roundings of the part's own numbers, does not count: boxes are
 /// grown by more.
 const MAX_ROUNDINGS: f64 = 96.0;
@@ -38,16 +41,28 @@ const MAX_ROUNDINGS: f64 = 96.0;
 const MIN_COSINE: f64 = 1.0 / (1 << 16) as f64;
 
 impl Border {
-    /// Of a surface that has none.
-    pub const NONE: Self =
-        Self { distance: f64::INFINITY, inward: Vector::ZERO, across: Vector::ZERO, rounding: 0.0 };
+    /// The border with parts at these distances, negative outside, if one is near. `inward` is called only
+    /// then, for the unit vectors along the surface that lead away from each part. `size` is the largest number
+    /// in the test.
+    pub fn of<const PARTS: usize>(
+        distances: [f64; PARTS],
+        size: f64,
+        inward: impl FnOnce() -> [Vector; PARTS],
+    ) -> Option<Box<Self>> {
+        if least(distances) > size / FAR {
+            return None; // as nearly everywhere
+        }
+        Some(Box::new(Self::near(&distances, &inward(), size)))
+    }
 
-    /// The border of which these are the parts: for each the distance from it, negative outside, and the unit
-    /// vector along the surface that leads away from it. `size` is the largest number in the test.
-    pub fn of(parts: impl IntoIterator<Item = (f64, Vector)>, size: f64) -> Self {
-        let mut border = Self { rounding: UNIT_ROUNDOFF * size, ..Self::NONE };
-        let mut second = Self::NONE;
-        for (distance, inward) in parts {
+    #[cold]
+    #[inline(never)]
+    fn near(distances: &[f64], directions: &[Vector], size: f64) -> Self {
+        let (inward, across) = (Vector::ZERO, Vector::ZERO);
+        let mut border =
+            Self { distance: f64::INFINITY, inward, across, rounding: UNIT_ROUNDOFF * size };
+        let mut second = border;
+        for (&distance, &inward) in distances.iter().zip(directions) {
             if distance < border.distance {
                 (second.distance, second.inward) = (border.distance, border.inward);
                 (border.distance, border.inward) = (distance, inward);
@@ -58,7 +73,7 @@ impl Border {
         border.across = border.inward;
         // in a corner away from both; two opposite ends are no corner
         let cosine = border.inward.dot(second.inward);
-        if second.distance < size / 256.0 && cosine > -0.75 {
+        if second.distance < size / FAR && cosine > -0.75 {
             border.inward = (1.0 / (1.0 + cosine)) * (border.inward + second.inward);
         }
         border
@@ -76,10 +91,14 @@ impl Border {
 
     /// The border of a triangle with the barycentric coordinates β and γ of the point. Away from all three
     /// edges is towards the centroid, whose distance from an edge is a third of the height above it.
-    pub fn of_triangle(corners: [Point; 3], [beta, gamma]: [f64; 2], point: Point) -> Self {
+    pub fn of_triangle(
+        corners: [Point; 3],
+        [beta, gamma]: [f64; 2],
+        point: Point,
+    ) -> Option<Box<Self>> {
         let weights = [1.0 - beta - gamma, beta, gamma];
-        if weights.iter().all(|&weight| weight > 1.0 / 256.0) {
-            return Self::NONE; // as nearly everywhere
+        if least(weights) > 1.0 / FAR {
+            return None; // as nearly everywhere
         }
         let [a, b, c] = corners;
         let (ab, ac) = (b - a, c - a);
@@ -87,21 +106,17 @@ impl Border {
         let heights = [c - b, ac, ab].map(|edge| area / edge.length());
         let distances = [0, 1, 2].map(|i| weights[i] * heights[i]);
         let to_centroid = (a - point + (b - point) + (c - point)) / 3.0;
-        let least = |values: [f64; 3]| values.into_iter().fold(f64::INFINITY, f64::min);
         let size = corners.iter().fold(0.0_f64, |size, p| size.max(p.to_vector().max_abs()));
-        Self {
+        Some(Box::new(Self {
             distance: least(distances),
             inward: to_centroid / (least(heights) / 3.0),
             across: Vector::ZERO,
             rounding: UNIT_ROUNDOFF * size,
-        }
+        }))
     }
 
     /// The same outside of an instance whose inner coordinates are rounded by `rounding`.
     pub fn outside(self, transform: &Transform, rounding: f64) -> Self {
-        if self == Self::NONE {
-            return self;
-        }
         let inward = transform.vector(self.inward);
         let stretch = inward.length() / self.inward.length();
         Self {
@@ -125,6 +140,16 @@ impl Border {
     }
 }
 
+/// Whether a point is so near a border with parts at these distances that its test may be wrong by rounding.
+/// `size` is the largest number in the test.
+pub fn nears<const PARTS: usize>(distances: [f64; PARTS], size: f64) -> bool {
+    least(distances) >= -size / FAR
+}
+
+fn least<const PARTS: usize>(distances: [f64; PARTS]) -> f64 {
+    distances.into_iter().fold(f64::INFINITY, f64::min)
+}
+
 /// The unit vector along `v`; zero where it has no direction.
 pub fn along(v: Vector) -> Vector {
     v.unit().unwrap_or(Vector::ZERO)
@@ -139,7 +164,8 @@ pub fn along(v: Vector) -> Vector {
 #[inline(never)]
 pub fn is_rounding(shape: &dyn Shape, ray: &Ray, t: f64) -> bool {
     let surface = shape.surface(ray, &Candidate::at(t));
-    let Border { distance, across, rounding: own, .. } = surface.border;
+    let Some(border) = surface.border else { return false };
+    let Border { distance, across, rounding: own, .. } = *border;
     let d = ray.direction;
     let magnitude = ray.origin.to_vector().abs() + (t * d).abs() + surface.point.to_vector().abs();
     let off = |v: Vector| HIT * magnitude.dot(v.abs());

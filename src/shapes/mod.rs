@@ -17,7 +17,7 @@ use crate::invalid::{Invalid, LENGTHS, lengths, shown};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector};
 
 /// The surface at a hit.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     /// The point, moved onto the surface: closer to it than `ray.at(t)`.
     pub point: Point,
@@ -32,8 +32,9 @@ pub struct Surface {
     pub shading: Normal,
     /// The point in the coordinates of the innermost shape, where textures live.
     pub local: Point,
-    /// Where the point is relative to the border of its part.
-    pub border: Border,
+    /// Where the point is relative to the border of its part, if that is near. Boxed, because few hits are near
+    /// one and every hit is copied.
+    pub border: Option<Box<Border>>,
     /// The material of that part of a compound, by its index in the scene; the object's own if `None`.
     pub material: Option<u32>,
 }
@@ -42,12 +43,16 @@ impl Surface {
     /// A surface with one normal, in its own coordinates.
     pub fn new(point: Point, error: f64, normal: Normal) -> Self {
         let (shading, local) = (normal, point);
-        Self { point, error, normal, shading, local, border: Border::NONE, material: None }
+        Self { point, error, normal, shading, local, border: None, material: None }
     }
 
     /// The same surface, on a part that has this border.
-    fn within(self, border: Border) -> Self {
-        Self { border: border.along(self.normal), ..self }
+    fn within(self, border: Option<Box<Border>>) -> Self {
+        let along = |mut border: Box<Border>| {
+            *border = border.along(self.normal);
+            border
+        };
+        Self { border: border.map(along), ..self }
     }
 
     /// The same surface, its normals turned round if it is an inward one.
@@ -79,7 +84,11 @@ impl Surface {
     /// *PBRT*, "Managing rounding error".
     pub fn leave(&self, direction: Vector) -> Point {
         let side = 3.0_f64.copysign(self.normal.dot(direction));
-        self.border.moved_inside(self.point) + (side * self.error) * self.normal
+        let inside = match &self.border {
+            None => self.point,
+            Some(border) => border.moved_inside(self.point),
+        };
+        inside + (side * self.error) * self.normal
     }
 }
 
@@ -224,7 +233,7 @@ pub use plain::algebraic::Term;
 pub use sampled::{SampledSurface, Sampling};
 pub use solid::boundaries::BoundaryMaterials;
 
-pub(crate) use composite::instance::transform_of;
+pub use composite::instance::transform_of;
 pub use meshes::triangle_mesh::{AcceleratedMesh, TriangleMesh};
 
 crate::kinds! {
@@ -232,7 +241,7 @@ crate::kinds! {
     Kind builds dyn Shape with Context, finished by finished;
     ch03 plane::Plane,
     ch03 sphere::Sphere,
-    ch19 cuboid::Box,
+    ch19 cuboid::Cuboid as "box",
     ch19 triangle::Triangle,
     ch19 rectangle::Rectangle,
     ch19 disk::Disk,

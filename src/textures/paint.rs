@@ -63,7 +63,7 @@ impl Color {
 
 impl Paint {
     /// Checks the data of the field of this name and builds the colour.
-    pub(crate) fn build(&self, field: &str, resources: &mut Resources) -> Result<Color, Invalid> {
+    pub fn build(&self, field: &str, resources: &mut Resources) -> Result<Color, Invalid> {
         match self {
             Self::Plain(color) => color.checked(field).map(Color::Plain),
             Self::Textured(kind) => {

@@ -101,7 +101,7 @@ impl World {
 }
 
 /// Refuses a picture without pixels, with too many pixels, or with invalid numbers.
-pub(crate) fn check_image(image: &Image) -> Result<(), Invalid> {
+pub fn check_image(image: &Image) -> Result<(), Invalid> {
     let (width, height) = (u64::from(image.width), u64::from(image.height));
     if width * height == 0 {
         let problem = format!("found {width} × {height}, but a picture has at least one pixel");
@@ -122,7 +122,7 @@ pub(crate) fn check_image(image: &Image) -> Result<(), Invalid> {
 
 /// Refuses a view whose rays overflow because the corners of the picture are too far away, and a stereo
 /// pair of too many pixels.
-pub(crate) fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
+pub fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
     let (width, height) = (view.picture_width(image.width), u64::from(image.height));
     if width * height > MAX_PIXELS {
         let problem = format!(

@@ -20,8 +20,8 @@ use crate::scene::{Image, Tracer, Transparency};
 use crate::shapes::{Candidate, PartPath, Shape, Surface};
 use crate::textures::TexturePoint;
 
-pub use build::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES};
-pub(crate) use build::{check_image, check_view};
+pub use build::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, check_image, check_view};
+
 pub use file::{from_toml, read};
 
 /// A scene ready to be traced.

@@ -9,7 +9,7 @@ use groundtruth::lobes::{GlossySpecular, Lambertian, Lobe};
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, cos, sin};
 use groundtruth::rgb::Rgb;
-use groundtruth::shapes::{Box as Cuboid, Instance, Kind as Shape, Sphere};
+use groundtruth::shapes::{Cuboid, Instance, Kind as Shape, Sphere};
 use proptest::prelude::*;
 
 use crate::support::stage::*;

@@ -5,7 +5,7 @@ mod sources;
 use std::f64::consts::{FRAC_1_PI, PI};
 
 use groundtruth::film::{OutOfGamut, Tone};
-use groundtruth::lights::{Ambient, Directional, Point as Lamp};
+use groundtruth::lights::{Ambient, Directional, PointLight as Lamp};
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::{Normal, Point, Vector, power};
 use groundtruth::rgb::Rgb;

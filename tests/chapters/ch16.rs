@@ -7,13 +7,13 @@ mod segments;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 use groundtruth::gallery;
-use groundtruth::lights::{Directional, Point as Lamp};
+use groundtruth::lights::{Directional, PointLight as Lamp};
 use groundtruth::materials::Matte;
 use groundtruth::math::{Point, Span, Vector, cos, power_of_two, sin};
 use groundtruth::render::{pixel, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use groundtruth::shapes::{Box as Cuboid, Disk, Plane, Sphere, TessellatedSphere};
+use groundtruth::shapes::{Cuboid, Disk, Plane, Sphere, TessellatedSphere};
 use groundtruth::trace::Outcome;
 use groundtruth::{cameras, lights, shapes};
 use proptest::prelude::*;

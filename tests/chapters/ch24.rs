@@ -4,13 +4,13 @@ mod pictures;
 
 use std::f64::consts::TAU;
 
-use groundtruth::lights::{Ambient, Directional, Point as Lamp};
+use groundtruth::lights::{Ambient, Directional, PointLight as Lamp};
 use groundtruth::lobes::{Lobe, PerfectSpecular};
 use groundtruth::materials::{Emissive, Matte, Phong, Reflective};
 use groundtruth::math::{Point, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, Tracer, Whitted};
-use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
+use groundtruth::shapes::{Cuboid, Plane, Sphere, TessellatedSphere};
 use groundtruth::trace::{Outcome, RayKind, RayTree, omissions};
 use proptest::prelude::*;
 

@@ -10,9 +10,9 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Plane, Sphere, Triangle};
 use groundtruth::trace::radiance;
-use groundtruth::verify::means;
-use groundtruth::verify::significance::sidak;
 use groundtruth::world::World;
+use harness::verify::means;
+use harness::verify::significance::sidak;
 
 use crate::support::stage::{built, counted, deep_stage, look, put, ray, recorded, shine, stage};
 
@@ -209,7 +209,10 @@ fn highlight_and_reflection_have_exponents_of_their_own() {
         put(&mut scene, floor(), finish);
         let location = Point::new(1.0, 2.0, 0.0);
         let (ls, color) = (2.0, Rgb::WHITE);
-        shine(&mut scene, groundtruth::lights::Point { ls, color, location, attenuation: 0.0 });
+        shine(
+            &mut scene,
+            groundtruth::lights::PointLight { ls, color, location, attenuation: 0.0 },
+        );
         look(&built(&scene), Point::new(-1.0, 2.0, 0.1), Vector::new(1.0, -2.0, 0.0)).g
     };
     let with = |exponent| GlossyReflector {

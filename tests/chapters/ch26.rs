@@ -7,7 +7,7 @@ mod outline;
 mod paths;
 
 use groundtruth::gallery;
-use groundtruth::lights::{Ambient, Area, Point as PointLight};
+use groundtruth::lights::{Ambient, Area, PointLight};
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::{Pcg32, Point, Vector, power};
 use groundtruth::render;
@@ -15,8 +15,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Disk, Plane, Sphere};
 use groundtruth::trace::{TermSource, omissions};
-use groundtruth::verify::means;
-use groundtruth::verify::significance::sidak;
+use harness::verify::means;
+use harness::verify::significance::sidak;
 
 use crate::support::stage::{built, counted, look, put, recorded, shine, stage};
 

@@ -12,7 +12,7 @@ use groundtruth::math::{
     Normal, Pcg32, Point, Vector, acos, cos, power, sin, to_degrees, to_radians,
 };
 use groundtruth::rgb::Rgb;
-use groundtruth::shapes::{self, Box as Cuboid, Disk, Plane, Sphere, TessellatedSphere};
+use groundtruth::shapes::{self, Cuboid, Disk, Plane, Sphere, TessellatedSphere};
 use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
 use groundtruth::trace::{Node, RayKind, RayTree};
 use proptest::prelude::*;

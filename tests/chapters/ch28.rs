@@ -13,7 +13,7 @@ use groundtruth::materials::{Dielectric, Emissive, Medium};
 use groundtruth::math::{Normal, Pcg32, Point, Vector, cos, exp, power, sin};
 use groundtruth::render::{pixel, render};
 use groundtruth::rgb::Rgb;
-use groundtruth::shapes::{Box as Cuboid, Plane, Sphere, TessellatedSphere};
+use groundtruth::shapes::{Cuboid, Plane, Sphere, TessellatedSphere};
 use groundtruth::trace::{Node, Outcome, RayKind, RayTree};
 use proptest::prelude::*;
 

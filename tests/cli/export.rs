@@ -31,7 +31,7 @@ fn folder() -> tempfile::TempDir {
     let meshes = folder.path().join("scenes/meshes");
     fs::create_dir_all(&meshes).expect("a folder");
     fs::create_dir(folder.path().join("other")).expect("a folder");
-    let knot = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply");
+    let knot = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/knot.ply");
     fs::copy(knot, meshes.join("knot.ply")).expect("it is there");
     fs::write(folder.path().join("scenes/first.toml"), SCENE).expect("it can be written");
     folder

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::run_in;
 
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/goldens");
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../goldens");
 
 /// The names that a check reports as the same.
 fn checked(names: &[&str]) -> Vec<String> {

@@ -51,7 +51,7 @@ fn normals_are_turned_everywhere(kind: &Kind) -> Holds {
 fn the_bump_moves_with_the_object(kind: &Kind) -> Holds {
     let bump = built(kind);
     for at in surfaces() {
-        let moved = Surface { point: at.point + Vector::new(0.3, -7.0, 11.1), ..at };
+        let moved = Surface { point: at.point + Vector::new(0.3, -7.0, 11.1), ..at.clone() };
         let (here, there) = (perturbed(&*bump, &at), perturbed(&*bump, &moved));
         ensure!(here == there, "{:?}: {here:?}, moved {there:?}", at.local);
     }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use groundtruth::verify::golden::{Goldens, Status};
-use groundtruth::verify::{compare, review};
+use harness::verify::golden::{Goldens, Status};
+use harness::verify::{compare, review};
 use libtest_mimic::Trial;
 
 /// `ch24::golden::hall_of_mirrors`, `ch24::golden::hall_of_mirrors_normals`.

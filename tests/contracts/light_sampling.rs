@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use groundtruth::lights::{Area, Kind, LightContext, LightSample, Target};
 use groundtruth::math::{Frame, Normal, Pcg32, Point, Ray, Vector, atan2, cos, sin};
 use groundtruth::shapes::{self, Sampling};
-use groundtruth::verify::chi_square::goodness_of_fit;
-use groundtruth::verify::means;
-use groundtruth::verify::significance::sidak;
+use harness::verify::chi_square::goodness_of_fit;
+use harness::verify::means;
+use harness::verify::significance::sidak;
 use rayon::prelude::*;
 
 use super::light::{EMITTED, Subject, is_sampled, met, subjects};

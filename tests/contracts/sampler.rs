@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use groundtruth::math::{Pcg32, floor};
 use groundtruth::samplers::{Kind, SETS, SampleSets, Sampler};
-use groundtruth::verify::ks;
-use groundtruth::verify::significance::sidak;
+use harness::verify::ks;
+use harness::verify::significance::sidak;
 use libtest_mimic::Trial;
 
 use super::sampler_draws::{

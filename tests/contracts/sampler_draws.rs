@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 use groundtruth::math::{Pcg32, floor};
 use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
-use groundtruth::verify::chi_square;
-use groundtruth::verify::ks;
+use harness::verify::chi_square;
+use harness::verify::ks;
 
 use super::sampler::{built, each_level, is_fixed};
 use super::{Holds, ensure};

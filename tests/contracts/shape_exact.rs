@@ -88,7 +88,7 @@ fn scaling_scales_every_bit(kind: &Kind) -> Holds {
             expected.point = expected.point.scaled(factor);
             expected.local = expected.local.scaled(factor);
             expected.error *= factor;
-            expected.border = expected.border.scaled(factor);
+            expected.border = expected.border.map(|border| Box::new(border.scaled(factor)));
             let found = larger.surface(&far, &large);
             ensure!(found == expected, "{ray:?} times 2^{k}: {found:?}, not {expected:?}");
         }

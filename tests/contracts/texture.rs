@@ -59,7 +59,7 @@ fn colours_are_reflectances(kind: &Kind) -> Holds {
 fn the_colour_moves_with_the_object(kind: &Kind) -> Holds {
     let texture = built(kind);
     for at in surfaces() {
-        let moved = Surface { point: at.point + Vector::new(0.3, -7.0, 11.1), ..at };
+        let moved = Surface { point: at.point + Vector::new(0.3, -7.0, 11.1), ..at.clone() };
         let (here, there) =
             (texture.color(&TexturePoint::new(&at)), texture.color(&TexturePoint::new(&moved)));
         ensure!(here == there, "{:?}: {here:?}, moved {there:?}", at.local);
@@ -69,7 +69,7 @@ fn the_colour_moves_with_the_object(kind: &Kind) -> Holds {
 
 /// A surface with lengths times a power of two.
 pub fn scaled(at: &Surface, factor: f64) -> Surface {
-    let mut at = *at;
+    let mut at = at.clone();
     at.point = at.point.scaled(factor);
     at.local = at.local.scaled(factor);
     at.error *= factor;

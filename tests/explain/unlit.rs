@@ -228,7 +228,7 @@ fn each_factor_can_be_zero() {
     assert_eq!(reason(&blocked), Unlit::Blocked { blocked_by: "moon".to_owned() });
 
     let (ls, color, attenuation) = (1.0, Rgb::WHITE, 2.0);
-    let near = lights::Point { ls, color, location: Point::ORIGIN, attenuation };
+    let near = lights::PointLight { ls, color, location: Point::ORIGIN, attenuation };
     match reason(&simple(white(), near)) {
         Unlit::AtLight { distance } => assert!(distance < 1e-12, "{distance}"),
         other => panic!("{other:?}"),

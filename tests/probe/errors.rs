@@ -7,7 +7,7 @@ mod light;
 #[path = "errors/pictures.rs"]
 mod pictures;
 
-use groundtruth::probe;
+use harness::probe;
 
 /// Lines that are not valid questions, and their errors.
 const LINES: &[(&str, &str)] = &[

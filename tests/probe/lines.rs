@@ -3,7 +3,7 @@
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Command, Stdio};
 
-use groundtruth::probe;
+use harness::probe;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 

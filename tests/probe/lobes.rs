@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use groundtruth::math::Vector;
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 use proptest::prelude::*;
 use serde_json::json;
 

@@ -1,6 +1,6 @@
 //! The HTML page.
 
-use groundtruth::report::PAGES;
+use harness::report::PAGES;
 
 use super::REPORT;
 

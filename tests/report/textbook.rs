@@ -5,7 +5,7 @@ use groundtruth::shapes::textbook::{EPSILON, quartic_roots};
 use groundtruth::shapes::{
     self, Annulus, Cone, Disk, PartAnnulus, PartCylinder, PartSphere, PartTorus, Shape, Torus,
 };
-use groundtruth::verify::{backward_error, composites};
+use harness::verify::{backward_error, composites};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 

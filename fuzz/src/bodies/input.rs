@@ -131,7 +131,7 @@ impl<'a> Input<'a> {
         let kind = match choice % 8 {
             _ if choice >= 128 => super::kinds::kind(self),
             0 => shapes::Plane { point: self.point(), normal: self.vector() }.into(),
-            1 => shapes::Box { min: self.point(), max: self.point() }.into(),
+            1 => shapes::Cuboid { min: self.point(), max: self.point() }.into(),
             2 => {
                 shapes::Triangle { vertices: std::array::from_fn(|_| self.point()), normals: None }
                     .into()

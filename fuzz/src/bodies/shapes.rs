@@ -146,7 +146,7 @@ fn plane(ray: &Ray, o: Triple, d: Triple, point: Triple, normal: Triple) {
 }
 
 fn cuboid(ray: &Ray, o: Triple, d: Triple, min: Triple, max: Triple) {
-    let Some(it) = built(shapes::Box { min: real(min), max: real(max) }) else {
+    let Some(it) = built(shapes::Cuboid { min: real(min), max: real(max) }) else {
         return assert!((0..3).any(|i| min[i] >= max[i]));
     };
     let ends = exact::cuboid(o, d, min, max);

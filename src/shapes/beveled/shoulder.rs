@@ -106,9 +106,10 @@ impl Shape for Shoulder {
         let point = Point::ORIGIN + (border + self.b * normal);
         // as the torus
         let error = 20.0 * UNIT_ROUNDOFF * (self.a + self.b);
-        let from_disk =
-            (from_axis(point.to_vector()) - self.a, along(point.to_vector().across_y()));
-        let border = Border::of([from_disk, (point.y(), Vector::Y)], self.a + self.b);
+        let from_disk = from_axis(point.to_vector()) - self.a;
+        let border = Border::of([from_disk, point.y()], self.a + self.b, || {
+            [along(point.to_vector().across_y()), Vector::Y]
+        });
         Surface::new(point, error, normal).within(border)
     }
 

@@ -20,7 +20,7 @@ use crate::math::{
 };
 use crate::shapes::border::{Border, is_rounding};
 use crate::shapes::part::angles::Angles;
-use crate::shapes::plain::annulus::{between, rims};
+use crate::shapes::plain::annulus::{between, from_rims, off_rims};
 use crate::shapes::{
     Candidate, Instance, Kind, PartCylinder, Rectangle, Shape, Surface, plane_distance,
 };
@@ -203,13 +203,20 @@ impl Shape for Cap {
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = Surface::flat(ray.at(at.t), self.anchor(), self.normal);
         let v = (surface.point - self.anchor()).across_y();
-        let sides = self.sides.into_iter().filter_map(|side @ [s, c]| {
+        let from_side = |side| {
             let [along, across] = Self::along_and_across(side, v);
-            let away = across.signum() * Vector::new(c, 0.0, -s);
-            (along > 0.0).then_some((across.abs() - self.bevel, away))
-        });
+            if along > 0.0 { across.abs() - self.bevel } else { f64::INFINITY }
+        };
+        let ([outer, inner], [first, last]) = (from_rims(self.r, v), self.sides.map(from_side));
         let size = self.r[1] + self.y.abs();
-        surface.within(Border::of(rims(self.r, v).into_iter().chain(sides), size))
+        surface.within(Border::of([outer, inner, first, last], size, || {
+            let off_side = |side @ [s, c]: [f64; 2]| {
+                let [_, across] = Self::along_and_across(side, v);
+                across.signum() * Vector::new(c, 0.0, -s)
+            };
+            let ([outer, inner], [first, last]) = (off_rims(v), self.sides.map(off_side));
+            [outer, inner, first, last]
+        }))
     }
 
     fn bounds(&self) -> Aabb {

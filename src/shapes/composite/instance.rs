@@ -77,7 +77,7 @@ impl Specification for Instance {
                 Step::Translate(Vector::Y),
             ],
         );
-        let block = crate::shapes::Box {
+        let block = crate::shapes::Cuboid {
             min: Point::new(-1.0, -0.5, -1.0),
             max: Point::new(0.5, 1.0, 1.0),
         };
@@ -97,7 +97,7 @@ impl Specification for Instance {
 }
 
 /// The steps of the field of this name as one transformation.
-pub(crate) fn transform_of(field: &str, steps: &[Step]) -> Result<Transform, Invalid> {
+pub fn transform_of(field: &str, steps: &[Step]) -> Result<Transform, Invalid> {
     for (index, step) in steps.iter().enumerate() {
         check(step).map_err(|e| e.inside(index).inside(field))?;
     }
@@ -238,7 +238,10 @@ fn moved_out(transform: &Transform, inner: Surface, ray: &Ray) -> Surface {
     let drift = (back.point(point) - inner.point).dot(inner.normal).abs();
     let rounding = back.magnitude(point).dot(Vector::from(inner.normal).abs());
     let error = stretch * (inner.error + drift + 12.0 * UNIT_ROUNDOFF * rounding);
-    let border = inner.border.outside(transform, UNIT_ROUNDOFF * back.magnitude(point).max_abs());
+    let border = inner.border.as_ref().map(|border| {
+        let rounding = UNIT_ROUNDOFF * back.magnitude(point).max_abs();
+        Box::new(border.outside(transform, rounding))
+    });
     Surface { point, error, normal, shading: outer(inner.shading), border, ..inner }
 }
 
@@ -298,7 +301,7 @@ impl SampledSurface for SampledInstance {
         let back = self.transform.inverse();
         let (inner_from, point) = (back.point(from), back.point(at.point));
         let normal = Normal::new(back.covector(at.normal)).unwrap_or(at.normal);
-        let inner = Surface { point, normal, ..*at };
+        let inner = Surface { point, normal, ..at.clone() };
         self.shape.pdf(inner_from, &inner) * self.solid_angle_ratio(inner_from, point)
     }
 }

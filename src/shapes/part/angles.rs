@@ -1,7 +1,5 @@
 //! Ranges of angles of part objects (Suffern, ch. 19).
 
-use arrayvec::ArrayVec;
-
 use crate::invalid::Invalid;
 use crate::math::{Vector, cos_degrees, sin_degrees};
 
@@ -67,24 +65,33 @@ impl Angles {
         }
     }
 
-    /// Both ends, by the distance of the point `[cos, sin]` from them and the unit vector away from them;
-    /// none of a full turn. Where the range is wide, a point is beyond the nearer end only.
-    pub fn borders(&self, at: [f64; 2]) -> ArrayVec<(f64, [f64; 2]), 2> {
+    /// The distances of the point `[cos, sin]` from both ends, negative beyond; infinite for a full turn. Where
+    /// the range is wide, a point is beyond the nearer end only, and the other counts as infinite.
+    pub fn from_ends(&self, at: [f64; 2]) -> [f64; 2] {
         let [start, end] = self.ends;
-        let past_start = (cross(start, at), [-start[1], start[0]]);
-        let before_end = (cross(at, end), [end[1], -end[0]]);
+        let (past_start, before_end) = (cross(start, at), cross(at, end));
         match self.width {
-            Width::Narrow => [past_start, before_end].into(),
-            Width::Wide if past_start.0 > before_end.0 => ArrayVec::from_iter([past_start]),
-            Width::Wide => ArrayVec::from_iter([before_end]),
-            Width::All => ArrayVec::new(),
+            Width::Narrow => [past_start, before_end],
+            Width::Wide if past_start > before_end => [past_start, f64::INFINITY],
+            Width::Wide => [f64::INFINITY, before_end],
+            Width::All => [f64::INFINITY; 2],
         }
     }
 
-    /// The same of a range of azimuths about the y axis.
-    pub fn azimuth_borders(&self, v: Vector) -> impl Iterator<Item = (f64, Vector)> {
-        let borders = self.borders([v.z(), v.x()]).into_iter();
-        borders.map(|(distance, [z, x])| (distance, Vector::new(x, 0.0, z)))
+    /// The unit vectors away from both ends.
+    pub fn off_ends(&self) -> [[f64; 2]; 2] {
+        let [start, end] = self.ends;
+        [[-start[1], start[0]], [end[1], -end[0]]]
+    }
+
+    /// The distances of a point from the meridians at the ends of a range of azimuths about the y axis.
+    pub fn from_meridians(&self, v: Vector) -> [f64; 2] {
+        self.from_ends([v.z(), v.x()])
+    }
+
+    /// The unit vectors away from both meridians.
+    pub fn off_meridians(&self) -> [Vector; 2] {
+        self.off_ends().map(|[z, x]| Vector::new(x, 0.0, z))
     }
 
     /// Whether the direction from the y axis to this point is in a range of azimuths.

@@ -13,8 +13,8 @@ use super::angles::{Angles, full_turn};
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
-use crate::shapes::border::{Border, is_rounding};
-use crate::shapes::plain::annulus::{between, radii, rims};
+use crate::shapes::border::{Border, is_rounding, nears};
+use crate::shapes::plain::annulus::{between, from_rims, off_rims, radii};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
 /// The part of a level annulus within a range of azimuths.
@@ -98,6 +98,20 @@ fn vertical(normal: Vector) -> Result<Normal, Invalid> {
     Ok(if y > 0.0 { Normal::Y } else { -Normal::Y })
 }
 
+impl PartAnnulusShape {
+    /// The distances from both circles and both straight sides.
+    fn from_edges(&self, from_center: Vector) -> [f64; 4] {
+        let [outer, inner] = from_rims(self.radii, from_center);
+        let [start, end] = self.phi.from_meridians(from_center);
+        [outer, inner, start, end]
+    }
+
+    /// The largest number in the test.
+    fn size(&self) -> f64 {
+        self.radii[1] + self.center.to_vector().max_abs()
+    }
+}
+
 impl Shape for PartAnnulusShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, self.center, self.normal);
@@ -106,15 +120,17 @@ impl Shape for PartAnnulusShape {
         }
         let from_center = (ray.at(t) - self.center).across_y();
         let within = between(self.radii, from_center) && self.phi.has_azimuth_of(from_center);
-        (within || is_rounding(self, ray, t)).then(|| Candidate::at(t))
+        let is_nearly = || nears(self.from_edges(from_center), self.size());
+        (within || is_nearly() && is_rounding(self, ray, t)).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = Surface::flat(ray.at(at.t), self.center, self.normal);
         let from_center = (surface.point - self.center).across_y();
-        let rims = rims(self.radii, from_center).into_iter();
-        let size = self.radii[1] + self.center.to_vector().max_abs();
-        surface.within(Border::of(rims.chain(self.phi.azimuth_borders(from_center)), size))
+        surface.within(Border::of(self.from_edges(from_center), self.size(), || {
+            let ([outer, inner], [start, end]) = (off_rims(from_center), self.phi.off_meridians());
+            [outer, inner, start, end]
+        }))
     }
 
     fn bounds(&self) -> Aabb {

@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, lists};
-use crate::shapes::border::{Border, is_rounding};
+use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
+use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::{Candidate, Context, OpenCylinder, Shape, Surface, all_of, first_of};
 
 /// The part of an open cylinder within a range of azimuths.
@@ -67,9 +67,18 @@ impl Specification for PartCylinder {
 impl PartCylinderShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
         |t| {
-            let in_range = self.phi.has_azimuth_of(ray.at(t).to_vector());
-            in_range && self.whole.is_between_ends(ray, t) || is_rounding(self, ray, t)
+            let p = ray.at(t);
+            let in_range = self.phi.has_azimuth_of(p.to_vector());
+            in_range && self.whole.is_between_ends(ray, t)
+                || nears(self.from_edges(p), self.whole.size()) && is_rounding(self, ray, t)
         }
+    }
+
+    /// The distances from both ends and both straight sides.
+    fn from_edges(&self, p: Point) -> [f64; 4] {
+        let [bottom, top] = self.whole.from_ends(p.y());
+        let [start, end] = self.phi.from_meridians(p.to_vector());
+        [bottom, top, start, end]
     }
 }
 
@@ -80,10 +89,11 @@ impl Shape for PartCylinderShape {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = self.whole.surface(ray, at);
-        let sides = self.phi.azimuth_borders(surface.point.to_vector());
-        let border =
-            Border::of(self.whole.ends(surface.point).into_iter().chain(sides), self.whole.size());
-        surface.within(border)
+        let distances = self.from_edges(surface.point);
+        surface.within(Border::of(distances, self.whole.size(), || {
+            let [start, end] = self.phi.off_meridians();
+            [Vector::Y, -Vector::Y, start, end]
+        }))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -15,7 +15,7 @@ use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
-use crate::shapes::border::{Border, along, is_rounding};
+use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::{Candidate, Context, Shape, Sphere, Surface, all_of, first_of};
 
 /// The part of a sphere within a range of azimuths φ and one of polar angles θ.
@@ -99,7 +99,10 @@ impl Specification for PartSphere {
 
 impl PartSphereShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| self.contains(ray.at(t) - self.whole.center) || is_rounding(self, ray, t)
+        |t| {
+            let v = ray.at(t) - self.whole.center;
+            self.contains(v) || nears(self.from_edges(v), self.size()) && is_rounding(self, ray, t)
+        }
     }
 
     fn contains(&self, v: Vector) -> bool {
@@ -110,16 +113,29 @@ impl PartSphereShape {
         below_start && above_end && self.phi.has_azimuth_of(v)
     }
 
-    /// The circles at `θ_min` and `θ_max`, unless they are poles, and the meridians at the ends of φ.
-    fn border(&self, v: Vector) -> Border {
-        let (y, rho, radial) = (v.y(), v.across_y().length(), along(v.across_y()));
-        let down = along(y * radial - rho * Vector::Y);
+    /// The distances from the circles at `θ_min` and `θ_max`, infinite for a pole, and from the meridians at
+    /// the ends of φ.
+    fn from_edges(&self, v: Vector) -> [f64; 4] {
+        let (y, rho) = (v.y(), v.across_y().length());
         let [[s0, c0], [s1, c1]] = self.theta;
-        let start = (s0 > 0.0).then_some((rho * c0 - y * s0, down));
-        let end = (s1 > 0.0).then_some((y * s1 - rho * c1, -down));
-        let size = self.whole.radius + self.whole.center.to_vector().max_abs();
-        let circles = start.into_iter().chain(end);
-        Border::of(circles.chain(self.phi.azimuth_borders(v)), size)
+        let upper = if s0 > 0.0 { rho * c0 - y * s0 } else { f64::INFINITY };
+        let lower = if s1 > 0.0 { y * s1 - rho * c1 } else { f64::INFINITY };
+        let [start, end] = self.phi.from_meridians(v);
+        [upper, lower, start, end]
+    }
+
+    /// The largest number in the test.
+    fn size(&self) -> f64 {
+        self.whole.radius + self.whole.center.to_vector().max_abs()
+    }
+
+    fn border(&self, v: Vector) -> Option<Box<Border>> {
+        Border::of(self.from_edges(v), self.size(), || {
+            let level = v.across_y();
+            let down = along(v.y() * along(level) - level.length() * Vector::Y);
+            let [start, end] = self.phi.off_meridians();
+            [down, -down, start, end]
+        })
     }
 }
 
@@ -130,7 +146,8 @@ impl Shape for PartSphereShape {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = self.whole.surface(ray, at);
-        surface.within(self.border(surface.point - self.whole.center))
+        let border = self.border(surface.point - self.whole.center);
+        surface.within(border)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

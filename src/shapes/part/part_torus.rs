@@ -13,7 +13,7 @@ use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
-use crate::shapes::border::{Border, along, is_rounding};
+use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::plain::torus::{Torus, from_axis};
 use crate::shapes::{Candidate, Context, Shape, Surface};
 
@@ -90,7 +90,7 @@ impl PartTorusShape {
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
         self.torus.hits(ray, span, &self.padded, |t, p| {
             self.phi.has_azimuth_of(p) && self.theta.contains(self.section_point(p))
-                || is_rounding(self, ray, t)
+                || nears(self.from_edges(p), self.size()) && is_rounding(self, ray, t)
         })
     }
 
@@ -99,12 +99,26 @@ impl PartTorusShape {
         [from_axis(p) - self.torus.swept_radius, p.y()]
     }
 
-    fn border(&self, p: Vector) -> Border {
-        let radial = along(p.across_y());
-        let around = self.theta.borders(self.section_point(p)).into_iter();
-        let around = around.map(|(distance, [out, up])| (distance, out * radial + up * Vector::Y));
-        let size = self.torus.swept_radius + self.torus.tube_radius;
-        Border::of(around.chain(self.phi.azimuth_borders(p)), size)
+    /// The distances from both circles and both sections.
+    fn from_edges(&self, p: Vector) -> [f64; 4] {
+        let [first, last] = self.theta.from_ends(self.section_point(p));
+        let [start, end] = self.phi.from_meridians(p);
+        [first, last, start, end]
+    }
+
+    /// The largest number in the test.
+    fn size(&self) -> f64 {
+        self.torus.swept_radius + self.torus.tube_radius
+    }
+
+    fn border(&self, p: Vector) -> Option<Box<Border>> {
+        Border::of(self.from_edges(p), self.size(), || {
+            let radial = along(p.across_y());
+            let in_section = |[out, up]: [f64; 2]| out * radial + up * Vector::Y;
+            let [first, last] = self.theta.off_ends().map(in_section);
+            let [start, end] = self.phi.off_meridians();
+            [first, last, start, end]
+        })
     }
 }
 
@@ -115,7 +129,8 @@ impl Shape for PartTorusShape {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = self.torus.surface_at(ray, at);
-        surface.within(self.border(surface.point.to_vector()))
+        let border = self.border(surface.point.to_vector());
+        surface.within(border)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

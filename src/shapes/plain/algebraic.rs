@@ -18,7 +18,7 @@ use crate::math::polynomial::{MAX_DEGREE, roots_between};
 use crate::math::{
     Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root, lists, power,
 };
-use crate::shapes::{Box, Candidate, Context, Shape, Surface, normal_along};
+use crate::shapes::{Candidate, Context, Cuboid, Shape, Surface, normal_along};
 
 /// `coefficient · xⁱ yʲ zᵏ` for powers `[i, j, k]`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -85,7 +85,7 @@ impl Chord {
 struct AlgebraicShape {
     terms: Vec<Term>,
     degree: usize,
-    domain: Box,
+    domain: Cuboid,
 }
 
 impl Specification for Algebraic {
@@ -108,7 +108,7 @@ impl Specification for Algebraic {
                 format!("{found}, but a term with a power of x, y or z that is not 0 is needed");
             return Err(Invalid::field("terms", problem));
         }
-        let domain = Box { min: self.min, max: self.max };
+        let domain = Cuboid { min: self.min, max: self.max };
         domain.build(context)?;
         check_size(&terms, degree, domain.bounds())?;
         Ok(Arc::new(AlgebraicShape { terms, degree, domain }))

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, direction, finite_point, length, not_negative, shown};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
-use crate::shapes::border::{Border, along, is_rounding};
+use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
 /// The points of a plane from `inner_radius` to `outer_radius` away from `center`.
@@ -86,11 +86,23 @@ pub fn between([inner, outer]: [f64; 2], from_center: Vector) -> bool {
     (inner * inner..=outer * outer).contains(&from_center.length_squared())
 }
 
-/// Both circles, for [`Border::of`]; a hole of radius 0 is none.
-pub fn rims([inner, outer]: [f64; 2], from_center: Vector) -> [(f64, Vector); 2] {
-    let (rho, radial) = (from_center.length(), along(from_center));
-    let hole = if inner > 0.0 { rho - inner } else { f64::INFINITY };
-    [(outer - rho, -radial), (hole, radial)]
+/// The distances from both circles, for [`Border::of`]; a hole of radius 0 is none.
+pub fn from_rims([inner, outer]: [f64; 2], from_center: Vector) -> [f64; 2] {
+    let rho = from_center.length();
+    [outer - rho, if inner > 0.0 { rho - inner } else { f64::INFINITY }]
+}
+
+/// The directions away from them.
+pub fn off_rims(from_center: Vector) -> [Vector; 2] {
+    let radial = along(from_center);
+    [-radial, radial]
+}
+
+impl AnnulusShape {
+    /// The largest number in the test.
+    fn size(&self) -> f64 {
+        self.radii[1] + self.center.to_vector().max_abs()
+    }
 }
 
 impl Shape for AnnulusShape {
@@ -99,14 +111,17 @@ impl Shape for AnnulusShape {
         if !span.contains(t) {
             return None;
         }
-        let within = between(self.radii, ray.at(t) - self.center) || is_rounding(self, ray, t);
+        let from_center = ray.at(t) - self.center;
+        let is_nearly = || nears(from_rims(self.radii, from_center), self.size());
+        let within = between(self.radii, from_center) || is_nearly() && is_rounding(self, ray, t);
         within.then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = Surface::flat(ray.at(at.t), self.center, self.normal);
-        let size = self.radii[1] + self.center.to_vector().max_abs();
-        surface.within(Border::of(rims(self.radii, surface.point - self.center), size))
+        let from_center = surface.point - self.center;
+        let distances = from_rims(self.radii, from_center);
+        surface.within(Border::of(distances, self.size(), || off_rims(from_center)))
     }
 
     fn bounds(&self) -> Aabb {

@@ -138,13 +138,16 @@ impl ConeShape {
     }
 
     /// The base's circle and the apex, by the distances from them along the wall.
-    fn border(&self, p: Point, radial: Vector) -> Border {
+    fn border(&self, p: Point, radial: Vector) -> Option<Box<Border>> {
         let Cone { height: h, radius: r, .. } = self.data;
         let rho = p.to_vector().across_y().length();
         let slant = Vector::new(h, r, 0.0).length();
-        let up = (h / slant) * Vector::Y - (r / slant) * radial;
         let from_base = if h >= r { p.y() * (slant / h) } else { (r - rho) * (slant / r) };
-        Border::of([(from_base, up), (rho * (slant / r), -up)], h.max(r)).cut_across(Vector::Y)
+        let border = Border::of([from_base, rho * (slant / r)], h.max(r), || {
+            let up = (h / slant) * Vector::Y - (r / slant) * radial;
+            [up, -up]
+        });
+        border.map(|border| Box::new(border.cut_across(Vector::Y)))
     }
 }
 

@@ -19,14 +19,14 @@ use crate::shapes::{Candidate, Context, Face, Level, PartPath, Shape, Surface};
 /// The surface of the box between two corners; normals point outward.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Box {
+pub struct Cuboid {
     /// The corner with the smallest coordinates.
     pub min: Point,
     /// The corner with the largest coordinates, each above that of `min`.
     pub max: Point,
 }
 
-impl Specification for Box {
+impl Specification for Cuboid {
     type Built = Arc<dyn Shape>;
     type Context = Context;
 
@@ -54,9 +54,9 @@ impl Specification for Box {
     }
 }
 
-impl Box {
+impl Cuboid {
     /// Where the line enters and leaves each of the three slabs. For a ray in the plane of a face one is
-    /// NaN, from `0/0`; [`Box::within`] takes it to be inside that slab.
+    /// NaN, from `0/0`; [`Cuboid::within`] takes it to be inside that slab.
     fn slabs(&self, ray: &Ray) -> [[f64; 3]; 2] {
         let slab = |axis: usize| {
             let (o, d) = (ray.origin.along(axis), ray.direction.along(axis));
@@ -92,7 +92,7 @@ impl Box {
     }
 }
 
-impl Shape for Box {
+impl Shape for Cuboid {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let slabs = self.slabs(ray);
         let [first, last] = Self::within(&slabs)?;
@@ -110,13 +110,14 @@ impl Shape for Box {
             _ => (self.max.along(axis), outward),
         };
         let point = ray.at(at.t).with(axis, face);
-        let edges = [(axis + 1) % 3, (axis + 2) % 3].into_iter().flat_map(|axis| {
-            let unit = Vector::from([Normal::X, Normal::Y, Normal::Z][axis]);
-            let p = point.along(axis);
-            [(p - self.min.along(axis), unit), (self.max.along(axis) - p, -unit)]
-        });
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+        let from_min = |axis| point.along(axis) - self.min.along(axis);
+        let from_max = |axis| self.max.along(axis) - point.along(axis);
         let size = self.min.to_vector().max_abs().max(self.max.to_vector().max_abs());
-        let border = Border::of(edges, size);
+        let border = Border::of([from_min(u), from_max(u), from_min(v), from_max(v)], size, || {
+            let [u, v] = [u, v].map(|axis| [Vector::X, Vector::Y, Vector::Z][axis]);
+            [u, -u, v, -v]
+        });
         Surface::new(point, 4.0 * UNIT_ROUNDOFF * face.abs(), normal).within(border)
     }
 

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
-use crate::shapes::border::{Border, along, is_rounding};
+use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
 /// The points of the plane y = 0 with `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`; the normal is
@@ -53,6 +53,14 @@ impl Specification for CutFace {
     }
 }
 
+impl CutFace {
+    /// The distances from the nearer sides and from the hole.
+    fn from_edges(&self, p: Vector) -> [f64; 3] {
+        let half = 0.5 * self.size;
+        [half - p.x().abs(), half - p.z().abs(), p.length() - self.radius]
+    }
+}
+
 impl Shape for CutFace {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, Point::ORIGIN, Normal::Y);
@@ -62,18 +70,17 @@ impl Shape for CutFace {
         let p = ray.at(t).to_vector().across_y();
         let in_square = p.max_abs() <= 0.5 * self.size;
         let in_hole = p.length_squared() < self.radius * self.radius;
-        (in_square && !in_hole || is_rounding(self, ray, t)).then(|| Candidate::at(t))
+        let is_nearly = || nears(self.from_edges(p), self.size) && is_rounding(self, ray, t);
+        (in_square && !in_hole || is_nearly()).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = Surface::flat(ray.at(at.t), Point::ORIGIN, Normal::Y);
         let p = surface.point.to_vector().across_y();
-        let half = 0.5 * self.size;
-        let inner = |x: f64| (half - x.abs(), -1.0_f64.copysign(x));
-        let ((from_x, to_x), (from_z, to_z)) = (inner(p.x()), inner(p.z()));
-        let hole = (p.length() - self.radius, along(p));
-        let border = [(from_x, to_x * Vector::X), (from_z, to_z * Vector::Z), hole];
-        surface.within(Border::of(border, self.size))
+        surface.within(Border::of(self.from_edges(p), self.size, || {
+            let to_middle = |x: f64| -1.0_f64.copysign(x);
+            [to_middle(p.x()) * Vector::X, to_middle(p.z()) * Vector::Z, along(p)]
+        }))
     }
 
     fn bounds(&self) -> Aabb {

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, direction, finite_point, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Frame, Normal, Point, Ray, Span, Vector, maps};
-use crate::shapes::border::{Border, along, is_rounding};
+use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
 
@@ -63,21 +63,35 @@ impl Specification for Disk {
     }
 }
 
+impl DiskShape {
+    /// The largest number in the test.
+    fn size(&self) -> f64 {
+        self.radius + self.center.to_vector().max_abs()
+    }
+
+    fn nears_rim(&self, from_center: Vector) -> bool {
+        nears([self.radius - from_center.length()], self.size())
+    }
+}
+
 impl Shape for DiskShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane_distance(ray, self.center, self.normal);
         if !span.contains(t) {
             return None;
         }
-        let within = ray.at(t).distance_squared(self.center) <= self.radius * self.radius;
-        (within || is_rounding(self, ray, t)).then(|| Candidate::at(t))
+        let from_center = ray.at(t) - self.center;
+        let within = from_center.length_squared() <= self.radius * self.radius;
+        (within || self.nears_rim(from_center) && is_rounding(self, ray, t))
+            .then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = Surface::flat(ray.at(at.t), self.center, self.normal);
         let from_center = surface.point - self.center;
-        let rim = (self.radius - from_center.length(), -along(from_center));
-        surface.within(Border::of([rim], self.radius + self.center.to_vector().max_abs()))
+        let border =
+            Border::of([self.radius - from_center.length()], self.size(), || [-along(from_center)]);
+        surface.within(border)
     }
 
     fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {

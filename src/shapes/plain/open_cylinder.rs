@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, finite, length};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, circle_roots};
-use crate::shapes::border::{Border, is_rounding};
+use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
 /// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the axis.
@@ -77,9 +77,9 @@ impl OpenCylinder {
         self.y0 <= y && y <= self.y1
     }
 
-    /// Both ends, for [`Border::of`].
-    pub(in crate::shapes) fn ends(&self, p: Point) -> [(f64, Vector); 2] {
-        [(p.y() - self.y0, Vector::Y), (self.y1 - p.y(), -Vector::Y)]
+    /// The distances from both ends.
+    pub(in crate::shapes) fn from_ends(&self, y: f64) -> [f64; 2] {
+        [y - self.y0, self.y1 - y]
     }
 
     /// The largest number in its tests.
@@ -88,7 +88,10 @@ impl OpenCylinder {
     }
 
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| self.is_between_ends(ray, t) || is_rounding(self, ray, t)
+        |t| {
+            let nears_end = || nears(self.from_ends(ray.at(t).y()), self.size());
+            self.is_between_ends(ray, t) || nears_end() && is_rounding(self, ray, t)
+        }
     }
 }
 
@@ -103,7 +106,7 @@ impl Shape for OpenCylinder {
         let normal = normal_along(raw.to_vector().across_y(), &flat_ray);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
-        let border = Border::of(self.ends(point), self.size());
+        let border = Border::of(self.from_ends(point.y()), self.size(), || [Vector::Y, -Vector::Y]);
         Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)
             .turned(self.inward)
             .within(border)

@@ -96,12 +96,13 @@ impl ParaboloidShape {
     }
 
     /// The rim, by the distance from it along the wall, which slopes by `2 h ρ/r²`.
-    fn border(&self, p: Point) -> Border {
+    fn border(&self, p: Point) -> Option<Box<Border>> {
         let Paraboloid { height: h, radius: r, .. } = self.data;
         let (rho, radial) = (p.to_vector().across_y().length(), along(p.to_vector().across_y()));
         let up = along(radial + (2.0 * h / r) * (rho / r) * Vector::Y);
         let below_rim = if h >= r { (h - p.y()) / up.y() } else { (r - rho) / up.dot(radial) };
-        Border::of([(below_rim, -up)], h.max(r)).cut_across(Vector::Y)
+        let border = Border::of([below_rim], h.max(r), || [-up]);
+        border.map(|border| Box::new(border.cut_across(Vector::Y)))
     }
 }
 

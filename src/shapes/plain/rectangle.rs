@@ -12,7 +12,7 @@ use super::spherical_rectangle::SphericalRectangle;
 use crate::invalid::{Invalid, finite_point, finite_vector};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross};
-use crate::shapes::border::{Border, is_rounding};
+use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
 
@@ -34,6 +34,10 @@ struct RectangleShape {
     normal: Normal,
     /// `|a|²` and `|b|²`.
     squared: [f64; 2],
+    /// `|a|` and `|b|`.
+    lengths: [f64; 2],
+    /// The largest number in the test.
+    size: f64,
 }
 
 /// How far from perpendicular the sides may be, as the cosine between them: more than the rounding
@@ -63,7 +67,9 @@ impl Specification for Rectangle {
             ));
         }
         let squared = [a.length_squared(), b.length_squared()];
-        Ok(Arc::new(RectangleShape { data: self.clone(), normal, squared }))
+        let lengths = squared.map(f64::sqrt);
+        let size = [self.corner.to_vector(), a, b].iter().map(|v| v.max_abs()).sum();
+        Ok(Arc::new(RectangleShape { data: self.clone(), normal, squared, lengths, size }))
     }
 
     fn scaled(&self, factor: f64) -> Self {
@@ -98,20 +104,25 @@ impl Shape for RectangleShape {
         let (along_a, along_b) = (d.dot(a), d.dot(b));
         let inside_a = 0.0 <= along_a && along_a <= a_squared;
         let inside_b = 0.0 <= along_b && along_b <= b_squared;
-        (inside_a && inside_b || is_rounding(self, ray, t)).then(|| Candidate::at(t))
+        if inside_a && inside_b {
+            return Some(Candidate::at(t));
+        }
+        let nears = |along: f64, squared: f64| nears([along, squared - along], squared);
+        let is_nearly = nears(along_a, a_squared) && nears(along_b, b_squared);
+        (is_nearly && is_rounding(self, ray, t)).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let Rectangle { corner, a, b } = self.data;
         let surface = Surface::flat(ray.at(at.t), corner, self.normal);
         let d = surface.point - corner;
-        let edges = [a, b].into_iter().zip(self.squared).flat_map(|(side, squared)| {
-            let (length, from_start) = (squared.sqrt(), d.dot(side));
-            let unit = side / length;
-            [(from_start / length, unit), ((squared - from_start) / length, -unit)]
-        });
-        let size = [corner.to_vector(), a, b].iter().map(|v| v.max_abs()).sum();
-        surface.within(Border::of(edges, size))
+        let [a_length, b_length] = self.lengths;
+        let (from_b, from_a) = (d.dot(a) / a_length, d.dot(b) / b_length);
+        let distances = [from_b, a_length - from_b, from_a, b_length - from_a];
+        surface.within(Border::of(distances, self.size, || {
+            let (a, b) = (a / a_length, b / b_length);
+            [a, -a, b, -b]
+        }))
     }
 
     fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
@@ -129,8 +140,8 @@ impl Shape for RectangleShape {
 
 impl EvenSurface for RectangleShape {
     fn area(&self) -> f64 {
-        let [a_squared, b_squared] = self.squared;
-        a_squared.sqrt() * b_squared.sqrt()
+        let [a_length, b_length] = self.lengths;
+        a_length * b_length
     }
 
     fn point(&self, [u, v]: [f64; 2]) -> Surface {

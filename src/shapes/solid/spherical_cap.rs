@@ -79,12 +79,14 @@ impl SphericalCap {
     }
 
     /// The rim, from which the surface leads inward and down.
-    fn border(&self, point: Point) -> Border {
+    fn border(&self, point: Point) -> Option<Box<Border>> {
         let p = self.unmirrored(point.to_vector());
         let [sin, cos] = self.rim;
         let beyond = [p.across_y().length() - self.radius, p.y() - self.heights[1]];
-        let inward = -self.unmirrored(cos * along(p.across_y()) + sin * Vector::Y);
-        Border::of([(-(beyond[0] * cos + beyond[1] * sin), inward)], self.radius + self.heights[1])
+        let distance = -(beyond[0] * cos + beyond[1] * sin);
+        Border::of([distance], self.radius + self.heights[1], || {
+            [-self.unmirrored(cos * along(p.across_y()) + sin * Vector::Y)]
+        })
     }
 }
 

@@ -33,7 +33,7 @@ pub(super) fn slabs(ray: &Ray, min: Point, max: Point) -> (f64, f64) {
     (t0, t1)
 }
 
-impl Form for shapes::Box {
+impl Form for shapes::Cuboid {
     /// Where it is entered, or from inside where it is left.
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let [enter, leave] = crossed(ray, self.min, self.max);

@@ -38,7 +38,7 @@ use std::sync::Arc;
 pub use quartic::{cubic_roots, quartic_roots};
 pub(super) use searched::{mesh, spheres};
 
-use super::{Border, Candidate, Facet, Kind, PartPath, SampledSurface, Sampling, Shape, Surface};
+use super::{Candidate, Facet, Kind, PartPath, SampledSurface, Sampling, Shape, Surface};
 use crate::math::{Aabb, Point, Ray, Span, Transform, Vector, atan2, to_radians};
 
 /// Where a hit is too near to the ray's origin to count, as a distance: the book's `kEpsilon` of most
@@ -93,7 +93,7 @@ pub(super) fn form(kind: &Kind, ours: Arc<dyn Shape>, epsilon: f64) -> Arc<dyn S
     match kind {
         Kind::Plane(plane) => textbook!(plane.clone()),
         Kind::Sphere(sphere) => textbook!(sphere.clone()),
-        Kind::Box(cuboid) => textbook!(cuboid.clone()),
+        Kind::Cuboid(cuboid) => textbook!(cuboid.clone()),
         Kind::Triangle(triangle) => textbook!(triangle.clone()),
         Kind::Rectangle(rectangle) => textbook!(rectangle::Form::new(rectangle)),
         Kind::Disk(disk) => textbook!(disk.clone()),
@@ -171,7 +171,7 @@ impl Form for Whole {
 
     /// The point is on the ray; an error of 0 lets the next ray start there.
     fn surface(&self, ours: &dyn Shape, ray: &Ray, at: &Candidate) -> Surface {
-        let (point, border) = (ray.at(at.t), Border::NONE);
+        let (point, border) = (ray.at(at.t), None);
         Surface { point, error: 0.0, border, ..ours.surface(ray, at) }
     }
 }

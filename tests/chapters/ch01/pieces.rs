@@ -50,7 +50,7 @@ fn one_pixel_of_a_box_has_the_normal_of_its_front() {
     for camera in [from_front(1, 1, 1.0).camera, perspective] {
         let mut scene = Scene::new("", Image::new(1, 1), camera);
         let (min, max) = (Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.0, 1.0));
-        add_flat(&mut scene, "box", shapes::Box { min, max }, RED);
+        add_flat(&mut scene, "box", shapes::Cuboid { min, max }, RED);
         let mut tree = RayTree::default();
         render::sample(&built(&scene), [0, 0], 0, &mut tree);
         let Outcome::Hit { hit } = &tree.root().outcome else { panic!("the box is ahead") };

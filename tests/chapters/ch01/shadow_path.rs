@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use groundtruth::kinds::Custom;
-use groundtruth::lights::{Ambient, Point as PointLight};
+use groundtruth::lights::{Ambient, PointLight};
 use groundtruth::materials::Matte;
 use groundtruth::math::{Aabb, Point, Ray, Span};
 use groundtruth::render;

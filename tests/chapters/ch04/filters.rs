@@ -101,7 +101,8 @@ fn edge(x: f64, filter: Kind, samples: u32) -> Scene {
     scene.image.filter = filter;
     scene.image.samples = samples;
     scene.image.sampler = Some(Random {}.into());
-    let half = shapes::Box { min: Point::new(-99.0, -99.0, -1.0), max: Point::new(x, 99.0, 1.0) };
+    let half =
+        shapes::Cuboid { min: Point::new(-99.0, -99.0, -1.0), max: Point::new(x, 99.0, 1.0) };
     add_flat(&mut scene, "half", half, Rgb::WHITE);
     scene
 }
@@ -153,7 +154,8 @@ fn both_axes_are_filtered() {
     assert!(exact > 1.05, "{exact}");
     let upright = edge(1.0, kind.clone(), 256);
     let mut flat = edge(0.0, kind, 256);
-    let half = shapes::Box { min: Point::new(-99.0, -99.0, -1.0), max: Point::new(99.0, 1.0, 1.0) };
+    let half =
+        shapes::Cuboid { min: Point::new(-99.0, -99.0, -1.0), max: Point::new(99.0, 1.0, 1.0) };
     flat.objects[0].shape = half.into();
     for scene in [upright, flat] {
         let (mean, error) = replicas(&scene, 256);

@@ -12,8 +12,8 @@ use groundtruth::scene::{Material, Object, Scene};
 use groundtruth::shapes::{self, Plane};
 use groundtruth::textures::{self, Paint, Texture, TexturePoint};
 use groundtruth::trace::RayCounts;
-use groundtruth::verify::means::one_sample;
-use groundtruth::verify::significance::sidak;
+use harness::verify::means::one_sample;
+use harness::verify::significance::sidak;
 use proptest::prelude::*;
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
@@ -60,7 +60,7 @@ fn half_plane(x: f64, upright: bool) -> Scene {
         true => (Point::new(-9.0, -9.0, -1.0), Point::new(x, 9.0, 1.0)),
         false => (Point::new(-9.0, -9.0, -1.0), Point::new(9.0, x, 1.0)),
     };
-    add_flat(&mut scene, "half", shapes::Box { min, max }, RED);
+    add_flat(&mut scene, "half", shapes::Cuboid { min, max }, RED);
     scene
 }
 

@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use groundtruth::math::{Pcg32, power};
 use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
-use groundtruth::verify::means::one_sample;
-use groundtruth::verify::significance::sidak;
-use groundtruth::verify::slope::power_law;
+use harness::verify::means::one_sample;
+use harness::verify::significance::sidak;
+use harness::verify::slope::power_law;
 
 use super::edges::Edge;
 

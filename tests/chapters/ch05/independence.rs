@@ -4,10 +4,10 @@
 //! The χ² tests use the observed marginals: 83 sets of n points do not fill the square uniformly.
 
 use groundtruth::samplers::{Branch, Key, Kind, PathKey, Purpose, SampleSets};
-use groundtruth::verify::chi_square::independence;
-use groundtruth::verify::correlation::pearson;
-use groundtruth::verify::means;
-use groundtruth::verify::significance::sidak;
+use harness::verify::chi_square::independence;
+use harness::verify::correlation::pearson;
+use harness::verify::means;
+use harness::verify::significance::sidak;
 
 /// The probability, over random seeds, that at least one law of this file is rejected although all hold.
 const LEVEL: f64 = 1e-3;

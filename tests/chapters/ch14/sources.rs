@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_1_PI, TAU};
 
-use groundtruth::lights::{Kind, Point as Lamp, Spot};
+use groundtruth::lights::{Kind, PointLight as Lamp, Spot};
 use groundtruth::materials::Matte;
 use groundtruth::math::{Normal, Point, Vector, cos, power, sin, to_radians};
 use groundtruth::rgb::Rgb;

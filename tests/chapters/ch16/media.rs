@@ -2,12 +2,12 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use groundtruth::lights::{Ambient, AmbientOccluder, Directional, Kind, Point as Lamp};
+use groundtruth::lights::{Ambient, AmbientOccluder, Directional, Kind, PointLight as Lamp};
 use groundtruth::materials::{Dielectric, Matte, Medium, Phong};
 use groundtruth::math::{Point, Vector, exp};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, Tracer, TransparentShadows, Whitted};
-use groundtruth::shapes::{Box as Cuboid, Plane, Sphere};
+use groundtruth::shapes::{Cuboid, Plane, Sphere};
 use groundtruth::trace::{Node, RayKind, RayTree, TermSource, radiance};
 use proptest::prelude::*;
 

@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_1_PI, TAU};
 
-use groundtruth::lights::{Directional, FakeSpherical, JitteredDirectional, Kind, Point as Lamp};
+use groundtruth::lights::{
+    Directional, FakeSpherical, JitteredDirectional, Kind, PointLight as Lamp,
+};
 use groundtruth::materials::Matte;
 use groundtruth::math::{Normal, Point, Vector, power, power_of_two};
 use groundtruth::rgb::Rgb;

@@ -8,8 +8,7 @@ use groundtruth::math::{Normal, Point, Step, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{
-    Box as Cuboid, Instance, Kind as Shape, Materials, Plane, SolidCylinder, Sphere,
-    TessellatedSphere,
+    Cuboid, Instance, Kind as Shape, Materials, Plane, SolidCylinder, Sphere, TessellatedSphere,
 };
 use groundtruth::trace::{Outcome, RayCounts, RayKind, RayTree, radiance};
 use proptest::prelude::*;

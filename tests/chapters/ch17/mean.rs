@@ -8,9 +8,7 @@ use groundtruth::math::{Frame, Normal, Pcg32, Point, Step, Vector, acos, atan2, 
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{Kind as Sampler, MultiJittered, Random};
 use groundtruth::scene::{Scene, Tracer, Whitted};
-use groundtruth::shapes::{
-    Box as Cuboid, Disk, Instance, Plane, Rectangle, TessellatedSphere, Triangle,
-};
+use groundtruth::shapes::{Cuboid, Disk, Instance, Plane, Rectangle, TessellatedSphere, Triangle};
 use groundtruth::trace::Outcome;
 
 use super::*;

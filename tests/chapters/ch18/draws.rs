@@ -1,7 +1,7 @@
 //! The draws of lights, and how many rays they cast.
 
 use groundtruth::cameras::ThinLens;
-use groundtruth::lights::{Ambient, Directional, Point as PointLight};
+use groundtruth::lights::{Ambient, Directional, PointLight};
 use groundtruth::math::Ray;
 use groundtruth::render::{camera_sample, sample};
 use groundtruth::trace::{Node, RayCounts, RayKind, RayTree, TermSource, radiance};

@@ -1,6 +1,6 @@
 //! From far away a lamp is a point light, and the radiance of a lamp seen directly does not fade.
 
-use groundtruth::lights::Point as PointLight;
+use groundtruth::lights::PointLight;
 use groundtruth::materials::Emissive;
 use groundtruth::math::{Normal, power};
 use proptest::prelude::*;

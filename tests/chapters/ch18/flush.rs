@@ -140,7 +140,7 @@ fn a_rectangle_flush_with_a_floor_or_a_box_gives_lamberts_light() {
             ),
             true => {
                 let (min, max) = (Point::new(-1.0, 0.0, -1.5), Point::new(1.0, top, 1.5));
-                put(&mut scene, shapes::Box { min, max }, white())
+                put(&mut scene, shapes::Cuboid { min, max }, white())
             }
         };
         put(&mut scene, Plane { point: Point::new(2.0, 0.0, 0.0), normal: -Vector::X }, white());

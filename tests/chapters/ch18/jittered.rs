@@ -2,9 +2,7 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use groundtruth::lights::{
-    Directional, FakeSpherical, JitteredDirectional, Kind, Point as PointLight,
-};
+use groundtruth::lights::{Directional, FakeSpherical, JitteredDirectional, Kind, PointLight};
 use groundtruth::math::power;
 use groundtruth::trace::{RayTree, radiance};
 use proptest::prelude::*;

@@ -240,7 +240,7 @@ fn twice_the_strength_is_twice_the_light() {
             Kind::Ambient(light) => light.ls *= 2.0,
             Kind::AmbientOccluder(light) => light.ls *= 2.0,
             Kind::Directional(light) => light.ls *= 2.0,
-            Kind::Point(light) => light.ls *= 2.0,
+            Kind::PointLight(light) => light.ls *= 2.0,
             Kind::Spot(light) => light.ls *= 2.0,
             Kind::JitteredDirectional(light) => light.ls *= 2.0,
             Kind::FakeSpherical(light) => light.ls *= 2.0,

@@ -1,7 +1,7 @@
 //! Soft shadows: umbra and penumbra by similar triangles.
 
 use groundtruth::materials::Matte;
-use groundtruth::shapes::Box as Cuboid;
+use groundtruth::shapes::Cuboid;
 use groundtruth::trace::{Outcome, RayKind, RayTree, radiance};
 use groundtruth::world::World;
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{Algebraic, Context, Kind, Shape, Sphere, Surface, Term};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::torus::{built, torus, ts};
 use crate::support::U;

@@ -8,7 +8,7 @@ use groundtruth::shapes::{
     ConcaveLens, CutFace, FlatRimmedBowl, Materials, RoundRimmedBowl, SolidCone, SolidCylinder,
     ThickRing,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 /// Law and oracle: as [`check_pieces`]; the equation of a cone (Suffern, ch. 19).
 #[test]

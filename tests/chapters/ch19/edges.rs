@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{Shape, Surface};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::bodies::built;
 use crate::support::edged::{BODIES, Edged, edged};

@@ -1,6 +1,6 @@
 //! Every shape against exact arithmetic, on hard cases.
 
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 use oracle::hard::Kind;
 
 use crate::support::hard_cases::{Pair, judge_all, pair, sweep};

@@ -6,7 +6,7 @@ use groundtruth::math::{Normal, Point, Span};
 use groundtruth::shapes::{
     Cone, OpenCylinder, Paraboloid, PartCylinder, PartSphere, Shape, Sphere,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::parts::{CENTER, built, part_cylinder, part_sphere, some_ray};
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use groundtruth::math::{Ray, Span};
 use groundtruth::shapes::{Plane, Shape};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::bodies::Form;

@@ -1,14 +1,14 @@
 //! Light at the edges of closed bodies: rooms stay dark, and a furnace is seen through glass.
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::lights::{Directional, Environment, Point as PointLight};
+use groundtruth::lights::{Directional, Environment, PointLight};
 use groundtruth::materials::{self, Dielectric, Matte, Medium, Phong, Reflective};
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::trace;
-use groundtruth::verify::Draw;
 use groundtruth::world::World;
+use harness::verify::Draw;
 
 use crate::support::edged::{BODIES, Edged, edged};
 

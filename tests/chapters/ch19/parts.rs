@@ -8,7 +8,7 @@ use groundtruth::math::{
 use groundtruth::shapes::{
     Annulus, Context, Kind, OpenCylinder, PartAnnulus, PartCylinder, PartSphere, Shape, Sphere,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

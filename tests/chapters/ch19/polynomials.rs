@@ -2,7 +2,7 @@
 
 use groundtruth::math::polynomial::{real_roots, roots_between};
 use groundtruth::math::power_of_two;
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 

@@ -4,7 +4,7 @@ use std::fs;
 
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Annulus, Cone, Disk, Kind, Paraboloid, Surface};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::parts::{built, some_ray, ts};
 

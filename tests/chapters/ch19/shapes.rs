@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, exact_cross};
 use groundtruth::shapes::{
-    Box, Candidate, Context, Disk, Kind, OpenCylinder, Rectangle, Shape, Sphere, Surface, Triangle,
+    Candidate, Context, Cuboid, Disk, Kind, OpenCylinder, Rectangle, Shape, Sphere, Surface,
+    Triangle,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::bodies::body;
@@ -73,7 +74,7 @@ fn a_box_equals_its_six_rectangles() {
     let sides =
         [(min, y, x), (min, z, y), (min, x, z), (max, -y, -z), (max, -z, -x), (max, -x, -y)];
     let sides = sides.map(|(corner, a, b)| built(Rectangle { corner, a, b }));
-    let cuboid = built(Box { min, max });
+    let cuboid = built(Cuboid { min, max });
     let mut draw = Draw::new(1921);
     let mut hits = 0;
     for _ in 0..10_000 {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, power, sin_degrees};
 use groundtruth::shapes::{Context, Kind, Shape, Surface, Torus};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::bodies::random_hit;

@@ -2,7 +2,7 @@
 
 use groundtruth::math::{Point, Ray, Span, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use groundtruth::shapes::{Context, Kind, PartTorus};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::torus::{built, torus, ts};
 

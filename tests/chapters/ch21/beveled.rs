@@ -7,7 +7,7 @@ use groundtruth::shapes::{
     BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Context, Instance, Kind, Materials,
     Shape, Sphere,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::bevels::{Case, KINDS};
 use crate::support::solids::{built, check_pieces, line};

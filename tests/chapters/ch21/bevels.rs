@@ -8,7 +8,7 @@ use groundtruth::math::{Point, Vector, atan2, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
     BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Kind, Materials,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::solids::from_axis;
 

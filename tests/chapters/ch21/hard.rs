@@ -2,7 +2,7 @@
 
 use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Context, Instance, Kind, Rectangle};
-use groundtruth::verify::{Draw, backward_error};
+use harness::verify::{Draw, backward_error};
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 

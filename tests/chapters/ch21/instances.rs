@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use groundtruth::math::{Axis, Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::shapes::{self, Context, Instance, Kind, Shape, Sphere};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 
@@ -134,7 +134,7 @@ fn an_instance_of_an_instance_is_the_instance_of_the_product() {
     for _ in 0..2_000 {
         let (inner, outer) = (steps(&mut draw), steps(&mut draw));
         let cuboid =
-            shapes::Box { min: Point::new(-1.0, -0.5, -1.0), max: Point::new(0.5, 1.0, 1.0) };
+            shapes::Cuboid { min: Point::new(-1.0, -0.5, -1.0), max: Point::new(0.5, 1.0, 1.0) };
         let nested = built(instance(instance(cuboid.clone(), inner.clone()), outer.clone()));
         let all: Vec<Step> = inner.into_iter().chain(outer).collect();
         let map = Transform::from_steps(&all).expect("not singular");

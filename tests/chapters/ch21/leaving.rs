@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use groundtruth::math::{Axis, Point, Step, Transform, Vector};
 use groundtruth::shapes::{Cone, Context, Instance, Kind};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::bodies::{Form, body, check_leaving, is_thin, random_hit};

@@ -7,7 +7,7 @@ use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::shapes::{
     Compound, Context, Instance, Kind, Lattice, Sphere, Surface, TessellatedSphere,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 

@@ -7,7 +7,7 @@ use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{
     Compound, Context, Kind, Lattice, Part, PartMaterial, Shape, Sphere, Surface,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 /// Whether each of the materials, by its index, casts shadows.
 const CASTS_SHADOWS: [bool; 3] = [true, false, true];

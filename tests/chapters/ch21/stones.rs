@@ -6,7 +6,7 @@ use groundtruth::math::{Point, Ray, Span, Step, Vector, cos_degrees, sin_degrees
 use groundtruth::shapes::{
     Archway, BeveledBox, Context, Instance, Kind, Materials, Rosette, Shape,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::solids::{built, from_axis, line};
 

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
 use groundtruth::shapes::{
-    Annulus, Box, Cone, Context, Disk, Instance, Kind, OpenCylinder, Paraboloid, PartCylinder,
+    Annulus, Cone, Context, Cuboid, Disk, Instance, Kind, OpenCylinder, Paraboloid, PartCylinder,
     PartSphere, PartTorus, Plane, Rectangle, RoundRimmedBowl, Shape, SolidCylinder, Sphere, Torus,
     Triangle,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::searched::Both;
 
@@ -39,7 +39,7 @@ fn any_shape(draw: &mut Draw, widest: i32) -> Option<Arc<dyn Shape>> {
     let kind: Kind = match draw.below(17) {
         0 => Sphere { center: p, radius: size, inward: false }.into(),
         1 => Plane { point: p, normal: v }.into(),
-        2 => Box { min: p.min(q), max: p.max(q) }.into(),
+        2 => Cuboid { min: p.min(q), max: p.max(q) }.into(),
         3 => Triangle { vertices: [p, q, p + v], normals: None }.into(),
         4 => Rectangle { corner: p, a: v.x() * Vector::X, b: v.y() * Vector::Z }.into(),
         5 => Disk { center: p, normal: v, radius: size }.into(),

@@ -11,7 +11,7 @@ use groundtruth::shapes::{
     self, Disk, Instance, Kind, Plane, Rectangle, Shape, Sphere, TessellatedSphere, Triangle,
     TriangleMesh,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::searched::{Both, FARTHEST, Seen, agree, built, some_rays, spheres};
 
@@ -180,7 +180,7 @@ fn faces_and_edges_of_boxes(rays: usize) {
     for i in 0..216 {
         let at = |k: i32| f64::from(k % 6 - 3);
         let min = Point::new(at(i), at(i / 6), at(i / 36));
-        objects.push(built(shapes::Box { min, max: min + Vector::new(1.0, 1.0, 1.0) }));
+        objects.push(built(shapes::Cuboid { min, max: min + Vector::new(1.0, 1.0, 1.0) }));
     }
     let mut draw = Draw::new(2240);
     let mut along = Vec::new();
@@ -227,7 +227,7 @@ fn nested_objects(rays: usize) {
         let size = groundtruth::math::power(2.0, -0.75 * f64::from(i));
         let corner = size * Vector::new(1.0, 1.0, 1.0);
         let (min, max) = (Point::ORIGIN - corner, Point::ORIGIN + corner);
-        objects.push(built(shapes::Box { min, max }));
+        objects.push(built(shapes::Cuboid { min, max }));
         objects.push(built(Sphere { center: Point::ORIGIN, radius: size, inward: false }));
     }
     let mut draw = Draw::new(2245);

@@ -6,10 +6,10 @@ use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
 use groundtruth::resources::Resources;
 use groundtruth::shapes::{
-    Box, Compound, Context, Disk, Instance, Kind, Lattice, Mesh, Part, Plane, RandomSpheres, Shape,
-    Sphere, TessellatedSphere,
+    Compound, Context, Cuboid, Disk, Instance, Kind, Lattice, Mesh, Part, Plane, RandomSpheres,
+    Shape, Sphere, TessellatedSphere,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::searched::ray;
 use crate::support::U;
@@ -187,7 +187,7 @@ fn rays_that_start_on_the_boundary_of_a_grid_equal_the_list() {
     for i in 0..8 {
         let at = |bit: i32| f64::from(i >> bit & 1) - 1.0;
         let min = Point::new(at(0), at(1), at(2));
-        parts.push(Kind::from(Box { min, max: min + Vector::new(1.0, 1.0, 1.0) }));
+        parts.push(Kind::from(Cuboid { min, max: min + Vector::new(1.0, 1.0, 1.0) }));
     }
     let ball = Sphere { center: Point::new(0.75, 0.75, 0.75), radius: 0.125, inward: false };
     parts.push(ball.into());

@@ -6,12 +6,12 @@ use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
 use groundtruth::resources::Resources;
 use groundtruth::shapes::{
-    Box, Candidate, Compound, Context, Instance, Kind, Lattice, Plane, RandomSpheres, Shape,
+    Candidate, Compound, Context, Cuboid, Instance, Kind, Lattice, Plane, RandomSpheres, Shape,
     Sphere, Surface,
 };
 use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{self, RandomColors};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::searched::ray;
 use crate::support::U;
@@ -55,7 +55,7 @@ fn same(a: &dyn Shape, b: &dyn Shape, seed: u64, rays: usize, extent: f64) -> us
 /// Oracle: a compound of moved instances, bit for bit.
 #[test]
 fn a_lattice_is_a_compound_of_moved_copies() {
-    let cube = Box { min: Point::new(-0.5, -0.5, -0.5), max: Point::new(0.5, 0.5, 0.5) };
+    let cube = Cuboid { min: Point::new(-0.5, -0.5, -0.5), max: Point::new(0.5, 0.5, 0.5) };
     let pair = Compound::of([ball(0.25), cube.clone().into()]);
     for (of, counts, spacing) in [
         (Kind::from(cube), [3, 2, 2], Vector::new(1.0, 1.0, 1.0)),

@@ -7,7 +7,7 @@ use groundtruth::accel::{Accel, Counts, Method};
 use groundtruth::math::{Aabb, Point, Ray, Span, power};
 use groundtruth::mesh_bvh::Kernel;
 use groundtruth::shapes::{self, Context, Kind, Shape, Sphere, Triangle, TriangleMesh};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::searched::{self, Both, Seen, built};
 
@@ -23,7 +23,7 @@ fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dy
             1 => Triangle { vertices: [corner(), corner(), corner()], normals: None }.into(),
             _ => {
                 let Aabb { min, max } = Aabb::around([center, corner()]);
-                shapes::Box { min, max }.into()
+                shapes::Cuboid { min, max }.into()
             }
         };
         // where coordinates have too few digits for this size, boxes and triangles are refused, and
@@ -36,7 +36,8 @@ fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dy
 
 /// Walls and pillars from −1 to 1.
 fn stadium(draw: &mut Draw) -> Vec<Arc<dyn Shape>> {
-    let floor = shapes::Box { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, -0.99, 1.0) };
+    let floor =
+        shapes::Cuboid { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, -0.99, 1.0) };
     let mut objects = vec![built(floor)];
     for _ in 0..20 {
         let (at, radius) = (1.0 * draw.direction(), draw.between(0.01, 0.1));

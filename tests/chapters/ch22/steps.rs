@@ -3,7 +3,7 @@
 use groundtruth::accel::{Accel, Counts, Method, Primitives};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, cbrt};
 use groundtruth::shapes::{Candidate, RandomSpheres, Shape, Sphere};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::searched::{self, Both, some_rays};
 

@@ -3,7 +3,7 @@
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 /// A bumpy sheet with everything a file can have; one triangle of it has no area.
 fn sheet(draw: &mut Draw) -> MeshData {

@@ -8,7 +8,7 @@ use groundtruth::math::{Normal, Point, Ray, Span, Vector};
 use groundtruth::shapes::{
     Context, Kind, Shape, Surface, TessellatedSphere, Triangle, TriangleMesh,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::watertight::knot;
 use crate::support::U;

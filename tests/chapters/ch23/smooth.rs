@@ -13,7 +13,7 @@ use groundtruth::shapes::{
     Context, Instance, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh,
 };
 use groundtruth::trace::Outcome;
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::stage::{built, put, recorded, shine, stage};

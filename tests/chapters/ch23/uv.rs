@@ -3,7 +3,7 @@
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Candidate, Compound, Context, Instance, Kind, Lattice, Mesh};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use crate::support::U;
 

@@ -11,7 +11,7 @@ use groundtruth::math::{Pcg32, Point, Step, Vector, exp, power};
 use groundtruth::render::sample;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
-use groundtruth::shapes::{self, Box as Cuboid, Instance, SolidCylinder, Sphere, Torus};
+use groundtruth::shapes::{self, Cuboid, Instance, SolidCylinder, Sphere, Torus};
 use groundtruth::textures::Paint;
 use groundtruth::trace::RayCounts;
 

@@ -7,9 +7,9 @@ use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::Triangle;
-use groundtruth::verify::means;
-use groundtruth::verify::significance::sidak;
 use groundtruth::world::World;
+use harness::verify::means;
+use harness::verify::significance::sidak;
 
 use super::tracers;
 use crate::support::replicas::{LEVEL, assert_mean, replicas, view, with_samples};

@@ -1,6 +1,6 @@
 //! Path tracers: their mean, their variance and their cost.
 
-use groundtruth::lights::{Area, Environment, Point as PointLight};
+use groundtruth::lights::{Area, Environment, PointLight};
 use groundtruth::lobes::GlossyRule;
 use groundtruth::materials::{
     Dielectric, Emissive, GlossyReflector, Matte, Medium, Phong, Reflective,
@@ -12,9 +12,9 @@ use groundtruth::samplers::Random;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Plane, Sphere};
 use groundtruth::trace::{RayKind, Term, TermSource};
-use groundtruth::verify::means;
-use groundtruth::verify::significance::sidak;
-use groundtruth::verify::slope::power_law;
+use harness::verify::means;
+use harness::verify::significance::sidak;
+use harness::verify::slope::power_law;
 
 use super::{room, tracers};
 use crate::support::number;

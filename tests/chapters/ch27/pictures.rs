@@ -5,7 +5,7 @@ use groundtruth::math::{Point, Step, Vector, acos, atan2, cos, sin, tan};
 use groundtruth::render::{film_point, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use groundtruth::shapes::{Box as Cuboid, Instance, Plane};
+use groundtruth::shapes::{Cuboid, Instance, Plane};
 use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
 
 use super::{ball, glass};

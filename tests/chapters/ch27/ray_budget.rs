@@ -7,7 +7,7 @@ use groundtruth::ray_budget::{MAX_COUNTED, measured};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Box as Cuboid, Sphere};
+use groundtruth::shapes::{Cuboid, Sphere};
 use groundtruth::trace::{RayCounts, RayKind, RayTree};
 
 use super::glass;

@@ -6,7 +6,7 @@ use groundtruth::math::{Normal, Point, Step, Vector, cos, exp, power, sin, to_ra
 use groundtruth::render::{film_point, pixel, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Tracer, Whitted};
-use groundtruth::shapes::{Box as Cuboid, Instance, Plane};
+use groundtruth::shapes::{Cuboid, Instance, Plane};
 
 use super::{ball, clear, glass, slab, tinted};
 use crate::support::U;

@@ -1,12 +1,12 @@
 //! Shadow rays that pass straight through what is transparent, and pictures of basic radiance: the two
 //! switches of a scene's `transparency`.
 
-use groundtruth::lights::{Area, Directional, Point as PointLight};
+use groundtruth::lights::{Area, Directional, PointLight};
 use groundtruth::materials::{Dielectric, Emissive, Matte, Medium, Transparent};
 use groundtruth::math::{Point, Vector, atan2, cos, exp, sin, tan, to_radians};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer, Transparency, TransparentShadows};
-use groundtruth::shapes::{Box as Cuboid, Disk, Sphere};
+use groundtruth::shapes::{Cuboid, Disk, Sphere};
 use groundtruth::trace::Outcome;
 
 use crate::support::stage::{built, deep_stage, look, put, recorded, shine};

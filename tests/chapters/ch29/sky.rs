@@ -10,8 +10,8 @@ use groundtruth::math::{Normal, Pcg32, Point, Ray, Step, Transform, Vector, cos,
 use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::{Filtering, Mapping};
-use groundtruth::verify::chi_square::goodness_of_fit;
-use groundtruth::verify::significance::sidak;
+use harness::verify::chi_square::goodness_of_fit;
+use harness::verify::significance::sidak;
 
 pub const DOMES: [Dome; 4] =
     [Dome::Spherical, Dome::Hemispherical, Dome::LightProbe, Dome::Panoramic];

@@ -11,8 +11,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::Plane;
 use groundtruth::textures::Filtering;
-use groundtruth::verify::means;
-use groundtruth::verify::significance::sidak;
+use harness::verify::means;
+use harness::verify::significance::sidak;
 
 use super::sky::{DOMES, SIZE, all_around, image, ragged, texel, written};
 use crate::support::replicas::{

@@ -13,7 +13,7 @@ use groundtruth::render::pixel;
 use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use groundtruth::shapes::{Box as Cuboid, Instance, Kind as Shape, Plane, Sphere, Surface};
+use groundtruth::shapes::{Cuboid, Instance, Kind as Shape, Plane, Sphere, Surface};
 use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Checker3d, Kind as Texture, Paint, PlaneChecker};
 use proptest::prelude::*;

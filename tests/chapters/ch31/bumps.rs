@@ -44,7 +44,7 @@ impl Recorder for Recorded {
     fn outcome(&mut self, _: Outcome<&groundtruth::world::Hit<'_>>) {}
     fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
         self.normals.get_or_insert(point.normals);
-        self.at.get_or_insert(point.hit.surface);
+        self.at.get_or_insert_with(|| point.hit.surface.clone());
     }
     fn term(&mut self, _: Term) {}
     fn leave(&mut self, _: Rgb, _: Rgb) {}

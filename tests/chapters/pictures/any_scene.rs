@@ -140,7 +140,7 @@ fn scaled(scene: &mut Scene, which: usize, factor: f64) -> bool {
         lights::Kind::Ambient(light) => light.ls *= factor,
         lights::Kind::AmbientOccluder(light) => light.ls *= factor,
         lights::Kind::Directional(light) => light.ls *= factor,
-        lights::Kind::Point(light) => light.ls *= factor,
+        lights::Kind::PointLight(light) => light.ls *= factor,
         lights::Kind::Spot(light) => light.ls *= factor,
         lights::Kind::JitteredDirectional(light) => light.ls *= factor,
         lights::Kind::FakeSpherical(light) => light.ls *= factor,

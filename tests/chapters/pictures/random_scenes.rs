@@ -184,7 +184,7 @@ impl Die<'_> {
                 AmbientOccluder { ls, color, min_amount, occluded_color, max_distance }.into()
             }
             2 => Directional { ls, color, direction }.into(),
-            3 => lights::Point { ls, color, location, attenuation }.into(),
+            3 => lights::PointLight { ls, color, location, attenuation }.into(),
             4 => {
                 let inner = self.within(0.0, 90.0);
                 let outer = inner + self.within(0.0, 90.0);

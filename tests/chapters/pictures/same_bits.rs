@@ -94,7 +94,7 @@ fn moved(scene: &Scene, transform: &[Step], eye: impl Fn(Point) -> Point) -> Sce
     moved.camera.look_at = eye(moved.camera.look_at);
     moved.camera.up = eye(Point::ORIGIN + moved.camera.up) - eye(Point::ORIGIN);
     for light in &mut moved.lights {
-        if let groundtruth::lights::Kind::Point(point) = &mut light.source {
+        if let groundtruth::lights::Kind::PointLight(point) = &mut light.source {
             point.location = eye(point.location);
         }
         if let groundtruth::lights::Kind::Directional(sun) = &mut light.source {

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
-    Annulus, Box, Cone, Context, Disk, Kind, OpenCylinder, Paraboloid, PartAnnulus, PartCylinder,
-    PartSphere, Plane, Rectangle, Shape, Sphere, Surface, TessellatedSphere, Triangle,
+    Annulus, Cone, Context, Cuboid, Disk, Kind, OpenCylinder, Paraboloid, PartAnnulus,
+    PartCylinder, PartSphere, Plane, Rectangle, Shape, Sphere, Surface, TessellatedSphere,
+    Triangle,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::exact::{exact, walls_along_normal};
 
@@ -40,7 +41,7 @@ pub fn body(draw: &mut Draw, size: f64) -> (Kind, Form, Point) {
             let v = draw.vector(0.99);
             let [x, y, z] = [0, 1, 2].map(|i| v.along(i) * half.along(i));
             let inside = center + Vector::new(x, y, z);
-            (Box { min: center - half, max: center + half }.into(), Form::Convex, inside)
+            (Cuboid { min: center - half, max: center + half }.into(), Form::Convex, inside)
         }
         3 => {
             let far = center + (size * draw.decades(-5.0, 0.0)) * third;

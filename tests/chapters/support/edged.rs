@@ -2,12 +2,12 @@
 
 use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
-    Annulus, BeveledBox, BeveledCylinder, BeveledRing, Box, Compound, ConcaveLens, Disk,
+    Annulus, BeveledBox, BeveledCylinder, BeveledRing, Compound, ConcaveLens, Cuboid, Disk,
     FlatRimmedBowl, Instance, Kind, Materials, Mesh, OpenCylinder, Paraboloid, PartAnnulus,
     PartCylinder, PartSphere, Rectangle, RoundRimmedBowl, SolidCone, SolidCylinder, ThickRing,
     Triangle,
 };
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 /// A closed body.
 pub struct Edged {
@@ -116,7 +116,7 @@ pub fn edged(draw: &mut Draw, number: usize) -> Edged {
     let wall = OpenCylinder { y0, y1, radius: r, inward: false };
     match number {
         0 => Edged {
-            kind: Box { min, max }.into(),
+            kind: Cuboid { min, max }.into(),
             inside: Point::ORIGIN,
             edges: box_edges(draw, [min, max]),
         },

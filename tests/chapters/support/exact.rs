@@ -8,7 +8,7 @@ use oracle::Shape;
 pub fn exact(kind: &Kind) -> Option<Shape> {
     Some(match kind {
         Kind::Sphere(it) => Shape::Sphere { center: it.center.into(), radius: it.radius },
-        Kind::Box(it) => Shape::Cuboid { min: it.min.into(), max: it.max.into() },
+        Kind::Cuboid(it) => Shape::Cuboid { min: it.min.into(), max: it.max.into() },
         Kind::OpenCylinder(it) => Shape::OpenCylinder { y0: it.y0, y1: it.y1, radius: it.radius },
         Kind::PartCylinder(it) => {
             Shape::PartCylinder { y0: it.y0, y1: it.y1, radius: it.radius, phi: it.phi }

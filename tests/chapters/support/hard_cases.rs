@@ -1,9 +1,9 @@
-//! The library's shapes against exact answers, on hard rays (`/tests/oracle`).
+//! The library's shapes against exact answers, on hard rays (`/oracle`).
 //!
 //! A hit is judged by its condition number: an error is measured in units of `u · cond`, and 100 of them are
 //! allowed, as if the input had been wrong by 100 u. Whether there is a hit at all must be right unless a
 //! relative change of the input by 1e-13 would change the answer. For instances, see
-//! [`groundtruth::verify::backward_error`].
+//! [`harness::verify::backward_error`].
 
 use std::fmt;
 use std::sync::Arc;
@@ -11,11 +11,9 @@ use std::sync::Arc;
 use groundtruth::accel::{Accel, Method, Primitives};
 use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::shapes::{self, Candidate};
-use groundtruth::verify::backward_error::{
-    ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error,
-};
-pub use groundtruth::verify::backward_error::{Pair, instanced, pair};
-use groundtruth::verify::{backward_error, composites};
+use harness::verify::backward_error::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
+pub use harness::verify::backward_error::{Pair, instanced, pair};
+use harness::verify::{backward_error, composites};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use groundtruth::lights::{
     Ambient, AmbientOccluder, Area, Directional, Environment, FakeSpherical, JitteredDirectional,
-    Kind, Point as PointLight, Spot,
+    Kind, PointLight, Spot,
 };
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::{Normal, Point, Vector, atan2};

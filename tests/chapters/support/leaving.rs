@@ -3,7 +3,7 @@
 
 use groundtruth::math::{Aabb, Ray, Span, Step, Vector};
 use groundtruth::shapes::{Context, Instance, Kind, Shape, Surface};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 use super::bodies::check_next;
 

@@ -5,9 +5,9 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::trace::radiance;
-use groundtruth::verify::means;
-use groundtruth::verify::significance::sidak;
 use groundtruth::world::World;
+use harness::verify::means;
+use harness::verify::significance::sidak;
 
 use super::stage::{built, ray};
 

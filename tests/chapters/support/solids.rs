@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{Context, Kind, Shape};
-use groundtruth::verify::Draw;
+use harness::verify::Draw;
 
 pub fn built(kind: &Kind) -> Arc<dyn Shape> {
     kind.build(&mut Context::default()).expect("valid")

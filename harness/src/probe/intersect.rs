@@ -1,0 +1,110 @@
+//! Where a ray meets a shape.
+
+use serde::{Deserialize, Serialize};
+
+use super::limits;
+use super::numbers::{RayData, Real, SpanData, Triple, triple};
+use groundtruth::invalid::{Invalid, Key, direction};
+use groundtruth::kinds::Specification;
+use groundtruth::math::{Ray, Step, Vector};
+use groundtruth::shapes::{Candidate, Context, Instance, Kind, PartPath, Shape};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Intersect {
+    shape: Kind,
+    #[serde(default)]
+    transform: Vec<Step>,
+    ray: RayData,
+    span: Option<SpanData>,
+    #[serde(default)]
+    all: bool,
+    /// A direction in which a ray leaves the hit.
+    leave: Option<Vector>,
+}
+
+/// One hit.
+#[derive(Serialize)]
+pub struct Hit {
+    t: Real,
+    point: Triple,
+    /// Geometric.
+    normal: Triple,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shading_normal: Option<Triple>,
+    front: bool,
+    error: Real,
+    /// Texture coordinates, of what has any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uv: Option<[Real; 2]>,
+    /// Through which nested shapes the hit went, of what has any.
+    #[serde(skip_serializing_if = "PartPath::is_empty")]
+    path: PartPath,
+    /// Where a ray that leaves in the direction asked for starts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    leave: Option<Triple>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum Hits {
+    All(Vec<Hit>),
+    Nearest(Option<Hit>),
+}
+
+impl super::Question for Intersect {
+    type Answer = Hits;
+
+    fn answer(&self) -> Result<Hits, Invalid> {
+        let ray = self.ray.ray()?;
+        let span = SpanData::span(self.span)?;
+        if let Some(leave) = self.leave {
+            direction("leave", leave)?;
+        }
+        let shape = build(&self.shape, &self.transform)?;
+        if self.all {
+            limits::all_of(&*shape).map_err(|e| e.inside("all"))?;
+            let roots = shape.roots(&ray, span);
+            return Ok(Hits::All(roots.iter().map(|at| self.hit(&*shape, &ray, at)).collect()));
+        }
+        Ok(Hits::Nearest(shape.hit(&ray, span).map(|at| self.hit(&*shape, &ray, &at))))
+    }
+}
+
+impl Intersect {
+    fn hit(&self, shape: &dyn Shape, ray: &Ray, at: &Candidate) -> Hit {
+        let surface = shape.surface(ray, at);
+        let differs = surface.shading != surface.normal;
+        Hit {
+            t: Real(at.t),
+            point: triple(surface.point),
+            normal: triple(surface.normal),
+            shading_normal: differs.then(|| triple(surface.shading)),
+            front: surface.is_front(ray.direction),
+            error: Real(surface.error),
+            uv: shape.uv(at).map(|uv| uv.map(Real)),
+            path: shape.path(at),
+            leave: self.leave.map(|direction| triple(surface.leave(direction))),
+        }
+    }
+}
+
+/// The shape seen through the steps, if there are any.
+pub(super) fn build(
+    shape: &Kind,
+    transform: &[Step],
+) -> Result<std::sync::Arc<dyn Shape>, Invalid> {
+    limits::buildable(std::iter::once(shape), |_, e| e.inside("shape"))?;
+    let mut context = Context::default();
+    if transform.is_empty() {
+        return shape.build(&mut context).map_err(|e| e.inside("shape"));
+    }
+    let instance = Instance::new(shape.clone(), transform.to_vec());
+    instance.build(&mut context).map_err(|mut e| {
+        // what an instance calls `of` is the line's `shape`
+        if let Some(key) = e.path.first_mut().filter(|key| **key == Key::from("of")) {
+            *key = "shape".into();
+        }
+        e
+    })
+}

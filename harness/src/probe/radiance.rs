@@ -1,0 +1,217 @@
+//! The radiance of a pixel or along a ray.
+
+use std::fmt;
+use std::path::Path;
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::numbers::{RayData, Triple, color};
+use super::{camera_ray, limits};
+use groundtruth::invalid::{Invalid, Key};
+use groundtruth::math::Ray;
+use groundtruth::ray_budget::RayCounter;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Scene, SceneError};
+use groundtruth::trace::Recorder;
+use groundtruth::world::{self, DEFAULT_SEED, World};
+use groundtruth::{gallery, render, trace};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Radiance {
+    scene: Source,
+    pixel: Option<[u32; 2]>,
+    ray: Option<RayData>,
+    samples: Option<u32>,
+    tracer: Option<String>,
+    max_depth: Option<u32>,
+    replicas: Option<u32>,
+    seed: Option<u64>,
+}
+
+/// A gallery name, a file, or the scene itself.
+enum Source {
+    Named(String),
+    Inline(Box<Scene>),
+}
+
+impl<'de> Deserialize<'de> for Source {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(SourceVisitor)
+    }
+}
+
+struct SourceVisitor;
+
+impl<'de> Visitor<'de> for SourceVisitor {
+    type Value = Source;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a gallery name, a scene file's path, or a scene")
+    }
+
+    fn visit_str<E: de::Error>(self, name: &str) -> Result<Source, E> {
+        Ok(Source::Named(name.to_owned()))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Source, A::Error> {
+        Scene::deserialize(MapAccessDeserializer::new(map)).map(|it| Source::Inline(Box::new(it)))
+    }
+}
+
+#[derive(Serialize)]
+pub struct Answer {
+    mean: Triple,
+    /// Of the mean, from the differences between the replicas; null for a single one.
+    standard_error: Option<Triple>,
+    /// Samples of a replica.
+    samples: u32,
+    /// Pictures of independent seeds.
+    replicas: u32,
+}
+
+/// Enough for a standard error that is itself good to about 20 %.
+const REPLICAS: u32 = 16;
+/// More add nothing that more samples would not.
+const MAX_REPLICAS: u32 = 1024;
+
+impl super::Question for Radiance {
+    type Answer = Answer;
+
+    /// Replica `i` is what is rendered with `seed + i`.
+    fn answer(&self) -> Result<Answer, Invalid> {
+        let looks = self.looks()?;
+        let replicas = self.replicas.unwrap_or(REPLICAS);
+        if !(1..=MAX_REPLICAS).contains(&replicas) {
+            let problem = format!("found {replicas}, but 1 to {MAX_REPLICAS} fit");
+            return Err(Invalid::field("replicas", problem));
+        }
+        let seed = self.seed.unwrap_or(DEFAULT_SEED);
+        let (mut world, most) = self.world(seed, &looks, f64::from(replicas))?;
+        let mut rays = RayCounter::up_to(most);
+        let mut values = Vec::with_capacity(replicas as usize);
+        for i in 0..replicas {
+            if i > 0 {
+                world.reseed(seed.wrapping_add(u64::from(i)));
+            }
+            values.push(looks.value(&world, &mut rays));
+            if rays.is_full() {
+                return Err(Invalid::new(format!(
+                    "this casts more than {most} rays; ask for fewer samples or replicas, or lower the \
+                     scene's max_depth"
+                )));
+            }
+        }
+        let mean = render::mean(values.iter().copied());
+        Ok(Answer {
+            mean: color(mean),
+            standard_error: (replicas > 1).then(|| color(standard_error(mean, &values))),
+            samples: world.samples_per_pixel(),
+            replicas,
+        })
+    }
+}
+
+/// What is asked for.
+enum Looks {
+    AtPixel([u32; 2]),
+    Along(Ray),
+}
+
+impl Looks {
+    fn sample<R: Recorder>(&self, world: &World, index: u32, recorder: &mut R) -> Rgb {
+        match self {
+            Self::AtPixel(pixel) => render::sample(world, *pixel, index, recorder),
+            Self::Along(ray) => trace::radiance(world, ray, world.draws([0, 0], index), recorder),
+        }
+    }
+
+    /// The value of a pixel, or the mean of as many samples along a ray.
+    fn value(&self, world: &World, rays: &mut RayCounter) -> Rgb {
+        let samples = (0..world.samples_per_pixel()).map(|i| self.sample(world, i, rays));
+        match self {
+            Self::AtPixel(_) => render::expose(world, samples),
+            Self::Along(_) => render::mean(samples),
+        }
+    }
+}
+
+impl Radiance {
+    fn looks(&self) -> Result<Looks, Invalid> {
+        match (self.pixel, self.ray) {
+            (Some(pixel), None) => Ok(Looks::AtPixel(pixel)),
+            (None, Some(ray)) => Ok(Looks::Along(ray.unit_ray()?)),
+            _ => Err(Invalid::new("needs either `pixel` or `ray`")),
+        }
+    }
+
+    /// The world, and the number of rays at which tracing must end.
+    fn world(&self, seed: u64, looks: &Looks, replicas: f64) -> Result<(World, u64), Invalid> {
+        let outer = |e: Invalid| e.inside("scene");
+        let mut read = None;
+        let (scene, folder) = match &self.scene {
+            Source::Inline(scene) => (&**scene, Path::new("")),
+            Source::Named(name) => {
+                let (scene, folder) = named(name).map_err(outer)?;
+                (&*read.insert(scene), folder)
+            }
+        };
+        let mut scene = scene.clone();
+        if let Some(samples) = self.samples {
+            scene.image.samples = samples;
+        }
+        let tracer = self.tracer.as_deref().map(str::parse).transpose();
+        let tracer = tracer.map_err(|problem| Invalid::field("tracer", problem))?;
+        let changed = scene.tracer.change(tracer, self.max_depth);
+        changed.map_err(|problem| Invalid::field("max_depth", problem))?;
+        let shapes = scene.objects.iter().map(|object| &object.shape);
+        let here = |index: usize, e: Invalid| {
+            let name = Some(scene.objects[index].name.clone());
+            e.inside("shape").inside(Key::Item(index, name)).inside("objects")
+        };
+        let primitives = limits::buildable(shapes, here).map_err(outer)?;
+        let world = World::build_seeded(&scene, folder, seed).map_err(|e| outer(invalid(e)))?;
+        if let Looks::AtPixel(pixel) = looks {
+            camera_ray::inside(*pixel, world.picture_size())?;
+        }
+        let samples = f64::from(world.samples_per_pixel());
+        let samples = samples * replicas;
+        let most = limits::traceable(&scene, &world, primitives, samples, |world, counter| {
+            looks.sample(world, 0, counter)
+        })?;
+        Ok((world, most))
+    }
+}
+
+fn named(name: &str) -> Result<(Scene, &Path), Invalid> {
+    if let Some(entry) = gallery::find(name) {
+        return Ok(((entry.build)(), Path::new("")));
+    }
+    let path = Path::new(name);
+    if path.extension().is_none() && !path.exists() {
+        return Err(Invalid::new(gallery::unknown(name)));
+    }
+    let (scene, _) = world::read(path).map_err(invalid)?;
+    Ok((scene, path.parent().unwrap_or(Path::new(""))))
+}
+
+/// A scene's error as one of the line; a file's keeps file and line.
+fn invalid(error: SceneError) -> Invalid {
+    match error {
+        SceneError::Invalid { location, invalid } if location.is_unknown() => invalid,
+        other => Invalid::new(other.to_string()),
+    }
+}
+
+/// `√(Σ(xᵢ − x̄)² / (n (n − 1)))` of `n` independent values.
+fn standard_error(mean: Rgb, values: &[Rgb]) -> Rgb {
+    let n = values.len() as f64;
+    let squares = values.iter().map(|&value| {
+        let difference = value + (-1.0) * mean;
+        difference * difference
+    });
+    let sum: Rgb = squares.sum();
+    (sum / (n * (n - 1.0))).map(f64::sqrt)
+}

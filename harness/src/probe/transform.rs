@@ -1,0 +1,35 @@
+//! The matrix of a list of steps, and its inverse.
+
+use serde::{Deserialize, Serialize};
+
+use super::numbers::Real;
+use groundtruth::invalid::Invalid;
+use groundtruth::math::Step;
+use groundtruth::shapes::transform_of;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Transform {
+    steps: Vec<Step>,
+}
+
+#[derive(Serialize)]
+pub struct Answer {
+    matrix: [[Real; 4]; 3],
+    inverse: [[Real; 4]; 3],
+    condition: Real,
+}
+
+impl super::Question for Transform {
+    type Answer = Answer;
+
+    fn answer(&self) -> Result<Answer, Invalid> {
+        let transform = transform_of("steps", &self.steps)?;
+        let rows = |it: groundtruth::math::Transform| it.rows().map(|row| row.map(Real));
+        Ok(Answer {
+            matrix: rows(transform),
+            inverse: rows(transform.inverse()),
+            condition: Real(transform.condition()),
+        })
+    }
+}

@@ -1,0 +1,220 @@
+//! The structures that are compared, built over the same objects.
+
+use std::cell::Cell;
+
+use super::stages::Objects;
+use groundtruth::accel::{self, Accel, Method, Primitives};
+use groundtruth::math::{Aabb, Ray, Span};
+use groundtruth::shapes::{Candidate, Shape};
+
+/// The acceleration structure of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Structure {
+    /// One method over all objects.
+    Plain(Method),
+    /// One method over groups, and again within each group (section 22.7).
+    Nested(Method),
+}
+
+impl Structure {
+    /// All structures.
+    pub fn all() -> Vec<Self> {
+        let [list, grid, bvh] = Method::ALL.map(Self::Plain);
+        vec![list, grid, Self::Nested(Method::Grid), bvh]
+    }
+
+    /// The name in the tables.
+    pub fn name(self) -> String {
+        match self {
+            Self::Plain(method) => method.name().to_owned(),
+            Self::Nested(method) => format!("nested {}", method.name()),
+        }
+    }
+
+    /// Whether every ray tests every object.
+    pub fn is_exhaustive(self) -> bool {
+        self == Self::Plain(Method::List)
+    }
+
+    /// The reason why it cannot be built over these objects; `None` if it can.
+    pub fn unsupported(self, objects: &Objects) -> Option<&'static str> {
+        let nests = matches!(self, Self::Nested(_));
+        (nests && objects.groups.is_empty()).then_some("the scene has no groups to nest")
+    }
+
+    pub fn build(self, objects: &Objects) -> BuiltStructure {
+        match self {
+            Self::Plain(method) => match &objects.mesh {
+                Some(mesh) => BuiltStructure::Mesh(Box::new(mesh.clone().accelerated(method))),
+                None => BuiltStructure::Plain(Accel::build(method, &objects.bounds)),
+            },
+            Self::Nested(method) => {
+                let boxes = |group: &std::ops::Range<usize>| &objects.bounds[group.clone()];
+                let whole = |all: &[Aabb]| all.iter().fold(Aabb::EMPTY, |a, b| a.union(*b));
+                let bounds: Vec<Aabb> = objects.groups.iter().map(|g| whole(boxes(g))).collect();
+                BuiltStructure::Nested {
+                    outer: Accel::build(method, &bounds),
+                    inner: objects.groups.iter().map(|g| Accel::build(method, boxes(g))).collect(),
+                }
+            }
+        }
+    }
+
+    /// The structure for counting tests: for a mesh, one over its triangles as shapes, with the
+    /// same boxes.
+    pub fn build_counted(self, objects: &Objects) -> BuiltStructure {
+        match self {
+            Self::Plain(method) => BuiltStructure::Plain(Accel::build(method, &objects.bounds)),
+            Self::Nested(_) => self.build(objects),
+        }
+    }
+}
+
+/// A built structure.
+pub enum BuiltStructure {
+    Plain(Accel),
+    Nested { outer: Accel, inner: Vec<Accel> },
+    Mesh(Box<dyn Shape>),
+}
+
+/// The cost of traversals.
+#[derive(Debug, Default)]
+pub struct Counts {
+    /// The number of objects tested.
+    pub tests: Cell<u64>,
+    /// The number of nodes or cells visited, if counted.
+    pub steps: Cell<Option<u64>>,
+}
+
+impl BuiltStructure {
+    /// The distance of the first hit; adds the cost to `counts`.
+    pub fn nearest(&self, objects: &Objects, ray: &Ray, counts: Option<&Counts>) -> Option<f64> {
+        let hit = match self {
+            Self::Mesh(shape) => return shape.hit(ray, Span::AHEAD).map(|hit| hit.t),
+            Self::Plain(accel) => {
+                let query = RayQuery { objects, first: 0, ray, counts };
+                search(accel, &query, ray, Span::AHEAD, counts)
+            }
+            Self::Nested { outer, inner } => {
+                let groups = GroupQuery { objects, inner, ray, counts };
+                search(outer, &groups, ray, Span::AHEAD, counts)
+            }
+        };
+        hit.map(|hit| hit.t)
+    }
+
+    /// The memory of the structure, without the objects; `None` for a mesh.
+    pub fn memory_bytes(&self) -> Option<u64> {
+        match self {
+            Self::Mesh(_) => None,
+            Self::Plain(accel) => Some(memory_bytes(accel)),
+            Self::Nested { outer, inner } => {
+                let inside: u64 = inner.iter().map(memory_bytes).sum();
+                Some(memory_bytes(outer) + inside)
+            }
+        }
+    }
+}
+
+fn memory_bytes(accel: &Accel) -> u64 {
+    accel.memory_bytes() as u64
+}
+
+/// One traversal of one structure. This counts nodes and cells; the queries count tests of objects.
+fn search(
+    accel: &Accel,
+    primitives: &impl Primitives,
+    ray: &Ray,
+    span: Span,
+    counts: Option<&Counts>,
+) -> Option<Candidate> {
+    let Some(counts) = counts else {
+        return accel.nearest(primitives, ray, span).map(|(_, hit)| hit);
+    };
+    let mut here = accel::Counts::default();
+    let found = accel.nearest_counted(primitives, ray, span, &mut here);
+    counts.steps.set(Some(counts.steps.get().unwrap_or(0) + here.steps));
+    found.map(|(_, hit)| hit)
+}
+
+/// The objects from `first` on, for one ray.
+struct RayQuery<'a> {
+    objects: &'a Objects,
+    first: usize,
+    ray: &'a Ray,
+    counts: Option<&'a Counts>,
+}
+
+impl Primitives for RayQuery<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        if let Some(counts) = self.counts {
+            counts.tests.set(counts.tests.get() + 1);
+        }
+        self.objects.shapes[self.first + index as usize].hit(self.ray, span)
+    }
+}
+
+/// The groups, for one ray.
+struct GroupQuery<'a> {
+    objects: &'a Objects,
+    inner: &'a [Accel],
+    ray: &'a Ray,
+    counts: Option<&'a Counts>,
+}
+
+impl Primitives for GroupQuery<'_> {
+    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
+        let Self { objects, ray, counts, .. } = *self;
+        let first = objects.groups[index as usize].start;
+        let query = RayQuery { objects, first, ray, counts };
+        search(&self.inner[index as usize], &query, ray, span, counts)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::stages::STAGES;
+    use super::*;
+
+    /// Law: all structures give the same distances, bit for bit, nested or not, in a mesh or over
+    /// its triangles. Oracle: the list.
+    #[test]
+    fn structures_give_equal_answers() {
+        for stage in STAGES {
+            let objects = (stage.objects)(300, 7);
+            let rays = stage.rays(24);
+            let list = Structure::Plain(Method::List).build(&objects);
+            let expected: Vec<_> =
+                rays.iter().map(|ray| list.nearest(&objects, ray, None)).collect();
+            let hits = expected.iter().flatten().count();
+            assert!(hits > rays.len() / 8, "{}: {hits} rays hit", stage.name);
+            let nested = Structure::Nested(Method::Bvh);
+            let all = Structure::all().into_iter().chain([nested]);
+            for structure in all.filter(|structure| structure.unsupported(&objects).is_none()) {
+                for built in [structure.build(&objects), structure.build_counted(&objects)] {
+                    let found = rays.iter().map(|ray| built.nearest(&objects, ray, None));
+                    assert!(found.eq(expected.iter().copied()), "{}: {structure:?}", stage.name);
+                }
+            }
+        }
+    }
+
+    /// Law: a list tests every object for every ray; a tree tests few, but at least one for each
+    /// ray that hits.
+    #[test]
+    fn tests_are_counted() {
+        let objects = (STAGES[0].objects)(500, 7);
+        let rays = STAGES[0].rays(16);
+        let cost = |method| {
+            let (counts, built) = (Counts::default(), Structure::Plain(method).build(&objects));
+            let found = |ray: &&Ray| built.nearest(&objects, ray, Some(&counts)).is_some();
+            let hits = rays.iter().filter(found).count() as u64;
+            (hits, counts.tests.get())
+        };
+        let (hits, tests) = cost(Method::List);
+        assert_eq!(tests, 500 * 256);
+        let (same_hits, few) = cost(Method::Bvh);
+        assert_eq!(same_hits, hits);
+        assert!(0 < hits && hits <= few && few < 50 * 256, "{few} tests, {hits} hits");
+    }
+}

@@ -1,0 +1,180 @@
+//! The error, variance and mean brightness of pictures.
+
+use groundtruth::film::Film;
+use groundtruth::rgb::Rgb;
+
+/// The fraction of the picture's mean that is added (in squares) to a pixel's brightness for
+/// relative errors, because black pixels have the brightness 0.
+const FLOOR: f64 = 0.1;
+
+/// The mean of pictures of one size, pixel by pixel.
+fn mean(films: &[Film]) -> Vec<Rgb> {
+    let count = films.len() as f64;
+    let pixels = films.first().map_or(0, |film| film.pixels().len());
+    let of_pixel = |i: usize| films.iter().fold(Rgb::BLACK, |sum, film| sum + film.pixels()[i]);
+    (0..pixels).map(|i| of_pixel(i) / count).collect()
+}
+
+/// The variance of each channel of each pixel between these replicas; `None` for fewer than two.
+fn variances(films: &[Film]) -> Option<Vec<Rgb>> {
+    let degrees_of_freedom = films.len().checked_sub(1).filter(|count| *count > 0)? as f64;
+    let of_pixel = |(i, mean): (usize, Rgb)| {
+        let squares = films.iter().map(|film| squared(film.pixels()[i] + -1.0 * mean));
+        squares.fold(Rgb::BLACK, |sum, square| sum + square) / degrees_of_freedom
+    };
+    Some(mean(films).into_iter().enumerate().map(of_pixel).collect())
+}
+
+fn squared(color: Rgb) -> Rgb {
+    color * color
+}
+
+/// The mean of all channels of all pixels.
+pub fn brightness(film: &Film) -> f64 {
+    film.pixels().iter().map(|pixel| pixel.average()).sum::<f64>() / film.pixels().len() as f64
+}
+
+/// The reference for errors: the mean of replicas.
+pub struct Reference {
+    /// The picture.
+    pub film: Film,
+    /// The mean of all its channels.
+    pub mean: f64,
+    /// The mean square of its own standard error, absolute and relative.
+    own: Squares,
+    /// For each pixel the factor that makes squared errors relative.
+    weights: Vec<f64>,
+}
+
+/// A mean of squares over channels and pixels, absolute and relative to the brightness of each
+/// pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Squares {
+    /// The mean of the squares of radiance.
+    pub radiance: f64,
+    /// The mean of the squares relative to `brightness² + (FLOOR · mean)²` of the reference.
+    pub relative: f64,
+}
+
+impl Reference {
+    /// The mean of these replicas.
+    ///
+    /// # Panics
+    /// With fewer than two.
+    pub fn new(films: &[Film]) -> Self {
+        let variances = variances(films).expect("two replicas or more");
+        let mut film = films[0].clone();
+        for (i, pixel) in (0..).zip(mean(films)) {
+            film.set([i % film.width(), i / film.width()], pixel);
+        }
+        let mean = brightness(&film);
+        let floor = FLOOR * mean;
+        let weight = |pixel: &Rgb| {
+            let brightness = pixel.average();
+            1.0 / (brightness * brightness + floor * floor)
+        };
+        let weights = film.pixels().iter().map(weight).collect();
+        let none = Squares { radiance: 0.0, relative: 0.0 };
+        let mut reference = Self { film, mean, own: none, weights };
+        let of_mean: Vec<Rgb> = variances.iter().map(|v| *v / films.len() as f64).collect();
+        reference.own = reference.averaged(&of_mean);
+        reference
+    }
+
+    fn averaged(&self, squares: &[Rgb]) -> Squares {
+        let count = squares.len() as f64;
+        let weighted = squares.iter().zip(&self.weights).map(|(s, w)| w * s.average());
+        Squares {
+            radiance: squares.iter().map(|s| s.average()).sum::<f64>() / count,
+            relative: weighted.sum::<f64>() / count,
+        }
+    }
+
+    /// The standard error of the reference.
+    pub fn own_error(&self) -> Squares {
+        Squares { radiance: self.own.radiance.sqrt(), relative: self.own.relative.sqrt() }
+    }
+
+    /// The mean squared error of pictures minus that of the reference; `None` if the difference is
+    /// smaller than that of the reference, and so not significant.
+    pub fn squared_error(&self, films: &[Film]) -> [Option<f64>; 2] {
+        let of_film = |film: &Film| {
+            let differences = film.pixels().iter().zip(self.film.pixels());
+            let squares: Vec<Rgb> = differences.map(|(a, b)| squared(*a + -1.0 * *b)).collect();
+            self.averaged(&squares)
+        };
+        let all: Vec<Squares> = films.iter().map(of_film).collect();
+        let left = |of: fn(&Squares) -> f64| {
+            let square = all.iter().map(of).sum::<f64>() / all.len() as f64 - of(&self.own);
+            (square >= of(&self.own)).then_some(square)
+        };
+        [left(|s| s.radiance), left(|s| s.relative)]
+    }
+
+    /// The relative variance of one picture, estimated from replicas; `None` for fewer than two.
+    pub fn relative_variance(&self, films: &[Film]) -> Option<f64> {
+        Some(self.averaged(&variances(films)?).relative)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::judge::near;
+
+    /// Two pixels, each of one grey.
+    fn film(left: f64, right: f64) -> Film {
+        let mut film = Film::new(2, 1);
+        film.set([0, 0], Rgb::grey(left));
+        film.set([1, 0], Rgb::grey(right));
+        film
+    }
+
+    /// Law: a mean, the variance of one picture, and the standard error of the mean. Oracle: by
+    /// hand: 1 and 3 have the mean 2, the variance 2, and 2/2 = 1 is that of their mean; 4 and 4
+    /// have none.
+    #[test]
+    fn a_reference_knows_its_own_error() {
+        let replicas = [film(1.0, 4.0), film(3.0, 4.0)];
+        let reference = Reference::new(&replicas);
+        assert_eq!(reference.film, film(2.0, 4.0));
+        assert_eq!((reference.mean, brightness(&replicas[0])), (3.0, 2.5));
+        let own = reference.own_error();
+        near(own.radiance * own.radiance, 0.5 * (1.0 + 0.0), 1e-15);
+        // relative to the square of the pixel's 2, and of a tenth of the mean
+        let relative = 0.5 * 1.0 / (4.0 + 0.09);
+        near(own.relative * own.relative, relative, 1e-15);
+    }
+
+    /// Law: the error of a picture is the mean of squares minus that of the reference. Oracle: by
+    /// hand: 5 and 7 are 3 and 3 off 2 and 4: the squares' mean is 9, and 8.5 without the
+    /// reference's 0.5.
+    #[test]
+    fn errors_are_those_found_by_hand() {
+        let reference = Reference::new(&[film(1.0, 4.0), film(3.0, 4.0)]);
+        let [square, relative] = reference.squared_error(&[film(5.0, 7.0)]);
+        near(square.expect("an error"), 8.5, 1e-14);
+        let by_hand = 0.5 * ((9.0 - 1.0) / 4.09 + 9.0 / 16.09);
+        near(relative.expect("an error"), by_hand, 1e-14);
+        // of several pictures, the mean: 9 and 1 of 5 and 3
+        let [square, _] = reference.squared_error(&[film(5.0, 7.0), film(3.0, 5.0)]);
+        near(square.expect("an error"), 5.0 - 0.5, 1e-14);
+        // a difference of ½ of one pixel: 1/8 is less than the reference's own 1/2
+        assert_eq!(reference.squared_error(&[film(2.5, 4.0)]), [None; 2]);
+        // one channel off by 3: a third of the square
+        let mut red = film(2.0, 4.0);
+        red.set([1, 0], Rgb::new(7.0, 4.0, 4.0));
+        let [square, _] = reference.squared_error(&[red]);
+        near(square.expect("an error"), 0.5 * 9.0 / 3.0 - 0.5, 1e-14);
+    }
+
+    /// Law: the variance does not depend on the bias. Oracle: by hand: 6 and 8 have the variance 2
+    /// about 7.
+    #[test]
+    fn variance_is_blind_to_bias() {
+        let reference = Reference::new(&[film(1.0, 4.0), film(3.0, 4.0)]);
+        let variance = reference.relative_variance(&[film(6.0, 9.0), film(8.0, 9.0)]);
+        near(variance.expect("two pictures"), 0.5 * 2.0 / 4.09, 1e-15);
+        assert_eq!(reference.relative_variance(&[film(6.0, 9.0)]), None);
+    }
+}
