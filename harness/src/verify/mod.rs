@@ -36,14 +36,13 @@ mod draw;
 mod error;
 mod view;
 
+// for the tests beside the checkers
 #[cfg(test)]
-mod bad_scenes;
-#[cfg(test)]
+#[path = "../../../tests/verify/biased_samples.rs"]
 mod biased_samples;
 #[cfg(test)]
+#[path = "../../../tests/verify/judge.rs"]
 pub(crate) mod judge;
-#[cfg(test)]
-mod many_seeds;
 
 pub use draw::Draw;
 pub use error::GoldenError;
