@@ -4,8 +4,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use groundtruth::accel::Method;
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::{Context, Kind, Shape};
 
 /// A ray that hits and a ray that misses. Both are the first such ray of 1024 that pass through the shape's

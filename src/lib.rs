@@ -7,16 +7,32 @@
 //! listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has
 //! its colour. The package `harness` wraps it: verification, report, probe and the command line.
 //!
-//! Arrows between modules run one way: `gallery, scene, explain → render → trace → world → materials,
-//! lights, cameras, samplers, filters, bumps → lobes, textures → noise, shapes → mesh_bvh →
-//! accel → candidate, resources → images → math`.
+//! Each module names only modules of lines above its own:
+//!
+//! ```text
+//! candidate, math, mesh_file, printable
+//! accel, invalid
+//! mesh_bvh, rgb
+//! film, images
+//! kinds
+//! filters, lobes, shapes
+//! samplers
+//! noise
+//! textures
+//! background, bumps, materials
+//! cameras, lights
+//! scene
+//! gallery, world
+//! trace
+//! render
+//! explain, ray_budget
+//! ```
 
 pub mod accel;
 pub mod background;
 pub mod bumps;
 pub mod cameras;
 pub mod candidate;
-pub mod emission;
 pub mod explain;
 pub mod film;
 pub mod filters;
@@ -28,14 +44,12 @@ pub mod lights;
 pub mod lobes;
 pub mod materials;
 pub mod math;
-pub mod medium;
 pub mod mesh_bvh;
 pub mod mesh_file;
 pub mod noise;
 pub mod printable;
 pub mod ray_budget;
 pub mod render;
-pub mod resources;
 pub mod rgb;
 pub mod samplers;
 pub mod scene;

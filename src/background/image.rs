@@ -10,9 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::images::{Drawn, Encoding, Picture, Texels};
 use crate::invalid::{Invalid, finite, strength};
-use crate::kinds;
+use crate::kinds::{self, Resources};
 use crate::math::{Point, Step, Transform, Vector, atan2, cos, sin};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::textures::{Filtering, Mapping, Rule, Sampling};
 

@@ -10,9 +10,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::invalid::{Invalid, positive};
-use crate::kinds;
+use crate::kinds::{self, Resources};
 use crate::math::{Ray, sin};
-use crate::resources::Resources;
 use crate::rgb::{ColorOr, Colorful, Rgb};
 
 pub use directions::Directions;

@@ -7,9 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::Bump;
 use crate::invalid::{Invalid, finite, length};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::math::{Frame, Normal, Vector, power_of_two};
-use crate::resources::Resources;
 use crate::textures::{Kind, Texture, TexturePoint};
 
 /// The normals of a displaced surface: the red channel of a texture is the height `h` of each point

@@ -9,8 +9,8 @@ mod noise;
 
 use std::fmt::Debug;
 
+use crate::kinds::Resources;
 use crate::math::{Normal, Vector};
-use crate::resources::Resources;
 use crate::textures::TexturePoint;
 
 /// A perturbation of normals. Contract: `tests/contracts/bump.rs`.

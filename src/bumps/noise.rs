@@ -7,10 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::Bump;
 use crate::invalid::{Invalid, finite, length};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::math::{Normal, Point, Vector};
 use crate::noise::{self, LatticeNoise};
-use crate::resources::Resources;
 use crate::textures::TexturePoint;
 
 /// `n' = n + a · fBm(p)`, normalised: a random vector is added to the normal. No surface has these

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Camera, Kind, Side, Stereo, ViewPlane};
 use crate::invalid::{Invalid, finite, finite_point, finite_vector, positive};
+use crate::materials::Medium;
 use crate::math::{Frame, Point, Ray, Vector, cos_degrees, sin_degrees};
-use crate::medium::Medium;
 
 /// The camera: position, orientation and kind.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]

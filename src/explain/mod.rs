@@ -4,6 +4,7 @@
 //! [`Sources`] are the contributions of each light and each lobe to the pixel, over all samples. The
 //! command line prints them and the inspector shows them; neither computes anything.
 
+mod omissions;
 mod outline;
 mod sources;
 mod text;
@@ -15,11 +16,10 @@ use crate::render::{self, CameraSample};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
 use crate::shapes::PartPath;
-use crate::trace::{
-    self, Optics, Outcome, RayKind, RayTree, RecordedHit, RecordedTexture, TermSource,
-};
+use crate::trace::{Optics, Outcome, RayKind, RayTree, RecordedHit, RecordedTexture, TermSource};
 use crate::world::World;
 
+pub use omissions::omissions;
 pub use outline::{Outline, Row};
 pub use sources::{Source, SourceExplanation, Sources, TooManyRays};
 pub use text::{brief, count, percent, short, table, unblocked};
@@ -190,7 +190,7 @@ pub struct TermExplanation {
 
 /// Sentences for the user: what was ignored or clamped in the scene's files, and what the tracer leaves out.
 pub fn notes(world: &World) -> Vec<String> {
-    world.notes.iter().cloned().chain(trace::omissions(world)).collect()
+    world.notes.iter().cloned().chain(omissions(world)).collect()
 }
 
 /// Explains a pixel (x right, y down): one of its samples, or all.

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Context, Light, LightContext, LightSample, Segment, Target, Unlit};
-use crate::emission::Emission;
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
+use crate::materials::Emission;
 use crate::math::{self, UNIT_ROUNDOFF, Vector};
 use crate::printable;
 use crate::rgb::Rgb;

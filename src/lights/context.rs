@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use crate::background::Sky;
-use crate::emission::Emission;
 use crate::invalid::Invalid;
+use crate::materials::Emission;
 use crate::printable::{self, listed};
 use crate::shapes::Shape;
 

@@ -51,6 +51,11 @@ pub trait Light: Debug + Send + Sync {
         false
     }
 
+    /// Whether rays of a path can meet it: it has a surface, or is the sky.
+    fn is_met(&self) -> bool {
+        self.object().is_some() || self.is_sky()
+    }
+
     /// Light that may arrive at a surface, for [`Light::draws`] pairs of numbers in `[0, 1)`; `None` if
     /// none does.
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample>;

@@ -1,10 +1,9 @@
 //! The lobes of a hit in the world's directions: what light from a direction leaves towards the
 //! viewer, and where light is to be looked for.
 
-use super::{Lobe, Lobes, MAX_LOBES, NormalKind, mirrored};
+use super::{Branch, Lobe, Lobes, MAX_LOBES, NormalKind, mirrored};
 use crate::math::{Frame, Normal, Vector};
 use crate::rgb::Rgb;
-use crate::samplers::Branch;
 use arrayvec::ArrayVec;
 
 /// The lobes of a surface, as a viewer in the direction `wo` sees them.

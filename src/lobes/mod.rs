@@ -23,7 +23,6 @@ use arrayvec::ArrayVec;
 use crate::invalid::Invalid;
 use crate::math::{Normal, Vector};
 use crate::rgb::Rgb;
-use crate::samplers::Branch;
 
 pub use bsdf::{Bsdf, BsdfSample, Lit, Normals, Which};
 pub(crate) use cosine_power::check_exponent;
@@ -51,6 +50,21 @@ pub struct Claims {
     /// No more light leaves than arrives, for coefficients of at most 1; of refracted light that is
     /// said of the basic radiance `L/η²`, as radiance itself changes with the medium.
     pub conserves_energy: bool,
+}
+
+/// The branch by which a path continues at a hit. A branch keeps its number when others are switched off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Branch {
+    /// Scattered evenly.
+    Diffuse = 1,
+    /// Scattered about the mirror direction, as a highlight.
+    Highlight = 2,
+    /// Mirrored.
+    Mirror = 3,
+    /// Mirrored, blurred.
+    Gloss = 4,
+    /// Refracted.
+    Refraction = 5,
 }
 
 /// What a kind of lobe answers.

@@ -10,9 +10,8 @@ use super::{
     Boundary, Material, Medium, Reflectance, Response, TexturedField, reflectances_within, within,
 };
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use crate::kinds::{Resources, Specification};
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::textures::TexturePoint;
 

@@ -9,10 +9,9 @@ use super::matte::{self, Matte};
 use super::{
     Material, Reflectance, Response, TexturedField, reflectances_within, textured, within,
 };
-use crate::emission::Emission;
 use crate::invalid::Invalid;
-use crate::kinds::{self, Specification};
-use crate::resources::Resources;
+use crate::kinds::{self, Resources, Specification};
+use crate::materials::Emission;
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Paint, TexturePoint};
 

@@ -11,9 +11,8 @@ use super::{
     textured, within,
 };
 use crate::invalid::Invalid;
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 

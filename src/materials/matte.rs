@@ -7,9 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Material, Reflectance, Response, TexturedField, constant, textured};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use crate::kinds::{Resources, Specification};
 use crate::lobes::{Lambertian, NormalKind};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 

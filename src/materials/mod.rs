@@ -12,15 +12,20 @@ mod reflective;
 mod sphere_materials;
 mod transparent;
 
+// shared by the kinds
+mod emission;
+mod medium;
+
 use std::fmt::Debug;
 
-use crate::emission::Emission;
 use crate::invalid::Invalid;
+use crate::kinds::Resources;
 use crate::lobes::{Lobes, check_exponent};
-pub use crate::medium::{Boundary, Medium};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Texture, TexturePoint, Value};
+
+pub use emission::Emission;
+pub use medium::{Boundary, Medium};
 
 /// What a surface is made of. Contract: `tests/contracts/material.rs`.
 pub trait Material: Debug + Send + Sync {

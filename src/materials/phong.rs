@@ -8,9 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::matte::{self, Matte};
 use super::{Material, Reflectance, Response, TexturedField, built_exponent, constant, textured};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use crate::kinds::{Resources, Specification};
 use crate::lobes::{GlossySpecular, NormalKind};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 

@@ -9,8 +9,7 @@ use super::{
     Kind, Material, Matte, Phong, Reflectance, Response, TexturedField, reflectances_within, within,
 };
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
-use crate::resources::Resources;
+use crate::kinds::{Resources, Specification};
 use crate::textures::{self, SphereCells, TexturePoint};
 
 /// A material for each of the checkers of a sphere, which are those of the texture `sphere_checker`: about the

@@ -10,9 +10,8 @@ use super::{
     Material, Reflectance, Response, TexturedField, constant, reflectances_within, textured, within,
 };
 use crate::invalid::{Invalid, index};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 

@@ -10,6 +10,7 @@ mod box_ray;
 mod exact;
 mod frame;
 mod functions;
+mod lanes;
 pub mod lists;
 pub mod maps;
 pub mod polynomial;
@@ -20,6 +21,7 @@ mod roots;
 mod single;
 mod transform;
 mod vectors;
+pub mod watertight;
 
 pub use bounds::Aabb;
 pub use box_ray::BoxRay;
@@ -30,6 +32,7 @@ pub use functions::{
     acos, atan, atan2, cbrt, cos, cos_degrees, erf, exp, exp_m1, floor, ln, ln_1p, power,
     power_of_two, sin, sin_cos, sin_degrees, tan, to_degrees, to_radians,
 };
+pub use lanes::Lanes;
 pub(crate) use quadrature::tanh_sinh;
 pub use random::{Pcg32, hash, hash_onto, splitmix};
 pub use ray::{Ray, Span};

@@ -8,8 +8,8 @@ use arrayvec::ArrayVec;
 
 use super::kernel::{Instructions, Kernel};
 use super::lanes64::Eight;
-use super::watertight::{Edges, ShearedRay, meeting, outside};
 use crate::candidate::Candidate;
+use crate::math::watertight::{Edges, ShearedRay, meeting, outside};
 use crate::math::{Point, Span};
 
 /// The most triangles of a block, and the most corners.

@@ -17,7 +17,6 @@ mod node;
 mod space;
 mod stack;
 mod walk;
-pub(crate) mod watertight;
 
 use std::collections::HashMap;
 

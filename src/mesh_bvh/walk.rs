@@ -9,9 +9,9 @@ use super::kernel::{Instructions, Kernel, prefetch};
 use super::node::{Crossed, LEAF, Node, Ray32, WIDTH, rounded_up};
 use super::space::SpaceRay;
 use super::stack::{Room, Stack};
-use super::watertight::ShearedRay;
 use crate::accel::Counter;
 use crate::candidate::Candidate;
+use crate::math::watertight::ShearedRay;
 use crate::math::{Ray, Span};
 
 /// A search along a ray for the nearest hit, or for any hit if `ANY`.

@@ -42,7 +42,7 @@ use std::fmt::Debug;
 
 use crate::math::Pcg32;
 
-pub use sets::{Branch, Draws, Key, PathKey, Purpose, SETS, SampleSets};
+pub use sets::{Draws, Key, PathKey, Purpose, SETS, SampleSets};
 
 /// A way to spread points over the unit square. Contract: `tests/contracts/sampler.rs`.
 pub trait Sampler: Debug + Send + Sync {

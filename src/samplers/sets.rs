@@ -1,6 +1,7 @@
 //! The book's 83 sets and shuffled indices, without its shared `count` and `jump`.
 
 use super::Sampler;
+use crate::lobes::Branch;
 use crate::math::{ONE_MINUS, Pcg32, hash, hash_onto};
 
 /// The number of sets, as in the book: a prime.
@@ -24,21 +25,6 @@ pub struct SampleSets {
 /// depend on other rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PathKey(u64);
-
-/// The branch by which a path continues at a hit. A branch keeps its number when others are switched off.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Branch {
-    /// Scattered evenly.
-    Diffuse = 1,
-    /// Scattered about the mirror direction, as a highlight.
-    Highlight = 2,
-    /// Mirrored.
-    Mirror = 3,
-    /// Mirrored, blurred.
-    Gloss = 4,
-    /// Refracted.
-    Refraction = 5,
-}
 
 impl PathKey {
     /// The camera's ray.

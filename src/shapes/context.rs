@@ -7,10 +7,10 @@ use std::sync::Arc;
 use super::{Kind, Shape, textbook};
 use crate::accel;
 use crate::invalid::{Invalid, MAX_NESTING};
+use crate::kinds::Resources;
 use crate::math::Transform;
 use crate::mesh_file::MeshData;
 use crate::printable::{self, listed};
-use crate::resources::Resources;
 
 /// More triangles in one scene would take gigabytes, up to 300 bytes each while trees are built.
 const MAX_TRIANGLES: u64 = 1 << 22;

@@ -210,14 +210,12 @@ mod context;
 mod sampled;
 pub mod textbook;
 
-mod beveled;
 mod composite;
 mod meshes;
 mod part;
 mod plain;
 mod solid;
 
-use beveled::*;
 use composite::*;
 use meshes::*;
 use part::*;

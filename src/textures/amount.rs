@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::{Kind, Texture, TexturePoint};
 use crate::invalid::{Invalid, strength};
-use crate::resources::Resources;
+use crate::kinds::Resources;
 
 /// A number of a material, not negative: in scene files a number, or a texture whose red channel is
 /// the number, such as `{ image = { file = "gloss.png", encoding = "linear" } }`.

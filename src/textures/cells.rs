@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Color, Paint};
 use crate::invalid::{Invalid, within};
+use crate::kinds::Resources;
 use crate::math::floor;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// The book's offset, added before rounding down, so that a face that lies exactly on a border of

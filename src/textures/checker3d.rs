@@ -8,9 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::cells::{self, OFFSET, is_even};
 use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::math::floor;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// Cubes of alternating colours, in the local coordinates of the object. The index of a cube on

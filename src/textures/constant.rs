@@ -7,8 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
-use crate::resources::Resources;
+use crate::kinds::{Resources, Specification};
 use crate::rgb::Rgb;
 
 /// The same colour everywhere.

@@ -9,8 +9,7 @@ use super::cells::{self, Cell, Checkers};
 use super::mapping::azimuth;
 use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Specification};
-use crate::resources::Resources;
+use crate::kinds::{self, Resources, Specification};
 use crate::rgb::Rgb;
 
 /// Checkers on the open cylinder about the y axis with y from −1 to 1 and any radius: columns by

@@ -9,8 +9,7 @@ use super::cells::{self, Cell, Checkers};
 use super::mapping::{azimuth, distance};
 use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Specification};
-use crate::resources::Resources;
+use crate::kinds::{self, Resources, Specification};
 use crate::rgb::Rgb;
 
 /// Checkers on the disk of radius 1 about the y axis: columns by the azimuth φ, rings of width

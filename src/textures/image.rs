@@ -10,9 +10,8 @@ use super::sampling::Sampling;
 use super::{Filtering, Mapping, Rule, Texel, Texture, TexturePoint, Wrap};
 use crate::images::{Drawn, Encoding, Texels};
 use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::math::Point;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// An image mapped to a surface: by a mapping of the local point, or by the texture coordinates of

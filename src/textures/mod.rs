@@ -38,7 +38,7 @@ mod sphere_cells;
 
 use std::fmt::Debug;
 
-use crate::resources::Resources;
+use crate::kinds::Resources;
 use crate::rgb::Rgb;
 
 pub use amount::{Amount, Value};

@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Kind, Texel, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::resources::Resources;
+use crate::kinds::Resources;
 use crate::rgb::{ColorOr, Colorful, Rgb};
 
 /// A colour of a material: in scene files `[r, g, b]`, one number for a grey, or a texture, such as

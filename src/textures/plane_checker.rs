@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::cells::{BuiltLines, Cell, Checkers};
 use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative, positive};
-use crate::kinds::Specification;
-use crate::resources::Resources;
+use crate::kinds::{Resources, Specification};
 use crate::rgb::Rgb;
 
 /// Squares of alternating colours in the local xz plane, with lines along their borders. For

@@ -7,9 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Color, Paint, Texture, TexturePoint, Wrap};
 use crate::invalid::{Invalid, LENGTHS, finite, lengths, shown};
-use crate::kinds::Specification;
+use crate::kinds::{Resources, Specification};
 use crate::math::{Axis, floor};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// Colours at equal distances along an axis of the object's own coordinates, with linear

@@ -9,10 +9,9 @@ use super::color_table::{ColorTable, Columns};
 use super::noise_field::NoiseField;
 use super::{Texture, TexturePoint};
 use crate::invalid::{Invalid, finite};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::math::sin;
 use crate::noise::Noise;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// Layers perpendicular to the y axis, perturbed by noise: the colour of a ramp at `(1 + sin(y + a

@@ -7,9 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use crate::kinds::{Resources, Specification};
 use crate::math::{Pcg32, hash};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// A random colour for each shape in a compound, lattice or set of random spheres, uniform in the

@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::cells::{self, Cell, Checkers};
 use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Specification};
-use crate::resources::Resources;
+use crate::kinds::{self, Resources, Specification};
 use crate::rgb::Rgb;
 
 /// Checkers on the rectangle −1 … 1 in x and z: columns by `x/2 + 1/2`, rows by `z/2 + 1/2`.

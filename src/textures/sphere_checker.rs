@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::cells::{self, Checkers};
 use super::{Chooser, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::{self, Specification};
-use crate::resources::Resources;
+use crate::kinds::{self, Resources, Specification};
 use crate::rgb::Rgb;
 
 /// Checkers of equal angles on a sphere of any radius about the origin of its own coordinates. The

@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::cells::{self, BuiltLines};
 use super::{Checker3d, Chooser, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
-use crate::resources::Resources;
+use crate::kinds::{Resources, Specification};
 use crate::rgb::Rgb;
 
 /// The checkers of `sphere_checker`, each with a colour or texture of its own.

@@ -7,9 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Checker3d, Color, Paint, Texel, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
+use crate::kinds::{Resources, Specification};
 use crate::math::{Step, Transform, Vector};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::shapes::transform_of;
 

@@ -8,10 +8,9 @@ use serde::{Deserialize, Serialize};
 use super::noise_field::{NoiseField, Range, wrapped};
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, finite, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::math::lists;
 use crate::noise::Noise;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// As `wrapped_fbm`, with three colours separated by two thresholds of `expansion · fBm`.

@@ -8,9 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::noise_field::{NoiseField, Range};
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::noise::Noise;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// Turbulence as brightness: `min + (max − min) turbulence` times a colour. It has dark veins where

@@ -9,9 +9,8 @@ use serde::{Deserialize, Serialize};
 use super::noise_field::{NoiseField, Range, wrapped};
 use super::{Color, Paint, Texture, TexturePoint, WrappedFbm};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::noise::Noise;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// As `wrapped_fbm`, with one colour where `expansion · fBm` is below 1 and another elsewhere. If

@@ -7,9 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::math::exact_cross;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 use crate::shapes::Facet;
 

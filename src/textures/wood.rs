@@ -8,10 +8,9 @@ use serde::{Deserialize, Serialize};
 use super::noise_field::NoiseField;
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, within};
-use crate::kinds::Specification;
+use crate::kinds::{Resources, Specification};
 use crate::math::{Point, Vector, floor};
 use crate::noise::{LatticeNoise, Noise};
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// A trunk along the y axis: irregular rings of light and dark wood, with grain along the trunk.

@@ -8,9 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::noise_field::{NoiseField, Range, wrapped};
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::noise::Noise;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// The brightness is the fractional part of `noise = expansion · fBm`, mapped to `min` … `max`: it

@@ -9,9 +9,8 @@ use super::color_table::{ColorTable, Columns};
 use super::noise_field::{NoiseField, wrapped};
 use super::{Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::noise::Noise;
-use crate::resources::Resources;
 use crate::rgb::Rgb;
 
 /// The colour of a ramp at the fractional part of `expansion · fBm`.

@@ -27,7 +27,7 @@ use crate::world::{Hit, PlacedLight, World};
 pub use optics::Optics;
 pub use recorder::{Outcome, RayCounts, RayKind, Recorder, Term, TermSource};
 pub use shading_point::ShadingPoint;
-pub use strategy::{Direct, Lamps, Scatter, Strategy, omissions};
+pub use strategy::{Direct, Lamps, Scatter, Strategy};
 pub use tree::{Node, RayTree, RecordedHit, RecordedTerm, RecordedTexture};
 
 /// The radiance that arrives at the origin of a ray from the camera. The direction must be unit:

@@ -141,7 +141,7 @@ impl<R: Recorder> Tracing<'_, R> {
 
     /// Whether paths can hit this light.
     fn is_met(&self, light: &PlacedLight) -> bool {
-        self.strategy.is_path() && (light.light.object().is_some() || light.light.is_sky())
+        self.strategy.is_path() && light.light.is_met()
     }
 
     /// The surfaces that end a shadow ray of this light.

@@ -1,9 +1,7 @@
 //! The book's tracers as values.
 
 use crate::lights::{Light, Meets, Unlit};
-use crate::printable;
 use crate::scene::Tracer;
-use crate::world::{PlacedMaterial, World};
 
 /// How light is traced: every tracer of the book is a value of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,27 +82,6 @@ impl Strategy {
         matches!(self.scatter, Scatter::OneLobe | Scatter::OneLobeOrNone)
     }
 
-    /// What is done with light of this kind instead of counting it at every hit, and why, in words for the
-    /// user.
-    fn leaves_out(self, light: &dyn Light) -> Option<[&'static str; 2]> {
-        let is_met = light.object().is_some() || light.is_sky();
-        match self.direct {
-            _ if !self.is_path() => None,
-            _ if light.meets() == Meets::Ambient => {
-                Some(["leaves out", "ambient light stands for what paths find by themselves"])
-            }
-            Direct::Never if !is_met => Some([
-                "leaves out",
-                "no path can meet it, as it has no surface; `path` and `global_trace` sample it",
-            ]),
-            Direct::FirstHit if !is_met => Some([
-                "counts at the first hit only",
-                "no path can meet it, as it has no surface; `path` samples it at every hit",
-            ]),
-            _ => None,
-        }
-    }
-
     /// Why a light is not sampled at a hit at which none is.
     pub(super) fn unsampled(self, light: &dyn Light) -> Unlit {
         match self.direct {
@@ -112,8 +89,8 @@ impl Strategy {
             _ if light.meets() == Meets::Ambient => Unlit::LeftOut,
             Direct::FirstHit if self.max_depth > 0 => Unlit::FirstHitOnly,
             Direct::FirstHit | Direct::EveryHit => Unlit::TooDeep,
-            Direct::Never if self.leaves_out(light).is_some() => Unlit::LeftOut,
-            Direct::Never => Unlit::NotSampled,
+            Direct::Never if light.is_met() => Unlit::NotSampled,
+            Direct::Never => Unlit::LeftOut,
         }
     }
 
@@ -126,27 +103,4 @@ impl Strategy {
             Direct::Never => false,
         }
     }
-}
-
-/// A sentence for the user about each light that the world's tracer leaves out, and about each mirror and
-/// glass that it does not trace.
-pub fn omissions(world: &World) -> Vec<String> {
-    let strategy = Strategy::of(world.tracer);
-    let tracer = world.tracer.name();
-    let of_light = |light: &crate::world::PlacedLight| {
-        let [what, why] = strategy.leaves_out(&*light.light)?;
-        Some(format!("{tracer} {what} the light \"{}\": {why}", printable::name(&light.name)))
-    };
-    let of_material = |material: &PlacedMaterial| {
-        let is_left_out = strategy.scatter == Scatter::Nothing && material.recipe.needs_rays();
-        is_left_out.then(|| {
-            format!(
-                "{tracer} traces no reflections or refractions of the material \"{}\"; `whitted` and the \
-                 path tracers do",
-                printable::name(&material.name)
-            )
-        })
-    };
-    let lights = world.lights.iter().filter_map(of_light);
-    lights.chain(world.materials.iter().filter_map(of_material)).collect()
 }

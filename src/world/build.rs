@@ -7,8 +7,8 @@ use super::{Objects, World};
 use crate::accel::{Accel, Method};
 use crate::cameras::View;
 use crate::invalid::{Invalid, positive, shown};
+use crate::kinds::Resources;
 use crate::math::Aabb;
-use crate::resources::Resources;
 use crate::samplers::{Kind as SamplerKind, MultiJittered, SampleSets};
 use crate::scene::{Image, Scene, SceneError};
 

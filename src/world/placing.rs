@@ -6,9 +6,9 @@ use std::sync::Arc;
 use super::{PlacedLight, PlacedMaterial, PlacedObject};
 use crate::background::Sky;
 use crate::invalid::{Invalid, Key, length, shown};
+use crate::kinds::Resources;
 use crate::lights::{self, LampObject};
 use crate::printable;
-use crate::resources::Resources;
 use crate::scene::{self, Scene};
 use crate::shapes::{Context, PartMaterial};
 

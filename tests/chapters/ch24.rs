@@ -4,6 +4,7 @@ mod pictures;
 
 use std::f64::consts::TAU;
 
+use groundtruth::explain::omissions;
 use groundtruth::lights::{Ambient, Directional, PointLight as Lamp};
 use groundtruth::lobes::{Lobe, PerfectSpecular};
 use groundtruth::materials::{Emissive, Matte, Phong, Reflective};
@@ -11,7 +12,7 @@ use groundtruth::math::{Point, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, Tracer, Whitted};
 use groundtruth::shapes::{Cuboid, Plane, Sphere, TessellatedSphere};
-use groundtruth::trace::{Outcome, RayKind, RayTree, omissions};
+use groundtruth::trace::{Outcome, RayKind, RayTree};
 use proptest::prelude::*;
 
 use crate::support::stage::*;

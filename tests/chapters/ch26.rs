@@ -6,6 +6,7 @@ mod furnace;
 mod outline;
 mod paths;
 
+use groundtruth::explain::omissions;
 use groundtruth::gallery;
 use groundtruth::lights::{Ambient, Area, PointLight};
 use groundtruth::materials::{Emissive, Matte};
@@ -14,7 +15,7 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Disk, Plane, Sphere};
-use groundtruth::trace::{TermSource, omissions};
+use groundtruth::trace::TermSource;
 use harness::verify::means;
 use harness::verify::significance::sidak;
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use groundtruth::bumps::{Bump, Kind};
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Vector, power_of_two};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::Surface;
 use groundtruth::textures::TexturePoint;
 use libtest_mimic::Trial;

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use groundtruth::kinds::Resources;
 use groundtruth::materials::{Boundary, Kind, Material, Medium, Response};
 use groundtruth::math::{Pcg32, power_of_two};
-use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::TexturePoint;
 use libtest_mimic::Trial;

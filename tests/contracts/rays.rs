@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use groundtruth::accel::Method;
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Aabb, Normal, Pcg32, Point, Ray, Span, Vector, power_of_two};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::{Candidate, Context, Kind, Shape, Surface};
 
 /// The shape of a specimen.

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Pcg32, Point, Ray, Span, Vector, power_of_two};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::{self, Context, Shape, Surface};
 use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Kind, Texture};

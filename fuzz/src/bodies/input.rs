@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use groundtruth::accel::Method;
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Point, Ray, Vector};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::{self, Context, Shape};
 
 /// How numbers are read.

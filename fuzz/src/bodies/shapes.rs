@@ -5,8 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use groundtruth::accel::Method;
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Ray, Span, Vector};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::{self, Candidate, Context, Kind, Shape};
 
 use super::exact::{self, Fraction, Side, Triple};

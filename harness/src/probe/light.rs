@@ -8,9 +8,9 @@ use super::limits;
 use super::numbers::{HALF_OPEN, Real, Triple, color, in_square, triple};
 use groundtruth::background::Background;
 use groundtruth::invalid::{Invalid, direction};
+use groundtruth::kinds::Resources;
 use groundtruth::lights::{Context, Kind, LampObject, LightContext, Meets, Segment};
 use groundtruth::math::{Normal, Point, Vector};
-use groundtruth::resources::Resources;
 use groundtruth::{materials, shapes};
 
 #[derive(Deserialize)]

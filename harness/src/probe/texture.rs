@@ -4,8 +4,8 @@ use serde::Deserialize;
 
 use super::numbers::{Triple, color};
 use groundtruth::invalid::Invalid;
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Point};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::Surface;
 use groundtruth::textures::{Paint, TexturePoint};
 

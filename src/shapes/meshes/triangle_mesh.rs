@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use super::vertex_normals::{mean_normals, reverse_winding};
 use crate::accel::{self, Accel, Counter, Primitives};
+use crate::math::watertight::{self, ShearedRay};
 use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, Vector, exact_cross, maps};
-use crate::mesh_bvh::watertight::{self, ShearedRay};
 use crate::mesh_bvh::{Kernel, MeshBvh};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{

@@ -7,8 +7,8 @@
 
 use std::ops::Add;
 
+use crate::math::watertight;
 use crate::math::{Normal, Point, Vector};
-use crate::mesh_bvh::watertight;
 
 /// The vertex normals. Consecutive triangles with the same index in `faces` are one face; if
 /// `faces` is empty, each triangle is one.

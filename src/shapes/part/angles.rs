@@ -67,7 +67,7 @@ impl Angles {
 
     /// The distances of the point `[cos, sin]` from both ends, negative beyond; infinite for a full turn. Where
     /// the range is wide, a point is beyond the nearer end only, and the other counts as infinite.
-    pub fn from_ends(&self, at: [f64; 2]) -> [f64; 2] {
+    pub fn end_distances(&self, at: [f64; 2]) -> [f64; 2] {
         let [start, end] = self.ends;
         let (past_start, before_end) = (cross(start, at), cross(at, end));
         match self.width {
@@ -79,19 +79,19 @@ impl Angles {
     }
 
     /// The unit vectors away from both ends.
-    pub fn off_ends(&self) -> [[f64; 2]; 2] {
+    pub fn away_from_ends(&self) -> [[f64; 2]; 2] {
         let [start, end] = self.ends;
         [[-start[1], start[0]], [end[1], -end[0]]]
     }
 
     /// The distances of a point from the meridians at the ends of a range of azimuths about the y axis.
-    pub fn from_meridians(&self, v: Vector) -> [f64; 2] {
-        self.from_ends([v.z(), v.x()])
+    pub fn meridian_distances(&self, v: Vector) -> [f64; 2] {
+        self.end_distances([v.z(), v.x()])
     }
 
     /// The unit vectors away from both meridians.
-    pub fn off_meridians(&self) -> [Vector; 2] {
-        self.off_ends().map(|[z, x]| Vector::new(x, 0.0, z))
+    pub fn away_from_meridians(&self) -> [Vector; 2] {
+        self.away_from_ends().map(|[z, x]| Vector::new(x, 0.0, z))
     }
 
     /// Whether the direction from the y axis to this point is in a range of azimuths.

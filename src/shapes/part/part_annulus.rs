@@ -14,7 +14,7 @@ use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
 use crate::shapes::border::{Border, is_rounding, nears};
-use crate::shapes::plain::annulus::{between, from_rims, off_rims, radii};
+use crate::shapes::plain::annulus::{away_from_rims, between, radii, rim_distances};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
 /// The part of a level annulus within a range of azimuths.
@@ -100,9 +100,9 @@ fn vertical(normal: Vector) -> Result<Normal, Invalid> {
 
 impl PartAnnulusShape {
     /// The distances from both circles and both straight sides.
-    fn from_edges(&self, from_center: Vector) -> [f64; 4] {
-        let [outer, inner] = from_rims(self.radii, from_center);
-        let [start, end] = self.phi.from_meridians(from_center);
+    fn edge_distances(&self, from_center: Vector) -> [f64; 4] {
+        let [outer, inner] = rim_distances(self.radii, from_center);
+        let [start, end] = self.phi.meridian_distances(from_center);
         [outer, inner, start, end]
     }
 
@@ -120,15 +120,16 @@ impl Shape for PartAnnulusShape {
         }
         let from_center = (ray.at(t) - self.center).across_y();
         let within = between(self.radii, from_center) && self.phi.has_azimuth_of(from_center);
-        let is_nearly = || nears(self.from_edges(from_center), self.size());
+        let is_nearly = || nears(self.edge_distances(from_center), self.size());
         (within || is_nearly() && is_rounding(self, ray, t)).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = Surface::flat(ray.at(at.t), self.center, self.normal);
         let from_center = (surface.point - self.center).across_y();
-        surface.within(Border::of(self.from_edges(from_center), self.size(), || {
-            let ([outer, inner], [start, end]) = (off_rims(from_center), self.phi.off_meridians());
+        surface.within(Border::of(self.edge_distances(from_center), self.size(), || {
+            let ([outer, inner], [start, end]) =
+                (away_from_rims(from_center), self.phi.away_from_meridians());
             [outer, inner, start, end]
         }))
     }

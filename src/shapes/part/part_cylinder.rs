@@ -70,14 +70,14 @@ impl PartCylinderShape {
             let p = ray.at(t);
             let in_range = self.phi.has_azimuth_of(p.to_vector());
             in_range && self.whole.is_between_ends(ray, t)
-                || nears(self.from_edges(p), self.whole.size()) && is_rounding(self, ray, t)
+                || nears(self.edge_distances(p), self.whole.size()) && is_rounding(self, ray, t)
         }
     }
 
     /// The distances from both ends and both straight sides.
-    fn from_edges(&self, p: Point) -> [f64; 4] {
-        let [bottom, top] = self.whole.from_ends(p.y());
-        let [start, end] = self.phi.from_meridians(p.to_vector());
+    fn edge_distances(&self, p: Point) -> [f64; 4] {
+        let [bottom, top] = self.whole.end_distances(p.y());
+        let [start, end] = self.phi.meridian_distances(p.to_vector());
         [bottom, top, start, end]
     }
 }
@@ -89,9 +89,9 @@ impl Shape for PartCylinderShape {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = self.whole.surface(ray, at);
-        let distances = self.from_edges(surface.point);
+        let distances = self.edge_distances(surface.point);
         surface.within(Border::of(distances, self.whole.size(), || {
-            let [start, end] = self.phi.off_meridians();
+            let [start, end] = self.phi.away_from_meridians();
             [Vector::Y, -Vector::Y, start, end]
         }))
     }

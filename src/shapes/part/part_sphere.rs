@@ -101,7 +101,8 @@ impl PartSphereShape {
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
         |t| {
             let v = ray.at(t) - self.whole.center;
-            self.contains(v) || nears(self.from_edges(v), self.size()) && is_rounding(self, ray, t)
+            self.contains(v)
+                || nears(self.edge_distances(v), self.size()) && is_rounding(self, ray, t)
         }
     }
 
@@ -115,12 +116,12 @@ impl PartSphereShape {
 
     /// The distances from the circles at `θ_min` and `θ_max`, infinite for a pole, and from the meridians at
     /// the ends of φ.
-    fn from_edges(&self, v: Vector) -> [f64; 4] {
+    fn edge_distances(&self, v: Vector) -> [f64; 4] {
         let (y, rho) = (v.y(), v.across_y().length());
         let [[s0, c0], [s1, c1]] = self.theta;
         let upper = if s0 > 0.0 { rho * c0 - y * s0 } else { f64::INFINITY };
         let lower = if s1 > 0.0 { y * s1 - rho * c1 } else { f64::INFINITY };
-        let [start, end] = self.phi.from_meridians(v);
+        let [start, end] = self.phi.meridian_distances(v);
         [upper, lower, start, end]
     }
 
@@ -130,10 +131,10 @@ impl PartSphereShape {
     }
 
     fn border(&self, v: Vector) -> Option<Box<Border>> {
-        Border::of(self.from_edges(v), self.size(), || {
+        Border::of(self.edge_distances(v), self.size(), || {
             let level = v.across_y();
             let down = along(v.y() * along(level) - level.length() * Vector::Y);
-            let [start, end] = self.phi.off_meridians();
+            let [start, end] = self.phi.away_from_meridians();
             [down, -down, start, end]
         })
     }

@@ -90,7 +90,7 @@ impl PartTorusShape {
     fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
         self.torus.hits(ray, span, &self.padded, |t, p| {
             self.phi.has_azimuth_of(p) && self.theta.contains(self.section_point(p))
-                || nears(self.from_edges(p), self.size()) && is_rounding(self, ray, t)
+                || nears(self.edge_distances(p), self.size()) && is_rounding(self, ray, t)
         })
     }
 
@@ -100,9 +100,9 @@ impl PartTorusShape {
     }
 
     /// The distances from both circles and both sections.
-    fn from_edges(&self, p: Vector) -> [f64; 4] {
-        let [first, last] = self.theta.from_ends(self.section_point(p));
-        let [start, end] = self.phi.from_meridians(p);
+    fn edge_distances(&self, p: Vector) -> [f64; 4] {
+        let [first, last] = self.theta.end_distances(self.section_point(p));
+        let [start, end] = self.phi.meridian_distances(p);
         [first, last, start, end]
     }
 
@@ -112,11 +112,11 @@ impl PartTorusShape {
     }
 
     fn border(&self, p: Vector) -> Option<Box<Border>> {
-        Border::of(self.from_edges(p), self.size(), || {
+        Border::of(self.edge_distances(p), self.size(), || {
             let radial = along(p.across_y());
             let in_section = |[out, up]: [f64; 2]| out * radial + up * Vector::Y;
-            let [first, last] = self.theta.off_ends().map(in_section);
-            let [start, end] = self.phi.off_meridians();
+            let [first, last] = self.theta.away_from_ends().map(in_section);
+            let [start, end] = self.phi.away_from_meridians();
             [first, last, start, end]
         })
     }

@@ -87,13 +87,13 @@ pub fn between([inner, outer]: [f64; 2], from_center: Vector) -> bool {
 }
 
 /// The distances from both circles, for [`Border::of`]; a hole of radius 0 is none.
-pub fn from_rims([inner, outer]: [f64; 2], from_center: Vector) -> [f64; 2] {
+pub fn rim_distances([inner, outer]: [f64; 2], from_center: Vector) -> [f64; 2] {
     let rho = from_center.length();
     [outer - rho, if inner > 0.0 { rho - inner } else { f64::INFINITY }]
 }
 
 /// The directions away from them.
-pub fn off_rims(from_center: Vector) -> [Vector; 2] {
+pub fn away_from_rims(from_center: Vector) -> [Vector; 2] {
     let radial = along(from_center);
     [-radial, radial]
 }
@@ -112,7 +112,7 @@ impl Shape for AnnulusShape {
             return None;
         }
         let from_center = ray.at(t) - self.center;
-        let is_nearly = || nears(from_rims(self.radii, from_center), self.size());
+        let is_nearly = || nears(rim_distances(self.radii, from_center), self.size());
         let within = between(self.radii, from_center) || is_nearly() && is_rounding(self, ray, t);
         within.then(|| Candidate::at(t))
     }
@@ -120,8 +120,8 @@ impl Shape for AnnulusShape {
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = Surface::flat(ray.at(at.t), self.center, self.normal);
         let from_center = surface.point - self.center;
-        let distances = from_rims(self.radii, from_center);
-        surface.within(Border::of(distances, self.size(), || off_rims(from_center)))
+        let distances = rim_distances(self.radii, from_center);
+        surface.within(Border::of(distances, self.size(), || away_from_rims(from_center)))
     }
 
     fn bounds(&self) -> Aabb {

@@ -55,7 +55,7 @@ impl Specification for CutFace {
 
 impl CutFace {
     /// The distances from the nearer sides and from the hole.
-    fn from_edges(&self, p: Vector) -> [f64; 3] {
+    fn edge_distances(&self, p: Vector) -> [f64; 3] {
         let half = 0.5 * self.size;
         [half - p.x().abs(), half - p.z().abs(), p.length() - self.radius]
     }
@@ -70,14 +70,14 @@ impl Shape for CutFace {
         let p = ray.at(t).to_vector().across_y();
         let in_square = p.max_abs() <= 0.5 * self.size;
         let in_hole = p.length_squared() < self.radius * self.radius;
-        let is_nearly = || nears(self.from_edges(p), self.size) && is_rounding(self, ray, t);
+        let is_nearly = || nears(self.edge_distances(p), self.size) && is_rounding(self, ray, t);
         (in_square && !in_hole || is_nearly()).then(|| Candidate::at(t))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = Surface::flat(ray.at(at.t), Point::ORIGIN, Normal::Y);
         let p = surface.point.to_vector().across_y();
-        surface.within(Border::of(self.from_edges(p), self.size, || {
+        surface.within(Border::of(self.edge_distances(p), self.size, || {
             let to_middle = |x: f64| -1.0_f64.copysign(x);
             [to_middle(p.x()) * Vector::X, to_middle(p.z()) * Vector::Z, along(p)]
         }))

@@ -78,7 +78,7 @@ impl OpenCylinder {
     }
 
     /// The distances from both ends.
-    pub(in crate::shapes) fn from_ends(&self, y: f64) -> [f64; 2] {
+    pub(in crate::shapes) fn end_distances(&self, y: f64) -> [f64; 2] {
         [y - self.y0, self.y1 - y]
     }
 
@@ -89,7 +89,7 @@ impl OpenCylinder {
 
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
         |t| {
-            let nears_end = || nears(self.from_ends(ray.at(t).y()), self.size());
+            let nears_end = || nears(self.end_distances(ray.at(t).y()), self.size());
             self.is_between_ends(ray, t) || nears_end() && is_rounding(self, ray, t)
         }
     }
@@ -106,7 +106,8 @@ impl Shape for OpenCylinder {
         let normal = normal_along(raw.to_vector().across_y(), &flat_ray);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
-        let border = Border::of(self.from_ends(point.y()), self.size(), || [Vector::Y, -Vector::Y]);
+        let border =
+            Border::of(self.end_distances(point.y()), self.size(), || [Vector::Y, -Vector::Y]);
         Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)
             .turned(self.inward)
             .within(border)

@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
+use crate::math::watertight;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, maps};
-use crate::mesh_bvh::watertight;
 use crate::shapes::border::Border;
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::Invalid;
 use crate::math::Vector;
-use crate::shapes::beveled::edges::moved;
 use crate::shapes::composite::assembly::{Assembly, PartData};
+use crate::shapes::solid::edges::moved;
 use crate::shapes::{Context, Kind, PartTorus, Shape};
 
 /// The materials of a vessel's boundaries. The first medium of each name is on the inner side, the side that

@@ -15,8 +15,8 @@ use super::flat_rimmed_bowl::polar_angle;
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
-use crate::shapes::beveled::edges::{moved, tube};
 use crate::shapes::part::angles::full_turn;
+use crate::shapes::solid::edges::{moved, tube};
 use crate::shapes::{Context, Disk, Kind, PartSphere, Shape};
 
 /// A spherical bowl about the origin with a rounded rim, and water in it that curves up to the glass.

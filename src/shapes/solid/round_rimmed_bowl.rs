@@ -14,10 +14,10 @@ use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
 use crate::math::{Vector, cos_degrees, sin_degrees};
-use crate::shapes::beveled::edges::{moved, tube};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
+use crate::shapes::solid::edges::{moved, tube};
 use crate::shapes::{Context, Shape};
 
 /// The points between two spheres about the origin, ended by half a torus that touches both, as the

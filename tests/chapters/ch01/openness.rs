@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use groundtruth::cameras::{self, Camera};
-use groundtruth::emission::Emission;
 use groundtruth::kinds::Custom;
 use groundtruth::lights::{
     self, Directional, Light as LightKind, LightContext, LightSample, Meets,
 };
-use groundtruth::materials::{self, Material as MaterialKind, Matte, Response};
+use groundtruth::materials::{self, Emission, Material as MaterialKind, Matte, Response};
 use groundtruth::math::{Aabb, Normal, Pcg32, Point, Ray, Span, Step, Vector};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;

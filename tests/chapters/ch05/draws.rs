@@ -2,10 +2,11 @@
 
 use std::collections::{HashMap, HashSet};
 
+use groundtruth::lobes::Branch;
 use groundtruth::math::power_of_two;
 use groundtruth::samplers::{
-    Branch, Hammersley, Jittered, Key, Kind, MultiJittered, PathKey, Purpose, Random, Regular,
-    SampleSets, Sobol,
+    Hammersley, Jittered, Key, Kind, MultiJittered, PathKey, Purpose, Random, Regular, SampleSets,
+    Sobol,
 };
 use groundtruth::scene::Scene;
 use proptest::prelude::*;

@@ -3,7 +3,8 @@
 //!
 //! The χ² tests use the observed marginals: 83 sets of n points do not fill the square uniformly.
 
-use groundtruth::samplers::{Branch, Key, Kind, PathKey, Purpose, SampleSets};
+use groundtruth::lobes::Branch;
+use groundtruth::samplers::{Key, Kind, PathKey, Purpose, SampleSets};
 use harness::verify::chi_square::independence;
 use harness::verify::correlation::pearson;
 use harness::verify::means;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use groundtruth::accel::Method;
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::{
     Compound, Context, Cuboid, Disk, Instance, Kind, Lattice, Mesh, Part, Plane, RandomSpheres,
     Shape, Sphere, TessellatedSphere,

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use groundtruth::accel::Method;
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
-use groundtruth::resources::Resources;
 use groundtruth::shapes::{
     Candidate, Compound, Context, Cuboid, Instance, Kind, Lattice, Plane, RandomSpheres, Shape,
     Sphere, Surface,

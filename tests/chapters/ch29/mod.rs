@@ -8,8 +8,8 @@ mod texels;
 
 use std::io::Write;
 
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Point};
-use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::Surface;
 use groundtruth::textures::{Image, Kind, Mapping, TexturePoint};

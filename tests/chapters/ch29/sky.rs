@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use groundtruth::background::{Background, Directions, Dome, Image, ImageSky, Sky};
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Pcg32, Point, Ray, Step, Transform, Vector, cos, sin};
-use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::{Filtering, Mapping};
 use harness::verify::chi_square::goodness_of_fit;

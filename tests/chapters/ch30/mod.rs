@@ -6,11 +6,11 @@ mod layers;
 mod materials;
 mod wires;
 
+use groundtruth::kinds::Resources;
 use groundtruth::lights::Ambient;
 use groundtruth::materials::Matte;
 use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, power_of_two};
 use groundtruth::render::pixel;
-use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Cuboid, Instance, Kind as Shape, Plane, Sphere, Surface};

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Point, sin};
 use groundtruth::noise::{LatticeNoise, Noise};
-use groundtruth::resources::Resources;
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::Surface;
 use groundtruth::textures::{

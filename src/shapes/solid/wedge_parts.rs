@@ -20,7 +20,7 @@ use crate::math::{
 };
 use crate::shapes::border::{Border, is_rounding};
 use crate::shapes::part::angles::Angles;
-use crate::shapes::plain::annulus::{between, from_rims, off_rims};
+use crate::shapes::plain::annulus::{away_from_rims, between, rim_distances};
 use crate::shapes::{
     Candidate, Instance, Kind, PartCylinder, Rectangle, Shape, Surface, plane_distance,
 };
@@ -207,14 +207,14 @@ impl Shape for Cap {
             let [along, across] = Self::along_and_across(side, v);
             if along > 0.0 { across.abs() - self.bevel } else { f64::INFINITY }
         };
-        let ([outer, inner], [first, last]) = (from_rims(self.r, v), self.sides.map(from_side));
+        let ([outer, inner], [first, last]) = (rim_distances(self.r, v), self.sides.map(from_side));
         let size = self.r[1] + self.y.abs();
         surface.within(Border::of([outer, inner, first, last], size, || {
             let off_side = |side @ [s, c]: [f64; 2]| {
                 let [_, across] = Self::along_and_across(side, v);
                 across.signum() * Vector::new(c, 0.0, -s)
             };
-            let ([outer, inner], [first, last]) = (off_rims(v), self.sides.map(off_side));
+            let ([outer, inner], [first, last]) = (away_from_rims(v), self.sides.map(off_side));
             [outer, inner, first, last]
         }))
     }

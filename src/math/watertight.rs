@@ -6,8 +6,9 @@
 //! zero is inside: two triangles that share an edge leave no gap. A hit computes them again without
 //! cancellation, so that `t` keeps its digits on triangles a million times longer than wide.
 
-use super::lanes64::Lanes;
-use crate::math::{Normal, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross};
+use super::{
+    Lanes, Normal, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross,
+};
 
 /// The least projected area of a triangle, relative to the products it is the sum of, for which plain
 /// products are accurate enough. The relative error of the three weights together is then at most
@@ -21,7 +22,7 @@ const MIN_PRODUCTS: f64 = 1e-140;
 #[derive(Clone, Copy, Debug)]
 pub struct ShearedRay {
     /// The world's axes that are its x, y and z.
-    pub(super) axes: [usize; 3],
+    pub(crate) axes: [usize; 3],
     /// Its origin, in the order of its own axes.
     origin: [f64; 3],
     shear: [f64; 3],
@@ -158,8 +159,11 @@ pub fn outside<L: Lanes>(parts: [L; 3]) -> u8 {
 /// Where rays meet triangles.
 #[derive(Clone, Copy)]
 pub struct Met<L> {
+    /// Along the ray.
     pub t: L,
+    /// The weight of the second corner.
     pub beta: L,
+    /// The weight of the third corner.
     pub gamma: L,
 }
 

@@ -5,6 +5,8 @@
 //! [`kinds!`](crate::kinds!), makes of all of them one enum: it gives each its tag, and its
 //! specimens to the contract tests.
 
+mod resources;
+
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -12,6 +14,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 
 use crate::invalid::Invalid;
+
+pub use resources::Resources;
 
 /// Plain data that describes one thing of a kind.
 pub trait Specification: Sized {
