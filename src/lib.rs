@@ -48,7 +48,6 @@ pub mod mesh_bvh;
 pub mod mesh_file;
 pub mod noise;
 pub mod printable;
-pub mod ray_budget;
 pub mod render;
 pub mod rgb;
 pub mod samplers;

@@ -3,8 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{RayExplanation, TermExplanation};
-use crate::trace::RayKind;
+use crate::trace::{RayKind, RecordedRay, RecordedTerm};
 
 /// Smaller trees are shown whole.
 const SMALL_TREE: usize = 12;
@@ -26,17 +25,17 @@ pub enum Row<'a> {
     /// A ray.
     Ray {
         /// The ray.
-        ray: &'a RayExplanation,
+        ray: &'a RecordedRay,
         /// The first term of the ray before it that uses its light. `None` for the camera's ray, and for a
         /// ray whose light no term uses.
-        term: Option<&'a TermExplanation>,
+        term: Option<&'a RecordedTerm>,
         /// How far the line is indented.
         indent: usize,
     },
     /// A local term of the ray before it that is not 0.
     Local {
         /// The term.
-        term: &'a TermExplanation,
+        term: &'a RecordedTerm,
         /// How far the line is indented.
         indent: usize,
     },
@@ -60,7 +59,7 @@ impl Outline {
     }
 
     /// The lines of a tree, from the camera's ray on.
-    pub fn rows<'a>(&self, root: &'a RayExplanation) -> Vec<Row<'a>> {
+    pub fn rows<'a>(&self, root: &'a RecordedRay) -> Vec<Row<'a>> {
         // in a black sample all shares are 0
         let whole = root.share == 0.0 || root.count() <= SMALL_TREE;
         let mut rows = Vec::new();
@@ -70,7 +69,7 @@ impl Outline {
     }
 
     /// Opens everything that hides the last ray of a path from the camera's ray.
-    pub fn reveal(&mut self, path: &[&RayExplanation]) {
+    pub fn reveal(&mut self, path: &[&RecordedRay]) {
         for step in path.windows(2) {
             let [parent, child] = [step[0], step[1]];
             self.closed.remove(&parent.number);
@@ -82,7 +81,7 @@ impl Outline {
 
     fn add<'a>(
         &self,
-        (ray, term): (&'a RayExplanation, Option<&'a TermExplanation>),
+        (ray, term): (&'a RecordedRay, Option<&'a RecordedTerm>),
         indent: usize,
         min_share: f64,
         rows: &mut Vec<Row<'a>>,
@@ -95,8 +94,8 @@ impl Outline {
         let local = ray.terms.iter().filter(|term| term.ray.is_none() && !term.value.is_black());
         let local = local.filter(|term| !is_shadow(ray) && term.share >= min_share);
         rows.extend(local.map(|term| Row::Local { term, indent: below }));
-        let small = |child: &&RayExplanation| child.share < min_share;
-        let rays: usize = ray.children.iter().filter(small).map(RayExplanation::count).sum();
+        let small = |child: &&RecordedRay| child.share < min_share;
+        let rays: usize = ray.children.iter().filter(small).map(RecordedRay::count).sum();
         // folding a single ray saves no line
         let fold = rays > 1 && !self.unfolded.contains(&ray.number);
         let (shadows, onward): (Vec<_>, Vec<_>) = ray
@@ -119,18 +118,18 @@ impl Outline {
     }
 }
 
-fn is_shadow(ray: &RayExplanation) -> bool {
+fn is_shadow(ray: &RecordedRay) -> bool {
     matches!(ray.kind, RayKind::Shadow { .. })
 }
 
-impl RayExplanation {
+impl RecordedRay {
     /// The number of rays from this one on.
     pub fn count(&self) -> usize {
         1 + self.children.iter().map(Self::count).sum::<usize>()
     }
 
     /// The first of its terms that uses the light of this child.
-    fn term_of(&self, child: &Self) -> Option<&TermExplanation> {
+    fn term_of(&self, child: &Self) -> Option<&RecordedTerm> {
         self.terms.iter().find(|term| term.ray == Some(child.number))
     }
 

@@ -4,15 +4,15 @@
 //! first hit towards the camera. Both times the parts add up to the sample.
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use serde::Serialize;
 
 use crate::math::Ray;
 use crate::render;
 use crate::rgb::Rgb;
-use crate::scene::Scene;
 use crate::trace::{Outcome, RayKind, Recorder, Term, TermSource};
-use crate::world::{Hit, World};
+use crate::world::World;
 
 /// The contributions of the sources of light to a pixel. The means of each list add up to the pixel; the
 /// largest standard deviation comes first.
@@ -25,18 +25,21 @@ pub struct Sources {
     pub by_first_hit: Vec<SourceExplanation>,
 }
 
-/// A source of light. `Name` says how a light is named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+/// A source of light.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(tag = "source", rename_all = "snake_case")]
-pub enum Source<Name = u32> {
+pub enum Source {
     /// Emission that the camera's ray meets.
     Emission,
     /// The background that the camera's ray meets.
     Background,
     /// The samples of a light.
     Light {
-        /// The light.
-        light: Name,
+        /// Its index in the scene.
+        #[serde(skip)]
+        index: u32,
+        /// Its name.
+        light: Arc<str>,
     },
     /// The rays of a lobe.
     Lobe {
@@ -50,7 +53,7 @@ pub enum Source<Name = u32> {
 pub struct SourceExplanation {
     /// The source.
     #[serde(flatten)]
-    pub source: Source<String>,
+    pub source: Source,
     /// The exposure time times the mean of its contributions to the samples.
     pub mean: Rgb,
     /// The exposure time times the standard deviation of its contributions to the samples. None for a
@@ -59,61 +62,41 @@ pub struct SourceExplanation {
     pub standard_deviation: Option<Rgb>,
 }
 
-/// The largest number of rays of a pixel that is explained: some seconds.
-const MAX_RAYS: u64 = 1 << 25;
-
-/// A pixel has too many rays to be explained.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "pixel ({}, {}) has more than {MAX_RAYS} rays, too many to be explained; lower max_depth or the \
-     number of samples",
-    .0[0], .0[1]
-)]
-pub struct TooManyRays(pub [u32; 2]);
-
-/// The radiances of all samples of a pixel, and the contribution of each source.
-pub(super) fn of(
-    scene: &Scene,
-    world: &World,
-    pixel: [u32; 2],
-) -> Result<(Vec<Rgb>, Sources), TooManyRays> {
-    let mut rays_left = MAX_RAYS;
-    let (mut radiances, mut entries, mut first_hits) = (Vec::new(), Vec::new(), Vec::new());
-    for index in 0..world.samples_per_pixel() {
-        let (radiance, by_entry, by_first_hit) = sample(world, pixel, index, &mut rays_left);
-        if rays_left == 0 {
-            return Err(TooManyRays(pixel));
-        }
-        radiances.push(radiance);
-        entries.push(by_entry);
-        first_hits.push(by_first_hit);
-    }
-    let [by_entry, by_first_hit] = [entries, first_hits].map(|sums| explain(scene, world, &sums));
-    Ok((radiances, Sources { by_entry, by_first_hit }))
+/// The radiances of the samples of a pixel, and the contribution of each source to each.
+#[derive(Default)]
+pub(super) struct SampleSums {
+    radiances: Vec<Rgb>,
+    by_entry: Vec<Sums>,
+    by_first_hit: Vec<Sums>,
 }
 
-/// A sample's radiance, and the contribution of each source: by entry, and by the first hit.
-fn sample(world: &World, pixel: [u32; 2], index: u32, rays_left: &mut u64) -> (Rgb, Sums, Sums) {
-    let mut recorder = SourceRecorder { rays_left: *rays_left, ..SourceRecorder::default() };
-    let radiance = render::sample(world, pixel, index, &mut recorder);
-    *rays_left = recorder.rays_left;
-    let weight = render::camera_sample(world, pixel, index).map_or(0.0, |sample| sample.weight);
-    let [by_entry, by_first_hit] =
-        [recorder.finished, recorder.first_hit].map(|sums| sums.times(Rgb::grey(weight)));
-    (radiance, by_entry, by_first_hit)
+impl SampleSums {
+    /// Adds a sample with this weight from the filter.
+    pub(super) fn add(&mut self, radiance: Rgb, sources: SourceRecorder<'_>, weight: f64) {
+        let weight = Rgb::grey(weight);
+        self.radiances.push(radiance);
+        self.by_entry.push(sources.finished.times(weight));
+        self.by_first_hit.push(sources.first_hit.times(weight));
+    }
+
+    /// The radiances, and the contributions to the pixel.
+    pub(super) fn explained(self, world: &World) -> (Vec<Rgb>, Sources) {
+        let [by_entry, by_first_hit] =
+            [self.by_entry, self.by_first_hit].map(|sums| explain(world, &sums));
+        (self.radiances, Sources { by_entry, by_first_hit })
+    }
 }
 
 /// The sources of all samples, the largest standard deviation first.
-fn explain(scene: &Scene, world: &World, samples: &[Sums]) -> Vec<SourceExplanation> {
-    let of_sample =
-        |sums: &Sums| -> Vec<Source> { sums.0.iter().map(|(source, _)| *source).collect() };
-    let mut sources: Vec<Source> = samples.iter().flat_map(of_sample).collect();
+fn explain(world: &World, samples: &[Sums]) -> Vec<SourceExplanation> {
+    let mut sources: Vec<&Source> =
+        samples.iter().flat_map(|sums| sums.0.iter().map(|(source, _)| source)).collect();
     sources.sort();
     sources.dedup();
     let explained = sources.into_iter().map(|source| {
         let values: Vec<Rgb> = samples.iter().map(|sums| sums.get(source)).collect();
         SourceExplanation {
-            source: source.named(|light| scene.lights[light as usize].name.clone()),
+            source: source.clone(),
             mean: render::expose(world, values.iter().copied()),
             standard_deviation: deviation(&values).map(|it| world.view.exposure_time * it),
         }
@@ -138,20 +121,9 @@ impl SourceExplanation {
     }
 }
 
-impl<Name> Source<Name> {
-    fn named<Other>(self, name: impl Fn(Name) -> Other) -> Source<Other> {
-        match self {
-            Self::Emission => Source::Emission,
-            Self::Background => Source::Background,
-            Self::Light { light } => Source::Light { light: name(light) },
-            Self::Lobe { lobe } => Source::Lobe { lobe },
-        }
-    }
-}
-
 /// The radiance from each source.
 #[derive(Default)]
-struct Sums(Vec<(Source, Rgb)>);
+pub(super) struct Sums(Vec<(Source, Rgb)>);
 
 impl Sums {
     fn add(&mut self, source: Source, value: Rgb) {
@@ -161,8 +133,8 @@ impl Sums {
         }
     }
 
-    fn get(&self, source: Source) -> Rgb {
-        self.0.iter().find(|(known, _)| *known == source).map_or(Rgb::BLACK, |(_, sum)| *sum)
+    fn get(&self, source: &Source) -> Rgb {
+        self.0.iter().find(|(known, _)| known == source).map_or(Rgb::BLACK, |(_, sum)| *sum)
     }
 
     fn times(self, factor: Rgb) -> Self {
@@ -171,29 +143,31 @@ impl Sums {
 }
 
 /// Adds up the sources from the ends of the rays to the camera, without a tree.
-#[derive(Default)]
-struct SourceRecorder {
+pub(super) struct SourceRecorder<'a> {
+    /// Gives the names.
+    world: &'a World,
     /// The sums of the rays that have begun and not ended.
     open: Vec<Sums>,
     /// What arrives along the ray that ended last, by entry.
     finished: Sums,
     /// What arrives along the camera's ray, by the first hit.
     first_hit: Sums,
-    /// The number of rays that may still be cast.
-    rays_left: u64,
 }
 
-impl Recorder for SourceRecorder {
+impl<'a> SourceRecorder<'a> {
+    /// Records a sample of this world.
+    pub(super) fn of(world: &'a World) -> Self {
+        let [finished, first_hit] = [Sums::default(), Sums::default()];
+        Self { world, open: Vec::new(), finished, first_hit }
+    }
+}
+
+impl Recorder for SourceRecorder<'_> {
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {
         self.open.push(Sums::default());
-        self.rays_left = self.rays_left.saturating_sub(1);
     }
 
-    fn is_full(&self) -> bool {
-        self.rays_left == 0
-    }
-
-    fn outcome(&mut self, _: Outcome<&Hit<'_>>) {}
+    fn outcome(&mut self, _: Outcome) {}
 
     fn term(&mut self, term: Term) {
         let source = match term.source {
@@ -201,11 +175,13 @@ impl Recorder for SourceRecorder {
             TermSource::Background { .. } => Source::Background,
             TermSource::Ambient { light, .. }
             | TermSource::Direct { light, .. }
-            | TermSource::Light { light } => Source::Light { light },
+            | TermSource::Light { light } => {
+                Source::Light { index: light, light: self.world.light_name(light) }
+            }
             TermSource::Traced { lobe, .. } => Source::Lobe { lobe: lobe.name() },
         };
         if self.open.len() == 1 {
-            self.first_hit.add(source, term.value);
+            self.first_hit.add(source.clone(), term.value);
         }
         let sums = self.open.last_mut().expect("a ray has begun");
         if !matches!(source, Source::Lobe { .. }) {
@@ -214,7 +190,7 @@ impl Recorder for SourceRecorder {
         }
         for (entry, arriving) in std::mem::take(&mut self.finished).0 {
             let met = matches!(entry, Source::Emission | Source::Background);
-            sums.add(if met { source } else { entry }, term.weight * arriving);
+            sums.add(if met { source.clone() } else { entry }, term.weight * arriving);
         }
     }
 

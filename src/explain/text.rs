@@ -1,16 +1,16 @@
-//! An explanation as text.
+//! Rays, hits and terms as text.
 
 use std::fmt::{self, Write as _};
+use std::sync::Arc;
 
-use super::{
-    HitExplanation, Outline, PixelExplanation, RayExplanation, Row, SampleExplanation, Source,
-    SourceExplanation, Sources, TermExplanation, unlit,
-};
+use super::unlit;
 use crate::lobes::Lobe;
-use crate::printable::{self, name};
+use crate::printable::name;
 use crate::rgb::Rgb;
 use crate::textures::Texel;
-use crate::trace::{Optics, Outcome, RayKind, RecordedTexture, TermSource};
+use crate::trace::{
+    Optics, Outcome, RayKind, RecordedHit, RecordedRay, RecordedTerm, RecordedTexture, TermSource,
+};
 
 /// A colour as `(0.12, 0.03, 0.03)`, a grey as `0.5`, shortened for people.
 pub fn short(color: Rgb) -> String {
@@ -37,6 +37,11 @@ pub fn percent(share: f64) -> String {
     }
 }
 
+/// The name of a light or an object, if there is one, in quotes.
+fn quoted(known: &Option<Arc<str>>) -> String {
+    known.as_ref().map_or(String::new(), |known| format!("\"{}\"", name(known)))
+}
+
 /// What became of a shadow ray that reached its light.
 pub fn unblocked(boundaries: u32) -> String {
     match boundaries {
@@ -50,7 +55,7 @@ pub fn count(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }
 
-impl RayExplanation {
+impl RecordedRay {
     /// One line that a person can read: `3  from 1, depth 2  reflected  t 12.3  hits "red sphere"`. The camera's
     /// ray has no parent.
     pub fn line(&self) -> String {
@@ -58,14 +63,19 @@ impl RayExplanation {
             RayKind::Camera => "camera".to_owned(),
             RayKind::Reflected => "reflected".to_owned(),
             RayKind::Transmitted => "transmitted".to_owned(),
-            RayKind::Shadow { light } => format!("shadow ray to \"{}\"", name(light)),
+            RayKind::Shadow { .. } => format!("shadow ray to {}", quoted(&self.light)),
+        };
+        let hit = || {
+            let hit = self.hit.as_ref()?;
+            Some(format!("t {}  hits \"{}\"", brief(hit.t), name(&hit.object)))
         };
         let outcome = match &self.outcome {
-            Outcome::Hit { hit } => format!("t {}  hits \"{}\"", brief(hit.t), name(&hit.object)),
+            Outcome::Hit => hit().unwrap_or_default(),
             Outcome::Background => "hits nothing".to_owned(),
             Outcome::TooDeep => "beyond the largest depth: black".to_owned(),
             Outcome::Unblocked { boundaries } => unblocked(*boundaries),
-            Outcome::Blocked { blocked_by } => format!("blocked by \"{}\"", name(blocked_by)),
+            Outcome::OverBudget => "beyond the limit on the number of rays: black".to_owned(),
+            Outcome::Blocked { .. } => format!("blocked by {}", quoted(&self.blocked_by)),
         };
         let parent = self
             .parent
@@ -74,9 +84,9 @@ impl RayExplanation {
     }
 
     /// Its numbers and terms, a line each.
-    fn details(&self) -> Vec<String> {
+    pub(super) fn details(&self) -> Vec<String> {
         let mut lines = vec![format!("from {:?} towards {:?}", self.origin, self.direction)];
-        if let Some(hit) = self.outcome.hit() {
+        if let Some(hit) = &self.hit {
             lines.extend(hit.lines());
         }
         let is_shadow = matches!(self.kind, RayKind::Shadow { .. });
@@ -98,7 +108,7 @@ impl RayExplanation {
     }
 }
 
-impl HitExplanation {
+impl RecordedHit {
     fn lines(&self) -> Vec<String> {
         let side = if self.front { "front" } else { "back" };
         let mut lines = Vec::new();
@@ -163,7 +173,7 @@ impl fmt::Display for Optics {
     }
 }
 
-impl TermExplanation {
+impl RecordedTerm {
     /// One line: `+ 0.02  emission: MIS 0.01 × light 2`.
     pub fn line(&self) -> String {
         format!("+ {}  {}: {}", short(self.value), self.name(), self.factors())
@@ -196,12 +206,12 @@ impl TermExplanation {
         match &self.source {
             TermSource::Background { .. } => "background".to_owned(),
             TermSource::Emission { .. } => "emission".to_owned(),
-            TermSource::Ambient { light, .. } => format!("ambient, light \"{}\"", name(light)),
-            TermSource::Direct { light, lobe, .. } => {
-                format!("{}, light \"{}\"", lobe.name(), name(light))
+            TermSource::Ambient { .. } => format!("ambient, light {}", quoted(&self.light)),
+            TermSource::Direct { lobe, .. } => {
+                format!("{}, light {}", lobe.name(), quoted(&self.light))
             }
             TermSource::Traced { lobe, .. } => lobe.name().to_owned(),
-            TermSource::Light { light } => format!("light \"{}\"", name(light)),
+            TermSource::Light { .. } => format!("light {}", quoted(&self.light)),
         }
     }
 
@@ -266,152 +276,4 @@ fn value_of(lobe: &Lobe, f: Rgb) -> String {
         | Lobe::FresnelReflector(_)
         | Lobe::FresnelTransmitter(_) => format!("f {}", short(f)),
     }
-}
-
-impl PixelExplanation {
-    /// The explanation as text; rays that add less than `min_share` of their sample are folded. With
-    /// `largest` only the path that carries most light is shown.
-    pub fn text(&self, min_share: f64, largest: bool) -> String {
-        let mut text = String::new();
-        self.write(&mut text, min_share, largest).expect("a string takes everything");
-        text
-    }
-
-    fn write(&self, f: &mut String, min_share: f64, largest: bool) -> fmt::Result {
-        let [x, y] = self.pixel;
-        let samples = self.samples.len();
-        writeln!(f, "pixel ({x}, {y}), {samples} of {} samples", self.samples_per_pixel)?;
-        self.notes.iter().try_for_each(|note| writeln!(f, "{}", printable::text(note)))?;
-        for sample in &self.samples {
-            writeln!(f)?;
-            sample.write(f, min_share, largest)?;
-        }
-        writeln!(f)?;
-        let mut samples: Vec<_> = self.samples.iter().collect();
-        samples.sort_by(|a, b| b.radiance.average().total_cmp(&a.radiance.average()));
-        for sample in samples {
-            writeln!(f, "sample {:>4}: {:?}", sample.index, sample.radiance.to_array())?;
-        }
-        let exposure = match self.exposure_time {
-            1.0 => String::new(),
-            time => format!(", exposure time {time}"),
-        };
-        let count = self.samples_per_pixel;
-        if let Some(error) = self.statistics.standard_error {
-            let [least, greatest] = [self.statistics.least, self.statistics.greatest]
-                .map(|index| format!("{} (sample {index})", short(self.radiances[index as usize])));
-            let error = short(error);
-            writeln!(f, "samples: least {least}, greatest {greatest}, standard error {error}")?;
-        }
-        for (words, sources) in self.sources.lists() {
-            writeln!(f)?;
-            writeln!(f, "{words}")?;
-            table(sources).iter().try_for_each(|line| writeln!(f, "  {line}"))?;
-        }
-        writeln!(f)?;
-        let radiance = self.radiance.to_array();
-        writeln!(f, "the pixel is the mean of {count}{exposure}: {radiance:?}")
-    }
-}
-
-impl Source<String> {
-    /// `light "lamp"`.
-    pub fn name(&self) -> String {
-        match self {
-            Self::Emission => "emission, seen directly".to_owned(),
-            Self::Background => "background, seen directly".to_owned(),
-            Self::Light { light } => format!("light \"{}\"", name(light)),
-            Self::Lobe { lobe } => (*lobe).to_owned(),
-        }
-    }
-}
-
-impl Sources {
-    /// The two ways to divide the pixel's light, each with its description.
-    pub fn lists(&self) -> [(&'static str, &[SourceExplanation]); 2] {
-        let by_entry = "the pixel by where light enters: a light's samples at all hits; what a lobe's rays meet";
-        let by_first_hit =
-            "the pixel by its first hit: a light's samples there; all light along a lobe's rays";
-        [(by_entry, &self.by_entry), (by_first_hit, &self.by_first_hit)]
-    }
-}
-
-/// A list of sources as lines of a table, the titles first.
-pub fn table(sources: &[SourceExplanation]) -> Vec<String> {
-    let row = |row: &SourceExplanation| {
-        let deviation = row.standard_deviation.map_or("one sample".to_owned(), short);
-        [row.source.name(), short(row.mean), deviation]
-    };
-    let titles = ["source", "mean", "standard deviation"].map(str::to_owned);
-    let rows: Vec<[String; 3]> = std::iter::once(titles).chain(sources.iter().map(row)).collect();
-    let width = |column: usize| {
-        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
-    };
-    let (names, means) = (width(0), width(1));
-    rows.iter()
-        .map(|[name, mean, deviation]| format!("{name:names$}  {mean:means$}  {deviation}"))
-        .collect()
-}
-
-impl SampleExplanation {
-    fn write(&self, f: &mut String, min_share: f64, largest: bool) -> fmt::Result {
-        let index = self.index;
-        let Some([px, py]) = self.film else {
-            return writeln!(f, "sample {index}: between the two images, no ray");
-        };
-        write!(f, "sample {index} at ({}, {}) on the view plane", brief(px), brief(py))?;
-        if let Some([lx, ly]) = self.lens {
-            write!(f, ", ({}, {}) on the lens", brief(lx), brief(ly))?;
-        }
-        if self.weight != 1.0 {
-            write!(f, ", counts {} by the filter", brief(self.weight))?;
-        }
-        writeln!(f)?;
-        match &self.ray {
-            None => writeln!(f, "no ray: the camera sees nothing there")?,
-            Some(root) if largest => write_rows(f, &path_of_the_light(root))?,
-            Some(root) => write_rows(f, &Outline::folding_below(min_share).rows(root))?,
-        }
-        if !self.complete {
-            writeln!(
-                f,
-                "(cut off: the tree has more rays; a smaller max_depth makes a smaller one)"
-            )?;
-        }
-        Ok(())
-    }
-}
-
-/// The rays along which most of the light comes, as a chain.
-fn path_of_the_light(root: &RayExplanation) -> Vec<Row<'_>> {
-    let path = std::iter::successors(Some(root), |ray| ray.largest_child());
-    path.map(|ray| Row::Ray { ray, term: None, indent: 0 }).collect()
-}
-
-/// The share of each ray at the left, its line, and its details below.
-fn write_rows(f: &mut String, rows: &[Row<'_>]) -> fmt::Result {
-    for row in rows {
-        match row {
-            Row::Ray { ray, indent, .. } => {
-                let pad = "    ".repeat(*indent);
-                let (share, contribution) = (percent(ray.share), short(ray.contribution));
-                writeln!(f, "{share:>7}  {pad}{}  contributes {contribution}", ray.line())?;
-                for line in ray.details() {
-                    writeln!(f, "         {pad}      {line}")?;
-                }
-            }
-            // among the ray's details
-            Row::Local { .. } => {}
-            Row::Folded { parent, indent, rays, share } => {
-                let pad = "    ".repeat(*indent);
-                let rays = count(*rays, "more ray");
-                writeln!(
-                    f,
-                    "{:>7}  {pad}{rays} from {parent} (--min-share 0 shows all)",
-                    percent(*share)
-                )?;
-            }
-        }
-    }
-    Ok(())
 }

@@ -2,23 +2,13 @@
 
 use std::fmt;
 
-use serde::Serialize;
-
 use super::{Explaining, brief};
 use crate::lights::Unlit;
 use crate::printable::name;
 use crate::rgb::Rgb;
-use crate::trace::{Node, Outcome, RayKind, RecordedHit, RecordedTerm, TermSource};
-
-/// A light that adds nothing at a hit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct UnlitLight {
-    /// Its name.
-    pub light: String,
-    /// The reason.
-    #[serde(flatten)]
-    pub reason: Unlit,
-}
+use crate::trace::{
+    Outcome, RayKind, RecordedHit, RecordedRay, RecordedTerm, TermSource, UnlitLight,
+};
 
 /// Lines such as `lights "sun", "lamp": switched off`: lights with equal reasons share one.
 pub fn lines(unlit: &[UnlitLight]) -> Vec<String> {
@@ -90,91 +80,86 @@ impl fmt::Display for Unlit {
 
 impl Explaining<'_> {
     /// Each light of the scene that adds nothing at the hit of a ray, in the scene's order.
-    pub(super) fn unlit(&self, node: &Node) -> Vec<UnlitLight> {
-        if node.outcome.hit().is_none() {
+    pub(super) fn unlit(&self, ray: &RecordedRay) -> Vec<UnlitLight> {
+        if ray.hit.is_none() {
             return Vec::new();
         }
-        let lights = (0_u32..).zip(&self.scene.lights);
-        let unlit = lights.filter_map(|(index, light)| {
+        let unlit = self.scene.lights.iter().filter_map(|light| {
             let reason = match light.enabled {
-                true => self.reason(node, index)?,
+                true => reason(ray, &light.name)?,
                 false => Unlit::SwitchedOff,
             };
-            Some(UnlitLight { light: light.name.clone(), reason })
+            Some(UnlitLight { light: light.name.as_str().into(), reason })
         });
         unlit.collect()
     }
 
-    /// Why a light that is on adds nothing; `None` if it does.
-    fn reason(&self, node: &Node, light: u32) -> Option<Unlit> {
-        if let Some((_, reason)) = node.unlit.iter().find(|(index, _)| *index == light) {
-            return Some(reason.clone());
-        }
-        let is_of_light = |recorded: &&RecordedTerm| match recorded.term.source {
-            TermSource::Ambient { light: index, .. } | TermSource::Direct { light: index, .. } => {
-                index == light
-            }
-            _ => false,
-        };
-        let mut terms = node.terms.iter().filter(is_of_light);
-        if terms.clone().any(|recorded| !recorded.term.value.is_black()) {
-            return None;
-        }
-        let RecordedTerm { term, child } = terms.next()?;
-        let shadow = child.map(|child| &self.tree.nodes()[child]);
-        if let Some(Outcome::Blocked { blocked_by }) = shadow.map(|ray| &ray.outcome) {
-            return Some(Unlit::Blocked { blocked_by: self.object(*blocked_by) });
-        }
-        let is_ambient = matches!(term.source, TermSource::Ambient { .. });
-        Some(match term.arriving.is_black() {
-            // a sample without radiance makes no direct term
-            true if !is_ambient => Unlit::Absorbed,
-            true => Unlit::Dark,
-            false => Unlit::OtherColors,
-        })
-    }
-
     /// One sentence about a ray, not a shadow ray, that brings no light: the first factor of each of its
     /// terms that is 0.
-    pub(super) fn black(&self, node: &Node, unlit: &[UnlitLight]) -> Option<String> {
-        if !node.radiance.is_black() || matches!(node.kind, RayKind::Shadow { .. }) {
+    pub(super) fn black(&self, ray: &RecordedRay) -> Option<String> {
+        if !ray.radiance.is_black() || matches!(ray.kind, RayKind::Shadow { .. }) {
             return None;
         }
-        let terms: Rgb = node.terms.iter().map(|recorded| recorded.term.value).sum();
-        Some(match &node.outcome {
+        let terms: Rgb = ray.terms.iter().map(|term| term.value).sum();
+        Some(match &ray.outcome {
             Outcome::Blocked { .. } | Outcome::Unblocked { .. } => return None,
             Outcome::TooDeep => "it is beyond the largest depth, and not cast".to_owned(),
-            Outcome::Hit { .. } | Outcome::Background if !terms.is_black() => {
+            Outcome::OverBudget => "the limit on the number of rays was reached".to_owned(),
+            Outcome::Hit | Outcome::Background if !terms.is_black() => {
                 "the medium transmits nothing over its length".to_owned()
             }
-            Outcome::Background if node.terms.iter().all(|it| it.term.arriving.is_black()) => {
+            Outcome::Background if ray.terms.iter().all(|term| term.arriving.is_black()) => {
                 "the background is black there".to_owned()
             }
             Outcome::Background => SAMPLED_BEFORE.replace("{}", "the background"),
-            Outcome::Hit { hit } => {
-                let mut zeros: Vec<String> = no_emission(node, hit).into_iter().collect();
+            Outcome::Hit => {
+                let emission = ray.hit.as_ref().and_then(|hit| no_emission(ray, hit));
+                let mut zeros: Vec<String> = emission.into_iter().collect();
                 if self.scene.lights.is_empty() {
                     zeros.push("the scene has no lights".to_owned());
                 }
-                zeros.extend(lines(unlit));
-                zeros.extend(no_traced_light(node));
+                zeros.extend(lines(&ray.unlit));
+                zeros.extend(no_traced_light(ray));
                 zeros.join("; ")
             }
         })
     }
 }
 
+/// Why a light that is on adds nothing; `None` if it does.
+fn reason(ray: &RecordedRay, light: &str) -> Option<Unlit> {
+    if let Some(known) = ray.unlit.iter().find(|unlit| &*unlit.light == light) {
+        return Some(known.reason.clone());
+    }
+    let mut terms = ray.terms.iter().filter(|term| term.light.as_deref() == Some(light));
+    if terms.clone().any(|term| !term.value.is_black()) {
+        return None;
+    }
+    let term = terms.next()?;
+    let shadow = term.ray.and_then(|number| ray.child(number));
+    if let Some(blocked_by) = shadow.and_then(|shadow| shadow.blocked_by.clone()) {
+        return Some(Unlit::Blocked { blocked_by });
+    }
+    let is_ambient = matches!(term.source, TermSource::Ambient { .. });
+    Some(match term.arriving.is_black() {
+        // a sample without radiance makes no direct term
+        true if !is_ambient => Unlit::Absorbed,
+        true => Unlit::Dark,
+        false => Unlit::OtherColors,
+    })
+}
+
 /// What global_trace says of a lamp or sky that a path meets.
 const SAMPLED_BEFORE: &str = "{} counts 0 here: it was sampled at the hit before";
 
 /// Why a material that shines adds nothing.
-fn no_emission(node: &Node, hit: &RecordedHit) -> Option<String> {
+fn no_emission(ray: &RecordedRay, hit: &RecordedHit) -> Option<String> {
     if !hit.is_emissive {
         return None;
     }
-    let is_met = node.terms.iter().any(|it| matches!(it.term.source, TermSource::Emission { .. }));
+    let is_met = ray.terms.iter().any(|it| matches!(it.source, TermSource::Emission { .. }));
     Some(match () {
-        () if !hit.shines => "its area light is switched off".to_owned(),
+        () if hit.is_switched_off => "its area light is switched off".to_owned(),
         () if is_met => SAMPLED_BEFORE.replace("{}", "the lamp"),
         () if hit.cos_o <= 0.0 => {
             let cos_o = brief(hit.cos_o);
@@ -185,10 +170,10 @@ fn no_emission(node: &Node, hit: &RecordedHit) -> Option<String> {
 }
 
 /// The rays that a hit sent and that bring nothing.
-fn no_traced_light(node: &Node) -> Option<String> {
-    let is_traced = |it: &&RecordedTerm| matches!(it.term.source, TermSource::Traced { .. });
-    let traced = node.terms.iter().filter(is_traced).filter_map(|it| it.child);
-    let numbers: Vec<String> = traced.map(|child| child.to_string()).collect();
+fn no_traced_light(ray: &RecordedRay) -> Option<String> {
+    let is_traced = |it: &&RecordedTerm| matches!(it.source, TermSource::Traced { .. });
+    let traced = ray.terms.iter().filter(is_traced).filter_map(|it| it.ray);
+    let numbers: Vec<String> = traced.map(|number| number.to_string()).collect();
     match numbers.len() {
         0 => None,
         1 => Some(format!("ray {} brings 0", numbers[0])),

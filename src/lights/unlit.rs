@@ -1,5 +1,7 @@
 //! The reasons why a light adds nothing at a hit.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 /// The reason why a light adds nothing at a hit: the first factor of its light that is 0. Cosines are those
@@ -70,7 +72,7 @@ pub enum Unlit {
     /// An object is in between.
     Blocked {
         /// Its name.
-        blocked_by: String,
+        blocked_by: Arc<str>,
     },
     /// The medium transmits nothing.
     Absorbed,

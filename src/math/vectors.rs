@@ -48,7 +48,8 @@ pub struct Point(pub(super) DVec3);
 pub struct Vector(pub(super) DVec3);
 
 /// A unit vector perpendicular to a surface; every way to make one normalises.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq, Serialize)]
+#[serde(into = "[f64; 3]")]
 pub struct Normal(pub(super) DVec3);
 
 macro_rules! coordinates {

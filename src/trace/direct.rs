@@ -3,7 +3,7 @@
 use arrayvec::ArrayVec;
 
 use super::{
-    Lamps, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing, context,
+    Budget, Lamps, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing, context,
     medium_towards, power_heuristic,
 };
 use crate::lights::{LightSample, MAX_DRAWS, Unlit};
@@ -12,7 +12,7 @@ use crate::rgb::Rgb;
 use crate::samplers::Purpose;
 use crate::world::PlacedLight;
 
-impl<R: Recorder> Tracing<'_, R> {
+impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
     /// A light's sample at a shading point, for the random numbers drawn there.
     fn sample(
         &mut self,

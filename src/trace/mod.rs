@@ -7,6 +7,7 @@
 //! Law: what arrives along a ray is `T · Σ terms`, the terms in the order in which the recorder
 //! hears them, each one local or `weight · L(child)`, and `T` the transmittance of the medium.
 
+mod budget;
 mod direct;
 mod optics;
 mod recorder;
@@ -24,20 +25,32 @@ use crate::rgb::Rgb;
 use crate::samplers::{Draws, PathKey, Purpose};
 use crate::world::{Hit, PlacedLight, World};
 
+pub use budget::{Budget, RayBudget, TooManyRays, Unlimited};
 pub use optics::Optics;
 pub use recorder::{Outcome, RayCounts, RayKind, Recorder, Term, TermSource};
 pub use shading_point::ShadingPoint;
 pub use strategy::{Direct, Lamps, Scatter, Strategy};
-pub use tree::{Node, RayTree, RecordedHit, RecordedTerm, RecordedTexture};
+pub use tree::{RayTree, RecordedHit, RecordedRay, RecordedTerm, RecordedTexture, UnlitLight};
 
 /// The radiance that arrives at the origin of a ray from the camera. The direction must be unit:
 /// distances through media are counted in `t`.
 pub fn radiance<R: Recorder>(world: &World, ray: &Ray, draws: Draws<'_>, recorder: &mut R) -> Rgb {
+    radiance_within(world, ray, draws, recorder, &mut Unlimited)
+}
+
+/// The same with a limit on the number of rays; too low once that is spent.
+pub fn radiance_within<R: Recorder, B: Budget>(
+    world: &World,
+    ray: &Ray,
+    draws: Draws<'_>,
+    recorder: &mut R,
+    budget: &mut B,
+) -> Rgb {
     let (kind, key, medium) = (RayKind::Camera, PathKey::CAMERA, world.view.medium.absorption);
     let throughput = Rgb::WHITE;
     let path = PathState { ray: *ray, kind, depth: 0, key, medium, left: None, throughput };
     let strategy = Strategy::of(world.tracer);
-    Tracing { world, strategy, draws, recorder }.cast(&path, Rgb::WHITE)
+    Tracing { world, strategy, draws, recorder, budget }.cast(&path, Rgb::WHITE)
 }
 
 /// A ray to be cast, and what it carries along its path.
@@ -66,11 +79,12 @@ struct Left {
     pdf: f64,
 }
 
-struct Tracing<'a, R> {
+struct Tracing<'a, R, B> {
     world: &'a World,
     strategy: Strategy,
     draws: Draws<'a>,
     recorder: &'a mut R,
+    budget: &'a mut B,
 }
 
 /// The terms of one node, added up in the order in which they are heard.
@@ -90,17 +104,20 @@ impl RadianceSum {
     }
 }
 
-impl<R: Recorder> Tracing<'_, R> {
+impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
     /// The radiance that arrives along a ray; the ray before it multiplies this by `weight`.
     fn cast(&mut self, path: &PathState, weight: Rgb) -> Rgb {
         let PathState { ray, kind, depth, medium, .. } = path;
         self.recorder.enter(*kind, ray, *depth, weight);
         let mut sum = RadianceSum(Rgb::BLACK);
         let mut transmittance = Rgb::WHITE;
-        if *depth > self.strategy.max_depth || self.recorder.is_full() {
+        let is_within = self.budget.spend();
+        if *depth > self.strategy.max_depth {
             self.recorder.outcome(Outcome::TooDeep);
+        } else if !is_within {
+            self.recorder.outcome(Outcome::OverBudget);
         } else if let Some(hit) = &self.world.hit(ray, Span::AHEAD) {
-            self.recorder.outcome(Outcome::Hit { hit });
+            self.recorder.outcome(Outcome::Hit);
             transmittance = medium.transmittance(hit.t);
             self.shade(path, hit, &mut sum);
         } else {

@@ -1,6 +1,6 @@
 //! The events of each ray, and the recorders that receive them.
 //!
-//! Each event has one type, from the recursion to the explanation, which only replaces indices by names.
+//! Events name lights and objects by their indices in the scene; what records them adds the names.
 
 use serde::Serialize;
 
@@ -9,13 +9,11 @@ use crate::lights::Unlit;
 use crate::lobes::{Lobe, Lobes};
 use crate::math::Ray;
 use crate::rgb::Rgb;
-use crate::world::Hit;
 
-/// The purpose of a ray. `Name` is how a light is named: by its index in the scene, or in an explanation
-/// by its name.
+/// The purpose of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
-pub enum RayKind<Name = u32> {
+pub enum RayKind {
     /// From the eye.
     Camera,
     /// Scattered to the side it came from: mirrored, or a bounce of a path.
@@ -25,23 +23,23 @@ pub enum RayKind<Name = u32> {
     /// Towards a light.
     Shadow {
         /// The light.
-        light: Name,
+        #[serde(skip)]
+        light: u32,
     },
 }
 
-/// The outcome of a ray. `Met` is the description of a hit, `Name` that of an object.
+/// The outcome of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "outcome", rename_all = "snake_case")]
-pub enum Outcome<Met, Name = u32> {
+pub enum Outcome {
     /// It met a surface.
-    Hit {
-        /// The surface.
-        hit: Met,
-    },
+    Hit,
     /// It met nothing.
     Background,
-    /// It was not cast: deeper than `max_depth`, or sent when the recorder was full.
+    /// It was not cast: deeper than `max_depth`.
     TooDeep,
+    /// It was not cast: the budget of rays was spent.
+    OverBudget,
     /// A shadow ray that reached its light.
     Unblocked {
         /// The number of transparent surfaces it passed.
@@ -50,7 +48,8 @@ pub enum Outcome<Met, Name = u32> {
     /// A shadow ray that met an object.
     Blocked {
         /// The object; there may be others.
-        blocked_by: Name,
+        #[serde(skip)]
+        blocked_by: u32,
     },
 }
 
@@ -67,10 +66,10 @@ pub struct Term {
     pub value: Rgb,
 }
 
-/// The source of a term. `Name` is how a light is named.
+/// The source of a term.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "source", rename_all = "snake_case")]
-pub enum TermSource<Name = u32> {
+pub enum TermSource {
     /// The background.
     Background {
         /// The MIS weight, if the sky is also sampled: it is the term's weight.
@@ -86,14 +85,16 @@ pub enum TermSource<Name = u32> {
     /// A light that meets the ambient reflectance.
     Ambient {
         /// The light.
-        light: Name,
+        #[serde(skip)]
+        light: u32,
         /// Whether the shadow ray before it says what arrives.
         traced: bool,
     },
     /// Light straight from a source, scattered by one lobe: the weight is `f cosθ_i / pdf`.
     Direct {
         /// The light.
-        light: Name,
+        #[serde(skip)]
+        light: u32,
         /// The lobe, with its reflectance.
         lobe: Lobe,
         /// The value of the lobe for this light and viewer, per steradian.
@@ -126,82 +127,20 @@ pub enum TermSource<Name = u32> {
     /// The light of a light's sample along a shadow ray.
     Light {
         /// The light.
-        light: Name,
+        #[serde(skip)]
+        light: u32,
     },
 }
 
-impl<Name> RayKind<Name> {
-    /// The same kind with another name of its light.
-    pub fn named<Other>(self, name: impl Fn(Name) -> Other) -> RayKind<Other> {
-        match self {
-            Self::Camera => RayKind::Camera,
-            Self::Reflected => RayKind::Reflected,
-            Self::Transmitted => RayKind::Transmitted,
-            Self::Shadow { light } => RayKind::Shadow { light: name(light) },
-        }
-    }
-}
-
-impl<Met, Name> Outcome<Met, Name> {
-    /// The same outcome with another description of its hit and another name of its object.
-    pub fn described<M, N>(
-        self,
-        describe: impl FnOnce(Met) -> M,
-        name: impl FnOnce(Name) -> N,
-    ) -> Outcome<M, N> {
-        match self {
-            Self::Hit { hit } => Outcome::Hit { hit: describe(hit) },
-            Self::Background => Outcome::Background,
-            Self::TooDeep => Outcome::TooDeep,
-            Self::Unblocked { boundaries } => Outcome::Unblocked { boundaries },
-            Self::Blocked { blocked_by } => Outcome::Blocked { blocked_by: name(blocked_by) },
-        }
-    }
-
-    /// The surface that was met.
-    pub fn hit(&self) -> Option<&Met> {
-        match self {
-            Self::Hit { hit } => Some(hit),
-            Self::Background | Self::TooDeep | Self::Unblocked { .. } | Self::Blocked { .. } => {
-                None
-            }
-        }
-    }
-}
-
-impl<Name> TermSource<Name> {
-    /// The same source with another name of its light.
-    pub fn named<Other>(self, name: impl Fn(Name) -> Other) -> TermSource<Other> {
-        match self {
-            Self::Background { mis } => TermSource::Background { mis },
-            Self::Emission { mis } => TermSource::Emission { mis },
-            Self::Ambient { light, traced } => TermSource::Ambient { light: name(light), traced },
-            Self::Direct { light, lobe, f, cos_i, pdf, mis, traced } => {
-                TermSource::Direct { light: name(light), lobe, f, cos_i, pdf, mis, traced }
-            }
-            Self::Traced { lobe, pdf, chance, survival } => {
-                TermSource::Traced { lobe, pdf, chance, survival }
-            }
-            Self::Light { light } => TermSource::Light { light: name(light) },
-        }
-    }
-}
-
-/// Receives the events of every ray. It cannot change the picture, except that a recorder which only
-/// counts may end the sample early. `()` costs nothing.
+/// Receives the events of every ray. It cannot change the picture. `()` costs nothing.
 pub trait Recorder {
     /// A ray begins; the ray before it multiplies its radiance by `weight`.
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb);
     /// Its outcome.
-    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>);
-    /// The lobes of the surface that it hit.
+    fn outcome(&mut self, outcome: Outcome);
+    /// The surface that it hit, with its lobes.
     #[inline(always)]
     fn surface(&mut self, _point: &ShadingPoint<'_>, _lobes: &Lobes) {}
-    /// Whether to stop casting rays.
-    #[inline(always)]
-    fn is_full(&self) -> bool {
-        false
-    }
     /// Two random numbers are drawn.
     #[inline(always)]
     fn draw(&mut self) {}
@@ -220,7 +159,7 @@ impl Recorder for () {
     #[inline(always)]
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {}
     #[inline(always)]
-    fn outcome(&mut self, _: Outcome<&Hit<'_>>) {}
+    fn outcome(&mut self, _: Outcome) {}
     #[inline(always)]
     fn term(&mut self, _: Term) {}
     #[inline(always)]
@@ -259,7 +198,7 @@ impl Recorder for RayCounts {
         self.draws += 1;
     }
 
-    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>) {
+    fn outcome(&mut self, outcome: Outcome) {
         if matches!(outcome, Outcome::TooDeep) {
             self.too_deep += 1;
         }
@@ -268,4 +207,43 @@ impl Recorder for RayCounts {
     fn term(&mut self, _: Term) {}
 
     fn leave(&mut self, _: Rgb, _: Rgb) {}
+}
+
+/// Two recorders hear the same.
+impl<A: Recorder, B: Recorder> Recorder for (A, B) {
+    fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
+        self.0.enter(kind, ray, depth, weight);
+        self.1.enter(kind, ray, depth, weight);
+    }
+
+    fn outcome(&mut self, outcome: Outcome) {
+        self.0.outcome(outcome);
+        self.1.outcome(outcome);
+    }
+
+    fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
+        self.0.surface(point, lobes);
+        self.1.surface(point, lobes);
+    }
+
+    fn draw(&mut self) {
+        self.0.draw();
+        self.1.draw();
+    }
+
+    fn unlit(&mut self, light: u32, why: impl FnOnce() -> Unlit) {
+        let why = why();
+        self.0.unlit(light, || why.clone());
+        self.1.unlit(light, || why);
+    }
+
+    fn term(&mut self, term: Term) {
+        self.0.term(term);
+        self.1.term(term);
+    }
+
+    fn leave(&mut self, transmittance: Rgb, arriving: Rgb) {
+        self.0.leave(transmittance, arriving);
+        self.1.leave(transmittance, arriving);
+    }
 }

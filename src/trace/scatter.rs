@@ -1,8 +1,8 @@
 //! Scattered rays from a hit: a tree of them, or a path.
 
 use super::{
-    Left, PathState, RadianceSum, RayKind, Recorder, Scatter, ShadingPoint, TermSource, Tracing,
-    context, medium_towards,
+    Budget, Left, PathState, RadianceSum, RayKind, Recorder, Scatter, ShadingPoint, TermSource,
+    Tracing, context, medium_towards,
 };
 use crate::lobes::{Bsdf, BsdfSample, Lobe};
 use crate::math::Ray;
@@ -19,7 +19,7 @@ struct Onward {
     survival: f64,
 }
 
-impl<R: Recorder> Tracing<'_, R> {
+impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
     /// Follows each lobe that does not accept the samples of lights.
     pub(super) fn follow_each(
         &mut self,

@@ -1,7 +1,8 @@
 //! Shadow rays: the visible part of a light's sample (Suffern, ch. 16).
 
 use super::{
-    Optics, Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource, Tracing, medium_towards,
+    Budget, Optics, Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource, Tracing,
+    medium_towards,
 };
 use crate::lights::{LightSample, Segment, Unlit};
 use crate::materials::Response;
@@ -34,7 +35,7 @@ enum Blockers {
     Opaque,
 }
 
-impl<R: Recorder> Tracing<'_, R> {
+impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
     /// The radiance of a light's sample that arrives, and whether a shadow ray was cast.
     pub(super) fn arriving(
         &mut self,
@@ -79,6 +80,7 @@ impl<R: Recorder> Tracing<'_, R> {
     ) -> Rgb {
         let origin = point.hit.surface.leave(sample.direction);
         let (ray, ..) = stretch(origin, sample.direction, segment);
+        self.budget.spend();
         self.recorder.enter(RayKind::Shadow { light: light.index }, &ray, 0, Rgb::WHITE);
         let from = point.hit.surface.point;
         let (boundaries, transmittance) =
@@ -103,6 +105,7 @@ impl<R: Recorder> Tracing<'_, R> {
         let origin = point.hit.surface.leave(sample.direction);
         let (ray, span, length) = stretch(origin, sample.direction, segment);
         let kind = RayKind::Shadow { light: light.index };
+        self.budget.spend();
         self.recorder.enter(kind, &ray, 0, Rgb::WHITE);
         let blockers = self.blockers(light);
         let is_simple = match blockers {
@@ -194,7 +197,7 @@ impl<R: Recorder> Tracing<'_, R> {
     }
 }
 
-impl<R> Tracing<'_, R> {
+impl<R, B> Tracing<'_, R, B> {
     /// The number of boundaries between media on the straight way from a point to a light without shadows,
     /// and the transmittance of the way: each stretch between boundaries counts with its medium. Bodies that
     /// the point is not in do not absorb, as they do not for a point in a clear medium.

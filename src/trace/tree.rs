@@ -1,5 +1,7 @@
 //! The recorder that keeps everything.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use super::recorder::{Outcome, RayKind, Recorder, Term, TermSource};
@@ -11,14 +13,19 @@ use crate::math::{Normal, Point, Ray, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
 use crate::shapes::PartPath;
 use crate::textures::Texel;
-use crate::world::Hit;
+use crate::world::{Hit, World};
 
-/// All rays of a sample; a parent comes before its children.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct RayTree {
-    nodes: Vec<Node>,
-    /// The rays that have begun and not ended.
-    open: Vec<usize>,
+/// Records all rays of a sample.
+#[derive(Clone, Debug)]
+pub struct RayTree<'a> {
+    /// Gives the names.
+    world: &'a World,
+    /// The rays that have begun and not ended, each the parent of the next.
+    open: Vec<RecordedRay>,
+    /// The camera's ray, once it has ended.
+    root: Option<RecordedRay>,
+    /// The number of rays kept.
+    count: usize,
     /// The number of open rays that are not kept.
     beyond: usize,
     /// Whether some ray was not kept.
@@ -26,44 +33,75 @@ pub struct RayTree {
 }
 
 /// The most rays that are kept: a larger tree would be unreadable and take gigabytes.
-const MAX_RAYS: usize = 1 << 20;
+const MAX_KEPT: usize = 1 << 20;
 
-/// One ray.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Node {
+/// One ray, with all rays after it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RecordedRay {
+    /// Its number in the tree: 0 is the camera's ray, the others follow in the order in which they
+    /// were cast.
+    pub number: usize,
+    /// The number of the ray that sent it; `None` for the camera's. As data, children stand in their parent.
+    #[serde(skip)]
+    pub parent: Option<usize>,
     /// Its purpose.
+    #[serde(flatten)]
     pub kind: RayKind,
-    /// The ray.
-    pub ray: Ray,
-    /// The number of edges before it; 0 for shadow rays, which end the tree.
+    /// The light of a shadow ray.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light: Option<Arc<str>>,
+    /// The number of rays before it; 0 for the camera's ray.
     pub depth: u32,
+    /// Where it starts.
+    pub origin: Point,
+    /// Its direction: unit, or of a shadow ray to a point, the way to that point.
+    pub direction: Vector,
     /// The factor of its radiance in the ray before it.
     pub weight: Rgb,
     /// Its outcome.
-    pub outcome: Outcome<RecordedHit>,
-    /// The terms of its sum, in order.
+    #[serde(flatten)]
+    pub outcome: Outcome,
+    /// The surface that it hit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hit: Option<RecordedHit>,
+    /// The object that blocked a shadow ray.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blocked_by: Option<Arc<str>>,
+    /// The terms of what leaves the surface towards its origin, in order.
     pub terms: Vec<RecordedTerm>,
-    /// The lights that were not counted at its hit, by their indices.
-    pub unlit: Vec<(u32, Unlit)>,
+    /// The lights that add nothing at its hit. The tree knows those that tracing left out; an explanation adds
+    /// those that are blocked, dark or switched off.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unlit: Vec<UnlitLight>,
+    /// Of an explained ray that brings no light and is no shadow ray, one sentence: which factors are 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub black: Option<String>,
     /// The transmittance of its medium.
     pub transmittance: Rgb,
-    /// The radiance that arrives at its origin.
+    /// The radiance that arrives at its origin: the transmittance times the sum of the terms.
     pub radiance: Rgb,
-    /// The indices of the rays it sent, in order.
-    pub children: Vec<usize>,
+    /// The contribution of it and of all rays after it to their sample; worked out by an explanation.
+    pub contribution: Rgb,
+    /// The contribution of its own terms, without another ray.
+    pub own_contribution: Rgb,
+    /// The part of its sample that it adds, from 0 to 1, averaged over the channels; 0 in a black sample.
+    pub share: f64,
+    /// The rays it sent, in order.
+    pub children: Vec<RecordedRay>,
 }
 
-/// A hit that was recorded.
-#[derive(Clone, Debug, PartialEq)]
+/// The surface that a ray hit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RecordedHit {
+    /// The object.
+    pub object: Arc<str>,
+    /// The material of the part that is hit.
+    pub material: Arc<str>,
+    /// Which of the shapes nested in the object's, and which part of the innermost.
+    #[serde(skip_serializing_if = "PartPath::is_empty")]
+    pub path: PartPath,
     /// Along the ray.
     pub t: f64,
-    /// The object's index in the scene.
-    pub object: u32,
-    /// The index of the material of the part that is hit.
-    pub material: u32,
-    /// Which of the shapes nested in the object's, and which part of the innermost.
-    pub path: PartPath,
     /// The hit point.
     pub point: Point,
     /// Bound of the distance between the point and the true surface.
@@ -71,22 +109,27 @@ pub struct RecordedHit {
     /// The true normal.
     pub normal: Normal,
     /// The normal used for shading.
-    pub shading: Normal,
+    pub shading_normal: Normal,
     /// Whether the ray met the side the normal points to.
     pub front: bool,
     /// The angle of incidence: between the ray and the true normal, in degrees from 0 to 90.
     pub angle_of_incidence: f64,
-    /// How light divides there, if the surface refracts.
-    pub optics: Option<Optics>,
-    /// Whether its material shines.
-    pub is_emissive: bool,
-    /// Whether the object may shine: not while it is the lamp of a light that is off.
-    pub shines: bool,
     /// The cosine between the true normal and the direction to the viewer; of a two-sided surface, not
     /// negative.
+    #[serde(skip)]
     pub cos_o: f64,
+    /// How light divides there, if the surface refracts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub optics: Option<Optics>,
     /// The values of its material's textures there.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub textures: Vec<RecordedTexture>,
+    /// Whether its material shines.
+    #[serde(skip)]
+    pub is_emissive: bool,
+    /// Whether it is the lamp of an area light that is off, and so does not shine.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub is_switched_off: bool,
 }
 
 /// The value of a material's texture at a hit.
@@ -101,27 +144,62 @@ pub struct RecordedTexture {
     pub texel: Option<Texel>,
 }
 
+/// One term of what leaves a surface: `weight · arriving`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RecordedTerm {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub source: TermSource,
+    /// The light that it comes from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light: Option<Arc<str>>,
+    /// What the arriving light is multiplied by.
+    pub weight: Rgb,
+    /// The light that arrives.
+    pub arriving: Rgb,
+    /// Their product.
+    pub value: Rgb,
+    /// The contribution to its sample; worked out by an explanation.
+    pub contribution: Rgb,
+    /// The part of its sample that it adds, from 0 to 1, averaged over the channels; 0 in a black sample.
+    pub share: f64,
+    /// The number of the ray that the light comes along, if it took one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ray: Option<usize>,
+}
+
+/// A light that adds nothing at a hit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UnlitLight {
+    /// Its name.
+    pub light: Arc<str>,
+    /// The reason.
+    #[serde(flatten)]
+    pub reason: Unlit,
+}
+
 impl RecordedHit {
-    fn of(hit: &Hit<'_>, ray: &Ray) -> Self {
-        let Hit { t, surface, .. } = hit;
-        let along = surface.normal.dot(ray.direction).abs();
-        let across = Vector::from(surface.normal).cross(ray.direction).length();
+    fn of(point: &ShadingPoint<'_>, lobes: &Lobes) -> Self {
+        let hit = point.hit;
+        let along = hit.surface.normal.dot(point.wo).abs();
+        let across = Vector::from(hit.surface.normal).cross(point.wo).length();
+        let is_emissive = hit.material.recipe.emission().is_some();
         Self {
-            t: *t,
-            object: hit.object.index,
-            material: hit.material.index,
+            object: Arc::clone(&hit.object.name),
+            material: Arc::clone(&hit.material.name),
             path: hit.path(),
-            point: surface.point,
-            error: surface.error,
-            normal: surface.normal,
-            shading: hit.shading_normal(),
+            t: hit.t,
+            point: hit.surface.point,
+            error: hit.surface.error,
+            normal: hit.surface.normal,
+            shading_normal: hit.shading_normal(),
             front: hit.front,
             angle_of_incidence: to_degrees(atan2(across, along)),
-            optics: None,
-            is_emissive: hit.material.recipe.emission().is_some(),
-            shines: hit.object.shines,
-            cos_o: ShadingPoint::new(hit, -ray.direction).cos_o,
+            cos_o: point.cos_o,
+            optics: Optics::of(point, lobes),
             textures: recorded_textures(hit),
+            is_emissive,
+            is_switched_off: !hit.object.shines,
         }
     }
 }
@@ -136,27 +214,51 @@ fn recorded_textures(hit: &Hit<'_>) -> Vec<RecordedTexture> {
     hit.material.recipe.textures(&at).into_iter().map(recorded).collect()
 }
 
-/// A term, and the ray it comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RecordedTerm {
-    /// The term.
-    pub term: Term,
-    /// The ray whose radiance it weighs; `None` for a local term.
-    pub child: Option<usize>,
+impl RecordedRay {
+    /// It and all rays after it, in the order of their numbers.
+    pub fn rays(&self) -> Vec<&Self> {
+        let mut rays = vec![self];
+        rays.extend(self.children.iter().flat_map(Self::rays));
+        rays
+    }
+
+    /// The child of this number.
+    pub fn child(&self, number: usize) -> Option<&Self> {
+        self.children.iter().find(|child| child.number == number)
+    }
+
+    /// The radiance by the law `T · Σ terms`, computed again from its terms and children.
+    pub fn folded(&self) -> Rgb {
+        let value = |term: &RecordedTerm| match term.ray.and_then(|ray| self.child(ray)) {
+            Some(child) => term.weight * child.radiance,
+            None => term.value,
+        };
+        self.transmittance * self.terms.iter().map(value).sum()
+    }
 }
 
-impl RayTree {
-    /// The rays; a parent comes before its children.
-    pub fn nodes(&self) -> &[Node] {
-        &self.nodes
+impl<'a> RayTree<'a> {
+    /// Records a sample of this world.
+    pub fn of(world: &'a World) -> Self {
+        Self { world, open: Vec::new(), root: None, count: 0, beyond: 0, cut: false }
+    }
+
+    /// The camera's ray with all rays after it; `None` if no ray was cast.
+    pub fn into_root(self) -> Option<RecordedRay> {
+        self.root
+    }
+
+    /// The rays in the order of their numbers; a parent comes before its children.
+    pub fn rays(&self) -> Vec<&RecordedRay> {
+        self.root.as_ref().map_or(Vec::new(), RecordedRay::rays)
     }
 
     /// The camera's ray.
     ///
     /// # Panics
     /// If nothing was recorded.
-    pub fn root(&self) -> &Node {
-        &self.nodes[0]
+    pub fn root(&self) -> &RecordedRay {
+        self.root.as_ref().expect("a sample was recorded")
     }
 
     /// Whether every ray was kept: at most about a million are.
@@ -164,84 +266,99 @@ impl RayTree {
         !self.cut
     }
 
-    /// The radiance of the ray by the law `T · Σ terms`, computed again from its terms.
-    pub fn folded(&self, node: &Node) -> Rgb {
-        let value = |recorded: &RecordedTerm| match recorded.child {
-            Some(child) => recorded.term.weight * self.nodes[child].radiance,
-            None => recorded.term.value,
-        };
-        node.transmittance * node.terms.iter().map(value).sum()
-    }
-
-    fn current(&mut self) -> &mut Node {
-        let at = *self.open.last().expect("a ray has begun");
-        &mut self.nodes[at]
+    /// The ray that events are about, if it is kept.
+    fn current(&mut self) -> Option<&mut RecordedRay> {
+        if self.beyond > 0 { None } else { self.open.last_mut() }
     }
 }
 
-impl Recorder for RayTree {
-    fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
-        let at = self.nodes.len();
-        if self.beyond > 0 || at >= MAX_RAYS {
+impl Recorder for RayTree<'_> {
+    fn enter(&mut self, kind: RayKind, ray: &Ray, _: u32, weight: Rgb) {
+        let number = self.count;
+        if self.beyond > 0 || number >= MAX_KEPT {
             self.beyond += 1;
             self.cut = true;
             return;
         }
-        if !self.open.is_empty() {
-            self.current().children.push(at);
-        }
-        self.open.push(at);
-        self.nodes.push(Node {
+        self.count += 1;
+        let light = match kind {
+            RayKind::Shadow { light } => Some(self.world.light_name(light)),
+            RayKind::Camera | RayKind::Reflected | RayKind::Transmitted => None,
+        };
+        let parent = self.open.last();
+        self.open.push(RecordedRay {
+            number,
+            parent: parent.map(|parent| parent.number),
             kind,
-            ray: *ray,
-            depth,
+            light,
+            depth: parent.map_or(0, |parent| parent.depth + 1),
+            origin: ray.origin,
+            direction: ray.direction,
             weight,
             outcome: Outcome::Background,
+            hit: None,
+            blocked_by: None,
             terms: Vec::new(),
             unlit: Vec::new(),
+            black: None,
             transmittance: Rgb::WHITE,
             radiance: Rgb::BLACK,
+            contribution: Rgb::BLACK,
+            own_contribution: Rgb::BLACK,
+            share: 0.0,
             children: Vec::new(),
         });
     }
 
-    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>) {
-        if self.beyond > 0 {
-            return;
+    fn outcome(&mut self, outcome: Outcome) {
+        let blocked_by = match outcome {
+            Outcome::Blocked { blocked_by } => Some(self.world.object_name(blocked_by)),
+            _ => None,
+        };
+        if let Some(ray) = self.current() {
+            (ray.outcome, ray.blocked_by) = (outcome, blocked_by);
         }
-        let node = self.current();
-        node.outcome = outcome.described(|hit| RecordedHit::of(hit, &node.ray), |object| object);
     }
 
     fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
-        if self.beyond > 0 {
-            return;
-        }
-        if let Outcome::Hit { hit } = &mut self.current().outcome {
-            hit.optics = Optics::of(point, lobes);
+        if let Some(ray) = self.current() {
+            ray.hit = Some(RecordedHit::of(point, lobes));
         }
     }
 
     fn unlit(&mut self, light: u32, why: impl FnOnce() -> Unlit) {
-        if self.beyond == 0 {
-            self.current().unlit.push((light, why()));
+        let name = self.world.light_name(light);
+        if let Some(ray) = self.current() {
+            ray.unlit.push(UnlitLight { light: name, reason: why() });
         }
     }
 
     fn term(&mut self, term: Term) {
-        if self.beyond > 0 {
-            return;
-        }
-        let from_ray = match term.source {
-            TermSource::Traced { .. } => true,
-            TermSource::Direct { traced, .. } | TermSource::Ambient { traced, .. } => traced,
-            TermSource::Background { .. }
-            | TermSource::Emission { .. }
-            | TermSource::Light { .. } => false,
+        let Term { source, weight, arriving, value } = term;
+        let (light, from_ray) = match source {
+            TermSource::Traced { .. } => (None, true),
+            TermSource::Direct { light, traced, .. } | TermSource::Ambient { light, traced } => {
+                (Some(light), traced)
+            }
+            TermSource::Light { light } => (Some(light), false),
+            TermSource::Background { .. } | TermSource::Emission { .. } => (None, false),
         };
-        let node = self.current();
-        let child = if from_ray { node.children.last().copied() } else { None };
-        node.terms.push(RecordedTerm { term, child });
+        let light = light.map(|light| self.world.light_name(light));
+        if let Some(ray) = self.current() {
+            let from = ray.children.last().filter(|_| from_ray).map(|child| child.number);
+            let (contribution, share) = (Rgb::BLACK, 0.0);
+            let term = RecordedTerm {
+                source,
+                light,
+                weight,
+                arriving,
+                value,
+                contribution,
+                share,
+                ray: from,
+            };
+            ray.terms.push(term);
+        }
     }
 
     fn leave(&mut self, transmittance: Rgb, arriving: Rgb) {
@@ -249,9 +366,11 @@ impl Recorder for RayTree {
             self.beyond -= 1;
             return;
         }
-        let node = self.current();
-        node.transmittance = transmittance;
-        node.radiance = arriving;
-        self.open.pop();
+        let mut ray = self.open.pop().expect("a ray has begun");
+        (ray.transmittance, ray.radiance) = (transmittance, arriving);
+        match self.open.last_mut() {
+            Some(parent) => parent.children.push(ray),
+            None => self.root = Some(ray),
+        }
     }
 }

@@ -64,7 +64,7 @@ pub struct World {
 #[derive(Debug)]
 pub struct PlacedLight {
     /// Its name.
-    pub name: String,
+    pub name: Arc<str>,
     /// Its index in the scene; lights and objects that are switched off count.
     pub index: u32,
     /// Whether objects block it.
@@ -77,7 +77,7 @@ pub struct PlacedLight {
 #[derive(Debug)]
 pub struct PlacedMaterial {
     /// Its name.
-    pub name: String,
+    pub name: Arc<str>,
     /// Its index in the scene.
     pub index: u32,
     /// Whether the back is shaded as the front.
@@ -95,7 +95,7 @@ pub struct PlacedMaterial {
 #[derive(Debug)]
 pub struct PlacedObject {
     /// Its name.
-    pub name: String,
+    pub name: Arc<str>,
     /// Its index in the scene; lights and objects that are switched off count.
     pub index: u32,
     /// The index of its material; parts may have their own.
@@ -174,6 +174,24 @@ impl World {
         let query = RayQuery { objects: &self.objects, ray };
         let (index, _) = self.accel.any(&query, ray, span)?;
         Some(&self.objects.0[index as usize])
+    }
+
+    /// The name of a light that is on, by its index in the scene.
+    ///
+    /// # Panics
+    /// If there is no such light.
+    pub fn light_name(&self, index: u32) -> Arc<str> {
+        let light = self.lights.iter().find(|light| light.index == index);
+        Arc::clone(&light.expect("it is on").name)
+    }
+
+    /// The name of an object that is on, by its index in the scene.
+    ///
+    /// # Panics
+    /// If there is no such object.
+    pub fn object_name(&self, index: u32) -> Arc<str> {
+        let at = self.objects.0.binary_search_by_key(&index, |object| object.index);
+        Arc::clone(&self.objects.0[at.expect("it is on")].name)
     }
 
     /// The objects that are on.

@@ -58,7 +58,7 @@ pub(super) fn placed_lights(
                 let problem = format!("`{name}` is the lamp of the light \"{other}\" already");
                 return Err(here(Invalid::field("object", problem).inside("area")));
             }
-            for object in objects.iter_mut().filter(|object| object.name == name) {
+            for object in objects.iter_mut().filter(|object| &*object.name == name) {
                 object.shines = light.enabled;
                 object.lamp_of = light.enabled.then_some(lights.len() as u32);
             }
@@ -71,7 +71,7 @@ pub(super) fn placed_lights(
             return Err(here(Invalid::field("environment", problem)));
         }
         if light.enabled {
-            let (name, index, shadows) = (light.name.clone(), index as u32, light.shadows);
+            let (name, index, shadows) = (light.name.as_str().into(), index as u32, light.shadows);
             lights.push(PlacedLight { name, index, shadows, light: built });
         }
     }
@@ -94,7 +94,7 @@ fn lights_context(
         let material = &materials[object.material as usize];
         let (shape, two_sided) = (Arc::clone(&object.shape), material.two_sided);
         let emission = material.recipe.emission().cloned();
-        context.objects.insert(object.name.clone(), LampObject { shape, emission, two_sided });
+        context.objects.insert(object.name.to_string(), LampObject { shape, emission, two_sided });
     }
     context
 }
@@ -114,7 +114,7 @@ pub(super) fn placed_materials(
             let problem = "a transparent material must know its inside and cannot be two-sided";
             return Err(here(Invalid::field("two_sided", problem)));
         }
-        let (name, index) = (material.name.clone(), index as u32);
+        let (name, index) = (material.name.as_str().into(), index as u32);
         let (two_sided, casts_shadows) = (material.two_sided, material.casts_shadows);
         let needs_uv = resources.uses_of_uv() > uses_before;
         Ok(PlacedMaterial { name, index, two_sided, recipe, bump, casts_shadows, needs_uv })
@@ -161,7 +161,9 @@ pub(super) fn placed_objects(
 ) -> Result<(Vec<PlacedObject>, Vec<String>), Invalid> {
     let known: BTreeMap<String, PartMaterial> = materials
         .iter()
-        .map(|m| (m.name.clone(), PartMaterial { index: m.index, casts_shadows: m.casts_shadows }))
+        .map(|m| {
+            (m.name.to_string(), PartMaterial { index: m.index, casts_shadows: m.casts_shadows })
+        })
         .collect();
     unique("objects", scene.objects.iter().map(|object| object.name.as_str()))?;
     check_epsilon(scene.epsilon, scene.uses_textbook())?;
@@ -193,7 +195,7 @@ pub(super) fn placed_objects(
             recipe.boundary().is_some()
         };
         objects.push(PlacedObject {
-            name: object.name.clone(),
+            name: object.name.as_str().into(),
             index: index as u32,
             material: material.index,
             casts_shadows: made_of.iter().any(blocks),

@@ -8,8 +8,8 @@ use clap::{Args, ValueEnum};
 use groundtruth::explain;
 use groundtruth::film::{self, Tone};
 use groundtruth::printable;
-use groundtruth::ray_budget::{self, MAX_COUNTED};
 use groundtruth::render::{self, Canvas};
+use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -64,7 +64,7 @@ impl Render {
             None => Canvas::new(&world),
         });
         explain::notes(&world).iter().for_each(|note| eprintln!("note: {}", printable::text(note)));
-        let rays = ray_budget::measured(&world, MAX_COUNTED);
+        let rays = RaysPerSample::measured(&world, MAX_COUNTED);
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
         rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));
         let loaded = start.elapsed();

@@ -2,11 +2,11 @@
 
 use groundtruth::accel;
 use groundtruth::invalid::Invalid;
-use groundtruth::ray_budget::{self, MAX_COUNTED, RayCounter};
+use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Kind, Shape};
-use groundtruth::trace::Recorder;
+use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
 
 /// Bytes of a line; an inline scene fits, a mesh belongs into a file.
@@ -102,7 +102,7 @@ pub(super) fn traceable(
     world: &World,
     primitives: u64,
     samples: f64,
-    look: impl FnOnce(&World, &mut RayCounter) -> Rgb,
+    look: impl FnOnce(&World, &mut RayBudget) -> Rgb,
 ) -> Result<u64, Invalid> {
     let tests = match scene.accel {
         // a teapot in a stadium is in one cell
@@ -111,17 +111,12 @@ pub(super) fn traceable(
     };
     let tests = tests.max(1.0);
     let most = (MAX_WORK / tests) as u64;
-    let mut asked = RayCounter::up_to(most.min(MAX_COUNTED));
-    asked.count(|counter| look(world, counter));
-    if asked.is_full() {
-        return Err(Invalid::new(format!(
-            "a single sample casts more than {} rays; lower the scene's max_depth",
-            most.min(MAX_COUNTED)
-        )));
-    }
-    let all = ray_budget::measured(world, most);
+    let mut asked = RayBudget::up_to(most.min(MAX_COUNTED));
+    look(world, &mut asked);
+    asked.check(|| "a single sample".to_owned()).map_err(|e| Invalid::new(e.to_string()))?;
+    let all = RaysPerSample::measured(world, most);
     let about = if all.is_cut { "at least" } else { "about" };
-    let work = asked.estimate().mean.max(all.mean) * samples * tests;
+    let work = (asked.spent() as f64).max(all.mean) * samples * tests;
     if work > MAX_WORK {
         return Err(Invalid::new(format!(
             "this would take {about} {work:.0e} tests of a ray and an object, and at most \

@@ -11,10 +11,9 @@ use super::numbers::{RayData, Triple, color};
 use super::{camera_ray, limits};
 use groundtruth::invalid::{Invalid, Key};
 use groundtruth::math::Ray;
-use groundtruth::ray_budget::RayCounter;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, SceneError};
-use groundtruth::trace::Recorder;
+use groundtruth::trace::RayBudget;
 use groundtruth::world::{self, DEFAULT_SEED, World};
 use groundtruth::{gallery, render, trace};
 
@@ -90,19 +89,15 @@ impl super::Question for Radiance {
         }
         let seed = self.seed.unwrap_or(DEFAULT_SEED);
         let (mut world, most) = self.world(seed, &looks, f64::from(replicas))?;
-        let mut rays = RayCounter::up_to(most);
+        let mut budget = RayBudget::up_to(most);
         let mut values = Vec::with_capacity(replicas as usize);
         for i in 0..replicas {
             if i > 0 {
                 world.reseed(seed.wrapping_add(u64::from(i)));
             }
-            values.push(looks.value(&world, &mut rays));
-            if rays.is_full() {
-                return Err(Invalid::new(format!(
-                    "this casts more than {most} rays; ask for fewer samples or replicas, or lower the \
-                     scene's max_depth"
-                )));
-            }
+            values.push(looks.value(&world, &mut budget));
+            let asked = || format!("{replicas} replicas");
+            budget.check(asked).map_err(|e| Invalid::new(e.to_string()))?;
         }
         let mean = render::mean(values.iter().copied());
         Ok(Answer {
@@ -121,16 +116,18 @@ enum Looks {
 }
 
 impl Looks {
-    fn sample<R: Recorder>(&self, world: &World, index: u32, recorder: &mut R) -> Rgb {
+    fn sample(&self, world: &World, index: u32, budget: &mut RayBudget) -> Rgb {
         match self {
-            Self::AtPixel(pixel) => render::sample(world, *pixel, index, recorder),
-            Self::Along(ray) => trace::radiance(world, ray, world.draws([0, 0], index), recorder),
+            Self::AtPixel(pixel) => render::sample_within(world, *pixel, index, &mut (), budget),
+            Self::Along(ray) => {
+                trace::radiance_within(world, ray, world.draws([0, 0], index), &mut (), budget)
+            }
         }
     }
 
     /// The value of a pixel, or the mean of as many samples along a ray.
-    fn value(&self, world: &World, rays: &mut RayCounter) -> Rgb {
-        let samples = (0..world.samples_per_pixel()).map(|i| self.sample(world, i, rays));
+    fn value(&self, world: &World, budget: &mut RayBudget) -> Rgb {
+        let samples = (0..world.samples_per_pixel()).map(|i| self.sample(world, i, budget));
         match self {
             Self::AtPixel(_) => render::expose(world, samples),
             Self::Along(_) => render::mean(samples),
@@ -178,8 +175,8 @@ impl Radiance {
         }
         let samples = f64::from(world.samples_per_pixel());
         let samples = samples * replicas;
-        let most = limits::traceable(&scene, &world, primitives, samples, |world, counter| {
-            looks.sample(world, 0, counter)
+        let most = limits::traceable(&scene, &world, primitives, samples, |world, budget| {
+            looks.sample(world, 0, budget)
         })?;
         Ok((world, most))
     }

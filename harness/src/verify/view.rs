@@ -3,12 +3,13 @@
 use serde::{Deserialize, Serialize};
 
 use groundtruth::film::{Film, Tone};
+use groundtruth::lobes::Lobes;
 use groundtruth::math::Ray;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use groundtruth::trace::{Outcome, RayKind, Recorder, Term};
-use groundtruth::world::{Hit, World};
+use groundtruth::trace::{Outcome, RayKind, Recorder, ShadingPoint, Term};
+use groundtruth::world::World;
 
 /// A way to look at a scene. Beauty hides where a bug is; the others show it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -94,7 +95,6 @@ impl View {
 #[derive(Default)]
 struct FirstHit {
     rays: u32,
-    seen: bool,
     t: f64,
     object: u32,
     normal: Rgb,
@@ -111,16 +111,18 @@ impl Recorder for FirstHit {
         self.rays += 1;
     }
 
-    fn outcome(&mut self, outcome: Outcome<&Hit<'_>>) {
-        if matches!(outcome, Outcome::TooDeep) {
+    fn outcome(&mut self, outcome: Outcome) {
+        if outcome == Outcome::TooDeep {
             self.rays -= 1; // it was not cast
         }
-        if let (Outcome::Hit { hit }, false) = (outcome, self.seen) {
-            self.t = hit.t;
-            self.object = hit.object.index + 1;
-            self.normal = hit.surface.normal.to_array().into();
+    }
+
+    fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
+        if self.rays == 1 {
+            self.t = point.hit.t;
+            self.object = point.hit.object.index + 1;
+            self.normal = point.hit.surface.normal.to_array().into();
         }
-        self.seen = true;
     }
 
     fn term(&mut self, _: Term) {}

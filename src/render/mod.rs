@@ -4,6 +4,8 @@
 //! pixel of it, and any number of threads agree bit for bit. Users count pixels from the top left;
 //! the book's rows count up, only here.
 
+mod estimate;
+
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
@@ -14,8 +16,10 @@ use crate::math::{Ray, maps};
 use crate::rgb::Rgb;
 use crate::samplers::Purpose;
 use crate::scene::Image;
-use crate::trace::{self, Recorder};
+use crate::trace::{self, Budget, Recorder, Unlimited};
 use crate::world::World;
+
+pub use estimate::{MAX_COUNTED, RaysPerSample};
 
 /// The result of filter and camera for one pixel sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,9 +69,21 @@ pub fn image_point(image: &Image, [x, y]: [f64; 2]) -> [f64; 2] {
 /// The radiance of one sample of one pixel (x right, y down, from 0 at the top left), weighed by the
 /// filter.
 pub fn sample<R: Recorder>(world: &World, pixel: [u32; 2], index: u32, recorder: &mut R) -> Rgb {
+    sample_within(world, pixel, index, recorder, &mut Unlimited)
+}
+
+/// The same with a limit on the number of rays; too low once that is spent.
+pub fn sample_within<R: Recorder, B: Budget>(
+    world: &World,
+    pixel: [u32; 2],
+    index: u32,
+    recorder: &mut R,
+    budget: &mut B,
+) -> Rgb {
     match camera_sample(world, pixel, index) {
         Some(CameraSample { pixel, weight, ray: Some(ray), .. }) => {
-            weight * trace::radiance(world, &ray, world.draws(pixel, index), recorder)
+            weight
+                * trace::radiance_within(world, &ray, world.draws(pixel, index), recorder, budget)
         }
         _ => Rgb::BLACK,
     }

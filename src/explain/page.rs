@@ -1,0 +1,158 @@
+//! The explanation of a pixel as text.
+
+use std::fmt::{self, Write as _};
+
+use super::text::{brief, count, percent, short};
+use super::{
+    Outline, PixelExplanation, Row, SampleExplanation, Source, SourceExplanation, Sources,
+};
+use crate::printable::{self, name};
+use crate::trace::RecordedRay;
+
+impl PixelExplanation {
+    /// The explanation as text; rays that add less than `min_share` of their sample are folded. With
+    /// `largest` only the path that carries most light is shown.
+    pub fn text(&self, min_share: f64, largest: bool) -> String {
+        let mut text = String::new();
+        self.write(&mut text, min_share, largest).expect("a string takes everything");
+        text
+    }
+
+    fn write(&self, f: &mut String, min_share: f64, largest: bool) -> fmt::Result {
+        let [x, y] = self.pixel;
+        let samples = self.samples.len();
+        writeln!(f, "pixel ({x}, {y}), {samples} of {} samples", self.samples_per_pixel)?;
+        self.notes.iter().try_for_each(|note| writeln!(f, "{}", printable::text(note)))?;
+        for sample in &self.samples {
+            writeln!(f)?;
+            sample.write(f, min_share, largest)?;
+        }
+        writeln!(f)?;
+        let mut samples: Vec<_> = self.samples.iter().collect();
+        samples.sort_by(|a, b| b.radiance.average().total_cmp(&a.radiance.average()));
+        for sample in samples {
+            writeln!(f, "sample {:>4}: {:?}", sample.index, sample.radiance.to_array())?;
+        }
+        let exposure = match self.exposure_time {
+            1.0 => String::new(),
+            time => format!(", exposure time {time}"),
+        };
+        let count = self.samples_per_pixel;
+        if let Some(error) = self.statistics.standard_error {
+            let [least, greatest] = [self.statistics.least, self.statistics.greatest]
+                .map(|index| format!("{} (sample {index})", short(self.radiances[index as usize])));
+            let error = short(error);
+            writeln!(f, "samples: least {least}, greatest {greatest}, standard error {error}")?;
+        }
+        for (words, sources) in self.sources.lists() {
+            writeln!(f)?;
+            writeln!(f, "{words}")?;
+            table(sources).iter().try_for_each(|line| writeln!(f, "  {line}"))?;
+        }
+        writeln!(f)?;
+        let radiance = self.radiance.to_array();
+        writeln!(f, "the pixel is the mean of {count}{exposure}: {radiance:?}")
+    }
+}
+
+impl Source {
+    /// `light "lamp"`.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Emission => "emission, seen directly".to_owned(),
+            Self::Background => "background, seen directly".to_owned(),
+            Self::Light { light, .. } => format!("light \"{}\"", name(light)),
+            Self::Lobe { lobe } => (*lobe).to_owned(),
+        }
+    }
+}
+
+impl Sources {
+    /// The two ways to divide the pixel's light, each with its description.
+    pub fn lists(&self) -> [(&'static str, &[SourceExplanation]); 2] {
+        let by_entry = "the pixel by where light enters: a light's samples at all hits; what a lobe's rays meet";
+        let by_first_hit =
+            "the pixel by its first hit: a light's samples there; all light along a lobe's rays";
+        [(by_entry, &self.by_entry), (by_first_hit, &self.by_first_hit)]
+    }
+}
+
+/// A list of sources as lines of a table, the titles first.
+pub fn table(sources: &[SourceExplanation]) -> Vec<String> {
+    let row = |row: &SourceExplanation| {
+        let deviation = row.standard_deviation.map_or("one sample".to_owned(), short);
+        [row.source.name(), short(row.mean), deviation]
+    };
+    let titles = ["source", "mean", "standard deviation"].map(str::to_owned);
+    let rows: Vec<[String; 3]> = std::iter::once(titles).chain(sources.iter().map(row)).collect();
+    let width = |column: usize| {
+        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
+    };
+    let (names, means) = (width(0), width(1));
+    rows.iter()
+        .map(|[name, mean, deviation]| format!("{name:names$}  {mean:means$}  {deviation}"))
+        .collect()
+}
+
+impl SampleExplanation {
+    fn write(&self, f: &mut String, min_share: f64, largest: bool) -> fmt::Result {
+        let index = self.index;
+        let Some([px, py]) = self.film else {
+            return writeln!(f, "sample {index}: between the two images, no ray");
+        };
+        write!(f, "sample {index} at ({}, {}) on the view plane", brief(px), brief(py))?;
+        if let Some([lx, ly]) = self.lens {
+            write!(f, ", ({}, {}) on the lens", brief(lx), brief(ly))?;
+        }
+        if self.weight != 1.0 {
+            write!(f, ", counts {} by the filter", brief(self.weight))?;
+        }
+        writeln!(f)?;
+        match &self.ray {
+            None => writeln!(f, "no ray: the camera sees nothing there")?,
+            Some(root) if largest => write_rows(f, &path_of_the_light(root))?,
+            Some(root) => write_rows(f, &Outline::folding_below(min_share).rows(root))?,
+        }
+        if !self.complete {
+            writeln!(
+                f,
+                "(cut off: the tree has more rays; a smaller max_depth makes a smaller one)"
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// The rays along which most of the light comes, as a chain.
+fn path_of_the_light(root: &RecordedRay) -> Vec<Row<'_>> {
+    let path = std::iter::successors(Some(root), |ray| ray.largest_child());
+    path.map(|ray| Row::Ray { ray, term: None, indent: 0 }).collect()
+}
+
+/// The share of each ray at the left, its line, and its details below.
+fn write_rows(f: &mut String, rows: &[Row<'_>]) -> fmt::Result {
+    for row in rows {
+        match row {
+            Row::Ray { ray, indent, .. } => {
+                let pad = "    ".repeat(*indent);
+                let (share, contribution) = (percent(ray.share), short(ray.contribution));
+                writeln!(f, "{share:>7}  {pad}{}  contributes {contribution}", ray.line())?;
+                for line in ray.details() {
+                    writeln!(f, "         {pad}      {line}")?;
+                }
+            }
+            // among the ray's details
+            Row::Local { .. } => {}
+            Row::Folded { parent, indent, rays, share } => {
+                let pad = "    ".repeat(*indent);
+                let rays = count(*rays, "more ray");
+                writeln!(
+                    f,
+                    "{:>7}  {pad}{rays} from {parent} (--min-share 0 shows all)",
+                    percent(*share)
+                )?;
+            }
+        }
+    }
+    Ok(())
+}
