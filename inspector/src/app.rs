@@ -9,21 +9,22 @@ use eframe::egui::{
 use groundtruth::explain;
 use groundtruth::scene::Scene;
 
-use crate::explanation::Selection;
-use crate::image_settings::ImageSettings;
-use crate::kept::Kept;
-use crate::keys::{self, Shortcut};
-use crate::panels::{self, Fields, Wish};
-use crate::picture::{self, Picture};
-use crate::saving::Saving;
-use crate::scene_picker::ScenePicker;
-use crate::splits::Splits;
-use crate::switches;
-use crate::trail;
-use crate::tree::Tree;
-use crate::view::parse_pixel;
-use crate::watch::Watch;
-use crate::worker::{Background, Loaded, Progress, Rendering};
+use crate::explanation::selection::Selection;
+use crate::explanation::trail;
+use crate::explanation::tree::Tree;
+use crate::picture::display::{self, Picture};
+use crate::picture::image_settings::ImageSettings;
+use crate::picture::saving::Saving;
+use crate::picture::view::parse_pixel;
+use crate::picture::worker::{Background, Progress, Rendering};
+use crate::scene::picker::ScenePicker;
+use crate::scene::source::Loaded;
+use crate::scene::switches;
+use crate::scene::watch::Watch;
+use crate::window::keys::{self, Shortcut};
+use crate::window::panels::{self, Action, Fields};
+use crate::window::splits::Splits;
+use crate::window::stored_settings::StoredSettings;
 
 /// The whole state of the window.
 pub struct Inspector {
@@ -52,7 +53,7 @@ pub struct Inspector {
     splits: Splits,
     is_showing_keys: bool,
     /// The pixel under the mouse.
-    over: Option<[u32; 2]>,
+    hovered: Option<[u32; 2]>,
     title: String,
 }
 
@@ -62,13 +63,13 @@ impl Inspector {
         let (wanted, seed) = (loaded.scene.clone(), loaded.world.seed);
         let watch = loaded.watch.take().unwrap_or_default();
         let rendering = Rendering::start(ctx, loaded);
-        let picture = Picture::new(picture::tone_of(&rendering));
+        let picture = Picture::new(display::tone_of(&rendering));
         Self {
             title: String::new(),
             rendering,
             picture,
             selection: Selection::default(),
-            fields: Fields { save: Kept::default().save, ..Fields::default() },
+            fields: Fields { save: StoredSettings::default().save, ..Fields::default() },
             message: None,
             picker: ScenePicker::default(),
             wanted,
@@ -80,7 +81,7 @@ impl Inspector {
             settings: ImageSettings::default(),
             splits: Splits::default(),
             is_showing_keys: false,
-            over: None,
+            hovered: None,
         }
     }
 
@@ -101,13 +102,13 @@ impl Inspector {
     }
 
     /// Settings of an earlier run.
-    pub fn restore(&mut self, kept: Kept) {
-        (self.splits, self.fields.save) = (kept.splits, kept.save);
+    pub fn restore(&mut self, stored: StoredSettings) {
+        (self.splits, self.fields.save) = (stored.splits, stored.save);
     }
 
     /// Settings for a later run.
-    pub fn kept(&self) -> Kept {
-        Kept { splits: self.splits, save: self.fields.save.clone() }
+    pub fn stored_settings(&self) -> StoredSettings {
+        StoredSettings { splits: self.splits, save: self.fields.save.clone() }
     }
 
     /// Whether anything is still being computed.
@@ -122,7 +123,7 @@ impl Inspector {
     /// Draws the window and carries out what the user asks for.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        self.take_loaded(&ctx);
+        self.poll_loading(&ctx);
         self.message = self.saving.poll().or(self.message.take());
         self.drop_files(&ctx);
         self.follow_files(&ctx);
@@ -135,15 +136,15 @@ impl Inspector {
         self.step(ui);
         self.selection.refresh(&ctx, &self.rendering, self.generation);
 
-        let wish = self.bars(ui);
+        let action = self.bars(ui);
         let changed = CentralPanel::default().frame(Frame::NONE).show(ui, |ui| self.parts(ui));
         if changed.inner {
             self.rebuild(&ctx);
         }
-        // before a wish opens the question: the Enter that caused it must not answer it
+        // before an action opens the question: the Enter that caused it must not answer it
         self.saving.ask(&ctx, (&self.rendering, &self.picture));
-        if let Some(wish) = wish.or(self.shortcut(&ctx)) {
-            self.grant(&ctx, wish);
+        if let Some(action) = action.or(self.shortcut(&ctx)) {
+            self.perform(&ctx, action);
         }
         keys::list(&ctx, &mut self.is_showing_keys);
 
@@ -155,22 +156,22 @@ impl Inspector {
     }
 
     /// The bars at the top and the bottom.
-    fn bars(&mut self, ui: &mut Ui) -> Option<Wish> {
+    fn bars(&mut self, ui: &mut Ui) -> Option<Action> {
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 4));
-        let wish = Panel::top("files").frame(bar).show(ui, |ui| {
+        let action = Panel::top("files").frame(bar).show(ui, |ui| {
             let source = &self.rendering.source;
-            let wish = panels::files(ui, &mut self.fields, &mut self.picker, source);
+            let action = panels::files(ui, &mut self.fields, &mut self.picker, source);
             self.message_line(ui);
-            wish
+            action
         });
-        let status = Panel::bottom("status")
-            .frame(bar)
-            .show(ui, |ui| panels::status(ui, &self.rendering, self.over, self.loading.is_busy()));
+        let status = Panel::bottom("status").frame(bar).show(ui, |ui| {
+            panels::status(ui, &self.rendering, self.hovered, self.loading.is_busy())
+        });
         self.is_showing_keys ^= status.inner;
-        Panel::top("look")
+        Panel::top("view")
             .frame(bar)
-            .show(ui, |ui| panels::look(ui, &mut self.picture, &self.rendering));
-        wish.inner
+            .show(ui, |ui| panels::view_settings(ui, &mut self.picture, &self.rendering));
+        action.inner
     }
 
     /// The scene, the picture and the explanation, side by side. Returns whether the scene was changed.
@@ -185,9 +186,9 @@ impl Inspector {
         });
         part(ui, ("picture", parts.picture), |ui| {
             let size = self.rendering.size();
-            self.over = self.picture.show(ui, size, self.selection.pixel);
+            self.hovered = self.picture.show(ui, size, self.selection.pixel);
             let trail = self.selection.trail(&self.rendering);
-            trail::paint(ui.painter(), &self.picture.placed(size), &trail);
+            trail::paint(ui.painter(), &self.picture.placement(size), &trail);
         });
         changed || resampled
     }
@@ -236,7 +237,7 @@ impl Inspector {
         if !self.picture.has_keys(ui.ctx()) || self.saving.is_asking() {
             return;
         }
-        let [dx, dy] = picture::arrow_step(ui);
+        let [dx, dy] = display::arrow_step(ui);
         if [dx, dy] == [0, 0] {
             return;
         }
@@ -247,29 +248,30 @@ impl Inspector {
         self.picture.reveal(size, pixel);
     }
 
-    /// Carries out the pressed shortcut, or returns its wish.
-    fn shortcut(&mut self, ctx: &Context) -> Option<Wish> {
+    /// Carries out the pressed shortcut, or returns its action.
+    fn shortcut(&mut self, ctx: &Context) -> Option<Action> {
         if self.saving.is_asking() {
             return None;
         }
         let save = self.fields.save.trim();
         match keys::pressed(ctx, !self.picture.has_keys(ctx))? {
             Shortcut::File => ctx.memory_mut(|memory| memory.request_focus(panels::file_field())),
-            Shortcut::Save if !save.is_empty() => return Some(Wish::Save(save.into())),
+            Shortcut::Save if !save.is_empty() => return Some(Action::Save(save.into())),
             Shortcut::Save => self.message = Some(("the picture has no name".to_owned(), true)),
             Shortcut::Keys => self.is_showing_keys ^= true,
         }
         None
     }
 
-    fn grant(&mut self, ctx: &Context, wish: Wish) {
-        match wish {
-            Wish::Open(source) => self.open(ctx, source),
-            Wish::Save(path) => {
+    /// Carries out what the user asked for in a bar.
+    fn perform(&mut self, ctx: &Context, action: Action) {
+        match action {
+            Action::Open(source) => self.open(ctx, source),
+            Action::Save(path) => {
                 self.message = None;
                 self.saving.start(ctx, (&self.rendering, &self.picture), &path);
             }
-            Wish::Select(text) => match parse_pixel(&text) {
+            Action::Select(text) => match parse_pixel(&text) {
                 Ok(pixel) => {
                     self.select(pixel);
                     if self.selection.pixel == Some(pixel) {
@@ -300,6 +302,6 @@ impl eframe::App for Inspector {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        self.kept().write(storage);
+        self.stored_settings().write(storage);
     }
 }

@@ -2,30 +2,13 @@
 //!
 //! It holds no shading arithmetic: each number it shows comes from [`groundtruth::explain`]
 //! or from the film. [`app::Inspector`] is the whole state and draws the window; everything slow
-//! runs beside it in [`worker`].
+//! runs beside it in [`picture::worker`].
+//!
+//! Four folders hold the rest: [`scene`], [`picture`] and [`explanation`] for the three parts of
+//! the window, and [`window`] for what is around them.
 
 pub mod app;
-pub mod arguments;
-pub mod copying;
-pub mod details;
 pub mod explanation;
-pub mod image_settings;
-pub mod kept;
-pub mod keys;
-pub mod opening;
-pub mod panels;
 pub mod picture;
-pub mod pixel;
-pub mod reread;
-pub mod samples;
-pub mod saving;
-pub mod scene_picker;
-pub mod splits;
-pub mod style;
-pub mod switches;
-pub mod thumbnails;
-pub mod trail;
-pub mod tree;
-pub mod view;
-pub mod watch;
-pub mod worker;
+pub mod scene;
+pub mod window;

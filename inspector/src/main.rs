@@ -6,10 +6,10 @@ use std::process::ExitCode;
 use clap::Parser;
 use eframe::egui;
 use inspector::app::Inspector;
-use inspector::arguments::Arguments;
-use inspector::kept::Kept;
-use inspector::style::set_style;
-use inspector::worker::Loaded;
+use inspector::scene::source::Loaded;
+use inspector::window::arguments::Arguments;
+use inspector::window::stored_settings::StoredSettings;
+use inspector::window::style::set_style;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -35,7 +35,7 @@ fn open(loaded: Loaded, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let start = move |context: &eframe::CreationContext<'_>| {
         set_style(&context.egui_ctx);
         let mut inspector = Inspector::new(&context.egui_ctx, loaded);
-        inspector.restore(Kept::read(context.storage));
+        inspector.restore(StoredSettings::read(context.storage));
         if let Some(pixel) = pixel {
             inspector.select(pixel);
             inspector.selection.sample = sample.unwrap_or(0);

@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use clap::Parser;
 use groundtruth::world::World;
 use groundtruth::{gallery, render};
-use inspector::arguments::Arguments;
+use inspector::window::arguments::Arguments;
 
 fn inspector(arguments: &[&str]) -> Output {
     let program = env!("CARGO_BIN_EXE_inspector");

@@ -8,9 +8,9 @@ use groundtruth::explain::count;
 use groundtruth::gallery;
 use groundtruth::scene::{Depth, Intersect, Tracer};
 use groundtruth::world::{MAX_SAMPLES, World};
-use inspector::scene_picker::found;
-use inspector::thumbnails;
-use inspector::view::View;
+use inspector::picture::view::View;
+use inspector::scene::picker::found;
+use inspector::scene::thumbnails;
 
 use crate::support::*;
 
@@ -63,12 +63,12 @@ fn typing_searches_the_list() {
 /// Law: a thumbnail has the proportions of its picture and is no larger than the space for it.
 #[test]
 fn thumbnails_fit_their_space() {
-    let [most_width, most_height] = thumbnails::LARGEST;
+    let [max_width, max_height] = thumbnails::SIZE;
     for size in [[400, 400], [600, 100], [1, 5000], [3, 2]] {
         let [width, height] = thumbnails::fitting(size);
-        let fits = (1..=most_width).contains(&width) && (1..=most_height).contains(&height);
+        let fits = (1..=max_width).contains(&width) && (1..=max_height).contains(&height);
         assert!(fits, "{size:?} is shown as {width} × {height}");
-        assert!(width == most_width || height == most_height, "{size:?}");
+        assert!(width == max_width || height == max_height, "{size:?}");
     }
 }
 
@@ -144,8 +144,8 @@ fn the_whole_picture_fills_its_area() {
     let area = eframe::egui::Rect::from_min_max([200.0, 90.0].into(), [880.0, 790.0].into());
     for (size, scale) in [([400, 400], 1.7), ([300, 300], 2.0), ([12, 12], 56.0), ([1360, 9], 0.5)]
     {
-        let placed = View::WHOLE.place(area, size);
-        assert!((placed.scale - scale).abs() < 1e-6, "{} of {size:?}", placed.scale);
+        let placement = View::WHOLE.place(area, size);
+        assert!((placement.scale - scale).abs() < 1e-6, "{} of {size:?}", placement.scale);
     }
 }
 

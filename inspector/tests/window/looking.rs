@@ -5,7 +5,7 @@ use eframe::egui::{
 };
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{SnapshotOptions, image_snapshot_options};
-use inspector::view::{View, parse_pixel};
+use inspector::picture::view::{View, parse_pixel};
 
 use crate::support::*;
 
@@ -21,13 +21,17 @@ fn a_position_on_the_screen_is_in_the_pixel_drawn_there() {
             let mut view = View::WHOLE;
             view.set_zoom(AREA, size, zoom);
             view.pan(AREA, size, by);
-            let placed = view.place(AREA, size);
+            let placement = view.place(AREA, size);
             for pixel in [[0, 0], [36, 0], [0, 52], [36, 52], [17, 29]] {
-                assert_eq!(placed.pixel(placed.rect(pixel).center()), Some(pixel), "{zoom} {by}");
+                assert_eq!(
+                    placement.pixel(placement.rect(pixel).center()),
+                    Some(pixel),
+                    "{zoom} {by}"
+                );
             }
-            let whole = placed.whole();
+            let whole = placement.whole();
             for outside in [whole.min - vec2(0.1, 0.0), whole.max, whole.max + vec2(0.0, 9.0)] {
-                assert_eq!(placed.pixel(outside), None, "{zoom} {by}");
+                assert_eq!(placement.pixel(outside), None, "{zoom} {by}");
             }
         }
     }
@@ -39,8 +43,8 @@ fn a_position_on_the_screen_is_in_the_pixel_drawn_there() {
 fn zoom_keeps_the_point_under_the_mouse() {
     let size = [600, 600];
     let under = |view: &View, at: Pos2| {
-        let placed = view.place(AREA, size);
-        (at - placed.corner) / placed.scale
+        let placement = view.place(AREA, size);
+        (at - placement.corner) / placement.scale
     };
     let mut view = View::WHOLE;
     for (at, factor) in
@@ -87,8 +91,8 @@ fn coordinates_are_read_as_people_write_them() {
 #[test]
 fn wheel_and_drag_move_the_picture_and_select_nothing() {
     let mut window = glass_window();
-    let placed = |window: &Window| window.state().picture.placed([48, 48]);
-    let (before, at) = (placed(&window), on_screen(&window, [20, 20]));
+    let placement = |window: &Window| window.state().picture.placement([48, 48]);
+    let (before, at) = (placement(&window), on_screen(&window, [20, 20]));
     window.hover_at(at);
     window.event(Event::MouseWheel {
         unit: MouseWheelUnit::Point,
@@ -98,7 +102,7 @@ fn wheel_and_drag_move_the_picture_and_select_nothing() {
         modifiers: Modifiers::NONE,
     });
     window.run_steps(30);
-    let zoomed = placed(&window);
+    let zoomed = placement(&window);
     assert!(zoomed.scale > 1.5 * before.scale, "{} after {}", zoomed.scale, before.scale);
     assert_eq!(zoomed.pixel(at), Some([20, 20]));
 
@@ -107,7 +111,7 @@ fn wheel_and_drag_move_the_picture_and_select_nothing() {
     window.hover_at(at + vec2(60.0, 24.0));
     window.drop_at(at + vec2(60.0, 24.0));
     window.run_steps(3);
-    let moved = placed(&window).corner - zoomed.corner;
+    let moved = placement(&window).corner - zoomed.corner;
     assert!((moved - vec2(60.0, 24.0)).length() < 2.0, "{moved}");
     assert_eq!(window.state().selection.pixel, None);
 }

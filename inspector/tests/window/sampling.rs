@@ -1,4 +1,4 @@
-//! The samples of the selected pixel: points linked to rays, another sampler, and its fairness.
+//! The samples of the selected pixel: points linked to rays, another sampler, and its uniformity.
 
 use eframe::egui::Pos2;
 use egui_kittest::kittest::Queryable;

@@ -3,7 +3,8 @@
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::read_exr;
 use groundtruth::rgb::Rgb;
-use inspector::worker::{Progress, Source};
+use inspector::picture::worker::Progress;
+use inspector::scene::source::Source;
 
 use crate::support::*;
 

@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::scene::Scene;
-use inspector::kept::Kept;
-use inspector::worker::Source;
+use inspector::scene::source::Source;
+use inspector::window::stored_settings::StoredSettings;
 
 use crate::support::*;
 
@@ -99,7 +99,7 @@ fn a_changed_mesh_file_is_read_again() {
     let mut text = std::fs::read(&mesh).expect("readable");
     text.push(b'\n');
     std::fs::write(&mesh, text).expect("writable");
-    std::thread::sleep(inspector::watch::INTERVAL + Duration::from_millis(50));
+    std::thread::sleep(inspector::scene::watch::INTERVAL + Duration::from_millis(50));
     assert!(watch.changed());
 }
 
@@ -212,20 +212,20 @@ impl eframe::Storage for Memory {
 /// a part no room are corrected.
 #[test]
 fn settings_are_kept_and_broken_ones_do_no_harm() {
-    let usual = Kept::default();
+    let usual = StoredSettings::default();
     let mut memory = Memory::default();
-    assert_eq!(Kept::read(Some(&memory)), usual);
-    let kept = Kept { save: "over there.exr".to_owned(), ..usual.clone() };
-    kept.write(&mut memory);
-    assert_eq!(Kept::read(Some(&memory)), kept);
-    let (name, text) = memory.0.iter().next().map(|(n, t)| (n.clone(), t.clone())).expect("kept");
+    assert_eq!(StoredSettings::read(Some(&memory)), usual);
+    let stored = StoredSettings { save: "over there.exr".to_owned(), ..usual.clone() };
+    stored.write(&mut memory);
+    assert_eq!(StoredSettings::read(Some(&memory)), stored);
+    let (name, text) = memory.0.iter().next().map(|(n, t)| (n.clone(), t.clone())).expect("stored");
     for broken in ["", "(((", "(splits:(scene:NaN,explanation:7.0))", "(splits:(scene:9e9))"] {
         memory.0.insert(name.clone(), broken.to_owned());
-        assert_eq!(Kept::read(Some(&memory)).save, usual.save, "{broken}");
-        let fitting = Kept::read(Some(&memory)).splits;
+        assert_eq!(StoredSettings::read(Some(&memory)).save, usual.save, "{broken}");
+        let fitting = StoredSettings::read(Some(&memory)).splits;
         assert_eq!(fitting, fitting.fitting(), "{broken}");
     }
     // a field that a later version adds is no error
     memory.0.insert(name, text.replacen('(', "(later: 3, ", 1));
-    assert_eq!(Kept::read(Some(&memory)), kept);
+    assert_eq!(StoredSettings::read(Some(&memory)), stored);
 }

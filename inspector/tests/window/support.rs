@@ -10,8 +10,8 @@ use groundtruth::gallery;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use inspector::app::Inspector;
-use inspector::style::set_style;
-use inspector::worker::{Loaded, Source};
+use inspector::scene::source::{Loaded, Source};
+use inspector::window::style::set_style;
 
 use crate::renderer::Software;
 
@@ -78,7 +78,7 @@ pub fn settle(window: &mut Window) {
 /// The middle of a pixel on the screen.
 pub fn on_screen(window: &Window, pixel: [u32; 2]) -> Pos2 {
     let inspector = window.state();
-    inspector.picture.placed(inspector.rendering.size()).rect(pixel).center()
+    inspector.picture.placement(inspector.rendering.size()).rect(pixel).center()
 }
 
 /// Clicks a pixel and waits for its explanation.

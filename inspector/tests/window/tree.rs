@@ -4,7 +4,7 @@ use eframe::egui::{Key, OutputCommand};
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::explain::{Outline, RayExplanation, Row};
 use groundtruth::scene::{Scene, Tracer, Whitted};
-use inspector::tree::MIN_SHARE;
+use inspector::explanation::tree::MIN_SHARE;
 
 use crate::support::*;
 

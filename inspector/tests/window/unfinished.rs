@@ -72,7 +72,7 @@ fn what_is_not_rendered_is_hatched() {
     let mut window = open(scene);
     window.run_steps(5);
     let size = window.state().rendering.size();
-    let area = window.state().picture.placed(size).whole();
+    let area = window.state().picture.placement(size).whole();
     let image = window.render().expect("drawn");
     let row = area.center().y as u32;
     let (left, right) = (area.left() as u32 + 9, area.right() as u32 - 9);

@@ -9,7 +9,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::textures::Texel;
 use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
 
-use crate::tree::kind_color;
+use crate::explanation::tree::kind_color;
 
 /// Numbers with all their digits.
 pub fn exact(numbers: [f64; 3]) -> String {

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, RichText, Window};
 
-/// The action of a shortcut.
+/// A global shortcut, named after its effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shortcut {
     /// Type the name of a scene file.
@@ -51,9 +51,9 @@ pub fn list(ctx: &Context, open: &mut bool) {
     let window = Window::new("Keys").open(open).collapsible(false).resizable(false);
     window.anchor(Align2::CENTER_CENTER, [0.0, 0.0]).show(ctx, |ui| {
         Grid::new("keys").num_columns(2).spacing([16.0, 4.0]).show(ui, |ui| {
-            for (key, what) in KEYS {
+            for (key, effect) in KEYS {
                 ui.label(RichText::new(key).strong());
-                ui.label(what);
+                ui.label(effect);
                 ui.end_row();
             }
         });

@@ -15,7 +15,7 @@ type Stamp = Option<(SystemTime, u64)>;
 #[derive(Debug, Default)]
 pub struct Watch {
     files: Vec<(PathBuf, Stamp)>,
-    looked: Option<Instant>,
+    checked: Option<Instant>,
 }
 
 impl Watch {
@@ -37,10 +37,10 @@ impl Watch {
 
     /// Whether a file was changed since the last call; checked at most twice a second.
     pub fn changed(&mut self) -> bool {
-        if self.looked.is_some_and(|at| at.elapsed() < INTERVAL) {
+        if self.checked.is_some_and(|at| at.elapsed() < INTERVAL) {
             return false;
         }
-        self.looked = Some(Instant::now());
+        self.checked = Some(Instant::now());
         let mut changed = false;
         for (file, old) in &mut self.files {
             let now = stamp(file);

@@ -6,8 +6,8 @@ use clap::Parser;
 use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH};
 
-use crate::view::parse_pixel;
-use crate::worker::{Loaded, Source};
+use crate::picture::view::parse_pixel;
+use crate::scene::source::{Loaded, Source};
 
 /// Click a pixel and read why it has its colour.
 #[derive(Clone, Debug, Parser)]

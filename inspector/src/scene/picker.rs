@@ -7,7 +7,7 @@ use eframe::egui::{
 };
 use groundtruth::gallery::{self, Entry};
 
-use crate::thumbnails::{LARGEST, Thumbnails};
+use crate::scene::thumbnails::{SIZE, Thumbnails};
 
 /// A list is drawn invisibly for these frames, until its size is known and it is in position.
 const FRAMES_TO_OPEN: u8 = 3;
@@ -38,12 +38,12 @@ impl ScenePicker {
             self.typed.clear();
             self.opening = FRAMES_TO_OPEN;
         }
-        let tall = 0.8 * ui.ctx().content_rect().height();
+        let max_height = 0.8 * ui.ctx().content_rect().height();
         let popup = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        popup.width(320.0).show(|ui| self.list(ui, current, tall))?.inner
+        popup.width(320.0).show(|ui| self.list(ui, current, max_height))?.inner
     }
 
-    fn list(&mut self, ui: &mut Ui, current: &str, tall: f32) -> Option<Entry> {
+    fn list(&mut self, ui: &mut Ui, current: &str, max_height: f32) -> Option<Entry> {
         let field = TextEdit::singleline(&mut self.typed).hint_text("type a part of a name");
         let field = ui.add(field.desired_width(f32::INFINITY));
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
@@ -52,7 +52,7 @@ impl ScenePicker {
         }
         let found = found(&self.typed);
         let mut picked = if entered { found.first().copied() } else { None };
-        ScrollArea::vertical().max_height(tall).auto_shrink([false, true]).show(ui, |ui| {
+        ScrollArea::vertical().max_height(max_height).auto_shrink([false, true]).show(ui, |ui| {
             let mut chapter = "";
             for &entry in &found {
                 let (its_chapter, name) = entry.name.split_once('/').unwrap_or(("", entry.name));
@@ -78,17 +78,17 @@ impl ScenePicker {
 
     /// Shows a scene's thumbnail and name; returns whether it was clicked.
     fn row(&mut self, ui: &mut Ui, entry: Entry, name: &str, is_current: bool) -> bool {
-        let tall = LARGEST[1] as f32 + 4.0;
-        let next = ui.cursor().with_max_y(ui.cursor().top() + tall);
+        let row_height = SIZE[1] as f32 + 4.0;
+        let next = ui.cursor().with_max_y(ui.cursor().top() + row_height);
         if !ui.is_rect_visible(next) && !is_current {
-            ui.allocate_space(vec2(ui.available_width(), tall));
+            ui.allocate_space(vec2(ui.available_width(), row_height));
             return false;
         }
-        let [width, height] = LARGEST.map(|side| side as f32);
+        let [width, height] = SIZE.map(|side| side as f32);
         let image = Image::new(SizedTexture::new(self.picture(ui, entry), vec2(width, height)));
         let button = Button::image_and_text(image.fit_to_exact_size(vec2(width, height)), name);
         let button = button.selected(is_current).frame_when_inactive(is_current);
-        let row = ui.add(button.min_size(vec2(0.0, tall)));
+        let row = ui.add(button.min_size(vec2(0.0, row_height)));
         if is_current && self.opening > 0 {
             row.scroll_to_me(Some(Align::Center));
         }

@@ -13,25 +13,26 @@ use groundtruth::scene::Scene;
 use groundtruth::trace::Recorder;
 use groundtruth::world::World;
 
-use crate::pixel::{self, Order};
-use crate::samples::Samples;
-use crate::trail::{self, Station};
-use crate::tree::Tree;
-use crate::worker::{Background, Lost, Rendering};
-use crate::{details, picture, tree};
+use crate::explanation::details;
+use crate::explanation::pixel::{self, Order};
+use crate::explanation::samples::Samples;
+use crate::explanation::trail::{self, TrailPoint};
+use crate::explanation::tree::{self, Tree};
+use crate::picture::display;
+use crate::picture::worker::{Background, Lost, Rendering};
 
 /// A pixel with more rays is explained one sample at a time.
-const MAX_RAYS_OF_A_PIXEL: u64 = 30_000;
+const MAX_RAYS_PER_PIXEL: u64 = 30_000;
 /// A sample with more rays is not explained: its tree would be unreadable and take gigabytes.
-const MAX_RAYS_OF_A_SAMPLE: u64 = 500_000;
+const MAX_RAYS_PER_SAMPLE: u64 = 500_000;
 
 /// The least height of tree and details in a low window, in points of the screen.
 const MIN_HEIGHT: f32 = 24.0;
 
 /// An explanation that takes at most this time is drawn in the frame of the click.
-const MOMENT: Duration = Duration::from_millis(12);
+const MAX_WAIT: Duration = Duration::from_millis(12);
 /// The least height with room for the legend of the tree's colours, in points of the screen.
-const LEGEND_FROM: f32 = 160.0;
+const LEGEND_MIN_HEIGHT: f32 = 160.0;
 
 /// The pixel and sample to explain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +56,7 @@ pub struct Selection {
     /// How the list of samples is sorted.
     pub order: Order,
     /// The part that is shown below the tree.
-    pub below: Below,
+    pub tab: Tab,
     /// The samples, when they are below the tree.
     pub samples: Samples,
     answered: Option<(Question, Answer)>,
@@ -64,7 +65,7 @@ pub struct Selection {
 
 /// The part that is shown below the tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Below {
+pub enum Tab {
     /// The selected ray.
     #[default]
     Ray,
@@ -76,17 +77,16 @@ pub enum Below {
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
 fn answer(scene: &Scene, world: &World, question: Question) -> Answer {
-    let mut counter = RayCounter::up_to(MAX_RAYS_OF_A_SAMPLE);
+    let mut counter = RayCounter::up_to(MAX_RAYS_PER_SAMPLE);
     counter.count(|counter| render::sample(world, question.pixel, question.sample, counter));
     if counter.is_full() {
         return Err(format!(
-            "sample {} has more than {MAX_RAYS_OF_A_SAMPLE} rays, too many to be shown; a smaller \
+            "sample {} has more than {MAX_RAYS_PER_SAMPLE} rays, too many to be shown; a smaller \
              max_depth or fewer objects make a smaller tree",
             question.sample
         ));
     }
-    let few =
-        counter.rays().saturating_mul(world.samples_per_pixel().into()) <= MAX_RAYS_OF_A_PIXEL;
+    let few = counter.rays().saturating_mul(world.samples_per_pixel().into()) <= MAX_RAYS_PER_PIXEL;
     let only = if few { None } else { Some(question.sample) };
     let explained = explain::pixel(scene, world, question.pixel, only);
     explained.map(Arc::new).map_err(|e| e.to_string())
@@ -101,17 +101,17 @@ impl Selection {
             self.answered = None;
             return;
         };
-        self.take(finished, question);
+        self.accept(finished, question);
         if self.working.is_busy() || self.answers(question) {
             return;
         }
         let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
         self.working.start(ctx, move || (question, answer(&scene, &world, question)));
-        let finished = self.working.wait(MOMENT);
-        self.take(finished, question);
+        let finished = self.working.wait(MAX_WAIT);
+        self.accept(finished, question);
     }
 
-    fn take(&mut self, finished: Option<Result<(Question, Answer), Lost>>, asked: Question) {
+    fn accept(&mut self, finished: Option<Result<(Question, Answer), Lost>>, asked: Question) {
         match finished {
             Some(Ok((question, answer))) if question.generation == asked.generation => {
                 self.answered = Some((question, answer));
@@ -123,8 +123,8 @@ impl Selection {
     }
 
     fn question(&self, rendering: &Rendering, generation: u64) -> Option<Question> {
-        let most = rendering.world.samples_per_pixel() - 1;
-        self.pixel.map(|pixel| Question { generation, pixel, sample: self.sample.min(most) })
+        let last = rendering.world.samples_per_pixel() - 1;
+        self.pixel.map(|pixel| Question { generation, pixel, sample: self.sample.min(last) })
     }
 
     fn answers(&self, question: Question) -> bool {
@@ -142,7 +142,7 @@ impl Selection {
     }
 
     /// The hits along the path to the selected ray, projected into the picture.
-    pub fn trail(&self, rendering: &Rendering) -> Vec<Station> {
+    pub fn trail(&self, rendering: &Rendering) -> Vec<TrailPoint> {
         let explained = self.explanation().and_then(|explanation| {
             let mut samples = explanation.samples.iter();
             let sample = samples.find(|sample| sample.index == self.sample)?;
@@ -151,7 +151,7 @@ impl Selection {
         match explained {
             // not for an explanation of an earlier picture
             Some((pixel, root)) if self.pixel == Some(pixel) => {
-                trail::stations(&rendering.world, pixel, root, self.tree.ray)
+                trail::points(&rendering.world, pixel, root, self.tree.ray)
             }
             _ => Vec::new(),
         }
@@ -193,14 +193,14 @@ impl Selection {
         let panel = panel.default_size(0.45 * height).max_size((height - 150.0).max(0.45 * height));
         let changed = panel.show(ui, |ui| {
             ui.horizontal(|ui| {
-                ui.selectable_value(&mut self.below, Below::Ray, "The ray");
-                ui.selectable_value(&mut self.below, Below::Sum, "The sum");
-                ui.selectable_value(&mut self.below, Below::Samples, "The samples");
+                ui.selectable_value(&mut self.tab, Tab::Ray, "The ray");
+                ui.selectable_value(&mut self.tab, Tab::Sum, "The sum");
+                ui.selectable_value(&mut self.tab, Tab::Samples, "The samples");
             });
             let area = ScrollArea::both().id_salt("details").auto_shrink(false);
             let area = area.min_scrolled_height(MIN_HEIGHT);
-            match self.below {
-                Below::Ray => {
+            match self.tab {
+                Tab::Ray => {
                     let details = |ui: &mut Ui| {
                         if let Some(root) = camera_ray {
                             self.ray_details(ui, root);
@@ -209,12 +209,12 @@ impl Selection {
                     area.show(ui, details);
                     false
                 }
-                Below::Sum => {
+                Tab::Sum => {
                     pixel::parts(ui, area, &answer, tone, (&mut self.order, &mut self.sample));
                     false
                 }
-                Below::Samples => {
-                    let color = |i: u32| picture::color(tone, answer.radiances[i as usize]);
+                Tab::Samples => {
+                    let color = |i: u32| display::color(tone, answer.radiances[i as usize]);
                     let of = (rendering, generation, answer.pixel);
                     let show =
                         |ui: &mut Ui| self.samples.show(ui, of, &color, &mut self.sample, wanted);
@@ -254,7 +254,7 @@ impl Selection {
             }
         });
         // no legend in a low window: each line names its kind of ray too
-        if ui.available_height() > LEGEND_FROM {
+        if ui.available_height() > LEGEND_MIN_HEIGHT {
             tree::legend(ui);
         }
         self.tree.show(ui, root, tone);
@@ -263,7 +263,7 @@ impl Selection {
     fn head(&mut self, ui: &mut Ui, answer: &PixelExplanation, rendering: &Rendering, tone: &Tone) {
         let [x, y] = answer.pixel;
         ui.horizontal_wrapped(|ui| {
-            tree::swatch(ui, picture::color(tone, answer.radiance));
+            tree::swatch(ui, display::color(tone, answer.radiance));
             ui.heading(format!("Pixel ({x}, {y})"));
             if self.is_waiting() {
                 ui.spinner();
@@ -278,7 +278,7 @@ impl Selection {
             let sample = answer.samples.iter().find(|sample| sample.index == index);
             let root = sample.and_then(|sample| sample.ray.as_ref());
             let ray = root.map(|root| self.tree.selected(root));
-            pixel::copies(ui, rendering, answer.pixel, index, ray);
+            pixel::copy_menu(ui, rendering, answer.pixel, index, ray);
         });
         for note in &answer.notes {
             ui.weak(note);

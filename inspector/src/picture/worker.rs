@@ -2,20 +2,18 @@
 //! polls them in each frame and waits only for a moment.
 
 use std::fmt;
-use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Arc, OnceLock};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
 use eframe::egui;
-use groundtruth::gallery;
 use groundtruth::ray_budget::{self, MAX_COUNTED};
 use groundtruth::render::Canvas;
-use groundtruth::scene::{self, Scene};
-use groundtruth::world::{DEFAULT_SEED, World};
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
 
-use crate::watch::Watch;
+use crate::scene::source::{Loaded, Source};
 
 /// Rays of depth 128 are traced on the stack; unoptimised builds need more than the usual 2 MB.
 const STACK: usize = 16 << 20;
@@ -67,8 +65,8 @@ impl<T: Send + 'static> Background<T> {
     }
 
     /// The result, returned once, if it is ready within this time.
-    pub fn wait(&mut self, patience: Duration) -> Option<Result<T, Lost>> {
-        let result = match self.result.as_ref()?.recv_timeout(patience) {
+    pub fn wait(&mut self, timeout: Duration) -> Option<Result<T, Lost>> {
+        let result = match self.result.as_ref()?.recv_timeout(timeout) {
             Ok(result) => Ok(result),
             Err(RecvTimeoutError::Timeout) => return None,
             Err(RecvTimeoutError::Disconnected) => Err(Lost),
@@ -76,120 +74,6 @@ impl<T: Send + 'static> Background<T> {
         self.result = None;
         Some(result)
     }
-}
-
-/// Where a scene comes from.
-#[derive(Clone, Debug)]
-pub enum Source {
-    /// The gallery.
-    Gallery(gallery::Entry),
-    /// A scene file.
-    File(PathBuf),
-}
-
-impl Source {
-    /// A gallery name or a file.
-    ///
-    /// # Errors
-    /// If it is a gallery name that does not exist.
-    pub fn named(name: &str) -> Result<Self, String> {
-        if let Some(entry) = gallery::find(name) {
-            return Ok(Self::Gallery(entry));
-        }
-        let path = Path::new(name);
-        if path.extension().is_none() && !path.exists() {
-            return Err(gallery::unknown(name));
-        }
-        Ok(Self::File(path.to_owned()))
-    }
-
-    /// Its display name.
-    pub fn name(&self) -> String {
-        match self {
-            Self::Gallery(entry) => entry.name.to_owned(),
-            Self::File(path) => path.display().to_string(),
-        }
-    }
-
-    /// The files that a scene names are relative to this folder.
-    fn folder(&self) -> &Path {
-        match self {
-            Self::Gallery(_) => Path::new(""),
-            Self::File(path) => path.parent().unwrap_or(Path::new("")),
-        }
-    }
-
-    /// Reads and builds it.
-    ///
-    /// # Errors
-    /// The scene error, with file and line.
-    pub fn load(self) -> Result<Loaded, String> {
-        self.load_changed(DEFAULT_SEED, Ok)
-    }
-
-    /// Reads it, and builds it with these changes and this seed.
-    ///
-    /// # Errors
-    /// The scene error, with file and line.
-    pub fn load_changed(
-        self,
-        seed: u64,
-        change: impl FnOnce(Scene) -> Result<Scene, String>,
-    ) -> Result<Loaded, String> {
-        let mut watch = Watch::default();
-        let (read, scene, world) = match &self {
-            Self::Gallery(entry) => {
-                let read = (entry.build)();
-                let scene = change(read.clone())?;
-                let world = World::build_seeded(&scene, self.folder(), seed);
-                (read, scene, world)
-            }
-            Self::File(path) => {
-                // before it is read, so that no change in between is missed
-                watch.add(path.clone());
-                let (read, text) = scene::open(path).map_err(|error| error.to_string())?;
-                watch.add_meshes(&read, self.folder());
-                let scene = change(read.clone())?;
-                let world = World::of_source(&scene, &text, seed);
-                (read, scene, world)
-            }
-        };
-        let world = world.map_err(|error| error.to_string())?;
-        Ok(Loaded { source: self, read, scene, world, watch: Some(watch) })
-    }
-
-    /// Builds a scene as one of this source.
-    ///
-    /// # Errors
-    /// The scene error.
-    pub fn build(self, scene: Scene) -> Result<Loaded, String> {
-        self.rebuild(scene.clone(), scene, DEFAULT_SEED)
-    }
-
-    /// Builds a changed scene of this source; `read` is the scene as the source says it.
-    ///
-    /// # Errors
-    /// The scene error.
-    pub fn rebuild(self, read: Scene, scene: Scene, seed: u64) -> Result<Loaded, String> {
-        let world = World::build_seeded(&scene, self.folder(), seed);
-        let world = world.map_err(|error| error.to_string())?;
-        Ok(Loaded { source: self, read, scene, world, watch: None })
-    }
-}
-
-/// A scene that can be rendered.
-#[derive(Debug)]
-pub struct Loaded {
-    /// Where it comes from.
-    pub source: Source,
-    /// The scene as its source says it.
-    pub read: Scene,
-    /// The scene, perhaps changed.
-    pub scene: Scene,
-    /// The scene, built.
-    pub world: World,
-    /// The files it was read from; `None` if it was not read again.
-    pub watch: Option<Watch>,
 }
 
 /// A picture that is being rendered. Dropping it stops the work.

@@ -12,15 +12,15 @@ use groundtruth::film::Tone;
 use groundtruth::render::{Canvas, Partial};
 use groundtruth::rgb::Rgb;
 
-use crate::view::{Placed, View};
-use crate::worker::{Background, Progress, Rendering};
+use crate::picture::view::{Placement, View};
+use crate::picture::worker::{Background, Progress, Rendering};
 
 /// The side of the tiles in which a picture is shown: graphics cards refuse larger textures.
 const TILE: u32 = 1024;
 /// The interval at which an unfinished picture is updated.
 const REFRESH: Duration = Duration::from_millis(150);
 /// The grid appears when a pixel is at least this large on the screen.
-const GRID_FROM: f32 = 8.0;
+const GRID_MIN_SCALE: f32 = 8.0;
 
 /// The picture as shown, with its view.
 pub struct Picture {
@@ -30,7 +30,7 @@ pub struct Picture {
     pub tone: Tone,
     tiles: Vec<([u32; 2], TextureHandle)>,
     /// The previous picture, shown darker where the new one is not rendered yet.
-    beneath: Vec<([u32; 2], TextureHandle)>,
+    previous_tiles: Vec<([u32; 2], TextureHandle)>,
     /// The version that the tiles show.
     shown: Option<Version>,
     developed: Instant,
@@ -132,7 +132,7 @@ impl Picture {
             view: View::WHOLE,
             tone,
             tiles: Vec::new(),
-            beneath: Vec::new(),
+            previous_tiles: Vec::new(),
             shown: None,
             developed: Instant::now(),
             developing: Background::default(),
@@ -148,7 +148,7 @@ impl Picture {
         {
             self.upload(ctx, tiles);
             if version.finished {
-                self.beneath.clear();
+                self.previous_tiles.clear();
             }
             self.shown = Some(version);
         }
@@ -171,10 +171,10 @@ impl Picture {
     }
 
     /// Keeps the last picture beneath a new one of the same size.
-    pub fn begin_again(&mut self) {
+    pub fn restart(&mut self) {
         let tiles = std::mem::take(&mut self.tiles);
-        if self.beneath.is_empty() || self.shown.is_some_and(|shown| shown.finished) {
-            self.beneath = tiles;
+        if self.previous_tiles.is_empty() || self.shown.is_some_and(|shown| shown.finished) {
+            self.previous_tiles = tiles;
         }
         self.shown = None;
     }
@@ -208,7 +208,7 @@ impl Picture {
     }
 
     /// Where the picture is on the screen.
-    pub fn placed(&self, size: [u32; 2]) -> Placed {
+    pub fn placement(&self, size: [u32; 2]) -> Placement {
         self.view.place(self.area, size)
     }
 
@@ -221,7 +221,7 @@ impl Picture {
     pub fn clicked(&self, ctx: &egui::Context, size: [u32; 2]) -> Option<[u32; 2]> {
         let response = ctx.read_response(self.id?)?;
         let at = if response.clicked() { response.interact_pointer_pos() } else { None };
-        self.placed(size).pixel(at?)
+        self.placement(size).pixel(at?)
     }
 
     /// Draws the picture and handles the mouse. Returns the pixel under the mouse.
@@ -245,9 +245,9 @@ impl Picture {
         if response.dragged() {
             self.view.pan(self.area, size, response.drag_delta());
         }
-        let placed = self.placed(size);
-        let over = pointer.and_then(|at| placed.pixel(at));
-        let cursor = match (response.dragged(), over) {
+        let placement = self.placement(size);
+        let hovered = pointer.and_then(|at| placement.pixel(at));
+        let cursor = match (response.dragged(), hovered) {
             (true, _) => CursorIcon::Grabbing,
             (false, Some(_)) => CursorIcon::Crosshair,
             (false, None) => CursorIcon::Default,
@@ -261,40 +261,40 @@ impl Picture {
             EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
 
-        self.paint(&painter, &placed, selected);
-        over
+        self.paint(&painter, &placement, selected);
+        hovered
     }
 
-    fn paint(&self, painter: &Painter, placed: &Placed, selected: Option<[u32; 2]>) {
-        let whole = placed.whole();
+    fn paint(&self, painter: &Painter, placement: &Placement, selected: Option<[u32; 2]>) {
+        let whole = placement.whole();
         painter.rect_filled(painter.clip_rect(), 0.0, Color32::from_gray(24));
         painter.rect_filled(whole, 0.0, Color32::BLACK);
-        paint_tiles(painter, placed, &self.beneath, Color32::from_gray(90));
+        paint_tiles(painter, placement, &self.previous_tiles, Color32::from_gray(90));
         if !self.shown.is_some_and(|shown| shown.finished) {
             hatch(&painter.with_clip_rect(painter.clip_rect().intersect(whole)));
         }
-        paint_tiles(painter, placed, &self.tiles, Color32::WHITE);
-        if placed.scale >= GRID_FROM {
-            grid(painter, placed);
+        paint_tiles(painter, placement, &self.tiles, Color32::WHITE);
+        if placement.scale >= GRID_MIN_SCALE {
+            grid(painter, placement);
         }
         let edge = Stroke::new(1.0, Color32::from_gray(70));
         painter.rect_stroke(whole, 0.0, edge, StrokeKind::Outside);
         if let Some(pixel) = selected {
-            mark(painter, placed.rect(pixel));
+            mark(painter, placement.rect(pixel));
         }
     }
 }
 
 fn paint_tiles(
     painter: &Painter,
-    placed: &Placed,
+    placement: &Placement,
     tiles: &[([u32; 2], TextureHandle)],
     tint: Color32,
 ) {
     let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     for (at, texture) in tiles {
         let [width, height] = texture.size().map(|side| side as u32);
-        let rect = placed.part(*at, [width, height]);
+        let rect = placement.part(*at, [width, height]);
         if rect.intersects(painter.clip_rect()) {
             painter.image(texture.id(), rect, uv, tint);
         }
@@ -314,18 +314,18 @@ fn hatch(painter: &Painter) {
 }
 
 /// Lines between the pixels that are on the screen.
-fn grid(painter: &Painter, placed: &Placed) {
-    let visible = painter.clip_rect().intersect(placed.whole());
+fn grid(painter: &Painter, placement: &Placement) {
+    let visible = painter.clip_rect().intersect(placement.whole());
     let stroke = Stroke::new(1.0, Color32::from_rgba_unmultiplied(128, 128, 128, 110));
     let lines = |from: f32, to: f32, start: f32| {
-        let (first, last) = ((from - start) / placed.scale, (to - start) / placed.scale);
-        let scale = placed.scale;
+        let (first, last) = ((from - start) / placement.scale, (to - start) / placement.scale);
+        let scale = placement.scale;
         (first.ceil() as i64..=last.floor() as i64).map(move |line| start + line as f32 * scale)
     };
-    for x in lines(visible.left(), visible.right(), placed.corner.x) {
+    for x in lines(visible.left(), visible.right(), placement.corner.x) {
         painter.vline(x, visible.y_range(), stroke);
     }
-    for y in lines(visible.top(), visible.bottom(), placed.corner.y) {
+    for y in lines(visible.top(), visible.bottom(), placement.corner.y) {
         painter.hline(visible.x_range(), y, stroke);
     }
 }

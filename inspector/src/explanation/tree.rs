@@ -9,7 +9,7 @@ use groundtruth::explain::{Outline, RayExplanation, Row, TermExplanation, count,
 use groundtruth::film::Tone;
 use groundtruth::trace::{Outcome, RayKind};
 
-use crate::picture;
+use crate::picture::display;
 
 /// Rays that add less than this part of their sample are folded together.
 pub const MIN_SHARE: f64 = 0.01;
@@ -127,7 +127,7 @@ impl Tree {
                         ui.add_space(INDENT * indent as f32);
                         // no children: a space in place of the triangle
                         ui.allocate_exact_size(vec2(INDENT, LINE), Sense::hover());
-                        swatch(ui, picture::color(tone, term.contribution));
+                        swatch(ui, display::color(tone, term.contribution));
                         ui.label(RichText::new(term.line()).color(LOCAL));
                     }
                     Row::Folded { parent, indent, rays, share } => {
@@ -165,7 +165,7 @@ impl Tree {
                 self.outline.closed.insert(ray.number);
             }
         }
-        swatch(ui, picture::color(tone, ray.contribution));
+        swatch(ui, display::color(tone, ray.contribution));
         let text = RichText::new(ray.line()).color(kind_color(ray));
         if ui.add(Button::selectable(self.ray == ray.number, text)).clicked() {
             self.ray = ray.number;

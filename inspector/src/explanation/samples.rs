@@ -11,9 +11,9 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::verify::chi_square;
 
-use crate::worker::Rendering;
+use crate::picture::worker::Rendering;
 
-/// The most points of a plot that is still readable.
+/// The largest number of points of a plot that is still readable.
 const MAX_POINTS: u32 = 4096;
 /// The side of a plot, in points of the screen.
 const SIDE: f32 = 168.0;
@@ -26,14 +26,14 @@ pub struct Samples {
     /// The generation of the rendering, and the pixel.
     of: Option<(u64, [u32; 2])>,
     plots: Vec<Plot>,
-    fairness: Option<Fairness>,
+    uniformity: Option<Uniformity>,
 }
 
 /// The points of one purpose, and their plot on the screen.
 pub struct Plot {
     title: &'static str,
     /// The text under the mouse.
-    about: &'static str,
+    hint: &'static str,
     outline: Outline,
     /// In sample order; in the outline's own square `[−1, 1]²`, y up.
     points: Vec<[f64; 2]>,
@@ -47,7 +47,7 @@ enum Outline {
 }
 
 /// The distribution of all points that a sampler may draw, compared with an unbiased sampler's.
-struct Fairness {
+struct Uniformity {
     /// The number of points in each strip of x.
     strips: Vec<u64>,
     points: usize,
@@ -58,10 +58,10 @@ struct Fairness {
 /// Cells along each side, for χ²: odd, so that strata do not line up with them.
 const CELLS: usize = 15;
 const STRIPS: usize = 32;
-/// The most points that are counted.
+/// The largest number of points that are counted.
 const MAX_COUNTED: usize = 400_000;
 
-impl Fairness {
+impl Uniformity {
     /// Counts the points of all sets. If the sampler shifts or centres the points of a set, counts the draws
     /// of as many pixels instead.
     fn of(world: &World) -> Self {
@@ -108,7 +108,7 @@ impl Samples {
         }
         let world = &rendering.world;
         if self.of.is_none_or(|(of, _)| of != generation) {
-            self.fairness = Some(Fairness::of(world));
+            self.uniformity = Some(Uniformity::of(world));
         }
         self.of = Some((generation, pixel));
         let count = world.samples_per_pixel().min(MAX_POINTS);
@@ -118,9 +118,9 @@ impl Samples {
         let drawn = drawn.unwrap_or_default();
         let draw = |purpose, index| world.samples.draw(Key::new(world.seed, drawn, purpose), index);
         let centered = |[x, y]: [f64; 2]| [2.0 * x - 1.0, 2.0 * y - 1.0];
-        let plot = |title, about, outline, points: Vec<[f64; 2]>| Plot {
+        let plot = |title, hint, outline, points: Vec<[f64; 2]>| Plot {
             title,
-            about,
+            hint,
             outline,
             points,
             area: Rect::NOTHING,
@@ -177,9 +177,9 @@ impl Samples {
         if rendering.world.samples_per_pixel() > MAX_POINTS {
             ui.weak(format!("the first {MAX_POINTS} samples"));
         }
-        if let Some(fairness) = &self.fairness {
-            histogram(ui, &fairness.strips);
-            ui.label(fairness.verdict());
+        if let Some(uniformity) = &self.uniformity {
+            histogram(ui, &uniformity.strips);
+            ui.label(uniformity.verdict());
         }
         changed
     }
@@ -193,10 +193,10 @@ impl Plot {
 
     fn show(&mut self, ui: &mut Ui, color: &dyn Fn(u32) -> Color32, sample: &mut u32) {
         ui.vertical(|ui| {
-            ui.label(self.title).on_hover_text(self.about);
+            ui.label(self.title).on_hover_text(self.hint);
             let (area, response) = ui.allocate_exact_size(Vec2::splat(SIDE), Sense::click());
             self.area = area;
-            let response = response.on_hover_text(self.about);
+            let response = response.on_hover_text(self.hint);
             let painter = ui.painter_at(area);
             painter.rect_filled(area, 2.0, Color32::from_gray(18));
             let edge = Stroke::new(1.0, Color32::from_gray(110));
@@ -237,9 +237,10 @@ impl Plot {
 
     /// The sample nearest to a position on the screen, if it is near.
     fn nearest(&self, at: Pos2) -> Option<u32> {
-        let far = |point: &[f64; 2]| self.to_screen(*point).distance(at);
-        let nearest = (0..).zip(&self.points).min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
-        nearest.filter(|(_, point)| far(point) <= CLICK_RADIUS).map(|(index, _)| index)
+        let distance = |point: &[f64; 2]| self.to_screen(*point).distance(at);
+        let nearest =
+            (0..).zip(&self.points).min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+        nearest.filter(|(_, point)| distance(point) <= CLICK_RADIUS).map(|(index, _)| index)
     }
 }
 
@@ -282,7 +283,7 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
 
 /// The number of points in each strip of the square.
 fn histogram(ui: &mut Ui, strips: &[u64]) {
-    let most = strips.iter().copied().max().unwrap_or(0).max(1);
+    let max = strips.iter().copied().max().unwrap_or(0).max(1);
     let size = vec2(ui.available_width().min(3.0 * SIDE), 44.0);
     let (area, response) = ui.allocate_exact_size(size, Sense::hover());
     response.on_hover_text("Histogram of x over all sets: level if the sampler is unbiased");
@@ -291,7 +292,7 @@ fn histogram(ui: &mut Ui, strips: &[u64]) {
     let width = area.width() / strips.len() as f32;
     for (index, &count) in strips.iter().enumerate() {
         let left = area.left() + width * index as f32;
-        let top = area.bottom() - (area.height() - 4.0) * (count as f32 / most as f32);
+        let top = area.bottom() - (area.height() - 4.0) * (count as f32 / max as f32);
         let bar =
             Rect::from_min_max(pos2(left + 0.5, top), pos2(left + width - 0.5, area.bottom()));
         painter.rect_filled(bar, 0.0, Color32::from_rgb(120, 180, 255));

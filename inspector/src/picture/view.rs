@@ -14,9 +14,9 @@ pub struct View {
     center: Vec2,
 }
 
-/// The picture on the screen.
+/// Where the picture is on the screen.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed {
+pub struct Placement {
     /// Points of the screen for a pixel.
     pub scale: f32,
     /// Its top left corner on the screen.
@@ -36,14 +36,14 @@ impl View {
     pub const WHOLE: Self = Self { zoom: None, center: Vec2::ZERO };
 
     /// The picture in its area of the screen.
-    pub fn place(&self, area: Rect, size: [u32; 2]) -> Placed {
+    pub fn place(&self, area: Rect, size: [u32; 2]) -> Placement {
         let whole = extent(size);
         let (scale, center) = match self.zoom {
             Some(zoom) => (zoom, self.center),
-            None => (whole_in(area, whole), 0.5 * whole),
+            None => (scale_to_fit(area, whole), 0.5 * whole),
         };
         let corner = area.center() - scale * center;
-        Placed { scale, corner: corner.round(), size }
+        Placement { scale, corner: corner.round(), size }
     }
 
     /// Shows each pixel at this many points of the screen, the centre unmoved.
@@ -53,9 +53,9 @@ impl View {
 
     /// Zooms so that the point of the picture at `at` stays there.
     pub fn zoom_at(&mut self, area: Rect, size: [u32; 2], at: Pos2, factor: f32) {
-        let placed = self.place(area, size);
-        let zoom = (placed.scale * factor).clamp(*ZOOM.start(), *ZOOM.end());
-        let under = (at - placed.corner) / placed.scale;
+        let placement = self.place(area, size);
+        let zoom = (placement.scale * factor).clamp(*ZOOM.start(), *ZOOM.end());
+        let under = (at - placement.corner) / placement.scale;
         self.center = under + (area.center() - at) / zoom;
         self.zoom = Some(zoom);
         self.keep_inside(size);
@@ -63,16 +63,16 @@ impl View {
 
     /// Moves the picture by this much of the screen.
     pub fn pan(&mut self, area: Rect, size: [u32; 2], by: Vec2) {
-        let placed = self.place(area, size);
-        self.center = (area.center() - placed.corner - by) / placed.scale;
-        self.zoom = Some(placed.scale);
+        let placement = self.place(area, size);
+        self.center = (area.center() - placement.corner - by) / placement.scale;
+        self.zoom = Some(placement.scale);
         self.keep_inside(size);
     }
 
     /// Moves the picture as little as needed to make a pixel visible.
     pub fn reveal(&mut self, area: Rect, size: [u32; 2], pixel: [u32; 2]) {
-        let placed = self.place(area, size);
-        let (visible, wanted) = (area.shrink(4.0), placed.rect(pixel));
+        let placement = self.place(area, size);
+        let (visible, wanted) = (area.shrink(4.0), placement.rect(pixel));
         if self.zoom.is_none() || visible.contains_rect(wanted) {
             return;
         }
@@ -87,7 +87,7 @@ impl View {
 }
 
 /// The largest scale that fits; from 2 on a whole number, so that all pixels have the same size.
-fn whole_in(area: Rect, whole: Vec2) -> f32 {
+fn scale_to_fit(area: Rect, whole: Vec2) -> f32 {
     let scale = (area.width() / whole.x).min(area.height() / whole.y);
     let scale = if scale >= 2.0 { scale.floor() } else { scale };
     scale.clamp(*ZOOM.start() / 4.0, *ZOOM.end())
@@ -97,7 +97,7 @@ fn extent([width, height]: [u32; 2]) -> Vec2 {
     vec2(width as f32, height as f32)
 }
 
-impl Placed {
+impl Placement {
     /// The pixel at a position on the screen.
     pub fn pixel(&self, at: Pos2) -> Option<[u32; 2]> {
         let inside = (at - self.corner) / self.scale;

@@ -1,37 +1,37 @@
-//! Settings that are kept between runs, besides the window's size and position.
+//! Settings that are stored between runs, besides the window's size and position.
 
 use eframe::Storage;
 use serde::{Deserialize, Serialize};
 
-use crate::splits::Splits;
+use crate::window::splits::Splits;
 
 const NAME: &str = "inspector";
 
 /// Settings of the window. Those missing in the file have their defaults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Kept {
+pub struct StoredSettings {
     /// How the window is divided.
     pub splits: Splits,
     /// The name under which the picture was last saved.
     pub save: String,
 }
 
-impl Default for Kept {
+impl Default for StoredSettings {
     fn default() -> Self {
         Self { splits: Splits::default(), save: "picture.png".to_owned() }
     }
 }
 
-impl Kept {
+impl StoredSettings {
     /// The settings of the last run; the defaults if they cannot be read.
     pub fn read(storage: Option<&dyn Storage>) -> Self {
-        let kept: Self =
+        let stored: Self =
             storage.and_then(|storage| eframe::get_value(storage, NAME)).unwrap_or_default();
-        Self { splits: kept.splits.fitting(), ..kept }
+        Self { splits: stored.splits.fitting(), ..stored }
     }
 
-    /// Keeps the settings for the next run.
+    /// Stores the settings for the next run.
     pub fn write(&self, storage: &mut dyn Storage) {
         eframe::set_value(storage, NAME, self);
     }

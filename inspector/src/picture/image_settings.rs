@@ -35,9 +35,8 @@ impl ImageSettings {
             field = field.text_color(ui.visuals().error_fg_color);
         }
         let field = ui.add(field).labelled_by(label.id);
-        let about =
-            format!("The seed of all random choices: a whole number from 0 to {}", u64::MAX);
-        let field = field.on_hover_text(about);
+        let hint = format!("The seed of all random choices: a whole number from 0 to {}", u64::MAX);
+        let field = field.on_hover_text(hint);
         ui.end_row();
         let mut changed = false;
         if let (true, Ok(typed)) = (field.lost_focus(), typed) {
@@ -54,10 +53,10 @@ impl ImageSettings {
 /// Width and height; the view stays the same.
 fn size(ui: &mut Ui, scene: &mut Scene) -> bool {
     let [mut width, mut height] = [scene.image.width, scene.image.height];
-    let most = u32::try_from(MAX_PIXELS).unwrap_or(u32::MAX);
+    let max = u32::try_from(MAX_PIXELS).unwrap_or(u32::MAX);
     let mut changed = false;
     for (name, side) in [("Width", &mut width), ("Height", &mut height)] {
-        changed |= number(ui, name, side, 1..=most).changed();
+        changed |= number(ui, name, side, 1..=max).changed();
         ui.end_row();
     }
     if changed {
@@ -84,14 +83,14 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
     ui.end_row();
     match scene.tracer.max_depth() {
         Some(max_depth) => {
-            let about = "The largest number of reflections and transmissions in a row";
+            let hint = "The largest number of reflections and transmissions in a row";
             changed |=
-                number(ui, "Max depth", max_depth, 0..=MAX_DEPTH).on_hover_text(about).changed();
+                number(ui, "Max depth", max_depth, 0..=MAX_DEPTH).on_hover_text(hint).changed();
         }
         None => {
             ui.label("Max depth");
-            let about = "This tracer casts no reflected or transmitted rays";
-            ui.weak("none").on_hover_text(about);
+            let hint = "This tracer casts no reflected or transmitted rays";
+            ui.weak("none").on_hover_text(hint);
         }
     }
     ui.end_row();
@@ -114,8 +113,8 @@ fn intersections(ui: &mut Ui, scene: &mut Scene) -> bool {
             }
         }
     });
-    let about = "The library's own routines, or the book's formulas with a constant epsilon";
-    combo.response.labelled_by(label.id).on_hover_text(about);
+    let hint = "The library's own routines, or the book's formulas with a constant epsilon";
+    combo.response.labelled_by(label.id).on_hover_text(hint);
     ui.end_row();
     changed
 }

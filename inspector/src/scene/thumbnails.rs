@@ -14,11 +14,11 @@ use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
-use crate::picture::color;
-use crate::worker::Background;
+use crate::picture::display::color;
+use crate::picture::worker::Background;
 
 /// Width and height of a thumbnail, in pixels; the picture is centred in it.
-pub const LARGEST: [u32; 2] = [54, 36];
+pub const SIZE: [u32; 2] = [54, 36];
 /// The largest depth of rays in a thumbnail.
 const MAX_DEPTH: u32 = 4;
 /// After this time the rest of a thumbnail stays empty.
@@ -65,10 +65,10 @@ fn render_small(mut scene: Scene) -> Option<ColorImage> {
     let world = World::build(&scene).ok()?;
     let tone =
         Tone { exposure: 1.0, gamma: scene.image.gamma, out_of_gamut: scene.image.out_of_gamut };
-    let sides = LARGEST.map(|side| side as usize);
+    let sides = SIZE.map(|side| side as usize);
     let mut image = ColorImage::filled(sides, Color32::TRANSPARENT);
     // centred
-    let [left, top] = [(LARGEST[0] - width) / 2, (LARGEST[1] - height) / 2];
+    let [left, top] = [(SIZE[0] - width) / 2, (SIZE[1] - height) / 2];
     let start = Instant::now();
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
     // not on the rayon pool, which renders the picture
@@ -84,8 +84,8 @@ fn render_small(mut scene: Scene) -> Option<ColorImage> {
 
 /// The largest size of these proportions that is not larger than a thumbnail.
 pub fn fitting([width, height]: [u32; 2]) -> [u32; 2] {
-    let [most_width, most_height] = LARGEST.map(f64::from);
+    let [max_width, max_height] = SIZE.map(f64::from);
     let (width, height) = (f64::from(width), f64::from(height));
-    let scale = (most_width / width).min(most_height / height);
+    let scale = (max_width / width).min(max_height / height);
     [width, height].map(|side| ((scale * side).round() as u32).max(1))
 }

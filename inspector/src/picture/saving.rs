@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{Context, Event, Id, Key, Modal};
 use groundtruth::film;
 
-use crate::picture::Picture;
-use crate::worker::{Background, Rendering};
+use crate::picture::display::Picture;
+use crate::picture::worker::{Background, Rendering};
 
 /// The state of saving.
 #[derive(Debug, Default)]

@@ -4,7 +4,7 @@ use groundtruth::scene::Scene;
 
 /// The scene of the new file, with every setting and switch that was changed in the window since the file
 /// was last read.
-pub fn carried(before: &Scene, wanted: &Scene, mut now: Scene) -> Scene {
+pub fn with_changes(before: &Scene, wanted: &Scene, mut now: Scene) -> Scene {
     let size = |scene: &Scene| [scene.image.width, scene.image.height];
     if size(wanted) != size(before) {
         now.image.resize(wanted.image.width, wanted.image.height);
@@ -20,9 +20,13 @@ pub fn carried(before: &Scene, wanted: &Scene, mut now: Scene) -> Scene {
         now.tracer = wanted.tracer;
     }
     let lights = |scene: &Scene| switches(scene.lights.iter().map(|l| (&l.name, l.enabled)));
-    carry(lights(before), lights(wanted), now.lights.iter_mut().map(|l| (&l.name, &mut l.enabled)));
+    keep_switches(
+        lights(before),
+        lights(wanted),
+        now.lights.iter_mut().map(|l| (&l.name, &mut l.enabled)),
+    );
     let objects = |scene: &Scene| switches(scene.objects.iter().map(|o| (&o.name, o.enabled)));
-    carry(
+    keep_switches(
         objects(before),
         objects(wanted),
         now.objects.iter_mut().map(|o| (&o.name, &mut o.enabled)),
@@ -35,7 +39,7 @@ fn switches<'a>(all: impl Iterator<Item = (&'a String, bool)>) -> Vec<(String, b
 }
 
 /// Sets the switches that were changed, where an element of the same name still has the same index.
-fn carry<'a>(
+fn keep_switches<'a>(
     before: Vec<(String, bool)>,
     wanted: Vec<(String, bool)>,
     now: impl Iterator<Item = (&'a String, &'a mut bool)>,

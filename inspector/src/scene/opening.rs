@@ -3,11 +3,11 @@
 use eframe::egui::Context;
 
 use crate::app::Inspector;
-use crate::picture::{self, Picture};
-use crate::reread::carried;
-use crate::tree::Tree;
-use crate::watch;
-use crate::worker::{Loaded, Rendering, Source};
+use crate::explanation::tree::Tree;
+use crate::picture::display::{self, Picture};
+use crate::picture::worker::Rendering;
+use crate::scene::source::{Loaded, Source};
+use crate::scene::{reload, watch};
 
 impl Inspector {
     /// Opens another scene; the present one stays if the other is invalid.
@@ -36,7 +36,7 @@ impl Inspector {
         let Rendering { source, read, .. } = &self.rendering;
         let (source, before, wanted, seed) =
             (source.clone(), read.clone(), self.wanted.clone(), self.seed);
-        let change = move |now| Ok(carried(&before, &wanted, now));
+        let change = move |now| Ok(reload::with_changes(&before, &wanted, now));
         self.loading.start(ctx, move || source.load_changed(seed, change));
     }
 
@@ -51,9 +51,9 @@ impl Inspector {
     }
 
     /// Shows the scene that was loaded meanwhile, if there is one.
-    pub(crate) fn take_loaded(&mut self, ctx: &Context) {
+    pub(crate) fn poll_loading(&mut self, ctx: &Context) {
         match self.loading.poll() {
-            Some(Ok(Ok(loaded))) => self.take_scene(ctx, loaded),
+            Some(Ok(Ok(loaded))) => self.show_scene(ctx, loaded),
             Some(Ok(Err(error))) => self.keep_scene(error),
             Some(Err(lost)) => self.keep_scene(lost.to_string()),
             None => {}
@@ -66,7 +66,7 @@ impl Inspector {
         self.message = Some((error, true));
     }
 
-    fn take_scene(&mut self, ctx: &Context, mut loaded: Loaded) {
+    fn show_scene(&mut self, ctx: &Context, mut loaded: Loaded) {
         let is_same_scene = loaded.source.name() == self.rendering.source.name();
         let old_size = self.rendering.size();
         self.message = None;
@@ -79,9 +79,9 @@ impl Inspector {
         // the old rendering is dropped here, which stops it
         self.rendering = Rendering::start(ctx, loaded);
         if is_same_scene && self.rendering.size() == old_size {
-            self.picture.begin_again();
+            self.picture.restart();
         } else {
-            self.picture = Picture::new(picture::tone_of(&self.rendering));
+            self.picture = Picture::new(display::tone_of(&self.rendering));
         }
         if !is_same_scene {
             self.selection.tree = Tree::default();

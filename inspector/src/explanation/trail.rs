@@ -6,25 +6,25 @@ use groundtruth::math::Point;
 use groundtruth::render;
 use groundtruth::world::World;
 
-use crate::tree::kind_color;
-use crate::view::Placed;
+use crate::explanation::tree::kind_color;
+use crate::picture::view::Placement;
 
 /// A hit along the path: its position in the picture, in pixels from the top left corner, if it is in
 /// view, and the colour of its ray.
-pub type Station = (Option<[f64; 2]>, Color32);
+pub type TrailPoint = (Option<[f64; 2]>, Color32);
 
 /// The hits of the rays from the camera's to the ray of this number, in the image of the pixel's eye.
-pub fn stations(
+pub fn points(
     world: &World,
     pixel: [u32; 2],
     root: &RayExplanation,
     number: usize,
-) -> Vec<Station> {
+) -> Vec<TrailPoint> {
     let Some((eye, column)) = world.view.eye_of_column(pixel[0], world.image.width) else {
         return Vec::new();
     };
     let first_column = f64::from(pixel[0] - column);
-    let station = |ray: &&RayExplanation| {
+    let trail_point = |ray: &&RayExplanation| {
         let point = Point::from(ray.outcome.hit()?.point);
         let position = eye.project(point).map(|film| {
             let [x, y] = render::image_point(&world.image, film);
@@ -32,16 +32,16 @@ pub fn stations(
         });
         Some((position, kind_color(ray)))
     };
-    root.path_to(number).iter().filter_map(station).collect()
+    root.path_to(number).iter().filter_map(trail_point).collect()
 }
 
 /// Draws lines between the hits, without those out of view.
-pub fn paint(painter: &Painter, placed: &Placed, stations: &[Station]) {
+pub fn paint(painter: &Painter, placement: &Placement, points: &[TrailPoint]) {
     let on_screen = |[x, y]: [f64; 2]| -> Pos2 {
-        let whole = placed.whole();
-        whole.min + placed.scale * eframe::egui::vec2(x as f32, y as f32)
+        let whole = placement.whole();
+        whole.min + placement.scale * eframe::egui::vec2(x as f32, y as f32)
     };
-    let visible: Vec<(Pos2, Color32)> = stations
+    let visible: Vec<(Pos2, Color32)> = points
         .iter()
         .filter_map(|&(position, color)| position.map(|at| (on_screen(at), color)))
         .collect();

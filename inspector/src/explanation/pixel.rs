@@ -5,8 +5,9 @@ use groundtruth::explain::{self, PixelExplanation, RayExplanation, percent, shor
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
 
-use crate::worker::Rendering;
-use crate::{copying, details, picture, tree};
+use crate::explanation::{copying, details, tree};
+use crate::picture::display;
+use crate::picture::worker::Rendering;
 
 /// How the list of samples is sorted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,7 +38,7 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
 }
 
 /// A menu that copies commands that reproduce this pixel outside the window, and the selected ray.
-pub fn copies(
+pub fn copy_menu(
     ui: &mut Ui,
     rendering: &Rendering,
     pixel: [u32; 2],
@@ -73,11 +74,11 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
         1.0 => String::new(),
         time => format!(", times the exposure time {time:?}"),
     };
-    let what = match answer.samples_per_pixel {
+    let mean = match answer.samples_per_pixel {
         1 => "the radiance of its one sample".to_owned(),
         count => format!("the mean of its {count} samples"),
     };
-    ui.label(format!("The pixel is {what}{exposure}:"));
+    ui.label(format!("The pixel is {mean}{exposure}:"));
     let total = format!("= {}", details::exact(answer.radiance.to_array()));
     ui.label(RichText::new(total).monospace().size(12.0).strong());
     let bits = |color: Rgb| color.to_array().map(f64::to_bits);
@@ -181,7 +182,7 @@ fn sample_line(ui: &mut Ui, answer: &PixelExplanation, index: u32, tone: &Tone, 
     let whole: f64 = answer.radiances.iter().map(|radiance| radiance.average()).sum();
     let share = if whole == 0.0 { 0.0 } else { radiance.average() / whole };
     ui.horizontal(|ui| {
-        tree::swatch(ui, picture::color(tone, radiance));
+        tree::swatch(ui, display::color(tone, radiance));
         let share = percent(share);
         let text = format!("sample {index:>3}  {share:>7} of the pixel  {}", short(radiance));
         let text = RichText::new(text).monospace();

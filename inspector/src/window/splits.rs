@@ -10,7 +10,7 @@ const BAR: f32 = 8.0;
 /// The smallest shares of scene, picture and explanation.
 const MIN: [f32; 3] = [0.1, 0.3, 0.25];
 /// The least width of the scene's panel, which its numbers need, in points of the screen.
-const SCENE_FROM: f32 = 144.0;
+const SCENE_MIN_WIDTH: f32 = 144.0;
 
 /// Shares of the window's width; the picture has the rest.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -44,7 +44,7 @@ impl Splits {
     pub fn show(&mut self, ui: &mut Ui, area: Rect) -> Parts {
         let Self { scene: left, explanation: right } = *self;
         let at = |share: f32| (area.left() + share * area.width()).round();
-        let left = left.max(SCENE_FROM / area.width());
+        let left = left.max(SCENE_MIN_WIDTH / area.width());
         let moved = bar(ui, "left bar", strip(area, at(left)), left);
         self.scene = match moved {
             Some(0.0) => self.scene,

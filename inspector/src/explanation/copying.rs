@@ -3,7 +3,7 @@
 use eframe::egui::{Context, Id, Ui};
 use groundtruth::scene;
 
-use crate::worker::Rendering;
+use crate::picture::worker::Rendering;
 
 /// The command that explains a sample of a pixel in a terminal.
 pub fn explain_command(rendering: &Rendering, [x, y]: [u32; 2], sample: u32) -> String {
@@ -29,8 +29,8 @@ pub fn probe_line(rendering: &Rendering, pixel: [u32; 2]) -> String {
     question.to_string()
 }
 
-/// How long "copied" is shown, in seconds.
-const SHOWN: f64 = 2.0;
+/// How long "copied" is shown.
+const SHOWN_SECONDS: f64 = 2.0;
 
 /// Where the time of the last copy is kept.
 fn copied_at() -> Id {
@@ -46,7 +46,7 @@ pub fn set_copied(ctx: &Context) {
 /// "copied", for a short time after something was put on the clipboard.
 pub fn show_copied(ui: &mut Ui) {
     let Some(at) = ui.data(|data| data.get_temp::<f64>(copied_at())) else { return };
-    let left = at + SHOWN - ui.input(|input| input.time);
+    let left = at + SHOWN_SECONDS - ui.input(|input| input.time);
     if left > 0.0 {
         ui.weak("copied");
         ui.request_repaint_after(std::time::Duration::from_secs_f64(left));

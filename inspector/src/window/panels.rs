@@ -7,9 +7,11 @@ use eframe::egui::{
 };
 use groundtruth::explain::{count, short};
 
-use crate::picture::{Picture, tone_of};
-use crate::scene_picker::ScenePicker;
-use crate::worker::{Progress, Rendering, Source};
+use crate::picture::display::{Picture, tone_of};
+use crate::picture::view::View;
+use crate::picture::worker::{Progress, Rendering};
+use crate::scene::picker::ScenePicker;
+use crate::scene::source::Source;
 
 /// The text typed into the bars.
 #[derive(Default)]
@@ -22,8 +24,8 @@ pub struct Fields {
     pub pixel: String,
 }
 
-/// A wish that the user expressed in the bars.
-pub enum Wish {
+/// What the user asks for in a bar: the bar returns it, and the app carries it out.
+pub enum Action {
     /// Open another scene.
     Open(Source),
     /// Save the picture in a file.
@@ -33,7 +35,7 @@ pub enum Wish {
 }
 
 /// Narrower windows have two rows of fields.
-const ONE_ROW_FROM: f32 = 1250.0;
+const ONE_ROW_MIN_WIDTH: f32 = 1250.0;
 
 /// The id of the field for the scene file, which a shortcut focuses.
 pub fn file_field() -> Id {
@@ -46,9 +48,9 @@ pub fn files(
     fields: &mut Fields,
     picker: &mut ScenePicker,
     source: &Source,
-) -> Option<Wish> {
+) -> Option<Action> {
     let width = ui.available_width();
-    if width >= ONE_ROW_FROM {
+    if width >= ONE_ROW_MIN_WIDTH {
         let opened = |ui: &mut Ui| {
             let opened = open(ui, fields, picker, source, 230.0);
             ui.separator();
@@ -67,7 +69,7 @@ fn open(
     picker: &mut ScenePicker,
     source: &Source,
     width: f32,
-) -> Option<Wish> {
+) -> Option<Action> {
     let picked = picker.show(ui, &source.name(), 220.0);
     ui.separator();
     let field = TextEdit::singleline(&mut fields.open).id(file_field());
@@ -75,12 +77,12 @@ fn open(
     let named = entry(ui, "File", field, width, "Open");
     let file = fields.open.trim();
     match picked {
-        Some(entry) => Some(Wish::Open(Source::Gallery(entry))),
-        None => (named && !file.is_empty()).then(|| Wish::Open(Source::File(file.into()))),
+        Some(entry) => Some(Action::Open(Source::Gallery(entry))),
+        None => (named && !file.is_empty()).then(|| Action::Open(Source::File(file.into()))),
     }
 }
 
-fn save_and_select(ui: &mut Ui, fields: &mut Fields, width: f32) -> Option<Wish> {
+fn save_and_select(ui: &mut Ui, fields: &mut Fields, width: f32) -> Option<Action> {
     let field = TextEdit::singleline(&mut fields.save).hint_text("picture.png or .exr");
     let saved = entry(ui, "Picture", field, width, "Save");
     ui.separator();
@@ -88,9 +90,9 @@ fn save_and_select(ui: &mut Ui, fields: &mut Fields, width: f32) -> Option<Wish>
     let selected = entry(ui, "Pixel", field, 70.0, "Explain");
     let (name, pixel) = (fields.save.trim(), fields.pixel.trim());
     if saved && !name.is_empty() {
-        return Some(Wish::Save(name.into()));
+        return Some(Action::Save(name.into()));
     }
-    (selected && !pixel.is_empty()).then(|| Wish::Select(pixel.to_owned()))
+    (selected && !pixel.is_empty()).then(|| Action::Select(pixel.to_owned()))
 }
 
 /// A field with its button; true if the button or Enter was pressed.
@@ -103,7 +105,7 @@ fn entry(ui: &mut Ui, name: &str, field: TextEdit<'_>, width: f32, verb: &str) -
 }
 
 /// The settings of the view.
-pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
+pub fn view_settings(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Exposure");
         let exposure = Slider::new(&mut picture.tone.exposure, 0.01..=100.0).logarithmic(true);
@@ -119,7 +121,7 @@ pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
         ui.separator();
         let size = rendering.size();
         if ui.button("Whole").on_hover_text("The whole picture, as large as fits").clicked() {
-            picture.view = crate::view::View::WHOLE;
+            picture.view = View::WHOLE;
         }
         for zoom in [1.0_f32, 4.0, 12.0] {
             if ui
@@ -137,7 +139,7 @@ pub fn look(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
 pub fn status(
     ui: &mut Ui,
     rendering: &Rendering,
-    over: Option<[u32; 2]>,
+    hovered: Option<[u32; 2]>,
     is_loading: bool,
 ) -> bool {
     ui.horizontal(|ui| {
@@ -151,7 +153,7 @@ pub fn status(
         }
         progress(ui, rendering);
         ui.separator();
-        match over {
+        match hovered {
             Some(pixel) => drop(ui.monospace(under_mouse(rendering, pixel))),
             None => drop(ui.weak("point at a pixel to read it")),
         }

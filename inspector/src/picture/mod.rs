@@ -1,0 +1,8 @@
+//! The picture: its settings, the background threads that render it, its view on the screen, and
+//! saving it.
+
+pub mod display;
+pub mod image_settings;
+pub mod saving;
+pub mod view;
+pub mod worker;
