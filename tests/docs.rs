@@ -1,4 +1,4 @@
-//! Checks of the documents: every link leads to a file, and every kind is in the map of the book.
+//! Checks of the documents: links, the map of the book, and what they say about code, files and tests.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,9 +9,13 @@ fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
+fn text_of(name: &str) -> String {
+    fs::read_to_string(root().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
 fn documents() -> Vec<PathBuf> {
-    let mut all: Vec<PathBuf> =
-        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(|name| root().join(name)).into();
+    let names = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"];
+    let mut all: Vec<PathBuf> = names.map(|name| root().join(name)).into();
     let docs = fs::read_dir(root().join("docs")).expect("there are documents");
     all.extend(docs.map(|entry| entry.expect("readable").path()));
     all.retain(|path| path.extension().is_some_and(|extension| extension == "md"));
@@ -29,7 +33,7 @@ fn links(text: &str) -> Vec<String> {
 /// it names every kind.
 #[test]
 fn the_map_of_the_book_is_whole() {
-    let map = fs::read_to_string(root().join("docs/book.md")).expect("the map of the book");
+    let map = text_of("docs/book.md");
     let left: Vec<&str> = map.lines().filter(|line| line.contains("not built yet")).collect();
     assert!(left.is_empty(), "docs/book.md says that these are not built: {left:#?}");
 }
@@ -56,7 +60,7 @@ fn every_link_in_the_documents_leads_to_a_file() {
 
 #[test]
 fn every_kind_is_in_the_map_of_the_book() {
-    let map = fs::read_to_string(root().join("docs/book.md")).expect("the map is there");
+    let map = text_of("docs/book.md");
     let linked = links(&map);
     let check = |folder: &str, module: &str| {
         let (folder, file) = (format!("../src/{folder}/"), format!("/{module}.rs"));
@@ -76,7 +80,7 @@ fn every_kind_is_in_the_map_of_the_book() {
 
 #[test]
 fn the_readme_names_only_commands_and_scenes_that_exist() {
-    let text = fs::read_to_string(root().join("README.md")).expect("the README is there");
+    let text = text_of("README.md");
     let mut count = 0;
     for word in text.split(|c: char| c.is_whitespace() || "`,;)|".contains(c)) {
         let is_scene = word.len() > 5 && word.starts_with("ch") && word.contains('/');
@@ -86,4 +90,16 @@ fn the_readme_names_only_commands_and_scenes_that_exist() {
         }
     }
     assert!(count >= 2, "found no scenes in the README: the search for them is broken");
+}
+
+/// Law: the program in the README is the example, without its header comment. The example is compiled with
+/// the tests, so the README's program compiles too.
+#[test]
+fn the_program_in_the_readme_is_the_example() {
+    let (readme, example) = (text_of("README.md"), text_of("examples/sphere.rs"));
+    let programs: Vec<&str> = readme.split("```rust\n").skip(1).collect();
+    assert_eq!(programs.len(), 1, "the README has one program");
+    let (program, _) = programs[0].split_once("```").expect("its code block ends");
+    let without_header = example.lines().skip_while(|line| line.starts_with("//!")).skip(1);
+    assert_eq!(program.lines().collect::<Vec<_>>(), without_header.collect::<Vec<_>>());
 }
