@@ -14,7 +14,7 @@ fn text_of(name: &str) -> String {
 }
 
 fn documents() -> Vec<PathBuf> {
-    let names = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"];
+    let names = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"];
     let mut all: Vec<PathBuf> = names.map(|name| root().join(name)).into();
     let docs = fs::read_dir(root().join("docs")).expect("there are documents");
     all.extend(docs.map(|entry| entry.expect("readable").path()));
@@ -102,4 +102,24 @@ fn the_program_in_the_readme_is_the_example() {
     let (program, _) = programs[0].split_once("```").expect("its code block ends");
     let without_header = example.lines().skip_while(|line| line.starts_with("//!")).skip(1);
     assert_eq!(program.lines().collect::<Vec<_>>(), without_header.collect::<Vec<_>>());
+}
+
+/// Law: the reading path's numbers of lines are those of the files, within a tenth, and their sum.
+#[test]
+fn the_reading_path_says_how_long_its_files_are() {
+    let page = text_of("ARCHITECTURE.md");
+    let (before, rest) = page.split_once("| file | lines |").expect("the reading path");
+    let rows: Vec<&str> = rest.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
+    let mut sum = 0;
+    for row in &rows {
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        let said: usize = cells[2].parse().expect("a number of lines");
+        let file = &links(cells[1])[0];
+        let found = text_of(file).lines().count();
+        assert!(10 * said.abs_diff(found) <= found, "{file}: {said} lines said, {found} found");
+        sum += said;
+    }
+    for said in [format!("in {} files", rows.len()), format!("are {sum} lines")] {
+        assert!(before.contains(&said), "ARCHITECTURE.md does not say \"{said}\"");
+    }
 }
