@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use groundtruth::{bumps, cameras, filters, lights, lobes, materials, samplers, shapes, textures};
+use harness::report::PAGES;
 
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
@@ -121,5 +122,41 @@ fn the_reading_path_says_how_long_its_files_are() {
     }
     for said in [format!("in {} files", rows.len()), format!("are {sum} lines")] {
         assert!(before.contains(&said), "ARCHITECTURE.md does not say \"{said}\"");
+    }
+}
+
+/// Law: the table of the report's pages has each page's name and question, in their order.
+#[test]
+fn the_document_of_the_report_asks_the_questions_of_its_pages() {
+    let text = text_of("docs/report.md");
+    let (_, rest) = text.split_once("| page | question |").expect("the table of pages");
+    let rows = rest.lines().skip(2).take_while(|line| line.starts_with('|'));
+    let cells = |row: &str| {
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        [cells[1].trim_matches('`'), cells[2]].map(str::to_owned)
+    };
+    let pages = PAGES.iter().map(|page| [page.name(), page.question()].map(str::to_owned));
+    assert_eq!(rows.map(cells).collect::<Vec<_>>(), pages.collect::<Vec<_>>());
+}
+
+/// Law: a chapter's laws are in `chNN.rs` or `chNN/mod.rs` and in the folder `chNN`, as the documents say. Each
+/// file is a module: cargo would ignore any other without a word.
+#[test]
+fn every_chapter_has_its_file_or_folder_and_every_file_is_a_module() {
+    let main = text_of("tests/chapters/main.rs");
+    for chapter in (1..=31).map(|number| format!("ch{number:02}")) {
+        assert!(main.contains(&format!("\nmod {chapter};")), "main.rs has no mod {chapter};");
+        let places = [format!("{chapter}.rs"), format!("{chapter}/mod.rs")];
+        let chapters = root().join("tests/chapters");
+        let found = places.iter().find(|place| chapters.join(place).exists());
+        let file = found.unwrap_or_else(|| panic!("none of {places:?} is in tests/chapters"));
+        let code = text_of(&format!("tests/chapters/{file}"));
+        for entry in fs::read_dir(chapters.join(&chapter)).into_iter().flatten() {
+            let path = entry.expect("readable").path();
+            let name = path.file_stem().expect("it has a name").to_string_lossy().into_owned();
+            let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+            let is_module = code.lines().any(|line| line.ends_with(&format!("mod {name};")));
+            assert!(!is_rust || name == "mod" || is_module, "{file} has no mod {name};");
+        }
     }
 }
