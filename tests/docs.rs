@@ -160,3 +160,20 @@ fn every_chapter_has_its_file_or_folder_and_every_file_is_a_module() {
         }
     }
 }
+
+/// Law: the table of tests in CONTRIBUTING.md has every test of each package. Oracle: their `Cargo.toml`.
+#[test]
+fn the_table_of_tests_is_whole() {
+    let text = text_of("CONTRIBUTING.md");
+    let manifests = ["harness", "tests", "tests/contracts"];
+    for manifest in manifests.map(|folder| text_of(&format!("{folder}/Cargo.toml"))) {
+        let value = |line: &str| line.split('"').nth(1).map(str::to_owned);
+        let package = value(&manifest).expect("its name is the first text");
+        let row = text.lines().find(|line| line.starts_with(&format!("| `{package}` |")));
+        let row = row.unwrap_or_else(|| panic!("CONTRIBUTING.md has no row for {package}"));
+        let tests = manifest.split("[[test]]").skip(1).filter_map(value);
+        let listed = row.split('|').nth(2).expect("a list of tests");
+        let listed: Vec<&str> = listed.split('`').skip(1).step_by(2).collect();
+        assert_eq!(listed, tests.collect::<Vec<_>>(), "CONTRIBUTING.md, tests of {package}");
+    }
+}
