@@ -1,17 +1,22 @@
-//! Checks of the documents: every link leads to a file, and every kind is in the map of the book.
+//! Checks of the documents: links, the map of the book, and what they say about code, files and tests.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use groundtruth::{bumps, cameras, filters, lights, lobes, materials, samplers, shapes, textures};
+use harness::report::PAGES;
 
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
+fn text_of(name: &str) -> String {
+    fs::read_to_string(root().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
 fn documents() -> Vec<PathBuf> {
-    let mut all: Vec<PathBuf> =
-        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(|name| root().join(name)).into();
+    let names = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"];
+    let mut all: Vec<PathBuf> = names.map(|name| root().join(name)).into();
     let docs = fs::read_dir(root().join("docs")).expect("there are documents");
     all.extend(docs.map(|entry| entry.expect("readable").path()));
     all.retain(|path| path.extension().is_some_and(|extension| extension == "md"));
@@ -29,7 +34,7 @@ fn links(text: &str) -> Vec<String> {
 /// it names every kind.
 #[test]
 fn the_map_of_the_book_is_whole() {
-    let map = fs::read_to_string(root().join("docs/book.md")).expect("the map of the book");
+    let map = text_of("docs/book.md");
     let left: Vec<&str> = map.lines().filter(|line| line.contains("not built yet")).collect();
     assert!(left.is_empty(), "docs/book.md says that these are not built: {left:#?}");
 }
@@ -56,7 +61,7 @@ fn every_link_in_the_documents_leads_to_a_file() {
 
 #[test]
 fn every_kind_is_in_the_map_of_the_book() {
-    let map = fs::read_to_string(root().join("docs/book.md")).expect("the map is there");
+    let map = text_of("docs/book.md");
     let linked = links(&map);
     let check = |folder: &str, module: &str| {
         let (folder, file) = (format!("../src/{folder}/"), format!("/{module}.rs"));
@@ -76,7 +81,7 @@ fn every_kind_is_in_the_map_of_the_book() {
 
 #[test]
 fn the_readme_names_only_commands_and_scenes_that_exist() {
-    let text = fs::read_to_string(root().join("README.md")).expect("the README is there");
+    let text = text_of("README.md");
     let mut count = 0;
     for word in text.split(|c: char| c.is_whitespace() || "`,;)|".contains(c)) {
         let is_scene = word.len() > 5 && word.starts_with("ch") && word.contains('/');
@@ -86,4 +91,89 @@ fn the_readme_names_only_commands_and_scenes_that_exist() {
         }
     }
     assert!(count >= 2, "found no scenes in the README: the search for them is broken");
+}
+
+/// Law: the program in the README is the example, without its header comment. The example is compiled with
+/// the tests, so the README's program compiles too.
+#[test]
+fn the_program_in_the_readme_is_the_example() {
+    let (readme, example) = (text_of("README.md"), text_of("examples/sphere.rs"));
+    let programs: Vec<&str> = readme.split("```rust\n").skip(1).collect();
+    assert_eq!(programs.len(), 1, "the README has one program");
+    let (program, _) = programs[0].split_once("```").expect("its code block ends");
+    let without_header = example.lines().skip_while(|line| line.starts_with("//!")).skip(1);
+    assert_eq!(program.lines().collect::<Vec<_>>(), without_header.collect::<Vec<_>>());
+}
+
+/// Law: the reading path's numbers of lines are those of the files, within a tenth, and their sum.
+#[test]
+fn the_reading_path_says_how_long_its_files_are() {
+    let page = text_of("ARCHITECTURE.md");
+    let (before, rest) = page.split_once("| file | lines |").expect("the reading path");
+    let rows: Vec<&str> = rest.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
+    let mut sum = 0;
+    for row in &rows {
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        let said: usize = cells[2].parse().expect("a number of lines");
+        let file = &links(cells[1])[0];
+        let found = text_of(file).lines().count();
+        assert!(10 * said.abs_diff(found) <= found, "{file}: {said} lines said, {found} found");
+        sum += said;
+    }
+    for said in [format!("in {} files", rows.len()), format!("are {sum} lines")] {
+        assert!(before.contains(&said), "ARCHITECTURE.md does not say \"{said}\"");
+    }
+}
+
+/// Law: the table of the report's pages has each page's name and question, in their order.
+#[test]
+fn the_document_of_the_report_asks_the_questions_of_its_pages() {
+    let text = text_of("docs/report.md");
+    let (_, rest) = text.split_once("| page | question |").expect("the table of pages");
+    let rows = rest.lines().skip(2).take_while(|line| line.starts_with('|'));
+    let cells = |row: &str| {
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        [cells[1].trim_matches('`'), cells[2]].map(str::to_owned)
+    };
+    let pages = PAGES.iter().map(|page| [page.name(), page.question()].map(str::to_owned));
+    assert_eq!(rows.map(cells).collect::<Vec<_>>(), pages.collect::<Vec<_>>());
+}
+
+/// Law: a chapter's laws are in `chNN.rs` or `chNN/mod.rs` and in the folder `chNN`, as the documents say. Each
+/// file is a module: cargo would ignore any other without a word.
+#[test]
+fn every_chapter_has_its_file_or_folder_and_every_file_is_a_module() {
+    let main = text_of("tests/chapters/main.rs");
+    for chapter in (1..=31).map(|number| format!("ch{number:02}")) {
+        assert!(main.contains(&format!("\nmod {chapter};")), "main.rs has no mod {chapter};");
+        let places = [format!("{chapter}.rs"), format!("{chapter}/mod.rs")];
+        let chapters = root().join("tests/chapters");
+        let found = places.iter().find(|place| chapters.join(place).exists());
+        let file = found.unwrap_or_else(|| panic!("none of {places:?} is in tests/chapters"));
+        let code = text_of(&format!("tests/chapters/{file}"));
+        for entry in fs::read_dir(chapters.join(&chapter)).into_iter().flatten() {
+            let path = entry.expect("readable").path();
+            let name = path.file_stem().expect("it has a name").to_string_lossy().into_owned();
+            let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+            let is_module = code.lines().any(|line| line.ends_with(&format!("mod {name};")));
+            assert!(!is_rust || name == "mod" || is_module, "{file} has no mod {name};");
+        }
+    }
+}
+
+/// Law: the table of tests in CONTRIBUTING.md has every test of each package. Oracle: their `Cargo.toml`.
+#[test]
+fn the_table_of_tests_is_whole() {
+    let text = text_of("CONTRIBUTING.md");
+    let manifests = ["harness", "tests", "tests/contracts"];
+    for manifest in manifests.map(|folder| text_of(&format!("{folder}/Cargo.toml"))) {
+        let value = |line: &str| line.split('"').nth(1).map(str::to_owned);
+        let package = value(&manifest).expect("its name is the first text");
+        let row = text.lines().find(|line| line.starts_with(&format!("| `{package}` |")));
+        let row = row.unwrap_or_else(|| panic!("CONTRIBUTING.md has no row for {package}"));
+        let tests = manifest.split("[[test]]").skip(1).filter_map(value);
+        let listed = row.split('|').nth(2).expect("a list of tests");
+        let listed: Vec<&str> = listed.split('`').skip(1).step_by(2).collect();
+        assert_eq!(listed, tests.collect::<Vec<_>>(), "CONTRIBUTING.md, tests of {package}");
+    }
 }

@@ -214,6 +214,34 @@ fn the_arrows_have_no_circle_and_the_library_shows_their_order() {
     assert!(text.contains(&format!("```text\n{order}//! ```")), "src/lib.rs must show:\n{order}");
 }
 
+/// The tracer's modules as `ARCHITECTURE.md` orders them: the rows of its table, from top to bottom.
+fn rows_of_modules() -> Vec<Vec<String>> {
+    let page = read(&sources().join("../ARCHITECTURE.md"));
+    let (_, rest) = page.split_once("| modules |").expect("the table of modules");
+    let rows = rest.lines().skip(2).take_while(|line| line.starts_with('|'));
+    let first_cell = |row: &str| row.split('|').nth(1).expect("a cell").to_owned();
+    let names = |cell: String| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect();
+    rows.map(first_cell).map(names).collect()
+}
+
+/// Law: the architecture page has each module once, and a module may name only those of lower rows.
+/// Oracle: the list of arrows, which the sources obey.
+#[test]
+fn the_architecture_page_orders_the_modules() {
+    let rows = rows_of_modules();
+    let on_page: Vec<&String> = rows.iter().flatten().collect();
+    let row_of = |name: &str| rows.iter().position(|row| row.iter().any(|module| module == name));
+    let modules: BTreeSet<String> = code_by_module().into_keys().collect();
+    assert_eq!(on_page.len(), modules.len(), "each module is there once");
+    assert_eq!(on_page.into_iter().cloned().collect::<BTreeSet<_>>(), modules);
+    for (module, named) in MAY_NAME.iter().filter(|(module, _)| modules.contains(*module)) {
+        for other in named.iter().filter(|other| *other != module) {
+            let is_lower = row_of(other) > row_of(module);
+            assert!(is_lower, "ARCHITECTURE.md: {module} may name {other}, which is not below it");
+        }
+    }
+}
+
 #[test]
 fn only_the_mathematics_names_glam() {
     for (module, files) in code_by_module() {

@@ -5,6 +5,8 @@
 //! It is formed about the middle of the chord, not about the ray's origin, so that its coefficients keep
 //! their digits. Still it only says where to search: between the roots of `F′` it is monotone. The signs
 //! there, and the hits between, are those of `f` itself.
+//!
+//! The usual routine, by samples along the ray (the book has none): `src/shapes/textbook/algebraic.rs`.
 
 use std::sync::Arc;
 

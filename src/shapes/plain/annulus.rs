@@ -2,6 +2,8 @@
 //! normal `n` for which `r_in² ≤ |p − c|² ≤ r_out²`.
 //!
 //! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book.
+//!
+//! The book's own routine: `src/shapes/textbook/annulus.rs`.
 
 use std::sync::Arc;
 

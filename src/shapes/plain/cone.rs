@@ -11,6 +11,8 @@
 //!   the point of the ray nearest to the apex, and `t` is counted from it.
 //! - A hit on the other half of the double cone, above the apex, is recognised by the signs of the
 //!   coefficients, not by its rounded height.
+//!
+//! The book's own routine: `src/shapes/textbook/cone.rs`.
 
 use std::sync::Arc;
 

@@ -4,6 +4,8 @@
 //! the box at the largest of the first and leaves it at the smallest of the second, if they are in this
 //! order. The book multiplies by `1/d`; here the differences are divided, as a quotient is monotone: a
 //! segment that ends in front of a face does not reach it by rounding.
+//!
+//! The book's own routine: `src/shapes/textbook/cuboid.rs`.
 
 use std::sync::Arc;
 

@@ -2,6 +2,8 @@
 //! `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`.
 //!
 //! A ray meets the plane at `t = −o_y/d_y`, and then the point is tested, as in the book.
+//!
+//! The book's own routine: `src/shapes/textbook/cut_face.rs`.
 
 use std::sync::Arc;
 

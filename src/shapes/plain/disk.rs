@@ -2,6 +2,8 @@
 //! `|p − c|² ≤ r²`.
 //!
 //! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book.
+//!
+//! The book's own routine: `src/shapes/textbook/disk.rs`.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

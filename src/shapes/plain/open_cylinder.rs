@@ -6,6 +6,8 @@
 //! one is beyond an end, the far one may not be. The discriminant `b² − a c` is taken as
 //! `a r² − (o_x d_z − o_z d_x)²`, which keeps its digits for far origins and thin cylinders
 //! ([`circle_roots`]).
+//!
+//! The book's own routine: `src/shapes/textbook/open_cylinder.rs`.
 
 use std::sync::Arc;
 

@@ -5,6 +5,8 @@
 //! `e = o_x d_x + o_z d_z` and `c = o_x² + o_z² − w o_y`. The discriminant `b² − a c` is taken as
 //! `k (d_y (k d_y − 2 e) + 2 a o_y) − (o_z d_x − o_x d_z)²`: the parts of `e²` and `a (o_x² + o_z²)` that
 //! cancel are left out.
+//!
+//! The textbook's routine, as the book solves its cone: `src/shapes/textbook/paraboloid.rs`.
 
 use std::sync::Arc;
 

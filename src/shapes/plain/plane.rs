@@ -2,6 +2,8 @@
 //!
 //! A ray meets it at `t = (a − o)·n / d·n`, as in the book. For a ray parallel to the plane that is
 //! infinite or NaN, and no span contains it.
+//!
+//! The book's own routine: `src/shapes/textbook/plane.rs`.
 
 use std::sync::Arc;
 

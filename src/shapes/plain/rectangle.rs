@@ -2,6 +2,8 @@
 //! which `0 ≤ (p − p0)·a ≤ a·a` and `0 ≤ (p − p0)·b ≤ b·b`.
 //!
 //! A ray meets the plane at `t = (p0 − o)·n / d·n`, and then the point is tested, as in the book.
+//!
+//! The book's own routine: `src/shapes/textbook/rectangle.rs`.
 
 use std::sync::Arc;
 

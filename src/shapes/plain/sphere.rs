@@ -3,6 +3,8 @@
 //! With `f = o − c` a ray meets it where `d·d t² + 2 f·d t + f·f − r² = 0`. The book takes the
 //! discriminant as `b² − 4ac`; here a quarter of it is `r² d·d − |f × d|²`, which keeps its digits for
 //! far and for small spheres ([`perpendicular_roots`]).
+//!
+//! The book's own routine: `src/shapes/textbook/sphere.rs`.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

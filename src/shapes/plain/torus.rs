@@ -17,6 +17,8 @@
 //!
 //! The idea of searching between the roots of a derivative: Yuksel, "High-Performance Polynomial Root
 //! Finding for Graphics", HPG 2022.
+//!
+//! The book's own routine: `src/shapes/textbook/torus.rs`.
 
 use std::sync::Arc;
 

@@ -2,6 +2,8 @@
 //!
 //! The book solves for β, γ and t by Cramer's rule. Here [`watertight`] finds them, so that triangles with a
 //! common edge leave no gap between them.
+//!
+//! The book's own routine: `src/shapes/textbook/triangle.rs`.
 
 use std::sync::Arc;
 

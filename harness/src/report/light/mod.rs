@@ -158,8 +158,8 @@ impl Page for Light {
     }
 
     fn question(&self) -> &'static str {
-        "Which tracer and which sampling of area lights has the smallest error for the time, and which \
-         light is missing in each?"
+        "Which tracer, and which sampling of area lights, has the smallest error for the time, and what \
+         light does each leave out?"
     }
 
     fn steps(&self, settings: &Settings) -> u64 {
