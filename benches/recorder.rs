@@ -23,7 +23,7 @@ fn recorder_cost(c: &mut Criterion) {
     let mut group = c.benchmark_group("recorder/glass-sphere");
     group.bench_function("silent", |b| b.iter(|| row(&world, || ())));
     group.bench_function("counted", |b| b.iter(|| row(&world, RayCounts::default)));
-    group.bench_function("recorded", |b| b.iter(|| row(&world, RayTree::default)));
+    group.bench_function("recorded", |b| b.iter(|| row(&world, || RayTree::of(&world))));
 }
 
 criterion_group!(benches, recorder_cost);

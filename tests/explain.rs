@@ -12,7 +12,7 @@ mod sources;
 mod unlit;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{self, Outline, RayExplanation, Row};
+use groundtruth::explain::{self, Outline, RecordedRay, Row};
 use groundtruth::gallery;
 use groundtruth::materials::{Dielectric, Matte, Medium};
 use groundtruth::math::Point;
@@ -60,12 +60,12 @@ fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
 
 /// Two nested glass spheres over a matte one, seen off their axis: a tree of many rays of which few
 /// carry light.
-fn nested_glass() -> RayExplanation {
+fn nested_glass() -> RecordedRay {
     nested_glass_of(Rgb::BLACK)
 }
 
 /// The same of glass with this absorption per unit length.
-fn nested_glass_of(absorption: Rgb) -> RayExplanation {
+fn nested_glass_of(absorption: Rgb) -> RecordedRay {
     let lens = Orthographic { zoom: 1.0 };
     let camera = Viewpoint::new(Point::new(0.3, 0.2, 10.0), Point::new(0.3, 0.2, 0.0), lens);
     let mut scene = Scene::new("", Image::new(1, 1), camera);
@@ -88,7 +88,7 @@ fn nested_glass_of(absorption: Rgb) -> RayExplanation {
     explain::sample(&scene, &world, [0, 0], 0).ray.expect("the camera sees all its film")
 }
 
-fn all(ray: &RayExplanation) -> Vec<&RayExplanation> {
+fn all(ray: &RecordedRay) -> Vec<&RecordedRay> {
     std::iter::once(ray).chain(ray.children.iter().flat_map(all)).collect()
 }
 

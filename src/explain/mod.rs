@@ -17,15 +17,16 @@ use serde::Serialize;
 use crate::render::{self, CameraSample};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
-use crate::trace::{RayBudget, RayTree, RecordedRay, TooManyRays};
+use crate::trace::{RayBudget, RayTree};
 use crate::world::World;
 use sources::{SampleSums, SourceRecorder};
 
+pub use crate::trace::{RecordedHit, RecordedRay, RecordedTerm, TooManyRays, UnlitLight};
 pub use omissions::omissions;
 pub use outline::{Outline, Row};
 pub use page::table;
 pub use sources::{Source, SourceExplanation, Sources};
-pub use text::{brief, count, percent, short, unblocked};
+pub use text::{brief, count, percent, quoted, short, unblocked};
 pub use unlit::lines;
 
 /// The largest number of rays of a pixel that is explained: some seconds.
@@ -150,7 +151,7 @@ fn explained(
     scene: &Scene,
     camera: Option<CameraSample>,
     (index, radiance): (u32, Rgb),
-    tree: RayTree<'_>,
+    tree: RayTree,
 ) -> SampleExplanation {
     let complete = tree.is_complete();
     let Some(CameraSample { film, lens, weight, .. }) = camera else {

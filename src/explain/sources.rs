@@ -12,7 +12,7 @@ use crate::math::Ray;
 use crate::render;
 use crate::rgb::Rgb;
 use crate::trace::{Outcome, RayKind, Recorder, Term, TermSource};
-use crate::world::World;
+use crate::world::{Names, World};
 
 /// The contributions of the sources of light to a pixel. The means of each list add up to the pixel; the
 /// largest standard deviation comes first.
@@ -72,7 +72,7 @@ pub(super) struct SampleSums {
 
 impl SampleSums {
     /// Adds a sample with this weight from the filter.
-    pub(super) fn add(&mut self, radiance: Rgb, sources: SourceRecorder<'_>, weight: f64) {
+    pub(super) fn add(&mut self, radiance: Rgb, sources: SourceRecorder, weight: f64) {
         let weight = Rgb::grey(weight);
         self.radiances.push(radiance);
         self.by_entry.push(sources.finished.times(weight));
@@ -143,9 +143,8 @@ impl Sums {
 }
 
 /// Adds up the sources from the ends of the rays to the camera, without a tree.
-pub(super) struct SourceRecorder<'a> {
-    /// Gives the names.
-    world: &'a World,
+pub(super) struct SourceRecorder {
+    names: Arc<Names>,
     /// The sums of the rays that have begun and not ended.
     open: Vec<Sums>,
     /// What arrives along the ray that ended last, by entry.
@@ -154,15 +153,15 @@ pub(super) struct SourceRecorder<'a> {
     first_hit: Sums,
 }
 
-impl<'a> SourceRecorder<'a> {
+impl SourceRecorder {
     /// Records a sample of this world.
-    pub(super) fn of(world: &'a World) -> Self {
+    pub(super) fn of(world: &World) -> Self {
         let [finished, first_hit] = [Sums::default(), Sums::default()];
-        Self { world, open: Vec::new(), finished, first_hit }
+        Self { names: Arc::clone(&world.names), open: Vec::new(), finished, first_hit }
     }
 }
 
-impl Recorder for SourceRecorder<'_> {
+impl Recorder for SourceRecorder {
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {
         self.open.push(Sums::default());
     }
@@ -175,9 +174,10 @@ impl Recorder for SourceRecorder<'_> {
             TermSource::Background { .. } => Source::Background,
             TermSource::Ambient { light, .. }
             | TermSource::Direct { light, .. }
-            | TermSource::Light { light } => {
-                Source::Light { index: light, light: self.world.light_name(light) }
-            }
+            | TermSource::Light { light } => Source::Light {
+                index: light,
+                light: Arc::clone(&self.names.lights[light as usize]),
+            },
             TermSource::Traced { lobe, .. } => Source::Lobe { lobe: lobe.name() },
         };
         if self.open.len() == 1 {

@@ -38,7 +38,7 @@ pub fn percent(share: f64) -> String {
 }
 
 /// The name of a light or an object, if there is one, in quotes.
-fn quoted(known: &Option<Arc<str>>) -> String {
+pub fn quoted(known: &Option<Arc<str>>) -> String {
     known.as_ref().map_or(String::new(), |known| format!("\"{}\"", name(known)))
 }
 
@@ -85,7 +85,10 @@ impl RecordedRay {
 
     /// Its numbers and terms, a line each.
     pub(super) fn details(&self) -> Vec<String> {
-        let mut lines = vec![format!("from {:?} towards {:?}", self.origin, self.direction)];
+        let mut lines = {
+            let (origin, direction) = (self.ray.origin.to_array(), self.ray.direction.to_array());
+            vec![format!("from {origin:?} towards {direction:?}")]
+        };
         if let Some(hit) = &self.hit {
             lines.extend(hit.lines());
         }
@@ -116,15 +119,19 @@ impl RecordedHit {
             lines.push(self.path.to_string());
         }
         lines.extend([
-            format!("at {:?}, {side}, material \"{}\"", self.point, name(&self.material)),
+            format!(
+                "at {:?}, {side}, material \"{}\"",
+                self.point.to_array(),
+                name(&self.material)
+            ),
             format!(
                 "normal {:?}, angle of incidence {}°",
-                self.normal,
+                self.normal.to_array(),
                 brief(self.angle_of_incidence)
             ),
         ]);
         if self.shading_normal != self.normal {
-            lines.push(format!("shading normal {:?}", self.shading_normal));
+            lines.push(format!("shading normal {:?}", self.shading_normal.to_array()));
         }
         lines.extend(self.textures.iter().map(RecordedTexture::to_string));
         lines.extend(self.optics.as_ref().map(Optics::to_string));

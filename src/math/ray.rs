@@ -1,9 +1,11 @@
 //! Rays, and intervals of their parameter.
 
+use serde::Serialize;
+
 use super::vectors::{Point, Vector};
 
 /// All points `origin + t·direction`. The direction need not be unit; `t` is in units of its length.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ray {
     /// Where it starts.
     pub origin: Point,

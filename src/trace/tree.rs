@@ -13,13 +13,12 @@ use crate::math::{Normal, Point, Ray, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
 use crate::shapes::PartPath;
 use crate::textures::Texel;
-use crate::world::{Hit, World};
+use crate::world::{Hit, Names, World};
 
 /// Records all rays of a sample.
 #[derive(Clone, Debug)]
-pub struct RayTree<'a> {
-    /// Gives the names.
-    world: &'a World,
+pub struct RayTree {
+    names: Arc<Names>,
     /// The rays that have begun and not ended, each the parent of the next.
     open: Vec<RecordedRay>,
     /// The camera's ray, once it has ended.
@@ -52,10 +51,9 @@ pub struct RecordedRay {
     pub light: Option<Arc<str>>,
     /// The number of rays before it; 0 for the camera's ray.
     pub depth: u32,
-    /// Where it starts.
-    pub origin: Point,
-    /// Its direction: unit, or of a shadow ray to a point, the way to that point.
-    pub direction: Vector,
+    /// The ray: with a unit direction, or for a shadow ray to a point, the way to that point.
+    #[serde(flatten)]
+    pub ray: Ray,
     /// The factor of its radiance in the ray before it.
     pub weight: Rgb,
     /// Its outcome.
@@ -237,10 +235,11 @@ impl RecordedRay {
     }
 }
 
-impl<'a> RayTree<'a> {
+impl RayTree {
     /// Records a sample of this world.
-    pub fn of(world: &'a World) -> Self {
-        Self { world, open: Vec::new(), root: None, count: 0, beyond: 0, cut: false }
+    pub fn of(world: &World) -> Self {
+        let names = Arc::clone(&world.names);
+        Self { names, open: Vec::new(), root: None, count: 0, beyond: 0, cut: false }
     }
 
     /// The camera's ray with all rays after it; `None` if no ray was cast.
@@ -266,13 +265,17 @@ impl<'a> RayTree<'a> {
         !self.cut
     }
 
+    fn light(&self, index: u32) -> Arc<str> {
+        Arc::clone(&self.names.lights[index as usize])
+    }
+
     /// The ray that events are about, if it is kept.
     fn current(&mut self) -> Option<&mut RecordedRay> {
         if self.beyond > 0 { None } else { self.open.last_mut() }
     }
 }
 
-impl Recorder for RayTree<'_> {
+impl Recorder for RayTree {
     fn enter(&mut self, kind: RayKind, ray: &Ray, _: u32, weight: Rgb) {
         let number = self.count;
         if self.beyond > 0 || number >= MAX_KEPT {
@@ -282,7 +285,7 @@ impl Recorder for RayTree<'_> {
         }
         self.count += 1;
         let light = match kind {
-            RayKind::Shadow { light } => Some(self.world.light_name(light)),
+            RayKind::Shadow { light } => Some(self.light(light)),
             RayKind::Camera | RayKind::Reflected | RayKind::Transmitted => None,
         };
         let parent = self.open.last();
@@ -292,8 +295,7 @@ impl Recorder for RayTree<'_> {
             kind,
             light,
             depth: parent.map_or(0, |parent| parent.depth + 1),
-            origin: ray.origin,
-            direction: ray.direction,
+            ray: *ray,
             weight,
             outcome: Outcome::Background,
             hit: None,
@@ -312,7 +314,9 @@ impl Recorder for RayTree<'_> {
 
     fn outcome(&mut self, outcome: Outcome) {
         let blocked_by = match outcome {
-            Outcome::Blocked { blocked_by } => Some(self.world.object_name(blocked_by)),
+            Outcome::Blocked { blocked_by } => {
+                Some(Arc::clone(&self.names.objects[blocked_by as usize]))
+            }
             _ => None,
         };
         if let Some(ray) = self.current() {
@@ -327,7 +331,7 @@ impl Recorder for RayTree<'_> {
     }
 
     fn unlit(&mut self, light: u32, why: impl FnOnce() -> Unlit) {
-        let name = self.world.light_name(light);
+        let name = self.light(light);
         if let Some(ray) = self.current() {
             ray.unlit.push(UnlitLight { light: name, reason: why() });
         }
@@ -343,7 +347,7 @@ impl Recorder for RayTree<'_> {
             TermSource::Light { light } => (Some(light), false),
             TermSource::Background { .. } | TermSource::Emission { .. } => (None, false),
         };
-        let light = light.map(|light| self.world.light_name(light));
+        let light = light.map(|light| self.light(light));
         if let Some(ray) = self.current() {
             let from = ray.children.last().filter(|_| from_ray).map(|child| child.number);
             let (contribution, share) = (Rgb::BLACK, 0.0);

@@ -1,9 +1,10 @@
 //! Checks a scene and builds its world.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use super::placing::{placed_lights, placed_materials, placed_objects, reflectance_notes};
-use super::{Objects, World};
+use super::{Names, Objects, World};
 use crate::accel::{Accel, Method};
 use crate::cameras::View;
 use crate::invalid::{Invalid, positive, shown};
@@ -85,6 +86,7 @@ impl World {
             lights,
             materials,
             notes,
+            names: Arc::new(Names::of(scene)),
             accel: Accel::build(method, &bounds),
             objects,
             all_cast_shadows,

@@ -16,7 +16,7 @@ use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
 use crate::samplers::{Draws, SampleSets};
-use crate::scene::{Image, Tracer, Transparency};
+use crate::scene::{Image, Scene, Tracer, Transparency};
 use crate::shapes::{Candidate, PartPath, Shape, Surface};
 use crate::textures::TexturePoint;
 
@@ -50,6 +50,8 @@ pub struct World {
     /// What was ignored or clamped in the files that the scene names, and materials that reflect more light
     /// than they receive, in sentences for the user.
     pub notes: Vec<String>,
+    /// The names of lights and objects, for those who record rays.
+    pub names: Arc<Names>,
     objects: Objects,
     accel: Accel,
     /// Whether every part of every object casts shadows.
@@ -58,6 +60,23 @@ pub struct World {
     pub(crate) all_boundaries_cast_shadows: bool,
     /// Whether some material is a boundary between media.
     pub(crate) has_boundaries: bool,
+}
+
+/// The names of a scene's lights and objects by their indices, also of those that are switched off.
+#[derive(Debug, Default)]
+pub struct Names {
+    /// Of the lights.
+    pub lights: Vec<Arc<str>>,
+    /// Of the objects.
+    pub objects: Vec<Arc<str>>,
+}
+
+impl Names {
+    fn of(scene: &Scene) -> Self {
+        let lights = scene.lights.iter().map(|light| light.name.as_str().into()).collect();
+        let objects = scene.objects.iter().map(|object| object.name.as_str().into()).collect();
+        Self { lights, objects }
+    }
 }
 
 /// A light that is on.
@@ -174,24 +193,6 @@ impl World {
         let query = RayQuery { objects: &self.objects, ray };
         let (index, _) = self.accel.any(&query, ray, span)?;
         Some(&self.objects.0[index as usize])
-    }
-
-    /// The name of a light that is on, by its index in the scene.
-    ///
-    /// # Panics
-    /// If there is no such light.
-    pub fn light_name(&self, index: u32) -> Arc<str> {
-        let light = self.lights.iter().find(|light| light.index == index);
-        Arc::clone(&light.expect("it is on").name)
-    }
-
-    /// The name of an object that is on, by its index in the scene.
-    ///
-    /// # Panics
-    /// If there is no such object.
-    pub fn object_name(&self, index: u32) -> Arc<str> {
-        let at = self.objects.0.binary_search_by_key(&index, |object| object.index);
-        Arc::clone(&self.objects.0[at.expect("it is on")].name)
     }
 
     /// The objects that are on.

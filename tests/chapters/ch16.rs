@@ -14,7 +14,6 @@ use groundtruth::render::{pixel, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Cuboid, Disk, Plane, Sphere, TessellatedSphere};
-use groundtruth::trace::Outcome;
 use groundtruth::{cameras, lights, shapes};
 use proptest::prelude::*;
 
@@ -290,8 +289,8 @@ proptest! {
         shine(&mut scene, sun(wi.into()));
         let eye = Point::ORIGIN + 3.0 * to_eye;
         let tree = recorded(&built(&scene), eye, target - eye);
-        let Outcome::Hit { hit } = &tree.root().outcome else { return Ok(()) };
-        let (seen, smooth) = (tree.root().radiance.r, hit.shading.dot(wi));
+        let Some(hit) = &tree.root().hit else { return Ok(()) };
+        let (seen, smooth) = (tree.root().radiance.r, hit.shading_normal.dot(wi));
         let lit = hit.normal.dot(wi) > 0.0 && smooth > 0.0;
         let expected = if lit { smooth } else { 0.0 }; // a convex body does not shade itself
         prop_assert!((seen * TAU / 2.0 - expected).abs() < 16.0 * U, "{seen}: {hit:?}");

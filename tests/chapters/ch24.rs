@@ -12,7 +12,7 @@ use groundtruth::math::{Point, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, Tracer, Whitted};
 use groundtruth::shapes::{Cuboid, Plane, Sphere, TessellatedSphere};
-use groundtruth::trace::{Outcome, RayKind, RayTree};
+use groundtruth::trace::{RayKind, RayTree};
 use proptest::prelude::*;
 
 use crate::support::stage::*;
@@ -47,7 +47,7 @@ fn geometric(a: f64, q: f64, n: u32) -> f64 {
 /// The direction of each ray that is not a shadow ray.
 fn path(tree: &RayTree) -> Vec<Vector> {
     let shadow = |kind| matches!(kind, RayKind::Shadow { .. });
-    tree.nodes().iter().filter(|node| !shadow(node.kind)).map(|node| node.ray.direction).collect()
+    tree.rays().iter().filter(|node| !shadow(node.kind)).map(|node| node.ray.direction).collect()
 }
 
 proptest! {
@@ -208,8 +208,8 @@ proptest! {
         );
         let world = built(&scene);
         let tree = recorded(&world, eye, spot - eye);
-        let Outcome::Hit { hit } = &tree.root().outcome else { return Ok(()) };
-        prop_assume!(hit.object as usize == floor);
+        let Some(hit) = &tree.root().hit else { return Ok(()) };
+        prop_assume!(hit.object == world.names.objects[floor]);
         scene.objects[floor].enabled = false;
         let mirrored = eye.with(1, -eye.y());
         let expected = look(&built(&scene), mirrored, spot - mirrored);
@@ -291,16 +291,16 @@ proptest! {
         let target = Point::ORIGIN + far * at_angle(to_eye, 0.0, phi);
         let eye = Point::ORIGIN + 3.0 * to_eye;
         let tree = recorded(&built(&scene), eye, target - eye);
-        let Outcome::Hit { hit } = &tree.root().outcome else { return Ok(()) };
+        let Some(hit) = &tree.root().hit else { return Ok(()) };
         let before = tree.root().ray.direction;
         match path(&tree)[..] {
             [_, after, ..] => {
                 above!(after.dot(hit.normal), 0.0);
-                let n = Vector::from(hit.shading);
+                let n = Vector::from(hit.shading_normal);
                 let into = (before - 2.0 * before.dot(n) * n).dot(hit.normal);
                 // at the limit rounding decides
                 if into.abs() > 16.0 * U {
-                    let about = if into > 0.0 { hit.shading } else { hit.normal };
+                    let about = if into > 0.0 { hit.shading_normal } else { hit.normal };
                     let off = (after.cross(about) - before.cross(about)).length();
                     prop_assert!(off <= 16.0 * U, "{off} off the mirror direction, {into} inside");
                 }

@@ -253,7 +253,7 @@ fn other_lobes_do_not_move_the_reflection() {
         let phong = Phong { kd, cd: Rgb::WHITE.into(), ..Phong::default() };
         let scene = under_a_ball(GlossyReflector { phong, ..glossy(0.8, 10.0, GlossyRule::Book) });
         let tree = recorded(&built(&scene), Point::new(3.0, 1.0, 0.0), -Vector::Y);
-        tree.nodes().last().expect("a reflected ray").ray
+        tree.rays().last().expect("a reflected ray").ray
     };
     assert_eq!(direction(0.0.into()), direction(0.5.into()));
 }

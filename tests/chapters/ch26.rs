@@ -181,8 +181,8 @@ fn what_is_left_out_is_said() {
         scene.tracer = tracer;
         let world = built(&scene);
         let tree = recorded(&world, below.0, below.1);
-        let mut terms = tree.nodes().iter().flat_map(|node| &node.terms);
-        assert!(terms.all(|term| !matches!(term.term.source, TermSource::Ambient { .. })));
+        let mut terms = tree.rays().into_iter().flat_map(|node| &node.terms);
+        assert!(terms.all(|term| !matches!(term.source, TermSource::Ambient { .. })));
         let said = omissions(&world);
         assert!(said.len() == 1 && said[0].contains("leaves out the light \"1\""), "{said:?}");
     }

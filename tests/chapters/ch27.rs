@@ -14,7 +14,7 @@ use groundtruth::math::{
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{self, Cuboid, Disk, Plane, Sphere, TessellatedSphere};
 use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
-use groundtruth::trace::{Node, RayKind, RayTree};
+use groundtruth::trace::{RayKind, RayTree, RecordedRay};
 use proptest::prelude::*;
 
 use crate::support::stage::*;
@@ -44,12 +44,11 @@ fn sine(a: Vector, n: Normal) -> f64 {
 }
 
 /// The camera ray, and the chain of refracted rays that starts with it.
-fn through(tree: &RayTree) -> Vec<&Node> {
+fn through(tree: &RayTree) -> Vec<&RecordedRay> {
     let mut path = vec![tree.root()];
     loop {
         let here = path[path.len() - 1];
-        let children = here.children.iter().map(|&child| &tree.nodes()[child]);
-        match children.into_iter().find(|node| node.kind == RayKind::Transmitted) {
+        match here.children.iter().find(|node| node.kind == RayKind::Transmitted) {
             Some(next) => path.push(next),
             None => return path,
         }

@@ -14,7 +14,7 @@ use groundtruth::math::{Normal, Pcg32, Point, Vector, cos, exp, power, sin};
 use groundtruth::render::{pixel, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{Cuboid, Plane, Sphere, TessellatedSphere};
-use groundtruth::trace::{Node, Outcome, RayKind, RayTree};
+use groundtruth::trace::{RayKind, RecordedRay};
 use proptest::prelude::*;
 
 use crate::support::optics;
@@ -45,8 +45,8 @@ fn slab(thickness: f64) -> Cuboid {
     Cuboid { min: Point::new(-1e3, -thickness, -1e3), max: Point::new(1e3, 0.0, 1e3) }
 }
 
-fn child(tree: &RayTree, node: &Node, kind: RayKind) -> Option<Node> {
-    node.children.iter().map(|&i| tree.nodes()[i].clone()).find(|node| node.kind == kind)
+fn child(node: &RecordedRay, kind: RayKind) -> Option<&RecordedRay> {
+    node.children.iter().find(|node| node.kind == kind)
 }
 
 /// Law: a glass ball before uniform white, depth N ≥ 1, shows `1 − (1 − R) R^(N−1)` in each pixel, R the
@@ -195,8 +195,8 @@ proptest! {
         let within = |p: Point| balls.iter().filter(|b| b.center.distance(p) < b.radius).count();
         scene.camera.medium = media[within(from)];
         let tree = recorded(&built(&scene), from, target - from);
-        for node in tree.nodes() {
-            let Outcome::Hit { hit } = &node.outcome else {
+        for node in tree.rays() {
+            let Some(hit) = &node.hit else {
                 prop_assert_eq!(node.transmittance, Rgb::WHITE);
                 continue;
             };
@@ -204,7 +204,7 @@ proptest! {
             let sigma = media[within(node.ray.at(0.5 * hit.t))].absorption;
             let expected = sigma.map(|sigma| exp(-sigma * hit.t));
             close!(node.transmittance, expected, 8.0 * U);
-            prop_assert_eq!(tree.folded(node), node.radiance);
+            prop_assert_eq!(node.folded(), node.radiance);
         }
     }
 
@@ -228,7 +228,7 @@ proptest! {
         }
         if degrees > 48.7535 {
             prop_assert_eq!(seen, Rgb::new(0.5, 0.0, 0.0));
-            prop_assert_eq!(tree.nodes().len(), 2);
+            prop_assert_eq!(tree.rays().len(), 2);
         } else {
             let r = optics::by_angles(outside, 1.33);
             let sky = (1.33 * 1.33) * (1.0 - r);
@@ -279,10 +279,9 @@ fn no_light_leaves_a_glass_block_by_the_next_face() {
             let mut c = || 2.0 * random.uniform() - 1.0;
             let (spot, away) = (Point::new(c(), c(), 1.0), Vector::new(5.0 * c(), 5.0 * c(), 1.0));
             let tree = recorded(&world, spot + away, -away);
-            let inside =
-                child(&tree, tree.root(), RayKind::Transmitted).expect("glass lets light in");
-            let Outcome::Hit { hit } = &inside.outcome else { panic!("a closed box") };
-            let out = child(&tree, &inside, RayKind::Transmitted).is_some();
+            let inside = child(tree.root(), RayKind::Transmitted).expect("glass lets light in");
+            let Some(hit) = &inside.hit else { panic!("a closed box") };
+            let out = child(inside, RayKind::Transmitted).is_some();
             count += u32::from(out && hit.normal.z() == 0.0);
         }
         count
@@ -300,6 +299,6 @@ fn glass_in_water_hardly_reflects() {
     let seen = look(&built(&scene), Point::new(0.0, 0.0, 3.0), -Vector::Z).r;
     assert!((seen - 0.003_608).abs() < 5e-7, "{seen}");
     let tree = recorded(&built(&scene), Point::ORIGIN, Vector::Z);
-    let weight = child(&tree, tree.root(), RayKind::Reflected).expect("a little").weight.r;
+    let weight = child(tree.root(), RayKind::Reflected).expect("a little").weight.r;
     near!(weight, seen, 1e-15);
 }

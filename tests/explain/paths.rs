@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{self, Outline, RayExplanation, Row, TermExplanation};
+use groundtruth::explain::{self, Outline, RecordedRay, RecordedTerm, Row};
 use groundtruth::lights::Area;
 use groundtruth::lobes::Lobe;
 use groundtruth::materials::{Emissive, Phong};
@@ -58,13 +58,13 @@ pub fn room(kd: f64, ks: f64, samples: u32) -> Scene {
 }
 
 /// The camera's rays of the samples of a room.
-fn paths(scene: &Scene) -> Vec<RayExplanation> {
+fn paths(scene: &Scene) -> Vec<RecordedRay> {
     let world = World::build(scene).expect("the scene is valid");
     let samples = explain::pixel(scene, &world, [0, 0], None).expect("few rays").samples;
     samples.into_iter().filter_map(|sample| sample.ray).collect()
 }
 
-fn is_shadow(ray: &RayExplanation) -> bool {
+fn is_shadow(ray: &RecordedRay) -> bool {
     matches!(ray.kind, RayKind::Shadow { .. })
 }
 
@@ -150,7 +150,7 @@ fn local_light_has_a_line() {
 
 /// The continuing rays of a path. Each comes with its parent, whose hit sent it, and with the parent's term
 /// that receives its light: (parent, term, ray).
-fn bounces(root: &RayExplanation) -> Vec<(&RayExplanation, &TermExplanation, &RayExplanation)> {
+fn bounces(root: &RecordedRay) -> Vec<(&RecordedRay, &RecordedTerm, &RecordedRay)> {
     let mut bounces = Vec::new();
     for hit in all(root) {
         for ray in hit.children.iter().filter(|ray| !is_shadow(ray)) {
@@ -163,9 +163,9 @@ fn bounces(root: &RayExplanation) -> Vec<(&RayExplanation, &TermExplanation, &Ra
 }
 
 /// Cosines between a direction and the normal of a hit, and between it and the mirrored incoming ray.
-fn cosines(hit: &RayExplanation, direction: Vector) -> [f64; 2] {
-    let normal = Vector::from(hit.outcome.hit().expect("it scatters").normal);
-    let came = Vector::from(hit.direction);
+fn cosines(hit: &RecordedRay, direction: Vector) -> [f64; 2] {
+    let normal = Vector::from(hit.hit.as_ref().expect("it scatters").normal);
+    let came = hit.ray.direction;
     let mirrored = came - (2.0 * normal.dot(came)) * normal;
     [normal.dot(direction), mirrored.dot(direction).max(0.0)]
 }
@@ -176,8 +176,8 @@ fn densities([cos_i, cos_r]: [f64; 2]) -> [f64; 2] {
 }
 
 /// The density with which the square lamp is sampled from a point: `d²/(A cosθ')`.
-fn by_lamp([_, y, _]: [f64; 3], direction: Vector) -> f64 {
-    let distance = (HEIGHT - y) / direction.y();
+fn by_lamp(at: Point, direction: Vector) -> f64 {
+    let distance = (HEIGHT - at.y()) / direction.y();
     distance * distance / (SIDE * SIDE * direction.y())
 }
 
@@ -200,7 +200,7 @@ fn the_weight_of_a_bounce_is_its_factors() {
             let TermSource::Traced { lobe, pdf, chance, survival } = &term.source else {
                 panic!("a lobe sent it: {term:?}");
             };
-            let cosines @ [cos_i, cos_r] = cosines(hit, ray.direction.into());
+            let cosines @ [cos_i, cos_r] = cosines(hit, ray.ray.direction);
             let (which, f) = match lobe {
                 Lobe::Lambertian(_) => (0, kd / PI),
                 Lobe::GlossySpecular(_) => (1, ks * power(cos_r, EXPONENT)),
@@ -235,10 +235,10 @@ fn mis_shares_are_those_of_the_densities() {
                 let [spread, highlight] = densities(cosines(hit, direction));
                 diffuse * spread + (1.0 - diffuse) * highlight
             };
-            let at = hit.outcome.hit().expect("it scatters").point;
+            let at = hit.hit.as_ref().expect("it scatters").point;
             for term in &ray.terms {
                 let TermSource::Emission { mis } = term.source else { continue };
-                let direction = Vector::from(ray.direction);
+                let direction = ray.ray.direction;
                 let (p, q) = (by_lobes(direction), by_lamp(at, direction));
                 let (mis, expected) = (mis.expect("the lamp is sampled"), p * p / (p * p + q * q));
                 assert!(near(mis, expected), "met: {mis}, not {expected}");
@@ -248,7 +248,7 @@ fn mis_shares_are_those_of_the_densities() {
             let shadows = hit.children.iter().filter(|ray| is_shadow(ray));
             for (term, shadow) in hit.terms.iter().zip(shadows) {
                 let TermSource::Direct { pdf, mis, .. } = term.source else { continue };
-                let direction = Vector::from(shadow.direction).unit().expect("it has one");
+                let direction = shadow.ray.direction.unit().expect("it has one");
                 let (p, q) = (by_lobes(direction), by_lamp(at, direction));
                 let (mis, expected) = (mis.expect("lobes are sampled"), q * q / (p * p + q * q));
                 assert!(near(pdf.expect("it is drawn"), q), "pdf {pdf:?}, not {q}");
@@ -276,13 +276,13 @@ fn what_the_camera_sees_has_no_mis_share() {
 #[test]
 fn the_lines_of_a_path_read_as_before() {
     let paths = paths(&room(0.5, 0.3, 64));
-    let late = |ray: &RayExplanation| ray.depth > 1 && ray.own_contribution != Rgb::BLACK;
-    let meets = |root: &&RayExplanation| all(root).into_iter().any(late);
+    let late = |ray: &RecordedRay| ray.depth > 1 && ray.own_contribution != Rgb::BLACK;
+    let meets = |root: &&RecordedRay| all(root).into_iter().any(late);
     let root = paths.iter().find(meets).expect("a path meets the lamp late");
     let rows = Outline::default().rows(root);
     let said = rows.iter().map(|row| match row {
         Row::Ray { ray, term, indent } => {
-            let sampling = term.map_or(String::new(), TermExplanation::sampling);
+            let sampling = term.map_or(String::new(), RecordedTerm::sampling);
             format!("{}{}  {sampling}", "    ".repeat(*indent), ray.line())
         }
         Row::Local { term, indent } => format!("{}{}", "    ".repeat(*indent), term.line()),
@@ -310,11 +310,7 @@ fn told(line: &str) -> Option<(usize, Option<usize>, u32)> {
 /// paths.
 #[test]
 fn parent_and_depth_of_every_ray_can_be_read() {
-    fn walk(
-        ray: &RayExplanation,
-        parent: Option<usize>,
-        all: &mut Vec<(usize, Option<usize>, u32)>,
-    ) {
+    fn walk(ray: &RecordedRay, parent: Option<usize>, all: &mut Vec<(usize, Option<usize>, u32)>) {
         let depth = parent
             .map_or(0, |parent| all.iter().find(|it| it.0 == parent).map_or(0, |it| it.2 + 1));
         all.push((ray.number, parent, depth));

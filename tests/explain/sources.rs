@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{self, RayExplanation, Source, SourceExplanation, TooManyRays};
+use groundtruth::explain::{
+    self, RecordedRay, RecordedTerm, Source, SourceExplanation, TooManyRays,
+};
 use groundtruth::filters::Mitchell;
 use groundtruth::gallery;
 use groundtruth::lights::{Ambient, Directional};
@@ -129,9 +131,9 @@ fn a_mirror_before_a_wall_is_divided_as_by_hand() {
 
 /// All rays but shadow rays, each with the lobe that sent it.
 fn sent<'a>(
-    ray: &'a RayExplanation,
+    ray: &'a RecordedRay,
     by: Option<&'static str>,
-) -> Vec<(&'a RayExplanation, Option<&'static str>)> {
+) -> Vec<(&'a RecordedRay, Option<&'static str>)> {
     let mut all = vec![(ray, by)];
     for child in &ray.children {
         let term = ray.terms.iter().find(|term| term.ray == Some(child.number));
@@ -143,25 +145,27 @@ fn sent<'a>(
 }
 
 /// What the terms of a sample's tree contribute to a source: by entry, and by the first hit.
-fn added(root: &RayExplanation, source: &Source<String>) -> [Rgb; 2] {
-    let enters = |term: &TermSource<String>, by: Option<&'static str>| match (term, by) {
+fn added(root: &RecordedRay, source: &Source) -> [Rgb; 2] {
+    let is_of_light = |term: &RecordedTerm| match source {
+        Source::Light { light, .. } => term.light.as_ref() == Some(light),
+        _ => false,
+    };
+    let enters = |term: &RecordedTerm, by: Option<&'static str>| match (&term.source, by) {
         (TermSource::Emission { .. } | TermSource::Background { .. }, Some(lobe)) => {
             *source == Source::Lobe { lobe }
         }
         (TermSource::Emission { .. }, None) => *source == Source::Emission,
         (TermSource::Background { .. }, None) => *source == Source::Background,
-        (TermSource::Direct { light, .. } | TermSource::Ambient { light, .. }, _) => {
-            *source == Source::Light { light: light.clone() }
-        }
+        (TermSource::Direct { .. } | TermSource::Ambient { .. }, _) => is_of_light(term),
         (TermSource::Light { .. } | TermSource::Traced { .. }, _) => false,
     };
     let by_entry = sent(root, None).into_iter().flat_map(|(ray, by)| {
-        let terms = ray.terms.iter().filter(move |term| enters(&term.source, by));
+        let terms = ray.terms.iter().filter(move |term| enters(term, by));
         terms.map(|term| term.contribution)
     });
     let at_first_hit = root.terms.iter().filter(|term| match &term.source {
         TermSource::Traced { lobe, .. } => *source == Source::Lobe { lobe: lobe.name() },
-        other => enters(other, None),
+        _ => enters(term, None),
     });
     [by_entry.sum(), at_first_hit.map(|term| term.contribution).sum()]
 }
@@ -254,5 +258,6 @@ fn a_pixel_of_endless_trees_is_refused() {
     let _ = render::sample(&world, pixel, 0, &mut counts);
     assert_eq!(counts.camera + counts.reflected + counts.transmitted, 1, "{counts:?}");
     let refused = explain::pixel(&scene, &world, pixel, Some(0));
-    assert_eq!(refused.map(drop), Err(TooManyRays(pixel)));
+    let TooManyRays { asked, most } = refused.expect_err("an endless tree");
+    assert_eq!((asked.as_str(), most), ("explaining pixel (489, 500)", 1 << 25));
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{self, RayExplanation};
+use groundtruth::explain::{self, RecordedRay};
 use groundtruth::lights::{self, Ambient, Area, Directional, Spot, Unlit};
 use groundtruth::materials::{self, Dielectric, Emissive, Matte, Medium, Phong, Reflective};
 use groundtruth::math::{Point, Vector, acos, sin_cos, to_degrees};
@@ -60,7 +60,7 @@ fn sun(direction: Vector) -> Directional {
 }
 
 /// The camera's ray.
-fn ray(scene: &Scene) -> RayExplanation {
+fn ray(scene: &Scene) -> RecordedRay {
     let world = World::build(scene).expect("the scene is valid");
     explain::sample(scene, &world, [0, 0], 0).ray.expect("the camera sees all its film")
 }
@@ -225,7 +225,7 @@ fn each_factor_can_be_zero() {
         "disk",
         Sphere { center, radius: 1.0, inward: false },
     ));
-    assert_eq!(reason(&blocked), Unlit::Blocked { blocked_by: "moon".to_owned() });
+    assert_eq!(reason(&blocked), Unlit::Blocked { blocked_by: "moon".into() });
 
     let (ls, color, attenuation) = (1.0, Rgb::WHITE, 2.0);
     let near = lights::PointLight { ls, color, location: Point::ORIGIN, attenuation };
@@ -271,7 +271,7 @@ fn tracers_that_do_not_sample() {
     ];
     for (tracer, expected) in expected {
         let found: Vec<_> = ray(&under_a_lamp(tracer)).unlit.into_iter().collect();
-        let names: Vec<_> = found.iter().map(|unlit| unlit.light.as_str()).collect();
+        let names: Vec<_> = found.iter().map(|unlit| &*unlit.light).collect();
         assert_eq!(names, ["light", "sky", "sun"], "{tracer:?}");
         let reasons: Vec<_> = found.into_iter().map(|unlit| unlit.reason).collect();
         assert_eq!(reasons, expected, "{tracer:?}");
@@ -280,7 +280,7 @@ fn tracers_that_do_not_sample() {
     let mut room = crate::paths::room(0.5, 0.0, 1);
     room.tracer = Tracer::GlobalTrace(depth(3));
     let first = ray(&room);
-    let second = first.children.iter().find(|ray| ray.depth == 1 && ray.outcome.hit().is_some());
+    let second = first.children.iter().find(|ray| ray.depth == 1 && ray.hit.is_some());
     let second = second.filter(|ray| !ray.unlit.is_empty()).expect("the path goes on");
     assert_eq!(second.unlit[0].reason, Unlit::FirstHitOnly);
 }

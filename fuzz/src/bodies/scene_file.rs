@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use groundtruth::ray_budget::RayCounter;
 use groundtruth::scene::to_toml;
-use groundtruth::trace::Recorder;
+use groundtruth::trace::RayBudget;
 use groundtruth::world::from_toml;
 use groundtruth::{render, trace};
 
@@ -35,9 +34,9 @@ pub fn run(data: &[u8]) {
     let max_rays = (MAX_TESTS / (1.0 + world.objects().len() as f64)) as u64;
     for y in 0..CORNERS.min(height) {
         for x in 0..CORNERS.min(width) {
-            let mut counter = RayCounter::up_to(max_rays);
-            counter.count(|counter| render::sample(&world, [x, y], 0, counter));
-            if counter.is_full() {
+            let mut budget = RayBudget::up_to(max_rays);
+            render::sample_within(&world, [x, y], 0, &mut (), &mut budget);
+            if budget.is_spent() {
                 return;
             }
             let mut counts = trace::RayCounts::default();

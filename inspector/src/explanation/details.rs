@@ -2,7 +2,7 @@
 
 use eframe::egui::{Grid, RichText, Ui};
 use groundtruth::explain::{
-    HitExplanation, RayExplanation, UnlitLight, brief, lines, percent, short, unblocked,
+    RecordedHit, RecordedRay, UnlitLight, brief, lines, percent, quoted, short, unblocked,
 };
 use groundtruth::printable::name;
 use groundtruth::rgb::Rgb;
@@ -18,7 +18,7 @@ pub fn exact(numbers: [f64; 3]) -> String {
 }
 
 /// Shows all fields of a ray and of its hit. Returns the number of another ray if it was clicked.
-pub fn show(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
+pub fn show(ui: &mut Ui, ray: &RecordedRay) -> Option<usize> {
     ui.label(RichText::new(ray.line()).color(kind_color(ray)).strong());
     let mut clicked = None;
     if !(ray.terms.is_empty() && ray.unlit.is_empty()) {
@@ -37,31 +37,32 @@ pub fn show(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
 }
 
 /// The names and numbers of a ray, as text to be copied.
-pub fn text(ray: &RayExplanation) -> String {
+pub fn text(ray: &RecordedRay) -> String {
     let line = |(name, value): (&str, String)| format!("{name}\t{value}\n");
     ray.line() + "\n" + &fields(ray).into_iter().map(line).collect::<String>()
 }
 
 /// The names and values of a ray's fields, without its terms.
-fn fields(ray: &RayExplanation) -> Vec<(&'static str, String)> {
+fn fields(ray: &RecordedRay) -> Vec<(&'static str, String)> {
     let color = |color: Rgb| exact(color.to_array());
     let kind = match &ray.kind {
         RayKind::Camera => format!("camera, depth {}", ray.depth),
         RayKind::Reflected => format!("reflected, depth {}", ray.depth),
         RayKind::Transmitted => format!("transmitted, depth {}", ray.depth),
-        RayKind::Shadow { light } => format!("shadow, to light \"{}\"", name(light)),
+        RayKind::Shadow { .. } => format!("shadow, to light {}", quoted(&ray.light)),
     };
     let outcome = match &ray.outcome {
-        Outcome::Hit { .. } => "hit".to_owned(),
+        Outcome::Hit => "hit".to_owned(),
         Outcome::Background => "background".to_owned(),
         Outcome::TooDeep => "too deep".to_owned(),
         Outcome::Unblocked { boundaries } => unblocked(*boundaries),
-        Outcome::Blocked { blocked_by } => format!("blocked by \"{}\"", name(blocked_by)),
+        Outcome::OverBudget => "beyond the limit on the number of rays".to_owned(),
+        Outcome::Blocked { .. } => format!("blocked by {}", quoted(&ray.blocked_by)),
     };
     let mut fields = vec![("kind", kind), ("outcome", outcome)];
-    fields.push(("origin", exact(ray.origin)));
-    fields.push(("direction", exact(ray.direction)));
-    if let Some(hit) = ray.outcome.hit() {
+    fields.push(("origin", exact(ray.ray.origin.into())));
+    fields.push(("direction", exact(ray.ray.direction.into())));
+    if let Some(hit) = &ray.hit {
         fields.extend(hit_fields(hit));
     }
     fields.push(("weight", color(ray.weight)));
@@ -74,9 +75,9 @@ fn fields(ray: &RayExplanation) -> Vec<(&'static str, String)> {
     fields
 }
 
-fn hit_fields(hit: &HitExplanation) -> Vec<(&'static str, String)> {
+fn hit_fields(hit: &RecordedHit) -> Vec<(&'static str, String)> {
     let same = hit.shading_normal == hit.normal;
-    let shading = if same { "the normal".to_owned() } else { exact(hit.shading_normal) };
+    let shading = if same { "the normal".to_owned() } else { exact(hit.shading_normal.into()) };
     let mut fields =
         vec![("hits", format!("\"{}\", material \"{}\"", name(&hit.object), name(&hit.material)))];
     if !hit.path.is_empty() {
@@ -85,9 +86,9 @@ fn hit_fields(hit: &HitExplanation) -> Vec<(&'static str, String)> {
     fields.extend([
         ("side", if hit.front { "front" } else { "back" }.to_owned()),
         ("t", format!("{:?}", hit.t)),
-        ("point", exact(hit.point)),
+        ("point", exact(hit.point.into())),
         ("error at most", format!("{:?}", hit.error)),
-        ("normal", exact(hit.normal)),
+        ("normal", exact(hit.normal.into())),
         ("shading normal", shading),
         ("angle of incidence", format!("{:?}°", hit.angle_of_incidence)),
     ]);
@@ -143,7 +144,7 @@ fn table(ui: &mut Ui, id: &str, rows: Vec<(&'static str, String)>) {
 }
 
 /// Shows the sum that is the ray's radiance. Returns the number of a term's ray if it was clicked.
-fn terms(ui: &mut Ui, ray: &RayExplanation) -> Option<usize> {
+fn terms(ui: &mut Ui, ray: &RecordedRay) -> Option<usize> {
     ui.strong("radiance = transmittance × the sum of these terms");
     let mut clicked = None;
     let grid = Grid::new("terms").num_columns(4).striped(true).min_row_height(16.0);

@@ -1,7 +1,7 @@
 //! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
 use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
-use groundtruth::explain::{self, PixelExplanation, RayExplanation, percent, short};
+use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
 
@@ -43,7 +43,7 @@ pub fn copy_menu(
     rendering: &Rendering,
     pixel: [u32; 2],
     sample: u32,
-    ray: Option<&RayExplanation>,
+    ray: Option<&RecordedRay>,
 ) {
     let copy = |ui: &mut Ui, text: String| {
         ui.ctx().copy_text(text);

@@ -4,13 +4,12 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::{self, CentralPanel, Frame, Key, Margin, Panel, ScrollArea, Ui};
-use groundtruth::explain::{self, PixelExplanation, RayExplanation, SampleExplanation};
+use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanation};
 use groundtruth::film::Tone;
-use groundtruth::ray_budget::RayCounter;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use groundtruth::trace::Recorder;
+use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
 
 use crate::explanation::details;
@@ -77,16 +76,11 @@ pub enum Tab {
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
 fn answer(scene: &Scene, world: &World, question: Question) -> Answer {
-    let mut counter = RayCounter::up_to(MAX_RAYS_PER_SAMPLE);
-    counter.count(|counter| render::sample(world, question.pixel, question.sample, counter));
-    if counter.is_full() {
-        return Err(format!(
-            "sample {} has more than {MAX_RAYS_PER_SAMPLE} rays, too many to be shown; a smaller \
-             max_depth or fewer objects make a smaller tree",
-            question.sample
-        ));
-    }
-    let few = counter.rays().saturating_mul(world.samples_per_pixel().into()) <= MAX_RAYS_PER_PIXEL;
+    let mut budget = RayBudget::up_to(MAX_RAYS_PER_SAMPLE);
+    render::sample_within(world, question.pixel, question.sample, &mut (), &mut budget);
+    budget.check(|| format!("sample {}", question.sample)).map_err(|e| e.to_string())?;
+    let all = budget.spent().saturating_mul(world.samples_per_pixel().into());
+    let few = all <= MAX_RAYS_PER_PIXEL;
     let only = if few { None } else { Some(question.sample) };
     let explained = explain::pixel(scene, world, question.pixel, only);
     explained.map(Arc::new).map_err(|e| e.to_string())
@@ -229,7 +223,7 @@ impl Selection {
         changed.inner
     }
 
-    fn ray_details(&mut self, ui: &mut Ui, root: &RayExplanation) {
+    fn ray_details(&mut self, ui: &mut Ui, root: &RecordedRay) {
         if let Some(number) = details::show(ui, self.tree.selected(root)) {
             self.tree.go_to(root, number);
         }

@@ -1,8 +1,7 @@
 //! The path to the selected ray, projected into the picture.
 
 use eframe::egui::{Color32, Painter, Pos2, Stroke};
-use groundtruth::explain::RayExplanation;
-use groundtruth::math::Point;
+use groundtruth::explain::RecordedRay;
 use groundtruth::render;
 use groundtruth::world::World;
 
@@ -17,15 +16,15 @@ pub type TrailPoint = (Option<[f64; 2]>, Color32);
 pub fn points(
     world: &World,
     pixel: [u32; 2],
-    root: &RayExplanation,
+    root: &RecordedRay,
     number: usize,
 ) -> Vec<TrailPoint> {
     let Some((eye, column)) = world.view.eye_of_column(pixel[0], world.image.width) else {
         return Vec::new();
     };
     let first_column = f64::from(pixel[0] - column);
-    let trail_point = |ray: &&RayExplanation| {
-        let point = Point::from(ray.outcome.hit()?.point);
+    let trail_point = |ray: &&RecordedRay| {
+        let point = ray.hit.as_ref()?.point;
         let position = eye.project(point).map(|film| {
             let [x, y] = render::image_point(&world.image, film);
             [first_column + x, y]

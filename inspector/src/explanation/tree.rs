@@ -5,7 +5,7 @@ use eframe::egui::{
     Align2, Button, Color32, FontId, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui,
     vec2,
 };
-use groundtruth::explain::{Outline, RayExplanation, Row, TermExplanation, count, percent};
+use groundtruth::explain::{Outline, RecordedRay, RecordedTerm, Row, count, percent};
 use groundtruth::film::Tone;
 use groundtruth::trace::{Outcome, RayKind};
 
@@ -31,16 +31,17 @@ const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
 const LOCAL: Color32 = Color32::from_rgb(150, 215, 150);
 
 /// The colour of a ray's line.
-pub fn kind_color(ray: &RayExplanation) -> Color32 {
+pub fn kind_color(ray: &RecordedRay) -> Color32 {
     match ray.kind {
         RayKind::Camera => CAMERA,
         RayKind::Reflected => REFLECTED,
         RayKind::Transmitted => TRANSMITTED,
         RayKind::Shadow { .. } => match ray.outcome {
             Outcome::Blocked { .. } => BLOCKED,
-            Outcome::Hit { .. }
+            Outcome::Hit
             | Outcome::Background
             | Outcome::TooDeep
+            | Outcome::OverBudget
             | Outcome::Unblocked { .. } => UNBLOCKED,
         },
     }
@@ -81,12 +82,12 @@ impl Default for Tree {
 
 impl Tree {
     /// The selected ray; the camera's if this tree does not have it.
-    pub fn selected<'a>(&self, root: &'a RayExplanation) -> &'a RayExplanation {
+    pub fn selected<'a>(&self, root: &'a RecordedRay) -> &'a RecordedRay {
         root.path_to(self.ray).last().copied().unwrap_or(root)
     }
 
     /// Selects a ray, opens everything that hides it and scrolls to it.
-    pub fn go_to(&mut self, root: &RayExplanation, number: usize) {
+    pub fn go_to(&mut self, root: &RecordedRay, number: usize) {
         self.ray = number;
         self.outline.reveal(&root.path_to(number));
         self.scroll = true;
@@ -94,13 +95,13 @@ impl Tree {
 
     /// Follows the path of most light by one ray. At its end, or from a ray that is not in this tree, starts
     /// again at the camera's ray.
-    pub fn follow_largest(&mut self, root: &RayExplanation) {
+    pub fn follow_largest(&mut self, root: &RecordedRay) {
         let next = root.path_to(self.ray).last().and_then(|ray| ray.largest_child());
         self.go_to(root, next.map_or(root.number, |ray| ray.number));
     }
 
     /// Shows the lines in view; a click selects a ray.
-    pub fn show(&mut self, ui: &mut Ui, root: &RayExplanation, tone: &Tone) {
+    pub fn show(&mut self, ui: &mut Ui, root: &RecordedRay, tone: &Tone) {
         let rows = self.outline.rows(root);
         let wanted = std::mem::take(&mut self.scroll);
         let is_selected =
@@ -151,7 +152,7 @@ impl Tree {
     fn ray_line(
         &mut self,
         ui: &mut Ui,
-        (ray, term): (&RayExplanation, Option<&TermExplanation>),
+        (ray, term): (&RecordedRay, Option<&RecordedTerm>),
         indent: usize,
         tone: &Tone,
     ) {
@@ -170,7 +171,7 @@ impl Tree {
         if ui.add(Button::selectable(self.ray == ray.number, text)).clicked() {
             self.ray = ray.number;
         }
-        if let Some(sampling) = term.map(TermExplanation::sampling).filter(|it| !it.is_empty()) {
+        if let Some(sampling) = term.map(RecordedTerm::sampling).filter(|it| !it.is_empty()) {
             ui.weak(sampling).on_hover_text(SAMPLING);
         }
     }

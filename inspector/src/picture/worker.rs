@@ -8,8 +8,8 @@ use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
 use eframe::egui;
-use groundtruth::ray_budget::{self, MAX_COUNTED};
 use groundtruth::render::Canvas;
+use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
@@ -118,7 +118,7 @@ impl Rendering {
             let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&world));
             let (note, took, ctx) = (Arc::clone(&note), Arc::clone(&took), ctx.clone());
             move || {
-                let rays = ray_budget::measured(&world, MAX_COUNTED);
+                let rays = RaysPerSample::measured(&world, MAX_COUNTED);
                 let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
                 let _ = note.set(rays.note(samples));
                 canvas.render(&world);

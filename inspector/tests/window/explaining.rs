@@ -3,7 +3,7 @@
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Stereo, Viewing};
-use groundtruth::explain::RayExplanation;
+use groundtruth::explain::RecordedRay;
 use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
@@ -190,24 +190,24 @@ fn a_click_on_a_ray_shows_its_details() {
     click(&mut window, ON_GLASS);
     let scene = small_glass_sphere();
     let root = ray_of(&scene, ON_GLASS, 0);
-    let transmitted = |ray: &&RayExplanation| matches!(ray.kind, RayKind::Transmitted);
+    let transmitted = |ray: &&RecordedRay| matches!(ray.kind, RayKind::Transmitted);
     let ray = root.children.iter().find(transmitted).expect("it is glass");
     window.get_by_label(&ray.line()).click();
     settle(&mut window);
-    let hit = ray.outcome.hit().expect("it leaves the sphere");
+    let hit = ray.hit.as_ref().expect("it leaves the sphere");
     let critical = hit.optics.and_then(|optics| optics.critical_angle).expect("from within");
     let exact = |[x, y, z]: [f64; 3]| format!("({x:?}, {y:?}, {z:?})");
     let expected = [
         ("kind", "transmitted, depth 1".to_owned()),
         ("outcome", "hit".to_owned()),
-        ("origin", exact(ray.origin)),
-        ("direction", exact(ray.direction)),
+        ("origin", exact(ray.ray.origin.into())),
+        ("direction", exact(ray.ray.direction.into())),
         ("hits", "\"glass sphere\", material \"glass sphere\"".to_owned()),
         ("side", "back".to_owned()),
         ("t", format!("{:?}", hit.t)),
-        ("point", exact(hit.point)),
+        ("point", exact(hit.point.into())),
         ("error at most", format!("{:?}", hit.error)),
-        ("normal", exact(hit.normal)),
+        ("normal", exact(hit.normal.into())),
         ("shading normal", "the normal".to_owned()),
         ("angle of incidence", format!("{:?}°", hit.angle_of_incidence)),
         ("medium in front", "η 1.5, absorption 0".to_owned()),
@@ -244,7 +244,7 @@ fn the_texture_of_a_hit_is_among_the_numbers() {
     settle(&mut window);
     click(&mut window, [24, 24]);
     let root = ray_of(&scene, [24, 24], 0);
-    let hit = root.outcome.hit().expect("the middle of the globe");
+    let hit = root.hit.as_ref().expect("the middle of the globe");
     let [texture] = &hit.textures[..] else { panic!("one texture, not {:?}", hit.textures) };
     let texel = texture.texel.expect("of an image");
     let ([r, g, b], [u, v]) = (texture.color.to_array(), texel.uv);
@@ -264,7 +264,7 @@ fn the_path_to_a_ray_is_marked_in_the_picture() {
     let scene = small_glass_sphere();
     let world = built(&scene);
     let root = ray_of(&scene, ON_GLASS, 0);
-    let with_hit = root.children.iter().find(|child| child.outcome.hit().is_some());
+    let with_hit = root.children.iter().find(|child| child.hit.is_some());
     let number = with_hit.expect("glass sends on rays that hit").number;
     window.state_mut().selection.tree.go_to(&root, number);
     settle(&mut window);

@@ -1,7 +1,7 @@
 //! A noisy pixel: its paths, its largest samples, and what each light and each lobe adds.
 
 use egui_kittest::kittest::Queryable;
-use groundtruth::explain::{self, PixelExplanation, RayExplanation, TermExplanation};
+use groundtruth::explain::{self, PixelExplanation, RecordedRay, RecordedTerm};
 use groundtruth::gallery;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayKind;
@@ -28,9 +28,7 @@ fn noisy_pixel() -> (Window, PixelExplanation) {
 }
 
 /// The continuing rays of a path, each with the term that receives its light, and the path's shadow rays.
-fn path_of(
-    root: &RayExplanation,
-) -> (Vec<(&RayExplanation, Option<&TermExplanation>)>, Vec<&RayExplanation>) {
+fn path_of(root: &RecordedRay) -> (Vec<(&RecordedRay, Option<&RecordedTerm>)>, Vec<&RecordedRay>) {
     let (mut bounces, mut shadows) = (vec![(root, None)], Vec::new());
     while let Some((hit, _)) = bounces.last().copied() {
         let mut next = None;
@@ -69,7 +67,7 @@ fn the_bounces_of_a_path_are_not_indented() {
         assert_eq!(line.left(), first.left(), "{}", bounce.line());
         assert!(line.top() > above, "{}", bounce.line());
         above = line.top();
-        let Some(sampling) = term.map(TermExplanation::sampling) else { continue };
+        let Some(sampling) = term.map(RecordedTerm::sampling) else { continue };
         let mut beside = window.query_all_by_label(&sampling).map(|said| said.rect());
         let is_beside = beside.any(|said| (said.center().y - line.center().y).abs() < 2.0);
         assert!(is_beside && sampling.contains(" /sr, "), "{sampling}");

@@ -55,8 +55,14 @@ fn only_this_object_is_left_and_all_come_back() {
         window.state().rendering.scene.objects.iter().map(|object| object.enabled).collect()
     };
     assert_eq!(enabled(&window), [false, true, false]);
-    let names: Vec<String> =
-        window.state().rendering.world.objects().iter().map(|object| object.name.clone()).collect();
+    let names: Vec<String> = window
+        .state()
+        .rendering
+        .world
+        .objects()
+        .iter()
+        .map(|object| object.name.to_string())
+        .collect();
     assert_eq!(names, ["red sphere"]);
     window.get_by_label("all on").click();
     settle(&mut window);

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use eframe::egui::{Context, Pos2, Theme, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::explain::{self, RayExplanation};
+use groundtruth::explain::{self, RecordedRay};
 use groundtruth::gallery;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
@@ -136,7 +136,7 @@ pub fn root_line_of(scene: &Scene, pixel: [u32; 2], sample: u32) -> String {
 }
 
 /// The tree of a sample, from the library.
-pub fn ray_of(scene: &Scene, pixel: [u32; 2], sample: u32) -> RayExplanation {
+pub fn ray_of(scene: &Scene, pixel: [u32; 2], sample: u32) -> RecordedRay {
     let explained = explain::sample(scene, &built(scene), pixel, sample);
     explained.ray.expect("the camera sees all its film")
 }

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Key, OutputCommand};
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::explain::{Outline, RayExplanation, Row};
+use groundtruth::explain::{Outline, RecordedRay, Row};
 use groundtruth::scene::{Scene, Tracer, Whitted};
 use inspector::explanation::tree::MIN_SHARE;
 
@@ -17,7 +17,7 @@ fn deep_glass_sphere() -> Scene {
     scene
 }
 
-fn deep_window() -> (Window, RayExplanation) {
+fn deep_window() -> (Window, RecordedRay) {
     let mut window = open(deep_glass_sphere());
     settle(&mut window);
     click(&mut window, ON_GLASS);
@@ -27,7 +27,7 @@ fn deep_window() -> (Window, RayExplanation) {
 }
 
 /// How many times the ray's line is shown: in the tree and above the details.
-fn lines(window: &Window, ray: &RayExplanation) -> usize {
+fn lines(window: &Window, ray: &RecordedRay) -> usize {
     window.query_all_by_label(&ray.line()).count()
 }
 
@@ -73,7 +73,7 @@ fn one_key_follows_the_light() {
     for _ in 0..3 {
         window.key_press(Key::L);
         settle(&mut window);
-        let by_share = |a: &&RayExplanation, b: &&RayExplanation| a.share.total_cmp(&b.share);
+        let by_share = |a: &&RecordedRay, b: &&RecordedRay| a.share.total_cmp(&b.share);
         ray = ray.children.iter().max_by(by_share).expect("the path goes on");
         assert_eq!(window.state().selection.tree.ray, ray.number);
         assert_eq!(lines(&window, ray), 2, "in the tree and above the details");
@@ -126,7 +126,7 @@ fn what_is_copied_reproduces_the_pixel() {
 /// Law: each line of the tree tells number, parent and depth of its ray. Oracle: the library's tree, walked.
 #[test]
 fn each_line_tells_parent_and_depth() {
-    fn walk(ray: &RayExplanation, depth: usize, starts: &mut Vec<String>) {
+    fn walk(ray: &RecordedRay, depth: usize, starts: &mut Vec<String>) {
         for child in &ray.children {
             starts.push(format!("{}  from {}, depth {}  ", child.number, ray.number, depth + 1));
             walk(child, depth + 1, starts);

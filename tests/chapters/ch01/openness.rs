@@ -15,7 +15,7 @@ use groundtruth::samplers::{self, Sampler};
 use groundtruth::scene::{Light, Material, Object, Scene, to_toml};
 use groundtruth::shapes::{self, Candidate, Instance, Plane, Shape, Surface};
 use groundtruth::textures::{self, Color, Paint, Texture, TexturePoint, Value};
-use groundtruth::trace::{Outcome, RayTree};
+use groundtruth::trace::RayTree;
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
 
@@ -89,9 +89,10 @@ fn a_shape_defined_here_sits_in_an_instance() {
         let mut scene = from_front(1, 1, 1.0);
         let instance = Instance::new(tile(), vec![step]);
         add_flat(&mut scene, "tile", instance, RED);
-        let mut tree = RayTree::default();
-        render::sample(&built(&scene), [0, 0], 0, &mut tree);
-        let Outcome::Hit { hit } = &tree.root().outcome else { panic!("the tile is ahead") };
+        let world = built(&scene);
+        let mut tree = RayTree::of(&world);
+        render::sample(&world, [0, 0], 0, &mut tree);
+        let Some(hit) = &tree.root().hit else { panic!("the tile is ahead") };
         assert!((Vector::from(hit.normal) - normal).length() < 1e-15, "{:?}", hit.normal);
     }
 }

@@ -15,7 +15,7 @@ use groundtruth::samplers::{Jittered, Random, Regular};
 use groundtruth::scene::{Image, Scene};
 use groundtruth::shapes::{self, Candidate, Plane, Shape, Surface};
 use groundtruth::textures::Paint;
-use groundtruth::trace::{Outcome, RayTree};
+use groundtruth::trace::RayTree;
 use groundtruth::world::World;
 use serde::Deserialize;
 
@@ -51,9 +51,10 @@ fn one_pixel_of_a_box_has_the_normal_of_its_front() {
         let mut scene = Scene::new("", Image::new(1, 1), camera);
         let (min, max) = (Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.0, 1.0));
         add_flat(&mut scene, "box", shapes::Cuboid { min, max }, RED);
-        let mut tree = RayTree::default();
-        render::sample(&built(&scene), [0, 0], 0, &mut tree);
-        let Outcome::Hit { hit } = &tree.root().outcome else { panic!("the box is ahead") };
+        let world = built(&scene);
+        let mut tree = RayTree::of(&world);
+        render::sample(&world, [0, 0], 0, &mut tree);
+        let Some(hit) = &tree.root().hit else { panic!("the box is ahead") };
         assert_eq!(hit.normal.to_array(), [0.0, 0.0, 1.0]);
         assert_eq!(hit.point, Point::new(0.0, 0.0, 1.0));
         assert!(hit.front, "met from behind: {hit:?}");

@@ -6,7 +6,7 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Regular;
 use groundtruth::shapes::{Plane, Sphere};
-use groundtruth::trace::{Outcome, RayTree};
+use groundtruth::trace::RayTree;
 use groundtruth::world::World;
 
 use crate::pictures::studio::{RED, add_flat, assert_same_bits, built, from_front, pixels};
@@ -104,10 +104,10 @@ fn the_nearest_object_keeps_its_normal() {
         let nearest = (0..3).filter(|&i| !heights[i].0.is_nan());
         let nearest = nearest.max_by(|&i, &j| heights[i].0.total_cmp(&heights[j].0));
         let nearest = nearest.expect("the plane is everywhere");
-        let mut tree = RayTree::default();
+        let mut tree = RayTree::of(&world);
         render::sample(&world, at, 0, &mut tree);
-        let Outcome::Hit { hit } = &tree.root().outcome else { panic!("{at:?} hits nothing") };
-        assert_eq!(hit.object, nearest as u32, "{at:?}");
+        let Some(hit) = &tree.root().hit else { panic!("{at:?} hits nothing") };
+        assert_eq!(hit.object, world.names.objects[nearest], "{at:?}");
         assert!((Vector::from(hit.normal) - heights[nearest].1).length() < 1e-12, "{at:?}");
         assert!((hit.t - (100.0 - heights[nearest].0)).abs() < 1e-9, "{at:?}");
         seen[nearest] += 1;

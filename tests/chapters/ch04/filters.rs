@@ -220,9 +220,9 @@ fn a_sample_is_weighed_by_its_filter() {
     for index in 0..64 {
         let drawn = render::camera_sample(&world, [0, 0], index).expect("no gap");
         negative += u32::from(drawn.weight < 0.0);
-        let mut tree = RayTree::default();
+        let mut tree = RayTree::of(&world);
         let sample = render::sample(&world, [0, 0], index, &mut tree);
-        let arriving = tree.nodes()[0].radiance;
+        let arriving = tree.rays()[0].radiance;
         assert_eq!(bits(sample), bits(drawn.weight * arriving));
         assert_eq!(bits(sample), bits(render::sample(&world, [0, 0], index, &mut ())));
         let inside = drawn.film[0] < 0.2;

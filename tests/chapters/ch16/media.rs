@@ -8,7 +8,7 @@ use groundtruth::math::{Point, Vector, exp};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, Tracer, TransparentShadows, Whitted};
 use groundtruth::shapes::{Cuboid, Plane, Sphere};
-use groundtruth::trace::{Node, RayKind, RayTree, TermSource, radiance};
+use groundtruth::trace::{RayKind, RayTree, RecordedRay, TermSource, radiance};
 use proptest::prelude::*;
 
 use crate::support::lamps::all_lights;
@@ -41,8 +41,8 @@ fn sea(source: impl Into<Kind>) -> Scene {
     scene
 }
 
-fn shadows(tree: &RayTree) -> Vec<&Node> {
-    tree.nodes().iter().filter(|node| matches!(node.kind, RayKind::Shadow { .. })).collect()
+fn shadows(tree: &RayTree) -> Vec<&RecordedRay> {
+    tree.rays().into_iter().filter(|node| matches!(node.kind, RayKind::Shadow { .. })).collect()
 }
 
 /// The length of a shadow ray lacks its offsets from the surface and from the light, of some error bounds
@@ -175,7 +175,7 @@ proptest! {
         let [ray] = shadows(&seen)[..] else { panic!("one ray to the light: {seen:?}") };
         let expected = through(length - in_bubble);
         prop_assert!(close(ray.transmittance, expected, 1e-12), "{:?}, not {expected:?}", ray.transmittance);
-        prop_assert_eq!(seen.folded(seen.root()), seen.root().radiance);
+        prop_assert_eq!(seen.root().folded(), seen.root().radiance);
 
         scene.camera.medium = Medium::default();
         let clear = counted(&built(&scene), eye, -Vector::from(n));
@@ -284,7 +284,7 @@ fn each_shadow_ray_records_the_transmittance_of_its_length() {
     let mut seen = std::collections::BTreeMap::new();
     for i in 0..60 {
         let spot = Point::new(0.1 * f64::from(i % 8) - 0.4, 0.1 * f64::from(i / 8), 0.3);
-        let mut tree = RayTree::default();
+        let mut tree = RayTree::of(&world);
         radiance(&world, &ray(eye, spot - eye), world.draws([i, 1], 0), &mut tree);
         for node in shadows(&tree) {
             let RayKind::Shadow { light } = node.kind else { unreachable!() };
@@ -365,7 +365,7 @@ fn a_highlight_on_a_boundary_comes_through_the_medium_outside() {
             "outside {outside:?}: {found:?}, expected {expected:?}"
         );
         let direct = |term: &&groundtruth::trace::RecordedTerm| {
-            matches!(term.term.source, TermSource::Direct { .. })
+            matches!(term.source, TermSource::Direct { .. })
         };
         assert!(tree.root().terms.iter().any(|term| direct(&term)), "there is a highlight");
     }

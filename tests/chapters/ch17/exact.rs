@@ -106,19 +106,19 @@ proptest! {
         let eye = Point::ORIGIN + 9.0 * from + 10.0 * Vector::Y;
         let ray = ray(eye, target - eye);
         for i in 0..SAMPLES {
-            let mut tree = RayTree::default();
+            let mut tree = RayTree::of(&world);
             let seen = radiance(&world, &ray, world.draws([0, 0], i), &mut tree);
-            let [root, shadow] = tree.nodes() else {
+            let [root, shadow] = tree.rays()[..] else {
                 // the ray leads into the sky, or the direction below the surface of a smooth mesh
                 let sky = seen == Rgb::new(3.0, 5.0, 7.0);
                 prop_assert!(sky || close(seen, shade(0.0), PRODUCTS), "{seen:?}");
                 continue;
             };
-            let Outcome::Hit { hit } = &root.outcome else { panic!("{root:?}") };
+            let Some(hit) = &root.hit else { panic!("{root:?}") };
             let open = shadow.outcome == Outcome::Unblocked { boundaries: 0 };
             let expected = shade(if open { 1.0 } else { 0.0 });
             close!(seen, expected, PRODUCTS);
-            prop_assert!(hit.shading.dot(shadow.ray.direction) >= -4.0 * U, "{shadow:?}");
+            prop_assert!(hit.shading_normal.dot(shadow.ray.direction) >= -4.0 * U, "{shadow:?}");
             prop_assert_eq!(shadow.kind, RayKind::Shadow { light: 0 });
         }
     }
@@ -148,8 +148,10 @@ proptest! {
         scene.materials[3].casts_shadows = false;
         let seen = each(&scene, eye, target - eye);
         // except for directions below the surface of the smooth mesh
-        let hit = recorded(&built(&scene), eye, target - eye).root().outcome.clone();
-        if !matches!(hit, Outcome::Hit { hit } if hit.object == 3) {
+        let world = built(&scene);
+        let tree = recorded(&world, eye, target - eye);
+        let smooth = &world.names.objects[3];
+        if tree.root().hit.as_ref().is_none_or(|hit| hit.object != *smooth) {
             prop_assert_eq!(seen, expected);
         }
     }
@@ -221,9 +223,9 @@ fn the_samples_of_a_pixel_are_stratified_over_the_sky() {
     let ray = ray(Point::ORIGIN + Vector::from(n), -Vector::from(n));
     let mut rings = [0; SAMPLES as usize];
     for i in 0..SAMPLES {
-        let mut tree = RayTree::default();
+        let mut tree = RayTree::of(&world);
         radiance(&world, &ray, world.draws([7, 2], i), &mut tree);
-        let cosine = n.dot(tree.nodes()[1].ray.direction);
+        let cosine = n.dot(tree.rays()[1].ray.direction);
         assert!(cosine >= 0.0, "below the surface");
         // 1 − cos²θ is uniform; multi-jittered samples have one in each of N rings
         rings[((1.0 - cosine * cosine) * f64::from(SAMPLES)) as usize] += 1;

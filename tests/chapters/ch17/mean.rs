@@ -9,7 +9,6 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{Kind as Sampler, MultiJittered, Random};
 use groundtruth::scene::{Scene, Tracer, Whitted};
 use groundtruth::shapes::{Cuboid, Disk, Instance, Plane, Rectangle, TessellatedSphere, Triangle};
-use groundtruth::trace::Outcome;
 
 use super::*;
 use crate::support::replicas::*;
@@ -182,8 +181,8 @@ fn directions_below_the_true_surface_are_blocked() {
     for i in 0..8 {
         let to_eye = at_angle(Normal::Y, 0.2 * f64::from(i) - 0.7, 1.3 * f64::from(i));
         let tree = recorded(&world, Point::ORIGIN + 3.0 * to_eye, -to_eye);
-        let Outcome::Hit { hit } = &tree.root().outcome else { panic!("the sphere is there") };
-        let cosine = Vector::from(hit.normal).dot(hit.shading);
+        let Some(hit) = &tree.root().hit else { panic!("the sphere is there") };
+        let cosine = Vector::from(hit.normal).dot(hit.shading_normal);
         leans += u32::from(cosine < 0.97);
         let values = seen(&scene, hit.point, hit.normal);
         let what = format!("point {i}, where the normals' cosine is {cosine}");

@@ -4,7 +4,7 @@ use groundtruth::cameras::ThinLens;
 use groundtruth::lights::{Ambient, Directional, PointLight};
 use groundtruth::math::Ray;
 use groundtruth::render::{camera_sample, sample};
-use groundtruth::trace::{Node, RayCounts, RayKind, RayTree, TermSource, radiance};
+use groundtruth::trace::{RayCounts, RayKind, RayTree, RecordedRay, TermSource, radiance};
 use groundtruth::world::World;
 use proptest::prelude::*;
 
@@ -18,7 +18,7 @@ fn trees(world: &World) -> Vec<RayTree> {
     let mut trees = Vec::new();
     for i in 0..40 {
         let spot = Point::new(0.1 * f64::from(i % 8) - 0.4, 0.1 * f64::from(i / 8), 0.3);
-        let mut tree = RayTree::default();
+        let mut tree = RayTree::of(&world);
         let draws = world.draws([i, 7], i % world.samples_per_pixel());
         radiance(world, &ray(eye, spot - eye), draws, &mut tree);
         trees.push(tree);
@@ -28,8 +28,8 @@ fn trees(world: &World) -> Vec<RayTree> {
 
 /// The rays towards each light but one.
 fn rays(tree: &RayTree, except: u32) -> Vec<(RayKind, Ray)> {
-    let other = |node: &&Node| node.kind != RayKind::Shadow { light: except };
-    tree.nodes().iter().filter(other).map(|node| (node.kind, node.ray)).collect()
+    let other = |node: &&RecordedRay| node.kind != RayKind::Shadow { light: except };
+    tree.rays().into_iter().filter(other).map(|node| (node.kind, node.ray)).collect()
 }
 
 /// The draws for each light, as far as its direct terms show them: cosine, density and weight, also where no
@@ -41,8 +41,8 @@ fn weights(tree: &RayTree, except: Option<u32>) -> Vec<(u32, [f64; 3], f64)> {
     };
     let terms = tree.root().terms.iter();
     let drawn = terms.filter_map(|recorded| {
-        let (light, cos_i, pdf) = term(&recorded.term.source)?;
-        Some((light, [cos_i, pdf, recorded.term.weight.g], recorded.term.weight.r))
+        let (light, cos_i, pdf) = term(&recorded.source)?;
+        Some((light, [cos_i, pdf, recorded.weight.g], recorded.weight.r))
     });
     drawn.filter(|(light, ..)| Some(*light) != except).collect()
 }
@@ -54,7 +54,7 @@ fn weights(tree: &RayTree, except: Option<u32>) -> Vec<(u32, [f64; 3], f64)> {
 fn switching_a_light_or_its_shadows_changes_no_other_draw() {
     let scene = all_lights();
     let all = trees(&built(&scene));
-    let shadow_rays: usize = all.iter().map(|tree| tree.nodes().len() - 1).sum();
+    let shadow_rays: usize = all.iter().map(|tree| tree.rays().len() - 1).sum();
     assert!(shadow_rays > 200, "{shadow_rays} shadow rays only");
     for which in 0..scene.lights.len() {
         let mut changed = scene.clone();
@@ -96,7 +96,11 @@ fn a_recorder_changes_no_draw() {
         let counted = radiance(&world, &tree.root().ray, draws, &mut counts);
         assert_eq!((silent, counted), (tree.root().radiance, silent), "sample {i}");
         assert_eq!(tree.root().ray.origin, eye);
-        let hit = tree.root().outcome.hit().is_some_and(|hit| hit.object < 2);
+        let hit = tree
+            .root()
+            .hit
+            .as_ref()
+            .is_some_and(|hit| world.names.objects[..2].contains(&hit.object));
         // two lamps, occluder and sky; both jittered lights
         let expected = if hit { 4 + 2 * 2 } else { 0 };
         assert_eq!(counts.draws, expected, "sample {i}");
@@ -109,9 +113,10 @@ fn ends(world: &World, pixel: [u32; 2], lamp: u32) -> Vec<[f64; 2]> {
     let ray = ray(Point::new(0.0, 1.0, 0.0), -Vector::Y);
     let mut ends = Vec::new();
     for i in 0..world.samples_per_pixel() {
-        let mut tree = RayTree::default();
+        let mut tree = RayTree::of(&world);
         radiance(world, &ray, world.draws(pixel, i), &mut tree);
-        let shadow = tree.nodes().iter().find(|node| node.kind == RayKind::Shadow { light: lamp });
+        let shadow =
+            tree.rays().into_iter().find(|node| node.kind == RayKind::Shadow { light: lamp });
         let end = shadow.expect("each sample has its ray").ray.at(1.0);
         ends.push([end.x() + 0.5, end.z() + 0.5]);
     }
@@ -181,9 +186,9 @@ fn one_sample_is_in_the_middle_of_pixel_and_lens_only() {
             assert_eq!(cam.lens, Some([0.0; 2]), "lens of {pixel:?}");
             assert!((cam.film[0] - 1e-3 * (middle[0] - 5.5)).abs() < 1e-15, "{pixel:?}: {cam:?}");
             assert!((cam.film[1] - 1e-3 * (5.5 - middle[1])).abs() < 1e-15, "{pixel:?}: {cam:?}");
-            let mut tree = RayTree::default();
+            let mut tree = RayTree::of(&world);
             sample(world, pixel, 0, &mut tree);
-            let end = tree.nodes()[1].ray.at(1.0);
+            let end = tree.rays()[1].ray.at(1.0);
             let point = [end.x() + 0.5, end.z() + 0.5];
             sums.iter_mut().zip(point).for_each(|(sum, c)| *sum += c / 144.0);
             cells[point
@@ -240,7 +245,7 @@ proptest! {
         let world = built(&scene);
         let tree = recorded(&world, eye, target - eye);
         let counts = counted(&world, eye, target - eye);
-        let Some(hit) = tree.root().outcome.hit() else { return Ok(()) };
+        let Some(hit) = tree.root().hit.as_ref() else { return Ok(()) };
         let above = directions.iter().filter(|(direction, near, shadows, enabled)| {
             // the normal of the unit sphere is the hit point itself
             let n = hit.point.to_vector();

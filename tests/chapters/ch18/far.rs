@@ -87,7 +87,7 @@ proptest! {
             hang(&mut scene, shape.clone(), None);
             let seen = look(&built(&scene), eye, center + 0.1 * spot - eye);
             let tree = recorded(&built(&scene), eye, center + 0.1 * spot - eye);
-            let hit = tree.root().outcome.hit().map(|hit| hit.front);
+            let hit = tree.root().hit.as_ref().map(|hit| hit.front);
             let expected = if hit == Some(true) { LS * CE } else { Rgb::BLACK };
             prop_assert_eq!(seen, expected, "{}", name);
             scene.lights.clear();

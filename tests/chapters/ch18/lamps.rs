@@ -18,9 +18,9 @@ fn outcomes(scene: &Scene, at: Point) -> Vec<Option<u32>> {
         ray(at + Vector::new(0.0, 1e-3 * (at.to_vector().max_abs() + 1e-30), 0.0), -Vector::Y);
     let mut met = Vec::new();
     for i in 0..SAMPLES {
-        let mut tree = RayTree::default();
+        let mut tree = RayTree::of(&world);
         radiance(&world, &ray, world.draws([0, 0], i), &mut tree);
-        for node in tree.nodes() {
+        for node in tree.rays() {
             match node.outcome {
                 Outcome::Unblocked { .. } => met.push(None),
                 Outcome::Blocked { blocked_by } => met.push(Some(blocked_by)),

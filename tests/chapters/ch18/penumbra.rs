@@ -35,9 +35,10 @@ fn unblocked(world: &World, x: f64) -> (f64, Rgb) {
     let ray = ray(Point::new(x, 0.01, 0.02), Vector::new(0.0, -0.01, -0.02));
     let (mut free, mut sum) = (0, Rgb::BLACK);
     for i in 0..SAMPLES {
-        let mut tree = RayTree::default();
+        let mut tree = RayTree::of(world);
         sum += radiance(world, &ray, world.draws([1, 2], i), &mut tree);
-        let shadows = tree.nodes().iter().filter(|node| node.kind == RayKind::Shadow { light: 0 });
+        let shadows =
+            tree.rays().into_iter().filter(|node| node.kind == RayKind::Shadow { light: 0 });
         free += shadows.filter(|node| node.outcome == Outcome::Unblocked { boundaries: 0 }).count();
     }
     (free as f64 / f64::from(SAMPLES), (1.0 / f64::from(SAMPLES)) * sum)

@@ -43,11 +43,11 @@ proptest! {
         let to_eye = at_angle(n, cosine, phi);
         let ray = ray(Point::ORIGIN + 2.0 * to_eye, -to_eye);
         for i in 0..16 {
-            let mut tree = RayTree::default();
+            let mut tree = RayTree::of(&world);
             let seen = radiance(&world, &ray, world.draws(pixel, i), &mut tree);
             let expected = kd * (cd * SKY);
             // the cosine of a grazing direction has an absolute error of some u
-            let cosine = tree.nodes().get(1).map_or(1.0, |shadow| n.dot(shadow.ray.direction));
+            let cosine = tree.rays().get(1).map_or(1.0, |shadow| n.dot(shadow.ray.direction));
             let tolerance = 16.0 * U + 4.0 * U / cosine;
             prop_assert!(
                 close(seen, expected, tolerance),

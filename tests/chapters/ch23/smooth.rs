@@ -12,7 +12,6 @@ use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{
     Context, Instance, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh,
 };
-use groundtruth::trace::Outcome;
 use harness::verify::Draw;
 
 use crate::support::U;
@@ -138,13 +137,13 @@ fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
         let beside = to_eye.cross(draw.direction()).unit().expect("not parallel");
         let target = Point::ORIGIN + draw.between(0.6, 1.0) * beside;
         let tree = recorded(&built(&scene), target + 3.0 * to_eye, -Vector::from(to_eye));
-        let Outcome::Hit { hit } = &tree.root().outcome else { continue };
-        let lit = hit.normal.dot(sun) > 0.0 && hit.shading.dot(sun) > 0.0;
-        if !lit || hit.shading.dot(to_eye) >= 0.0 {
+        let Some(hit) = &tree.root().hit else { continue };
+        let lit = hit.normal.dot(sun) > 0.0 && hit.shading_normal.dot(sun) > 0.0;
+        if !lit || hit.shading_normal.dot(to_eye) >= 0.0 {
             continue;
         }
-        let cosine = hit.shading.dot(sun);
-        let r = (2.0 * cosine) * Vector::from(hit.shading) - sun;
+        let cosine = hit.shading_normal.dot(sun);
+        let r = (2.0 * cosine) * Vector::from(hit.shading_normal) - sun;
         let highlight = ks * power(r.dot(to_eye).max(0.0), exponent);
         glossy += u32::from(highlight > 1e-3);
         let expected = (FRAC_1_PI * kd + highlight) * cosine;

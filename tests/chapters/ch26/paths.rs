@@ -11,7 +11,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Random;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Plane, Sphere};
-use groundtruth::trace::{RayKind, Term, TermSource};
+use groundtruth::trace::{RayKind, TermSource};
 use harness::verify::means;
 use harness::verify::significance::sidak;
 use harness::verify::slope::power_law;
@@ -149,11 +149,13 @@ fn a_lamp_that_was_sampled_is_a_term_of_weight_zero() {
     let dome = put(&mut scene, dome, Emissive::new(7.0, Rgb::WHITE));
     shine(&mut scene, Area { object: dome.to_string(), sampling: None });
     let tree = recorded(&built(&scene), Point::new(0.5, 1.0, 0.0), Vector::new(0.2, -1.0, 0.3));
-    let reflected: Vec<_> = tree.nodes().iter().filter(|n| n.kind == RayKind::Reflected).collect();
+    let reflected: Vec<_> =
+        tree.rays().into_iter().filter(|n| n.kind == RayKind::Reflected).collect();
     assert_eq!(reflected.len(), 1);
-    let terms: Vec<_> = reflected[0].terms.iter().map(|recorded| recorded.term).collect();
+    let terms: Vec<_> =
+        reflected[0].terms.iter().map(|it| (it.source, it.weight, it.arriving, it.value)).collect();
     let (source, arriving) = (TermSource::Emission { mis: Some(0.0) }, Rgb::grey(7.0));
-    assert_eq!(terms, [Term { source, weight: Rgb::BLACK, arriving, value: Rgb::BLACK }]);
+    assert_eq!(terms, [(source, Rgb::BLACK, arriving, Rgb::BLACK)]);
 }
 
 /// A floor lit by one small lamp.

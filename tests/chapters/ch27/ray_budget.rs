@@ -3,8 +3,8 @@
 use groundtruth::gallery;
 use groundtruth::materials::{Dielectric, Medium, Phong, Reflective};
 use groundtruth::math::{Point, Vector};
-use groundtruth::ray_budget::{MAX_COUNTED, measured};
 use groundtruth::render;
+use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Cuboid, Sphere};
@@ -36,7 +36,7 @@ fn a_slab_at_depth_100_counts_as_a_line() {
     let mut scene = picture(100);
     let (min, max) = (Point::new(-50.0, -50.0, -1.0), Point::new(50.0, 50.0, 0.0));
     put(&mut scene, Cuboid { min, max }, clear(1.5));
-    let estimate = measured(&built(&scene), MAX_COUNTED);
+    let estimate = RaysPerSample::measured(&built(&scene), MAX_COUNTED);
     // the camera's, and two at each of the hits at depths 0 to 100
     assert_eq!((estimate.mean, estimate.is_cut), (1.0 + 2.0 * 101.0, false));
     assert_eq!(estimate.note(24.0 * 16.0), None);
@@ -50,7 +50,7 @@ fn a_mirror_counts_as_a_line() {
         let mut scene = picture(n);
         let mirror = Reflective { phong: Phong::default(), kr: 0.9.into(), cr: Rgb::WHITE.into() };
         put(&mut scene, Sphere { center: Point::ORIGIN, radius: 20.0, inward: true }, mirror);
-        let estimate = measured(&built(&scene), MAX_COUNTED);
+        let estimate = RaysPerSample::measured(&built(&scene), MAX_COUNTED);
         assert_eq!((estimate.mean, estimate.is_cut), (f64::from(n + 2), false));
     }
 }
@@ -63,14 +63,14 @@ fn a_tree_without_end_is_cut() {
     for radius in [1.0, 0.9, 0.8] {
         put(&mut scene, ball(radius), clear(1.0 + radius));
     }
-    let estimate = measured(&built(&scene), MAX_COUNTED);
+    let estimate = RaysPerSample::measured(&built(&scene), MAX_COUNTED);
     // rays that are open at the cut still count: each of them sends one more
     let few = estimate.mean < MAX_COUNTED as f64 + 300.0;
     assert!(estimate.is_cut && estimate.mean >= 1e6 && few, "{estimate:?}");
     // also before a single sample is rendered
     let note = estimate.note(1.0).expect("its user waits for ever");
     assert!(note.starts_with("this will take at least "), "{note}");
-    let estimate = measured(&built(&scene), 1000);
+    let estimate = RaysPerSample::measured(&built(&scene), 1000);
     assert!(estimate.is_cut && estimate.mean < 1300.0, "{estimate:?}");
 }
 
@@ -93,7 +93,8 @@ fn the_estimate_is_that_of_the_picture() {
     let all: Vec<f64> = (0..16).flat_map(|y| (0..24).map(move |x| [x, y])).map(counts).collect();
     let mean = all.iter().sum::<f64>() / all.len() as f64;
     let variance = all.iter().map(|n| (n - mean) * (n - mean)).sum::<f64>() / all.len() as f64;
-    let (error, estimate) = ((variance / 256.0).sqrt(), measured(&world, MAX_COUNTED));
+    let (error, estimate) =
+        ((variance / 256.0).sqrt(), RaysPerSample::measured(&world, MAX_COUNTED));
     let off = (estimate.mean - mean).abs();
     assert!(error > 0.5 && off < 4.0 * error, "{} of {mean}, error {error}", estimate.mean);
 }
@@ -126,7 +127,7 @@ fn the_last_rays_of_a_full_binary_tree_are_too_deep() {
 /// The counts of the rays in a tree: too deep are those with more than `max_depth` edges before them.
 fn counts_of(tree: &RayTree, max_depth: u32) -> RayCounts {
     let mut counts = RayCounts::default();
-    for node in tree.nodes() {
+    for node in tree.rays() {
         match node.kind {
             RayKind::Camera => counts.camera += 1,
             RayKind::Reflected => counts.reflected += 1,
@@ -157,7 +158,7 @@ fn counts_are_those_of_the_recorded_rays() {
                 let world = built(&scene);
                 let mut too_deep = 0;
                 for pixel in (0..96).map(|i| [i % 12, i / 12]) {
-                    let (mut counts, mut tree) = (RayCounts::default(), RayTree::default());
+                    let (mut counts, mut tree) = (RayCounts::default(), RayTree::of(&world));
                     render::sample(&world, pixel, 0, &mut counts);
                     render::sample(&world, pixel, 0, &mut tree);
                     let expected = RayCounts { draws: counts.draws, ..counts_of(&tree, max_depth) };

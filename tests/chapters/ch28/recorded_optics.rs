@@ -7,7 +7,7 @@ use groundtruth::materials::{Matte, Medium, Transparent};
 use groundtruth::math::{Normal, Point, Vector, cos, sin, to_radians};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::Plane;
-use groundtruth::trace::{Node, Outcome, RayKind, RayTree, RecordedHit, TermSource};
+use groundtruth::trace::{RayKind, RayTree, RecordedHit, RecordedRay, TermSource};
 use groundtruth::{lights, materials};
 use proptest::prelude::*;
 
@@ -29,8 +29,8 @@ fn onto_plane(recipe: materials::Kind, degrees: f64, phi: f64, above: bool) -> R
     recorded(&built(&scene), Point::ORIGIN + towards, -towards)
 }
 
-fn hit_of(node: &Node) -> RecordedHit {
-    let Outcome::Hit { hit } = &node.outcome else { panic!("the plane is ahead") };
+fn hit_of(node: &RecordedRay) -> RecordedHit {
+    let Some(hit) = &node.hit else { panic!("the plane is ahead") };
     hit.clone()
 }
 
@@ -95,7 +95,7 @@ fn a_transparent_surface_tells_its_constant_shares() {
         near!(optics.reflected.g, r, CLOSE);
         near!(optics.transmitted.g, t, CLOSE);
         assert_eq!(optics.critical_angle.is_some(), !above);
-        let refracted = child(&tree, tree.root(), RayKind::Transmitted);
+        let refracted = child(tree.root(), RayKind::Transmitted);
         assert_eq!(refracted.is_none(), total, "{degrees}");
     }
 }
@@ -120,15 +120,15 @@ fn a_matte_term_is_reflectance_and_cosine_and_light() {
     shine(&mut scene, lights::Directional { ls: 3.0, color: Rgb::WHITE, direction });
     let tree = recorded(&built(&scene), Point::new(0.0, 1.0, 0.0), -Vector::Y);
     let [recorded] = &tree.root().terms[..] else { panic!("one light, one lobe") };
-    let TermSource::Direct { light, lobe, f, cos_i, pdf, traced, mis: None } = recorded.term.source
+    let TermSource::Direct { light, lobe, f, cos_i, pdf, traced, mis: None } = recorded.source
     else {
         panic!("direct light")
     };
-    assert_eq!((light, pdf, traced, recorded.child), (0, None, true, Some(1)));
+    assert_eq!((light, pdf, traced, recorded.ray), (0, None, true, Some(1)));
     let Lobe::Lambertian(lobe) = lobe else { panic!("{lobe:?}") };
     close!(lobe.reflectance, Rgb::new(0.8, 0.4, 0.2), CLOSE);
     close!(f, FRAC_1_PI * lobe.reflectance, CLOSE);
     near!(cos_i, 0.5, CLOSE);
-    close!(recorded.term.arriving, Rgb::grey(3.0), CLOSE);
-    close!(recorded.term.value, 1.5 * FRAC_1_PI * Rgb::new(0.8, 0.4, 0.2), CLOSE);
+    close!(recorded.arriving, Rgb::grey(3.0), CLOSE);
+    close!(recorded.value, 1.5 * FRAC_1_PI * Rgb::new(0.8, 0.4, 0.2), CLOSE);
 }

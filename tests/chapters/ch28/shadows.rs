@@ -133,7 +133,7 @@ fn simple_glass_counts_kt_for_each_surface() {
     let found = share(&scene).r;
     assert!((found - 0.6561).abs() < 1e-15, "{found} instead of 0.9⁴");
     let tree = recorded(&built(&scene), Point::new(0.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0));
-    let shadow = tree.nodes().last().expect("a shadow ray");
+    let shadow = tree.rays().pop().expect("a shadow ray");
     assert_eq!(shadow.outcome, Outcome::Unblocked { boundaries: 4 });
 
     scene.objects[2].casts_shadows = false;
@@ -142,7 +142,7 @@ fn simple_glass_counts_kt_for_each_surface() {
     let opaque =
         put(&mut scene, above, Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() });
     let tree = recorded(&built(&scene), Point::new(0.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0));
-    let shadow = tree.nodes().last().expect("a shadow ray");
+    let shadow = tree.rays().pop().expect("a shadow ray");
     assert_eq!(shadow.outcome, Outcome::Blocked { blocked_by: opaque as u32 });
     assert_eq!(share(&scene), Rgb::BLACK);
     scene.objects[opaque].enabled = false;

@@ -313,7 +313,7 @@ fn the_explanation_shows_field_texel_and_colour() {
     put(&mut scene, square(1.0), Reflective { phong, kr: image.into(), cr: Rgb::WHITE.into() });
     let explained = explain::sample(&scene, &built(&scene), [0, 0], 0);
     let ray = explained.ray.expect("the camera's ray");
-    let hit = ray.outcome.hit().expect("the square is hit");
+    let hit = ray.hit.as_ref().expect("the square is hit");
     let texel = hit.textures.iter().map(|it| {
         let texel = it.texel.expect("an image");
         (it.field.as_str(), [texel.column, texel.row], texel.uv, (65535.0 * it.color.r).round())

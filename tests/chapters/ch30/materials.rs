@@ -124,7 +124,7 @@ fn the_tree_names_the_textures_of_the_checker_that_is_hit() {
     let fields = |phi: f64| -> Vec<String> {
         let out = Vector::new(sin(phi), 0.0, cos(phi));
         let tree = recorded(&world, Point::ORIGIN + 3.0 * out, -out);
-        let hit = tree.root().outcome.hit().expect("the ball is hit");
+        let hit = tree.root().hit.as_ref().expect("the ball is hit");
         hit.textures.iter().map(|texture| texture.field.clone()).collect()
     };
     // thirds of a turn, from +z towards +x

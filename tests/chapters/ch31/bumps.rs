@@ -41,7 +41,7 @@ struct Recorded {
 
 impl Recorder for Recorded {
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {}
-    fn outcome(&mut self, _: Outcome<&groundtruth::world::Hit<'_>>) {}
+    fn outcome(&mut self, _: Outcome) {}
     fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
         self.normals.get_or_insert(point.normals);
         self.at.get_or_insert_with(|| point.hit.surface.clone());

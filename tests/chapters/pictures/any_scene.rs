@@ -10,7 +10,7 @@ use groundtruth::film::Film;
 use groundtruth::render::{self, render};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Material, Scene, Tracer, to_toml};
-use groundtruth::trace::{RayKind, RayTree, TermSource};
+use groundtruth::trace::{RayKind, RayTree};
 use groundtruth::world::from_toml;
 use groundtruth::{lights, materials, shapes};
 
@@ -180,15 +180,11 @@ fn every_light_adds_light_or_says_why_not() {
                 assert_eq!(ray.black.is_some(), ray.radiance.is_black(), "scene {number}, {at:?}");
                 assert!(ray.black.as_ref().is_none_or(|zeros| !zeros.is_empty()), "{ray:?}");
                 for light in &scene.lights {
-                    let adds = ray.terms.iter().any(|term| match &term.source {
-                        TermSource::Ambient { light: it, .. }
-                        | TermSource::Direct { light: it, .. } => {
-                            *it == light.name && !term.value.is_black()
-                        }
-                        _ => false,
+                    let adds = ray.terms.iter().any(|term| {
+                        term.light.as_deref() == Some(&light.name) && !term.value.is_black()
                     });
-                    let reasons = ray.unlit.iter().filter(|it| it.light == light.name).count();
-                    let is_hit = ray.outcome.hit().is_some();
+                    let reasons = ray.unlit.iter().filter(|it| *it.light == *light.name).count();
+                    let is_hit = ray.hit.is_some();
                     let expected = usize::from(is_hit && !adds);
                     assert_eq!(reasons, expected, "scene {number}, {at:?}, {}", light.name);
                     unlit += reasons;
@@ -254,10 +250,10 @@ fn pictures_are_made_of_single_recorded_samples() {
         for [x, y] in pixels(8, 8) {
             let at = [7 - x, 7 - y];
             let samples = (0..world.samples_per_pixel()).map(|i| {
-                let mut tree = RayTree::default();
+                let mut tree = RayTree::of(&world);
                 let radiance = render::sample(&world, at, i, &mut tree);
-                for node in tree.nodes() {
-                    let (found, expected) = (node.radiance, tree.folded(node));
+                for node in tree.rays() {
+                    let (found, expected) = (node.radiance, node.folded());
                     assert_eq!(bits(found), bits(expected), "scene {number}, {at:?}, sample {i}");
                 }
                 radiance

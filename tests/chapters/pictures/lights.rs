@@ -54,7 +54,7 @@ fn lights_add() {
 fn switching_a_light_off_moves_no_other_ray() {
     fn rays(tree: &RayTree, except: u32) -> Vec<(RayKind, Ray)> {
         let other = |kind: &RayKind| !matches!(kind, RayKind::Shadow { light } if *light == except);
-        tree.nodes().iter().map(|node| (node.kind, node.ray)).filter(|(k, _)| other(k)).collect()
+        tree.rays().iter().map(|node| (node.kind, node.ray)).filter(|(k, _)| other(k)).collect()
     }
     for name in LIT {
         let scene = small(name, 16, 16, 1);
@@ -65,11 +65,11 @@ fn switching_a_light_off_moves_no_other_ray() {
             let fewer = built(&scene);
             for at in pixels(16, 16) {
                 let [with, without] = [&all, &fewer].map(|world| {
-                    let mut tree = RayTree::default();
+                    let mut tree = RayTree::of(&world);
                     render::sample(world, at, 0, &mut tree);
                     tree
                 });
-                let without: Vec<_> = without.nodes().iter().map(|n| (n.kind, n.ray)).collect();
+                let without: Vec<_> = without.rays().iter().map(|n| (n.kind, n.ray)).collect();
                 assert_eq!(rays(&with, off as u32), without, "{name} {at:?} light {off}");
             }
         }

@@ -20,14 +20,14 @@ fn recorded_is_silent_and_every_node_is_the_sum_of_its_terms() {
         let mut recorded = Film::new(silent.width(), silent.height());
         for at in pixels(silent.width(), silent.height()) {
             let samples = (0..world.samples_per_pixel()).map(|i| {
-                let mut tree = RayTree::default();
+                let mut tree = RayTree::of(&world);
                 let radiance = render::sample(&world, at, i, &mut tree);
                 let way = render::camera_sample(&world, at, i);
                 let seen = way.filter(|way| way.ray.is_some());
                 let arriving = seen.map_or(Rgb::BLACK, |way| way.weight * tree.root().radiance);
                 assert_eq!(bits(radiance), bits(arriving), "{name} {at:?}");
-                for node in tree.nodes() {
-                    assert_eq!(bits(node.radiance), bits(tree.folded(node)), "{name} {at:?}");
+                for node in tree.rays() {
+                    assert_eq!(bits(node.radiance), bits(node.folded()), "{name} {at:?}");
                 }
                 radiance
             });
@@ -37,31 +37,28 @@ fn recorded_is_silent_and_every_node_is_the_sum_of_its_terms() {
     }
 }
 
-/// Law: in a tree each child is one edge deeper than its parent (shadow rays have depth 0), comes after it in
-/// the list and has one parent; shadow rays have no children. Oracle: the definition of a tree.
+/// Law: in a tree each child is one edge deeper than its parent and comes after it in the list; the numbers
+/// count the rays, and shadow rays have no children. Oracle: the definition of a tree.
 #[test]
 fn recorded_rays_form_a_tree() {
     for (name, scene) in gallery_in_small(1) {
         let world = built(&scene);
         for at in pixels(24, 24) {
-            let mut tree = RayTree::default();
+            let mut tree = RayTree::of(&world);
             render::sample(&world, at, 0, &mut tree);
-            if tree.nodes().is_empty() {
+            if tree.rays().is_empty() {
                 continue; // the camera sees nothing there
             }
-            let mut parents = vec![0; tree.nodes().len()];
-            for (i, node) in tree.nodes().iter().enumerate() {
-                for &child in &node.children {
-                    parents[child] += 1;
-                    let shadow = matches!(tree.nodes()[child].kind, RayKind::Shadow { .. });
-                    let depth = if shadow { 0 } else { node.depth + 1 };
-                    assert!(child > i && tree.nodes()[child].depth == depth, "{name} {at:?}");
+            for (i, node) in tree.rays().iter().enumerate() {
+                assert_eq!(node.number, i, "{name} {at:?}");
+                for child in &node.children {
+                    let is_after = child.number > i && child.parent == Some(i);
+                    assert!(is_after && child.depth == node.depth + 1, "{name} {at:?}");
                 }
                 let shadow = matches!(node.kind, RayKind::Shadow { .. });
                 assert!(!shadow || node.children.is_empty(), "{name} {at:?}");
             }
-            assert_eq!(parents[0], 0);
-            assert!(parents[1..].iter().all(|&count| count == 1), "{name} {at:?}");
+            assert_eq!((tree.root().parent, tree.root().depth), (None, 0));
         }
     }
 }
@@ -88,7 +85,7 @@ fn the_explanation_is_the_picture() {
 }
 
 /// The contribution of a ray's own terms and of all its descendants to the sample.
-fn added(ray: &explain::RayExplanation) -> [f64; 3] {
+fn added(ray: &explain::RecordedRay) -> [f64; 3] {
     if matches!(ray.kind, RayKind::Shadow { .. }) {
         return ray.contribution.to_array();
     }
