@@ -21,6 +21,8 @@ fn served(input: &[u8]) -> (String, bool) {
 /// Law: every example of the document has the answer that the document shows, up to rounding.
 #[test]
 fn the_examples_of_the_document_are_true() {
+    // the questions name files from the root of the repository
+    std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).expect("a folder");
     let document = include_str!("../../docs/probe.md");
     let mut lines = document.lines();
     let mut count = 0;
