@@ -18,7 +18,7 @@ fn trees(world: &World) -> Vec<RayTree> {
     let mut trees = Vec::new();
     for i in 0..40 {
         let spot = Point::new(0.1 * f64::from(i % 8) - 0.4, 0.1 * f64::from(i / 8), 0.3);
-        let mut tree = RayTree::of(&world);
+        let mut tree = RayTree::of(world);
         let draws = world.draws([i, 7], i % world.samples_per_pixel());
         radiance(world, &ray(eye, spot - eye), draws, &mut tree);
         trees.push(tree);
@@ -113,7 +113,7 @@ fn ends(world: &World, pixel: [u32; 2], lamp: u32) -> Vec<[f64; 2]> {
     let ray = ray(Point::new(0.0, 1.0, 0.0), -Vector::Y);
     let mut ends = Vec::new();
     for i in 0..world.samples_per_pixel() {
-        let mut tree = RayTree::of(&world);
+        let mut tree = RayTree::of(world);
         radiance(world, &ray, world.draws(pixel, i), &mut tree);
         let shadow =
             tree.rays().into_iter().find(|node| node.kind == RayKind::Shadow { light: lamp });
@@ -186,7 +186,7 @@ fn one_sample_is_in_the_middle_of_pixel_and_lens_only() {
             assert_eq!(cam.lens, Some([0.0; 2]), "lens of {pixel:?}");
             assert!((cam.film[0] - 1e-3 * (middle[0] - 5.5)).abs() < 1e-15, "{pixel:?}: {cam:?}");
             assert!((cam.film[1] - 1e-3 * (5.5 - middle[1])).abs() < 1e-15, "{pixel:?}: {cam:?}");
-            let mut tree = RayTree::of(&world);
+            let mut tree = RayTree::of(world);
             sample(world, pixel, 0, &mut tree);
             let end = tree.rays()[1].ray.at(1.0);
             let point = [end.x() + 0.5, end.z() + 0.5];

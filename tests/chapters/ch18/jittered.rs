@@ -93,7 +93,7 @@ fn the_points_of_a_fake_spherical_light_fill_a_cube() {
         let ray = ray(Point::new(0.0, 1.0, 0.0), -Vector::Y);
         let mut sums = [0.0; 9];
         for i in 0..SAMPLES {
-            let mut tree = RayTree::of(&world);
+            let mut tree = RayTree::of(world);
             radiance(world, &ray, world.draws([0, 0], i), &mut tree);
             let shadow = &tree.rays()[1].ray;
             let [x, y, z] = ((1.0 / jitter) * (shadow.at(1.0) - location)).to_array();

@@ -65,7 +65,7 @@ fn switching_a_light_off_moves_no_other_ray() {
             let fewer = built(&scene);
             for at in pixels(16, 16) {
                 let [with, without] = [&all, &fewer].map(|world| {
-                    let mut tree = RayTree::of(&world);
+                    let mut tree = RayTree::of(world);
                     render::sample(world, at, 0, &mut tree);
                     tree
                 });

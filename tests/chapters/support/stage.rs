@@ -62,7 +62,7 @@ pub fn look(world: &World, origin: Point, direction: Vector) -> Rgb {
 
 /// The ray tree of [`look`].
 pub fn recorded(world: &World, origin: Point, direction: Vector) -> RayTree {
-    let mut tree = RayTree::of(&world);
+    let mut tree = RayTree::of(world);
     radiance(world, &ray(origin, direction), world.draws([0, 0], 0), &mut tree);
     tree
 }
