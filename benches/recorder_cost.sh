@@ -19,10 +19,12 @@ silent=$(count "$target/$example" silent)
 cp "$target/$example" "$copy/with"
 
 git archive HEAD | tar -x -C "$copy"
-perl -0pi -e 's/^\s*(self\.)?recorder\.(enter|outcome|draw|term|leave)\([^;]*\);\n//mg' \
-    "$copy"/src/trace/mod.rs "$copy"/src/trace/direct.rs
-if grep -n 'recorder\.\(enter\|outcome\|draw\|term\|leave\)' \
-    "$copy"/src/trace/mod.rs "$copy"/src/trace/direct.rs; then
+traced=$(ls "$copy"/src/trace/*.rs | grep -v -e recorder.rs -e tree.rs)
+calls='recorder\.(enter|outcome|surface|draw|unlit|term|leave)\('
+# shellcheck disable=SC2086
+perl -0pi -e "s/^\s*(self\.)?$calls[^;]*\);\n//mg" $traced
+# shellcheck disable=SC2086
+if grep -nE "$calls" $traced; then
     echo "these calls were not cut out" >&2
     exit 1
 fi

@@ -41,7 +41,7 @@ const FEW_ENTRIES: usize = 1 << 20;
 pub struct Grid {
     /// All primitives, for rays from too far away.
     all: Vec<u32>,
-    cells: Cells,
+    cells: Division,
     /// The start of each cell's entries, and the end of the last one's.
     starts: Vec<u32>,
     entries: Vec<u32>,
@@ -49,7 +49,7 @@ pub struct Grid {
 
 /// How a box is divided.
 #[derive(Debug)]
-struct Cells {
+struct Division {
     bounds: Aabb,
     counts: [usize; 3],
     /// The sides of a cell; 0 where all boxes are flat and in one plane.
@@ -69,7 +69,7 @@ impl Grid {
         let boxes: Vec<Aabb> = which.iter().map(|&i| bounds[i as usize]).collect();
         let most = (MAX_ENTRIES * boxes.len()).max(FEW_ENTRIES);
         let cells = loop {
-            let cells = Cells::of(&boxes, multiplier);
+            let cells = Division::of(&boxes, multiplier);
             let entries = boxes.iter().map(|b| cells.ranges(b).map(|r| r.len()).iter().product());
             if multiplier < 0.01 || entries.fold(0, usize::saturating_add) <= most {
                 break cells;
@@ -156,7 +156,7 @@ impl Grid {
     }
 }
 
-impl Cells {
+impl Division {
     fn of(boxes: &[Aabb], multiplier: f64) -> Self {
         let whole = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         let n = boxes.len().max(1) as f64;
@@ -220,7 +220,7 @@ fn thickened(extent: Vector, least: f64, n: f64) -> [f64; 3] {
 
 /// The cells along a ray, each with the `t` at which the ray leaves it.
 struct Walk<'a> {
-    cells: &'a Cells,
+    cells: &'a Division,
     ray: &'a Ray,
     /// One over the direction.
     inverse: [f64; 3],
@@ -234,7 +234,7 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     /// `None` for a ray whose slack is too large, or whose numbers overflow.
-    fn new(cells: &'a Cells, ray: &'a Ray, box_ray: &BoxRay, span: Span) -> Option<Self> {
+    fn new(cells: &'a Division, ray: &'a Ray, box_ray: &BoxRay, span: Span) -> Option<Self> {
         let (start, far) = box_ray.crossing(&cells.bounds, span.min, f64::INFINITY);
         let inside = start <= far;
         if 2.0 * box_ray.slack() > cells.pad || inside && !start.is_finite() {

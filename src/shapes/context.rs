@@ -27,7 +27,7 @@ pub struct Context {
     textbook: Option<f64>,
     shared: HashMap<String, Arc<dyn Shape>>,
     materials: Materials,
-    budget: Budget,
+    budget: PrimitiveBudget,
     nesting: Nesting,
 }
 
@@ -50,7 +50,7 @@ impl Default for Materials {
 
 /// The numbers of triangles and parts built so far.
 #[derive(Debug, Default)]
-struct Budget {
+struct PrimitiveBudget {
     triangles: u64,
     parts: u64,
 }

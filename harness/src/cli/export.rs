@@ -7,7 +7,7 @@ use clap::Args;
 use groundtruth::{film, scene};
 
 use super::scene::SceneArguments;
-use super::{Answer, Outcome, print};
+use super::{Exit, Outcome, print};
 
 #[derive(Args)]
 pub struct Export {
@@ -43,7 +43,7 @@ impl Export {
             return Err(format!("{}: {problem}", output.display()).into());
         }
         film::replace(output, text.as_bytes()).map_err(|e| unwritable(output, e))?;
-        Ok(Answer::Yes)
+        Ok(Exit::Yes)
     }
 
     /// The folder of the scene, relative to the folder of the output; absolute without an output.

@@ -13,7 +13,7 @@ use harness::verify::review;
 
 use super::list::is_in;
 use super::scene::{Size, samples};
-use super::{Answer, Outcome, print};
+use super::{Exit, Outcome, print};
 
 #[derive(Args)]
 pub struct Goldens {
@@ -117,7 +117,7 @@ impl Check {
         let bad: Vec<&Finding> = findings.iter().filter(|f| f.status != Status::Same).collect();
         if bad.is_empty() {
             print(&format!("checked {}, all the same\n", findings.len()))?;
-            return Ok(Answer::Yes);
+            return Ok(Exit::Yes);
         }
         let mut advice = format!(
             "{} of {} are not the same\nto look:   groundtruth goldens review -o review.html\n",
@@ -131,7 +131,7 @@ impl Check {
             advice += "to accept: groundtruth goldens accept --all-drifted --because \"…\"\n";
         }
         print(&advice)?;
-        Ok(Answer::No)
+        Ok(Exit::No)
     }
 }
 
@@ -193,7 +193,7 @@ impl Accept {
             proposals.push(goldens.propose(name, &self.because, &settings)?);
             if interrupted.load(Ordering::Relaxed) {
                 eprintln!("interrupted; nothing was accepted");
-                return Ok(Answer::Interrupted);
+                return Ok(Exit::Interrupted);
             }
         }
         goldens.accept(proposals)?;

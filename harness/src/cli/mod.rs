@@ -58,7 +58,7 @@ enum Command {
 }
 
 /// The result of a command.
-enum Answer {
+enum Exit {
     /// Exit status 0.
     Yes,
     /// Exit status 1.
@@ -69,7 +69,7 @@ enum Answer {
     Interrupted,
 }
 
-type Outcome = Result<Answer, Box<dyn Error>>;
+type Outcome = Result<Exit, Box<dyn Error>>;
 
 /// Runs the command of the arguments.
 pub fn run() -> ExitCode {
@@ -84,10 +84,10 @@ pub fn run() -> ExitCode {
         Command::Report(command) => command.run(),
     };
     match outcome {
-        Ok(Answer::Yes) => ExitCode::SUCCESS,
-        Ok(Answer::No) => ExitCode::FAILURE,
-        Ok(Answer::Unanswered) => ExitCode::from(2),
-        Ok(Answer::Interrupted) => ExitCode::from(130),
+        Ok(Exit::Yes) => ExitCode::SUCCESS,
+        Ok(Exit::No) => ExitCode::FAILURE,
+        Ok(Exit::Unanswered) => ExitCode::from(2),
+        Ok(Exit::Interrupted) => ExitCode::from(130),
         Err(error) => {
             eprintln!("error: {}", printable::text(&error.to_string()));
             ExitCode::from(2)
@@ -100,6 +100,6 @@ fn print(text: &str) -> Outcome {
     use std::io::Write;
     match std::io::stdout().lock().write_all(text.as_bytes()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
-        _ => Ok(Answer::Yes),
+        _ => Ok(Exit::Yes),
     }
 }

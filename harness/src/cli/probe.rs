@@ -3,7 +3,7 @@
 use clap::Args;
 use harness::probe;
 
-use super::{Answer, Outcome};
+use super::{Exit, Outcome};
 
 #[derive(Args)]
 pub struct Probe {}
@@ -11,10 +11,10 @@ pub struct Probe {}
 impl Probe {
     pub fn run(&self) -> Outcome {
         match probe::serve(std::io::stdin().lock(), std::io::stdout().lock()) {
-            Ok(true) => Ok(Answer::Yes),
-            Ok(false) => Ok(Answer::Unanswered),
+            Ok(true) => Ok(Exit::Yes),
+            Ok(false) => Ok(Exit::Unanswered),
             // a closed pipe (`| head`) is not an error
-            Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(Answer::Yes),
+            Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(Exit::Yes),
             Err(error) => Err(error.into()),
         }
     }

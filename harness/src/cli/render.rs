@@ -14,7 +14,7 @@ use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::scene::{CropArgument, SceneArguments, start_threads};
-use super::{Answer, Outcome};
+use super::{Exit, Outcome};
 
 #[derive(Args)]
 pub struct Render {
@@ -94,7 +94,7 @@ impl Render {
         bar.finish_and_clear();
         if canvas.is_cancelled() {
             eprintln!("interrupted; nothing was written");
-            return Ok(Answer::Interrupted);
+            return Ok(Exit::Interrupted);
         }
 
         let rendered = start.elapsed() - loaded;
@@ -113,7 +113,7 @@ impl Render {
         let (paths, loaded, rendered) =
             (paths.join(", "), loaded.as_secs_f64(), rendered.as_secs_f64());
         eprintln!("{paths}: loaded in {loaded:.2} s, rendered in {rendered:.2} s");
-        Ok(Answer::Yes)
+        Ok(Exit::Yes)
     }
 
     /// How a stereo pair is written; fails if the scene or the crop does not allow it.

@@ -9,7 +9,7 @@ use harness::report::{self, PAGES, Page, Progress, Settings};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::scene::start_threads;
-use super::{Answer, Outcome};
+use super::{Exit, Outcome};
 
 #[derive(Args)]
 pub struct Report {
@@ -64,14 +64,14 @@ impl Report {
             Ok(Ok(report)) => report,
             Ok(Err(report::Interrupted)) => {
                 eprintln!("interrupted; nothing was written");
-                return Ok(Answer::Interrupted);
+                return Ok(Exit::Interrupted);
             }
             Err(panic) => std::panic::resume_unwind(panic),
         };
         let [page, data] = report::write(&report, &self.output)?;
         let (page, data, time) = (page.display(), data.display(), start.elapsed().as_secs_f64());
         eprintln!("{page} and {data}: measured in {time:.1} s");
-        Ok(Answer::Yes)
+        Ok(Exit::Yes)
     }
 
     fn pages(&self) -> Result<Vec<&'static dyn Page>, String> {

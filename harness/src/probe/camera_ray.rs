@@ -51,7 +51,7 @@ fn middle() -> [f64; 2] {
 }
 
 #[derive(Serialize)]
-pub struct Answer {
+pub struct CameraRayAnswer {
     /// `None`, as the direction, where the camera sees nothing.
     origin: Option<Triple>,
     direction: Option<Triple>,
@@ -60,9 +60,9 @@ pub struct Answer {
 }
 
 impl super::Question for CameraRay {
-    type Answer = Answer;
+    type Answer = CameraRayAnswer;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<CameraRayAnswer, Invalid> {
         let (image, view) = self.image.built(&self.camera)?;
         inside(self.pixel, [image.width, image.height])?;
         let eye = match (self.eye, view.stereo()) {
@@ -83,7 +83,7 @@ impl super::Question for CameraRay {
         let ray = eye.ray(film, self.lens);
         let origin = ray.map(|ray| triple(ray.origin));
         let direction = ray.map(|ray| triple(ray.direction));
-        Ok(Answer { origin, direction, film: film.map(Real) })
+        Ok(CameraRayAnswer { origin, direction, film: film.map(Real) })
     }
 }
 

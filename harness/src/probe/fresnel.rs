@@ -17,7 +17,7 @@ pub struct Fresnel {
 }
 
 #[derive(Serialize)]
-pub struct Answer {
+pub struct FresnelAnswer {
     reflected: Real,
     transmitted: Real,
     /// Of light polarised perpendicular to the plane of incidence (s), and in it (p).
@@ -31,9 +31,9 @@ pub struct Answer {
 }
 
 impl super::Question for Fresnel {
-    type Answer = Answer;
+    type Answer = FresnelAnswer;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<FresnelAnswer, Invalid> {
         let eta = index_ratio("eta", self.eta)?;
         let (cos_i, refracted) = match (self.cos_i, self.wo, self.n) {
             (Some(cos_i), None, None) => {
@@ -55,7 +55,7 @@ impl super::Question for Fresnel {
             _ => return Err(Invalid::new("needs either `cos_i`, or `wo` and `n`")),
         };
         let (mean, each) = (fresnel(cos_i, eta), polarised(cos_i, eta));
-        Ok(Answer {
+        Ok(FresnelAnswer {
             reflected: Real(mean.reflected),
             transmitted: Real(mean.transmitted),
             r_s: Real(each.s.reflected),

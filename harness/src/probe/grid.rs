@@ -35,7 +35,7 @@ struct Corners {
 }
 
 #[derive(Serialize)]
-pub struct Answer {
+pub struct CellsVisited {
     /// Cells along x, y and z.
     resolution: [usize; 3],
     min: Triple,
@@ -58,9 +58,9 @@ struct Visited {
 }
 
 impl super::Question for Grid {
-    type Answer = Answer;
+    type Answer = CellsVisited;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<CellsVisited, Invalid> {
         let ray = self.ray.map(|ray| ray.ray()).transpose()?;
         let all = self.bounds()?;
         let (which, unbounded): (Vec<u32>, _) =
@@ -80,7 +80,7 @@ impl super::Question for Grid {
         let resolution = cells.resolution();
         let cell = self.cell.map(|cell| inside(cell, resolution)).transpose()?;
         let (min, max) = (triple(cells.bounds().min), triple(cells.bounds().max));
-        Ok(Answer { resolution, min, max, unbounded, objects: cell.map(objects), visited })
+        Ok(CellsVisited { resolution, min, max, unbounded, objects: cell.map(objects), visited })
     }
 }
 

@@ -38,7 +38,7 @@ struct Lamp {
 
 #[derive(Serialize)]
 #[serde(untagged)]
-pub enum Answer {
+pub enum LightAnswer {
     Ambient {
         ambient: Triple,
     },
@@ -56,9 +56,9 @@ pub enum Answer {
 
 impl super::Question for Light {
     /// `null` where no light arrives.
-    type Answer = Option<Answer>;
+    type Answer = Option<LightAnswer>;
 
-    fn answer(&self) -> Result<Option<Answer>, Invalid> {
+    fn answer(&self) -> Result<Option<LightAnswer>, Invalid> {
         let light = self.light.build(&mut self.context()?).map_err(|e| e.inside("light"))?;
         let draws = light.draws();
         if self.u.len() != draws {
@@ -81,10 +81,10 @@ impl super::Question for Light {
         let sample = light.sample(&LightContext { point: self.from, normal }, &u);
         Ok(sample.map(|sample| {
             let Some(segment) = sample.segment else {
-                return Answer::Ambient { ambient: color(sample.radiance) };
+                return LightAnswer::Ambient { ambient: color(sample.radiance) };
             };
             let occluder = light.meets() == Meets::Ambient;
-            Answer::From {
+            LightAnswer::From {
                 direction: triple(sample.direction),
                 distance: Real(match segment {
                     Segment::Infinity => f64::INFINITY,

@@ -17,7 +17,7 @@ pub struct Lobe {
 }
 
 #[derive(Serialize)]
-pub struct Answer {
+pub struct LobeAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     f: Option<Triple>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -36,15 +36,15 @@ struct Sample {
 }
 
 impl super::Question for Lobe {
-    type Answer = Answer;
+    type Answer = LobeAnswer;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<LobeAnswer, Invalid> {
         let lobe = &self.lobe;
         lobe.check().map_err(|e| e.inside("lobe"))?;
         let wo = unit("wo", self.wo)?;
         let wi = self.wi.map(|wi| unit("wi", wi)).transpose()?;
         let u = self.u.map(|u| in_square("u", u, HALF_OPEN)).transpose()?;
-        Ok(Answer {
+        Ok(LobeAnswer {
             f: wi.map(|wi| color(lobe.f(wo, wi))),
             pdf: wi.map(|wi| Real(lobe.pdf(wo, wi))),
             albedo: color(lobe.albedo(wo)),

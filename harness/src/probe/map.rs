@@ -25,15 +25,15 @@ enum Domain {
 
 #[derive(Serialize)]
 #[serde(untagged)]
-pub enum Answer {
+pub enum MappedPoints {
     Plane([f64; 2]),
     Space([f64; 3]),
 }
 
 impl super::Question for Map {
-    type Answer = Answer;
+    type Answer = MappedPoints;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<MappedPoints, Invalid> {
         if let Domain::Hemisphere { exponent } = self.to
             && exponent < 0.0
         {
@@ -42,20 +42,20 @@ impl super::Question for Map {
         }
         match (self.u, &self.point) {
             (Some(u), None) => Ok(self.to.map(in_square("u", u, HALF_OPEN)?)),
-            (None, Some(point)) => Ok(Answer::Plane(self.to.inverse(point)?)),
+            (None, Some(point)) => Ok(MappedPoints::Plane(self.to.inverse(point)?)),
             _ => Err(Invalid::new("needs either `u` or `point`")),
         }
     }
 }
 
 impl Domain {
-    fn map(self, u: [f64; 2]) -> Answer {
+    fn map(self, u: [f64; 2]) -> MappedPoints {
         match self {
-            Self::Disk {} => Answer::Plane(maps::disk(u)),
+            Self::Disk {} => MappedPoints::Plane(maps::disk(u)),
             Self::Hemisphere { exponent } => {
-                Answer::Space(maps::hemisphere(u, exponent).to_array())
+                MappedPoints::Space(maps::hemisphere(u, exponent).to_array())
             }
-            Self::Sphere {} => Answer::Space(maps::sphere(u).to_array()),
+            Self::Sphere {} => MappedPoints::Space(maps::sphere(u).to_array()),
         }
     }
 

@@ -16,7 +16,7 @@ pub struct Noise {
 }
 
 #[derive(Serialize)]
-pub struct Answer {
+pub struct NoiseAnswer {
     value: Real,
     vector: Triple,
     fractal_sum: Real,
@@ -26,12 +26,12 @@ pub struct Answer {
 }
 
 impl super::Question for Noise {
-    type Answer = Answer;
+    type Answer = NoiseAnswer;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<NoiseAnswer, Invalid> {
         let noise = self.noise.build().map_err(|e| e.inside("noise"))?;
         let p = self.point;
-        Ok(Answer {
+        Ok(NoiseAnswer {
             value: Real(noise.value(p)),
             vector: triple(noise.vector(p)),
             fractal_sum: Real(noise.value_fractal_sum(p)),

@@ -19,7 +19,7 @@ pub struct Project {
 
 #[derive(Serialize)]
 #[serde(untagged)]
-pub enum Answer {
+pub enum Projection {
     /// Of a camera with one eye.
     One(Option<Seen>),
     /// Of a stereo pair.
@@ -35,9 +35,9 @@ pub struct Seen {
 }
 
 impl super::Question for Project {
-    type Answer = Answer;
+    type Answer = Projection;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<Projection, Invalid> {
         let (image, view) = self.image.built(&self.camera)?;
         let point = finite_point("point", self.point)?;
         let seen = |eye: &Eye| {
@@ -46,10 +46,10 @@ impl super::Question for Project {
             Some(Seen { film: film.map(Real), image: image.map(Real) })
         };
         Ok(match view.stereo() {
-            None => Answer::One(seen(view.eye(Side::Left))),
+            None => Projection::One(seen(view.eye(Side::Left))),
             Some(_) => {
                 let [left, right] = [Side::Left, Side::Right].map(|side| seen(view.eye(side)));
-                Answer::Two { left, right }
+                Projection::Two { left, right }
             }
         })
     }

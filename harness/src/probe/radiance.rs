@@ -61,7 +61,7 @@ impl<'de> Visitor<'de> for SourceVisitor {
 }
 
 #[derive(Serialize)]
-pub struct Answer {
+pub struct RadianceAnswer {
     mean: Triple,
     /// Of the mean, from the differences between the replicas; null for a single one.
     standard_error: Option<Triple>,
@@ -77,10 +77,10 @@ const REPLICAS: u32 = 16;
 const MAX_REPLICAS: u32 = 1024;
 
 impl super::Question for Radiance {
-    type Answer = Answer;
+    type Answer = RadianceAnswer;
 
     /// Replica `i` is what is rendered with `seed + i`.
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<RadianceAnswer, Invalid> {
         let looks = self.looks()?;
         let replicas = self.replicas.unwrap_or(REPLICAS);
         if !(1..=MAX_REPLICAS).contains(&replicas) {
@@ -100,7 +100,7 @@ impl super::Question for Radiance {
             budget.check(asked).map_err(|e| Invalid::new(e.to_string()))?;
         }
         let mean = render::mean(values.iter().copied());
-        Ok(Answer {
+        Ok(RadianceAnswer {
             mean: color(mean),
             standard_error: (replicas > 1).then(|| color(standard_error(mean, &values))),
             samples: world.samples_per_pixel(),

@@ -31,15 +31,15 @@ struct Draw {
 
 #[derive(Serialize)]
 #[serde(untagged)]
-pub enum Answer {
+pub enum SampledPoints {
     Sets(Vec<Vec<[f64; 2]>>),
     Point([f64; 2]),
 }
 
 impl super::Question for Samples {
-    type Answer = Answer;
+    type Answer = SampledPoints;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<SampledPoints, Invalid> {
         let n = self.n;
         if !(1..=MAX_POINTS).contains(&n) {
             return Err(Invalid::field("n", format!("found {n}, but 1 to {MAX_POINTS} fit")));
@@ -49,7 +49,7 @@ impl super::Question for Samples {
         match (self.sets, self.draw) {
             (None, Some(Draw { pixel, index })) => {
                 let key = Key::new(self.seed, pixel, Purpose::Pixel);
-                Ok(Answer::Point(sets().draw(key, index)))
+                Ok(SampledPoints::Point(sets().draw(key, index)))
             }
             (Some(_), Some(_)) => Err(Invalid::new("needs either `sets` or `draw`, not both")),
             (count, None) => {
@@ -61,7 +61,7 @@ impl super::Question for Samples {
                 }
                 let sets = sets();
                 let set = |i: u32| sets.set(i as usize).to_vec();
-                Ok(Answer::Sets((0..count).map(set).collect()))
+                Ok(SampledPoints::Sets((0..count).map(set).collect()))
             }
         }
     }

@@ -14,19 +14,19 @@ pub struct Transform {
 }
 
 #[derive(Serialize)]
-pub struct Answer {
+pub struct Transformed {
     matrix: [[Real; 4]; 3],
     inverse: [[Real; 4]; 3],
     condition: Real,
 }
 
 impl super::Question for Transform {
-    type Answer = Answer;
+    type Answer = Transformed;
 
-    fn answer(&self) -> Result<Answer, Invalid> {
+    fn answer(&self) -> Result<Transformed, Invalid> {
         let transform = transform_of("steps", &self.steps)?;
         let rows = |it: groundtruth::math::Transform| it.rows().map(|row| row.map(Real));
-        Ok(Answer {
+        Ok(Transformed {
             matrix: rows(transform),
             inverse: rows(transform.inverse()),
             condition: Real(transform.condition()),

@@ -41,7 +41,7 @@ struct Question {
     sample: u32,
 }
 
-type Answer = Result<Arc<PixelExplanation>, String>;
+type Explained = Result<Arc<PixelExplanation>, String>;
 
 /// The selected pixel and why it has its colour.
 #[derive(Default)]
@@ -58,8 +58,8 @@ pub struct Selection {
     pub tab: Tab,
     /// The samples, when they are below the tree.
     pub samples: Samples,
-    answered: Option<(Question, Answer)>,
-    working: Background<(Question, Answer)>,
+    answered: Option<(Question, Explained)>,
+    working: Background<(Question, Explained)>,
 }
 
 /// The part that is shown below the tree.
@@ -75,7 +75,7 @@ pub enum Tab {
 }
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
-fn answer(scene: &Scene, world: &World, question: Question) -> Answer {
+fn answer(scene: &Scene, world: &World, question: Question) -> Explained {
     let mut budget = RayBudget::up_to(MAX_RAYS_PER_SAMPLE);
     render::sample_within(world, question.pixel, question.sample, &mut (), &mut budget);
     budget.check(|| format!("sample {}", question.sample)).map_err(|e| e.to_string())?;
@@ -105,7 +105,7 @@ impl Selection {
         self.accept(finished, question);
     }
 
-    fn accept(&mut self, finished: Option<Result<(Question, Answer), Lost>>, asked: Question) {
+    fn accept(&mut self, finished: Option<Result<(Question, Explained), Lost>>, asked: Question) {
         match finished {
             Some(Ok((question, answer))) if question.generation == asked.generation => {
                 self.answered = Some((question, answer));

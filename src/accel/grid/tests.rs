@@ -80,7 +80,7 @@ fn the_cells_of_an_object_cover_its_box() {
     }
 }
 
-fn corners(cells: &Cells, number: usize) -> ([f64; 3], [f64; 3]) {
+fn corners(cells: &Division, number: usize) -> ([f64; 3], [f64; 3]) {
     let [nx, ny, _] = cells.counts;
     let place = [number % nx, number / nx % ny, number / nx / ny];
     let at = |axis: usize, k: usize| cells.bounds.min.along(axis) + k as f64 * cells.sides[axis];

@@ -6,12 +6,12 @@ use crate::shapes::{Annulus, Candidate, PartAnnulus};
 
 /// A level annulus, and its azimuths, which are measured about its centre.
 #[derive(Debug)]
-pub(super) struct Form {
+pub(super) struct PartAnnulusForm {
     whole: Annulus,
     phi: Angles,
 }
 
-impl Form {
+impl PartAnnulusForm {
     pub(super) fn new(part: &PartAnnulus) -> Self {
         let &PartAnnulus { center, normal, inner_radius, outer_radius, phi } = part;
         let whole = Annulus { center, normal, inner_radius, outer_radius };
@@ -19,7 +19,7 @@ impl Form {
     }
 }
 
-impl super::Form for Form {
+impl super::Form for PartAnnulusForm {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let at = super::Form::first(&self.whole, ray, span)?;
         first_on([at.t], span, |t| {

@@ -6,18 +6,18 @@ use crate::shapes::{Candidate, PartCylinder};
 
 /// The part of an open cylinder at these azimuths.
 #[derive(Debug)]
-pub(super) struct Form {
+pub(super) struct PartCylinderForm {
     part: PartCylinder,
     phi: Angles,
 }
 
-impl Form {
+impl PartCylinderForm {
     pub(super) fn new(part: &PartCylinder) -> Self {
         Self { part: part.clone(), phi: Angles::degrees(part.phi) }
     }
 }
 
-impl super::Form for Form {
+impl super::Form for PartCylinderForm {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let PartCylinder { y0, y1, radius, .. } = self.part;
         first_on(open_cylinder::roots(ray, radius)?, span, |t| {

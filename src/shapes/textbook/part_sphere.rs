@@ -6,14 +6,14 @@ use crate::shapes::{Candidate, PartSphere};
 
 /// The part of a sphere at these azimuths, and between these heights above its centre.
 #[derive(Debug)]
-pub(super) struct Form {
+pub(super) struct PartSphereForm {
     center: Point,
     radius: f64,
     phi: Angles,
     heights: [f64; 2],
 }
 
-impl Form {
+impl PartSphereForm {
     /// `r cos θ_max ≤ y ≤ r cos θ_min`.
     pub(super) fn new(part: &PartSphere) -> Self {
         let &PartSphere { center, radius, phi, theta: [min, max], .. } = part;
@@ -22,7 +22,7 @@ impl Form {
     }
 }
 
-impl super::Form for Form {
+impl super::Form for PartSphereForm {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let [lowest, highest] = self.heights;
         first_on(sphere::roots(ray, self.center, self.radius)?, span, |t| {

@@ -6,7 +6,7 @@ use crate::shapes::{Candidate, PartTorus};
 
 /// The part of a torus at these azimuths and angles around the tube.
 #[derive(Debug)]
-pub(super) struct Form {
+pub(super) struct PartTorusForm {
     a: f64,
     b: f64,
     phi: Angles,
@@ -14,14 +14,14 @@ pub(super) struct Form {
     theta: Angles,
 }
 
-impl Form {
+impl PartTorusForm {
     pub(super) fn new(part: &PartTorus) -> Self {
         let [phi, theta] = [part.phi, part.theta].map(Angles::degrees);
         Self { a: part.swept_radius, b: part.tube_radius, phi, theta }
     }
 }
 
-impl super::Form for Form {
+impl super::Form for PartTorusForm {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         first_on(torus::roots(ray, self.a, self.b, span), span, |t| {
             let p = ray.at(t);

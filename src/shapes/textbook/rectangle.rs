@@ -6,7 +6,7 @@ use crate::shapes::{Candidate, Rectangle};
 
 /// `corner + x` with `0 ≤ x·a ≤ |a|²` and `0 ≤ x·b ≤ |b|²`.
 #[derive(Debug)]
-pub(super) struct Form {
+pub(super) struct RectangleForm {
     corner: Point,
     a: Vector,
     b: Vector,
@@ -15,7 +15,7 @@ pub(super) struct Form {
     b_len_squared: f64,
 }
 
-impl Form {
+impl RectangleForm {
     pub(super) fn new(&Rectangle { corner, a, b }: &Rectangle) -> Self {
         let normal = a.cross(b).unit().unwrap_or(Vector::ZERO);
         let (a_len_squared, b_len_squared) = (a.length_squared(), b.length_squared());
@@ -23,7 +23,7 @@ impl Form {
     }
 }
 
-impl super::Form for Form {
+impl super::Form for RectangleForm {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let t = plane::distance(ray, self.corner, self.normal);
         first_on([t], span, |t| {
