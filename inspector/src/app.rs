@@ -142,7 +142,7 @@ impl Inspector {
             self.rebuild(&ctx);
         }
         // before an action opens the question: the Enter that caused it must not answer it
-        self.saving.ask(&ctx, (&self.rendering, &self.picture));
+        self.saving.ask(&ctx, &self.rendering, &self.picture);
         if let Some(action) = action.or(self.shortcut(&ctx)) {
             self.perform(&ctx, action);
         }
@@ -181,8 +181,8 @@ impl Inspector {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
         });
         let resampled = part(ui, ("explanation", parts.explanation), |ui| {
-            let of = (&self.rendering, self.generation);
-            self.selection.show(ui, of, &self.picture.tone, &mut self.wanted)
+            let (rendering, tone) = (&self.rendering, &self.picture.tone);
+            self.selection.show(ui, rendering, self.generation, tone, &mut self.wanted)
         });
         part(ui, ("picture", parts.picture), |ui| {
             let size = self.rendering.size();
@@ -269,7 +269,7 @@ impl Inspector {
             Action::Open(source) => self.open(ctx, source),
             Action::Save(path) => {
                 self.message = None;
-                self.saving.start(ctx, (&self.rendering, &self.picture), &path);
+                self.saving.start(ctx, &self.rendering, &self.picture, &path);
             }
             Action::Select(text) => match parse_pixel(&text) {
                 Ok(pixel) => {

@@ -124,7 +124,7 @@ pub fn pixel(
         let camera = render::camera_sample(world, pixel, index);
         let weight = camera.as_ref().map_or(0.0, |camera| camera.weight);
         sums.add(radiance, sources, weight);
-        samples.extend(tree.map(|tree| explained(scene, camera, (index, radiance), tree)));
+        samples.extend(tree.map(|tree| explained(scene, camera, index, radiance, tree)));
     }
     let (radiances, sources) = sums.explained(world);
     Ok(PixelExplanation {
@@ -144,13 +144,14 @@ pub fn pixel(
 pub fn sample(scene: &Scene, world: &World, pixel: [u32; 2], index: u32) -> SampleExplanation {
     let mut tree = RayTree::of(world);
     let radiance = render::sample(world, pixel, index, &mut tree);
-    explained(scene, render::camera_sample(world, pixel, index), (index, radiance), tree)
+    explained(scene, render::camera_sample(world, pixel, index), index, radiance, tree)
 }
 
 fn explained(
     scene: &Scene,
     camera: Option<CameraSample>,
-    (index, radiance): (u32, Rgb),
+    index: u32,
+    radiance: Rgb,
     tree: RayTree,
 ) -> SampleExplanation {
     let complete = tree.is_complete();

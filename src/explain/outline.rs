@@ -64,7 +64,7 @@ impl Outline {
         let whole = root.share == 0.0 || root.count() <= SMALL_TREE;
         let mut rows = Vec::new();
         let min_share = if whole { 0.0 } else { self.min_share };
-        self.add((root, None), 0, min_share, &mut rows);
+        self.add(root, None, 0, min_share, &mut rows);
         rows
     }
 
@@ -81,7 +81,8 @@ impl Outline {
 
     fn add<'a>(
         &self,
-        (ray, term): (&'a RecordedRay, Option<&'a RecordedTerm>),
+        ray: &'a RecordedRay,
+        term: Option<&'a RecordedTerm>,
         indent: usize,
         min_share: f64,
         rows: &mut Vec<Row<'a>>,
@@ -104,7 +105,7 @@ impl Outline {
             .filter(|child| !(fold && small(child)))
             .partition(|ray| is_shadow(ray));
         for child in shadows {
-            self.add((child, ray.term_of(child)), below, min_share, rows);
+            self.add(child, ray.term_of(child), below, min_share, rows);
         }
         if fold {
             let share = ray.children.iter().filter(small).map(|child| child.share).sum();
@@ -113,7 +114,7 @@ impl Outline {
         // the bounces of a path have one indent; branches are indented below their ray
         let indent = if onward.len() > 1 { below } else { indent };
         for child in onward {
-            self.add((child, ray.term_of(child)), indent, min_share, rows);
+            self.add(child, ray.term_of(child), indent, min_share, rows);
         }
     }
 }

@@ -33,7 +33,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             if let Some(sample) = bsdf.sample(lobe, *kind, u) {
                 let throughput = path.throughput;
                 let onward = Onward { left: None, throughput, chance: 1.0, survival: 1.0 };
-                self.follow(path, point, lobe, (sample, onward), sum);
+                self.follow(path, point, lobe, sample, onward, sum);
             }
         }
     }
@@ -84,7 +84,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         let sampled = self.strategy.samples_lights(path.depth) && sample.pdf.is_some();
         let left = sampled.then(|| Left { from: context(point), pdf: bsdf.pdf(sample.direction) });
         let onward = Onward { left, throughput, chance: chances[chosen], survival };
-        self.follow(path, point, lobe, (sample, onward), sum);
+        self.follow(path, point, lobe, sample, onward, sum);
     }
 
     /// The random numbers for the direction of a lobe; a single direction needs none.
@@ -101,7 +101,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         path: &PathState,
         point: &ShadingPoint<'_>,
         lobe: &Lobe,
-        (sample, onward): (BsdfSample, Onward),
+        sample: BsdfSample,
+        onward: Onward,
         sum: &mut RadianceSum,
     ) {
         let BsdfSample { direction, mut weight, pdf, refracted } = sample;

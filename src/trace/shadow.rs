@@ -55,10 +55,10 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
                     }
                     return (sample.blocked, false);
                 }
-                (self.shadow(medium, point, light, (segment, sample)), true)
+                (self.shadow(medium, point, light, segment, sample), true)
             }
             Some(segment) if !medium.is_black() && self.world.has_boundaries => {
-                (self.unshadowed(medium, point, light, (segment, sample)), true)
+                (self.unshadowed(medium, point, light, segment, sample), true)
             }
             // one medium everywhere: it absorbs over the whole distance, without a ray
             segment => {
@@ -76,7 +76,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         medium: Rgb,
         point: &ShadingPoint<'_>,
         light: &PlacedLight,
-        (segment, sample): (Segment, &LightSample),
+        segment: Segment,
+        sample: &LightSample,
     ) -> Rgb {
         let origin = point.hit.surface.leave(sample.direction);
         let (ray, ..) = stretch(origin, sample.direction, segment);
@@ -84,7 +85,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         self.recorder.enter(RayKind::Shadow { light: light.index }, &ray, 0, Rgb::WHITE);
         let from = point.hit.surface.point;
         let (boundaries, transmittance) =
-            self.way_out(medium, (from, origin), sample.direction, segment);
+            self.way_out(medium, from, origin, sample.direction, segment);
         self.recorder.outcome(Outcome::Unblocked { boundaries });
         let (weight, value) = (Rgb::WHITE, sample.radiance);
         let source = TermSource::Light { light: light.index };
@@ -100,7 +101,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         medium: Rgb,
         point: &ShadingPoint<'_>,
         light: &PlacedLight,
-        (segment, sample): (Segment, &LightSample),
+        segment: Segment,
+        sample: &LightSample,
     ) -> Rgb {
         let origin = point.hit.surface.leave(sample.direction);
         let (ray, span, length) = stretch(origin, sample.direction, segment);
@@ -114,7 +116,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             Blockers::Opaque => false,
         };
         let between = if !is_simple {
-            self.straight_through(origin, sample.direction, (segment, medium), blockers)
+            self.straight_through(origin, sample.direction, segment, medium, blockers)
         } else {
             let blocked_by = self.world.occluder(&ray, span).map(|object| object.index);
             let passed = if blocked_by.is_some() { Rgb::BLACK } else { Rgb::WHITE };
@@ -163,7 +165,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         &self,
         mut origin: Point,
         direction: Vector,
-        (segment, mut medium): (Segment, Rgb),
+        segment: Segment,
+        mut medium: Rgb,
         blockers: Blockers,
     ) -> Between {
         let (mut boundaries, mut passed, mut transmittance) = (0, Rgb::WHITE, Rgb::WHITE);
@@ -204,7 +207,8 @@ impl<R, B> Tracing<'_, R, B> {
     fn way_out(
         &self,
         mut medium: Rgb,
-        (mut from, mut origin): (Point, Point),
+        mut from: Point,
+        mut origin: Point,
         direction: Vector,
         segment: Segment,
     ) -> (u32, Rgb) {

@@ -161,7 +161,8 @@ impl Selection {
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        (rendering, generation): (&Rendering, u64),
+        rendering: &Rendering,
+        generation: u64,
         tone: &Tone,
         wanted: &mut Scene,
     ) -> bool {

@@ -122,7 +122,7 @@ impl Tree {
             ui.style_mut().wrap_mode = Some(eframe::egui::TextWrapMode::Extend);
             for row in &rows[visible] {
                 ui.horizontal(|ui| match *row {
-                    Row::Ray { ray, term, indent } => self.ray_line(ui, (ray, term), indent, tone),
+                    Row::Ray { ray, term, indent } => self.ray_line(ui, ray, term, indent, tone),
                     Row::Local { term, indent } => {
                         bar(ui, term.share);
                         ui.add_space(INDENT * indent as f32);
@@ -152,7 +152,8 @@ impl Tree {
     fn ray_line(
         &mut self,
         ui: &mut Ui,
-        (ray, term): (&RecordedRay, Option<&RecordedTerm>),
+        ray: &RecordedRay,
+        term: Option<&RecordedTerm>,
         indent: usize,
         tone: &Tone,
     ) {

@@ -18,20 +18,15 @@ pub struct Saving {
 
 impl Saving {
     /// Saves the picture, or asks first if the file exists.
-    pub fn start(
-        &mut self,
-        ctx: &Context,
-        (rendering, picture): (&Rendering, &Picture),
-        to: &Path,
-    ) {
+    pub fn start(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture, to: &Path) {
         if to.exists() {
             self.asking = Some(to.to_owned());
         } else {
-            self.write(ctx, (rendering, picture), to.to_owned());
+            self.write(ctx, rendering, picture, to.to_owned());
         }
     }
 
-    fn write(&mut self, ctx: &Context, (rendering, picture): (&Rendering, &Picture), to: PathBuf) {
+    fn write(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture, to: PathBuf) {
         let (canvas, tone) = (rendering.canvas.clone(), picture.tone);
         self.working.start(ctx, move || {
             let written = film::write(&canvas.film(), &tone, &to);
@@ -40,7 +35,7 @@ impl Saving {
     }
 
     /// Asks whether to replace the file, until the user answers.
-    pub fn ask(&mut self, ctx: &Context, of: (&Rendering, &Picture)) {
+    pub fn ask(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture) {
         let Some(path) = self.asking.clone() else { return };
         let enter = ctx.input(|input| input.events.iter().any(is_enter));
         let modal = Modal::new(Id::unique("replace")).show(ctx, |ui| {
@@ -58,7 +53,7 @@ impl Saving {
         });
         if modal.inner || enter {
             self.asking = None;
-            self.write(ctx, of, path);
+            self.write(ctx, rendering, picture, path);
         } else if modal.should_close() {
             self.asking = None;
         }

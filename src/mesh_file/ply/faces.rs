@@ -49,7 +49,8 @@ impl FaceReader {
         &mut self,
         values: &mut impl Values,
         element: &Element,
-        (corner_list, texcoord_list): (usize, Option<usize>),
+        corner_list: usize,
+        texcoord_list: Option<usize>,
         ignored: &mut Ignored,
     ) -> Result<(), MeshFileError> {
         self.faces.reserve(element.count as usize); // at most the remaining bytes

@@ -59,7 +59,7 @@ fn parse_body(header: &Header, mut values: impl Values) -> Result<MeshData, Mesh
                 read_vertices(&mut data, &mut values, element, &columns, &mut ignored)?;
             }
             ("face", Some(list), _) => {
-                reader.read_faces(&mut values, element, (list, texcoord), &mut ignored)?;
+                reader.read_faces(&mut values, element, list, texcoord, &mut ignored)?;
             }
             ("tristrips", _, Some(list)) => {
                 reader.read_strips(&mut values, element, list, &mut ignored)?;
