@@ -1,6 +1,6 @@
 //! Sentences about what a tracer leaves out.
 
-use crate::lights::{Light, Meets};
+use crate::lights::Light;
 use crate::printable;
 use crate::trace::{Direct, Scatter, Strategy};
 use crate::world::{PlacedLight, PlacedMaterial, World};
@@ -33,7 +33,7 @@ pub fn omissions(world: &World) -> Vec<String> {
 fn leaves_out(strategy: Strategy, light: &dyn Light) -> Option<[&'static str; 2]> {
     match strategy.direct {
         _ if !strategy.is_path() => None,
-        _ if light.meets() == Meets::Ambient => {
+        _ if light.is_ambient() => {
             Some(["leaves out", "ambient light stands for what paths find by themselves"])
         }
         Direct::Never if !light.is_met() => Some([

@@ -190,8 +190,8 @@ impl RecordedTerm {
     /// Lambertian` for a lobe's ray, `pdf 24 /sr, MIS 0.9` for a light's; empty if nothing was drawn.
     pub fn sampling(&self) -> String {
         match &self.source {
-            TermSource::Traced { lobe, pdf, chance, survival } => {
-                let mut parts = drawn(*pdf, *chance, *survival);
+            TermSource::Traced { lobe, pdf, lobe_probability, survival } => {
+                let mut parts = drawn(*pdf, *lobe_probability, *survival);
                 parts.insert(0, format!("weight {}", short(self.weight)));
                 parts.push(lobe.name().to_owned());
                 parts.join(", ")
@@ -240,8 +240,8 @@ impl RecordedTerm {
             TermSource::Background { mis: Some(mis) } | TermSource::Emission { mis: Some(mis) } => {
                 format!("MIS {}", brief(*mis))
             }
-            TermSource::Traced { pdf, chance, survival, .. } => {
-                let drawn = drawn(*pdf, *chance, *survival).join(", ");
+            TermSource::Traced { pdf, lobe_probability, survival, .. } => {
+                let drawn = drawn(*pdf, *lobe_probability, *survival).join(", ");
                 let drawn = if drawn.is_empty() { drawn } else { format!(" ({drawn})") };
                 format!("weight {}{drawn}", short(self.weight))
             }
@@ -258,10 +258,10 @@ impl RecordedTerm {
     }
 }
 
-/// How the direction of a lobe was drawn; chances of 1 are left out.
-fn drawn(pdf: Option<f64>, chance: f64, survival: f64) -> Vec<String> {
+/// How the direction of a lobe was drawn; probabilities of 1 are left out.
+fn drawn(pdf: Option<f64>, lobe_probability: f64, survival: f64) -> Vec<String> {
     let mut parts: Vec<String> = pdf.iter().map(|pdf| format!("pdf {} /sr", brief(*pdf))).collect();
-    for (name, probability) in [("chance", chance), ("survival", survival)] {
+    for (name, probability) in [("chance", lobe_probability), ("survival", survival)] {
         if probability != 1.0 {
             parts.push(format!("{name} {}", brief(probability)));
         }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Meets};
+use super::{Context, Light, LightContext, LightSample};
 use crate::invalid::{Invalid, strength};
 use crate::kinds::{self, Specification};
 use crate::rgb::Rgb;
@@ -46,8 +46,8 @@ impl Specification for Ambient {
 }
 
 impl Light for Constant {
-    fn meets(&self) -> Meets {
-        Meets::Ambient
+    fn is_ambient(&self) -> bool {
+        true
     }
 
     fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {

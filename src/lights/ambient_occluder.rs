@@ -6,7 +6,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Meets, Segment, Target};
+use super::{Context, Light, LightContext, LightSample, Segment, Target};
 use crate::invalid::{Invalid, length, strength, within};
 use crate::kinds::{self, Specification};
 use crate::math::{Frame, maps};
@@ -90,8 +90,8 @@ impl Light for Occluder {
         1
     }
 
-    fn meets(&self) -> Meets {
-        Meets::Ambient
+    fn is_ambient(&self) -> bool {
+        true
     }
 
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {

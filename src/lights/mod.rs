@@ -36,9 +36,10 @@ pub trait Light: Debug + Send + Sync {
         0
     }
 
-    /// The part of a material that reflects its light.
-    fn meets(&self) -> Meets {
-        Meets::Lobes
+    /// Whether it is ambient light in the book's way: reflected by the ambient reflectance of a material
+    /// instead of its lobes, and not attenuated by media.
+    fn is_ambient(&self) -> bool {
+        false
     }
 
     /// The object whose surface it is, if it has one: that object shines only while the light is on.
@@ -74,15 +75,6 @@ pub trait Light: Debug + Send + Sync {
 
 /// The most pairs of random numbers that a light may draw; one more panics.
 pub const MAX_DRAWS: usize = 4;
-
-/// The part of a material that reflects a light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Meets {
-    /// The lobes: the weight of a sample is `f cosθ/pdf`.
-    Lobes,
-    /// The ambient reflectance of the material, in the book's way; no medium attenuates it.
-    Ambient,
-}
 
 /// The data that lights need of a shading point.
 #[derive(Clone, Copy, Debug, PartialEq)]

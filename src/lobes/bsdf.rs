@@ -15,8 +15,8 @@ pub struct Bsdf<'a> {
     wo: Vector,
     /// About the shading normal.
     frame: Frame,
-    /// See [`Bsdf::chances`].
-    chances: ArrayVec<f64, MAX_LOBES>,
+    /// See [`Bsdf::lobe_probabilities`].
+    lobe_probabilities: ArrayVec<f64, MAX_LOBES>,
 }
 
 /// The two normals of a hit; those of a two-sided surface are turned to the viewer.
@@ -38,20 +38,20 @@ impl Normals {
     }
 }
 
-/// Which lobes lights' samples meet.
+/// The lobes that take samples of lights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Which {
-    /// Those for which no ray is traced.
-    Lit,
-    /// All that are no single direction.
-    Spread,
+pub enum LobeSet {
+    /// Those for which Whitted's tracer follows no ray: diffuse reflection and highlights.
+    DirectOnly,
+    /// All whose density is no delta distribution.
+    NonDelta,
 }
 
-impl Which {
-    fn has(self, lobe: &Lobe) -> bool {
+impl LobeSet {
+    fn contains(self, lobe: &Lobe) -> bool {
         match self {
-            Self::Lit => lobe.is_lit(),
-            Self::Spread => !lobe.is_specular(),
+            Self::DirectOnly => lobe.is_lit(),
+            Self::NonDelta => !lobe.is_specular(),
         }
     }
 }
@@ -84,20 +84,20 @@ pub struct BsdfSample {
 impl<'a> Bsdf<'a> {
     /// The lobes of a surface with these normals, seen from the unit direction `wo`.
     pub fn new(lobes: &'a Lobes, normals: Normals, wo: Vector) -> Self {
-        let (frame, chances) = (Frame::around(normals.shading), ArrayVec::new());
-        Self { lobes, normals, wo, frame, chances }
+        let (frame, lobe_probabilities) = (Frame::around(normals.shading), ArrayVec::new());
+        Self { lobes, normals, wo, frame, lobe_probabilities }
     }
 
     /// The same for a path, which takes one of the lobes.
     #[must_use]
-    pub fn choosing(mut self) -> Self {
-        let chance = |(lobe, kind): &(Lobe, NormalKind)| {
-            lobe.chance(self.viewer(lobe, &self.frame_of(lobe, *kind)))
+    pub fn with_lobe_probabilities(mut self) -> Self {
+        let weight = |(lobe, kind): &(Lobe, NormalKind)| {
+            lobe.selection_weight(self.viewer(lobe, &self.frame_of(lobe, *kind)))
         };
-        self.chances = self.lobes.iter().map(chance).collect();
-        let sum: f64 = self.chances.iter().sum();
+        self.lobe_probabilities = self.lobes.iter().map(weight).collect();
+        let sum: f64 = self.lobe_probabilities.iter().sum();
         if sum > 0.0 {
-            self.chances.iter_mut().for_each(|chance| *chance /= sum);
+            self.lobe_probabilities.iter_mut().for_each(|weight| *weight /= sum);
         }
         self
     }
@@ -108,14 +108,14 @@ impl<'a> Bsdf<'a> {
     }
 
     /// Whether any of these lobes may take light from a light's sample.
-    pub fn is_lit(&self, which: Which) -> bool {
-        self.is_outward(self.wo) && self.lobes.iter().any(|(lobe, _)| which.has(lobe))
+    pub fn is_lit(&self, set: LobeSet) -> bool {
+        self.is_outward(self.wo) && self.lobes.iter().any(|(lobe, _)| set.contains(lobe))
     }
 
     /// With which probability a path takes each lobe: all 0 if nothing is scattered, none if it does not
-    /// choose ([`Bsdf::choosing`]).
-    pub fn chances(&self) -> &[f64] {
-        &self.chances
+    /// choose ([`Bsdf::with_lobe_probabilities`]).
+    pub fn lobe_probabilities(&self) -> &[f64] {
+        &self.lobe_probabilities
     }
 
     /// The density with which a path goes on in a direction, per steradian, whatever lobe it takes; that
@@ -128,7 +128,7 @@ impl<'a> Bsdf<'a> {
             let frame = self.frame_of(lobe, *kind);
             chance * lobe.pdf(self.viewer(lobe, &frame), frame.to_local(wi))
         };
-        self.lobes.iter().zip(&self.chances).map(density).sum()
+        self.lobes.iter().zip(&self.lobe_probabilities).map(density).sum()
     }
 
     /// Whether a direction leads to the side of the true surface that the normal points to.
@@ -169,12 +169,12 @@ impl<'a> Bsdf<'a> {
     /// A viewer below the true surface gets nothing. One above it does, also where an interpolated
     /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on which
     /// side of that normal the viewer is.
-    pub fn lit(&self, which: Which, wi: Vector) -> ArrayVec<Lit, MAX_LOBES> {
+    pub fn lit(&self, set: LobeSet, wi: Vector) -> ArrayVec<Lit, MAX_LOBES> {
         let mut lit = ArrayVec::new();
         if !self.is_outward(self.wo) {
             return lit;
         }
-        for (lobe, kind) in self.lobes.iter().filter(|(lobe, _)| which.has(lobe)) {
+        for (lobe, kind) in self.lobes.iter().filter(|(lobe, _)| set.contains(lobe)) {
             let frame = self.frame_of(lobe, *kind);
             let [wo, wi] = [self.wo, wi].map(|w| frame.to_local(w));
             let cos_i = wi.z();

@@ -27,7 +27,7 @@ impl Scatter for FresnelTransmitter {
         index_ratio("eta", self.eta).map(drop)
     }
 
-    fn chance(&self, wo: Vector) -> f64 {
+    fn selection_weight(&self, wo: Vector) -> f64 {
         fresnel(wo.z().abs(), relative(self.eta, wo)).transmitted
     }
 

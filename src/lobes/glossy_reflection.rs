@@ -76,7 +76,7 @@ impl Scatter for GlossyReflection {
         if doubled { 2.0 * density } else { density }
     }
 
-    fn chance(&self, _: Vector) -> f64 {
+    fn selection_weight(&self, _: Vector) -> f64 {
         self.reflectance.average()
     }
 

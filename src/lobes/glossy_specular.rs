@@ -41,7 +41,7 @@ impl Scatter for GlossySpecular {
         cosine_power::density(self.exponent, wo, wi)
     }
 
-    fn chance(&self, _: Vector) -> f64 {
+    fn selection_weight(&self, _: Vector) -> f64 {
         // its albedo for a viewer straight above, at most the reflectance
         self.reflectance.average() * (2.0 * PI / (self.exponent + 2.0)).min(1.0)
     }

@@ -36,7 +36,7 @@ impl Scatter for Lambertian {
         wi.z() / PI
     }
 
-    fn chance(&self, _: Vector) -> f64 {
+    fn selection_weight(&self, _: Vector) -> f64 {
         self.reflectance.average()
     }
 

@@ -24,7 +24,7 @@ use crate::invalid::Invalid;
 use crate::math::{Normal, Vector};
 use crate::rgb::Rgb;
 
-pub use bsdf::{Bsdf, BsdfSample, Lit, Normals, Which};
+pub use bsdf::{Bsdf, BsdfSample, Lit, LobeSet, Normals};
 pub(crate) use cosine_power::check_exponent;
 pub use fresnel::{Fresnel, Polarised, fresnel, polarised};
 pub use glossy_reflection::GlossyRule;
@@ -91,7 +91,7 @@ trait Scatter {
     }
 
     /// See [`Lobe::chance`].
-    fn chance(&self, wo: Vector) -> f64;
+    fn selection_weight(&self, wo: Vector) -> f64;
 
     /// See [`Lobe::sample`].
     fn sample(&self, wo: Vector, u: [f64; 2]) -> Option<LobeSample>;
@@ -158,8 +158,8 @@ macro_rules! lobes {
 
             /// How often a path takes this lobe, in proportion to the others: about the share of light
             /// that it sends on, cheaply, and not 0 where it sends any.
-            pub fn chance(&self, wo: Vector) -> f64 {
-                match self { $(Self::$Lobe(lobe) => lobe.chance(wo)),* }
+            pub fn selection_weight(&self, wo: Vector) -> f64 {
+                match self { $(Self::$Lobe(lobe) => lobe.selection_weight(wo)),* }
             }
 
             /// A direction for two numbers in `[0, 1)`; `None` where nothing is scattered.

@@ -29,7 +29,7 @@ impl Scatter for PerfectSpecular {
         self.reflectance.checked("reflectance").map(drop)
     }
 
-    fn chance(&self, _: Vector) -> f64 {
+    fn selection_weight(&self, _: Vector) -> f64 {
         self.reflectance.average()
     }
 

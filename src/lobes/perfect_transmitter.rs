@@ -41,7 +41,7 @@ impl Scatter for PerfectTransmitter {
         index_ratio("eta", self.eta).map(drop)
     }
 
-    fn chance(&self, wo: Vector) -> f64 {
+    fn selection_weight(&self, wo: Vector) -> f64 {
         let passes = !self.reflects_totally(wo.z());
         if passes { self.transmittance } else { 0.0 }
     }

@@ -41,7 +41,7 @@ impl RaysPerSample {
         let [width, height] = world.picture_size();
         let mut budget = RayBudget::up_to(most.min(MAX_COUNTED));
         let (mut samples, mut of_last) = (0, 0);
-        while samples < PIXELS && !budget.is_spent() {
+        while samples < PIXELS && !budget.is_exceeded() {
             let pixel = [random.below(width), random.below(height)];
             let index = random.below(world.samples_per_pixel());
             let before = budget.spent();
@@ -49,7 +49,7 @@ impl RaysPerSample {
             (samples, of_last) = (samples + 1, budget.spent() - before);
         }
         let mean = budget.spent() as f64 / f64::from(samples.max(1));
-        let is_cut = budget.is_spent();
+        let is_cut = budget.is_exceeded();
         Self { mean, is_cut, is_endless: is_cut && of_last >= ENDLESS }
     }
 }

@@ -72,7 +72,7 @@ pub fn sample<R: Recorder>(world: &World, pixel: [u32; 2], index: u32, recorder:
     sample_within(world, pixel, index, recorder, &mut Unlimited)
 }
 
-/// The same with a limit on the number of rays; too low once that is spent.
+/// As [`sample`], within a budget of rays; those beyond it are black.
 pub fn sample_within<R: Recorder, B: Budget>(
     world: &World,
     pixel: [u32; 2],
@@ -100,7 +100,7 @@ pub fn expose(world: &World, samples: impl Iterator<Item = Rgb>) -> Rgb {
     world.view.exposure_time * mean(samples)
 }
 
-/// The mean, by compensated summation (Neumaier 1974), so that a million samples lose nothing.
+/// The mean, by compensated summation (Neumaier 1974), whose error does not grow with their number.
 pub fn mean(samples: impl Iterator<Item = Rgb>) -> Rgb {
     let (mut sums, mut errors, mut count) = ([0.0_f64; 3], [0.0; 3], 0_u32);
     for sample in samples {

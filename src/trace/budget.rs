@@ -17,7 +17,7 @@ impl Budget for Unlimited {
     }
 }
 
-/// At most a number of rays, shadow rays among them.
+/// At most a number of rays. Shadow rays count, but are cast beyond it, too: they end by themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RayBudget {
     most: u64,
@@ -45,17 +45,17 @@ impl RayBudget {
         self.spent
     }
 
-    /// Whether no further ray is cast, so that results are incomplete.
-    pub fn is_spent(&self) -> bool {
-        self.spent >= self.most
+    /// Whether more rays were asked for, so that results are incomplete.
+    pub fn is_exceeded(&self) -> bool {
+        self.spent > self.most
     }
 
     /// Whether all rays fitted.
     ///
     /// # Errors
-    /// If the budget is spent; `asked` names what it was for.
+    /// If the budget is exceeded; `asked` names what it was for.
     pub fn check(&self, asked: impl FnOnce() -> String) -> Result<(), TooManyRays> {
-        if self.is_spent() {
+        if self.is_exceeded() {
             return Err(TooManyRays { asked: asked(), most: self.most });
         }
         Ok(())

@@ -3,11 +3,11 @@
 use arrayvec::ArrayVec;
 
 use super::{
-    Budget, Lamps, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing, context,
-    medium_towards, power_heuristic,
+    Budget, EmitterHits, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing,
+    absorption_towards, light_context, power_heuristic,
 };
 use crate::lights::{LightSample, MAX_DRAWS, Unlit};
-use crate::lobes::{Bsdf, Lit, MAX_LOBES, Which};
+use crate::lobes::{Bsdf, Lit, LobeSet, MAX_LOBES};
 use crate::rgb::Rgb;
 use crate::samplers::Purpose;
 use crate::world::PlacedLight;
@@ -20,7 +20,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         point: &ShadingPoint<'_>,
         light: &PlacedLight,
     ) -> Option<LightSample> {
-        let from = context(point);
+        let from = light_context(point);
         let mut u = ArrayVec::<[f64; 2], MAX_DRAWS>::new();
         for pair in 0..light.light.draws() as u32 {
             u.push(self.draw(Purpose::Light { path: path.key, light: light.index, pair }));
@@ -32,7 +32,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         sample
     }
 
-    /// Light that meets the ambient reflectance.
+    /// The ambient term: ambient light times the ambient reflectance.
     pub(super) fn ambient(
         &mut self,
         path: &PathState,
@@ -60,29 +60,29 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         bsdf: &Bsdf<'_>,
         sum: &mut RadianceSum,
     ) {
-        let which = if self.strategy.is_path() { Which::Spread } else { Which::Lit };
-        if !bsdf.is_lit(which) {
+        let set = if self.strategy.is_path() { LobeSet::NonDelta } else { LobeSet::DirectOnly };
+        if !bsdf.is_lit(set) {
             self.recorder.unlit(light.index, || unlit_surface(point, bsdf));
             return;
         }
         let Some(sample) = self.sample(path, point, light) else { return };
         let pdf = sample.pdf;
-        let weighted = pdf.filter(|_| self.strategy.lamps == Lamps::Weighted);
+        let weighted = pdf.filter(|_| self.strategy.emitter_hits == EmitterHits::Mis);
         let mis = weighted.map(|pdf| power_heuristic(pdf, bsdf.pdf(sample.direction)));
-        let lit = bsdf.lit(which, sample.direction);
+        let lit = bsdf.lit(set, sample.direction);
         let terms: ArrayVec<_, MAX_LOBES> = lit
             .into_iter()
             .map(|lit| (lit, (lit.cos_i / pdf.unwrap_or(1.0)) * lit.f))
             .map(|(lit, weight)| (lit, mis.map_or(weight, |mis| mis * weight)))
-            .filter(|(_, weight)| counts(*weight, &sample))
+            .filter(|(_, weight)| is_representable(*weight, &sample))
             .collect();
         if terms.is_empty() {
             self.recorder.unlit(light.index, || {
-                unlit_sample(&sample, point, &bsdf.lit(which, sample.direction))
+                unlit_sample(&sample, point, &bsdf.lit(set, sample.direction))
             });
             return;
         }
-        let medium = medium_towards(path.medium, point, sample.direction);
+        let medium = absorption_towards(path.medium, point, sample.direction);
         let (arriving, traced) = self.arriving(medium, point, light, &sample);
         for (Lit { lobe, f, cos_i }, weight) in terms {
             let source =
@@ -101,25 +101,30 @@ fn unlit_surface(point: &ShadingPoint<'_>, bsdf: &Bsdf<'_>) -> Unlit {
     }
 }
 
-/// Why a light's sample makes no term, of which the lobes make `lit`: the first reason that holds.
+/// Why a light's sample contributes nothing: the first reason that holds. `lit` are the lobes' values for it.
 fn unlit_sample(sample: &LightSample, point: &ShadingPoint<'_>, lit: &[Lit]) -> Unlit {
     let sent = sample.radiance + sample.blocked;
     let [shading, geometry] = [point.normals.shading, point.normals.geometry];
     let [cos_i, cos_true] = [shading, geometry].map(|normal| normal.dot(sample.direction));
-    match () {
-        () if sent.is_black() => Unlit::Dark,
-        () if lit.iter().any(|lit| !(lit.f * sent).is_black()) => Unlit::TooWeak,
-        () if !lit.is_empty() => Unlit::OtherColors,
-        () if cos_i <= 0.0 => Unlit::BehindSurface { cos_i },
-        () if cos_true <= 0.0 => Unlit::BehindTrueSurface { cos_i: cos_true },
-        () => Unlit::OutsideLobes { cos_i },
+    if sent.is_black() {
+        Unlit::Dark
+    } else if lit.iter().any(|lit| !(lit.f * sent).is_black()) {
+        Unlit::TooWeak
+    } else if !lit.is_empty() {
+        Unlit::OtherColors
+    } else if cos_i <= 0.0 {
+        Unlit::BehindSurface { cos_i }
+    } else if cos_true <= 0.0 {
+        Unlit::BehindTrueSurface { cos_i: cos_true }
+    } else {
+        Unlit::OutsideLobes { cos_i }
     }
 }
 
-/// Whether light of this weight can change a picture, whose numbers are single precision. Far from its
+/// Whether light of this weight is at least the smallest single-precision number, in which pictures are kept. Far from its
 /// mirror direction a sharp highlight weighs less, and needs no shadow ray. A larger threshold would
 /// darken sums of many lights.
-fn counts(weight: Rgb, sample: &LightSample) -> bool {
+fn is_representable(weight: Rgb, sample: &LightSample) -> bool {
     /// 2⁻¹⁴⁹.
     const SMALLEST: f64 = f32::from_bits(1) as f64;
     [sample.radiance, sample.blocked].into_iter().any(|sent| (weight * sent).max() >= SMALLEST)

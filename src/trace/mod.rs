@@ -1,7 +1,7 @@
 //! The one recursion: from a ray to the radiance that arrives along it (Suffern, ch. 3, 14, 24).
 //!
 //! Lights and lobes answer "from where, how much?" and never trace; only this module casts rays, so
-//! each one passes `Tracing::cast` and is heard by the recorder. The book's tracers are values of
+//! each one is heard by the recorder: shadow rays in `shadow`, all others in `Tracing::cast`. The book's tracers are values of
 //! one [`Strategy`], and its `Material::shade` and `area_light_shade` are `Tracing::shade`.
 //!
 //! Law: what arrives along a ray is `T · Σ terms`, the terms in the order in which the recorder
@@ -17,7 +17,7 @@ mod shadow;
 mod strategy;
 mod tree;
 
-use crate::lights::{LightContext, Meets, Target, Unlit};
+use crate::lights::{LightContext, Target, Unlit};
 use crate::lobes::Bsdf;
 use crate::materials::Response;
 use crate::math::{Ray, Span, Vector};
@@ -29,7 +29,7 @@ pub use budget::{Budget, RayBudget, TooManyRays, Unlimited};
 pub use optics::Optics;
 pub use recorder::{Outcome, RayCounts, RayKind, Recorder, Term, TermSource};
 pub use shading_point::ShadingPoint;
-pub use strategy::{Direct, Lamps, Scatter, Strategy};
+pub use strategy::{Direct, EmitterHits, Scatter, Strategy};
 pub use tree::{RayTree, RecordedHit, RecordedRay, RecordedTerm, RecordedTexture, UnlitLight};
 
 /// The radiance that arrives at the origin of a ray from the camera. The direction must be unit:
@@ -38,7 +38,7 @@ pub fn radiance<R: Recorder>(world: &World, ray: &Ray, draws: Draws<'_>, recorde
     radiance_within(world, ray, draws, recorder, &mut Unlimited)
 }
 
-/// The same with a limit on the number of rays; too low once that is spent.
+/// As [`radiance`], within a budget of rays; those beyond it are black.
 pub fn radiance_within<R: Recorder, B: Budget>(
     world: &World,
     ray: &Ray,
@@ -48,7 +48,7 @@ pub fn radiance_within<R: Recorder, B: Budget>(
 ) -> Rgb {
     let (kind, key, medium) = (RayKind::Camera, PathKey::CAMERA, world.view.medium.absorption);
     let throughput = Rgb::WHITE;
-    let path = PathState { ray: *ray, kind, depth: 0, key, medium, left: None, throughput };
+    let path = PathState { ray: *ray, kind, depth: 0, key, medium, previous: None, throughput };
     let strategy = Strategy::of(world.tracer);
     Tracing { world, strategy, draws, recorder, budget }.cast(&path, Rgb::WHITE)
 }
@@ -63,18 +63,18 @@ struct PathState {
     key: PathKey,
     /// The absorption of the medium it is in.
     medium: Rgb,
-    /// The hit that it left, if lights were sampled there.
-    left: Option<Left>,
-    /// The weight at the eye of light that arrives along the path, without the 1/η² of radiance and the
+    /// The vertex before, if lights were sampled there; for multiple importance sampling.
+    previous: Option<PreviousVertex>,
+    /// Of a path, the weight at the eye of light that arrives along it, without the 1/η² of radiance and the
     /// absorption of media; Russian roulette depends on it.
     throughput: Rgb,
 }
 
-/// A hit at which lights were sampled, and from which the path continued in a direction that light
+/// The path's vertex before, if lights were sampled there and the path continued in a direction that light
 /// sampling could have chosen.
 #[derive(Clone, Copy)]
-struct Left {
-    from: LightContext,
+struct PreviousVertex {
+    light_context: LightContext,
     /// The density of the direction, per steradian.
     pdf: f64,
 }
@@ -125,7 +125,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             transmittance = medium.transmittance(f64::INFINITY);
             let radiance = self.world.background.radiance(ray);
             let sky = self.world.sky();
-            let mis = sky.and_then(|sky| self.share(path, sky, &Target::Infinity(ray.direction)));
+            let mis =
+                sky.and_then(|sky| self.mis_weight(path, sky, &Target::Infinity(ray.direction)));
             let share = mis.unwrap_or(1.0);
             sum.add(self.recorder, TermSource::Background { mis }, Rgb::grey(share), radiance);
         }
@@ -142,7 +143,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             let emitted = emission.radiance(&hit.texture_point(), point.cos_o);
             let lamp_of = hit.object.lamp_of.map(|light| &self.world.lights[light as usize]);
             let to = Target::Surface(&hit.surface);
-            let mis = lamp_of.and_then(|light| self.share(path, light, &to));
+            let mis = lamp_of.and_then(|light| self.mis_weight(path, light, &to));
             let share = mis.unwrap_or(1.0);
             if !emitted.is_black() {
                 sum.add(self.recorder, TermSource::Emission { mis }, Rgb::grey(share), emitted);
@@ -151,18 +152,18 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         let mut response = Response::default();
         material.respond(&hit.texture_point(), point.cos_o, &mut response);
         let bsdf = Bsdf::new(&response.lobes, point.normals, point.wo);
-        let bsdf = if self.strategy.is_path() { bsdf.choosing() } else { bsdf };
+        let bsdf = if self.strategy.is_path() { bsdf.with_lobe_probabilities() } else { bsdf };
         self.recorder.surface(&point, &response.lobes);
 
         if self.strategy.samples_lights(path.depth) {
             for light in &self.world.lights {
-                match light.light.meets() {
+                match light.light.is_ambient() {
                     // ambient light replaces indirect light, which paths find themselves
-                    Meets::Ambient if self.strategy.is_path() => {
+                    true if self.strategy.is_path() => {
                         self.recorder.unlit(light.index, || Unlit::LeftOut);
                     }
-                    Meets::Ambient => self.ambient(path, &point, light, response.ambient, sum),
-                    Meets::Lobes => self.direct(path, &point, light, &bsdf, sum),
+                    true => self.ambient(path, &point, light, response.ambient, sum),
+                    false => self.direct(path, &point, light, &bsdf, sum),
                 }
             }
         } else {
@@ -179,12 +180,12 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
 
     /// The weight of light from a target that a path hit, if the light was also sampled at the hit before;
     /// `None` if it was not, and the weight is 1.
-    fn share(&self, path: &PathState, light: &PlacedLight, to: &Target<'_>) -> Option<f64> {
-        match (self.strategy.lamps, path.left) {
-            (Lamps::Full, _) | (_, None) => None,
-            (Lamps::Nothing, Some(_)) => Some(0.0),
-            (Lamps::Weighted, Some(left)) => {
-                Some(power_heuristic(left.pdf, light.light.pdf(&left.from, to)))
+    fn mis_weight(&self, path: &PathState, light: &PlacedLight, to: &Target<'_>) -> Option<f64> {
+        match (self.strategy.emitter_hits, path.previous) {
+            (EmitterHits::Count, _) | (_, None) => None,
+            (EmitterHits::Ignore, Some(_)) => Some(0.0),
+            (EmitterHits::Mis, Some(previous)) => {
+                Some(power_heuristic(previous.pdf, light.light.pdf(&previous.light_context, to)))
             }
         }
     }
@@ -196,7 +197,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
 }
 
 /// The data that lights need of a shading point.
-fn context(point: &ShadingPoint<'_>) -> LightContext {
+fn light_context(point: &ShadingPoint<'_>) -> LightContext {
     LightContext { point: point.hit.surface.point, normal: point.normals.shading }
 }
 
@@ -209,7 +210,7 @@ fn power_heuristic(pdf: f64, other: f64) -> f64 {
 
 /// The absorption of the medium of a ray in this direction: at a boundary, that of the side the ray
 /// leaves to; elsewhere, that of the ray before it.
-fn medium_towards(before: Rgb, point: &ShadingPoint<'_>, direction: Vector) -> Rgb {
+fn absorption_towards(before: Rgb, point: &ShadingPoint<'_>, direction: Vector) -> Rgb {
     match point.hit.material.recipe.boundary() {
         Some(boundary) if point.normals.geometry.dot(direction) > 0.0 => {
             boundary.outside.absorption

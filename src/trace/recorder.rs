@@ -111,7 +111,7 @@ pub enum TermSource {
         /// Whether the shadow ray before it says what arrives.
         traced: bool,
     },
-    /// Light along the ray before it: the weight is `f cosθ_i / (pdf · chance · survival)`.
+    /// Light along the ray before it: the weight is `f cosθ_i / (pdf · lobe_probability · survival)`.
     Traced {
         /// The lobe that sent the ray.
         lobe: Lobe,
@@ -120,7 +120,7 @@ pub enum TermSource {
         #[serde(skip_serializing_if = "Option::is_none")]
         pdf: Option<f64>,
         /// The probability with which the path took this lobe; 1 where each lobe is followed.
-        chance: f64,
+        lobe_probability: f64,
         /// The probability with which the path went on at all (Russian roulette).
         survival: f64,
     },

@@ -2,7 +2,7 @@
 
 use super::{
     Budget, Optics, Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource, Tracing,
-    medium_towards,
+    absorption_towards,
 };
 use crate::lights::{LightSample, Segment, Unlit};
 use crate::materials::Response;
@@ -191,7 +191,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
                 boundaries += 1;
             }
             let point = ShadingPoint::new(&hit, -direction);
-            let beyond = medium_towards(medium, &point, direction);
+            let beyond = absorption_towards(medium, &point, direction);
             // light may leave a medium through what casts no shadow, but is not absorbed on its way in
             if hit.casts_shadow() || beyond.average() < medium.average() {
                 medium = beyond;
@@ -224,7 +224,7 @@ impl<R, B> Tracing<'_, R, B> {
             }
             boundaries += 1;
             let point = ShadingPoint::new(&hit, -direction);
-            let beyond = medium_towards(medium, &point, direction);
+            let beyond = absorption_towards(medium, &point, direction);
             let absorbs_less = beyond.average() < medium.average();
             let enters = point.normals.geometry.dot(direction) < 0.0;
             if absorbs_less || !(enters || entered > 0) {

@@ -1,6 +1,6 @@
 //! The book's tracers as values.
 
-use crate::lights::{Light, Meets, Unlit};
+use crate::lights::{Light, Unlit};
 use crate::scene::Tracer;
 
 /// How light is traced: every tracer of the book is a value of it.
@@ -11,7 +11,7 @@ pub struct Strategy {
     /// What is followed from a hit.
     pub scatter: Scatter,
     /// The weight of a lamp that a ray hits, if its light was also sampled where the ray starts.
-    pub lamps: Lamps,
+    pub emitter_hits: EmitterHits,
     /// A ray is cast if at most `max_depth` edges are before it.
     pub max_depth: u32,
 }
@@ -45,13 +45,13 @@ pub enum Scatter {
 /// The weight of a lamp that a ray hits, if its light was also sampled at the hit from which the ray
 /// comes. Does not apply to rays of a single direction, which light sampling cannot choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lamps {
+pub enum EmitterHits {
     /// 1: light samples and scattered rays never use the same lobe.
-    Full,
+    Count,
     /// 0: the light sample counts instead.
-    Nothing,
+    Ignore,
     /// The MIS weight (multiple importance sampling, Veach 1997).
-    Weighted,
+    Mis,
 }
 
 impl Strategy {
@@ -60,19 +60,23 @@ impl Strategy {
         let tree = |scatter, max_depth| Self {
             direct: Direct::Shading,
             scatter,
-            lamps: Lamps::Full,
+            emitter_hits: EmitterHits::Count,
             max_depth,
         };
-        let path =
-            |direct, lamps, max_depth| Self { direct, scatter: Scatter::OneLobe, lamps, max_depth };
+        let path = |direct, emitter_hits, max_depth| Self {
+            direct,
+            scatter: Scatter::OneLobe,
+            emitter_hits,
+            max_depth,
+        };
         match tracer {
             Tracer::RayCast => tree(Scatter::Nothing, 0),
             Tracer::Whitted(it) => tree(Scatter::TracedLobes, it.max_depth),
-            Tracer::PathTrace(it) => path(Direct::Never, Lamps::Full, it.max_depth),
-            Tracer::GlobalTrace(it) => path(Direct::FirstHit, Lamps::Nothing, it.max_depth),
+            Tracer::PathTrace(it) => path(Direct::Never, EmitterHits::Count, it.max_depth),
+            Tracer::GlobalTrace(it) => path(Direct::FirstHit, EmitterHits::Ignore, it.max_depth),
             Tracer::Path(it) => Self {
                 scatter: Scatter::OneLobeOrNone,
-                ..path(Direct::EveryHit, Lamps::Weighted, it.max_depth)
+                ..path(Direct::EveryHit, EmitterHits::Mis, it.max_depth)
             },
         }
     }
@@ -86,7 +90,7 @@ impl Strategy {
     pub(super) fn unsampled(self, light: &dyn Light) -> Unlit {
         match self.direct {
             Direct::Shading => unreachable!("lights are sampled at every hit"),
-            _ if light.meets() == Meets::Ambient => Unlit::LeftOut,
+            _ if light.is_ambient() => Unlit::LeftOut,
             Direct::FirstHit if self.max_depth > 0 => Unlit::FirstHitOnly,
             Direct::FirstHit | Direct::EveryHit => Unlit::TooDeep,
             Direct::Never if light.is_met() => Unlit::NotSampled,

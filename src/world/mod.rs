@@ -84,9 +84,9 @@ impl Names {
 pub struct PlacedLight {
     /// Its name.
     pub name: Arc<str>,
-    /// Its index in the scene; lights and objects that are switched off count.
+    /// Its index in the scene; lights that are switched off count.
     pub index: u32,
-    /// Whether objects block it.
+    /// Whether objects block it; path tracers ask them always for a light that paths can hit.
     pub shadows: bool,
     /// The light.
     pub light: Arc<dyn Light>,
@@ -115,7 +115,7 @@ pub struct PlacedMaterial {
 pub struct PlacedObject {
     /// Its name.
     pub name: Arc<str>,
-    /// Its index in the scene; lights and objects that are switched off count.
+    /// Its index in the scene; objects that are switched off count.
     pub index: u32,
     /// The index of its material; parts may have their own.
     material: u32,

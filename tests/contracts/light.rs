@@ -7,7 +7,7 @@ use std::sync::Arc;
 use groundtruth::background::{self, Background, Dome, Sky};
 use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::images::{Drawn, Picture};
-use groundtruth::lights::{Area, Kind, Light, LightContext, LightSample, Meets, Segment, Target};
+use groundtruth::lights::{Area, Kind, Light, LightContext, LightSample, Segment, Target};
 use groundtruth::materials::Emissive;
 use groundtruth::math::{Normal, Pcg32, Point, Ray, Span, Vector, power_of_two};
 use groundtruth::rgb::Rgb;
@@ -288,6 +288,5 @@ pub fn is_sampled(light: &dyn Light) -> bool {
     let from = LightContext { point: Point::new(0.0, 100.0, 0.0), normal: -Normal::Y };
     let u = vec![[0.3, 0.6]; light.draws()];
     light.draws() > 0
-        && (light.meets() == Meets::Ambient
-            || light.sample(&from, &u).is_none_or(|sample| sample.pdf.is_some()))
+        && (light.is_ambient() || light.sample(&from, &u).is_none_or(|sample| sample.pdf.is_some()))
 }

@@ -197,7 +197,8 @@ fn the_weight_of_a_bounce_is_its_factors() {
     let (mut by, mut ended) = ([0, 0], 0);
     for root in &paths(&room(kd, ks, 256)) {
         for (hit, term, ray) in bounces(root) {
-            let TermSource::Traced { lobe, pdf, chance, survival } = &term.source else {
+            let TermSource::Traced { lobe, pdf, lobe_probability: chance, survival } = &term.source
+            else {
                 panic!("a lobe sent it: {term:?}");
             };
             let cosines @ [cos_i, cos_r] = cosines(hit, ray.ray.direction);
@@ -227,7 +228,7 @@ fn mis_shares_are_those_of_the_densities() {
     let (mut met, mut sampled) = (0, 0);
     for root in &paths(&room(0.5, 0.3, 1024)) {
         for (hit, term, ray) in bounces(root) {
-            let TermSource::Traced { lobe, chance, .. } = &term.source else {
+            let TermSource::Traced { lobe, lobe_probability: chance, .. } = &term.source else {
                 panic!("a lobe sent it: {term:?}");
             };
             let diffuse = if lobe.name() == "Lambertian" { *chance } else { 1.0 - chance };

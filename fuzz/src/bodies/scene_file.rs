@@ -36,7 +36,7 @@ pub fn run(data: &[u8]) {
         for x in 0..CORNERS.min(width) {
             let mut budget = RayBudget::up_to(max_rays);
             render::sample_within(&world, [x, y], 0, &mut (), &mut budget);
-            if budget.is_spent() {
+            if budget.is_exceeded() {
                 return;
             }
             let mut counts = trace::RayCounts::default();

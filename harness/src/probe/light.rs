@@ -9,7 +9,7 @@ use super::numbers::{HALF_OPEN, Real, Triple, color, in_square, triple};
 use groundtruth::background::Background;
 use groundtruth::invalid::{Invalid, direction};
 use groundtruth::kinds::Resources;
-use groundtruth::lights::{Context, Kind, LampObject, LightContext, Meets, Segment};
+use groundtruth::lights::{Context, Kind, LampObject, LightContext, Segment};
 use groundtruth::math::{Normal, Point, Vector};
 use groundtruth::{materials, shapes};
 
@@ -83,7 +83,7 @@ impl super::Question for Light {
             let Some(segment) = sample.segment else {
                 return LightAnswer::Ambient { ambient: color(sample.radiance) };
             };
-            let occluder = light.meets() == Meets::Ambient;
+            let occluder = light.is_ambient();
             LightAnswer::From {
                 direction: triple(sample.direction),
                 distance: Real(match segment {

@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use groundtruth::cameras::{self, Camera};
 use groundtruth::kinds::Custom;
-use groundtruth::lights::{
-    self, Directional, Light as LightKind, LightContext, LightSample, Meets,
-};
+use groundtruth::lights::{self, Directional, Light as LightKind, LightContext, LightSample};
 use groundtruth::materials::{self, Emission, Material as MaterialKind, Matte, Response};
 use groundtruth::math::{Aabb, Normal, Pcg32, Point, Ray, Span, Step, Vector};
 use groundtruth::render;
@@ -152,8 +150,8 @@ impl Sampler for Quarter {
 struct RedSky;
 
 impl LightKind for RedSky {
-    fn meets(&self) -> Meets {
-        Meets::Ambient
+    fn is_ambient(&self) -> bool {
+        true
     }
 
     fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
