@@ -120,7 +120,7 @@ pub fn pixel(
             let radiance = render::sample_within(world, pixel, index, &mut sources, budget);
             (radiance, sources, None)
         };
-        budget.check(|| format!("explaining pixel ({}, {})", pixel[0], pixel[1]))?;
+        budget.check(|| format!("pixel ({}, {})", pixel[0], pixel[1]))?;
         let camera = render::camera_sample(world, pixel, index);
         let weight = camera.as_ref().map_or(0.0, |camera| camera.weight);
         sums.add(radiance, sources, weight);

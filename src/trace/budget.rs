@@ -26,7 +26,7 @@ pub struct RayBudget {
 
 /// Something takes more rays than fit.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{asked} takes more than {most} rays; lower max_depth, or the number of samples")]
+#[error("{asked}: more than {most} rays; lower max_depth or the number of samples")]
 pub struct TooManyRays {
     /// What was asked for.
     pub asked: String,

@@ -96,7 +96,7 @@ impl super::Question for Radiance {
                 world.reseed(seed.wrapping_add(u64::from(i)));
             }
             values.push(looks.value(&world, &mut budget));
-            let asked = || format!("{replicas} replicas");
+            let asked = || "these samples and replicas".to_owned();
             budget.check(asked).map_err(|e| Invalid::new(e.to_string()))?;
         }
         let mean = render::mean(values.iter().copied());

@@ -134,7 +134,8 @@ fn counts_of(tree: &RayTree, max_depth: u32) -> RayCounts {
             RayKind::Transmitted => counts.transmitted += 1,
             RayKind::Shadow { .. } => counts.shadow += 1,
         }
-        counts.too_deep += u64::from(node.depth > max_depth);
+        let is_shadow = matches!(node.kind, RayKind::Shadow { .. });
+        counts.too_deep += u64::from(!is_shadow && node.depth > max_depth);
     }
     counts
 }

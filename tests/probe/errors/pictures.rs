@@ -146,12 +146,12 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"radiance": {"scene": {"tracer": {"whitted": {"max_depth": 128}}, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 2}}}, {"name": "inner", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1.5}}}]}, "pixel": [0, 0]}}"#,
-        "radiance: a single sample casts more than 1000000 rays; lower the scene's max_depth",
+        "radiance: a single sample: more than 1000000 rays; lower max_depth or the number of samples",
     ),
     // its first sample, and those of most pixels, miss the glass
     (
         r#"{"radiance": {"scene": {"background": 1, "tracer": {"whitted": {"max_depth": 100}}, "accel": "bvh", "image": {"width": 1000, "height": 1000, "pixel_size": 0.1}, "camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0], "lens": {"pinhole": {"distance": 5}}}, "materials": [{"name": "a", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}, {"name": "b", "recipe": {"dielectric": {"inside": {"eta": 1.7}}}}, {"name": "c", "recipe": {"dielectric": {"inside": {"eta": 1.9}}}}], "objects": [{"name": "a", "material": "a", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1.0}}}, {"name": "b", "material": "b", "shape": {"sphere": {"center": [0, 0, 0], "radius": 0.9}}}, {"name": "c", "material": "c", "shape": {"sphere": {"center": [0, 0, 0], "radius": 0.8}}}, {"name": "far", "material": "a", "shape": {"instance": {"of": {"tessellated_sphere": {"horizontal": 16, "vertical": 8}}, "transform": [{"translate": [0, 0, 100]}]}}}]}, "pixel": [489, 500], "samples": 16, "replicas": 1}}"#,
-        "radiance: this casts more than 6250000 rays; ask for fewer samples or replicas, or lower the scene's max_depth",
+        "radiance: these samples and replicas: more than 6250000 rays; lower max_depth or the number of samples",
     ),
     (
         r#"{"radiance": {"scene": {"tracer": {"whitted": {"max_depth": 129}}, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}, "pixel": [0, 0]}}"#,
