@@ -1,9 +1,10 @@
 //! The harness of Groundtruth: what judges the tracer, and what others ask it.
 //!
-//! [`verify`] holds what checks pictures, statistics and intersections, [`report`] measures what to choose,
+//! [`compare`] holds two pictures against each other, [`verify`] holds what checks pictures, statistics and intersections, [`report`] measures what to choose,
 //! [`probe`] answers questions in JSON, [`mod@reference`] says what a scene file can say. The binary
 //! `groundtruth` is the command line of all of it.
 
+pub mod compare;
 pub mod probe;
 pub mod reference;
 pub mod report;

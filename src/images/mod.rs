@@ -6,7 +6,7 @@ mod file;
 use crate::rgb::Rgb;
 
 pub use drawn::{Drawn, Picture};
-pub use file::{Encoding, ImageFileError, decode, decode_layer, read};
+pub use file::{Encoding, ImageFileError, Stored, decode, decode_layer, read, read_stored};
 
 /// The colours of an image, linear, in single precision.
 #[derive(Debug)]
@@ -49,6 +49,11 @@ impl Texels {
     /// The number of rows.
     pub fn height(&self) -> u32 {
         self.height
+    }
+
+    /// All colours, from the top row down, from left to right.
+    pub fn colors(&self) -> &[[f32; 3]] {
+        &self.colors
     }
 
     /// The colour at a column from the left and a row from the bottom, as the book counts.

@@ -3,6 +3,7 @@
 //! Exit status 0 means yes, 1 means the answer is no, 2 means an error, and 130 means that the user
 //! interrupted the command.
 
+mod compare;
 mod explain;
 mod export;
 mod goldens;
@@ -40,6 +41,12 @@ enum Command {
     Explain(explain::Explain),
     /// Write a scene as a scene file
     Export(export::Export),
+    /// Compare two pictures, or a picture and a scene
+    ///
+    /// Prints what differs, where, and which simple change explains it (a flip, a shift by a pixel, an order of
+    /// channels, an exposure factor, a transfer function). The exit status is 0 if no pixel differs, 1 if some
+    /// do, 2 if they cannot be compared.
+    Compare(compare::Compare),
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
@@ -79,6 +86,7 @@ pub fn run() -> ExitCode {
         Command::Render(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Compare(command) => command.run(),
         Command::Goldens(command) => command.run(),
         Command::Probe(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -11,7 +11,7 @@ use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::{SampleType, f16};
 
 use super::exr_layers::{self, Layer};
-use super::{Problem, Wrong, check_size, radiance};
+use super::{Problem, Wrong, check_size};
 use crate::images::Texels;
 
 /// The layer `wanted`, or the only one. Texels outside the data window are black.
@@ -35,8 +35,7 @@ pub fn decode(bytes: &[u8], wanted: Option<&str>, max_texels: u64) -> Result<Tex
     let note =
         (cropped > 0).then(|| format!("{cropped} texels outside its display window are ignored"));
     let size = picture.size.map(|length| length as u32);
-    let channels = if layer.is_grey() { 1 } else { 3 };
-    Ok(radiance(size, channels, picture.colors)?.with_notes(notes).with_notes(note))
+    Ok(Texels::new(size[0], size[1], picture.colors).with_notes(notes).with_notes(note))
 }
 
 /// The texels of the display window, while blocks are read.

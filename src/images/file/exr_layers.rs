@@ -16,13 +16,6 @@ pub struct Layer {
     view: Option<String>,
 }
 
-impl Layer {
-    /// Whether one channel is the image.
-    pub fn is_grey(&self) -> bool {
-        self.channels[0] == self.channels[1]
-    }
-}
-
 /// The layer of this name, or the only one; the main image (of channels without a prefix) precedes named
 /// ones.
 pub fn choose(headers: &[Header], wanted: Option<&str>) -> Result<(Layer, Vec<String>), Wrong> {

@@ -6,7 +6,7 @@ use std::io::Read;
 use image::DynamicImage;
 use image::codecs::hdr::{HdrDecoder, HdrMetadata};
 
-use super::{Problem, after_the_end, check_size, damaged, radiance, samples};
+use super::{Problem, after_the_end, check_size, damaged, samples};
 use crate::images::Texels;
 
 /// The radiance is divided by the factors of the header (EXPOSURE and COLORCORR), as the format
@@ -27,7 +27,7 @@ pub fn decode(bytes: &[u8], max_texels: u64) -> Result<Texels, Problem> {
     };
     let color = |c: [f32; 3]| std::array::from_fn(|i| (f64::from(c[i]) / factor[i]) as f32);
     let colors = image.pixels().map(|pixel| color(pixel.0)).collect();
-    Ok(radiance([header.width, header.height], 3, colors)?.with_notes(after_the_end(after)))
+    Ok(Texels::new(header.width, header.height, colors).with_notes(after_the_end(after)))
 }
 
 /// The signature that the decoder accepts; `#?RGBE` is valid, too.

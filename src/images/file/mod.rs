@@ -161,6 +161,18 @@ fn decode_format(
     layer: Option<&str>,
     max_texels: u64,
 ) -> Result<Texels, Wrong> {
+    let texels = decode_stored(format, bytes, encoding, layer, max_texels)?;
+    Ok(if format.is_linear() { radiance(texels)? } else { texels })
+}
+
+/// The values as the file stores them, also those that are no radiance.
+fn decode_stored(
+    format: Format,
+    bytes: &[u8],
+    encoding: Option<Encoding>,
+    layer: Option<&str>,
+    max_texels: u64,
+) -> Result<Texels, Wrong> {
     guard::guarded(|| {
         Ok(match format {
             Format::Png => png::decode(bytes, encoding, max_texels)?,
@@ -171,6 +183,29 @@ fn decode_format(
             Format::Pfm => pfm::decode(bytes, max_texels)?,
         })
     })
+}
+
+/// A picture file as it is stored, for those who judge it.
+#[derive(Debug)]
+pub struct Stored {
+    /// Its values: of HDR, EXR and PFM files as they are, negative and not finite ones among them; of others
+    /// from 0 to 1, not decoded.
+    pub texels: Texels,
+    /// Whether they are radiance, not encoded for display.
+    pub is_linear: bool,
+}
+
+/// The stored values of a picture file, at most `max_texels`.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_stored(path: &Path, max_texels: u64) -> Result<Stored, ImageFileError> {
+    let wrong = |problem| ImageFileError { path: path.to_owned(), problem, field: "file" };
+    let bytes = read_bytes(path).map_err(wrong)?;
+    let format = Format::of(&bytes).map_err(wrong)?;
+    let texels = decode_stored(format, &bytes, Some(Encoding::Linear), None, max_texels);
+    let texels = texels.map_err(|Wrong { problem, .. }| wrong(problem))?;
+    Ok(Stored { texels, is_linear: format.is_linear() })
 }
 
 /// All bytes of a file; fails if its first bytes are not those of an image, or it is too large.
@@ -296,30 +331,28 @@ fn colors(
 }
 
 /// Radiance from a file; fails unless it is finite. Negative values, which filters leave beside bright
-/// texels, become 0. `channels` is 1 for grey, whose values stand three times in `colors`, and else 3.
-fn radiance(
-    [width, height]: [u32; 2],
-    channels: u64,
-    mut colors: Vec<[f32; 3]>,
-) -> Result<Texels, Problem> {
+/// texels, become 0.
+fn radiance(mut texels: Texels) -> Result<Texels, Problem> {
+    let colors = &mut texels.colors;
     if let Some(at) = colors.iter().position(|color| !color.iter().all(|c| c.is_finite())) {
-        let (column, row) = (at % width as usize, at / width as usize);
+        let (column, row) = (at % texels.width as usize, at / texels.width as usize);
         return Err(format!(
             "the texel in column {column} from the left, row {row} from the top, both from 0, is \
              {:?}; light is finite",
             colors[at]
         ));
     }
-    let (mut count, mut lowest) = (0_u64, 0.0_f32);
+    let is_grey = colors.iter().all(|[r, g, b]| r == g && g == b);
+    let (mut count, mut lowest) = (0_u32, 0.0_f32);
     for value in colors.as_flattened_mut().iter_mut().filter(|value| **value < 0.0) {
         count += 1;
         lowest = lowest.min(*value);
         *value = 0.0;
     }
-    count = count * channels / 3;
+    let count = if is_grey { count / 3 } else { count };
     let note =
         (count > 0).then(|| format!("{count} values below 0, the lowest {lowest}, are taken as 0"));
-    Ok(Texels::new(width, height, colors).with_notes(note))
+    Ok(texels.with_notes(note))
 }
 
 /// The linear value of an sRGB value (IEC 61966-2-1).

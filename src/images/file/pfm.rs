@@ -1,6 +1,6 @@
 //! PFM (Debevec's portable float map): `PF` for colours, `Pf` for grey; rows from the bottom up.
 
-use super::{Problem, after_the_end, check_size, radiance};
+use super::{Problem, after_the_end, check_size};
 use crate::images::Texels;
 
 /// A negative scale in the header means that the least significant byte comes first. Its magnitude, for
@@ -33,7 +33,7 @@ pub fn decode(bytes: &[u8], max_texels: u64) -> Result<Texels, Problem> {
         }));
     }
     let note = (scale.abs() != 1.0).then(|| format!("its scale of {scale} is ignored"));
-    let texels = radiance([width as u32, height as u32], channels, colors)?;
+    let texels = Texels::new(width as u32, height as u32, colors);
     Ok(texels.with_notes(note).with_notes(after_the_end(after)))
 }
 

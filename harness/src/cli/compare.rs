@@ -1,0 +1,127 @@
+//! `compare`.
+
+use std::error::Error;
+use std::path::Path;
+
+use clap::Args;
+use groundtruth::gallery;
+use groundtruth::render;
+use groundtruth::scene::{self, Scene};
+use groundtruth::world::{DEFAULT_SEED, World};
+use harness::compare::{Comparison, Picture, Transfer};
+
+use super::{Exit, Outcome, print};
+
+#[derive(Args)]
+pub struct Compare {
+    /// A picture file (PNG, JPEG, PPM, HDR, EXR or PFM), a gallery name, or a scene file; a scene is
+    /// rendered at the size of the other side
+    a: String,
+    /// The same
+    b: String,
+    /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2
+    #[arg(long, value_name = "CURVE", default_value = "srgb")]
+    encoding: Transfer,
+    /// The relative difference up to which channels are equal
+    #[arg(long, value_name = "R", default_value_t = 0.0, value_parser = tolerance)]
+    tolerance: f64,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(r) if (0.0..1.0).contains(&r) => Ok(r),
+        _ => Err("write a number from 0 to 1, such as 0.01".to_owned()),
+    }
+}
+
+/// One side of a comparison.
+enum Side {
+    Picture(Picture),
+    Scene(Box<Scene>, Option<scene::Source>),
+}
+
+impl Compare {
+    pub fn run(self) -> Outcome {
+        let sides = [self.side(&self.a)?, self.side(&self.b)?];
+        let size = sides.iter().find_map(|side| match side {
+            Side::Picture(picture) => Some(picture.size),
+            Side::Scene(..) => None,
+        });
+        let mut pictures = Vec::new();
+        for (side, name) in sides.into_iter().zip([&self.a, &self.b]) {
+            match side {
+                Side::Picture(picture) => {
+                    picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
+                    pictures.push(picture);
+                }
+                Side::Scene(scene, source) => pictures.push(rendered(*scene, source, name, size)?),
+            }
+        }
+        let comparison = Comparison::of(&pictures[0], &pictures[1], self.tolerance)?;
+        match self.json {
+            true => print(&(serde_json::to_string_pretty(&comparison)? + "\n"))?,
+            false => print(&(comparison.to_string() + &self.commands(&comparison)))?,
+        };
+        Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
+    }
+
+    /// A name is that of a scene if the gallery has it, or if it ends in `.toml`.
+    fn side(&self, name: &str) -> Result<Side, Box<dyn Error>> {
+        let path = Path::new(name);
+        if let Some(entry) = gallery::find(name) {
+            return Ok(Side::Scene(Box::new((entry.build)()), None));
+        }
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            let (scene, source) = scene::open(path)?;
+            return Ok(Side::Scene(Box::new(scene), Some(source)));
+        }
+        if path.extension().is_none() && !path.exists() {
+            return Err(gallery::unknown(name).into());
+        }
+        Ok(Side::Picture(Picture::read(path, self.encoding)?))
+    }
+
+    /// The `explain` command of the worst pixel of each region, if a side is a scene.
+    fn commands(&self, comparison: &Comparison) -> String {
+        let is_scene = |name: &&String| gallery::find(name).is_some() || name.ends_with(".toml");
+        let Some(scene) = [&self.a, &self.b].into_iter().find(is_scene) else {
+            return String::new();
+        };
+        let [width, height] = comparison.size;
+        let command = |[x, y]: [u32; 2]| {
+            format!("  groundtruth explain {scene} {x} {y} --size {width}x{height}\n")
+        };
+        let commands: String =
+            comparison.regions.iter().map(|region| command(region.worst)).collect();
+        if commands.is_empty() { commands } else { format!("why ours is so:\n{commands}") }
+    }
+}
+
+fn rendered(
+    mut scene: Scene,
+    source: Option<scene::Source>,
+    name: &str,
+    size: Option<[u32; 2]>,
+) -> Result<Picture, Box<dyn Error>> {
+    if let Some([width, height]) = size {
+        let (w, h) = (scene.image.width, scene.image.height);
+        // a size is rounded to whole pixels
+        if (w * height).abs_diff(h * width) > w.max(h) {
+            eprintln!(
+                "note: {name} has the shape of {w} × {h}; as with `render --size`, its width is kept"
+            );
+        }
+        scene.image.resize(width, height);
+    }
+    let world = match &source {
+        Some(source) => World::of_source(&scene, source, DEFAULT_SEED)?,
+        None => World::build_seeded(&scene, Path::new(""), DEFAULT_SEED)?,
+    };
+    if world.samples_per_pixel() > 1 {
+        eprintln!("note: {name} draws random numbers, so its picture has noise of its own");
+    }
+    Ok(Picture::of_film(&render::render(&world)))
+}

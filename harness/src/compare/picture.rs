@@ -1,0 +1,131 @@
+//! A picture to be compared: its stored values, and what they mean.
+
+use std::path::Path;
+use std::str::FromStr;
+
+use groundtruth::film::Film;
+use groundtruth::images::{self, ImageFileError};
+use groundtruth::math::power;
+use groundtruth::world::MAX_PIXELS;
+
+/// How display values encode radiance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Transfer {
+    /// They are proportional to radiance.
+    Linear,
+    /// The curve of sRGB (IEC 61966-2-1).
+    Srgb,
+    /// Radiance is the value to this power.
+    Gamma(f64),
+}
+
+impl Transfer {
+    /// The radiance of a display value.
+    pub fn decoded(self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Srgb if value <= 0.04045 => value / 12.92,
+            Self::Srgb => power((value + 0.055) / 1.055, 2.4),
+            Self::Gamma(gamma) => power(value.max(0.0), gamma),
+        }
+    }
+}
+
+impl std::fmt::Display for Transfer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Linear => f.write_str("linear"),
+            Self::Srgb => f.write_str("sRGB"),
+            Self::Gamma(gamma) => write!(f, "gamma {gamma}"),
+        }
+    }
+}
+
+/// `srgb`, `linear`, or `gamma=2.2`.
+impl FromStr for Transfer {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let gamma = text.strip_prefix("gamma=").and_then(|number| number.parse::<f64>().ok());
+        match (text, gamma) {
+            ("srgb", _) => Ok(Self::Srgb),
+            ("linear", _) => Ok(Self::Linear),
+            (_, Some(gamma)) if gamma.is_finite() && gamma > 0.0 => Ok(Self::Gamma(gamma)),
+            _ => Err("write srgb, linear or gamma=2.2".to_owned()),
+        }
+    }
+}
+
+/// A picture, row by row from the top left.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Its values as stored.
+    pub values: Vec<[f32; 3]>,
+    /// What they mean.
+    pub transfer: Transfer,
+    /// The distance between neighbouring integers, if the values were stored as such.
+    pub step: Option<f64>,
+    /// What was ignored in its file.
+    pub notes: Vec<String>,
+}
+
+impl Picture {
+    /// A picture of radiance.
+    pub fn of_film(film: &Film) -> Self {
+        let (size, transfer) = ([film.width(), film.height()], Transfer::Linear);
+        Self { size, values: film.to_f32().collect(), transfer, step: None, notes: Vec::new() }
+    }
+
+    /// Reads a PNG, JPEG, PPM, HDR, EXR or PFM file; display values are taken to be encoded by `transfer`.
+    ///
+    /// # Errors
+    /// If it is no picture, or damaged.
+    pub fn read(path: &Path, transfer: Transfer) -> Result<Self, ImageFileError> {
+        let stored = images::read_stored(path, MAX_PIXELS)?;
+        let texels = stored.texels;
+        let (size, values) = ([texels.width(), texels.height()], texels.colors().to_vec());
+        let (transfer, step) = match stored.is_linear {
+            true => (Transfer::Linear, None),
+            false => (transfer, Some(step_of(&values))),
+        };
+        Ok(Self { size, values, transfer, step, notes: texels.notes().to_vec() })
+    }
+
+    /// The radiance that a stored value may stand for: of an integer, all that is rounded, truncated or, of
+    /// the largest, clamped to it.
+    pub fn interval(&self, value: f32) -> [f64; 2] {
+        let value = f64::from(value);
+        match self.step {
+            None => [value; 2],
+            Some(step) => {
+                let integer = (value / step).round();
+                let above = if value < 1.0 { (integer + 1.0) * step } else { f64::INFINITY };
+                [(integer - 0.5) * step, above].map(|end| self.transfer.decoded(end.max(0.0)))
+            }
+        }
+    }
+
+    /// The radiance of a stored value: the middle of what is rounded to it.
+    pub fn linear(&self, color: [f32; 3]) -> [f64; 3] {
+        match self.step {
+            None => color.map(f64::from),
+            Some(_) => color.map(|value| self.transfer.decoded(f64::from(value))),
+        }
+    }
+
+    /// The index of a pixel.
+    pub fn index(&self, [x, y]: [u32; 2]) -> usize {
+        y as usize * self.size[0] as usize + x as usize
+    }
+}
+
+/// 1/255 if all values are multiples of it, else 1/65535.
+fn step_of(values: &[[f32; 3]]) -> f64 {
+    let is_byte = |value: &f32| {
+        let byte = 255.0 * f64::from(*value);
+        (byte - byte.round()).abs() < 1e-4
+    };
+    if values.as_flattened().iter().all(is_byte) { 1.0 / 255.0 } else { 1.0 / 65535.0 }
+}

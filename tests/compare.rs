@@ -1,0 +1,244 @@
+//! Two pictures compared: what counts as a difference, which changes are named, and the exit status.
+
+use std::path::Path;
+use std::process::Command;
+
+use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::gallery;
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::world::World;
+use harness::compare::{Comparison, Picture, SizesDiffer, Transfer};
+
+const SIZE: [u32; 2] = [60, 40];
+
+/// A small picture of a scene, from this seed.
+fn rendered(name: &str, seed: u64) -> Film {
+    let mut scene = gallery::find(name).map(|entry| (entry.build)()).expect("listed");
+    scene.image.resize(SIZE[0], SIZE[1]);
+    scene.image.samples = 4;
+    let world = World::build_seeded(&scene, Path::new(""), seed).expect("gallery scenes are valid");
+    render::render(&world)
+}
+
+fn picture() -> Picture {
+    Picture::of_film(&rendered("ch24/hall-of-mirrors", 1))
+}
+
+/// The picture with the value at each position taken from another, which may be outside by a pixel; there the
+/// edge is repeated.
+fn moved(picture: &Picture, from: impl Fn(i64, i64) -> [i64; 2]) -> Picture {
+    let [width, height] = picture.size.map(i64::from);
+    let at = |x: i64, y: i64| {
+        let [x, y] = from(x, y);
+        let (x, y) = (x.clamp(0, width - 1), y.clamp(0, height - 1));
+        picture.values[(y * width + x) as usize]
+    };
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    Picture { values: pixels.map(|(x, y)| at(x, y)).collect(), ..picture.clone() }
+}
+
+fn mapped(picture: &Picture, change: impl Fn([f32; 3]) -> [f32; 3]) -> Picture {
+    Picture {
+        values: picture.values.iter().map(|color| change(*color)).collect(),
+        ..picture.clone()
+    }
+}
+
+fn compared(a: &Picture, b: &Picture) -> Comparison {
+    Comparison::of(a, b, 0.0).expect("one size")
+}
+
+/// The best explanation of a difference.
+fn explanation(a: &Picture, b: &Picture) -> String {
+    let comparison = compared(a, b);
+    comparison.explained_by.first().map_or("none".to_owned(), |first| first.what.clone())
+}
+
+/// Law: each of these changes is named, first. Oracle: the change that was made.
+#[test]
+fn each_simple_change_is_named() {
+    let ours = picture();
+    let [width, height] = SIZE.map(i64::from);
+    let scaled = |factor: f32| mapped(&ours, |color| color.map(|value| factor * value));
+    let changes = [
+        (moved(&ours, |x, y| [x, height - 1 - y]), "the rows of B are upside down"),
+        (moved(&ours, |x, y| [width - 1 - x, y]), "left and right of B are exchanged"),
+        (moved(&ours, |x, y| [width - 1 - x, height - 1 - y]), "B is turned by 180°"),
+        (moved(&ours, |x, y| [x + 1, y]), "B is one pixel too far left"),
+        (moved(&ours, |x, y| [x - 1, y]), "B is one pixel too far right"),
+        (moved(&ours, |x, y| [x, y + 1]), "B is one pixel too far up"),
+        (
+            moved(&ours, |x, y| [x - 1, y - 1]),
+            "B is one pixel too far right and one pixel too far down",
+        ),
+        (
+            mapped(&ours, |[r, g, b]| [b, g, r]),
+            "the channels of B are in the order blue, green, red",
+        ),
+        (
+            mapped(&ours, |[r, g, b]| [g, r, b]),
+            "the channels of B are in the order green, red, blue",
+        ),
+        (scaled(std::f32::consts::PI), "B is A divided by 1/π"),
+        (scaled(0.5), "B is A divided by 2"),
+        (scaled(1.25), "B is A divided by 0.8000"),
+    ];
+    for (theirs, expected) in changes {
+        assert_eq!(explanation(&ours, &theirs), expected);
+    }
+}
+
+/// Law: equal pictures do not differ; noise of another seed and a change of another kind are not explained by
+/// anything. Oracle: the changes that were made.
+#[test]
+fn honest_pairs_are_explained_by_nothing() {
+    let ours = picture();
+    assert!(compared(&ours, &ours).is_same());
+    for name in ["ch18/rectangle", "ch17/page-one", "ch26/cornell-box"] {
+        let Some(_) = gallery::find(name) else { continue };
+        let [a, b] = [1, 2].map(|seed| Picture::of_film(&rendered(name, seed)));
+        let comparison = compared(&a, &b);
+        assert!(comparison.differing > 0 && comparison.explained_by.is_empty(), "{comparison}");
+    }
+    let other = Picture::of_film(&rendered("ch14/set", 1));
+    assert_eq!(explanation(&ours, &other), "none");
+}
+
+/// Law: 8-bit values stand for the radiance that is rounded, truncated or clamped to them, with the right
+/// transfer function; with another one they differ, and the right one is named. Oracle: encoding by hand.
+#[test]
+fn bytes_are_intervals() {
+    let ours = picture();
+    let encode = |transfer: Transfer, round: f64| {
+        let byte = |value: f32| {
+            let value = f64::from(value).min(1.0);
+            let encoded = match transfer {
+                Transfer::Linear => value,
+                Transfer::Srgb if value <= 0.0031308 => 12.92 * value,
+                Transfer::Srgb => 1.055 * groundtruth::math::power(value, 1.0 / 2.4) - 0.055,
+                Transfer::Gamma(gamma) => groundtruth::math::power(value, 1.0 / gamma),
+            };
+            // 1.055 − 0.055 is a little less than 1
+            ((255.0 * encoded + round + 1e-9).floor() / 255.0) as f32
+        };
+        let values = ours.values.iter().map(|color| color.map(byte)).collect();
+        Picture { values, transfer, step: Some(1.0 / 255.0), ..ours.clone() }
+    };
+    let transfers = [Transfer::Linear, Transfer::Srgb, Transfer::Gamma(1.8), Transfer::Gamma(2.2)];
+    for transfer in transfers {
+        for round in [0.0, 0.5] {
+            let theirs = encode(transfer, round);
+            let comparison = compared(&ours, &theirs);
+            assert!(comparison.is_same(), "{transfer}, {round}: {comparison}");
+            assert!(compared(&theirs, &ours).is_same(), "{transfer}, {round}");
+        }
+    }
+    let taken = Picture { transfer: Transfer::Srgb, ..encode(Transfer::Linear, 0.5) };
+    assert!(!compared(&ours, &taken).is_same());
+    assert_eq!(explanation(&ours, &taken), "B is encoded as linear, not as sRGB");
+    // two steps off
+    let mut off = encode(Transfer::Srgb, 0.5);
+    off.values[7][1] -= 2.0 / 255.0;
+    let comparison = compared(&ours, &off);
+    assert_eq!((comparison.differing, comparison.regions[0].worst), (1, [7, 0]));
+}
+
+/// Law: NaN equals nothing, also not itself, and is the largest difference; infinite and negative values are
+/// counted. Oracle: where they were put.
+#[test]
+fn what_is_no_radiance_is_counted() {
+    let ours = picture();
+    let mut theirs = ours.clone();
+    theirs.values[65][0] = f32::NAN;
+    theirs.values[3][2] = f32::INFINITY;
+    theirs.values[1000][0] = -0.25;
+    let comparison = compared(&ours, &theirs);
+    let counts = comparison.unusual.map(|it| [it.nan, it.infinite, it.negative]);
+    assert_eq!((counts, comparison.differing), ([[0; 3], [1, 1, 1]], 3));
+    assert!(comparison.worst().is_some_and(|worst| worst.difference == f64::INFINITY));
+    assert_eq!(compared(&theirs, &theirs).differing, 1, "NaN is not NaN");
+    assert!(comparison.root_mean_square.is_finite());
+}
+
+/// Law: regions are connected, also at corners, and come with their box, size and worst pixel. Oracle: shapes
+/// drawn by hand.
+#[test]
+fn regions_are_boxes_of_connected_pixels() {
+    let black = Picture::of_film(&Film::new(20, 10));
+    let mut theirs = black.clone();
+    for [x, y] in [[2, 2], [3, 3], [4, 2], [10, 9], [19, 0], [18, 0]] {
+        theirs.values[y * 20 + x] = [0.5; 3];
+    }
+    theirs.values[3 * 20 + 3] = [0.5, 0.75, 0.5];
+    let comparison = compared(&black, &theirs);
+    let found: Vec<_> = comparison
+        .regions
+        .iter()
+        .map(|region| (region.pixels, region.bounds, region.worst))
+        .collect();
+    let expected =
+        [(3, [2, 2, 3, 2], [3, 3]), (2, [18, 0, 2, 1], [18, 0]), (1, [10, 9, 1, 1], [10, 9])];
+    assert_eq!(found, expected);
+}
+
+/// Law: pictures of two sizes are not compared. Oracle: none; the error names both.
+#[test]
+fn sizes_must_be_equal() {
+    let [a, b] = [[4, 5], [5, 4]].map(|[w, h]| Picture::of_film(&Film::new(w, h)));
+    assert_eq!(Comparison::of(&a, &b, 0.0).err(), Some(SizesDiffer([4, 5], [5, 4])));
+}
+
+/// Law: the exit status is 0 for equal pictures, 1 for different ones, and 2 if they cannot be compared; formats
+/// agree with each other. Oracle: files written from one film.
+#[test]
+fn the_exit_status_answers() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let film = rendered("ch24/hall-of-mirrors", 1);
+    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    let mut dim = Film::new(film.width(), film.height());
+    for y in 0..film.height() {
+        for x in 0..film.width() {
+            dim.set([x, y], 0.5 * film.get([x, y]));
+        }
+    }
+    let brighter = |pixel: &Rgb| pixel.max() > 1.0;
+    assert!(!dim.pixels().iter().any(brighter), "display formats hold it");
+    for format in ["exr", "pfm", "png", "ppm"] {
+        film::write(&dim, &tone, &folder.path().join(format!("dim.{format}"))).expect("written");
+    }
+    film::write(&film, &tone, &folder.path().join("film.exr")).expect("written");
+    std::fs::write(folder.path().join("text.png"), "no picture").expect("written");
+    let status = |arguments: &[&str]| {
+        let program = env!("CARGO_BIN_EXE_groundtruth");
+        let output = Command::new(program)
+            .arg("compare")
+            .args(arguments)
+            .current_dir(folder.path())
+            .output();
+        let output = output.expect("it starts");
+        let text = [output.stdout, output.stderr].concat();
+        (output.status.code(), String::from_utf8(text).expect("UTF-8"))
+    };
+    let expected: [(&[&str], i32); 12] = [
+        (&["dim.exr", "dim.pfm"], 0),
+        (&["dim.exr", "dim.png", "--encoding", "linear"], 0),
+        (&["dim.ppm", "dim.exr", "--encoding", "linear"], 0),
+        (&["dim.png", "dim.ppm"], 0),
+        (&["dim.exr", "film.exr"], 1),
+        (&["dim.exr", "film.exr", "--json"], 1),
+        (&["dim.exr", "dim.png"], 1),
+        (&["film.exr", "ch24/hall-of-mirrors", "--tolerance", "0.5"], 1),
+        (&["dim.exr", "text.png"], 2),
+        (&["dim.exr", "missing.png"], 2),
+        (&["dim.exr", "no/such-scene"], 2),
+        (&["dim.exr", "dim.pfm", "--encoding", "cie"], 2),
+    ];
+    for (arguments, code) in expected {
+        let (found, text) = status(arguments);
+        assert_eq!(found, Some(code), "{arguments:?}: {text}");
+    }
+    let (_, json) = status(&["dim.exr", "film.exr", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json["explained_by"][0]["what"], "B is A divided by 1/2");
+}
