@@ -238,6 +238,13 @@ fn the_exit_status_answers() {
         let (found, text) = status(arguments);
         assert_eq!(found, Some(code), "{arguments:?}: {text}");
     }
+    let (found, _) = status(&["dim.exr", "film.exr", "-o", "diff.html"]);
+    let html = std::fs::read_to_string(folder.path().join("diff.html")).expect("the page");
+    assert_eq!((found, html.matches("data:image/png;base64,iVBOR").count() >= 7), (Some(1), true));
+    assert!(html.contains("B is A divided by 1/2"), "the page says why");
+    for link in ["http:", "https:", "href=", "url(", "<script", "<link"] {
+        assert!(!html.contains(link), "the page needs {link}");
+    }
     let (_, json) = status(&["dim.exr", "film.exr", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(json["explained_by"][0]["what"], "B is A divided by 1/2");

@@ -1,14 +1,15 @@
 //! `compare`.
 
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
+use groundtruth::film;
 use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
-use harness::compare::{Comparison, Picture, Transfer};
+use harness::compare::{self, Comparison, Picture, Transfer};
 
 use super::{Exit, Outcome, print};
 
@@ -25,6 +26,9 @@ pub struct Compare {
     /// The relative difference up to which channels are equal
     #[arg(long, value_name = "R", default_value_t = 0.0, value_parser = tolerance)]
     tolerance: f64,
+    /// Write a page with both pictures, their difference and its regions
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -61,6 +65,10 @@ impl Compare {
             }
         }
         let comparison = Comparison::of(&pictures[0], &pictures[1], self.tolerance)?;
+        if let Some(file) = &self.output {
+            let html = compare::page(&comparison, [&self.a, &self.b], [&pictures[0], &pictures[1]]);
+            film::replace(file, html.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
+        }
         match self.json {
             true => print(&(serde_json::to_string_pretty(&comparison)? + "\n"))?,
             false => print(&(comparison.to_string() + &self.commands(&comparison)))?,

@@ -4,6 +4,7 @@
 //! so that a difference within that interval is none. NaN is the worst difference and equals nothing.
 
 mod hypotheses;
+mod page;
 mod picture;
 mod regions;
 mod text;
@@ -11,6 +12,7 @@ mod text;
 use serde::Serialize;
 
 pub use hypotheses::Hypothesis;
+pub use page::page;
 pub use picture::{Picture, Transfer};
 pub use regions::Region;
 
