@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{Picture, Transfer, finite};
+use super::{Picture, Transfer};
 
 /// A change of one picture that makes it nearly the other.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -18,12 +18,26 @@ pub struct Hypothesis {
 /// A change explains a difference of which it leaves at most this part.
 const EXPLAINED: f64 = 0.1;
 
+/// At most about so many pixels are tried: a change is one of all pixels.
+const PIXELS: usize = 1 << 16;
+
+/// The radiance of a picture, or of what a change makes of it, at a pixel; `None` if the change takes it from
+/// outside.
+type Radiance<'a> = Box<dyn Fn([i64; 2]) -> Option<[f64; 3]> + 'a>;
+
+/// A change in words, and the changed picture.
+type Change<'a> = (String, Radiance<'a>);
+
 /// The changes that leave little of the difference of two pictures, the best first. The first one is only
 /// decoded in other ways; all others are of the second.
 pub fn explaining(a: &Picture, b: &Picture) -> Vec<Hypothesis> {
-    let before = distance(a, b);
-    let of_b = changes(a, b).into_iter().map(|(what, changed)| (what, distance(a, &changed)));
-    let of_a = decodings("A", a).into_iter().map(|(what, changed)| (what, distance(&changed, b)));
+    let pixels = tried(a.size);
+    let (as_a, as_b) = (moved(a, |pixel| pixel), moved(b, |pixel| pixel));
+    let before = distance(&pixels, &as_a, &as_b);
+    let of_b = changes(b).into_iter().chain(exposure(&pixels, &as_a, b));
+    let of_b = of_b.map(|(what, changed)| (what, distance(&pixels, &as_a, &changed)));
+    let of_a = decodings("A", a).into_iter();
+    let of_a = of_a.map(|(what, changed)| (what, distance(&pixels, &changed, &as_b)));
     let mut found: Vec<Hypothesis> = of_b
         .chain(of_a)
         .map(|(what, after)| Hypothesis { what, left: after / before })
@@ -33,27 +47,47 @@ pub fn explaining(a: &Picture, b: &Picture) -> Vec<Hypothesis> {
     found
 }
 
+/// The pixels that are tried: all, or evenly spread ones.
+fn tried([width, height]: [u32; 2]) -> Vec<[i64; 2]> {
+    let count = width as usize * height as usize;
+    // an odd step, so that not only few columns are tried
+    let step = (count / PIXELS) | 1;
+    let pixel = |at: usize| [(at % width as usize) as i64, (at / width as usize) as i64];
+    (0..count).step_by(step).map(pixel).collect()
+}
+
+/// Both radiances of each pixel at which both are finite.
+fn finite<'a>(
+    pixels: &'a [[i64; 2]],
+    a: &'a Radiance<'_>,
+    b: &'a Radiance<'_>,
+) -> impl Iterator<Item = [[f64; 3]; 2]> + 'a {
+    let both = pixels.iter().filter_map(|&pixel| Some([a(pixel)?, b(pixel)?]));
+    both.filter(|colors| colors.as_flattened().iter().all(|value| value.is_finite()))
+}
+
 /// The mean relative difference `|x − y|/(|x| + |y|)` of channels, over pixels in which both are finite; black
 /// counts as a thousandth of the mean.
-fn distance(a: &Picture, b: &Picture) -> f64 {
-    let (mut total, mut count) = (0.0, 0.0_f64);
-    for [x, y] in finite(a, b) {
-        total += x.iter().chain(&y).map(|value| value.abs()).sum::<f64>();
-        count += 6.0;
-    }
-    let floor = 1e-3 * total / count.max(1.0) + f64::MIN_POSITIVE;
+fn distance(pixels: &[[i64; 2]], a: &Radiance<'_>, b: &Radiance<'_>) -> f64 {
+    let colors: Vec<_> = finite(pixels, a, b).collect();
+    let total: f64 = colors.as_flattened().as_flattened().iter().map(|value| value.abs()).sum();
+    let count = (6 * colors.len()).max(1) as f64;
+    let floor = 1e-3 * total / count + f64::MIN_POSITIVE;
     let of = |(x, y): (f64, f64)| (x - y).abs() / (x.abs() + y.abs() + floor);
-    let sum: f64 = finite(a, b).map(|[x, y]| x.into_iter().zip(y).map(of).sum::<f64>()).sum();
-    sum / (0.5 * count).max(1.0)
+    let sum: f64 = colors.into_iter().map(|[x, y]| x.into_iter().zip(y).map(of).sum::<f64>()).sum();
+    sum / (0.5 * count)
 }
 
 /// The changes that are tried, each with what it makes of `b`.
-fn changes(a: &Picture, b: &Picture) -> Vec<(String, Picture)> {
+fn changes(b: &Picture) -> Vec<Change<'_>> {
     let [width, height] = b.size.map(i64::from);
     let mut changes = vec![
-        ("the rows of B are upside down".to_owned(), moved(b, |[x, y]| [x, height - 1 - y])),
-        ("left and right of B are exchanged".to_owned(), moved(b, |[x, y]| [width - 1 - x, y])),
-        ("B is turned by 180°".to_owned(), moved(b, |[x, y]| [width - 1 - x, height - 1 - y])),
+        ("the rows of B are upside down".to_owned(), moved(b, move |[x, y]| [x, height - 1 - y])),
+        (
+            "left and right of B are exchanged".to_owned(),
+            moved(b, move |[x, y]| [width - 1 - x, y]),
+        ),
+        ("B is turned by 180°".to_owned(), moved(b, move |[x, y]| [width - 1 - x, height - 1 - y])),
     ];
     if width == height {
         changes.push(("rows and columns of B are exchanged".to_owned(), moved(b, |[x, y]| [y, x])));
@@ -67,7 +101,7 @@ fn changes(a: &Picture, b: &Picture) -> Vec<(String, Picture)> {
         };
         let parts = [name(dx, ["left", "right"]), name(dy, ["up", "down"])];
         let what = parts.into_iter().flatten().collect::<Vec<_>>().join(" and ");
-        changes.push((format!("B is {what}"), moved(b, |[x, y]| [x + dx, y + dy])));
+        changes.push((format!("B is {what}"), moved(b, move |[x, y]| [x + dx, y + dy])));
     }
     for (order, name) in [
         ([2, 1, 0], "blue, green, red"),
@@ -76,44 +110,48 @@ fn changes(a: &Picture, b: &Picture) -> Vec<(String, Picture)> {
         ([1, 2, 0], "green, blue, red"),
         ([2, 0, 1], "blue, red, green"),
     ] {
-        let values = b.values.iter().map(|color| order.map(|channel| color[channel])).collect();
-        let what = format!("the channels of B are in the order {name}");
-        changes.push((what, Picture { values, ..b.clone() }));
+        let as_b = moved(b, |pixel| pixel);
+        let reordered = move |pixel| as_b(pixel).map(|color| order.map(|channel| color[channel]));
+        changes.push((format!("the channels of B are in the order {name}"), Box::new(reordered)));
     }
     changes.extend(decodings("B", b));
-    changes.extend(exposure(a, b));
     changes
 }
 
 /// The picture, if its values are for display, with each other transfer function.
-fn decodings(name: &str, picture: &Picture) -> Vec<(String, Picture)> {
+fn decodings<'a>(name: &str, picture: &'a Picture) -> Vec<Change<'a>> {
     let transfers = [Transfer::Linear, Transfer::Srgb, Transfer::Gamma(1.8), Transfer::Gamma(2.2)];
-    let others =
-        transfers.into_iter().filter(|it| picture.step.is_some() && *it != picture.transfer);
-    let decoded = |transfer| {
+    let is_other = |it: &Transfer| picture.step.is_some() && *it != picture.transfer;
+    let decoded = |transfer: Transfer| -> Change<'a> {
         let what = format!("{name} is encoded as {transfer}, not as {}", picture.transfer);
-        (what, Picture { transfer, ..picture.clone() })
+        let linear = move |value: f32| transfer.decoded(f64::from(value));
+        let at = move |[x, y]: [i64; 2]| {
+            Some(picture.values[picture.index([x as u32, y as u32])].map(linear))
+        };
+        (what, Box::new(at))
     };
-    others.map(decoded).collect()
+    transfers.into_iter().filter(is_other).map(decoded).collect()
 }
 
-/// `b` with the pixel at each position taken from another; black where that is outside.
-fn moved(b: &Picture, from: impl Fn([i64; 2]) -> [i64; 2]) -> Picture {
-    let [width, height] = b.size.map(i64::from);
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-    let value = |pixel| {
+/// The picture with the pixel at each position taken from another.
+fn moved<'a>(picture: &'a Picture, from: impl Fn([i64; 2]) -> [i64; 2] + 'a) -> Radiance<'a> {
+    let [width, height] = picture.size.map(i64::from);
+    Box::new(move |pixel| {
         let [x, y] = from(pixel);
         let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
-        if is_inside { b.values[b.index([x as u32, y as u32])] } else { [f32::NAN; 3] }
-    };
-    Picture { values: pixels.map(value).collect(), ..b.clone() }
+        let at = || picture.linear(picture.values[picture.index([x as u32, y as u32])]);
+        is_inside.then(at)
+    })
 }
 
 /// `b` times the factor that brings it nearest to `a`: the median of their ratios.
-fn exposure(a: &Picture, b: &Picture) -> Option<(String, Picture)> {
+fn exposure<'a>(pixels: &[[i64; 2]], a: &Radiance<'_>, b: &'a Picture) -> Option<Change<'a>> {
+    let as_b = moved(b, |pixel| pixel);
     let ratio = |[x, y]: [[f64; 3]; 2]| x.iter().sum::<f64>() / y.iter().sum::<f64>();
-    let mut ratios: Vec<f64> =
-        finite(a, b).map(ratio).filter(|ratio| ratio.is_finite() && *ratio > 0.0).collect();
+    let mut ratios: Vec<f64> = finite(pixels, a, &as_b)
+        .map(ratio)
+        .filter(|ratio| ratio.is_finite() && *ratio > 0.0)
+        .collect();
     ratios.sort_by(f64::total_cmp);
     let factor = *ratios.get(ratios.len() / 2)?;
     if (factor - 1.0).abs() < 1e-3 {
@@ -122,8 +160,6 @@ fn exposure(a: &Picture, b: &Picture) -> Option<(String, Picture)> {
     let known = [(PI, "π"), (1.0 / PI, "1/π"), (0.5, "1/2"), (2.0, "2"), (4.0 * PI, "4π")];
     let name = known.iter().find(|(value, _)| (value / factor - 1.0).abs() < 0.01);
     let name = name.map_or_else(|| format!("{factor:.4}"), |(_, name)| (*name).to_owned());
-    let scaled = |color: &[f32; 3]| b.linear(*color).map(|value| (factor * value) as f32);
-    let values = b.values.iter().map(scaled).collect();
-    let what = format!("B is A divided by {name}");
-    Some((what, Picture { values, step: None, transfer: Transfer::Linear, ..b.clone() }))
+    let scaled = move |pixel| as_b(pixel).map(|color| color.map(|value| factor * value));
+    Some((format!("B is A divided by {name}"), Box::new(scaled)))
 }
