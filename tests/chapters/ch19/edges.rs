@@ -51,10 +51,11 @@ impl Closed<'_> {
             let aim = draw.pick(edges) - wall.point;
             let inner = -wall.normal;
             let cosine = inner.dot(aim) / aim.length();
+            // a ray that grazes the wall at the edge may slip out, too
+            let is_clear =
+                |draw: &mut Draw, share: f64| self.is_inside(draw, wall.point + share * aim, size);
             let direction = match bounce % 2 {
-                0 if cosine > MIN_COSINE && self.is_inside(draw, wall.point + 0.5 * aim, size) => {
-                    aim
-                }
+                0 if cosine > MIN_COSINE && is_clear(draw, 0.5) && is_clear(draw, 0.999) => aim,
                 _ => {
                     let any: Vector = draw.direction().into();
                     if inner.dot(any) > MIN_COSINE { any } else { Vector::from(inner) + 0.5 * any }
