@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{Picture, Transfer};
+use super::{Decoded, Transfer};
 
 /// A change of one picture that makes it nearly the other.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -30,8 +30,8 @@ type Change<'a> = (String, Radiance<'a>);
 
 /// The changes that leave little of the difference of two pictures, the best first. The first one is only
 /// decoded in other ways; all others are of the second.
-pub fn explaining(a: &Picture, b: &Picture) -> Vec<Hypothesis> {
-    let pixels = tried(a.size);
+pub fn explaining(a: &Decoded<'_>, b: &Decoded<'_>) -> Vec<Hypothesis> {
+    let pixels = tried(a.picture.size);
     let (as_a, as_b) = (moved(a, |pixel| pixel), moved(b, |pixel| pixel));
     let before = distance(&pixels, &as_a, &as_b);
     let of_b = changes(b).into_iter().chain(exposure(&pixels, &as_a, b));
@@ -79,8 +79,8 @@ fn distance(pixels: &[[i64; 2]], a: &Radiance<'_>, b: &Radiance<'_>) -> f64 {
 }
 
 /// The changes that are tried, each with what it makes of `b`.
-fn changes(b: &Picture) -> Vec<Change<'_>> {
-    let [width, height] = b.size.map(i64::from);
+fn changes<'a>(b: &'a Decoded<'_>) -> Vec<Change<'a>> {
+    let [width, height] = b.picture.size.map(i64::from);
     let mut changes = vec![
         ("the rows of B are upside down".to_owned(), moved(b, move |[x, y]| [x, height - 1 - y])),
         (
@@ -119,7 +119,8 @@ fn changes(b: &Picture) -> Vec<Change<'_>> {
 }
 
 /// The picture, if its values are for display, with each other transfer function.
-fn decodings<'a>(name: &str, picture: &'a Picture) -> Vec<Change<'a>> {
+fn decodings<'a>(name: &str, of: &'a Decoded<'_>) -> Vec<Change<'a>> {
+    let picture = of.picture;
     let transfers = [Transfer::Linear, Transfer::Srgb, Transfer::Gamma(1.8), Transfer::Gamma(2.2)];
     let is_other = |it: &Transfer| picture.step.is_some() && *it != picture.transfer;
     let decoded = |transfer: Transfer| -> Change<'a> {
@@ -134,18 +135,18 @@ fn decodings<'a>(name: &str, picture: &'a Picture) -> Vec<Change<'a>> {
 }
 
 /// The picture with the pixel at each position taken from another.
-fn moved<'a>(picture: &'a Picture, from: impl Fn([i64; 2]) -> [i64; 2] + 'a) -> Radiance<'a> {
-    let [width, height] = picture.size.map(i64::from);
+fn moved<'a>(of: &'a Decoded<'_>, from: impl Fn([i64; 2]) -> [i64; 2] + 'a) -> Radiance<'a> {
+    let [width, height] = of.picture.size.map(i64::from);
     Box::new(move |pixel| {
         let [x, y] = from(pixel);
         let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
-        let at = || picture.linear(picture.values[picture.index([x as u32, y as u32])]);
+        let at = || of.at(of.picture.index([x as u32, y as u32]));
         is_inside.then(at)
     })
 }
 
 /// `b` times the factor that brings it nearest to `a`: the median of their ratios.
-fn exposure<'a>(pixels: &[[i64; 2]], a: &Radiance<'_>, b: &'a Picture) -> Option<Change<'a>> {
+fn exposure<'a>(pixels: &[[i64; 2]], a: &Radiance<'_>, b: &'a Decoded<'_>) -> Option<Change<'a>> {
     let as_b = moved(b, |pixel| pixel);
     let ratio = |[x, y]: [[f64; 3]; 2]| x.iter().sum::<f64>() / y.iter().sum::<f64>();
     let mut ratios: Vec<f64> = finite(pixels, a, &as_b)

@@ -13,6 +13,7 @@ use serde::Serialize;
 
 pub use hypotheses::Hypothesis;
 pub use page::page;
+use picture::Decoded;
 pub use picture::{Picture, Transfer};
 pub use regions::Region;
 
@@ -61,17 +62,17 @@ impl Comparison {
         if a.size != b.size {
             return Err(SizesDiffer(a.size, b.size));
         }
-        let differs: Vec<bool> = a
-            .values
-            .iter()
-            .zip(&b.values)
+        let [a, b] = [a, b].map(Decoded::new);
+        let (a, b) = (&a, &b);
+        let pixels = a.picture.values.iter().zip(&b.picture.values);
+        let differs: Vec<bool> = pixels
             .map(|(x, y)| x.iter().zip(y).any(|(x, y)| !is_equal(a, b, (*x, *y), tolerance)))
             .collect();
         let differing = differs.iter().filter(|differs| **differs).count() as u64;
         let (means, root_mean_square) = statistics(a, b);
         Ok(Self {
-            size: a.size,
-            unusual: [unusual(a), unusual(b)],
+            size: a.picture.size,
+            unusual: [unusual(a.picture), unusual(b.picture)],
             means,
             root_mean_square,
             differing,
@@ -92,14 +93,14 @@ impl Comparison {
 }
 
 /// Whether two stored values may stand for the same radiance.
-fn is_equal(a: &Picture, b: &Picture, (x, y): (f32, f32), tolerance: f64) -> bool {
+fn is_equal(a: &Decoded<'_>, b: &Decoded<'_>, (x, y): (f32, f32), tolerance: f64) -> bool {
     if x.is_nan() || y.is_nan() {
         return false;
     }
     let ([low_a, high_a], [low_b, high_b]) = (a.interval(x), b.interval(y));
     let apart = (low_a - high_b).max(low_b - high_a).max(0.0);
     // infinite ones are equal if they are the same
-    f64::from(x) == f64::from(y) && a.step == b.step
+    f64::from(x) == f64::from(y) && a.picture.step == b.picture.step
         || apart <= tolerance * low_a.abs().max(low_b.abs())
 }
 
@@ -114,12 +115,12 @@ fn unusual(picture: &Picture) -> Unusual {
 }
 
 /// The radiances of both pictures in each pixel in which both are finite.
-fn finite<'a>(a: &'a Picture, b: &'a Picture) -> impl Iterator<Item = [[f64; 3]; 2]> + 'a {
-    let both = a.values.iter().zip(&b.values).map(|(x, y)| [a.linear(*x), b.linear(*y)]);
+fn finite<'a>(a: &'a Decoded<'_>, b: &'a Decoded<'_>) -> impl Iterator<Item = [[f64; 3]; 2]> + 'a {
+    let both = (0..a.picture.values.len()).map(|index| [a.at(index), b.at(index)]);
     both.filter(|colors| colors.as_flattened().iter().all(|value| value.is_finite()))
 }
 
-fn statistics(a: &Picture, b: &Picture) -> ([[f64; 3]; 2], f64) {
+fn statistics(a: &Decoded<'_>, b: &Decoded<'_>) -> ([[f64; 3]; 2], f64) {
     let (mut sums, mut squares, mut count) = ([[0.0; 3]; 2], 0.0, 0.0_f64);
     for colors in finite(a, b) {
         count += 1.0;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Comparison, Picture, Region};
+use super::{Comparison, Decoded, Picture, Region};
 use crate::verify::quantile;
 use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
 use groundtruth::rgb::Rgb;
@@ -78,8 +78,9 @@ pub fn page(comparison: &Comparison, names: [&str; 2], pictures: [&Picture; 2]) 
 /// The radiances of a picture; what is no number is magenta.
 fn film_of(picture: &Picture) -> Film {
     let mut film = Film::new(picture.size[0], picture.size[1]);
-    for (i, value) in picture.values.iter().enumerate() {
-        let color = picture.linear(*value);
+    let decoded = Decoded::new(picture);
+    for i in 0..picture.values.len() {
+        let color = decoded.at(i);
         let is_number = color.iter().all(|channel| !channel.is_nan());
         let color = if is_number { color.into() } else { Rgb::new(1.0, 0.0, 1.0) };
         film.set([i as u32 % picture.size[0], i as u32 / picture.size[0]], color);

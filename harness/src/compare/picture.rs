@@ -93,31 +93,61 @@ impl Picture {
         Ok(Self { size, values, transfer, step, notes: texels.notes().to_vec() })
     }
 
-    /// The radiance that a stored value may stand for: of an integer, all that is rounded, truncated or, of
-    /// the largest, clamped to it.
-    pub fn interval(&self, value: f32) -> [f64; 2] {
-        let value = f64::from(value);
-        match self.step {
-            None => [value; 2],
-            Some(step) => {
-                let integer = (value / step).round();
-                let above = if value < 1.0 { (integer + 1.0) * step } else { f64::INFINITY };
-                [(integer - 0.5) * step, above].map(|end| self.transfer.decoded(end.max(0.0)))
+    /// The index of a pixel.
+    pub fn index(&self, [x, y]: [u32; 2]) -> usize {
+        y as usize * self.size[0] as usize + x as usize
+    }
+}
+
+/// A picture whose values are decoded: from a table, because many pixels have the same integers.
+pub struct Decoded<'a> {
+    /// The picture.
+    pub picture: &'a Picture,
+    /// For each integer, the radiance that it may stand for at least, in the middle, and at most.
+    table: Vec<[f64; 3]>,
+}
+
+impl<'a> Decoded<'a> {
+    /// Makes the table.
+    pub fn new(picture: &'a Picture) -> Self {
+        let Some(step) = picture.step else { return Self { picture, table: Vec::new() } };
+        let largest = (1.0 / step).round() as u32;
+        let radiance = |value: f64| picture.transfer.decoded((value * step).max(0.0));
+        let entry = |integer: u32| {
+            let value = f64::from(integer);
+            // what is brighter is clamped to the largest
+            let most = if integer < largest { radiance(value + 1.0) } else { f64::INFINITY };
+            [radiance(value - 0.5), radiance(value), most]
+        };
+        Self { picture, table: (0..=largest).map(entry).collect() }
+    }
+
+    /// The entry of a stored value.
+    fn entry(&self, value: f32) -> [f64; 3] {
+        match self.table.len() {
+            0 => [f64::from(value); 3],
+            count => {
+                let integer = (f64::from(value) * (count - 1) as f64).round() as usize;
+                self.table[integer.min(count - 1)]
             }
         }
     }
 
-    /// The radiance of a stored value: the middle of what is rounded to it.
-    pub fn linear(&self, color: [f32; 3]) -> [f64; 3] {
-        match self.step {
-            None => color.map(f64::from),
-            Some(_) => color.map(|value| self.transfer.decoded(f64::from(value))),
-        }
+    /// The radiance that a stored value may stand for: of an integer, all that is rounded, truncated or, of
+    /// the largest, clamped to it.
+    pub fn interval(&self, value: f32) -> [f64; 2] {
+        let [least, _, most] = self.entry(value);
+        [least, most]
     }
 
-    /// The index of a pixel.
-    pub fn index(&self, [x, y]: [u32; 2]) -> usize {
-        y as usize * self.size[0] as usize + x as usize
+    /// The radiance of a stored value: the middle of what is rounded to it.
+    pub fn linear(&self, color: [f32; 3]) -> [f64; 3] {
+        color.map(|value| self.entry(value)[1])
+    }
+
+    /// The radiance of the pixel of this index.
+    pub fn at(&self, index: usize) -> [f64; 3] {
+        self.linear(self.picture.values[index])
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Picture, difference};
+use super::{Decoded, difference};
 
 /// The most regions that are listed.
 const MOST: usize = 10;
@@ -23,8 +23,8 @@ pub struct Region {
 }
 
 /// The regions of the most pixels.
-pub fn largest(a: &Picture, b: &Picture, differs: &[bool]) -> Vec<Region> {
-    let [width, height] = a.size;
+pub fn largest(a: &Decoded<'_>, b: &Decoded<'_>, differs: &[bool]) -> Vec<Region> {
+    let [width, height] = a.picture.size;
     let mut rest = differs.to_vec();
     let mut regions = Vec::new();
     for start in 0..rest.len() {
@@ -36,7 +36,7 @@ pub fn largest(a: &Picture, b: &Picture, differs: &[bool]) -> Vec<Region> {
         let mut region: Option<(Region, [u32; 2])> = None;
         while let Some(at) = open.pop() {
             let pixel = [(at % width as usize) as u32, (at / width as usize) as u32];
-            let values = [a.linear(a.values[at]), b.linear(b.values[at])];
+            let values = [a.at(at), b.at(at)];
             region = Some(with(region, pixel, values));
             for [x, y] in neighbours(pixel, [width, height]) {
                 let next = y as usize * width as usize + x as usize;
