@@ -131,7 +131,7 @@ fn pfm_files_load() {
         let file = [header.as_bytes(), &raster].concat();
         let top = [4.0, f64::from(1e10_f32), 0.0];
         assert_eq!(linear(&file), [top, [0.5, 1.0, 0.0]]);
-        assert!(notes(&file).contains("1 values below 0, the lowest -0.25"), "{}", notes(&file));
+        assert!(notes(&file).contains("1 value below 0, -0.25"), "{}", notes(&file));
         (2..file.len()).for_each(|length| drop(refusal(&file[..length])));
     }
 }

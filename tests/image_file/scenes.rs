@@ -123,8 +123,8 @@ fn notes_of_images_reach_the_world_once() {
     let of = |name: &str, note: &str| format!("{}: {note}", folder.path().join(name).display());
     let mut notes = world.notes.clone();
     notes.sort();
-    let below = of("below.pfm", "1 values below 0, the lowest -0.5, are taken as 0");
-    assert_eq!(notes, [below, of("long.ppm", "1 bytes after its end are ignored")]);
+    let below = of("below.pfm", "1 value below 0, -0.5, is taken as 0");
+    assert_eq!(notes, [below, of("long.ppm", "1 byte after its end is ignored")]);
 }
 
 /// Law: file names are relative to the scene file. After they are made independent of its folder, the scene

@@ -234,7 +234,11 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, Problem> {
 
 /// A note on bytes that no texel is made of.
 fn after_the_end(rest: &[u8]) -> Option<String> {
-    (!rest.is_empty()).then(|| format!("{} bytes after its end are ignored", rest.len()))
+    match rest.len() {
+        0 => None,
+        1 => Some("1 byte after its end is ignored".to_owned()),
+        count => Some(format!("{count} bytes after its end are ignored")),
+    }
 }
 
 /// Fails if the size is zero or too large, also for the memory of this machine.
@@ -350,8 +354,11 @@ fn radiance(mut texels: Texels) -> Result<Texels, Problem> {
         *value = 0.0;
     }
     let count = if is_grey { count / 3 } else { count };
-    let note =
-        (count > 0).then(|| format!("{count} values below 0, the lowest {lowest}, are taken as 0"));
+    let note = match count {
+        0 => None,
+        1 => Some(format!("1 value below 0, {lowest}, is taken as 0")),
+        count => Some(format!("{count} values below 0, the lowest {lowest}, are taken as 0")),
+    };
     Ok(texels.with_notes(note))
 }
 
