@@ -124,9 +124,9 @@ impl<'a> Bsdf<'a> {
         if !(self.is_outward(self.wo) && self.is_outward(wi)) {
             return 0.0;
         }
-        let density = |((lobe, kind), chance): (&(Lobe, NormalKind), &f64)| {
+        let density = |((lobe, kind), probability): (&(Lobe, NormalKind), &f64)| {
             let frame = self.frame_of(lobe, *kind);
-            chance * lobe.pdf(self.viewer(lobe, &frame), frame.to_local(wi))
+            probability * lobe.pdf(self.viewer(lobe, &frame), frame.to_local(wi))
         };
         self.lobes.iter().zip(&self.lobe_probabilities).map(density).sum()
     }

@@ -90,7 +90,7 @@ trait Scatter {
         0.0
     }
 
-    /// See [`Lobe::chance`].
+    /// See [`Lobe::selection_weight`].
     fn selection_weight(&self, wo: Vector) -> f64;
 
     /// See [`Lobe::sample`].

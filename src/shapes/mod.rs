@@ -80,8 +80,8 @@ impl Surface {
     }
 
     /// Where a ray that leaves in this direction starts: off the surface by three error bounds,
-    /// on the side it leaves to, and not nearer to the border of its part than rounding can tell. There is no constant epsilon: see Pharr, Jakob & Humphreys,
-    /// *PBRT*, "Managing rounding error".
+    /// on the side it leaves to, and not nearer to the border of its part than rounding can tell. There is no
+    /// constant epsilon: see Pharr, Jakob & Humphreys, *PBRT*, "Managing rounding error".
     pub fn leave(&self, direction: Vector) -> Point {
         let side = 3.0_f64.copysign(self.normal.dot(direction));
         let inside = match &self.border {

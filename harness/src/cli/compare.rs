@@ -115,9 +115,9 @@ fn rendered(
     size: Option<[u32; 2]>,
 ) -> Result<Picture, Box<dyn Error>> {
     if let Some([width, height]) = size {
-        let (w, h) = (scene.image.width, scene.image.height);
+        let [w, h] = [scene.image.width, scene.image.height].map(u64::from);
         // a size is rounded to whole pixels
-        if (w * height).abs_diff(h * width) > w.max(h) {
+        if (w * u64::from(height)).abs_diff(h * u64::from(width)) > w.max(h) {
             eprintln!(
                 "note: {name} has the shape of {w} × {h}; as with `render --size`, its width is kept"
             );

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Comparison, Decoded, Picture, Region};
+use crate::html::escaped;
 use crate::verify::quantile;
 use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
 use groundtruth::rgb::Rgb;
@@ -118,8 +119,4 @@ fn around(film: &Film, region: &Region) -> Film {
         }
     }
     part
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

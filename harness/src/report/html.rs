@@ -2,10 +2,7 @@
 
 use std::fmt::Write;
 
-/// The text with the characters of markup escaped.
-pub fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
+pub use crate::html::escaped;
 
 /// A table; its cells are HTML.
 #[derive(Debug, Default)]

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::compare::{self, DRIFT, Difference};
 use super::golden::{Finding, Golden, Status};
+use crate::html::escaped;
 use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
 use groundtruth::rgb::Rgb;
 
@@ -179,10 +180,6 @@ fn figure(html: &mut String, title: &str, film: &Film, tone: &Tone) {
         html,
         "<figure><img alt=\"{title}\" src=\"{data}\"><figcaption>{title}</figcaption></figure>"
     );
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
