@@ -7,8 +7,8 @@ use groundtruth::render;
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Cuboid, Sphere};
-use groundtruth::trace::{RayCounts, RayKind, RayTree};
+use groundtruth::shapes::{Cuboid, Plane, Sphere};
+use groundtruth::trace::{Outcome, RayBudget, RayCounts, RayKind, RayTree};
 
 use super::glass;
 use crate::support::stage::{built, counted, deep_stage, put};
@@ -171,4 +171,35 @@ fn counts_are_those_of_the_recorded_rays() {
             }
         }
     }
+}
+
+/// Law: a budget of as many rays as a sample takes changes nothing. With one less the last ray is over the budget
+/// and black, and the check says for what there were too many. Oracle: the count of the sample's rays without a
+/// limit: that of the camera and that of a mirror, which sees the background.
+#[test]
+fn a_budget_is_exceeded_by_one_ray_too_many() {
+    let mut scene = picture(9);
+    let mirror = Reflective { phong: Phong::default(), kr: 0.5.into(), cr: Rgb::WHITE.into() };
+    let tilted = Vector::new(0.0, 0.5, 1.0);
+    put(&mut scene, Plane { point: Point::ORIGIN, normal: tilted }, mirror);
+    let world = built(&scene);
+    let traced = |most: u64| {
+        let (mut tree, mut budget) = (RayTree::of(&world), RayBudget::up_to(most));
+        let radiance = render::sample_within(&world, [12, 8], 0, &mut tree, &mut budget);
+        (radiance, tree, budget)
+    };
+    let mut counts = RayCounts::default();
+    let whole = render::sample(&world, [12, 8], 0, &mut counts);
+    let rays = counts.camera + counts.reflected;
+    assert!(rays == 2 && !whole.is_black(), "{counts:?}, {whole:?}");
+
+    let (radiance, _, budget) = traced(rays);
+    assert_eq!((radiance, budget.spent(), budget.check(String::new)), (whole, rays, Ok(())));
+    let (radiance, tree, budget) = traced(rays - 1);
+    let last = tree.rays().pop().expect("the camera's ray");
+    assert_eq!((last.number, last.outcome), (1, Outcome::OverBudget));
+    assert!(radiance.is_black() && last.radiance.is_black(), "{radiance:?}");
+    let too_many = budget.check(|| "a sample".to_owned()).map_err(|error| error.to_string());
+    let text = "a sample: more than 1 rays; lower max_depth or the number of samples";
+    assert_eq!(too_many, Err(text.to_owned()));
 }
