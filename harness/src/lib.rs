@@ -5,6 +5,7 @@
 //! `groundtruth` is the command line of all of it.
 
 pub mod compare;
+pub mod conform;
 mod html;
 pub mod probe;
 pub mod reference;

@@ -4,6 +4,7 @@
 //! interrupted the command.
 
 mod compare;
+mod conform;
 mod explain;
 mod export;
 mod goldens;
@@ -47,6 +48,12 @@ enum Command {
     /// channels, an exposure factor, a transfer function). The exit status is 0 if no pixel differs, 1 if some
     /// do, 2 if they cannot be compared.
     Compare(compare::Compare),
+    /// Ask a program questions, and judge its answers
+    ///
+    /// The program reads a question on each line of its standard input, as `probe` does, and writes a line with its
+    /// answer; docs/conform.md describes it. The exit status is 0 if nothing failed, 1 if something did, 2 if the
+    /// program answers nothing.
+    Conform(conform::Conform),
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
@@ -87,6 +94,7 @@ pub fn run() -> ExitCode {
         Command::Explain(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Compare(command) => command.run(),
+        Command::Conform(command) => command.run(),
         Command::Goldens(command) => command.run(),
         Command::Probe(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Answers the questions of `groundtruth conform`: fill in what your ray tracer has.
+
+Run: groundtruth conform -- python3 my_tracer.py
+The questions are described in docs/probe.md; a function gets the data of one and returns its answer."""
+import json
+import sys
+
+
+class Unsupported(Exception):
+    pass
+
+
+def intersect(q):  # {"shape": …, "ray": {"origin": […], "direction": […]}} -> {"t": …, "normal": […]} or None
+    raise Unsupported("intersect")
+
+
+def occluded(q):  # {"shape": …, "segment": {"from": […], "to": […]}} -> True or False
+    raise Unsupported("occluded")
+
+
+def camera_ray(q):  # {"camera": …, "image": …, "pixel": [x, y]} -> {"origin": […], "direction": […]}
+    raise Unsupported("camera_ray")
+
+
+def project(q):  # {"camera": …, "image": …, "point": […]} -> {"image": [x, y]} or None
+    raise Unsupported("project")
+
+
+def samples(q):  # {"sampler": …, "n": 16, "seed": 1, "sets": 2} -> [[[x, y], …], …]
+    raise Unsupported("samples")
+
+
+def map(q):  # {"to": …, "u": [a, b]} -> a point; {"to": …, "point": […]} -> [a, b]
+    raise Unsupported("map")
+
+
+def lobe(q):  # {"lobe": …, "wo": […], "wi": […]} -> {"f": [r, g, b], "pdf": …, "albedo": [r, g, b]}
+    raise Unsupported("lobe")
+
+
+def fresnel(q):  # {"eta": …, "cos_i": …} -> {"reflected": …, "transmitted": …}
+    raise Unsupported("fresnel")
+
+
+def light(q):  # {"light": …, "from": […]} -> {"direction": […], "distance": …, "radiance": [r, g, b]}
+    raise Unsupported("light")
+
+
+def texture(q):  # {"texture": …, "point": […]} -> [r, g, b]
+    raise Unsupported("texture")
+
+
+def mapping(q):  # {"mapping": "spherical", "point": […]} -> [u, v]
+    raise Unsupported("mapping")
+
+
+def noise(q):  # {"noise": …, "point": […]} -> {"value": …, "fbm": …, "turbulence": …}
+    raise Unsupported("noise")
+
+
+def transform(q):  # {"steps": […]} -> {"matrix": [three rows of four], "inverse": [three rows of four]}
+    raise Unsupported("transform")
+
+
+def grid(q):  # {"boxes": […], "multiplier": 2} -> {"resolution": [nx, ny, nz]}
+    raise Unsupported("grid")
+
+
+def radiance(q):  # {"scene": …, "ray": …} -> {"mean": [r, g, b]}
+    raise Unsupported("radiance")
+
+
+def reply(line):
+    question = json.loads(line)
+    number = question.pop("id")
+    (name, data), = question.items()
+    try:
+        return {"id": number, "answer": globals()[name](data)}
+    except (Unsupported, KeyError) as why:
+        return {"id": number, "unsupported": str(why)}
+
+
+if __name__ == "__main__":
+    for line in sys.stdin:
+        print(json.dumps(reply(line)), flush=True)  # a pipe keeps lines back unless they are flushed

@@ -1,0 +1,200 @@
+//! The card: what is right, what is wrong, and with which question.
+
+mod junit;
+mod page;
+mod text;
+
+use std::collections::BTreeMap;
+
+use serde_json::{Value, json};
+
+use super::judgement::{Profile, Wrong};
+use super::mistakes::Name;
+
+pub use junit::junit;
+pub use page::page;
+
+/// What became of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Status {
+    Pass,
+    Wrong,
+    Refused,
+    Unsupported,
+    Hung,
+    Died,
+    Garbled,
+    Undecided,
+}
+
+impl Status {
+    /// All of them, in the order of the card.
+    pub const ALL: [Self; 8] = [
+        Self::Pass,
+        Self::Wrong,
+        Self::Refused,
+        Self::Unsupported,
+        Self::Hung,
+        Self::Died,
+        Self::Garbled,
+        Self::Undecided,
+    ];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Wrong => "wrong",
+            Self::Refused => "refused",
+            Self::Unsupported => "unsupported",
+            Self::Hung => "hung",
+            Self::Died => "died",
+            Self::Garbled => "garbled",
+            Self::Undecided => "undecided",
+        }
+    }
+}
+
+/// A wrong answer.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    /// The case.
+    pub question: Value,
+    /// What is wrong with it.
+    pub wrong: Wrong,
+    /// What was asked, and what came.
+    pub asked: Vec<(Value, String)>,
+}
+
+/// What became of a family.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// As `intersect.torus.grazing`.
+    pub name: String,
+    /// As `shapes/torus`.
+    pub about: String,
+    /// As `ch19`.
+    pub chapter: &'static str,
+    /// Cases of each status, in the order of [`Status::ALL`].
+    pub counts: [u64; 8],
+    /// Of the wrong ones, those that are right in single precision.
+    pub fair: u64,
+    /// The largest error of a right answer, in u·cond.
+    pub worst: f64,
+    /// The first wrong answer, with a question made small.
+    pub failure: Option<Failure>,
+    /// What all wrong answers have in common.
+    pub names: Vec<Name>,
+    /// For each other status, the first text and its question.
+    pub messages: Vec<(Status, String, Value)>,
+    /// What was asked for the first failure.
+    pub(super) asked: Vec<(Value, String)>,
+}
+
+impl Row {
+    pub(super) fn new(name: &str, about: &str, chapter: &'static str) -> Self {
+        Self {
+            name: name.to_owned(),
+            about: about.to_owned(),
+            chapter,
+            counts: [0; 8],
+            fair: 0,
+            worst: 0.0,
+            failure: None,
+            names: Vec::new(),
+            messages: Vec::new(),
+            asked: Vec::new(),
+        }
+    }
+
+    /// Cases of this status.
+    pub fn count(&self, status: Status) -> u64 {
+        self.counts[status as usize]
+    }
+
+    /// All cases.
+    pub fn total(&self) -> u64 {
+        self.counts.iter().sum()
+    }
+
+    /// Cases without a reply that can be read.
+    pub fn faults(&self) -> u64 {
+        [Status::Hung, Status::Died, Status::Garbled].map(|status| self.count(status)).iter().sum()
+    }
+
+    /// Whether something is wrong: an answer, a refusal, or a fault.
+    pub fn is_failed(&self) -> bool {
+        self.count(Status::Wrong) + self.count(Status::Refused) + self.faults() > 0
+    }
+}
+
+/// What became of a program.
+#[derive(Clone, Debug)]
+pub struct Card {
+    /// How exact answers had to be.
+    pub profile: Profile,
+    /// Of the cases.
+    pub seed: u64,
+    /// One for each family, by chapter.
+    pub rows: Vec<Row>,
+    /// Whether the run was not interrupted.
+    pub is_whole: bool,
+}
+
+impl Card {
+    /// Cases of this status.
+    pub fn count(&self, status: Status) -> u64 {
+        self.rows.iter().map(|row| row.count(status)).sum()
+    }
+
+    /// Whether anything failed.
+    pub fn is_failed(&self) -> bool {
+        self.rows.iter().any(Row::is_failed)
+    }
+
+    /// The rows of each chapter.
+    pub fn chapters(&self) -> BTreeMap<&'static str, Vec<&Row>> {
+        let mut chapters: BTreeMap<&'static str, Vec<&Row>> = BTreeMap::new();
+        for row in self.rows.iter().filter(|row| row.total() > 0) {
+            chapters.entry(row.chapter).or_default().push(row);
+        }
+        chapters
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        let row = |row: &Row| {
+            let counts: BTreeMap<&str, u64> =
+                Status::ALL.into_iter().map(|status| (status.name(), row.count(status))).collect();
+            let failure = row.failure.as_ref().map(|failure| {
+                let asked = failure.asked.iter().map(|(q, a)| json!({"question": q, "answer": a}));
+                json!({
+                    "question": failure.question,
+                    "symptom": failure.wrong.symptom,
+                    "expected": failure.wrong.expected,
+                    "error": finite(failure.wrong.error),
+                    "asked": asked.collect::<Vec<_>>(),
+                })
+            });
+            let messages = row.messages.iter().map(|(status, text, question)| {
+                json!({"status": status.name(), "text": text, "question": question})
+            });
+            json!({
+                "family": row.name, "chapter": row.chapter, "about": row.about, "counts": counts,
+                "fair": row.fair, "worst": row.worst, "failure": failure,
+                "names": row.names.iter().map(ToString::to_string).collect::<Vec<_>>(),
+                "messages": messages.collect::<Vec<_>>(),
+            })
+        };
+        json!({
+            "profile": self.profile.name(), "seed": self.seed, "complete": self.is_whole,
+            "families": self.rows.iter().map(row).collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// JSON has no infinity.
+fn finite(error: f64) -> Value {
+    if error.is_finite() { json!(error) } else { Value::Null }
+}

@@ -1,0 +1,105 @@
+//! Families of questions: what is asked, and who judges.
+
+use serde_json::Value;
+
+use super::judgement::{Judgement, Profile};
+use super::subject::{Fault, Reply, Subject};
+
+/// Questions of one kind about one thing, of one difficulty.
+pub struct Family {
+    /// As `intersect.torus.grazing`: the question, what it is about, and what makes it hard.
+    pub name: String,
+    /// What it is about, as `shapes/torus`.
+    pub about: String,
+    /// As `ch19`.
+    pub chapter: &'static str,
+    /// Whether single precision and a constant ε can answer it: the profile *book* asks only these.
+    pub ordinary: bool,
+    /// How many cases it has, compared with others.
+    pub share: f64,
+    /// The first so many cases of a seed.
+    pub cases: Box<dyn Fn(u64, usize) -> Vec<Value> + Send + Sync>,
+    /// Who judges a case.
+    pub judge: Judge,
+}
+
+/// Who judges a case.
+#[derive(Clone, Copy)]
+pub enum Judge {
+    /// From the answer to the question alone.
+    Answer(fn(&Value, &Value, Profile) -> Judgement),
+    /// A law: asks the question and others, and holds the answers against each other.
+    Law(fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>),
+}
+
+impl Family {
+    /// Whether a word of the command line selects it: a chapter (`ch19`), a thing (`shapes/torus`), a question
+    /// (`intersect`), or the beginning of a name up to a dot.
+    pub fn is_selected_by(&self, word: &str) -> bool {
+        let begins = |name: &str, by: char| {
+            name.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with(by))
+        };
+        self.chapter == word || begins(&self.about, '/') || begins(&self.name, '.')
+    }
+
+    /// The question's name, as `intersect`.
+    pub fn question(&self) -> &str {
+        self.name.split('.').next().unwrap_or(&self.name)
+    }
+}
+
+/// Why a law ended early: a reply that is no answer.
+#[derive(Debug)]
+pub enum Stop {
+    /// An error where there is an answer.
+    Refused(String),
+    /// The subject does not have what is asked for.
+    Unsupported(String),
+    /// Nothing that can be read.
+    Fault(Fault),
+    /// The run was interrupted.
+    Interrupted,
+}
+
+/// A law's way to ask: remembers what was asked, so that a broken law can be shown.
+pub struct Asking<'a> {
+    subject: &'a mut dyn Subject,
+    /// Questions and answers, in their order.
+    pub asked: Vec<(Value, Value)>,
+}
+
+impl<'a> Asking<'a> {
+    /// Asks this subject.
+    pub fn new(subject: &'a mut dyn Subject) -> Self {
+        Self { subject, asked: Vec::new() }
+    }
+
+    /// The answer to one question.
+    ///
+    /// # Errors
+    /// [`Stop`] if there is none.
+    pub fn ask(&mut self, question: &Value) -> Result<Value, Stop> {
+        Ok(self.ask_all(std::slice::from_ref(question))?.remove(0))
+    }
+
+    /// The answers to questions, in their order.
+    ///
+    /// # Errors
+    /// [`Stop`] if one has none.
+    pub fn ask_all(&mut self, questions: &[Value]) -> Result<Vec<Value>, Stop> {
+        let mut answers = Vec::with_capacity(questions.len());
+        for (question, reply) in questions.iter().zip(self.subject.ask(questions)) {
+            match reply {
+                Reply::Answer(answer) => {
+                    self.asked.push((question.clone(), answer.clone()));
+                    answers.push(answer);
+                }
+                Reply::Refused(text) => return Err(Stop::Refused(text)),
+                Reply::Unsupported(text) => return Err(Stop::Unsupported(text)),
+                Reply::Fault(fault) => return Err(Stop::Fault(fault)),
+                Reply::Interrupted => return Err(Stop::Interrupted),
+            }
+        }
+        Ok(answers)
+    }
+}

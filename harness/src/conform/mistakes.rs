@@ -1,0 +1,245 @@
+//! Mistakes that people make, each with its place in the book; and how wrong answers give them away.
+//!
+//! A judge lists, for one wrong answer, the mistakes that give exactly this answer. What explains *all* wrong
+//! answers of a family is named.
+
+use std::f64::consts::PI;
+
+use super::judgement::Wrong;
+
+/// A mistake.
+#[derive(Debug, PartialEq)]
+pub struct Mistake {
+    /// What was done.
+    pub name: &'static str,
+    /// Where the book has it right, or what to read.
+    pub place: &'static str,
+    /// A scene of the gallery in whose picture it shows.
+    pub scene: Option<&'static str>,
+}
+
+macro_rules! mistakes {
+    ($($name:ident: $text:literal, $place:literal $(, $scene:literal)?;)*) => {
+        $(
+            #[doc = $text]
+            pub static $name: Mistake = Mistake {
+                name: $text,
+                place: $place,
+                scene: [$(Some($scene),)? None][0],
+            };
+        )*
+
+        /// All of them.
+        pub static ALL: &[&Mistake] = &[$(&$name),*];
+    };
+}
+
+mistakes! {
+    // intersections
+    FAR_ROOT: "the far root", "ch. 3: the smallest t > ε counts", "ch03/three-objects";
+    BEHIND: "a hit behind the origin", "ch. 3: hits count for t > ε only";
+    UNIT_ASSUMED: "t is counted in a unit direction", "ch. 3, 19: a = d·d, which is 1 only for unit d", "ch21/ellipsoid";
+    NOT_NORMALISED_LENGTH: "the normal is not normalised", "ch. 3: normals are unit";
+    NEGATED: "the sign is wrong", "the sign of every component";
+    TO_VIEWER: "the normal is turned to the viewer", "docs/probe.md: `normal` is geometric, never turned", "ch28/glass-sphere";
+    NORMAL_BY_MATRIX: "the normal is transformed as a vector", "ch. 21: normals go by the inverse transpose", "ch21/ellipsoid";
+    NORMAL_UNTRANSFORMED: "the normal is left in object space", "ch. 21: normals go by the inverse transpose";
+    INSIDE_MISSED: "hits from inside are missed", "ch. 3: if the near root is behind, test the far root", "ch28/glass-sphere";
+    // numbers
+    NEG: "the negative value", "the sign";
+    TIMES_PI: "π times too large", "ch. 13: a Lambertian BRDF is ρ/π", "ch14/set";
+    OVER_PI: "π times too small", "ch. 13, 14: π is left out, or divided out twice", "ch14/set";
+    TIMES_TWO: "twice as large", "a factor 2";
+    HALF: "half as large", "a factor ½";
+    TIMES_2PI: "2π times too large", "ch. 7: the density of the hemisphere";
+    OVER_2PI: "2π times too small", "ch. 7: the density of the hemisphere";
+    TIMES_4PI: "4π times too large", "ch. 18: the density of the sphere";
+    OVER_4PI: "4π times too small", "ch. 18: the density of the sphere";
+    DEGREES: "degrees for radians", "ch. 2: radians = π/180 × degrees";
+    RADIANS: "radians for degrees", "ch. 2: radians = π/180 × degrees";
+    SQUARED: "the square of the value", "a square too many";
+    ROOT: "the square root of the value", "a square is left out";
+    INVERSE: "the reciprocal of the value", "the ratio is upside down";
+    COMPLEMENT: "1 minus the value", "the complement";
+    // components
+    SWAP_XY: "the first two components are swapped", "the order of components";
+    SWAP_YZ: "the last two components are swapped", "y is up in the book";
+    SWAP_XZ: "the first and the third component are swapped", "the order of components";
+    FLIP_X: "the first component has the wrong sign", "ch. 2: axes are right-handed";
+    FLIP_Y: "the second component has the wrong sign", "ch. 3: rows of pixels count from the bottom in the book, from the top in files";
+    FLIP_Z: "the third component has the wrong sign", "ch. 2: axes are right-handed";
+    MIRROR_U: "1 − u for u", "ch. 29: φ goes from +z to +x";
+    MIRROR_V: "1 − v for v", "ch. 29: v goes up, rows of files go down", "ch29/earth";
+    TRANSPOSED: "rows for columns", "ch. 20: points are columns";
+    // lobes and optics
+    WITH_COS: "with the cosine of the incoming direction", "ch. 13: f has no cosine", "ch14/set";
+    WITHOUT_COS: "without the cosine of the incoming direction", "ch. 13, 26: the weight is f cos θ / pdf", "ch26/cornell-box";
+    NO_ETA_SQUARED: "ours × η²: 1/η² is left out", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
+    ETA_SQUARED_TWICE: "ours / η²: 1/η² twice", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
+    ETA_INVERTED: "η upside down", "ch. 27, 28: η = η_in / η_out, inverted when the ray is inside", "ch28/snell-window";
+    ONLY_S: "light polarised across the plane of incidence alone", "ch. 28: the mean of both polarisations";
+    ONLY_P: "light polarised in the plane of incidence alone", "ch. 28: the mean of both polarisations";
+    SCHLICK: "Schlick's approximation", "ch. 28: Fresnel's equations";
+    SWAPPED_DIRECTIONS: "wi and wo exchanged", "ch. 13: wo points to the viewer, wi to the light";
+    EXPONENT_OFF: "the exponent is larger by 1", "ch. 7: cosᵉθ has the density (e + 1) cosᵉθ / 2π";
+    NO_EXPONENT: "the exponent is 1", "ch. 7, 15";
+    // lights
+    FROM_LIGHT: "the direction goes away from the light", "ch. 14: wi points to the light", "ch14/set";
+    NO_FALL_OFF: "distance attenuation is left out", "ch. 14: radiance over dⁿ";
+    TIMES_DISTANCE: "the direction is not made unit", "ch. 14: wi is unit";
+    DISTANCE_SQUARED: "the square of the distance", "a root is left out";
+    // cameras
+    CORNERS: "the corner of the pixel for its middle", "ch. 3: x = s (c − hres/2 + 0.5)", "ch03/three-objects";
+    UPSIDE_DOWN: "rows from the bottom", "docs/probe.md: row 0 is at the top";
+    MIRRORED: "columns from the right", "ch. 9: u = up × w";
+    NO_PIXEL_SIZE: "the pixel size is left out", "ch. 3: x = s (c − hres/2 + 0.5)";
+    NO_ROLL: "the roll angle is left out", "ch. 9";
+    NO_ZOOM: "the zoom is left out", "ch. 9: the pixel size is divided by the zoom";
+    BACKWARDS: "the camera looks along +w", "ch. 9: the camera looks along −w";
+    // samples and maps
+    SWAP_U: "the two numbers of u are swapped", "ch. 5 to 7: which of the two is the radius";
+    COMPLEMENT_U: "1 − u for u", "ch. 7: cos θ = (1 − r₂)^(1/(e+1))";
+    PLAIN_DISK: "rings of equal width for rings of equal area", "ch. 6: the concentric map";
+    // textures, transforms, grids
+    REVERSED_STEPS: "the steps are applied last to first", "ch. 20: the last matrix of a product acts first", "ch21/ellipsoid";
+    INVERSE_FOR_MATRIX: "the inverse for the matrix", "ch. 21: the ray goes by the inverse";
+    TURNED_BACKWARDS: "rotations turn the other way", "ch. 20: counterclockwise, seen against the axis";
+    SWAPPED_COLORS: "the two colours are exchanged", "ch. 30: color1 where the sum of the three floors is even", "ch30/solid-checkers";
+    TRUNCATED_FLOOR: "numbers are truncated instead of rounded down", "ch. 30: ⌊−0.3⌋ = −1", "ch30/solid-checkers";
+    NO_SIZE: "the size is left out", "ch. 30: coordinates over the size";
+    ONE_CELL_LESS: "one cell less along each axis", "ch. 22: n = ⌊m w / s⌋ + 1";
+    NO_MULTIPLIER: "the multiplier is left out", "ch. 22: m = 2";
+    IN_BLACK_SHADOW: "the light is left out", "ch. 14, 16", "ch16/shadows";
+    NO_SHADOWS: "shadows are left out", "ch. 16", "ch16/shadows";
+    NO_AMBIENT: "ambient light is left out", "ch. 14: ka cd L_a is added once", "ch14/set";
+}
+
+/// Factors by which whole answers are off.
+static FACTORS: [(&Mistake, f64); 12] = [
+    (&NEG, -1.0),
+    (&TIMES_PI, PI),
+    (&OVER_PI, 1.0 / PI),
+    (&TIMES_TWO, 2.0),
+    (&HALF, 0.5),
+    (&TIMES_2PI, 2.0 * PI),
+    (&OVER_2PI, 0.5 / PI),
+    (&TIMES_4PI, 4.0 * PI),
+    (&OVER_4PI, 0.25 / PI),
+    (&DEGREES, 180.0 / PI),
+    (&RADIANS, PI / 180.0),
+    (&NEGATED, -1.0),
+];
+
+/// How closely a mistake has to explain an answer, relative to its largest number: programs in single precision
+/// make mistakes, too.
+const CLOSE: f64 = 1e-5;
+
+/// Whether the numbers are the same, as far as a mistake is to be told.
+pub fn same(theirs: &[f64], alternative: &[f64]) -> bool {
+    let largest = alternative.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= CLOSE * largest;
+    theirs.len() == alternative.len() && theirs.iter().zip(alternative).all(close)
+}
+
+/// The mistakes that turn the right numbers into theirs: factors, signs, exchanged components.
+pub fn clues(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
+    let mut clues = Vec::new();
+    if theirs.len() != right.len() {
+        return clues;
+    }
+    let mut candidate = |mistake: &'static Mistake, alternative: &[f64]| {
+        // an alternative that is right explains nothing
+        if same(theirs, alternative) && !same(right, alternative) {
+            clues.push(mistake);
+        }
+    };
+    for (mistake, factor) in FACTORS.iter().take(if right.len() == 1 { 11 } else { 12 }) {
+        let scaled: Vec<f64> = right.iter().map(|x| factor * x).collect();
+        candidate(mistake, &scaled);
+    }
+    match *right {
+        [x] => {
+            candidate(&SQUARED, &[x * x]);
+            candidate(&ROOT, &[x.abs().sqrt()]);
+            candidate(&INVERSE, &[1.0 / x]);
+            candidate(&COMPLEMENT, &[1.0 - x]);
+        }
+        [x, y] => {
+            candidate(&SWAP_XY, &[y, x]);
+            candidate(&FLIP_X, &[-x, y]);
+            candidate(&FLIP_Y, &[x, -y]);
+            candidate(&MIRROR_U, &[1.0 - x, y]);
+            candidate(&MIRROR_V, &[x, 1.0 - y]);
+        }
+        [x, y, z] => {
+            candidate(&SWAP_XY, &[y, x, z]);
+            candidate(&SWAP_YZ, &[x, z, y]);
+            candidate(&SWAP_XZ, &[z, y, x]);
+            candidate(&FLIP_X, &[-x, y, z]);
+            candidate(&FLIP_Y, &[x, -y, z]);
+            candidate(&FLIP_Z, &[x, y, -z]);
+        }
+        _ => {}
+    }
+    clues
+}
+
+/// The one factor between theirs and the right numbers, if there is one.
+pub fn ratio(theirs: &[f64], right: &[f64]) -> Option<f64> {
+    let largest = |numbers: &[f64]| {
+        (0..numbers.len()).max_by(|&i, &j| numbers[i].abs().total_cmp(&numbers[j].abs()))
+    };
+    let at = largest(right)?;
+    let ratio = theirs.get(at)? / right[at];
+    let scaled: Vec<f64> = right.iter().map(|x| ratio * x).collect();
+    (ratio.is_finite() && same(theirs, &scaled)).then_some(ratio)
+}
+
+/// What explains all wrong answers of a family.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Name {
+    /// A known mistake.
+    Known(&'static Mistake),
+    /// A constant factor that is none of the known ones.
+    Factor(f64),
+}
+
+/// The names of a family's wrong answers: what each of them has in common. Of a single answer, known mistakes
+/// only: one ratio says nothing.
+pub fn names(wrong: &[Wrong]) -> Vec<Name> {
+    let Some((first, rest)) = wrong.split_first() else { return Vec::new() };
+    let is_common = |mistake: &&&Mistake| rest.iter().all(|other| other.clues.contains(mistake));
+    let mut common: Vec<&'static Mistake> = first.clues.iter().filter(is_common).copied().collect();
+    let mut seen = Vec::new();
+    common.retain(|mistake| {
+        !seen.contains(mistake) && {
+            seen.push(*mistake);
+            true
+        }
+    });
+    if !common.is_empty() {
+        return common.into_iter().map(Name::Known).collect();
+    }
+    let ratios: Option<Vec<f64>> = wrong.iter().map(|one| one.ratio).collect();
+    match ratios.as_deref() {
+        Some([ratio, others @ ..])
+            if others.len() >= 2 && others.iter().all(|other| same(&[*other], &[*ratio])) =>
+        {
+            vec![Name::Factor(*ratio)]
+        }
+        _ => Vec::new(),
+    }
+}
+
+impl std::fmt::Display for Name {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Known(Mistake { name, place, scene }) => {
+                write!(f, "{name} ({place}")?;
+                scene.iter().try_for_each(|scene| write!(f, "; seen in {scene}"))?;
+                write!(f, ")")
+            }
+            Self::Factor(factor) => write!(f, "theirs = ours × {factor:.6}, every time"),
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Whether another program is right: it is asked the questions of the probe, and its answers are judged.
+//!
+//! [`suite::all`] are the families of questions; [`run()`] asks a [`Subject`], which is a [`Program`] or the library
+//! itself ([`Ours`]), and writes a [`Card`]. Judges are exact answers ([`mod@intersections`]), our own answers with a
+//! measured condition ([`mod@values`]), and laws that need neither ([`laws`]).
+
+pub mod card;
+mod chapters;
+mod exact;
+pub mod family;
+mod intersections;
+mod judgement;
+mod known;
+mod language;
+pub mod laws;
+pub mod mistakes;
+mod program;
+mod questions;
+mod run;
+mod shrink;
+mod subject;
+pub mod suite;
+mod values;
+
+pub use card::{Card, Row, Status};
+pub use exact::exact;
+pub use judgement::{Judgement, Profile, Wrong};
+pub use known::{Known, KnownError};
+pub use language::Language;
+pub use program::{Limits, Program};
+pub use run::{NoAnswer, Options, run};
+pub use subject::{Fault, Ours, Reply, Subject, ours};

@@ -1,0 +1,369 @@
+//! A program that answers questions: started, asked, watched, started again.
+//!
+//! A window of questions is written at once, each with an `id`, and the next window only when all are answered.
+//! If a window fails, the process group is killed, the program is started again, and the questions of the window
+//! are asked one by one, so that the guilty one is known.
+
+use std::collections::BTreeMap;
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::os::unix::process::CommandExt;
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use rustix::process::{Pid, Signal, kill_process_group};
+use serde_json::Value;
+
+use super::subject::{Fault, Reply, Subject};
+use groundtruth::printable;
+
+/// How many questions are under way at once.
+pub const WINDOW: usize = 64;
+/// Bytes of a reply.
+const LONGEST_REPLY: usize = 1 << 20;
+/// How much of the standard error is kept.
+const LOG: usize = 1 << 16;
+/// How often an interruption is looked for.
+const TICK: Duration = Duration::from_millis(50);
+/// How long a program may take to end when its input ends.
+const FAREWELL: Duration = Duration::from_millis(500);
+/// How much of a bad line is shown.
+const SHOWN: usize = 200;
+
+/// How a program is started, and how long it may take.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// For an answer.
+    pub answer: Duration,
+    /// For the first answer after a start.
+    pub start: Duration,
+}
+
+/// A program under questions.
+pub struct Program {
+    command: Vec<String>,
+    limits: Limits,
+    interrupted: Arc<AtomicBool>,
+    running: Option<Running>,
+    next_id: u64,
+    starts: u64,
+    log: Arc<Mutex<Vec<u8>>>,
+}
+
+/// A process, and the threads that read and write its pipes: one that did both could block on either.
+struct Running {
+    child: Child,
+    lines: Receiver<io::Result<Vec<u8>>>,
+    questions: Option<Sender<String>>,
+    /// Whether it has answered since it was started.
+    has_answered: bool,
+}
+
+impl Program {
+    /// The program with its arguments; it is started at the first question.
+    pub fn new(command: Vec<String>, limits: Limits, interrupted: Arc<AtomicBool>) -> Self {
+        let log = Arc::default();
+        Self { command, limits, interrupted, running: None, next_id: 1, starts: 0, log }
+    }
+
+    /// How often it was started.
+    pub fn starts(&self) -> u64 {
+        self.starts
+    }
+
+    /// The beginning of what it wrote to its standard error.
+    pub fn log(&self) -> String {
+        let log = self.log.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        String::from_utf8_lossy(&log).into_owned()
+    }
+
+    fn start(&mut self) -> Result<(), Fault> {
+        self.starts += 1;
+        let (name, arguments) = self.command.split_first().expect("the command line needs one");
+        let spawned = Command::new(name)
+            .args(arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            // a group of its own: its children can be ended with it
+            .process_group(0)
+            .spawn();
+        let mut child = spawned.map_err(|e| Fault::Died(format!("cannot start {name}: {e}")))?;
+        let output = child.stdout.take().expect("it is piped");
+        let input = child.stdin.take().expect("it is piped");
+        let errors = child.stderr.take().expect("it is piped");
+        // bounded: a program that floods waits
+        let (line, lines) = sync_channel(2 * WINDOW);
+        let (questions, question) = channel();
+        thread::spawn(move || read_lines(output, &line));
+        thread::spawn(move || write_lines(input, &question));
+        let log = Arc::clone(&self.log);
+        thread::spawn(move || keep_log(errors, &log));
+        self.running =
+            Some(Running { child, lines, questions: Some(questions), has_answered: false });
+        Ok(())
+    }
+
+    /// Ends the process and all of its children.
+    fn stop(&mut self) {
+        let Some(mut running) = self.running.take() else { return };
+        kill_group(&running.child);
+        let _ = running.child.wait();
+    }
+
+    /// The replies to questions that are under way together, or what went wrong with the replies until then.
+    fn window(&mut self, questions: &[Value]) -> Result<Vec<Reply>, (Fault, Vec<Option<Reply>>)> {
+        let mut replies: Vec<Option<Reply>> = vec![None; questions.len()];
+        if self.running.is_none() {
+            self.start().map_err(|fault| (fault, replies.clone()))?;
+        }
+        let running = self.running.as_mut().expect("it was started");
+        let first = self.next_id;
+        self.next_id += questions.len() as u64;
+        let numbered = questions.iter().zip(first..);
+        let text: String = numbered.map(|(question, id)| line(question, id)).collect();
+        // if it has ended, its output tells
+        let _ = running.questions.as_ref().expect("open while it runs").send(text);
+        let mut open = questions.len();
+        while open > 0 {
+            let limit = match running.has_answered {
+                true => self.limits.answer,
+                false => self.limits.start,
+            };
+            let got = match running.next_line(limit, &self.interrupted) {
+                Ok(Some(line)) => read(&line),
+                Ok(None) => return Ok(replies.into_iter().map(or_interrupted).collect()),
+                Err(fault) => return Err((fault, replies)),
+            };
+            let (id, reply) = got.map_err(|fault| (fault, replies.clone()))?;
+            let slot = id.checked_sub(first).and_then(|at| replies.get_mut(at as usize));
+            match slot {
+                Some(slot @ None) => *slot = Some(reply),
+                slot => {
+                    let what =
+                        if id < self.next_id { "was answered twice" } else { "was never asked" };
+                    let fault = Fault::Garbled(format!("the question with id {id} {what}"));
+                    if let Some(guilty) = slot {
+                        *guilty = Some(Reply::Fault(fault.clone()));
+                    }
+                    return Err((fault, replies));
+                }
+            }
+            running.has_answered = true;
+            open -= 1;
+        }
+        Ok(replies.into_iter().map(or_interrupted).collect())
+    }
+}
+
+fn or_interrupted(reply: Option<Reply>) -> Reply {
+    reply.unwrap_or(Reply::Interrupted)
+}
+
+impl Subject for Program {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        let mut all = Vec::with_capacity(questions.len());
+        for window in questions.chunks(WINDOW) {
+            match self.window(window) {
+                Ok(replies) => all.extend(replies),
+                Err((fault, replies)) => {
+                    self.stop();
+                    all.extend(self.one_by_one(window, fault, replies));
+                }
+            }
+        }
+        all
+    }
+}
+
+impl Program {
+    /// Asks again what a failed window left open. If every question is answered alone, nobody is guilty, and the
+    /// fault goes to the first that was open.
+    fn one_by_one(
+        &mut self,
+        window: &[Value],
+        fault: Fault,
+        replies: Vec<Option<Reply>>,
+    ) -> Vec<Reply> {
+        let is_known = replies.iter().any(|reply| matches!(reply, Some(Reply::Fault(_))));
+        let mut fault = if is_known { None } else { Some(fault) };
+        let first_open = replies.iter().position(Option::is_none).unwrap_or(0);
+        let alone = window.len() == 1;
+        let mut again: Vec<Reply> = Vec::with_capacity(window.len());
+        for (question, reply) in window.iter().zip(replies) {
+            let reply = match reply {
+                Some(reply) => reply,
+                None if alone => fault.take().map_or(Reply::Interrupted, Reply::Fault),
+                None => match self.window(std::slice::from_ref(question)) {
+                    Ok(mut replies) => replies.remove(0),
+                    Err((guilty, _)) => {
+                        self.stop();
+                        fault = None;
+                        Reply::Fault(guilty)
+                    }
+                },
+            };
+            again.push(reply);
+        }
+        if let Some(fault) = fault
+            && !again.contains(&Reply::Interrupted)
+        {
+            again[first_open] = Reply::Fault(fault);
+        }
+        again
+    }
+}
+
+impl Drop for Program {
+    fn drop(&mut self) {
+        if let Some(running) = &mut self.running {
+            // the end of its input is how a program learns that it can end
+            running.questions = None;
+            let begun = Instant::now();
+            while begun.elapsed() < FAREWELL && matches!(running.child.try_wait(), Ok(None)) {
+                thread::sleep(Duration::from_millis(5));
+            }
+        }
+        self.stop();
+    }
+}
+
+impl Running {
+    /// The next line of output; `None` if the run is interrupted.
+    fn next_line(
+        &mut self,
+        limit: Duration,
+        interrupted: &AtomicBool,
+    ) -> Result<Option<Vec<u8>>, Fault> {
+        let begun = Instant::now();
+        loop {
+            if interrupted.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
+            match self.lines.recv_timeout(TICK) {
+                Ok(Ok(line)) => return Ok(Some(line)),
+                Ok(Err(error)) => return Err(Fault::Garbled(error.to_string())),
+                Err(RecvTimeoutError::Disconnected) => return Err(self.ended()),
+                Err(RecvTimeoutError::Timeout) if begun.elapsed() > limit => {
+                    let seconds = limit.as_secs_f64();
+                    return Err(Fault::Hung(format!("no answer within {seconds} s")));
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        }
+    }
+
+    fn ended(&mut self) -> Fault {
+        // the exit status may come a little later than the end of the output
+        let begun = Instant::now();
+        while begun.elapsed() < FAREWELL {
+            if let Ok(Some(status)) = self.child.try_wait() {
+                return Fault::Died(format!("the program ended with {status}"));
+            }
+            thread::sleep(Duration::from_millis(5));
+        }
+        Fault::Died("the program closed its output".to_owned())
+    }
+}
+
+fn kill_group(child: &Child) {
+    if let Some(group) = Pid::from_raw(child.id().cast_signed()) {
+        let _ = kill_process_group(group, Signal::KILL);
+    }
+}
+
+/// A question with its id, which comes first so that it is seen in long lines.
+fn line(question: &Value, id: u64) -> String {
+    let mut text = format!("{{\"id\":{id}");
+    for (key, value) in question.as_object().into_iter().flatten() {
+        let key = Value::from(key.as_str());
+        text.push_str(&format!(",{key}:{value}"));
+    }
+    text.push_str("}\n");
+    text
+}
+
+/// The id and the reply of a line.
+fn read(line: &[u8]) -> Result<(u64, Reply), Fault> {
+    let shown = || {
+        let text = String::from_utf8_lossy(&line[..line.len().min(SHOWN)]).into_owned();
+        printable::text(&text)
+    };
+    let garbled = |problem: &str| Err(Fault::Garbled(format!("{problem}: {}", shown())));
+    let Ok(reply) = serde_json::from_slice::<BTreeMap<String, Value>>(line) else {
+        return garbled("not a JSON object");
+    };
+    let id = match reply.get("id") {
+        Some(Value::Number(id)) => match id.as_u64().or_else(|| whole(id.as_f64()?)) {
+            Some(id) => id,
+            None => return garbled("`id` is not that of a question"),
+        },
+        Some(_) => return garbled("`id` is not that of a question"),
+        None => return garbled("no `id`; copy the question's"),
+    };
+    let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    let kinds = ["answer", "error", "unsupported"];
+    let found: Vec<&str> = kinds.into_iter().filter(|kind| reply.contains_key(*kind)).collect();
+    match found[..] {
+        ["answer"] => Ok((id, Reply::Answer(reply["answer"].clone()))),
+        ["error"] => Ok((id, Reply::Refused(text(&reply["error"])))),
+        ["unsupported"] => Ok((id, Reply::Unsupported(text(&reply["unsupported"])))),
+        _ => garbled("needs one of `answer`, `error`, `unsupported`"),
+    }
+}
+
+/// `7.0` is the id 7: some languages have no integers.
+fn whole(id: f64) -> Option<u64> {
+    (id >= 0.0 && id.fract() == 0.0 && id < 1e15).then_some(id as u64)
+}
+
+/// Sends each line until the output ends; blank lines are skipped.
+fn read_lines(output: impl Read, lines: &SyncSender<io::Result<Vec<u8>>>) {
+    let mut output = BufReader::new(output);
+    loop {
+        let mut line = Vec::new();
+        let most = LONGEST_REPLY as u64 + 2;
+        match output.by_ref().take(most).read_until(b'\n', &mut line) {
+            Ok(0) | Err(_) => return,
+            Ok(_) => {}
+        }
+        let is_whole = line.last() == Some(&b'\n');
+        let result = if is_whole {
+            line.pop();
+            if line.iter().all(u8::is_ascii_whitespace) {
+                continue;
+            }
+            Ok(line)
+        } else if line.len() as u64 == most {
+            Err(io::Error::other(format!("a line longer than {LONGEST_REPLY} bytes")))
+        } else {
+            // the output ended inside a line
+            Ok(line)
+        };
+        if lines.send(result).is_err() {
+            return;
+        }
+    }
+}
+
+/// Writes until there are no more questions, or the program reads no more.
+fn write_lines(mut input: ChildStdin, questions: &Receiver<String>) {
+    while let Ok(text) = questions.recv() {
+        if input.write_all(text.as_bytes()).and_then(|()| input.flush()).is_err() {
+            return;
+        }
+    }
+}
+
+/// Keeps the beginning, and reads the rest so that the program never waits.
+fn keep_log(mut errors: impl Read, log: &Mutex<Vec<u8>>) {
+    let mut buffer = [0; 1 << 14];
+    while let Ok(n @ 1..) = errors.read(&mut buffer) {
+        let mut log = log.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let room = LOG.saturating_sub(log.len());
+        log.extend_from_slice(&buffer[..n.min(room)]);
+    }
+}

@@ -1,0 +1,165 @@
+//! Camera rays and their inverse (Suffern, ch. 3, 8 to 12).
+
+use serde_json::{Value, json};
+
+use super::super::family::{Family, Judge};
+use super::super::judgement::{Judgement, Profile, numbers, triple};
+use super::super::mistakes as m;
+use super::super::values::{self, Rules};
+use super::{any, change, data, family, kinds, only, remove, round, vector};
+use crate::verify::Draw;
+use groundtruth::cameras;
+
+pub fn families() -> Vec<Family> {
+    let mut all = Vec::new();
+    for (tag, chapter, specimens) in kinds(cameras::Kind::ENTRIES) {
+        let about = format!("cameras/{tag}");
+        let (for_rays, for_points) = (specimens.clone(), specimens);
+        let rays = move |draw: &mut Draw| ray_question(draw, &for_rays);
+        let points = move |draw: &mut Draw| {
+            let mut question = ray_question(draw, &for_points)["camera_ray"].take();
+            // ahead of the camera, most of them in view
+            let [eye, at] =
+                ["eye", "look_at"].map(|it| triple(&question["camera"][it]).unwrap_or_default());
+            let aside = draw.vector(0.6).to_array();
+            let ahead = draw.between(0.5, 2.0);
+            let point: [f64; 3] =
+                std::array::from_fn(|i| round(eye[i] + ahead * (at[i] - eye[i]) + aside[i]));
+            let (camera, image) = (question["camera"].take(), question["image"].take());
+            json!({"project": {"camera": camera, "image": image, "point": point}})
+        };
+        let ray = Judge::Answer(camera_ray);
+        let point = Judge::Answer(project);
+        all.push(family(&format!("camera_ray.{tag}.values"), &about, chapter, ray, rays));
+        all.push(family(&format!("project.{tag}.values"), &about, chapter, point, points));
+    }
+    let pinhole = [json!({"pinhole": {"distance": 4.0}})];
+    all.push(family(
+        "camera_ray.stereo.values",
+        "cameras/stereo",
+        "ch12",
+        Judge::Answer(camera_ray),
+        move |draw| {
+            let mut question = ray_question(draw, &pinhole);
+            let [viewing, eye] =
+                [["parallel", "transverse"], ["left", "right"]].map(|of| draw.pick(&of));
+            let data = &mut question["camera_ray"];
+            data["camera"]["stereo"] =
+                json!({"viewing": viewing, "separation": round(draw.between(1.0, 8.0))});
+            data["eye"] = json!(eye);
+            question
+        },
+    ));
+    all
+}
+
+/// A ray through a pixel of a small picture, most of them through its middle.
+pub fn ray_question(draw: &mut Draw, lenses: &[Value]) -> Value {
+    let look_at = vector(draw, 1.0);
+    let away = draw.direction().to_array();
+    let at = triple(&look_at).unwrap_or_default();
+    let eye: [f64; 3] = std::array::from_fn(|i| round(at[i] + 5.0 * away[i]));
+    let size = [4 + 2 * draw.below(12), 4 + 2 * draw.below(9)];
+    let pixel = size.map(|length| draw.below(length));
+    let mut question = json!({
+        "camera": {"eye": eye, "look_at": look_at, "lens": any(draw, lenses)},
+        "image": {"width": size[0], "height": size[1], "pixel_size": draw.pick(&[0.25, 0.5, 1.0])},
+        "pixel": pixel,
+    });
+    if draw.coin() {
+        question["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
+    }
+    if draw.coin() {
+        question["place"] = json!([round(draw.between(0.0, 1.0)), round(draw.between(0.0, 1.0))]);
+    }
+    if question["camera"]["lens"].get("thin_lens").is_some() {
+        question["lens"] = json!([round(draw.between(-0.7, 0.7)), round(draw.between(-0.7, 0.7))]);
+    }
+    json!({"camera_ray": question})
+}
+
+/// What turns the film of a question for a ray.
+type Change = fn(&mut Value) -> Option<()>;
+
+const UPSIDE_DOWN: Change = |question| {
+    let data = data(question)?;
+    let height = data["image"]["height"].as_f64()?;
+    let pixel = data["pixel"][1].as_u64()?;
+    data["pixel"][1] = json!(height as u64 - 1 - pixel);
+    Some(())
+};
+
+const MIRRORED: Change = |question| {
+    let data = data(question)?;
+    let width = data["image"]["width"].as_f64()?;
+    let pixel = data["pixel"][0].as_u64()?;
+    data["pixel"][0] = json!(width as u64 - 1 - pixel);
+    Some(())
+};
+
+/// The lower left corner of the pixel.
+const CORNERS: Change = |question| {
+    let data = data(question)?;
+    match data.get("place") {
+        None => data["place"] = json!([0.0, 0.0]),
+        Some(place) => {
+            let moved = numbers(place)?.into_iter().map(|x| x - 0.5).collect::<Vec<_>>();
+            data["place"] = json!(moved);
+        }
+    }
+    Some(())
+};
+
+const NO_PIXEL_SIZE: Change = |question| change(data(question)?, "/image/pixel_size", |_| 1.0);
+const NO_ROLL: Change = |question| remove(&mut data(question)?["camera"], "roll");
+const NO_ZOOM: Change =
+    |question| change(only(&mut data(question)?["camera"]["lens"])?, "/zoom", |_| 1.0);
+
+fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &["origin", "direction"],
+        free: &[],
+        questions: &[
+            (&m::UPSIDE_DOWN, UPSIDE_DOWN),
+            (&m::MIRRORED, MIRRORED),
+            (&m::CORNERS, CORNERS),
+            (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
+            (&m::NO_ROLL, NO_ROLL),
+            (&m::NO_ZOOM, NO_ZOOM),
+        ],
+        answers: &[(&m::BACKWARDS, |_, field, right| {
+            let backwards = triple(&right["direction"])?.map(|x| -x).to_vec();
+            (field == "direction").then_some(backwards)
+        })],
+    };
+    values::judge(question, answer, profile, &RULES)
+}
+
+fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &["image"],
+        free: &[],
+        questions: &[
+            (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
+            (&m::NO_ROLL, NO_ROLL),
+            (&m::NO_ZOOM, NO_ZOOM),
+        ],
+        answers: &[
+            (&m::UPSIDE_DOWN, |question, field, right| {
+                let [x, y] = numbers(&right["image"])?.try_into().ok()?;
+                let height = question["project"]["image"]["height"].as_f64()?;
+                (field == "image").then(|| vec![x, height - y])
+            }),
+            (&m::MIRRORED, |question, field, right| {
+                let [x, y] = numbers(&right["image"])?.try_into().ok()?;
+                let width = question["project"]["image"]["width"].as_f64()?;
+                (field == "image").then(|| vec![width - x, y])
+            }),
+            (&m::CORNERS, |_, field, right| {
+                let moved = numbers(&right["image"])?.into_iter().map(|x| x - 0.5).collect();
+                (field == "image").then_some(moved)
+            }),
+        ],
+    };
+    values::judge(question, answer, profile, &RULES)
+}

@@ -1,0 +1,159 @@
+//! Lobes and Fresnel's equations (Suffern, ch. 13, 15, 24, 25, 27, 28).
+
+use serde_json::{Value, json};
+
+use super::super::family::{Family, Judge};
+use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::mistakes as m;
+use super::super::values::{self, Rules};
+use super::{any, data, family, kinds, only, round, square};
+use crate::verify::Draw;
+use groundtruth::lobes::Lobe;
+use groundtruth::math::{Vector, cos, sin};
+
+pub fn families() -> Vec<Family> {
+    let mut all = vec![
+        family(
+            "fresnel.cosine",
+            "optics/fresnel",
+            "ch28",
+            Judge::Answer(fresnel),
+            |draw| json!({"fresnel": {"eta": eta(draw), "cos_i": round(draw.between(0.0, 1.0))}}),
+        ),
+        family("fresnel.directions", "optics/fresnel", "ch27", Judge::Answer(fresnel), |draw| {
+            let [wo, n] = [outside(draw), [0.0, 0.0, 1.0]];
+            json!({"fresnel": {"eta": eta(draw), "wo": wo, "n": n}})
+        }),
+    ];
+    for (tag, chapter, specimens) in kinds(Lobe::ENTRIES) {
+        let is_specular = ["perfect_specular", "perfect_transmitter"].contains(&&*tag)
+            || tag.starts_with("fresnel");
+        let name = format!("lobe.{tag}.values");
+        let case = move |draw: &mut Draw| {
+            let wo = outside(draw);
+            let lobe = any(draw, &specimens).clone();
+            match is_specular {
+                true => json!({"lobe": {"lobe": lobe, "wo": wo, "u": square(draw)}}),
+                false => json!({"lobe": {"lobe": lobe, "wo": wo, "wi": outside(draw)}}),
+            }
+        };
+        all.push(family(&name, &format!("lobes/{tag}"), chapter, Judge::Answer(lobe), case));
+    }
+    all
+}
+
+/// An index ratio, above and below 1.
+fn eta(draw: &mut Draw) -> f64 {
+    round(if draw.coin() { draw.between(1.05, 2.5) } else { draw.between(0.4, 0.95) })
+}
+
+/// A unit direction above the surface, as three numbers whose squares add up to 1 within rounding.
+pub fn outside(draw: &mut Draw) -> [f64; 3] {
+    let z = draw.between(0.05, 1.0);
+    let (phi, sine) = (draw.between(0.0, 6.28), ((1.0 - z) * (1.0 + z)).sqrt());
+    [sine * cos(phi), sine * sin(phi), z]
+}
+
+fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &["reflected"],
+        free: &[],
+        questions: &[(&m::ETA_INVERTED, |question| {
+            super::change(data(question)?, "/eta", |eta| 1.0 / eta)
+        })],
+        answers: &[
+            (&m::ONLY_S, |_, field, right| component(field, right, "r_s", "t_s")),
+            (&m::ONLY_P, |_, field, right| component(field, right, "r_p", "t_p")),
+            (&m::SCHLICK, |question, field, _| schlick(question, field)),
+        ],
+    };
+    values::judge(question, answer, profile, &RULES)
+}
+
+/// What one polarisation has in place of the mean.
+fn component(field: &str, right: &Value, r: &str, t: &str) -> Option<Vec<f64>> {
+    let name = match field {
+        "reflected" => r,
+        "transmitted" => t,
+        _ => return None,
+    };
+    Some(vec![number(&right[name])?])
+}
+
+fn schlick(question: &Value, field: &str) -> Option<Vec<f64>> {
+    let asked = &question["fresnel"];
+    let eta = asked["eta"].as_f64()?;
+    let cosine = asked["cos_i"].as_f64().or_else(|| {
+        let [wo, n] = [&asked["wo"], &asked["n"]].map(triple);
+        Some(Vector::from(wo?).dot(Vector::from(n?)))
+    })?;
+    let r0 = (eta - 1.0) / (eta + 1.0);
+    let rest = 1.0 - cosine;
+    let reflected = r0 * r0 + (1.0 - r0 * r0) * rest * rest * rest * rest * rest;
+    match field {
+        "reflected" => Some(vec![reflected]),
+        "transmitted" => Some(vec![1.0 - reflected]),
+        _ => None,
+    }
+}
+
+fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &["f", "sample"],
+        // the direction of a mirror has no density: some say 1, some δ
+        free: &["pdf_of_mirror"],
+        questions: &[
+            (&m::SWAPPED_DIRECTIONS, |question| super::swap(data(question)?, "/wi", "/wo")),
+            (&m::ETA_INVERTED, |question| {
+                let lobe = only(&mut data(question)?["lobe"])?;
+                super::change(lobe, "/eta", |eta| 1.0 / eta)
+            }),
+            (&m::EXPONENT_OFF, |question| {
+                let lobe = only(&mut data(question)?["lobe"])?;
+                super::change(lobe, "/exponent", |e| e + 1.0)
+            }),
+            (&m::NO_EXPONENT, |question| {
+                let lobe = only(&mut data(question)?["lobe"])?;
+                super::change(lobe, "/exponent", |_| 1.0)
+            }),
+        ],
+        answers: &[
+            (&m::WITH_COS, |question, field, right| by_cosine(question, field, right, 1)),
+            (&m::WITHOUT_COS, |question, field, right| by_cosine(question, field, right, -1)),
+            (&m::NO_ETA_SQUARED, |question, field, right| by_eta(question, field, right, 2)),
+            (&m::ETA_SQUARED_TWICE, |question, field, right| by_eta(question, field, right, -2)),
+        ],
+    };
+    let question_is_specular = question["lobe"].get("u").is_some();
+    let mut answer = answer.clone();
+    if question_is_specular && let Some(pdf) = answer.pointer_mut("/sample/pdf") {
+        // mirrors have no density: some programs say 1, some 0, ours that it is infinite
+        *pdf = json!("inf");
+    }
+    values::judge(question, &answer, profile, &RULES)
+}
+
+/// The value times this power of the cosine of `wi`.
+fn by_cosine(question: &Value, field: &str, right: &Value, power: i32) -> Option<Vec<f64>> {
+    let cosine = match question["lobe"].get("wi") {
+        Some(wi) => triple(wi)?[2],
+        None => triple(&right["sample"]["wi"])?[2],
+    };
+    let factor = cosine.abs().powi(power);
+    ["f", "pdf", "sample.weight"].contains(&field).then(|| times(factor, right, field))?
+}
+
+/// The value times this power of η, the index of the inside over that of the outside.
+fn by_eta(question: &Value, field: &str, right: &Value, power: i32) -> Option<Vec<f64>> {
+    let lobe = question["lobe"]["lobe"].as_object()?.values().next()?;
+    times(lobe["eta"].as_f64()?.powi(power), right, field)
+}
+
+fn times(factor: f64, right: &Value, field: &str) -> Option<Vec<f64>> {
+    let value = field.split('.').fold(right, |value, key| &value[key]);
+    let numbers = match number(value) {
+        Some(x) => vec![x],
+        None => value.as_array()?.iter().map(number).collect::<Option<Vec<f64>>>()?,
+    };
+    Some(numbers.into_iter().map(|x| factor * x).collect())
+}

@@ -1,0 +1,107 @@
+//! Sample sets without random numbers, and maps of samples (Suffern, ch. 5 to 7).
+
+use serde_json::{Value, json};
+
+use super::super::family::{Family, Judge};
+use super::super::judgement::{Judgement, Profile};
+use super::super::mistakes as m;
+use super::super::subject::ours;
+use super::super::values::{self, Rules};
+use super::{change, data, family, round, swap};
+use crate::verify::Draw;
+
+pub fn families() -> Vec<Family> {
+    let mut all = Vec::new();
+    for (tag, chapter) in [("regular", "ch04"), ("hammersley", "ch05")] {
+        let case = move |draw: &mut Draw| {
+            let side = 1 + draw.below(12);
+            json!({"samples": {"sampler": {tag: {}}, "n": side * side}})
+        };
+        let name = format!("samples.{tag}.values");
+        all.push(family(&name, &format!("samplers/{tag}"), chapter, Judge::Answer(samples), case));
+    }
+    for (tag, chapter) in [("disk", "ch06"), ("hemisphere", "ch07"), ("sphere", "ch07")] {
+        let to = move |draw: &mut Draw| match tag {
+            "hemisphere" => json!({"hemisphere": {"exponent": draw.pick(&[0.0, 1.0, 5.0, 40.0])}}),
+            tag => json!({tag: {}}),
+        };
+        let u =
+            |draw: &mut Draw| [round(draw.between(0.01, 0.99)), round(draw.between(0.01, 0.99))];
+        let map_of = move |draw: &mut Draw| json!({"map": {"to": to(draw), "u": u(draw)}});
+        let inverse_of = move |draw: &mut Draw| {
+            let (to, u) = (to(draw), u(draw));
+            let point = ours(&json!({"map": {"to": to, "u": u}})).unwrap_or_default();
+            json!({"map": {"to": to, "point": point}})
+        };
+        let about = format!("maps/{tag}");
+        let judge = Judge::Answer(map);
+        all.push(family(&format!("map.{tag}.values"), &about, chapter, judge, map_of));
+        all.push(family(&format!("map.{tag}.inverse"), &about, chapter, judge, inverse_of));
+    }
+    all
+}
+
+/// Sets are compared as sets: the order of points is a program's own.
+fn samples(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules { needed: &[], free: &[], questions: &[], answers: &[] };
+    let Ok(right) = ours(question) else { return Judgement::Undecided };
+    let (theirs, right) = (sorted(answer), sorted(&right));
+    if theirs.len() != right.len() {
+        let expected = format!("{} points", right.len());
+        return Judgement::wrong("number of points", f64::INFINITY, expected);
+    }
+    let allowed = RULES.free.len() as f64 + profile.allowed() * groundtruth::math::UNIT_ROUNDOFF;
+    let off = |(a, b): (&[f64; 2], &[f64; 2])| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+    let worst = theirs.iter().zip(&right).map(off).fold(0.0, f64::max);
+    let error = worst / groundtruth::math::UNIT_ROUNDOFF;
+    if worst <= allowed {
+        return Judgement::Right(error);
+    }
+    let mut judgement = Judgement::wrong("points", error, format!("{right:?}"));
+    let swapped = sorted_points(right.iter().map(|&[x, y]| [y, x]).collect());
+    if let Judgement::Wrong(wrong) = &mut judgement
+        && theirs.iter().zip(&swapped).map(off).fold(0.0, f64::max) <= 1e-6
+    {
+        wrong.clues.push(&m::SWAP_U);
+    }
+    judgement
+}
+
+/// The points of the first set, by x and y.
+fn sorted(answer: &Value) -> Vec<[f64; 2]> {
+    let first = answer.get(0).and_then(Value::as_array).into_iter().flatten();
+    let point = |point: &Value| Some([point.get(0)?.as_f64()?, point.get(1)?.as_f64()?]);
+    sorted_points(first.map(|it| point(it).unwrap_or([f64::NAN; 2])).collect())
+}
+
+fn sorted_points(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    // single precision must not change the order
+    let key = |[x, y]: &[f64; 2]| ((x * 1e5).round(), (y * 1e5).round());
+    points.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
+    points
+}
+
+fn map(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &[],
+        free: &[],
+        questions: &[
+            (&m::SWAP_U, |question| swap(data(question)?, "/u/0", "/u/1")),
+            (&m::COMPLEMENT_U, |question| change(data(question)?, "/u/1", |u| 1.0 - u)),
+            (&m::COMPLEMENT_U, |question| change(data(question)?, "/u/0", |u| 1.0 - u)),
+            (&m::EXPONENT_OFF, |question| {
+                change(data(question)?, "/to/hemisphere/exponent", |e| e + 1.0)
+            }),
+            (&m::NO_EXPONENT, |question| {
+                change(data(question)?, "/to/hemisphere/exponent", |_| 1.0)
+            }),
+        ],
+        answers: &[(&m::PLAIN_DISK, |question, _, _| {
+            question["map"]["to"].get("disk")?;
+            let [u, v] = [0, 1].map(|i| question["map"]["u"][i].as_f64());
+            let (r, phi) = (u?.sqrt(), 2.0 * std::f64::consts::PI * v?);
+            Some(vec![r * groundtruth::math::cos(phi), r * groundtruth::math::sin(phi)])
+        })],
+    };
+    values::judge(question, answer, profile, &RULES)
+}

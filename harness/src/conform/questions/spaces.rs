@@ -1,0 +1,133 @@
+//! Matrices and the cells of grids (Suffern, ch. 20 and 22).
+
+use serde_json::{Value, json};
+
+use super::super::family::{Family, Judge};
+use super::super::judgement::{Judgement, Profile};
+use super::super::mistakes as m;
+use super::super::values::{self, Rules};
+use super::{change, data, direction, family, remove, round, vector};
+use crate::verify::Draw;
+
+pub fn families() -> Vec<Family> {
+    let steps: [(&str, fn(&mut Draw) -> Value); 7] = [
+        ("translate", |draw| json!([{"translate": vector(draw, 4.0)}])),
+        ("scale", |draw| json!([scale(draw)])),
+        ("rotate", |draw| json!([rotation(draw)])),
+        ("rotate_about", |draw| {
+            let (point, direction) = (vector(draw, 2.0), direction(draw));
+            let degrees = round(draw.between(-180.0, 180.0));
+            json!([{"rotate_about": {"point": point, "direction": direction, "degrees": degrees}}])
+        }),
+        ("reflect", |draw| json!([{"reflect": draw.pick(&["x", "y", "z"])}])),
+        ("shear", |draw| {
+            let six: Vec<f64> = (0..6).map(|_| round(draw.between(-0.4, 0.4))).collect();
+            json!([{"shear": six}])
+        }),
+        ("composed", |draw| {
+            let translate = json!({"translate": vector(draw, 4.0)});
+            json!([scale(draw), rotation(draw), translate, rotation(draw)])
+        }),
+    ];
+    let mut all: Vec<Family> = steps
+        .into_iter()
+        .map(|(name, steps)| {
+            let case = move |draw: &mut Draw| json!({"transform": {"steps": steps(draw)}});
+            let about = format!("transforms/{name}");
+            family(
+                &format!("transform.{name}.values"),
+                &about,
+                "ch20",
+                Judge::Answer(transform),
+                case,
+            )
+        })
+        .collect();
+    let cells = Judge::Answer(grid);
+    all.push(family(
+        "grid.boxes.resolution",
+        "accel/grid",
+        "ch22",
+        cells,
+        |draw| json!({"grid": {"boxes": boxes(draw), "multiplier": draw.pick(&[1.0, 2.0, 3.0])}}),
+    ));
+    all.push(family("grid.boxes.visited", "accel/grid", "ch22", cells, |draw| {
+        let (origin, direction) = (vector(draw, 9.0), direction(draw));
+        let ray = json!({"origin": origin, "direction": direction});
+        json!({"grid": {"boxes": boxes(draw), "ray": ray}})
+    }));
+    all
+}
+
+fn scale(draw: &mut Draw) -> Value {
+    let factors: Vec<f64> = (0..3).map(|_| round(draw.between(0.25, 3.0))).collect();
+    json!({"scale": factors})
+}
+
+fn rotation(draw: &mut Draw) -> Value {
+    json!({draw.pick(&["rotate_x", "rotate_y", "rotate_z"]): round(draw.between(-180.0, 180.0))})
+}
+
+fn boxes(draw: &mut Draw) -> Value {
+    let one = |draw: &mut Draw| {
+        let min = draw.vector(4.0).to_array().map(round);
+        let max = min.map(|x| round(x + draw.between(0.25, 2.0)));
+        json!({"min": min, "max": max})
+    };
+    let count = 1 + draw.below(8);
+    json!((0..count).map(|_| one(draw)).collect::<Vec<_>>())
+}
+
+fn transform(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &["matrix"],
+        free: &["condition"],
+        questions: &[
+            (&m::REVERSED_STEPS, |question| {
+                data(question)?["steps"].as_array_mut()?.reverse();
+                Some(())
+            }),
+            (&m::TURNED_BACKWARDS, |question| {
+                for step in data(question)?["steps"].as_array_mut()? {
+                    for rotation in ["/rotate_x", "/rotate_y", "/rotate_z", "/rotate_about/degrees"]
+                    {
+                        change(step, rotation, |degrees| -degrees);
+                    }
+                }
+                Some(())
+            }),
+        ],
+        answers: &[
+            (&m::INVERSE_FOR_MATRIX, |_, field, right| {
+                let row = field.strip_prefix("matrix.")?;
+                super::super::judgement::numbers(&right["inverse"][row.parse::<usize>().ok()?])
+            }),
+            (&m::TRANSPOSED, |_, field, right| {
+                let (name, row) = field.split_once('.')?;
+                let row: usize = row.parse().ok()?;
+                let entry = |column: usize| right[name][column][row].as_f64();
+                let last = right[name][row][3].as_f64()?;
+                Some(vec![entry(0)?, entry(1)?, entry(2)?, last])
+            }),
+        ],
+    };
+    values::judge(question, answer, profile, &RULES)
+}
+
+fn grid(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &["resolution"],
+        free: &[],
+        questions: &[(&m::NO_MULTIPLIER, |question| {
+            let data = data(question)?;
+            remove(data, "multiplier")?;
+            data["multiplier"] = json!(1.0);
+            Some(())
+        })],
+        answers: &[(&m::ONE_CELL_LESS, |_, field, right| {
+            let less = super::super::judgement::numbers(&right["resolution"])?;
+            (field == "resolution").then(|| less.into_iter().map(|n| n - 1.0).collect())
+        })],
+    };
+    values::judge(question, answer, profile, &RULES)
+}

@@ -1,0 +1,276 @@
+//! A run: questions go round the families, answers are judged, wrong ones named and made smaller.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+use serde_json::Value;
+
+use super::card::{Card, Failure, Row, Status};
+use super::family::{Asking, Family, Judge, Stop};
+use super::judgement::{Judgement, Profile, Wrong};
+use super::mistakes::names;
+use super::program::WINDOW;
+use super::shrink;
+use super::subject::{Fault, Reply, Subject};
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// How exact answers have to be.
+    pub profile: Profile,
+    /// Of the cases.
+    pub seed: u64,
+    /// How many cases a family has.
+    pub cases: usize,
+    /// Set when the run is to end.
+    pub interrupted: Arc<AtomicBool>,
+}
+
+/// Cases of a family in the first round, so that a run that is stopped soon has touched all families.
+const FIRST_ROUND: usize = 2;
+/// Faults after which a family is not asked any more.
+const MOST_FAULTS: u64 = 3;
+/// Faults after which all families of a question are not asked any more.
+const MOST_FAULTS_OF_QUESTION: u64 = 9;
+/// Wrong answers of a family that are kept, to find what they have in common.
+const KEPT: usize = 64;
+
+/// The subject answered no question at all.
+#[derive(Debug, thiserror::Error)]
+#[error("the program answered no question; what came back:\n{}", .0.join("\n"))]
+pub struct NoAnswer(pub Vec<String>);
+
+/// Asks the families.
+///
+/// `watch` is told of each row whose questions have all been asked.
+///
+/// # Errors
+/// [`NoAnswer`] if not even the easy questions get a reply that can be read.
+pub fn run(
+    subject: &mut dyn Subject,
+    families: &[Family],
+    options: &Options,
+    watch: &mut dyn FnMut(&Row),
+) -> Result<Card, NoAnswer> {
+    let is_asked = |family: &&Family| options.profile == Profile::Careful || family.ordinary;
+    let families: Vec<&Family> = families.iter().filter(is_asked).collect();
+    easy_questions(subject, &families, options)?;
+    let mut asked: Vec<Asked<'_>> =
+        families.iter().map(|family| Asked::new(family, options)).collect();
+    let mut faults: BTreeMap<String, u64> = BTreeMap::new();
+    let most = asked.iter().map(|asked| asked.cases.len()).max().unwrap_or(0);
+    let later = (FIRST_ROUND..most).step_by(WINDOW);
+    let rounds: Vec<[usize; 2]> =
+        std::iter::once([0, FIRST_ROUND]).chain(later.map(|from| [from, from + WINDOW])).collect();
+    for [from, to] in rounds {
+        for asked in &mut asked {
+            if options.interrupted.load(Ordering::Relaxed) {
+                break;
+            }
+            let of_question = faults.entry(asked.family.question().to_owned()).or_default();
+            if asked.is_done || *of_question >= MOST_FAULTS_OF_QUESTION {
+                continue;
+            }
+            let before = asked.row.faults();
+            asked.ask(subject, from, to, options.profile);
+            *of_question += asked.row.faults() - before;
+            if asked.is_done {
+                asked.finish(subject, options);
+                watch(&asked.row);
+            }
+        }
+    }
+    for asked in asked.iter_mut().filter(|asked| !asked.is_done) {
+        asked.finish(subject, options);
+        watch(&asked.row);
+    }
+    let rows = asked.into_iter().map(|asked| asked.row).collect();
+    let is_whole = !options.interrupted.load(Ordering::Relaxed);
+    Ok(Card { profile: options.profile, seed: options.seed, rows, is_whole })
+}
+
+/// Asks one question of each name.
+fn easy_questions(
+    subject: &mut dyn Subject,
+    families: &[&Family],
+    options: &Options,
+) -> Result<(), NoAnswer> {
+    let mut seen = BTreeSet::new();
+    let mut received = Vec::new();
+    for family in families {
+        if !family.ordinary || !seen.insert(family.question()) {
+            continue;
+        }
+        let Some(question) = (family.cases)(options.seed, 1).pop() else { continue };
+        if matches!(family.judge, Judge::Law(_)) {
+            // a law's case may hold more than a question
+            seen.remove(family.question());
+            continue;
+        }
+        match subject.ask(std::slice::from_ref(&question)).pop() {
+            Some(Reply::Fault(fault)) => {
+                received.push(format!("{}: {}", family.question(), fault.text()))
+            }
+            _ => return Ok(()),
+        }
+    }
+    if received.is_empty() { Ok(()) } else { Err(NoAnswer(received)) }
+}
+
+/// A family under questions.
+struct Asked<'a> {
+    family: &'a Family,
+    cases: Vec<Value>,
+    row: Row,
+    wrong: Vec<Wrong>,
+    /// The first wrong case.
+    first: Option<(Value, Wrong)>,
+    is_done: bool,
+}
+
+impl<'a> Asked<'a> {
+    fn new(family: &'a Family, options: &Options) -> Self {
+        let count = ((options.cases as f64 * family.share).ceil() as usize).max(1);
+        let cases = (family.cases)(options.seed, count);
+        let row = Row::new(&family.name, &family.about, family.chapter);
+        let is_done = cases.is_empty();
+        Self { family, cases, row, wrong: Vec::new(), first: None, is_done }
+    }
+
+    /// Asks some of its cases.
+    fn ask(&mut self, subject: &mut dyn Subject, from: usize, to: usize, profile: Profile) {
+        let to = to.min(self.cases.len());
+        let cases: Vec<Value> = self.cases[from.min(to)..to].to_vec();
+        match self.family.judge {
+            Judge::Answer(judge) => {
+                let replies = subject.ask(&cases);
+                let judged: Vec<Judged> = cases
+                    .par_iter()
+                    .zip(&replies)
+                    .map(|(question, reply)| Judged::of(question, reply, judge, profile))
+                    .collect();
+                for ((question, reply), judged) in cases.iter().zip(&replies).zip(judged) {
+                    let got = match reply {
+                        Reply::Answer(answer) => answer.to_string(),
+                        _ => String::new(),
+                    };
+                    self.count(question, judged, || vec![(question.clone(), got)]);
+                }
+            }
+            Judge::Law(law) => {
+                for case in &cases {
+                    let mut asking = Asking::new(subject);
+                    let judged = Judged::from(law(&mut asking, case, profile));
+                    let asked = asking.asked;
+                    let texts = || asked.into_iter().map(|(q, a)| (q, a.to_string())).collect();
+                    self.count(case, judged, texts);
+                    if self.row.faults() >= MOST_FAULTS {
+                        break;
+                    }
+                }
+            }
+        }
+        let unsupported = self.row.counts[Status::Unsupported as usize];
+        let is_unsupported = unsupported > 0 && unsupported == self.row.total();
+        self.is_done = to == self.cases.len() || is_unsupported || self.row.faults() >= MOST_FAULTS;
+    }
+
+    fn count(
+        &mut self,
+        question: &Value,
+        judged: Judged,
+        asked: impl FnOnce() -> Vec<(Value, String)>,
+    ) {
+        let Some(status) = judged.status else { return };
+        self.row.counts[status as usize] += 1;
+        self.row.fair += u64::from(judged.is_fair);
+        self.row.worst = self.row.worst.max(judged.error);
+        if let Some(text) = judged.text {
+            let message = (status, text, question.clone());
+            if self.row.messages.iter().all(|(other, ..)| *other != status) {
+                self.row.messages.push(message);
+            }
+        }
+        if let Some(wrong) = judged.wrong {
+            if self.first.is_none() {
+                self.row.asked = asked();
+                self.first = Some((question.clone(), (*wrong).clone()));
+            }
+            if self.wrong.len() < KEPT {
+                self.wrong.push(*wrong);
+            }
+        }
+    }
+
+    /// Names what is wrong, and makes the first failure smaller.
+    fn finish(&mut self, subject: &mut dyn Subject, options: &Options) {
+        self.is_done = true;
+        self.row.names = names(&self.wrong);
+        let Some((question, wrong)) = self.first.take() else { return };
+        let asked = std::mem::take(&mut self.row.asked);
+        let first = Failure { question, wrong, asked };
+        let failure = match options.interrupted.load(Ordering::Relaxed) {
+            true => first,
+            false => shrink::smaller(subject, self.family.judge, first, options.profile),
+        };
+        self.row.failure = Some(failure);
+    }
+}
+
+/// The judgement of one case as a status.
+struct Judged {
+    /// `None` if the run was interrupted.
+    status: Option<Status>,
+    error: f64,
+    /// Wrong, but right in single precision.
+    is_fair: bool,
+    wrong: Option<Box<Wrong>>,
+    text: Option<String>,
+}
+
+impl Judged {
+    fn of(
+        question: &Value,
+        reply: &Reply,
+        judge: fn(&Value, &Value, Profile) -> Judgement,
+        profile: Profile,
+    ) -> Self {
+        let mut judged = match reply {
+            Reply::Answer(answer) => Self::from(Ok(judge(question, answer, profile))),
+            Reply::Refused(text) => Self::from(Err(Stop::Refused(text.clone()))),
+            Reply::Unsupported(text) => Self::from(Err(Stop::Unsupported(text.clone()))),
+            Reply::Fault(fault) => Self::from(Err(Stop::Fault(fault.clone()))),
+            Reply::Interrupted => Self::from(Err(Stop::Interrupted)),
+        };
+        if let (Some(Status::Wrong), Profile::Careful, Reply::Answer(answer)) =
+            (judged.status, profile, reply)
+        {
+            judged.is_fair = !matches!(judge(question, answer, Profile::Book), Judgement::Wrong(_));
+        }
+        judged
+    }
+
+    fn from(found: Result<Judgement, Stop>) -> Self {
+        let plain = |status, text| Self { status, error: 0.0, is_fair: false, wrong: None, text };
+        match found {
+            Ok(Judgement::Right(error)) => Self { error, ..plain(Some(Status::Pass), None) },
+            Ok(Judgement::Undecided) => plain(Some(Status::Undecided), None),
+            Ok(Judgement::Wrong(wrong)) => {
+                Self { wrong: Some(wrong), ..plain(Some(Status::Wrong), None) }
+            }
+            Err(Stop::Refused(text)) => plain(Some(Status::Refused), Some(text)),
+            Err(Stop::Unsupported(text)) => plain(Some(Status::Unsupported), Some(text)),
+            Err(Stop::Fault(fault)) => {
+                let status = match fault {
+                    Fault::Hung(_) => Status::Hung,
+                    Fault::Died(_) => Status::Died,
+                    Fault::Garbled(_) => Status::Garbled,
+                };
+                plain(Some(status), Some(fault.text().to_owned()))
+            }
+            Err(Stop::Interrupted) => plain(None, None),
+        }
+    }
+}
