@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
-use groundtruth::film;
+use groundtruth::{film, printable};
 use harness::conform::{self, Card, Limits, Options, Profile, Program, card};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -120,7 +120,11 @@ impl Conform {
         drop(program);
         let card = match card {
             Ok(card) => card,
-            Err(error) => return Err(no_answer(&error, &log).into()),
+            Err(error) => {
+                let text = no_answer(&error, &log);
+                text.lines().for_each(|line| eprintln!("{}", printable::text(line)));
+                return Ok(Exit::Unanswered);
+            }
         };
         self.write(&card)?;
         match self.json {
@@ -189,7 +193,7 @@ fn progress(families: u64) -> ProgressBar {
 
 /// What is to be done about a program that answers nothing.
 fn no_answer(error: &conform::NoAnswer, log: &str) -> String {
-    let text = error.to_string();
+    let text = format!("error: {error}");
     let hint = if text.contains("no answer within") {
         "\nhint: flush the output after each line (C and Python keep it back when writing to a pipe)"
     } else if text.contains("not a JSON object") {

@@ -1,0 +1,14 @@
+//! Laws of `conform`: the judge is judged.
+
+#[path = "conform/altered.rs"]
+mod altered;
+#[path = "conform/exact.rs"]
+mod exact;
+#[path = "conform/harmless.rs"]
+mod harmless;
+#[path = "conform/mistakes.rs"]
+mod mistakes;
+#[path = "conform/processes.rs"]
+mod processes;
+#[path = "conform/statuses.rs"]
+mod statuses;

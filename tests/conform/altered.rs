@@ -1,0 +1,94 @@
+//! Our own answers, altered.
+
+use std::sync::Arc;
+
+use harness::conform::{self, Card, Options, Profile, Reply, Subject, family::Family, ours};
+use serde_json::{Value, json};
+
+/// Answers as we do, then changes the answer.
+pub struct Altered(pub fn(&Value, Value) -> Value);
+
+impl Subject for Altered {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        let reply = |question: &Value| match ours(question) {
+            Ok(answer) => Reply::Answer((self.0)(question, answer)),
+            Err(error) => Reply::Refused(error),
+        };
+        questions.iter().map(reply).collect()
+    }
+}
+
+/// The families that one of these words selects; all, if there is none.
+pub fn families(words: &[&str]) -> Vec<Family> {
+    let mut families = conform::suite::all();
+    families
+        .retain(|family| words.is_empty() || words.iter().any(|word| family.is_selected_by(word)));
+    assert!(!families.is_empty(), "nothing is called {words:?}");
+    families
+}
+
+/// A run over these families.
+pub fn card(subject: &mut dyn Subject, words: &[&str], profile: Profile, cases: usize) -> Card {
+    let options = Options { profile, seed: 7, cases, interrupted: Arc::default() };
+    conform::run(subject, &families(words), &options, &mut |_| {}).expect("it answers")
+}
+
+/// Our answer to the question changed.
+pub fn instead(question: &Value, change: impl FnOnce(&mut Value)) -> Value {
+    let mut changed = question.clone();
+    let name = changed.as_object().and_then(|it| it.keys().next().cloned()).unwrap_or_default();
+    change(&mut changed[&name]);
+    ours(&changed).unwrap_or_else(|_| json!(null))
+}
+
+/// The data of a question.
+pub fn data(question: &Value) -> &Value {
+    question.as_object().and_then(|it| it.values().next()).expect("a question has data")
+}
+
+/// The kind's own data: `{"sphere": {…}}` without its tag.
+pub fn only(kind: &mut Value) -> &mut Value {
+    kind.as_object_mut().and_then(|it| it.values_mut().next()).expect("a kind has data")
+}
+
+/// Applies a function to a number, or to each number of a list.
+pub fn each(value: &mut Value, of: impl Fn(f64) -> f64) {
+    match value {
+        Value::Array(items) => {
+            for item in items {
+                if let Some(x) = item.as_f64() {
+                    *item = json!(of(x));
+                }
+            }
+        }
+        other => {
+            if let Some(x) = other.as_f64() {
+                *other = json!(of(x));
+            }
+        }
+    }
+}
+
+/// Applies a function to what is there, if it is.
+pub fn at(value: &mut Value, pointer: &str, of: impl Fn(f64) -> f64) {
+    if let Some(value) = value.pointer_mut(pointer) {
+        each(value, of);
+    }
+}
+
+/// Exchanges two items of a list.
+pub fn swap(value: &mut Value, i: usize, j: usize) {
+    if let Some(items) = value.as_array_mut() {
+        items.swap(i, j);
+    }
+}
+
+/// Three numbers.
+pub fn vector(value: &Value) -> [f64; 3] {
+    std::array::from_fn(|i| value[i].as_f64().unwrap_or(0.0))
+}
+
+/// The length of three numbers.
+pub fn length(value: &Value) -> f64 {
+    vector(value).iter().map(|x| x * x).sum::<f64>().sqrt()
+}

@@ -1,0 +1,162 @@
+//! What is no mistake: other roundings, other notations, less than everything, other random numbers.
+
+use harness::conform::{Profile, ours};
+use serde_json::{Value, json};
+
+use super::altered::{Altered, card, each, instead, length, swap, vector};
+
+/// Applies a function to every number of an answer.
+fn all_numbers(value: &mut Value, of: &impl Fn(f64) -> Value) {
+    match value {
+        Value::Number(number) => *value = of(number.as_f64().unwrap_or(0.0)),
+        Value::Array(items) => items.iter_mut().for_each(|item| all_numbers(item, of)),
+        Value::Object(fields) => fields.values_mut().for_each(|item| all_numbers(item, of)),
+        _ => {}
+    }
+}
+
+/// The next number away from zero.
+fn next(x: f64) -> f64 {
+    if x == 0.0 { x } else { f64::from_bits(x.to_bits() + 1) }
+}
+
+/// The families in which much can differ without being wrong.
+const SOME: [&str; 12] = [
+    "shapes/sphere",
+    "shapes/box",
+    "shapes/torus",
+    "shapes/instance",
+    "fresnel",
+    "lobe",
+    "camera_ray",
+    "project",
+    "map",
+    "light",
+    "transform",
+    "mapping",
+];
+
+/// Law: a harmless variant of our answers passes. Oracle: the variant, made on purpose.
+fn passes(what: &str, profile: Profile, words: &[&str], alter: fn(&Value, Value) -> Value) {
+    let card = card(&mut Altered(alter), words, profile, 12);
+    assert!(!card.is_failed(), "{what}: {card}");
+}
+
+#[test]
+fn single_precision_is_fair_by_the_book() {
+    passes("single precision", Profile::Book, &SOME, |_, mut a| {
+        all_numbers(&mut a, &|x| json!(f64::from(x as f32)));
+        a
+    });
+}
+
+#[test]
+fn a_constant_epsilon_is_fair_by_the_book() {
+    passes("ε = 10⁻⁴", Profile::Book, &["intersect"], |question, a| {
+        let is_plain =
+            question["intersect"]["all"].is_null() && question["intersect"]["span"].is_null();
+        match is_plain {
+            true => instead(question, |data| {
+                let size = length(&data["ray"]["direction"]);
+                data["span"] = json!([1e-4 / size, "inf"]);
+            }),
+            false => a,
+        }
+    });
+}
+
+#[test]
+fn another_rounding_is_no_mistake() {
+    passes("the next number", Profile::Careful, &SOME, |_, mut a| {
+        all_numbers(&mut a, &|x| json!(next(x)));
+        a
+    });
+}
+
+#[test]
+fn negative_zero_is_zero() {
+    passes("−0", Profile::Careful, &SOME, |_, mut a| {
+        all_numbers(&mut a, &|x| if x == 0.0 { json!(-0.0) } else { json!(x) });
+        a
+    });
+}
+
+#[test]
+fn whole_numbers_may_be_written_without_a_point() {
+    passes("8 for 8.0", Profile::Careful, &SOME, |_, mut a| {
+        let is_small = |x: f64| x.fract() == 0.0 && x.abs() < 1e9;
+        all_numbers(&mut a, &|x| if is_small(x) { json!(x as i64) } else { json!(x) });
+        a
+    });
+}
+
+#[test]
+fn equal_hits_have_no_order() {
+    passes("equal hits", Profile::Careful, &["shapes/torus", "shapes/box"], |_, mut a| {
+        if let Some(hits) = a.as_array_mut() {
+            hits.reverse();
+            hits.sort_by(|a, b| a["t"].as_f64().partial_cmp(&b["t"].as_f64()).expect("numbers"));
+        }
+        a
+    });
+}
+
+#[test]
+fn either_normal_of_a_double_root_is_right() {
+    passes("double roots", Profile::Careful, &["intersect.sphere.tangent"], |question, mut a| {
+        let direction = &question["intersect"]["ray"]["direction"];
+        let [n, d] = [vector(&a["normal"]), vector(direction)];
+        let cosine = (0..3).map(|i| n[i] * d[i]).sum::<f64>() / length(direction);
+        if !a.is_null() && cosine.abs() < 1e-13 {
+            each(&mut a["normal"], |x| -x);
+        }
+        a
+    });
+}
+
+#[test]
+fn fields_that_nobody_needs_may_be_left_out_or_added() {
+    passes("t and normal only", Profile::Careful, &["shapes/sphere", "shapes/torus"], |_, a| {
+        let less = |hit: &Value| json!({"t": hit["t"], "normal": hit["normal"], "note": "a hit"});
+        match &a {
+            Value::Array(hits) => hits.iter().map(less).collect(),
+            Value::Object(_) => less(&a),
+            _ => a,
+        }
+    });
+    passes(
+        "reflected only",
+        Profile::Careful,
+        &["fresnel.cosine"],
+        |_, a| json!({"reflected": a["reflected"], "took": "3 ms"}),
+    );
+}
+
+#[test]
+fn other_random_numbers_are_no_mistake() {
+    let random =
+        ["samples.jittered", "samples.multi_jittered", "samples.n_rooks", "samples.random"];
+    passes("another seed", Profile::Careful, &random, |question, _| {
+        instead(question, |data| data["seed"] = json!(data["seed"].as_u64().unwrap_or(0) + 1))
+    });
+}
+
+#[test]
+fn another_map_of_the_same_density_is_no_mistake() {
+    let glossy = ["lobe.lambertian", "lobe.glossy_specular"];
+    passes("u and v swapped", Profile::Careful, &glossy, |question, a| match question["lobe"]["u"]
+        .is_null()
+    {
+        true => a,
+        false => instead(question, |data| swap(&mut data["u"], 0, 1)),
+    });
+}
+
+#[test]
+fn noise_of_other_tables_is_no_mistake() {
+    passes("another lattice", Profile::Careful, &["noise"], |question, a| {
+        let mut other = question.clone();
+        other["noise"]["noise"]["seed"] = json!(99);
+        ours(&other).unwrap_or(a)
+    });
+}

@@ -1,0 +1,146 @@
+//! The command line of `conform`: exit statuses, files, errors.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(GROUNDTRUTH).arg("conform").args(arguments).output().expect("it starts")
+}
+
+fn errors(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A program that says every sphere is missed.
+const BLIND: [&str; 4] =
+    ["--", "sh", "-c", "$0 probe | sed -u 's/\"answer\":.*/\"answer\":null}/'"];
+
+fn blind(arguments: &[&str]) -> Output {
+    let all: Vec<&str> = ["intersect.sphere.ordinary", "--cases", "8"]
+        .iter()
+        .chain(arguments)
+        .chain(&BLIND)
+        .copied()
+        .collect();
+    run(&[&all[..], &[GROUNDTRUTH]].concat())
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).expect("it was written")
+}
+
+#[test]
+fn words_that_select_nothing_are_refused_with_a_hint() {
+    let output = run(&["shapes/tours", "--", "true"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(errors(&output).contains("did you mean `shapes/torus`?"), "{}", errors(&output));
+    let output = run(&["ch03", "--only", "lobe.*", "--", "true"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(errors(&output).contains("no family matches --only"), "{}", errors(&output));
+    let output = run(&["ch03"]);
+    assert_eq!(output.status.code(), Some(2), "a program is needed");
+}
+
+#[test]
+fn the_card_is_a_page_and_a_report_for_continuous_integration() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [page, junit] = ["card.html", "junit.xml"].map(|name| folder.path().join(name));
+    let [shown_page, shown_junit] = [&page, &junit].map(|path| path.to_str().expect("text"));
+    let output = blind(&["-o", shown_page, "--junit", shown_junit]);
+    assert_eq!(output.status.code(), Some(1), "{}", errors(&output));
+    let card = String::from_utf8_lossy(&output.stdout);
+    for text in ["ch03", "intersect.sphere.ordinary:", "expected  t = ", "1 of 1 families failed"] {
+        assert!(card.contains(text), "{text} is not in {card}");
+    }
+    let page = read(&page);
+    assert!(page.contains("intersect.sphere.ordinary") && page.contains("groundtruth probe"));
+    let junit = read(&junit);
+    assert!(junit.contains(
+        "<testsuite name=\"ch03\" tests=\"1\" skipped=\"0\" errors=\"0\" failures=\"1\""
+    ));
+    assert!(junit.contains("<testcase name=\"intersect.sphere.ordinary\""), "{junit}");
+}
+
+/// Law: a known failure is no failure, and a known failure that passes is one. Oracle: a program that is wrong, and our
+/// probe.
+#[test]
+fn known_failures_are_known_and_must_fail() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let known = folder.path().join("known");
+    let shown = known.to_str().expect("text");
+    assert_eq!(blind(&["--write-known", shown]).status.code(), Some(1));
+    assert_eq!(read(&known), "intersect.sphere.ordinary\n");
+    assert_eq!(blind(&["--known", shown]).status.code(), Some(0));
+    let ours =
+        ["intersect.sphere.ordinary", "--cases", "8", "--known", shown, "--", GROUNDTRUTH, "probe"];
+    let output = run(&ours);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(errors(&output).contains("known to fail, but does not"), "{}", errors(&output));
+    std::fs::write(&known, "# ours\nintersect.spere.ordinary\n").expect("written");
+    let output = run(&ours);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        errors(&output).contains("known:2: no family `intersect.spere.ordinary`"),
+        "{}",
+        errors(&output)
+    );
+}
+
+#[test]
+fn a_fresh_seed_is_printed_and_another_each_time() {
+    let seed = || {
+        let output = run(&[
+            "fresnel.cosine",
+            "--fresh",
+            "--json",
+            "--cases",
+            "4",
+            "--",
+            GROUNDTRUTH,
+            "probe",
+        ]);
+        let card: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        card["seed"].as_u64().expect("a seed")
+    };
+    assert_ne!(seed(), seed());
+}
+
+/// Law: an interrupted run prints what it has, with status 130. Oracle: a signal to a slow program's judge.
+#[test]
+fn an_interrupted_run_prints_what_it_has() {
+    let mut run = Command::new(GROUNDTRUTH)
+        .args([
+            "conform",
+            "ch19",
+            "--json",
+            "--",
+            "sh",
+            "-c",
+            "$0 probe | while read -r l; do sleep 0.01; echo \"$l\"; done",
+        ])
+        .arg(GROUNDTRUTH)
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let kill = Command::new("kill").args(["-INT", &run.id().to_string()]).status().expect("kill");
+    assert!(kill.success());
+    let mut text = String::new();
+    std::io::Read::read_to_string(&mut run.stdout.take().expect("piped"), &mut text).expect("text");
+    assert_eq!(run.wait().expect("it ends").code(), Some(130));
+    let card: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(card["complete"], Value::Bool(false));
+}
+
+#[test]
+fn each_language_has_an_adapter_to_start_from() {
+    for (language, has) in [("python", "import json"), ("cpp", "int main"), ("rust", "fn main")] {
+        let output = run(&["--init", language]);
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+        assert!(String::from_utf8_lossy(&output.stdout).contains(has), "{language}");
+    }
+}
