@@ -54,26 +54,53 @@ impl Compare {
             Side::Picture(picture) => Some(picture.size),
             Side::Scene(..) => None,
         });
-        let mut pictures = Vec::new();
-        for (side, name) in sides.into_iter().zip([&self.a, &self.b]) {
+        let (mut pictures, mut worlds) = (Vec::new(), [None, None]);
+        for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
             match side {
                 Side::Picture(picture) => {
                     picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
                     pictures.push(picture);
                 }
-                Side::Scene(scene, source) => pictures.push(rendered(*scene, source, name, size)?),
+                Side::Scene(scene, source) => {
+                    let world = world_of(*scene, source, name, size)?;
+                    pictures.push(Picture::of_film(&render::render(&world)));
+                    *built = Some(world);
+                }
             }
         }
-        let comparison = Comparison::of(&pictures[0], &pictures[1], self.tolerance)?;
+        let mut comparison = Comparison::of(&pictures[0], &pictures[1], self.tolerance)?;
+        if !comparison.is_same() {
+            self.ask_scenes(&mut comparison, &pictures, worlds);
+        }
         if let Some(file) = &self.output {
-            let html = compare::page(&comparison, [&self.a, &self.b], [&pictures[0], &pictures[1]]);
+            let commands = |pixel| self.commands(comparison.size, pixel);
+            let (names, both) = ([&*self.a, &*self.b], [&pictures[0], &pictures[1]]);
+            let html = compare::page(&comparison, names, both, &commands);
             film::replace(file, html.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
         }
         match self.json {
             true => print(&(serde_json::to_string_pretty(&comparison)? + "\n"))?,
-            false => print(&(comparison.to_string() + &self.commands(&comparison)))?,
+            false => print(&(comparison.to_string() + &self.advice(&comparison)))?,
         };
         Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
+    }
+
+    /// What only a scene can tell: whether its film points are off by half a pixel, and whether it has noise.
+    fn ask_scenes(
+        &self,
+        comparison: &mut Comparison,
+        pictures: &[Picture],
+        worlds: [Option<World>; 2],
+    ) {
+        for (index, world) in worlds.into_iter().enumerate() {
+            let Some(mut world) = world else { continue };
+            let [ours, theirs] = if index == 0 { [&self.a, "B"] } else { [&self.b, "A"] };
+            if comparison.explained_by.is_empty() {
+                let found = compare::half_pixel_shifts(&mut world, &pictures[1 - index], theirs);
+                comparison.explained_by = found;
+            }
+            comparison.notes.extend(compare::noise_note(&mut world, comparison, ours));
+        }
     }
 
     /// A name is that of a scene if the gallery has it, or if it ends in `.toml`.
@@ -92,28 +119,33 @@ impl Compare {
         Ok(Side::Picture(Picture::read(path, self.encoding)?))
     }
 
-    /// The `explain` command of the worst pixel of each region, if a side is a scene.
-    fn commands(&self, comparison: &Comparison) -> String {
+    /// The commands that explain a pixel, if a side is a scene.
+    fn commands(&self, [width, height]: [u32; 2], [x, y]: [u32; 2]) -> Vec<String> {
         let is_scene = |name: &&String| gallery::find(name).is_some() || name.ends_with(".toml");
-        let Some(scene) = [&self.a, &self.b].into_iter().find(is_scene) else {
+        let scene = [&self.a, &self.b].into_iter().find(is_scene);
+        let explain =
+            |scene| format!("groundtruth explain {scene} {x} {y} --size {width}x{height}");
+        scene.map(explain).into_iter().collect()
+    }
+
+    /// The commands for the worst pixel of each region.
+    fn advice(&self, comparison: &Comparison) -> String {
+        let of_region = |region: &compare::Region| self.commands(comparison.size, region.worst);
+        let commands: Vec<String> = comparison.listed().flat_map(of_region).collect();
+        if commands.is_empty() {
             return String::new();
-        };
-        let [width, height] = comparison.size;
-        let command = |[x, y]: [u32; 2]| {
-            format!("  groundtruth explain {scene} {x} {y} --size {width}x{height}\n")
-        };
-        let commands: String =
-            comparison.regions.iter().map(|region| command(region.worst)).collect();
-        if commands.is_empty() { commands } else { format!("why ours is so:\n{commands}") }
+        }
+        format!("why ours is so:\n  {}\n", commands.join("\n  "))
     }
 }
 
-fn rendered(
+/// The scene, built at this size.
+fn world_of(
     mut scene: Scene,
     source: Option<scene::Source>,
     name: &str,
     size: Option<[u32; 2]>,
-) -> Result<Picture, Box<dyn Error>> {
+) -> Result<World, Box<dyn Error>> {
     if let Some([width, height]) = size {
         let [w, h] = [scene.image.width, scene.image.height].map(u64::from);
         // a size is rounded to whole pixels
@@ -124,12 +156,8 @@ fn rendered(
         }
         scene.image.resize(width, height);
     }
-    let world = match &source {
+    Ok(match &source {
         Some(source) => World::of_source(&scene, source, DEFAULT_SEED)?,
         None => World::build_seeded(&scene, Path::new(""), DEFAULT_SEED)?,
-    };
-    if world.samples_per_pixel() > 1 {
-        eprintln!("note: {name} draws random numbers, so its picture has noise of its own");
-    }
-    Ok(Picture::of_film(&render::render(&world)))
+    })
 }
