@@ -384,6 +384,8 @@ fn the_exit_status_answers() {
     let commands: Vec<&str> =
         text.lines().filter_map(|line| line.strip_prefix("  groundtruth explain")).collect();
     assert!(!commands.is_empty());
+    let window = "inspector ch03/three-objects --compare shifted.exr";
+    assert!(text.contains(&format!("to look: {window}\n")) && html.contains(window), "{text}");
     for command in commands {
         assert!(html.contains(command), "the page lacks {command}");
     }

@@ -36,6 +36,11 @@ impl Differences {
         Self { size: a.picture.size, values, magnitudes }
     }
 
+    /// The difference of a pixel.
+    pub fn at(&self, [x, y]: [u32; 2]) -> [f64; 3] {
+        self.values[y as usize * self.size[0] as usize + x as usize]
+    }
+
     /// The magnitude that this share of all differences is within; 1 if there are none.
     pub fn within(&self, share: f64) -> f64 {
         quantile(&self.magnitudes, share).unwrap_or(1.0)

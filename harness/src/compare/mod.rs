@@ -4,6 +4,7 @@
 //! so that a difference within that interval is none. NaN is the worst difference and equals nothing.
 
 mod differences;
+mod fitted;
 mod half_pixel;
 mod hypotheses;
 mod noise;
@@ -16,6 +17,7 @@ mod text;
 use serde::Serialize;
 
 pub use differences::Differences;
+pub use fitted::{NoPair, fit};
 pub use half_pixel::half_pixel_shifts;
 pub use hypotheses::Hypothesis;
 pub use noise::noise_note;

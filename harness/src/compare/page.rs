@@ -1,9 +1,9 @@
 //! A comparison as one HTML page that needs nothing beside it, and no script.
 
-use groundtruth::film::{Film, OutOfGamut, Tone};
+use groundtruth::film::{OutOfGamut, Tone};
 
 use super::pair::{self, Pair};
-use super::{Comparison, Decoded, Picture};
+use super::{Comparison, Picture};
 use crate::html::escaped;
 
 const STYLE: &str = "\
@@ -20,7 +20,7 @@ pub fn page(
 ) -> String {
     let [name_a, name_b] = names.map(escaped);
     let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
-    let (names, shown) = (["A", "B"], pictures.map(film_of));
+    let (names, shown) = (["A", "B"], pictures.map(Picture::radiance));
     let pair = Pair { names, pictures, shown, tone, comparison, commands };
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{name_a} and {name_b}</title>\n\
@@ -29,15 +29,4 @@ pub fn page(
         escaped(&comparison.to_string()),
         pair.html()
     )
-}
-
-/// The radiances of a picture.
-fn film_of(picture: &Picture) -> Film {
-    let mut film = Film::new(picture.size[0], picture.size[1]);
-    let decoded = Decoded::new(picture);
-    for i in 0..picture.values.len() {
-        let at = [i as u32 % picture.size[0], i as u32 / picture.size[0]];
-        film.set(at, decoded.at(i).into());
-    }
-    film
 }
