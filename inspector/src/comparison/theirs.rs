@@ -7,6 +7,7 @@ use eframe::egui::{
     Align2, Color32, Context, CursorIcon, FontId, Id, Painter, Rect, Sense, Stroke, Ui, WidgetInfo,
     accesskit::Role, vec2,
 };
+use groundtruth::explain;
 use groundtruth::film::{Film, OutOfGamut, Tone};
 use groundtruth::rgb::Rgb;
 use harness::compare::{Comparison, Differences, Picture, Transfer};
@@ -97,6 +98,20 @@ impl Theirs {
     pub fn radiance(&self, [x, y]: [u32; 2]) -> Option<Rgb> {
         let [width, height] = self.size();
         (x < width && y < height).then(|| self.radiance.get([x, y]))
+    }
+
+    /// Its value at a pixel in words: as stored if that is radiance, else radiance and the stored integers.
+    pub fn value(&self, pixel: [u32; 2]) -> Option<String> {
+        let radiance = self.radiance(pixel)?;
+        let [r, g, b] = self.picture.values[self.picture.index(pixel)];
+        Some(match self.picture.step {
+            None => format!("({r:?}, {g:?}, {b:?})"),
+            Some(step) => {
+                let integer = |value: f32| (f64::from(value) / step).round();
+                let [r, g, b, largest] = [r, g, b, 1.0].map(integer);
+                format!("{}, stored as {r}, {g}, {b} of {largest}", explain::short(radiance))
+            }
+        })
     }
 
     /// How it compares with this picture of ours, once that is finished and compared.

@@ -99,13 +99,15 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
 
 /// Their value of the pixel, and the difference from ours.
 pub fn theirs(ui: &mut Ui, pixel: [u32; 2], theirs: &Theirs, generation: u64, tone: &Tone) {
-    let Some(radiance) = theirs.radiance(pixel) else { return };
+    let (Some(radiance), Some(value)) = (theirs.radiance(pixel), theirs.value(pixel)) else {
+        return;
+    };
     let small = |text: String| RichText::new(text).monospace().size(12.0);
     let difference = theirs.difference(generation, pixel);
     let equal = if difference == Some(Rgb::BLACK) { ": equal" } else { "" };
     ui.horizontal_wrapped(|ui| {
         tree::swatch(ui, display::color(tone, radiance));
-        ui.label(small(format!("theirs: {}{equal}", details::exact(radiance.to_array()))));
+        ui.label(small(format!("theirs: {value}{equal}")));
     });
     if let Some(difference) = difference.filter(|difference| *difference != Rgb::BLACK) {
         ui.label(small(format!("theirs − ours: {}", short(difference))));

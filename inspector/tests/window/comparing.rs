@@ -136,7 +136,8 @@ fn the_next_region_is_explained_beside_their_value() {
         let stored = Rgb::from(b.to_array().map(|channel| f64::from(channel as f32)));
         let line = text_with(&window, "theirs: ");
         for channel in stored.to_array() {
-            assert!(line.contains(&format!("{channel:?}")), "{line} lacks {channel:?}");
+            let channel = format!("{:?}", channel as f32);
+            assert!(line.contains(&channel), "{line} lacks {channel}");
         }
         let line = text_with(&window, "theirs − ours: ");
         let ours = Rgb::from(a.to_array().map(|channel| f64::from(channel as f32)));
@@ -220,6 +221,7 @@ fn bytes_are_decoded_as_srgb() {
             Arguments::parse_from(line).theirs().expect("it is read").expect("it is named");
         let value = theirs.radiance([0, 0]).expect("inside");
         assert!(value.to_array().iter().all(|c| (c - expected).abs() < 1e-4), "{value:?}");
+        assert!(theirs.value([0, 0]).is_some_and(|it| it.ends_with("188, 188, 188 of 255")));
         assert_eq!(theirs.radiance([1, 0]), None);
     }
 }
