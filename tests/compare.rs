@@ -168,7 +168,7 @@ fn a_shift_by_half_a_pixel_is_named() {
 }
 
 /// Law: a note says that another seed changes pixels exactly of scenes that draw random numbers, and leaves the
-/// world as it was. Oracle: scenes with soft and with hard shadows.
+/// world as it was; another sampling is no shift. Oracle: scenes with soft and with hard shadows.
 #[test]
 fn noise_is_noted_where_the_seed_counts() {
     for (name, has_noise) in
@@ -179,6 +179,8 @@ fn noise_is_noted_where_the_seed_counts() {
         let comparison = compared(&picture, &mapped(&picture, |color| color.map(|c| c + 0.5)));
         let note = noise_note(&mut world, &comparison, name);
         assert_eq!(note.is_some(), has_noise, "{name}: {note:?}");
+        let other = Picture::of_film(&rendered(name, 2));
+        assert_eq!(half_pixel_shifts(&mut world, &other, "B"), [], "noise is no shift");
         assert_eq!(Picture::of_film(&render::render(&world)).values, picture.values);
     }
 }
@@ -341,7 +343,8 @@ fn the_exit_status_answers() {
         let text = [output.stdout, output.stderr].concat();
         (output.status.code(), String::from_utf8(text).expect("UTF-8"))
     };
-    let expected: [(&[&str], i32); 12] = [
+    film::write(&Film::new(45, 30), &tone, &folder.path().join("pair.exr")).expect("written");
+    let expected: [(&[&str], i32); 14] = [
         (&["dim.exr", "dim.pfm"], 0),
         (&["dim.exr", "dim.png", "--encoding", "linear"], 0),
         (&["dim.ppm", "dim.exr", "--encoding", "linear"], 0),
@@ -350,6 +353,9 @@ fn the_exit_status_answers() {
         (&["dim.exr", "film.exr", "--json"], 1),
         (&["dim.exr", "dim.png"], 1),
         (&["film.exr", "ch24/hall-of-mirrors", "--tolerance", "0.5"], 1),
+        (&["pair.exr", "ch12/three-spheres"], 1),
+        // 60 columns less 5 are no two images
+        (&["dim.exr", "ch12/three-spheres"], 2),
         (&["dim.exr", "text.png"], 2),
         (&["dim.exr", "missing.png"], 2),
         (&["dim.exr", "no/such-scene"], 2),
@@ -366,6 +372,9 @@ fn the_exit_status_answers() {
     for link in ["http:", "https:", "href=", "url(", "<script", "<link"] {
         assert!(!html.contains(link), "the page needs {link}");
     }
+    // the image of each eye has (45 − 5)/2 columns
+    let (_, text) = status(&["pair.exr", "ch12/three-spheres"]);
+    assert!(text.contains("--size 20x30"), "{text}");
     // three scales, and two crops for each region
     let regions = html.matches("the worst at (").count();
     assert_eq!(html.matches("% of the differences are within").count(), 3);
