@@ -7,8 +7,11 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
+use groundtruth::trace;
 use groundtruth::world::World;
-use harness::compare::{Comparison, Picture, SizesDiffer, Transfer};
+use harness::compare::{
+    Comparison, Differences, Picture, SizesDiffer, Transfer, half_pixel_shifts, noise_note,
+};
 
 const SIZE: [u32; 2] = [60, 40];
 
@@ -105,6 +108,83 @@ fn honest_pairs_are_explained_by_nothing() {
     assert_eq!(explanation(&ours, &other), "none");
 }
 
+/// A scene as a world of one sample per pixel.
+fn world(name: &str) -> World {
+    let mut scene = gallery::find(name).map(|entry| (entry.build)()).expect("listed");
+    scene.image.resize(SIZE[0], SIZE[1]);
+    scene.image.samples = 1;
+    World::build(&scene).expect("gallery scenes are valid")
+}
+
+/// The picture of a world from rays through these points of its pixels, in pixels from the lower left corners.
+fn film_through(world: &World, point: [f64; 2]) -> Film {
+    let mut film = Film::new(SIZE[0], SIZE[1]);
+    for pixel in (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y])) {
+        let ray =
+            world.view.eyes()[0].ray(render::film_point(&world.image, pixel, point), [0.0; 2]);
+        let radiance = |ray| trace::radiance(world, &ray, world.draws(pixel, 0), &mut ());
+        film.set(pixel, ray.map_or(Rgb::BLACK, radiance));
+    }
+    film
+}
+
+/// Law: film points that are off by half a pixel are named with their directions, for every camera without noise,
+/// also in 8 bits; a shift by a third of a pixel is none by a half. Oracle: rays through points chosen by hand.
+#[test]
+fn a_shift_by_half_a_pixel_is_named() {
+    let directions = [
+        ([0.0, 0.5], "B is half a pixel too far right"),
+        ([1.0, 0.5], "B is half a pixel too far left"),
+        ([0.5, 0.0], "B is half a pixel too far up"),
+        ([0.5, 1.0], "B is half a pixel too far down"),
+        (
+            [0.0, 0.0],
+            "B is half a pixel too far right and half a pixel too far up (corners of pixels taken for centres)",
+        ),
+        (
+            [1.0, 0.0],
+            "B is half a pixel too far left and half a pixel too far up (corners of pixels taken for centres)",
+        ),
+    ];
+    for name in ["ch24/hall-of-mirrors", "ch03/three-objects", "ch11/fisheye-180"] {
+        let mut world = world(name);
+        for (point, expected) in directions {
+            let theirs = Picture::of_film(&film_through(&world, point));
+            let byte = |value: f32| (255.0 * value.clamp(0.0, 1.0)).round() / 255.0;
+            let in_bytes = Picture { step: Some(1.0 / 255.0), ..mapped(&theirs, |c| c.map(byte)) };
+            for theirs in [theirs, in_bytes] {
+                let found = half_pixel_shifts(&mut world, &theirs, "B");
+                assert_eq!(found.first().map(|it| &*it.what), Some(expected), "{name}");
+                // the fisheye is black outside the view plane of the unshifted picture
+                assert!(found[0].left < 0.05, "{name}: {found:?}");
+            }
+        }
+        for point in [[0.5, 0.5], [0.5 + 1.0 / 3.0, 0.5], [0.5, 1.5]] {
+            let theirs = Picture::of_film(&film_through(&world, point));
+            assert_eq!(half_pixel_shifts(&mut world, &theirs, "B"), [], "{name} {point:?}");
+        }
+        assert_eq!(world.picture_size(), SIZE, "the world is as before");
+    }
+}
+
+/// Law: a note says that another seed changes pixels exactly of scenes that draw random numbers, and leaves the
+/// world as it was; another sampling is no shift. Oracle: scenes with soft and with hard shadows.
+#[test]
+fn noise_is_noted_where_the_seed_counts() {
+    for (name, has_noise) in
+        [("ch24/hall-of-mirrors", false), ("ch18/rectangle", true), ("ch26/cornell-box", true)]
+    {
+        let mut world = world(name);
+        let picture = Picture::of_film(&render::render(&world));
+        let comparison = compared(&picture, &mapped(&picture, |color| color.map(|c| c + 0.5)));
+        let note = noise_note(&mut world, &comparison, name);
+        assert_eq!(note.is_some(), has_noise, "{name}: {note:?}");
+        let other = Picture::of_film(&rendered(name, 2));
+        assert_eq!(half_pixel_shifts(&mut world, &other, "B"), [], "noise is no shift");
+        assert_eq!(Picture::of_film(&render::render(&world)).values, picture.values);
+    }
+}
+
 /// Law: 8-bit values stand for the radiance that is rounded, truncated or clamped to them, with the right
 /// transfer function; with another one they differ, and the right one is named. Oracle: encoding by hand.
 #[test]
@@ -156,7 +236,7 @@ fn what_is_no_radiance_is_counted() {
     let comparison = compared(&ours, &theirs);
     let counts = comparison.unusual.map(|it| [it.nan, it.infinite, it.negative]);
     assert_eq!((counts, comparison.differing), ([[0; 3], [1, 1, 1]], 3));
-    assert!(comparison.worst().is_some_and(|worst| worst.difference == f64::INFINITY));
+    assert!(comparison.worst.is_some_and(|worst| worst.difference == f64::INFINITY));
     assert_eq!(compared(&theirs, &theirs).differing, 1, "NaN is not NaN");
     assert!(comparison.root_mean_square.is_finite());
 }
@@ -180,6 +260,49 @@ fn regions_are_boxes_of_connected_pixels() {
     let expected =
         [(3, [2, 2, 3, 2], [3, 3]), (2, [18, 0, 2, 1], [18, 0]), (1, [10, 9, 1, 1], [10, 9])];
     assert_eq!(found, expected);
+}
+
+/// Law: the largest difference is listed with its region, also if ten regions are larger, and once. Oracle: a
+/// picture of bars and one pixel, drawn by hand.
+#[test]
+fn the_worst_region_is_listed_once() {
+    let black = Picture::of_film(&Film::new(30, 4));
+    let mut theirs = black.clone();
+    for column in 0..12 {
+        theirs.values[2 * column] = [0.5; 3];
+        theirs.values[30 + 2 * column] = [0.5; 3];
+    }
+    theirs.values[3 * 30 + 29] = [f32::NAN, 0.0, 0.0];
+    let comparison = compared(&black, &theirs);
+    let listed: Vec<_> = comparison.listed().map(|region| region.worst).collect();
+    assert_eq!((comparison.regions.len(), listed.len(), listed[10]), (10, 11, [29, 3]));
+    assert!(comparison.to_string().contains("largest difference: inf at (29, 3)"), "{comparison}");
+    theirs.values[..60].fill([0.0; 3]);
+    assert_eq!(compared(&black, &theirs).listed().count(), 1, "NaN is one region");
+}
+
+/// Law: differences are signed, 0 within an integer's interval or the tolerance, and magenta where they are NaN; a
+/// share of them is within each scale. Oracle: values chosen by hand.
+#[test]
+fn differences_are_shown_around_grey() {
+    let mut film = Film::new(5, 1);
+    (0..5).for_each(|x| film.set([x, 0], Rgb::grey(0.5)));
+    let ours = Picture::of_film(&film);
+    let mut theirs = ours.clone();
+    theirs.values[1] = [0.6; 3];
+    theirs.values[2] = [0.3; 3];
+    theirs.values[3] = [f32::NAN; 3];
+    theirs.values[4] = [0.501; 3];
+    let differences = Differences::of(&ours, &theirs, 0.01);
+    assert!((differences.within(0.5) - 0.1).abs() < 1e-6);
+    assert!((differences.within(1.0) - 0.2).abs() < 1e-6);
+    let shown = differences.film(differences.within(1.0));
+    let near = |x: u32, grey: f64| (shown.get([x, 0]) - Rgb::grey(grey)).max().abs() < 1e-5;
+    assert!(near(0, 0.5) && near(1, 0.75) && near(2, 0.0) && near(4, 0.5), "{shown:?}");
+    assert_eq!(shown.get([3, 0]), Rgb::new(1.0, 0.0, 1.0));
+    let bytes = Picture { step: Some(1.0 / 255.0), ..mapped(&ours, |c| c.map(|_| 127.0 / 255.0)) };
+    let differences = Differences::of(&ours, &bytes, 0.0).film(1.0);
+    assert!(differences.pixels().iter().all(|pixel| *pixel == Rgb::grey(0.5)));
 }
 
 /// Law: pictures of two sizes are not compared. Oracle: none; the error names both.
@@ -220,7 +343,8 @@ fn the_exit_status_answers() {
         let text = [output.stdout, output.stderr].concat();
         (output.status.code(), String::from_utf8(text).expect("UTF-8"))
     };
-    let expected: [(&[&str], i32); 12] = [
+    film::write(&Film::new(45, 30), &tone, &folder.path().join("pair.exr")).expect("written");
+    let expected: [(&[&str], i32); 14] = [
         (&["dim.exr", "dim.pfm"], 0),
         (&["dim.exr", "dim.png", "--encoding", "linear"], 0),
         (&["dim.ppm", "dim.exr", "--encoding", "linear"], 0),
@@ -229,6 +353,9 @@ fn the_exit_status_answers() {
         (&["dim.exr", "film.exr", "--json"], 1),
         (&["dim.exr", "dim.png"], 1),
         (&["film.exr", "ch24/hall-of-mirrors", "--tolerance", "0.5"], 1),
+        (&["pair.exr", "ch12/three-spheres"], 1),
+        // 60 columns less 5 are no two images
+        (&["dim.exr", "ch12/three-spheres"], 2),
         (&["dim.exr", "text.png"], 2),
         (&["dim.exr", "missing.png"], 2),
         (&["dim.exr", "no/such-scene"], 2),
@@ -244,6 +371,32 @@ fn the_exit_status_answers() {
     assert!(html.contains("B is A divided by 1/2"), "the page says why");
     for link in ["http:", "https:", "href=", "url(", "<script", "<link"] {
         assert!(!html.contains(link), "the page needs {link}");
+    }
+    // the image of each eye has (45 − 5)/2 columns
+    let (_, text) = status(&["pair.exr", "ch12/three-spheres"]);
+    assert!(text.contains("--size 20x30"), "{text}");
+    // three scales, and two crops for each region
+    let regions = html.matches("the worst at (").count();
+    assert_eq!(html.matches("% of the differences are within").count(), 3);
+    assert_eq!(
+        html.matches("<i style=").count(),
+        2 * (regions / 2),
+        "in the text and in a row each"
+    );
+    let name = "ch03/three-objects";
+    let shifted = folder.path().join("shifted.exr");
+    film::write(&film_through(&world(name), [0.0, 0.0]), &tone, &shifted).expect("written");
+    let (found, text) = status(&["shifted.exr", name, "-o", "shifted.html"]);
+    let expected = "explained: A is half a pixel too far right and half a pixel too far up";
+    assert!(found == Some(1) && text.contains(expected), "{text}");
+    let html = std::fs::read_to_string(folder.path().join("shifted.html")).expect("the page");
+    let commands: Vec<&str> =
+        text.lines().filter_map(|line| line.strip_prefix("  groundtruth explain")).collect();
+    assert!(!commands.is_empty());
+    let window = "inspector ch03/three-objects --compare shifted.exr";
+    assert!(text.contains(&format!("to look: {window}\n")) && html.contains(window), "{text}");
+    for command in commands {
+        assert!(html.contains(command), "the page lacks {command}");
     }
     let (_, json) = status(&["dim.exr", "film.exr", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");

@@ -9,6 +9,8 @@ use eframe::egui::{
 use groundtruth::explain;
 use groundtruth::scene::Scene;
 
+use crate::comparison::bar;
+use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Selection;
 use crate::explanation::trail;
 use crate::explanation::tree::Tree;
@@ -38,6 +40,8 @@ pub struct Inspector {
     pub fields: Fields,
     /// The message, and whether it is an error.
     pub message: Option<(String, bool)>,
+    /// The picture that ours is held against.
+    pub theirs: Option<Theirs>,
     /// The list of scenes.
     pub picker: ScenePicker,
     /// The scene with the present settings and switches.
@@ -71,6 +75,7 @@ impl Inspector {
             selection: Selection::default(),
             fields: Fields { save: StoredSettings::default().save, ..Fields::default() },
             message: None,
+            theirs: None,
             picker: ScenePicker::default(),
             wanted,
             seed,
@@ -118,6 +123,7 @@ impl Inspector {
             || self.selection.is_waiting()
             || matches!(self.rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(&self.rendering, self.generation)
+            || self.theirs.as_ref().is_some_and(|it| it.is_busy(&self.rendering, self.generation))
     }
 
     /// Draws the window and carries out what the user asks for.
@@ -149,6 +155,9 @@ impl Inspector {
         keys::list(&ctx, &mut self.is_showing_keys);
 
         self.picture.refresh(&ctx, &self.rendering, self.generation);
+        if let Some(theirs) = &mut self.theirs {
+            theirs.refresh(&ctx, &self.rendering, self.generation, self.picture.tone);
+        }
         self.selection.refresh(&ctx, &self.rendering, self.generation);
         if self.is_busy() {
             ctx.request_repaint_after(Duration::from_millis(50));
@@ -165,13 +174,41 @@ impl Inspector {
             action
         });
         let status = Panel::bottom("status").frame(bar).show(ui, |ui| {
-            panels::status(ui, &self.rendering, self.hovered, self.loading.is_busy())
+            let (rendering, theirs) = (&self.rendering, self.theirs.as_ref());
+            panels::status(ui, rendering, theirs, self.hovered, self.loading.is_busy())
         });
         self.is_showing_keys ^= status.inner;
         Panel::top("view")
             .frame(bar)
             .show(ui, |ui| panels::view_settings(ui, &mut self.picture, &self.rendering));
+        if let Some(theirs) = &mut self.theirs {
+            let (rendering, generation) = (&self.rendering, self.generation);
+            let show = |ui: &mut Ui| bar::show(ui, theirs, rendering, generation);
+            if Panel::top("comparison").frame(bar).show(ui, show).inner {
+                self.select_next_region();
+            }
+        }
         action.inner
+    }
+
+    /// Selects the worst pixel of the next region of difference.
+    fn select_next_region(&mut self) {
+        let Some(theirs) = &mut self.theirs else { return };
+        match theirs.next_region(self.generation) {
+            Some(pixel) => {
+                self.select(pixel);
+                self.picture.reveal(self.rendering.size(), pixel);
+            }
+            None => {
+                let is_compared = theirs.comparison(self.generation).is_some();
+                let text = if is_compared {
+                    "no pixel differs"
+                } else {
+                    "the pictures are not compared yet"
+                };
+                self.message = Some((text.to_owned(), false));
+            }
+        }
     }
 
     /// The scene, the picture and the explanation, side by side. Returns whether the scene was changed.
@@ -182,11 +219,22 @@ impl Inspector {
         });
         let resampled = part(ui, ("explanation", parts.explanation), |ui| {
             let (rendering, tone) = (&self.rendering, &self.picture.tone);
-            self.selection.show(ui, rendering, self.generation, tone, &mut self.wanted)
+            let shown = (rendering, self.theirs.as_ref(), self.generation);
+            self.selection.show(ui, shown, tone, &mut self.wanted)
         });
         part(ui, ("picture", parts.picture), |ui| {
             let size = self.rendering.size();
-            self.hovered = self.picture.show(ui, size, self.selection.pixel);
+            let fits = |theirs: &&mut Theirs| theirs.fits(&self.rendering);
+            let mut theirs = self.theirs.as_mut().filter(fits);
+            self.hovered =
+                self.picture.show(ui, size, self.selection.pixel, |painter, placement| {
+                    if let Some(theirs) = &theirs {
+                        theirs.paint(painter, placement, self.generation);
+                    }
+                });
+            if let Some(theirs) = &mut theirs {
+                theirs.show_divider(ui, parts.picture);
+            }
             let trail = self.selection.trail(&self.rendering);
             trail::paint(ui.painter(), &self.picture.placement(size), &trail);
         });
@@ -259,6 +307,12 @@ impl Inspector {
             Shortcut::Save if !save.is_empty() => return Some(Action::Save(save.into())),
             Shortcut::Save => self.message = Some(("the picture has no name".to_owned(), true)),
             Shortcut::Keys => self.is_showing_keys ^= true,
+            Shortcut::NextRegion => self.select_next_region(),
+            shortcut => {
+                if let Some(theirs) = &mut self.theirs {
+                    theirs.follow(shortcut);
+                }
+            }
         }
         None
     }

@@ -4,10 +4,14 @@
 //! or from the film. [`app::Inspector`] is the whole state and draws the window; everything slow
 //! runs beside it in [`picture::worker`].
 //!
-//! Four folders hold the rest: [`scene`], [`picture`] and [`explanation`] for the three parts of
-//! the window, and [`window`] for what is around them.
+//! Pictures are compared by [`harness::compare`].
+//!
+//! Five folders hold the rest: [`scene`], [`picture`] and [`explanation`] for the three parts of
+//! the window, [`comparison`] for another program's picture held against ours, and [`window`] for
+//! what is around them.
 
 pub mod app;
+pub mod comparison;
 pub mod explanation;
 pub mod picture;
 pub mod scene;

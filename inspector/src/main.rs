@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use eframe::egui;
 use inspector::app::Inspector;
+use inspector::comparison::theirs::Theirs;
 use inspector::scene::source::Loaded;
 use inspector::window::arguments::Arguments;
 use inspector::window::stored_settings::StoredSettings;
@@ -13,9 +14,12 @@ use inspector::window::style::set_style;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    // reports a bad scene in the terminal, before a window opens
-    let loaded = arguments.load().map_err(Into::into);
-    match loaded.and_then(|loaded| open(loaded, &arguments)) {
+    // reports a bad picture or scene in the terminal, before a window opens
+    let loaded = arguments.theirs().and_then(|theirs| {
+        let loaded = arguments.load(theirs.as_ref())?;
+        Ok((loaded, theirs))
+    });
+    match loaded.map_err(Into::into).and_then(|loaded| open(loaded, &arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {}", groundtruth::printable::text(&error.to_string()));
@@ -24,7 +28,13 @@ fn main() -> ExitCode {
     }
 }
 
-fn open(loaded: Loaded, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+fn open(
+    (loaded, theirs): (Loaded, Option<Theirs>),
+    arguments: &Arguments,
+) -> Result<(), Box<dyn Error>> {
+    for note in theirs.iter().flat_map(Theirs::notes) {
+        eprintln!("note: {}", groundtruth::printable::text(note));
+    }
     let viewport = egui::ViewportBuilder::default()
         .with_title("Groundtruth inspector")
         .with_inner_size([1400.0, 830.0])
@@ -35,6 +45,7 @@ fn open(loaded: Loaded, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let start = move |context: &eframe::CreationContext<'_>| {
         set_style(&context.egui_ctx);
         let mut inspector = Inspector::new(&context.egui_ctx, loaded);
+        inspector.theirs = theirs;
         inspector.restore(StoredSettings::read(context.storage));
         if let Some(pixel) = pixel {
             inspector.select(pixel);

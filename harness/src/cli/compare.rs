@@ -41,6 +41,14 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A scene's name, and the size of its image.
+type Ours<'a> = (&'a str, [u32; 2]);
+
+/// A name is that of a scene if the gallery has it, or if it ends in `.toml`.
+fn is_scene(name: &str) -> bool {
+    gallery::find(name).is_some() || Path::new(name).extension().is_some_and(|it| it == "toml")
+}
+
 /// One side of a comparison.
 enum Side {
     Picture(Picture),
@@ -54,35 +62,64 @@ impl Compare {
             Side::Picture(picture) => Some(picture.size),
             Side::Scene(..) => None,
         });
-        let mut pictures = Vec::new();
-        for (side, name) in sides.into_iter().zip([&self.a, &self.b]) {
+        let (mut pictures, mut worlds) = (Vec::new(), [None, None]);
+        for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
             match side {
                 Side::Picture(picture) => {
                     picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
                     pictures.push(picture);
                 }
-                Side::Scene(scene, source) => pictures.push(rendered(*scene, source, name, size)?),
+                Side::Scene(scene, source) => {
+                    let world = world_of(*scene, source, name, size)?;
+                    pictures.push(Picture::of_film(&render::render(&world)));
+                    *built = Some(world);
+                }
             }
         }
-        let comparison = Comparison::of(&pictures[0], &pictures[1], self.tolerance)?;
+        let size = |world: &World| [world.image.width, world.image.height];
+        let ours = [&*self.a, &*self.b].into_iter().zip(&worlds);
+        let ours = ours.filter_map(|(name, world)| Some((name, size(world.as_ref()?)))).next();
+        let mut comparison = Comparison::of(&pictures[0], &pictures[1], self.tolerance)?;
+        if !comparison.is_same() {
+            self.ask_scenes(&mut comparison, &pictures, worlds);
+        }
         if let Some(file) = &self.output {
-            let html = compare::page(&comparison, [&self.a, &self.b], [&pictures[0], &pictures[1]]);
+            let commands = |pixel| ours.map_or(Vec::new(), |ours| self.commands(ours, pixel));
+            let (names, both) = ([&*self.a, &*self.b], [&pictures[0], &pictures[1]]);
+            let html = compare::page(&comparison, names, both, &commands);
             film::replace(file, html.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
         }
         match self.json {
             true => print(&(serde_json::to_string_pretty(&comparison)? + "\n"))?,
-            false => print(&(comparison.to_string() + &self.commands(&comparison)))?,
+            false => print(&(comparison.to_string() + &self.advice(&comparison, ours)))?,
         };
         Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
     }
 
-    /// A name is that of a scene if the gallery has it, or if it ends in `.toml`.
+    /// What only a scene can tell: whether its film points are off by half a pixel, and whether it has noise.
+    fn ask_scenes(
+        &self,
+        comparison: &mut Comparison,
+        pictures: &[Picture],
+        worlds: [Option<World>; 2],
+    ) {
+        for (index, world) in worlds.into_iter().enumerate() {
+            let Some(mut world) = world else { continue };
+            let [ours, theirs] = if index == 0 { [&self.a, "B"] } else { [&self.b, "A"] };
+            if comparison.explained_by.is_empty() {
+                let found = compare::half_pixel_shifts(&mut world, &pictures[1 - index], theirs);
+                comparison.explained_by = found;
+            }
+            comparison.notes.extend(compare::noise_note(&mut world, comparison, ours));
+        }
+    }
+
     fn side(&self, name: &str) -> Result<Side, Box<dyn Error>> {
         let path = Path::new(name);
         if let Some(entry) = gallery::find(name) {
             return Ok(Side::Scene(Box::new((entry.build)()), None));
         }
-        if path.extension().is_some_and(|extension| extension == "toml") {
+        if is_scene(name) {
             let (scene, source) = scene::open(path)?;
             return Ok(Side::Scene(Box::new(scene), Some(source)));
         }
@@ -92,44 +129,51 @@ impl Compare {
         Ok(Side::Picture(Picture::read(path, self.encoding)?))
     }
 
-    /// The `explain` command of the worst pixel of each region, if a side is a scene.
-    fn commands(&self, comparison: &Comparison) -> String {
-        let is_scene = |name: &&String| gallery::find(name).is_some() || name.ends_with(".toml");
-        let Some(scene) = [&self.a, &self.b].into_iter().find(is_scene) else {
-            return String::new();
+    /// The commands that explain a pixel of a scene whose image (of a stereo pair: each eye's) has this size.
+    fn commands(&self, (scene, [width, height]): Ours<'_>, [x, y]: [u32; 2]) -> Vec<String> {
+        let explain = format!("groundtruth explain {scene} {x} {y} --size {width}x{height}");
+        let inspect = self.window(scene).map(|window| format!("{window} --pixel {x},{y}"));
+        std::iter::once(explain).chain(inspect).collect()
+    }
+
+    /// The command that shows a scene and the picture of the other side in the window.
+    fn window(&self, scene: &str) -> Option<String> {
+        let file = if self.a == scene { &self.b } else { &self.a };
+        let encoding = match self.encoding {
+            Transfer::Srgb => String::new(),
+            Transfer::Linear => " --encoding linear".to_owned(),
+            Transfer::Gamma(gamma) => format!(" --encoding gamma={gamma}"),
         };
-        let [width, height] = comparison.size;
-        let command = |[x, y]: [u32; 2]| {
-            format!("  groundtruth explain {scene} {x} {y} --size {width}x{height}\n")
-        };
-        let commands: String =
-            comparison.regions.iter().map(|region| command(region.worst)).collect();
-        if commands.is_empty() { commands } else { format!("why ours is so:\n{commands}") }
+        (!is_scene(file)).then(|| format!("inspector {scene} --compare {file}{encoding}"))
+    }
+
+    /// The commands for the worst pixel of each region.
+    fn advice(&self, comparison: &Comparison, ours: Option<Ours<'_>>) -> String {
+        let Some(ours) = ours.filter(|_| !comparison.is_same()) else { return String::new() };
+        let explain = |region: &compare::Region| self.commands(ours, region.worst).swap_remove(0);
+        let commands: Vec<String> = comparison.listed().map(explain).collect();
+        let window = self.window(ours.0).map(|window| format!("to look: {window}\n"));
+        format!("why ours is so:\n  {}\n{}", commands.join("\n  "), window.unwrap_or_default())
     }
 }
 
-fn rendered(
+/// The scene, built at this size.
+fn world_of(
     mut scene: Scene,
     source: Option<scene::Source>,
     name: &str,
     size: Option<[u32; 2]>,
-) -> Result<Picture, Box<dyn Error>> {
-    if let Some([width, height]) = size {
-        let [w, h] = [scene.image.width, scene.image.height].map(u64::from);
-        // a size is rounded to whole pixels
-        if (w * u64::from(height)).abs_diff(h * u64::from(width)) > w.max(h) {
+) -> Result<World, Box<dyn Error>> {
+    if let Some(size) = size {
+        let [w, h] = [scene.image.width, scene.image.height];
+        if !compare::fit(&mut scene, size)? {
             eprintln!(
                 "note: {name} has the shape of {w} × {h}; as with `render --size`, its width is kept"
             );
         }
-        scene.image.resize(width, height);
     }
-    let world = match &source {
+    Ok(match &source {
         Some(source) => World::of_source(&scene, source, DEFAULT_SEED)?,
         None => World::build_seeded(&scene, Path::new(""), DEFAULT_SEED)?,
-    };
-    if world.samples_per_pixel() > 1 {
-        eprintln!("note: {name} draws random numbers, so its picture has noise of its own");
-    }
-    Ok(Picture::of_film(&render::render(&world)))
+    })
 }

@@ -28,8 +28,8 @@ pub struct Goldens {
 enum Command {
     /// Render every golden and compare; exit status 0 if all are the same
     Check(Check),
-    /// Write one HTML page: expected picture, actual picture and difference of each golden that
-    /// differs
+    /// Write one HTML page: of each golden that differs the expected and the actual picture, to flip
+    /// and to swipe, their difference, and its regions
     Review(Review),
     /// Accept the current pictures as goldens, with a reason
     Accept(Accept),

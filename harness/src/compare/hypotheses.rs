@@ -16,7 +16,7 @@ pub struct Hypothesis {
 }
 
 /// A change explains a difference of which it leaves at most this part.
-const EXPLAINED: f64 = 0.1;
+pub(super) const EXPLAINED: f64 = 0.1;
 
 /// At most about so many pixels are tried: a change is one of all pixels.
 const PIXELS: usize = 1 << 16;
@@ -31,7 +31,7 @@ type Change<'a> = (String, Radiance<'a>);
 /// The changes that leave little of the difference of two pictures, the best first. The first one is only
 /// decoded in other ways; all others are of the second.
 pub fn explaining(a: &Decoded<'_>, b: &Decoded<'_>) -> Vec<Hypothesis> {
-    let pixels = tried(a.picture.size);
+    let pixels = evenly_spread(a.picture.size, PIXELS);
     let (as_a, as_b) = (moved(a, |pixel| pixel), moved(b, |pixel| pixel));
     let before = distance(&pixels, &as_a, &as_b);
     let of_b = changes(b).into_iter().chain(exposure(&pixels, &as_a, b));
@@ -47,11 +47,11 @@ pub fn explaining(a: &Decoded<'_>, b: &Decoded<'_>) -> Vec<Hypothesis> {
     found
 }
 
-/// The pixels that are tried: all, or evenly spread ones.
-fn tried([width, height]: [u32; 2]) -> Vec<[i64; 2]> {
+/// All pixels, or about `most` evenly spread ones.
+pub(super) fn evenly_spread([width, height]: [u32; 2], most: usize) -> Vec<[i64; 2]> {
     let count = width as usize * height as usize;
     // an odd step, so that not only few columns are tried
-    let step = (count / PIXELS) | 1;
+    let step = (count / most) | 1;
     let pixel = |at: usize| [(at % width as usize) as i64, (at / width as usize) as i64];
     (0..count).step_by(step).map(pixel).collect()
 }

@@ -3,15 +3,24 @@
 //! Values are compared as radiance. An 8-bit value stands for all radiance that is rounded or truncated to it,
 //! so that a difference within that interval is none. NaN is the worst difference and equals nothing.
 
+mod differences;
+mod fitted;
+mod half_pixel;
 mod hypotheses;
+mod noise;
 mod page;
+pub(crate) mod pair;
 mod picture;
 mod regions;
 mod text;
 
 use serde::Serialize;
 
+pub use differences::Differences;
+pub use fitted::{NoPair, fit};
+pub use half_pixel::half_pixel_shifts;
 pub use hypotheses::Hypothesis;
+pub use noise::noise_note;
 pub use page::page;
 use picture::Decoded;
 pub use picture::{Picture, Transfer};
@@ -33,6 +42,8 @@ pub struct Unusual {
 pub struct Comparison {
     /// Columns and rows.
     pub size: [u32; 2],
+    /// The relative difference up to which channels are equal.
+    pub tolerance: f64,
     /// Of each picture.
     pub unusual: [Unusual; 2],
     /// The mean radiance of each picture, over pixels in which both are finite.
@@ -43,8 +54,12 @@ pub struct Comparison {
     pub differing: u64,
     /// The connected regions of differing pixels, the largest first; at most ten.
     pub regions: Vec<Region>,
+    /// The region with the largest difference, which may be smaller than those.
+    pub worst: Option<Region>,
     /// The changes that explain the difference.
     pub explained_by: Vec<Hypothesis>,
+    /// What else to know about the difference, in sentences.
+    pub notes: Vec<String>,
 }
 
 /// Pictures of two sizes.
@@ -70,14 +85,18 @@ impl Comparison {
             .collect();
         let differing = differs.iter().filter(|differs| **differs).count() as u64;
         let (means, root_mean_square) = statistics(a, b);
+        let (regions, worst) = regions::largest_and_worst(a, b, &differs);
         Ok(Self {
             size: a.picture.size,
+            tolerance,
             unusual: [unusual(a.picture), unusual(b.picture)],
             means,
             root_mean_square,
             differing,
-            regions: regions::largest(a, b, &differs),
+            regions,
+            worst,
             explained_by: if differing > 0 { hypotheses::explaining(a, b) } else { Vec::new() },
+            notes: Vec::new(),
         })
     }
 
@@ -86,9 +105,11 @@ impl Comparison {
         self.differing == 0
     }
 
-    /// The pixel with the largest difference.
-    pub fn worst(&self) -> Option<&Region> {
-        self.regions.iter().max_by(|a, b| a.difference.total_cmp(&b.difference))
+    /// The largest regions, and the one with the largest difference if it is none of them.
+    pub fn listed(&self) -> impl Iterator<Item = &Region> {
+        // by pixel: values may be NaN
+        let is_listed = |it: &Region| self.regions.iter().any(|region| region.worst == it.worst);
+        self.regions.iter().chain(self.worst.iter().filter(move |worst| !is_listed(worst)))
     }
 }
 

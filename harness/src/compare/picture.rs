@@ -93,6 +93,17 @@ impl Picture {
         Ok(Self { size, values, transfer, step, notes: texels.notes().to_vec() })
     }
 
+    /// The radiance of its values.
+    pub fn radiance(&self) -> Film {
+        let [width, height] = self.size;
+        let (mut film, decoded) = (Film::new(width, height), Decoded::new(self));
+        for index in 0..self.values.len() {
+            let at = [index as u32 % width, index as u32 / width];
+            film.set(at, decoded.at(index).into());
+        }
+        film
+    }
+
     /// The index of a pixel.
     pub fn index(&self, [x, y]: [u32; 2]) -> usize {
         y as usize * self.size[0] as usize + x as usize

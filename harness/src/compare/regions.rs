@@ -22,8 +22,12 @@ pub struct Region {
     pub difference: f64,
 }
 
-/// The regions of the most pixels.
-pub fn largest(a: &Decoded<'_>, b: &Decoded<'_>, differs: &[bool]) -> Vec<Region> {
+/// The regions of the most pixels, and the one with the largest difference.
+pub fn largest_and_worst(
+    a: &Decoded<'_>,
+    b: &Decoded<'_>,
+    differs: &[bool],
+) -> (Vec<Region>, Option<Region>) {
     let [width, height] = a.picture.size;
     let mut rest = differs.to_vec();
     let mut regions = Vec::new();
@@ -48,8 +52,10 @@ pub fn largest(a: &Decoded<'_>, b: &Decoded<'_>, differs: &[bool]) -> Vec<Region
         regions.extend(region.map(|(region, _)| region));
     }
     regions.sort_by(|a, b| b.pixels.cmp(&a.pixels).then(b.difference.total_cmp(&a.difference)));
+    // of equal ones the first
+    let worst = regions.iter().rev().max_by(|a, b| a.difference.total_cmp(&b.difference)).copied();
     regions.truncate(MOST);
-    regions
+    (regions, worst)
 }
 
 /// The region with one pixel more, and its right bottom corner.

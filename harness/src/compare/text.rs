@@ -29,12 +29,12 @@ impl fmt::Display for Comparison {
         }
         let share = 100.0 * self.differing as f64 / (f64::from(width) * f64::from(height));
         writeln!(f, "pixels that differ: {} ({share:.3} %)", self.differing)?;
-        if let Some(Region { worst: [x, y], values: [a, b], difference, .. }) = self.worst() {
+        if let Some(Region { worst: [x, y], values: [a, b], difference, .. }) = &self.worst {
             let difference = brief(*difference);
             writeln!(f, "largest difference: {difference} at ({x}, {y}): {a:?} and {b:?}")?;
         }
         writeln!(f, "largest regions:")?;
-        for Region { pixels, bounds: [x, y, w, h], worst, .. } in &self.regions {
+        for Region { pixels, bounds: [x, y, w, h], worst, .. } in self.listed() {
             let pixels = count(*pixels as usize, "pixel");
             let [wx, wy] = worst;
             writeln!(f, "  {pixels} in {x},{y},{w}x{h}, the worst at ({wx}, {wy})")?;
@@ -42,6 +42,9 @@ impl fmt::Display for Comparison {
         for hypothesis in &self.explained_by {
             let left = 100.0 * hypothesis.left;
             writeln!(f, "explained: {} ({left:.1} % of the difference is left)", hypothesis.what)?;
+        }
+        for note in &self.notes {
+            writeln!(f, "note: {note}")?;
         }
         Ok(())
     }

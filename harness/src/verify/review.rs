@@ -1,25 +1,18 @@
-//! Golden images side by side: one HTML page that needs nothing beside it.
+//! Golden images on one HTML page that needs nothing beside it: each pair is drawn as by `compare`.
 
 use std::fmt::Write;
 
-use super::compare::{self, DRIFT, Difference};
+use super::compare::DRIFT;
 use super::golden::{Finding, Golden, Status};
+use super::view::View;
+use crate::compare::pair::{self, Pair};
+use crate::compare::{Comparison, Picture};
 use crate::html::escaped;
 use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
-use groundtruth::rgb::Rgb;
-
-/// How many of the worst pixels are listed.
-const WORST: usize = 10;
 
 const STYLE: &str = "\
-body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 70em; padding: 0 1em; }
+body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
 section { border-top: 1px solid #999; break-inside: avoid; }
-.pictures { display: flex; flex-wrap: wrap; gap: 1em; }
-figure { margin: 0; flex: 1 1 15em; }
-img { width: 100%; image-rendering: pixelated; border: 1px solid #999; }
-table { border-collapse: collapse; }
-td, th { padding: 0 1em 0 0; text-align: left; font-variant-numeric: tabular-nums; }
-code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
 @media print { body { margin: 0; max-width: none; font-size: 10pt; } }
 ";
 
@@ -27,7 +20,8 @@ code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
 pub fn page(findings: &[Finding]) -> String {
     let mut html = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
-         <title>Golden images</title>\n<style>\n{STYLE}</style>\n<h1>Golden images</h1>\n"
+         <title>Golden images</title>\n<style>\n{STYLE}{}</style>\n<h1>Golden images</h1>\n",
+        pair::STYLE
     );
     if findings.is_empty() {
         html.push_str("<p>All are the same.</p>\n");
@@ -88,43 +82,52 @@ fn pictures(html: &mut String, finding: &Finding) {
             Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne },
             |scene| view.tone(&scene),
         );
-    html.push_str("<div class=\"pictures\">\n");
+    if let (Some(expected), Some(got)) = (&finding.expected, &finding.got)
+        && pair(html, finding, [expected, got], (view, tone))
+    {
+        return;
+    }
+    html.push_str("<div class=\"row\">\n");
     for (title, film) in [("expected", &finding.expected), ("got", &finding.got)] {
         if let Some(film) = film {
-            figure(html, title, &view.for_eyes(film), &tone);
-        }
-    }
-    let both = finding.expected.as_ref().zip(finding.got.as_ref());
-    let both = both.filter(|(a, b)| (a.width(), a.height()) == (b.width(), b.height()));
-    let Some((expected, got)) = both else {
-        html.push_str("</div>\n");
-        return;
-    };
-    let differences = compare::differences(expected, got);
-    let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    let (shown, amplified) = signed_difference(expected, got, &differences);
-    let title = format!("got − expected, times {amplified:.3e} (grey: none)");
-    figure(html, &title, &shown, &plain);
-    html.push_str("</div>\n");
-
-    let pixels = expected.pixels().len();
-    let _ = writeln!(
-        html,
-        "<p>{} of {pixels} pixels differ. Drift is a relative difference of at most {DRIFT:e}.</p>",
-        differences.len()
-    );
-    if let Some(worst) = differences.first() {
-        if let Some(golden) = &finding.golden {
-            let inspect = escaped(&inspect_command(golden, worst.pixel));
-            let explain = escaped(&explain_command(golden, worst.pixel));
+            let data = data_uri(&view.for_eyes(film), &tone);
             let _ = writeln!(
                 html,
-                "<p>The worst pixel in a window: <code>{inspect}</code><br>\
-                 in a terminal: <code>{explain}</code></p>"
+                "<figure><img alt=\"{title}\" src=\"{data}\"><figcaption>{title}</figcaption></figure>"
             );
         }
-        table(html, finding, &differences);
     }
+    html.push_str("</div>\n");
+}
+
+/// Both pictures of a golden; `false` if their sizes differ.
+fn pair(
+    html: &mut String,
+    finding: &Finding,
+    films: [&Film; 2],
+    (view, tone): (View, Tone),
+) -> bool {
+    let pictures = films.map(Picture::of_film);
+    let Ok(comparison) = Comparison::of(&pictures[0], &pictures[1], 0.0) else { return false };
+    let (count, pixels) = (comparison.differing, pictures[0].values.len());
+    let _ = writeln!(
+        html,
+        "<p>{count} of {pixels} pixels differ. Drift is a relative difference of at most {DRIFT:e}.</p>"
+    );
+    let commands = |pixel| {
+        let of_golden = |golden| [explain_command(golden, pixel), inspect_command(golden, pixel)];
+        finding.golden.as_ref().map(of_golden).into_iter().flatten().collect()
+    };
+    let pair = Pair {
+        names: ["expected", "got"],
+        pictures: [&pictures[0], &pictures[1]],
+        shown: films.map(|film| view.for_eyes(film)),
+        tone,
+        comparison: &comparison,
+        commands: &commands,
+    };
+    html.push_str(&pair.html());
+    true
 }
 
 /// The command that opens a golden's scene in the inspector, a pixel selected.
@@ -143,47 +146,10 @@ fn scene_arguments(golden: &Golden) -> String {
     format!("{scene} --size {w}x{h} --samples {samples}")
 }
 
-fn table(html: &mut String, finding: &Finding, differences: &[Difference]) {
-    html.push_str("<table>\n<tr><th>pixel<th>expected<th>got<th>difference<th>why\n");
-    for difference in differences.iter().take(WORST) {
-        let Difference { pixel: pixel @ [x, y], expected, got, size } = difference;
-        let golden = finding.golden.as_ref();
-        let command = golden.map_or(String::new(), |golden| explain_command(golden, *pixel));
-        let _ = writeln!(
-            html,
-            "<tr><td>({x}, {y})<td>{expected:?}<td>{got:?}<td>{size:.3e}<td><code>{}</code>",
-            escaped(&command)
-        );
-    }
-    html.push_str("</table>\n");
-}
-
-/// The difference around a middle grey, and by how much it is amplified: the largest one becomes
-/// white or black.
-fn signed_difference(expected: &Film, got: &Film, worst: &[Difference]) -> (Film, f64) {
-    let largest = worst.iter().map(|d| d.size).filter(|size| size.is_finite());
-    let largest = largest.fold(0.0, f64::max);
-    let factor = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-    let mut shown = Film::new(got.width(), got.height());
-    for (i, (a, b)) in expected.pixels().iter().zip(got.pixels()).enumerate() {
-        let channel = |a: f64, b: f64| (0.5 + 0.5 * factor * (b - a)).clamp(0.0, 1.0);
-        let color = Rgb::new(channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b));
-        shown.set([i as u32 % got.width(), i as u32 / got.width()], color);
-    }
-    (shown, factor)
-}
-
-fn figure(html: &mut String, title: &str, film: &Film, tone: &Tone) {
-    let data = data_uri(film, tone);
-    let title = escaped(title);
-    let _ = writeln!(
-        html,
-        "<figure><img alt=\"{title}\" src=\"{data}\"><figcaption>{title}</figcaption></figure>"
-    );
-}
-
 #[cfg(test)]
 mod tests {
+    use groundtruth::rgb::Rgb;
+
     use super::*;
     use crate::verify::golden::{GoldenSettings, Goldens};
 
@@ -207,22 +173,36 @@ mod tests {
         finding
     }
 
+    /// Law: a golden's section draws both pictures for flip and swipe, three differences, and both crops of each
+    /// region, the largest difference first, with its commands. Oracle: pixels changed by hand.
     #[test]
-    fn a_page_has_three_pictures_the_worst_pixels_first_and_their_commands() {
+    fn a_page_has_the_pair_each_region_and_its_commands() {
         let html = page(&[changed()]);
-        assert_eq!(html.matches("data:image/png;base64,iVBOR").count(), 3);
+        assert_eq!(html.matches("data:image/png;base64,iVBOR").count(), 4 + 3 + 2 * 3);
         assert!(html.contains("3 of 144 pixels differ"));
-        let rows: Vec<&str> = html.lines().filter(|line| line.starts_with("<tr><td>")).collect();
+        let rows: Vec<&str> = html.lines().filter(|line| line.contains("row zoom")).collect();
         assert_eq!(rows.len(), 3);
+        let scene = "ch03/three-objects --size 12x12 --samples 1";
         for (row, x) in rows.iter().zip([5, 7, 3]) {
-            let command =
-                format!("groundtruth explain ch03/three-objects --size 12x12 --samples 1 {x} 9");
-            assert!(row.contains(&command), "{row}");
+            let explain = format!("groundtruth explain {scene} {x} 9 --all</code>");
+            let inspect = format!("inspector {scene} --pixel {x},9</code>");
+            assert!(row.contains(&explain) && row.contains(&inspect), "{row}");
         }
-        let worst = "inspector ch03/three-objects --size 12x12 --samples 1 --pixel 5,9</code>";
-        assert_eq!(html.matches(worst).count(), 1);
         assert!(html.contains("groundtruth goldens accept ch03/three-objects --because"));
         assert!(html.contains("&lt;two&gt; &amp; &quot;three&quot;") && !html.contains("<two>"));
+    }
+
+    /// Law: pictures of two sizes, and one that is missing, are shown without a comparison. Oracle: the headings.
+    #[test]
+    fn what_is_no_pair_is_shown_as_it_is() {
+        let mut finding = changed();
+        finding.expected = Some(Film::new(4, 3));
+        let other_size = page(std::slice::from_ref(&finding));
+        finding.expected = None;
+        for (html, pictures) in [(other_size, 2), (page(&[finding]), 1)] {
+            assert_eq!(html.matches("data:image/png;base64,iVBOR").count(), pictures);
+            assert!(!html.contains("<h3>Flip"));
+        }
     }
 
     #[test]
@@ -231,18 +211,5 @@ mod tests {
         for link in ["http:", "https:", "href=", "url(", "<script", "<link"] {
             assert!(!html.contains(link), "{link}");
         }
-    }
-
-    #[test]
-    fn grey_is_no_difference_and_the_largest_is_black_or_white() {
-        let finding = changed();
-        let (expected, got) = (finding.expected.unwrap(), finding.got.unwrap());
-        let worst = compare::differences(&expected, &got);
-        let (shown, factor) = signed_difference(&expected, &got, &worst);
-        assert_eq!(factor, 1.0 / 0.75);
-        assert_eq!(shown.get([0, 0]), Rgb::grey(0.5));
-        assert_eq!(shown.get([5, 9]), Rgb::grey(1.0));
-        let (turned, _) = signed_difference(&got, &expected, &worst);
-        assert_eq!(turned.get([5, 9]), Rgb::grey(0.0));
     }
 }

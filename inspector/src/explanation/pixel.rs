@@ -5,6 +5,7 @@ use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
 
+use crate::comparison::theirs::Theirs;
 use crate::explanation::{copying, details, tree};
 use crate::picture::display;
 use crate::picture::worker::Rendering;
@@ -94,6 +95,23 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
             ui.colored_label(ui.visuals().error_fg_color, text)
         }
     };
+}
+
+/// Their value of the pixel, and the difference from ours.
+pub fn theirs(ui: &mut Ui, pixel: [u32; 2], theirs: &Theirs, generation: u64, tone: &Tone) {
+    let (Some(radiance), Some(value)) = (theirs.radiance(pixel), theirs.value(pixel)) else {
+        return;
+    };
+    let small = |text: String| RichText::new(text).monospace().size(12.0);
+    let difference = theirs.difference(generation, pixel);
+    let equal = if difference == Some(Rgb::BLACK) { ": equal" } else { "" };
+    ui.horizontal_wrapped(|ui| {
+        tree::swatch(ui, display::color(tone, radiance));
+        ui.label(small(format!("theirs: {value}{equal}")));
+    });
+    if let Some(difference) = difference.filter(|difference| *difference != Rgb::BLACK) {
+        ui.label(small(format!("theirs − ours: {}", short(difference))));
+    }
 }
 
 /// A line of the sum's list.

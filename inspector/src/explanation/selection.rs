@@ -12,6 +12,7 @@ use groundtruth::scene::Scene;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
 
+use crate::comparison::theirs::Theirs;
 use crate::explanation::details;
 use crate::explanation::pixel::{self, Order};
 use crate::explanation::samples::Samples;
@@ -161,8 +162,7 @@ impl Selection {
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        rendering: &Rendering,
-        generation: u64,
+        (rendering, theirs, generation): (&Rendering, Option<&Theirs>, u64),
         tone: &Tone,
         wanted: &mut Scene,
     ) -> bool {
@@ -179,7 +179,12 @@ impl Selection {
             }
         };
         let inner = Frame::new().inner_margin(Margin::symmetric(0, 4));
-        Panel::top("pixel").frame(inner).show(ui, |ui| self.head(ui, &answer, rendering, tone));
+        Panel::top("pixel").frame(inner).show(ui, |ui| {
+            self.head(ui, &answer, rendering, tone);
+            if let Some(theirs) = theirs {
+                pixel::theirs(ui, answer.pixel, theirs, generation, tone);
+            }
+        });
         let index = self.sample.min(answer.samples_per_pixel - 1);
         let sample = answer.samples.iter().find(|sample| sample.index == index);
         let camera_ray = sample.and_then(|sample| sample.ray.as_ref());

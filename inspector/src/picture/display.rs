@@ -4,19 +4,17 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use eframe::egui::{
-    self, Color32, ColorImage, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape,
-    Stroke, StrokeKind, TextureFilter, TextureHandle, TextureOptions, Ui, WidgetInfo,
-    accesskit::Role, pos2,
+    self, Color32, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape, Stroke,
+    StrokeKind, Ui, WidgetInfo, accesskit::Role,
 };
 use groundtruth::film::Tone;
 use groundtruth::render::{Canvas, Partial};
 use groundtruth::rgb::Rgb;
 
+use crate::picture::tiles::{self, Images, Tiles};
 use crate::picture::view::{Placement, View};
 use crate::picture::worker::{Background, Progress, Rendering};
 
-/// The side of the tiles in which a picture is shown: graphics cards refuse larger textures.
-const TILE: u32 = 1024;
 /// The interval at which an unfinished picture is updated.
 const REFRESH: Duration = Duration::from_millis(150);
 /// The grid appears when a pixel is at least this large on the screen.
@@ -28,13 +26,13 @@ pub struct Picture {
     pub view: View,
     /// How radiance is shown.
     pub tone: Tone,
-    tiles: Vec<([u32; 2], TextureHandle)>,
+    tiles: Tiles,
     /// The previous picture, shown darker where the new one is not rendered yet.
-    previous_tiles: Vec<([u32; 2], TextureHandle)>,
+    previous_tiles: Tiles,
     /// The version that the tiles show.
     shown: Option<Version>,
     developed: Instant,
-    developing: Background<(Version, Tiles)>,
+    developing: Background<(Version, Images)>,
     /// Where the picture was last drawn.
     area: Rect,
     /// The id of the widget, once it was drawn.
@@ -60,8 +58,6 @@ impl Version {
     }
 }
 
-type Tiles = Vec<([u32; 2], ColorImage)>;
-
 /// The tone settings of the scene.
 pub fn tone_of(rendering: &Rendering) -> Tone {
     let image = &rendering.world.image;
@@ -79,7 +75,7 @@ const COARSE_ALPHA: u8 = 215;
 
 /// The picture so far as tiles. Locks the picture for one tile at a time. Shows the coarse picture, or
 /// nothing, for a pixel that is not rendered yet.
-fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
+fn develop(canvas: &Canvas, tone: &Tone) -> Images {
     let show = |pixel: Shown| match pixel {
         Shown::Rendered(radiance) => color(tone, radiance),
         Shown::Coarse(radiance) => {
@@ -88,20 +84,12 @@ fn develop(canvas: &Canvas, tone: &Tone) -> Tiles {
         }
         Shown::Nothing => Color32::TRANSPARENT,
     };
-    let (width, height) = canvas.look(|film| (film.width(), film.height()));
-    let corners = (0..height)
-        .step_by(TILE as usize)
-        .flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| [x, y]));
-    let tile = |[x, y]: [u32; 2]| {
-        let (right, bottom) = ((x + TILE).min(width), (y + TILE).min(height));
-        let positions = (y..bottom).flat_map(|row| (x..right).map(move |column| [column, row]));
+    let size = canvas.look(|film| [film.width(), film.height()]);
+    tiles::images(size, |positions| {
         let pixels: Vec<Shown> =
             canvas.look_partly(|picture| positions.map(|at| Shown::of(picture, at)).collect());
-        let size = [(right - x) as usize, (bottom - y) as usize];
-        let colors = pixels.into_iter().map(show).collect();
-        ([x, y], ColorImage::new(size, colors))
-    };
-    corners.map(tile).collect()
+        pixels.into_iter().map(show).collect()
+    })
 }
 
 /// The state of a pixel on the screen.
@@ -131,8 +119,8 @@ impl Picture {
         Self {
             view: View::WHOLE,
             tone,
-            tiles: Vec::new(),
-            previous_tiles: Vec::new(),
+            tiles: Tiles::default(),
+            previous_tiles: Tiles::default(),
             shown: None,
             developed: Instant::now(),
             developing: Background::default(),
@@ -146,9 +134,9 @@ impl Picture {
         if let Some(Ok((version, tiles))) = self.developing.poll()
             && version.generation == generation
         {
-            self.upload(ctx, tiles);
+            self.tiles.upload(ctx, tiles);
             if version.finished {
-                self.previous_tiles.clear();
+                self.previous_tiles = Tiles::default();
             }
             self.shown = Some(version);
         }
@@ -179,24 +167,6 @@ impl Picture {
         self.shown = None;
     }
 
-    fn upload(&mut self, ctx: &egui::Context, tiles: Tiles) {
-        let same = self.tiles.len() == tiles.len()
-            && self.tiles.iter().zip(&tiles).all(|((_, old), (_, new))| old.size() == new.size);
-        let options = TextureOptions {
-            magnification: TextureFilter::Nearest,
-            minification: TextureFilter::Linear,
-            ..TextureOptions::default()
-        };
-        if same {
-            for ((_, texture), (_, image)) in self.tiles.iter_mut().zip(tiles) {
-                texture.set(image, options);
-            }
-        } else {
-            let load = |(at, image)| (at, ctx.load_texture("picture", image, options));
-            self.tiles = tiles.into_iter().map(load).collect();
-        }
-    }
-
     /// Zooms to this many points for a pixel.
     pub fn set_zoom(&mut self, size: [u32; 2], zoom: f32) {
         self.view.set_zoom(self.area, size, zoom);
@@ -224,12 +194,14 @@ impl Picture {
         self.placement(size).pixel(at?)
     }
 
-    /// Draws the picture and handles the mouse. Returns the pixel under the mouse.
+    /// Draws the picture, with what `over` draws on its pixels, and handles the mouse. Returns the pixel under the
+    /// mouse.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         size: [u32; 2],
         selected: Option<[u32; 2]>,
+        over: impl FnOnce(&Painter, &Placement),
     ) -> Option<[u32; 2]> {
         let (response, painter) = ui.allocate_painter(ui.available_size(), Sense::click_and_drag());
         (self.area, self.id) = (response.rect, Some(response.id));
@@ -261,19 +233,26 @@ impl Picture {
             EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
 
-        self.paint(&painter, &placement, selected);
+        self.paint(&painter, &placement, selected, over);
         hovered
     }
 
-    fn paint(&self, painter: &Painter, placement: &Placement, selected: Option<[u32; 2]>) {
+    fn paint(
+        &self,
+        painter: &Painter,
+        placement: &Placement,
+        selected: Option<[u32; 2]>,
+        over: impl FnOnce(&Painter, &Placement),
+    ) {
         let whole = placement.whole();
         painter.rect_filled(painter.clip_rect(), 0.0, Color32::from_gray(24));
         painter.rect_filled(whole, 0.0, Color32::BLACK);
-        paint_tiles(painter, placement, &self.previous_tiles, Color32::from_gray(90));
+        self.previous_tiles.paint(painter, placement, Color32::from_gray(90));
         if !self.shown.is_some_and(|shown| shown.finished) {
             hatch(&painter.with_clip_rect(painter.clip_rect().intersect(whole)));
         }
-        paint_tiles(painter, placement, &self.tiles, Color32::WHITE);
+        self.tiles.paint(painter, placement, Color32::WHITE);
+        over(painter, placement);
         if placement.scale >= GRID_MIN_SCALE {
             grid(painter, placement);
         }
@@ -281,22 +260,6 @@ impl Picture {
         painter.rect_stroke(whole, 0.0, edge, StrokeKind::Outside);
         if let Some(pixel) = selected {
             mark(painter, placement.rect(pixel));
-        }
-    }
-}
-
-fn paint_tiles(
-    painter: &Painter,
-    placement: &Placement,
-    tiles: &[([u32; 2], TextureHandle)],
-    tint: Color32,
-) {
-    let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    for (at, texture) in tiles {
-        let [width, height] = texture.size().map(|side| side as u32);
-        let rect = placement.part(*at, [width, height]);
-        if rect.intersects(painter.clip_rect()) {
-            painter.image(texture.id(), rect, uv, tint);
         }
     }
 }

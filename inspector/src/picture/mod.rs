@@ -4,5 +4,6 @@
 pub mod display;
 pub mod image_settings;
 pub mod saving;
+pub mod tiles;
 pub mod view;
 pub mod worker;

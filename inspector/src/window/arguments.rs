@@ -1,11 +1,14 @@
 //! `inspector [SCENE] …`: the same arguments as those of `groundtruth explain`.
 
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::Parser;
 use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH};
+use harness::compare::{self, Transfer};
 
+use crate::comparison::theirs::Theirs;
 use crate::picture::view::parse_pixel;
 use crate::scene::source::{Loaded, Source};
 
@@ -39,6 +42,12 @@ pub struct Arguments {
     /// Show this sample of the pixel, counted from 0
     #[arg(long, value_name = "I", requires = "pixel")]
     pub sample: Option<u32>,
+    /// Hold this picture (PNG, JPEG, PPM, HDR, EXR or PFM) against ours, which is rendered at its size
+    #[arg(long, value_name = "FILE", conflicts_with = "size")]
+    pub compare: Option<PathBuf>,
+    /// How a PNG, JPEG or PPM file encodes radiance: srgb (if left out), linear, or gamma=2.2
+    #[arg(long, value_name = "CURVE", requires = "compare")]
+    pub encoding: Option<Transfer>,
 }
 
 /// `300x200`.
@@ -61,13 +70,23 @@ impl FromStr for Size {
 }
 
 impl Arguments {
-    /// The scene of the arguments.
+    /// The picture that ours is held against.
     ///
     /// # Errors
-    /// The command line's messages about the scene, the pixel or the sample.
-    pub fn load(&self) -> Result<Loaded, String> {
+    /// If it cannot be read.
+    pub fn theirs(&self) -> Result<Option<Theirs>, String> {
+        let encoding = self.encoding.unwrap_or(Transfer::Srgb);
+        self.compare.as_ref().map(|path| Theirs::read(path, encoding)).transpose()
+    }
+
+    /// The scene of the arguments, at the size of the picture that it is held against.
+    ///
+    /// # Errors
+    /// The command line's messages about the scene, the pixel or the sample; a picture of a size that none of the
+    /// scene has.
+    pub fn load(&self, theirs: Option<&Theirs>) -> Result<Loaded, String> {
         let source = Source::named(&self.scene)?;
-        let loaded = source.load_changed(self.seed, |scene| self.change(scene))?;
+        let loaded = source.load_changed(self.seed, |scene| self.change(scene, theirs))?;
         let [width, height] = loaded.world.picture_size();
         if let Some([x, y]) = self.pixel.filter(|&[x, y]| x >= width || y >= height) {
             return Err(format!("pixel ({x}, {y}) is outside the picture of {width}x{height}"));
@@ -81,7 +100,18 @@ impl Arguments {
         }
     }
 
-    fn change(&self, mut scene: Scene) -> Result<Scene, String> {
+    fn change(&self, mut scene: Scene, theirs: Option<&Theirs>) -> Result<Scene, String> {
+        if let Some(theirs) = theirs {
+            let [w, h] = [scene.image.width, scene.image.height];
+            let is_alike = compare::fit(&mut scene, theirs.size());
+            if !is_alike.map_err(|error| format!("{}: {error}", theirs.name))? {
+                let [width, height] = theirs.size();
+                eprintln!(
+                    "note: {} has {width} × {height} pixels, the scene the shape of {w} × {h}; the width of its view is kept",
+                    theirs.name
+                );
+            }
+        }
         if let Some(Size { width, height }) = self.size {
             scene.image.resize(width, height);
         }

@@ -11,24 +11,42 @@ pub enum Shortcut {
     Save,
     /// Show or hide the list of keys.
     Keys,
+    /// Flip between ours and theirs.
+    Flip,
+    /// Swipe between ours and theirs.
+    Swipe,
+    /// Show the difference.
+    Difference,
+    /// Select the worst pixel of the next region of difference.
+    NextRegion,
 }
 
 /// The keys and what they do.
-const KEYS: [(&str, &str); 10] = [
+const KEYS: [(&str, &str); 14] = [
     ("click", "explain this pixel"),
     ("arrows", "explain the next pixel (Shift: ten pixels on)"),
     ("L", "follow the light: the next ray on the path of the largest share"),
     ("wheel, pinch", "zoom in and out under the mouse"),
     ("drag", "move the picture; a bar between two parts: resize them"),
     ("double click", "on a bar: its usual place"),
+    ("T", "with --compare: flip between ours and theirs"),
+    ("W", "with --compare: ours at the left of a line, theirs at its right; drag the line"),
+    ("D", "with --compare: theirs less ours"),
+    ("N", "with --compare: explain the worst pixel of the next region of difference"),
     ("Ctrl-O", "type the name of a scene file"),
     ("Ctrl-S", "save the picture"),
     ("?, F1", "show or hide these keys"),
     ("Esc", "close what is in front"),
 ];
 
-/// The shortcut that was pressed. `?` is one only if no text is being typed (`is_text`).
+/// The shortcut that was pressed. `?` and letters are one only if no text is being typed (`is_text`).
 pub fn pressed(ctx: &Context, is_text: bool) -> Option<Shortcut> {
+    const LETTERS: [(Key, Shortcut); 4] = [
+        (Key::T, Shortcut::Flip),
+        (Key::W, Shortcut::Swipe),
+        (Key::D, Shortcut::Difference),
+        (Key::N, Shortcut::NextRegion),
+    ];
     let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
     ctx.input_mut(|input| {
         if input.consume_shortcut(&command(Key::O)) {
@@ -37,6 +55,9 @@ pub fn pressed(ctx: &Context, is_text: bool) -> Option<Shortcut> {
             Some(Shortcut::Save)
         } else if input.key_pressed(Key::F1) || (!is_text && input.key_pressed(Key::Questionmark)) {
             Some(Shortcut::Keys)
+        } else if !is_text {
+            let mut is_pressed = |key| input.consume_key(Modifiers::NONE, key);
+            LETTERS.into_iter().find(|(key, _)| is_pressed(*key)).map(|(_, shortcut)| shortcut)
         } else {
             None
         }

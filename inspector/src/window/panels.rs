@@ -7,6 +7,7 @@ use eframe::egui::{
 };
 use groundtruth::explain::{count, short};
 
+use crate::comparison::theirs::Theirs;
 use crate::picture::display::{Picture, tone_of};
 use crate::picture::view::View;
 use crate::picture::worker::{Progress, Rendering};
@@ -139,6 +140,7 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) 
 pub fn status(
     ui: &mut Ui,
     rendering: &Rendering,
+    theirs: Option<&Theirs>,
     hovered: Option<[u32; 2]>,
     is_loading: bool,
 ) -> bool {
@@ -154,7 +156,7 @@ pub fn status(
         progress(ui, rendering);
         ui.separator();
         match hovered {
-            Some(pixel) => drop(ui.monospace(under_mouse(rendering, pixel))),
+            Some(pixel) => drop(ui.monospace(under_mouse(rendering, theirs, pixel))),
             None => drop(ui.weak("point at a pixel to read it")),
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -186,10 +188,11 @@ fn progress(ui: &mut Ui, rendering: &Rendering) {
     }
 }
 
-/// A pixel and its radiance.
-fn under_mouse(rendering: &Rendering, pixel @ [x, y]: [u32; 2]) -> String {
-    match rendering.canvas.look_partly(|picture| picture.get(pixel)) {
-        Some(radiance) => format!("({x}, {y})  {}", short(radiance)),
-        None => format!("({x}, {y})  not rendered yet"),
-    }
+/// A pixel and its radiance, also that of their picture.
+fn under_mouse(rendering: &Rendering, theirs: Option<&Theirs>, pixel @ [x, y]: [u32; 2]) -> String {
+    let ours = rendering.canvas.look_partly(|picture| picture.get(pixel));
+    let ours = ours.map_or("not rendered yet".to_owned(), short);
+    let theirs = theirs.and_then(|theirs| theirs.radiance(pixel));
+    let theirs = theirs.map_or(String::new(), |theirs| format!("  theirs {}", short(theirs)));
+    format!("({x}, {y})  {ours}{theirs}")
 }

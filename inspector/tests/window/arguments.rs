@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use clap::Parser;
+use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::world::World;
 use groundtruth::{gallery, render};
 use inspector::window::arguments::Arguments;
@@ -74,7 +75,7 @@ fn the_arguments_are_followed() {
     let line =
         "inspector ch28/glass-sphere --size 40x30 --samples 9 --seed 7 --pixel 17,12 --sample 5";
     let arguments = Arguments::parse_from(line.split(' '));
-    let loaded = arguments.load().expect("they fit");
+    let loaded = arguments.load(None).expect("they fit");
     let mut scene = (gallery::find("ch28/glass-sphere").expect("in the gallery").build)();
     scene.image.resize(40, 30);
     scene.image.samples = 9;
@@ -85,4 +86,45 @@ fn the_arguments_are_followed() {
     let usual = World::build(&scene).expect("the scene is valid");
     assert_ne!(expected.pixels(), render::render(&usual).pixels(), "the seed must count");
     assert_eq!((arguments.pixel, arguments.sample), (Some([17, 12]), Some(5)));
+}
+
+/// Law: a picture that cannot be compared is reported in the terminal, with status 2 and without a window: a file
+/// that is none, a size of its own beside it, a width that no stereo pair has. Oracle: the messages.
+#[test]
+fn a_picture_that_cannot_be_compared_is_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (text, odd) = (folder.path().join("text.png"), folder.path().join("odd.exr"));
+    std::fs::write(&text, "no picture").expect("writable");
+    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    film::write(&Film::new(40, 30), &tone, &odd).expect("writable");
+    let [text, odd] = [&text, &odd].map(|path| path.to_str().expect("UTF-8"));
+    for (arguments, words) in [
+        (&["--compare", "missing.png"][..], "missing.png"),
+        (&["--compare", text], "text.png"),
+        (&["--compare", odd, "--size", "40x30"], "cannot be used with"),
+        (&["--encoding", "linear"], "--compare <FILE>"),
+        (&["--compare", odd, "--encoding", "cie"], "srgb, linear or gamma=2.2"),
+        (&["ch12/three-spheres", "--compare", odd], "a picture of 40 columns is no stereo pair"),
+    ] {
+        let output = inspector(arguments);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{error}");
+        assert!(error.contains(words), "{error}");
+    }
+}
+
+/// Law: our picture gets the size of theirs, also as a stereo pair. Oracle: the size of the file.
+#[test]
+fn our_picture_has_the_size_of_theirs() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("theirs.pfm");
+    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    film::write(&Film::new(45, 30), &tone, &path).expect("writable");
+    for scene in ["ch28/glass-sphere", "ch12/three-spheres"] {
+        let path = path.to_str().expect("UTF-8");
+        let arguments = Arguments::parse_from(["inspector", scene, "--compare", path]);
+        let theirs = arguments.theirs().expect("a picture");
+        let loaded = arguments.load(theirs.as_ref()).expect("it fits");
+        assert_eq!(loaded.world.picture_size(), [45, 30], "{scene}");
+    }
 }

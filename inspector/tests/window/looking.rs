@@ -116,13 +116,6 @@ fn wheel_and_drag_move_the_picture_and_select_nothing() {
     assert_eq!(window.state().selection.pixel, None);
 }
 
-/// The colour of the screen in the middle of a pixel.
-fn shown(window: &mut Window, pixel: [u32; 2]) -> [u8; 3] {
-    let at = on_screen(window, pixel);
-    let [r, g, b, _] = window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
-    [r, g, b]
-}
-
 /// Law: a picture larger than the largest texture is shown completely, also across the seams between its
 /// tiles. Oracle: `Tone` on the film.
 #[test]

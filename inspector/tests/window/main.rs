@@ -2,6 +2,7 @@
 
 mod arguments;
 mod choosing;
+mod comparing;
 mod explaining;
 mod looking;
 mod noise;

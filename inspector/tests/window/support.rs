@@ -81,6 +81,13 @@ pub fn on_screen(window: &Window, pixel: [u32; 2]) -> Pos2 {
     inspector.picture.placement(inspector.rendering.size()).rect(pixel).center()
 }
 
+/// The colour of the screen in the middle of a pixel.
+pub fn shown(window: &mut Window, pixel: [u32; 2]) -> [u8; 3] {
+    let at = on_screen(window, pixel);
+    let [r, g, b, _] = window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
+    [r, g, b]
+}
+
 /// Clicks a pixel and waits for its explanation.
 pub fn click(window: &mut Window, pixel: [u32; 2]) {
     let at = on_screen(window, pixel);

@@ -1,0 +1,37 @@
+//! Whether a scene's picture depends on its seed, so that some of a difference may be noise.
+
+use groundtruth::render;
+use groundtruth::world::World;
+use rayon::prelude::*;
+
+use super::Comparison;
+use super::hypotheses::evenly_spread;
+
+/// At most about so many pixels are rendered again.
+const PIXELS: usize = 1 << 10;
+
+/// A sentence for the user if another seed changes pixels of the scene: of the worst ones of all regions, and of
+/// others, evenly spread.
+pub fn noise_note(world: &mut World, comparison: &Comparison, name: &str) -> Option<String> {
+    let mut pixels: Vec<[u32; 2]> =
+        evenly_spread(comparison.size, PIXELS).into_iter().map(|at| at.map(|x| x as u32)).collect();
+    pixels.extend(comparison.listed().map(|region| region.worst));
+    pixels.sort_unstable();
+    pixels.dedup();
+    let rendered = |world: &World| -> Vec<[u64; 3]> {
+        let bits = |pixel: &[u32; 2]| render::pixel(world, *pixel).to_array().map(f64::to_bits);
+        pixels.par_iter().map(bits).collect()
+    };
+    let (seed, with_its_own) = (world.seed, rendered(world));
+    world.reseed(seed.wrapping_add(1));
+    let with_another = rendered(world);
+    world.reseed(seed);
+    let changed = with_its_own.iter().zip(with_another).filter(|(a, b)| **a != *b).count();
+    let tried = pixels.len();
+    (changed > 0).then(|| {
+        format!(
+            "another seed changes {changed} of {tried} pixels of {name} that were tried: some of the difference \
+             may be noise"
+        )
+    })
+}

@@ -1,0 +1,169 @@
+//! Two pictures of one size on an HTML page, without a script: flip, swipe, difference in three scales, and the
+//! worst pixel of each region.
+
+use std::fmt::Write;
+
+use groundtruth::explain::count;
+use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::rgb::Rgb;
+
+use super::differences::{Differences, NOT_A_NUMBER};
+use super::{Comparison, Picture, Region};
+use crate::html::escaped;
+
+/// The rules for a pair, for the style of its page.
+pub const STYLE: &str = "\
+img { display: block; image-rendering: pixelated; }
+.flip, .swipe { position: relative; width: max-content; border: 1px solid #999; }
+.flip img, .swipe img { width: 40em; }
+.flip img + img { position: absolute; top: 0; left: 0; opacity: 0; }
+.flip:hover img + img { opacity: 1; }
+.swipe div { position: absolute; top: 0; left: 0; width: 50%; height: 100%; overflow: hidden; \
+resize: horizontal; border-right: 2px solid #f80; }
+.row { display: flex; flex-wrap: wrap; gap: 1em; margin: 1em 0; }
+.row figure { margin: 0; }
+.row img { width: 24em; border: 1px solid #999; }
+.zoom img { width: 16em; border: 0; }
+.zoom figure { position: relative; height: max-content; }
+.zoom i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
+code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
+";
+
+/// The shares of differing channels that the three scales of the difference show unclipped: one bright lamp must
+/// not hide the rest.
+const SCALES: [f64; 3] = [0.5, 0.9, 1.0];
+
+/// Pixels around a region that are shown with it.
+const MARGIN: u32 = 4;
+
+/// Pixels to either side of a region's worst pixel that are shown at most.
+const REACH: u32 = 16;
+
+/// Two pictures of one size, compared.
+pub struct Pair<'a> {
+    /// What the pictures are called: "A" and "B".
+    pub names: [&'a str; 2],
+    /// The pictures.
+    pub pictures: [&'a Picture; 2],
+    /// The pictures for eyes, to be shown with `tone`.
+    pub shown: [Film; 2],
+    /// How `shown` becomes colours of the screen.
+    pub tone: Tone,
+    /// How the pictures compare.
+    pub comparison: &'a Comparison,
+    /// The commands that explain a pixel.
+    pub commands: &'a dyn Fn([u32; 2]) -> Vec<String>,
+}
+
+impl Pair<'_> {
+    /// The part of the page.
+    pub fn html(&self) -> String {
+        let [a, b] = self.names.map(escaped);
+        let [shown_a, shown_b] = [0, 1].map(|i| self.image(i, &with_marked(&self.shown[i])));
+        let mut html = format!(
+            "<h3>Flip</h3>\n<p>{a}; {b} under the pointer. Magenta is not a number.</p>\n\
+             <div class=\"flip\">{shown_a}{shown_b}</div>\n\
+             <h3>Swipe</h3>\n<p>{a} at the left, {b} at the right; pull the corner of the line.</p>\n\
+             <div class=\"swipe\">{shown_b}<div>{shown_a}</div></div>\n"
+        );
+        if !self.comparison.is_same() {
+            self.differences(&mut html);
+            html.push_str("<h3>Regions</h3>\n<p>Each with its worst pixel framed.</p>\n");
+            self.comparison.listed().for_each(|region| self.region(&mut html, region));
+        }
+        html
+    }
+
+    fn image(&self, index: usize, film: &Film) -> String {
+        let (name, data) = (escaped(self.names[index]), data_uri(film, &self.tone));
+        format!("<img alt=\"{name}\" src=\"{data}\">")
+    }
+
+    fn differences(&self, html: &mut String) {
+        let [a, b] = self.names.map(escaped);
+        let _ = writeln!(
+            html,
+            "<h3>{b} − {a}</h3>\n<p>Grey: equal; brighter: {b} is larger.</p>\n<div class=\"row\">"
+        );
+        let differences =
+            Differences::of(self.pictures[0], self.pictures[1], self.comparison.tolerance);
+        let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+        for share in SCALES {
+            let largest = differences.within(share);
+            let data = data_uri(&differences.film(largest), &plain);
+            let percent = 100.0 * share;
+            let _ = writeln!(
+                html,
+                "<figure><img alt=\"difference\" src=\"{data}\"><figcaption>black and white: ±{largest:.3e}, \
+                 {percent} % of the differences are within</figcaption></figure>"
+            );
+        }
+        html.push_str("</div>\n");
+    }
+
+    fn region(&self, html: &mut String, region: &Region) {
+        let Region { pixels, bounds: [x, y, w, h], worst, values: [a, b], difference } = region;
+        let [left, top, right, bottom] = self.window(region);
+        let percent = |part: u32, of: u32| 100.0 * f64::from(part) / f64::from(of);
+        let (across, down) = (right - left, bottom - top);
+        let mark = format!(
+            "<i style=\"left:{}%;top:{}%;width:{}%;height:{}%\"></i>",
+            percent(worst[0] - left, across),
+            percent(worst[1] - top, down),
+            percent(1, across),
+            percent(1, down)
+        );
+        html.push_str("<div class=\"row zoom\">");
+        for index in [0, 1] {
+            let part = part(&self.shown[index], [left, top, right, bottom]);
+            let _ = write!(html, "<figure>{}{mark}</figure>", self.image(index, &part));
+        }
+        let [wx, wy] = worst;
+        let pixels = count(*pixels as usize, "pixel");
+        let _ = write!(
+            html,
+            "<p>{pixels} in {x},{y},{w}x{h}<br>the worst at ({wx}, {wy}), by {difference:.3e}<br>\
+             {}: {a:?}<br>{}: {b:?}",
+            escaped(self.names[0]),
+            escaped(self.names[1])
+        );
+        for command in (self.commands)(*worst) {
+            let _ = write!(html, "<br><code>{}</code>", escaped(&command));
+        }
+        html.push_str("</p></div>\n");
+    }
+
+    /// The pixels that are shown of a region: left, top, and the ends at right and bottom.
+    fn window(&self, region: &Region) -> [u32; 4] {
+        let [x, y, width, height] = region.bounds;
+        let [size_x, size_y] = self.comparison.size;
+        let side = |start: u32, length: u32, worst: u32, size: u32| {
+            let first = start.saturating_sub(MARGIN).max(worst.saturating_sub(REACH));
+            let end = (start + length + MARGIN).min(worst + REACH + 1).min(size);
+            [first, end]
+        };
+        let [left, right] = side(x, width, region.worst[0], size_x);
+        let [top, bottom] = side(y, height, region.worst[1], size_y);
+        [left, top, right, bottom]
+    }
+}
+
+/// The part of a picture with these first and last columns and rows.
+fn part(film: &Film, [left, top, right, bottom]: [u32; 4]) -> Film {
+    let mut part = Film::new(right - left, bottom - top);
+    for row in top..bottom {
+        for column in left..right {
+            part.set([column - left, row - top], marked(film.get([column, row])));
+        }
+    }
+    part
+}
+
+/// The picture with what is not a number in magenta.
+fn with_marked(film: &Film) -> Film {
+    part(film, [0, 0, film.width(), film.height()])
+}
+
+fn marked(color: Rgb) -> Rgb {
+    if color.to_array().iter().any(|channel| channel.is_nan()) { NOT_A_NUMBER } else { color }
+}

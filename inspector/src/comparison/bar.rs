@@ -1,0 +1,85 @@
+//! The bar of a comparison: what is shown, how much differs, and the next region.
+
+use eframe::egui::{Align, Button, Layout, RichText, Ui};
+use groundtruth::explain::{brief, count};
+use harness::compare::Comparison;
+
+use crate::comparison::theirs::{SCALES, Shows, Theirs};
+use crate::picture::worker::Rendering;
+
+/// What can be shown, with the key's name.
+const SHOWN: [(Shows, &str, &str); 4] = [
+    (Shows::Ours, "Ours", "T flips between ours and theirs"),
+    (Shows::Theirs, "Theirs", "T flips between ours and theirs"),
+    (Shows::Swipe, "Swipe", "Ours at the left of the line, theirs at its right (W)"),
+    (
+        Shows::Difference,
+        "Difference",
+        "Theirs less ours; grey: equal, brighter: theirs is larger (D)",
+    ),
+];
+
+/// Shows the bar. Returns whether to select the next region.
+pub fn show(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering, generation: u64) -> bool {
+    let mut is_next = false;
+    ui.horizontal(|ui| {
+        if !theirs.fits(rendering) {
+            let ([w, h], [width, height]) = (theirs.size(), rendering.size());
+            let name = &theirs.name;
+            let text = format!("{name} has {w} × {h} pixels, our picture {width} × {height}");
+            ui.colored_label(ui.visuals().warn_fg_color, text);
+            return;
+        }
+        for (shows, name, hint) in SHOWN {
+            ui.selectable_value(&mut theirs.shows, shows, name).on_hover_text(hint);
+        }
+        ui.separator();
+        if theirs.shows == Shows::Difference
+            && let Some(largest) = theirs.largest(generation)
+        {
+            for scale in SCALES {
+                let percent = format!("{} %", 100.0 * scale);
+                let hint = "The share of the differences that are shown unclipped";
+                ui.selectable_value(&mut theirs.scale, scale, percent).on_hover_text(hint);
+            }
+            ui.weak(format!("white: +{largest:.2e}"));
+            ui.separator();
+        }
+        let comparison = theirs.comparison(generation);
+        let differs = comparison.is_some_and(|comparison| !comparison.is_same());
+        let next = ui.add_enabled(differs, Button::new("Next region"));
+        is_next = next.on_hover_text("Explains the worst pixel of the next region (N)").clicked();
+        let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let hint = comparison.map_or(String::new(), Comparison::to_string);
+            let label = eframe::egui::Label::new(RichText::new(&text)).truncate();
+            ui.add(label).on_hover_text(RichText::new(hint).monospace());
+        });
+    });
+    is_next
+}
+
+/// A sentence of a comparison with names for A and B.
+fn with_names(sentence: &str) -> String {
+    let name = |word| match word {
+        "A" => "our picture",
+        "B" => "their picture",
+        word => word,
+    };
+    sentence.split(' ').map(name).collect::<Vec<_>>().join(" ")
+}
+
+/// How two pictures compare, in one line.
+fn summary(comparison: &Comparison) -> String {
+    if comparison.is_same() {
+        return "no pixel differs".to_owned();
+    }
+    let pixels = f64::from(comparison.size[0]) * f64::from(comparison.size[1]);
+    let share = 100.0 * comparison.differing as f64 / pixels;
+    let why = comparison.explained_by.first();
+    let why = why.map(|first| format!("; explained: {}", with_names(&first.what)));
+    let (differing, why) = (count(comparison.differing as usize, "pixel"), why.unwrap_or_default());
+    let worst = comparison.worst.map_or(String::new(), |worst| brief(worst.difference));
+    let verb = if comparison.differing == 1 { "differs" } else { "differ" };
+    format!("{differing} ({share:.2} %) {verb}, by at most {worst}{why}")
+}

@@ -1,0 +1,267 @@
+//! Their picture: read from a file, shown over ours, and compared with ours once that is finished.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use eframe::egui::{
+    Align2, Color32, Context, CursorIcon, FontId, Id, Painter, Rect, Sense, Stroke, Ui, WidgetInfo,
+    accesskit::Role, vec2,
+};
+use groundtruth::explain;
+use groundtruth::film::{Film, OutOfGamut, Tone};
+use groundtruth::rgb::Rgb;
+use harness::compare::{Comparison, Differences, Picture, Transfer};
+
+use crate::comparison::layer::Layer;
+use crate::picture::display;
+use crate::picture::tiles::{self, Images};
+use crate::picture::view::Placement;
+use crate::picture::worker::{Background, Progress, Rendering};
+use crate::window::keys::Shortcut;
+
+/// What of the two pictures is on the screen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shows {
+    /// Our picture.
+    Ours,
+    /// Their picture.
+    Theirs,
+    /// Ours at the left of the divider, theirs at its right.
+    #[default]
+    Swipe,
+    /// Theirs less ours, around grey.
+    Difference,
+}
+
+/// The scales of the difference: the shares of differing channels that are shown unclipped.
+pub const SCALES: [f64; 3] = [0.5, 0.9, 1.0];
+
+/// The width of the divider that reacts to the mouse, in points of the screen.
+const DIVIDER: f32 = 10.0;
+
+/// A finished picture of ours, by its generation, and how it compares with theirs.
+type Compared = (u64, Arc<(Comparison, Differences)>);
+
+/// Their picture.
+pub struct Theirs {
+    /// The name of its file.
+    pub name: String,
+    /// What is on the screen.
+    pub shows: Shows,
+    /// Where the divider is, as a share of the width of the picture's part of the window.
+    pub divider: f32,
+    /// The scale of the difference.
+    pub scale: f64,
+    picture: Arc<Picture>,
+    radiance: Arc<Film>,
+    layer: Layer<Tone>,
+    differences: Layer<(u64, f64)>,
+    compared: Option<Compared>,
+    comparing: Background<Compared>,
+    /// The region that was selected last.
+    region: Option<usize>,
+}
+
+impl Theirs {
+    /// Reads a picture file whose display values are encoded by this curve.
+    ///
+    /// # Errors
+    /// If it is no picture, or damaged.
+    pub fn read(path: &Path, encoding: Transfer) -> Result<Self, String> {
+        let picture = Picture::read(path, encoding).map_err(|error| error.to_string())?;
+        Ok(Self {
+            name: path.display().to_string(),
+            shows: Shows::default(),
+            divider: 0.5,
+            scale: 0.9,
+            radiance: Arc::new(picture.radiance()),
+            picture: Arc::new(picture),
+            layer: Layer::default(),
+            differences: Layer::default(),
+            compared: None,
+            comparing: Background::default(),
+            region: None,
+        })
+    }
+
+    /// Pixels across and down.
+    pub fn size(&self) -> [u32; 2] {
+        self.picture.size
+    }
+
+    /// What was ignored in its file.
+    pub fn notes(&self) -> &[String] {
+        &self.picture.notes
+    }
+
+    /// Its radiance at a pixel; `None` outside.
+    pub fn radiance(&self, [x, y]: [u32; 2]) -> Option<Rgb> {
+        let [width, height] = self.size();
+        (x < width && y < height).then(|| self.radiance.get([x, y]))
+    }
+
+    /// Its value at a pixel in words: as stored if that is radiance, else radiance and the stored integers.
+    pub fn value(&self, pixel: [u32; 2]) -> Option<String> {
+        let radiance = self.radiance(pixel)?;
+        let [r, g, b] = self.picture.values[self.picture.index(pixel)];
+        Some(match self.picture.step {
+            None => format!("({r:?}, {g:?}, {b:?})"),
+            Some(step) => {
+                let integer = |value: f32| (f64::from(value) / step).round();
+                let [r, g, b, largest] = [r, g, b, 1.0].map(integer);
+                format!("{}, stored as {r}, {g}, {b} of {largest}", explain::short(radiance))
+            }
+        })
+    }
+
+    /// How it compares with this picture of ours, once that is finished and compared.
+    pub fn comparison(&self, generation: u64) -> Option<&Comparison> {
+        Some(&self.compared_with(generation)?.0)
+    }
+
+    /// Theirs less ours at a pixel, 0 where the values count as equal; `None` until both are compared.
+    pub fn difference(&self, generation: u64, [x, y]: [u32; 2]) -> Option<Rgb> {
+        let [width, height] = self.size();
+        let (_, differences) = &**self.compared_with(generation)?;
+        (x < width && y < height).then(|| differences.at([x, y]).into())
+    }
+
+    /// The difference that is white, and negative black.
+    pub fn largest(&self, generation: u64) -> Option<f64> {
+        Some(self.compared_with(generation)?.1.within(self.scale))
+    }
+
+    fn compared_with(&self, generation: u64) -> Option<&Arc<(Comparison, Differences)>> {
+        self.compared.as_ref().filter(|(of, _)| *of == generation).map(|(_, compared)| compared)
+    }
+
+    /// Shows what a key asks for; a key for what is already shown goes back to ours.
+    pub fn follow(&mut self, shortcut: Shortcut) {
+        let wanted = match shortcut {
+            Shortcut::Flip => Shows::Theirs,
+            Shortcut::Swipe => Shows::Swipe,
+            Shortcut::Difference => Shows::Difference,
+            _ => return,
+        };
+        self.shows = if self.shows == wanted { Shows::Ours } else { wanted };
+    }
+
+    /// The worst pixel of the next region of difference, the largest region first; `None` until both are compared,
+    /// and if they are equal.
+    pub fn next_region(&mut self, generation: u64) -> Option<[u32; 2]> {
+        let worst: Vec<_> = self.comparison(generation)?.listed().map(|it| it.worst).collect();
+        let next = self.region.map_or(0, |region| region + 1);
+        let next = if next < worst.len() { next } else { 0 };
+        self.region = Some(next);
+        worst.get(next).copied()
+    }
+
+    /// Whether anything is still being computed for it.
+    pub fn is_busy(&self, rendering: &Rendering, generation: u64) -> bool {
+        let is_finished = matches!(rendering.progress(), Progress::Done(_));
+        let is_due = is_finished && self.fits(rendering) && self.comparison(generation).is_none();
+        self.layer.is_busy() || self.differences.is_busy() || is_due
+    }
+
+    /// Whether our picture has its size.
+    pub fn fits(&self, rendering: &Rendering) -> bool {
+        rendering.size() == self.size()
+    }
+
+    /// Compares with our picture once it is finished, and makes the layer that is shown.
+    pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering, generation: u64, tone: Tone) {
+        if let Some(Ok(compared)) = self.comparing.poll() {
+            (self.compared, self.region) = (Some(compared), None);
+        }
+        if !self.fits(rendering) {
+            return;
+        }
+        let radiance = Arc::clone(&self.radiance);
+        self.layer.refresh(ctx, tone, move || shown(&radiance, &tone));
+        let is_finished = matches!(rendering.progress(), Progress::Done(_));
+        if is_finished && self.comparison(generation).is_none() && !self.comparing.is_busy() {
+            let (canvas, theirs) = (Arc::clone(&rendering.canvas), Arc::clone(&self.picture));
+            self.comparing.start(ctx, move || {
+                let ours = Picture::of_film(&canvas.film());
+                let comparison =
+                    Comparison::of(&ours, &theirs, 0.0).expect("only pictures of one size");
+                (generation, Arc::new((comparison, Differences::of(&ours, &theirs, 0.0))))
+            });
+        }
+        if let Some(compared) = self.compared_with(generation).map(Arc::clone)
+            && self.shows == Shows::Difference
+        {
+            let scale = self.scale;
+            self.differences.refresh(ctx, (generation, scale), move || {
+                let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+                shown(&compared.1.film(compared.1.within(scale)), &plain)
+            });
+        }
+    }
+
+    /// Draws it over our picture.
+    pub fn paint(&self, painter: &Painter, placement: &Placement, generation: u64) {
+        let is_ready = match self.shows {
+            Shows::Ours => true,
+            Shows::Theirs => self.layer.paint(painter, placement, |_| true),
+            Shows::Swipe => {
+                let area = painter.clip_rect();
+                let right = area.with_min_x(divider_x(area, self.divider));
+                self.layer.paint(&painter.with_clip_rect(right), placement, |_| true)
+            }
+            Shows::Difference => {
+                self.differences.paint(painter, placement, |(of, _)| of == generation)
+            }
+        };
+        if !is_ready {
+            let text = match self.shows {
+                Shows::Difference => "the difference follows when our picture is finished",
+                _ => "their picture follows",
+            };
+            let at = placement.whole().intersect(painter.clip_rect()).center();
+            painter.text(at, Align2::CENTER_CENTER, text, FontId::default(), Color32::WHITE);
+        }
+    }
+
+    /// The divider of the swipe: drawn, and moved by the mouse.
+    pub fn show_divider(&mut self, ui: &mut Ui, area: Rect) {
+        if self.shows != Shows::Swipe {
+            return;
+        }
+        let x = divider_x(area, self.divider);
+        let strip = Rect::from_x_y_ranges(x - 0.5 * DIVIDER..=x + 0.5 * DIVIDER, area.y_range());
+        let response = ui.interact(strip, Id::unique("divider"), Sense::drag());
+        response.widget_info(|| {
+            let mut info = WidgetInfo::labeled(Role::Splitter, true, "divider");
+            info.value = Some(self.divider.into());
+            info
+        });
+        let response = response.on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal);
+        self.divider = (self.divider + response.drag_delta().x / area.width()).clamp(0.0, 1.0);
+        let painter = ui.painter();
+        painter.vline(x, area.y_range(), Stroke::new(4.0, Color32::BLACK));
+        painter.vline(x, area.y_range(), Stroke::new(2.0, Color32::from_rgb(255, 140, 0)));
+        for (name, align, side) in
+            [("ours", Align2::RIGHT_TOP, -8.0), ("theirs", Align2::LEFT_TOP, 8.0)]
+        {
+            let at = area.left_top() + vec2(x - area.left() + side, 6.0);
+            let shadow = at + vec2(1.0, 1.0);
+            painter.text(shadow, align, name, FontId::default(), Color32::BLACK);
+            painter.text(at, align, name, FontId::default(), Color32::from_rgb(255, 190, 110));
+        }
+    }
+}
+
+fn divider_x(area: Rect, share: f32) -> f32 {
+    (area.left() + share * area.width()).round()
+}
+
+/// A film in the colours of the screen; what is not a number is magenta.
+fn shown(film: &Film, tone: &Tone) -> Images {
+    let color = |at| {
+        let radiance = film.get(at);
+        let is_number = radiance.to_array().iter().all(|channel| !channel.is_nan());
+        if is_number { display::color(tone, radiance) } else { Color32::from_rgb(255, 0, 255) }
+    };
+    tiles::images([film.width(), film.height()], |positions| positions.map(color).collect())
+}

@@ -1,0 +1,227 @@
+//! Another program's picture held against ours.
+
+use std::path::Path;
+
+use clap::Parser;
+use eframe::egui::{Key, Pos2, accesskit::Role, pos2, vec2};
+use egui_kittest::kittest::Queryable;
+use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use harness::compare::Transfer;
+use inspector::comparison::theirs::{Shows, Theirs};
+use inspector::window::arguments::Arguments;
+
+use crate::support::*;
+
+/// A pixel of our picture's left part and one of its right part, both of the ground.
+const LEFT: [u32; 2] = [6, 44];
+const RIGHT: [u32; 2] = [40, 44];
+/// Pixels that are brighter in their picture: two regions, the larger one first, its worst pixel in the middle.
+const BRIGHTER: [([u32; 2], f64); 4] =
+    [([39, 44], 0.1), (RIGHT, 0.2), ([41, 44], 0.1), ([6, 44], 0.4)];
+const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+
+/// Our picture, and theirs, which is brighter in some pixels.
+fn films() -> [Film; 2] {
+    let ours = render::render(&built(&small_glass_sphere()));
+    let mut theirs = ours.clone();
+    for (pixel, more) in BRIGHTER {
+        theirs.set(pixel, ours.get(pixel) + Rgb::grey(more));
+    }
+    [ours, theirs]
+}
+
+fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
+    let path = folder.join(name);
+    film::write(film, &PLAIN, &path).expect("written");
+    Theirs::read(&path, Transfer::Srgb).expect("it is a picture")
+}
+
+/// A window on the small glass sphere that is held against this picture.
+fn held_against(film: &Film) -> Window {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut window = open(small_glass_sphere());
+    window.state_mut().theirs = Some(read(folder.path(), film, "theirs.exr"));
+    settle(&mut window);
+    window
+}
+
+fn shows(window: &Window) -> Shows {
+    window.state().theirs.as_ref().expect("it was given").shows
+}
+
+/// The colours of both marked pixels on the screen.
+fn both(window: &mut Window) -> [[u8; 3]; 2] {
+    [LEFT, RIGHT].map(|pixel| shown(window, pixel))
+}
+
+/// Law: T shows theirs and ours by turns, W both at the sides of a line, D theirs less ours, white where theirs is
+/// larger by the largest shown difference, grey where they are equal. Oracle: `Tone` on both films.
+#[test]
+fn each_view_shows_its_picture() {
+    let [ours, theirs] = films();
+    let mut window = held_against(&theirs);
+    let tone = window.state().picture.tone;
+    let [of_ours, of_theirs] =
+        [&ours, &theirs].map(|film| [LEFT, RIGHT].map(|pixel| tone.to_bytes(film.get(pixel))));
+    assert_ne!(of_ours, of_theirs);
+    assert_eq!(both(&mut window), [of_ours[0], of_theirs[1]], "it starts with the line");
+    for (key, expected) in [
+        (Key::T, of_theirs),
+        (Key::T, of_ours),
+        (Key::T, of_theirs),
+        (Key::W, [of_ours[0], of_theirs[1]]),
+        (Key::W, of_ours),
+    ] {
+        window.key_press(key);
+        settle(&mut window);
+        assert_eq!(both(&mut window), expected, "{key:?}");
+    }
+    window.key_press(Key::D);
+    settle(&mut window);
+    window.get_by_label("100 %").click();
+    settle(&mut window);
+    // 0.2 of 0.4 is half way from grey to white
+    assert_eq!(both(&mut window), [[255; 3], [191; 3]]);
+    assert_eq!(shown(&mut window, [20, 10]), [128; 3]);
+    window.get_by_label("50 %").click();
+    settle(&mut window);
+    assert_eq!(both(&mut window), [[255; 3], [255; 3]], "the median of the differences is 0.1");
+    window.get_by_label("Ours").click();
+    settle(&mut window);
+    assert_eq!(both(&mut window), of_ours);
+}
+
+/// Law: the line follows the mouse, and its drag neither moves the picture nor selects a pixel; it cannot leave the
+/// picture's part. Oracle: `Tone` on both films.
+#[test]
+fn the_line_is_dragged() {
+    let [ours, theirs] = films();
+    let mut window = held_against(&theirs);
+    let tone = window.state().picture.tone;
+    let before = window.state().picture.placement([48, 48]).corner;
+    let line = window.get_by_label("divider").rect().center();
+    let drag = |window: &mut Window, from: Pos2, to: Pos2| {
+        window.hover_at(from);
+        window.drag_at(from);
+        window.hover_at(to);
+        window.drop_at(to);
+        settle(window);
+    };
+    let to = on_screen(&window, LEFT) - vec2(30.0, 0.0);
+    drag(&mut window, line, pos2(to.x, line.y));
+    assert_eq!(both(&mut window), [LEFT, RIGHT].map(|pixel| tone.to_bytes(theirs.get(pixel))));
+    let line = window.get_by_label("divider").rect().center();
+    assert!((line.x - to.x).abs() < 2.0, "{line} {to}");
+    drag(&mut window, line, line + vec2(3000.0, 0.0));
+    assert_eq!(both(&mut window), [LEFT, RIGHT].map(|pixel| tone.to_bytes(ours.get(pixel))));
+    assert_eq!(window.state().theirs.as_ref().map(|theirs| theirs.divider), Some(1.0));
+    assert_eq!(window.state().picture.placement([48, 48]).corner, before);
+    assert_eq!(window.state().selection.pixel, None);
+}
+
+/// Law: N explains the worst pixel of each region of difference, the largest region first, and begins again; beside
+/// our sum stands their value. Oracle: the pixels that were changed.
+#[test]
+fn the_next_region_is_explained_beside_their_value() {
+    let [ours, theirs] = films();
+    let mut window = held_against(&theirs);
+    for pixel in [RIGHT, LEFT, RIGHT] {
+        window.key_press(Key::N);
+        settle(&mut window);
+        assert_eq!(window.state().selection.pixel, Some(pixel));
+        let [a, b] = [&ours, &theirs].map(|film| film.get(pixel));
+        // the file holds single precision
+        let stored = Rgb::from(b.to_array().map(|channel| f64::from(channel as f32)));
+        let line = text_with(&window, "theirs: ");
+        for channel in stored.to_array() {
+            let channel = format!("{:?}", channel as f32);
+            assert!(line.contains(&channel), "{line} lacks {channel}");
+        }
+        let line = text_with(&window, "theirs − ours: ");
+        let ours = Rgb::from(a.to_array().map(|channel| f64::from(channel as f32)));
+        assert!(line.contains(&groundtruth::explain::short(stored - ours)), "{line}");
+    }
+    click(&mut window, [20, 10]);
+    assert!(text_with(&window, "theirs: ").ends_with(": equal"));
+    window.hover_at(on_screen(&window, RIGHT));
+    window.run_steps(3);
+    let [a, b] = [ours.get(RIGHT), theirs.get(RIGHT)].map(groundtruth::explain::short);
+    assert!(window.query_by_label(&format!("(40, 44)  {a}  theirs {b}")).is_some());
+}
+
+/// Law: equal pictures have no next region, and the window says so. Oracle: our own picture.
+#[test]
+fn equal_pictures_have_no_regions() {
+    let mut window = held_against(&films()[0]);
+    assert!(window.query_by_label("no pixel differs").is_some());
+    window.key_press(Key::N);
+    settle(&mut window);
+    assert_eq!(window.state().selection.pixel, None);
+    assert_eq!(window.state().message, Some(("no pixel differs".to_owned(), false)));
+}
+
+/// Law: while our picture has another size, it is shown alone and both sizes are named; back at theirs, the pictures
+/// are compared again. Oracle: `Tone` on our film.
+#[test]
+fn another_size_is_not_compared() {
+    let [_, theirs] = films();
+    let mut window = held_against(&theirs);
+    type_number(&mut window, "Width", "50");
+    assert!(text_with(&window, "has 48 × 48 pixels").ends_with("our picture 50 × 48"));
+    let film = window.state().rendering.canvas.film();
+    let tone = window.state().picture.tone;
+    assert_eq!(shown(&mut window, RIGHT), tone.to_bytes(film.get(RIGHT)));
+    type_number(&mut window, "Width", "48");
+    assert!(text_with(&window, "pixels (").contains("4 pixels (0.17 %) differ"));
+}
+
+/// Law: while a field has the keys, letters change no view and select no pixel. Oracle: the state before, and the
+/// same keys without the field.
+#[test]
+fn typed_letters_are_text() {
+    let mut window = held_against(&films()[1]);
+    let field = window.get_by_role_and_label(Role::TextInput, "Pixel").rect().center();
+    window.hover_at(field);
+    window.drag_at(field);
+    window.drop_at(field);
+    settle(&mut window);
+    for key in [Key::T, Key::D, Key::N] {
+        window.key_press(key);
+        settle(&mut window);
+        assert_eq!(
+            (shows(&window), window.state().selection.pixel),
+            (Shows::Swipe, None),
+            "{key:?}"
+        );
+    }
+    window.key_press(Key::Escape);
+    for key in [Key::T, Key::N] {
+        window.key_press(key);
+        settle(&mut window);
+    }
+    assert_eq!((shows(&window), window.state().selection.pixel), (Shows::Theirs, Some(RIGHT)));
+}
+
+/// Law: a PNG is decoded by the curve of sRGB, unless the command line names another. Oracle: a grey of the standard
+/// (IEC 61966-2-1).
+#[test]
+fn bytes_are_decoded_as_srgb() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("grey.png");
+    let mut grey = Film::new(1, 1);
+    grey.set([0, 0], Rgb::grey(188.0 / 255.0));
+    film::write(&grey, &PLAIN, &path).expect("written");
+    let file = path.to_str().expect("UTF-8");
+    // ((188/255 + 0.055)/1.055)^2.4
+    for (encoding, expected) in [(&[][..], 0.5029), (&["--encoding", "linear"], 188.0 / 255.0)] {
+        let line = [&["inspector", "ch28/glass-sphere", "--compare", file], encoding].concat();
+        let theirs =
+            Arguments::parse_from(line).theirs().expect("it is read").expect("it is named");
+        let value = theirs.radiance([0, 0]).expect("inside");
+        assert!(value.to_array().iter().all(|c| (c - expected).abs() < 1e-4), "{value:?}");
+        assert!(theirs.value([0, 0]).is_some_and(|it| it.ends_with("188, 188, 188 of 255")));
+        assert_eq!(theirs.radiance([1, 0]), None);
+    }
+}
