@@ -106,7 +106,7 @@ fn shapes() -> Vec<Planted> {
         ),
         planted(
             "hits behind",
-            &["intersect.plane.ordinary", "intersect.sphere.ordinary"],
+            &["intersect.plane.around", "intersect.sphere.around"],
             Some(&m::BEHIND),
             |q, a| {
                 if a.is_null() { on_line(q).pop().unwrap_or(a) } else { a }
@@ -127,7 +127,7 @@ fn shapes() -> Vec<Planted> {
         planted("disk without a rim", &["intersect.disk.ordinary"], None, |q, _| {
             instead(q, |data| data["shape"]["disk"]["radius"] = json!(1e6))
         }),
-        planted("triangle as a parallelogram", &["intersect.triangle.ordinary"], None, |q, a| {
+        planted("triangle as a parallelogram", &["intersect.triangle.around"], None, |q, a| {
             let corners = data(q)["shape"]["triangle"]["vertices"].clone();
             let [v0, v1, v2] = [0, 1, 2].map(|i| vector(&corners[i]));
             let fourth: [f64; 3] = std::array::from_fn(|i| v1[i] + v2[i] - v0[i]);
@@ -143,7 +143,7 @@ fn shapes() -> Vec<Planted> {
                     json!(std::array::from_fn::<f64, 3, _>(|i| c[i] - 0.5 * (a[i] + b[i])));
             })
         }),
-        planted("annulus without a hole", &["intersect.annulus.ordinary"], None, |q, _| {
+        planted("annulus without a hole", &["intersect.annulus.around"], None, |q, _| {
             instead(q, |data| data["shape"]["annulus"]["inner_radius"] = json!(0.0))
         }),
         planted("cylinder along z", &["intersect.open_cylinder.ordinary"], None, |q, _| {
@@ -263,7 +263,7 @@ fn shapes() -> Vec<Planted> {
             |_, mut a| {
                 for hit in a.as_array_mut().into_iter().flatten() {
                     if hit["front"] == json!(false) {
-                        at(&mut hit, "/normal", |x| -x)
+                        at(hit, "/normal", |x| -x)
                     };
                 }
                 a
@@ -500,19 +500,13 @@ fn lights_and_cameras() -> Vec<Planted> {
     ]
 }
 
-/// The ray of the film half a pixel down and to the left.
+/// The ray of the film point half a pixel down and to the left: that of a picture with one column and one row more.
 fn moved_half(question: &Value) -> Value {
     instead(question, |data| {
-        let place = if data["place"].is_null() { json!([0.5, 0.5]) } else { data["place"].clone() };
-        data["place"] = place;
-        let [x, y] = [0, 1].map(|i| data["pixel"][i].as_f64().unwrap_or(0.0));
-        let [u, v] = [0, 1].map(|i| data["place"][i].as_f64().unwrap_or(0.0) - 0.5);
-        let height = data["image"]["height"].as_f64().unwrap_or(1.0);
-        // to the pixel that holds the place, if it is in the picture
-        let left = if u < 0.0 && x > 0.0 { 1.0 } else { 0.0 };
-        let down = if v < 0.0 && y + 1.0 < height { 1.0 } else { 0.0 };
-        data["pixel"] = json!([(x - left) as u64, (y + down) as u64]);
-        data["place"] = json!([(u + left).max(0.0), (v + down).max(0.0)]);
+        for pointer in ["/image/width", "/image/height", "/pixel/1"] {
+            let value = data.pointer_mut(pointer).expect("cases say it");
+            *value = json!(value.as_u64().unwrap_or(0) + 1);
+        }
     })
 }
 
@@ -524,13 +518,15 @@ fn sampling_and_spaces() -> Vec<Planted> {
             None,
             |_, mut a| {
                 // one point is copied over another
-                let first = a[0][0].clone();
-                a[0][1] = first;
+                let first = a.pointer("/0/0").cloned().unwrap_or_default();
+                if let Some(second) = a.pointer_mut("/0/1") {
+                    *second = first;
+                }
                 a
             },
         ),
         planted("samples of 1", &["samples.jittered", "samples.random"], None, |_, mut a| {
-            a[0][0] = json!([1.0, 0.5]);
+            a.pointer_mut("/0/0").into_iter().for_each(|point| *point = json!([1.0, 0.5]));
             a
         }),
         planted(
@@ -538,7 +534,7 @@ fn sampling_and_spaces() -> Vec<Planted> {
             &["samples.hammersley.values", "samples.regular.strata"],
             None,
             |_, mut a| {
-                a[0].as_array_mut().map(Vec::pop);
+                a.pointer_mut("/0").and_then(Value::as_array_mut).map(Vec::pop);
                 a
             },
         ),
@@ -547,7 +543,11 @@ fn sampling_and_spaces() -> Vec<Planted> {
             &["samples.hammersley.values"],
             Some(&m::SWAP_U),
             |_, mut a| {
-                a[0].as_array_mut().into_iter().flatten().for_each(|point| swap(point, 0, 1));
+                a.pointer_mut("/0")
+                    .and_then(Value::as_array_mut)
+                    .into_iter()
+                    .flatten()
+                    .for_each(|point| swap(point, 0, 1));
                 a
             },
         ),

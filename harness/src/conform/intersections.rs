@@ -8,8 +8,8 @@ use super::family::{Family, Judge};
 use super::judgement::{Judgement, Profile, Wrong, first_wrong, number, triple};
 use super::mistakes::{self, Mistake, clues, same};
 use super::subject::ours;
-use crate::verify::backward_error;
-use groundtruth::math::{Step, Transform, UNIT_ROUNDOFF, Vector};
+use crate::verify::{Draw, backward_error};
+use groundtruth::math::{Point, Step, Transform, UNIT_ROUNDOFF, Vector};
 use groundtruth::shapes::{self, Instance};
 use oracle::hard::{self, Family as Hard};
 use oracle::{Answer, Root};
@@ -36,6 +36,8 @@ pub fn families() -> Vec<Family> {
             let ordinary = family == Hard::Ordinary;
             add("intersect", &name_of(family), ordinary, Box::new(cases), Judge::Answer(judge));
         }
+        let around = move |seed, n| around(kind, seed + 3, n);
+        add("intersect", "around", true, Box::new(around), Judge::Answer(judge));
         let all = move |seed, n| changed(kind, seed + 1, n, all_roots);
         add("intersect", "all_roots", true, Box::new(all), Judge::Answer(judge));
         let occluded = move |seed, n| changed(kind, seed + 2, n, occlusion);
@@ -74,6 +76,34 @@ fn nearest(kind: hard::Kind, family: Hard, seed: u64, n: usize) -> Vec<Value> {
         Some(json!({"intersect": question}))
     };
     cases.filter_map(question).collect()
+}
+
+/// Rays through the neighbourhood of the shape, in all directions, a quarter of them away from it. The hard families
+/// aim at the surface: rays that go by, or meet what a wrong border lets in, are found here.
+fn around(kind: hard::Kind, seed: u64, n: usize) -> Vec<Value> {
+    let mut questions = nearest(kind, Hard::Ordinary, seed, n);
+    for (index, question) in questions.iter_mut().enumerate() {
+        let mut draw = Draw::case(seed, index);
+        let Ok(shape) = shapes::Kind::deserialize(&question["intersect"]["shape"]) else {
+            continue;
+        };
+        let Ok(built) = shape.build(&mut shapes::Context::default()) else { continue };
+        let bounds = built.bounds();
+        let (middle, size) = match bounds.is_bounded() {
+            true => (bounds.min + 0.5 * bounds.extent(), 0.5 * bounds.extent()),
+            false => (Point::ORIGIN, Vector::new(2.0, 2.0, 2.0)),
+        };
+        let mut near = |scale: f64| {
+            let share = draw.vector(scale).to_array();
+            let offset = [0, 1, 2].map(|i| share[i] * size.to_array()[i].max(0.25 * size.length()));
+            middle + Vector::from(offset)
+        };
+        let (origin, aim) = (near(3.0), near(1.0));
+        let direction = if index % 4 == 0 { origin - aim } else { aim - origin };
+        question["intersect"]["ray"] =
+            json!({"origin": origin.to_array(), "direction": direction.to_array()});
+    }
+    questions
 }
 
 /// Ordinary questions, changed.

@@ -133,14 +133,13 @@ const FINE: usize = 40;
 const DRAWN: usize = 1500;
 
 /// Law: the directions of `sample` have the density `pdf`. Oracle: χ² against the midpoint rule on *our* pdf, on a
-/// grid in θ and φ; cells without enough are put together. The case is a `lobe` with `wo`, and the seed of the draws.
+/// grid in θ and φ; cells without enough are put together. The case is a `lobe` with `wo` and `u`, from which the draws
+/// are seeded.
 pub fn density(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
-    let mut draw = Draw::new(case["lobe"]["seed"].as_u64().unwrap_or(0));
-    let mut question = case.clone();
-    question["lobe"].as_object_mut().map(|fields| fields.remove("seed"));
+    let mut draw = Draw::new(case["lobe"]["u"][0].as_f64().unwrap_or(0.0).to_bits());
     let drawn: Vec<Value> = (0..DRAWN)
         .map(|_| {
-            let mut one = question.clone();
+            let mut one = case.clone();
             one["lobe"]["u"] = json!([draw.between(0.0, 1.0), draw.between(0.0, 1.0)]);
             one
         })
@@ -155,7 +154,7 @@ pub fn density(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
         }
     }
     let count = observed.iter().sum::<u64>() as f64;
-    let mut expected = masses(&question);
+    let mut expected = masses(case);
     let whole: f64 = expected.iter().sum();
     if whole < 0.05 || count < 0.05 * DRAWN as f64 {
         return Ok(Judgement::Undecided);

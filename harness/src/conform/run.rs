@@ -104,11 +104,6 @@ fn easy_questions(
             continue;
         }
         let Some(question) = (family.cases)(options.seed, 1).pop() else { continue };
-        if matches!(family.judge, Judge::Law(_)) {
-            // a law's case may hold more than a question
-            seen.remove(family.question());
-            continue;
-        }
         match subject.ask(std::slice::from_ref(&question)).pop() {
             Some(Reply::Fault(fault)) => {
                 received.push(format!("{}: {}", family.question(), fault.text()))

@@ -40,12 +40,8 @@ pub fn smaller(
             if asked >= MOST_QUESTIONS || begun.elapsed() > MOST_TIME {
                 return best;
             }
-            // laws may keep more in their case than a question
-            let is_law = matches!(judge, Judge::Law(_));
-            if candidate == best.question
-                || !keeps_units(&candidate)
-                || (!is_law && ours(&candidate).is_err())
-            {
+            let is_question = keeps_units(&candidate) && ours(&candidate).is_ok();
+            if candidate == best.question || !is_question {
                 continue;
             }
             asked += 1;
