@@ -146,7 +146,7 @@ fn answer(name: &str, q: &Value) -> Answer {
 }
 
 /// The protocol: a question is a line, and so is its answer, with the same id.
-fn reply(line: &str) -> String {
+pub fn reply(line: &str) -> String {
     let question: Value = serde_json::from_str(line).expect("every line is JSON");
     let fields = question.as_object().expect("every line is an object");
     let (name, data) = fields.iter().find(|(key, _)| *key != "id").expect("it has a question");
