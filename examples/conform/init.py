@@ -2,7 +2,11 @@
 """Answers the questions of `groundtruth conform`: fill in what your ray tracer has.
 
 Run: groundtruth conform -- python3 my_tracer.py
-The questions are described in docs/probe.md; a function gets the data of one and returns its answer."""
+docs/probe.md describes the questions, docs/conform.md the run, and examples/conform/adapter.py is one filled in.
+
+Each function below is a question. It gets the question's data and returns the answer, as JSON: numbers, lists,
+dictionaries, None for null. Infinity is written "inf". What you do not have is unsupported: raise Unsupported, also
+for one shape among others."""
 import json
 import sys
 
@@ -71,16 +75,28 @@ def radiance(q):  # {"scene": …, "ray": …} -> {"mean": [r, g, b]}
     raise Unsupported("radiance")
 
 
+# The protocol: a question is a line, and so is its answer, with the same id.
+
+QUESTIONS = {f.__name__: f for f in (
+    intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, mapping, noise, transform,
+    grid, radiance)}
+
+
 def reply(line):
     question = json.loads(line)
     number = question.pop("id")
     (name, data), = question.items()
+    if name not in QUESTIONS:
+        return {"id": number, "unsupported": name}
     try:
-        return {"id": number, "answer": globals()[name](data)}
-    except (Unsupported, KeyError) as why:
-        return {"id": number, "unsupported": str(why)}
+        return {"id": number, "answer": QUESTIONS[name](data)}
+    except Unsupported as what:
+        return {"id": number, "unsupported": str(what)}
+    except Exception as error:  # shown on the card, with the question; the next one is answered
+        return {"id": number, "error": f"{type(error).__name__}: {error}"}
 
 
 if __name__ == "__main__":
     for line in sys.stdin:
-        print(json.dumps(reply(line)), flush=True)  # a pipe keeps lines back unless they are flushed
+        # flush: a pipe keeps lines back. Print nothing else here: messages belong to sys.stderr
+        print(json.dumps(reply(line)), flush=True)
