@@ -2,6 +2,8 @@
 
 #[path = "conform/altered.rs"]
 mod altered;
+#[path = "conform/constants.rs"]
+mod constants;
 #[path = "conform/exact.rs"]
 mod exact;
 #[path = "conform/harmless.rs"]

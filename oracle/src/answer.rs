@@ -56,7 +56,8 @@ pub struct Answer {
     pub roots: Vec<Root>,
     /// No relative change of the inputs smaller than this changes the number of roots; for an
     /// instance, none smaller than this over [`Shape::condition`]. A lower bound, mostly within a
-    /// factor of 4 of the truth; 0 where an arbitrarily small change can change the answer.
+    /// factor of 4 of the truth; 0 where an arbitrarily small change can change the answer, and where the
+    /// surface has no normal.
     pub margin: f64,
 }
 
@@ -91,6 +92,9 @@ fn answer_beyond(shape: &Shape<Real>, ray: &Ray<Real>, start: &Real) -> Answer {
     let mut found = solve::solve(shape, &Beam { o_shift, ..Beam::new(&moved) });
     found.hits.retain(|hit| sign(&hit.t).is_gt());
     found.hits.sort_by(|a, b| a.t.cmp(&b.t));
+    if found.hits.iter().any(|hit| hit.gradient.unit().is_none()) {
+        found.margin = 0.0;
+    }
     let beyond = |hit: solve::Hit| solve::Hit { t: &hit.t + start, ..hit };
     let roots = found.hits.into_iter().map(|hit| root(beyond(hit), &beam)).collect();
     Answer { roots, margin: found.margin }
@@ -102,7 +106,8 @@ fn root(hit: solve::Hit, beam: &Beam) -> Root {
     let slope = nearest(&hit.gradient.dot(&beam.d)).abs();
     let t = nearest(&hit.t);
     let ray_inputs = hit.gradient.len() * (beam.o.len() + t.abs() * beam.d.len());
-    let normal = hit.gradient.unit().expect("a surface has a normal where it is hit");
+    // where a surface has no normal, as at the apex of a cone or at a double zero, any direction is as good
+    let normal = hit.gradient.unit().or_else(|| beam.d.unit()).expect("a ray has a direction");
     Root {
         t,
         cond: (ray_inputs + hit.inputs) / slope,

@@ -29,7 +29,18 @@ pub fn families(words: &[&str]) -> Vec<Family> {
 
 /// A run over these families.
 pub fn card(subject: &mut dyn Subject, words: &[&str], profile: Profile, cases: usize) -> Card {
-    let options = Options { profile, seed: 7, cases, interrupted: Arc::default() };
+    card_with(subject, words, profile, cases, true)
+}
+
+/// A run over these families; `shrink` says whether failures are made small.
+pub fn card_with(
+    subject: &mut dyn Subject,
+    words: &[&str],
+    profile: Profile,
+    cases: usize,
+    shrink: bool,
+) -> Card {
+    let options = Options { profile, seed: 7, cases, shrink, interrupted: Arc::default() };
     conform::run(subject, &families(words), &options, &mut |_| {}).expect("it answers")
 }
 

@@ -105,8 +105,13 @@ impl Conform {
             Exact::Book => Profile::Book,
         };
         let seed = if self.fresh { fresh_seed() } else { self.seed };
-        let options =
-            Options { profile, seed, cases: self.cases, interrupted: Arc::clone(&interrupted) };
+        let options = Options {
+            profile,
+            seed,
+            cases: self.cases,
+            shrink: true,
+            interrupted: Arc::clone(&interrupted),
+        };
         let [answer, start] = [self.timeout, self.start_timeout].map(Duration::from_secs_f64);
         let limits = Limits { answer, start: start.max(answer) };
         let mut program = Program::new(self.program.clone(), limits, interrupted);

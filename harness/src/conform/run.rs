@@ -24,6 +24,8 @@ pub struct Options {
     pub seed: u64,
     /// How many cases a family has.
     pub cases: usize,
+    /// Whether the first failure of each family is made small.
+    pub shrink: bool,
     /// Set when the run is to end.
     pub interrupted: Arc<AtomicBool>,
 }
@@ -206,9 +208,9 @@ impl<'a> Asked<'a> {
         let Some((question, wrong)) = self.first.take() else { return };
         let asked = std::mem::take(&mut self.row.asked);
         let first = Failure { question, wrong, asked };
-        let failure = match options.interrupted.load(Ordering::Relaxed) {
-            true => first,
-            false => shrink::smaller(subject, self.family.judge, first, options.profile),
+        let failure = match options.shrink && !options.interrupted.load(Ordering::Relaxed) {
+            true => shrink::smaller(subject, self.family.judge, first, options.profile),
+            false => first,
         };
         self.row.failure = Some(failure);
     }
@@ -242,7 +244,7 @@ impl Judged {
         if let (Some(Status::Wrong), Profile::Careful, Reply::Answer(answer)) =
             (judged.status, profile, reply)
         {
-            judged.is_fair = !matches!(judge(question, answer, Profile::Book), Judgement::Wrong(_));
+            judged.is_fair = matches!(judge(question, answer, Profile::Book), Judgement::Right(_));
         }
         judged
     }

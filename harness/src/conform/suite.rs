@@ -211,7 +211,8 @@ fn of_noise() -> Vec<Family> {
         law("noise.lattice.repeats", "noise/lattice", "ch31", laws::repeats, noise),
     ];
     for (tag, chapter, specimens) in kinds(textures::Kind::ENTRIES) {
-        if !OF_NOISE.contains(&&*tag) {
+        // random colours are those of objects, not of points
+        if !OF_NOISE.contains(&&*tag) || tag == "random_colors" {
             continue;
         }
         let case = move |draw: &mut Draw| {

@@ -11,6 +11,11 @@ use super::mistakes::{self, Mistake, clues, same};
 use super::subject::ours;
 use groundtruth::math::UNIT_ROUNDOFF;
 
+/// A mistake that is another question: turns the question into it, if it applies.
+pub type AsQuestion = (&'static Mistake, fn(&mut Value) -> Option<()>);
+/// A mistake that is another value of a field: from question, field name and our answer.
+pub type AsAnswer = (&'static Mistake, fn(&Value, &str, &Value) -> Option<Vec<f64>>);
+
 /// How answers of one question are compared.
 #[derive(Clone, Copy)]
 pub struct Rules {
@@ -19,9 +24,9 @@ pub struct Rules {
     /// Fields that are not judged.
     pub free: &'static [&'static str],
     /// Mistakes that are another question: what our function answers to it is what they would.
-    pub questions: &'static [(&'static Mistake, fn(&mut Value) -> Option<()>)],
-    /// Mistakes that are another value of a field: from question, field name and our answer.
-    pub answers: &'static [(&'static Mistake, fn(&Value, &str, &Value) -> Option<Vec<f64>>)],
+    pub questions: &'static [AsQuestion],
+    /// Mistakes that are another value of a field.
+    pub answers: &'static [AsAnswer],
 }
 
 /// The relative move of each number; derivatives are right to half of the digits.
@@ -101,7 +106,10 @@ fn missing(leaf: &Leaf, theirs: &[Leaf], rules: &Rules) -> Judgement {
         true if theirs.iter().all(|leaf| leaf.other.is_null() && leaf.value.is_none()) => {
             Judgement::wrong("null", f64::INFINITY, expected)
         }
-        true => Judgement::wrong(&format!("{} is missing", leaf.field), f64::INFINITY, expected),
+        true => {
+            let what = if leaf.field.is_empty() { "value" } else { &leaf.field };
+            Judgement::wrong(&format!("{what} is missing"), f64::INFINITY, expected)
+        }
     }
 }
 

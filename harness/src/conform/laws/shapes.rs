@@ -1,0 +1,105 @@
+//! Laws of shapes, and of lamps that are shapes.
+
+use serde_json::{Value, json};
+
+use super::super::family::Asking;
+use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::mistakes;
+use super::super::subject::ours;
+use super::{Found, missing, within};
+use groundtruth::math::Vector;
+
+/// Law: t counts in the length of the direction: a direction k times as long gives t/k (Suffern, ch. 3). The case is
+/// an `intersect`.
+pub fn direction_length(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+    const FACTOR: f64 = 4.0; // a power of two: no rounding of its own
+    let Some(direction) = triple(&case["intersect"]["ray"]["direction"]) else {
+        return Ok(Judgement::Undecided);
+    };
+    let mut longer = case.clone();
+    longer["intersect"]["ray"]["direction"] = json!(direction.map(|x| FACTOR * x));
+    let answers = ask.ask_all(&[case.clone(), longer])?;
+    let (Some(t), Some(shorter)) = (number(&answers[0]["t"]), number(&answers[1]["t"])) else {
+        return Ok(match answers.iter().filter(|answer| answer.is_null()).count() {
+            // whether a ray hits is judged elsewhere
+            2 => Judgement::Undecided,
+            1 => Judgement::wrong("hit or miss", f64::INFINITY, "a hit for both directions"),
+            _ => return missing("t"),
+        });
+    };
+    let mut judgement = within(profile, "t", (FACTOR * shorter - t).abs() / t.abs(), || {
+        format!("t = {:?} for the direction {FACTOR} times as long", t / FACTOR)
+    });
+    if let Judgement::Wrong(wrong) = &mut judgement
+        && (shorter - t).abs() <= 1e-5 * t.abs()
+    {
+        wrong.clues.push(&mistakes::UNIT_ASSUMED);
+    }
+    Ok(judgement)
+}
+
+/// Law: along a line, a closed body is entered and left in turn (Suffern, ch. 3, 19). The case is an `intersect` with
+/// `all`.
+pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+    let answer = ask.ask(case)?;
+    let Some(hits) = answer.as_array() else { return missing("list of hits") };
+    if hits.is_empty() {
+        return Ok(Judgement::Undecided); // whether a ray hits is judged elsewhere
+    }
+    let Some(direction) = triple(&case["intersect"]["ray"]["direction"]) else {
+        return Ok(Judgement::Undecided);
+    };
+    let mut enters = Vec::new();
+    for hit in hits {
+        let Some(normal) = triple(&hit["normal"]) else { return missing("normal") };
+        let cosine =
+            Vector::from(normal).dot(Vector::from(direction)) / Vector::from(direction).length();
+        if cosine.abs() < 1e-3 {
+            return Ok(Judgement::Undecided); // nearly touches
+        }
+        enters.push(cosine < 0.0);
+    }
+    let in_turn = enters.windows(2).all(|pair| pair[0] != pair[1]);
+    let is_whole = enters.len().is_multiple_of(2) && enters.first() != Some(&false);
+    Ok(match in_turn && is_whole {
+        true => Judgement::Right(0.0),
+        false => {
+            let text = "as many normals against the ray as along it, in turn";
+            Judgement::wrong("sides", f64::INFINITY, text)
+        }
+    })
+}
+
+/// Law: a sampled light is seen where the sample says: the direction is unit, the distance positive, and the pdf a
+/// positive number, that of the solid angle of a small lamp within a factor. The case is a `light` with a `lamp`
+/// that is a disk, a rectangle or a sphere, or an environment.
+pub fn light_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+    let sample = ask.ask(case)?;
+    if sample.is_null() {
+        return Ok(Judgement::Undecided); // another map may lead to the back of the lamp
+    }
+    let Some(direction) = triple(&sample["direction"]) else { return missing("direction") };
+    let off = (Vector::from(direction).length() - 1.0).abs();
+    if let wrong @ Judgement::Wrong(_) =
+        within(profile, "direction is not unit", off, || "a unit direction".to_owned())
+    {
+        return Ok(wrong);
+    }
+    let asked = &case["light"];
+    let (Some(shape), Some(distance)) = (asked["lamp"].get("shape"), number(&sample["distance"]))
+    else {
+        return Ok(Judgement::Right(0.0));
+    };
+    let ray = json!({"origin": asked["from"], "direction": direction});
+    let hit = ours(&json!({"intersect": {"shape": shape, "ray": ray}}));
+    let Ok(hit) = hit else { return Ok(Judgement::Undecided) };
+    let Some(t) = number(&hit["t"]) else {
+        // rounding moves a point of the rim off the lamp; a direction to elsewhere misses from nearby, too
+        return Ok(Judgement::Undecided);
+    };
+    // the sample moves its end off the lamp by a few roundings of coordinates
+    let off = (t - distance).abs() / (t + 10.0) / 4096.0;
+    Ok(within(profile, "distance", off, || {
+        format!("distance = {t:?}, to the lamp along the direction")
+    }))
+}

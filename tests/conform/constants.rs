@@ -1,0 +1,46 @@
+//! Programs that answer the same to every question.
+
+use std::collections::BTreeMap;
+
+use harness::conform::{Profile, Reply, Status, Subject};
+use serde_json::{Value, json};
+
+use super::altered::{card, card_with};
+
+struct Constant(Value);
+
+impl Subject for Constant {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        questions.iter().map(|_| Reply::Answer(self.0.clone())).collect()
+    }
+}
+
+/// Law: no question is passed by one answer to everything, and no answer stops the judge. Oracle: constants of every
+/// kind of JSON.
+#[test]
+fn no_constant_passes() {
+    let constants =
+        [json!(null), json!(false), json!(42), json!([]), json!({}), json!([1, 2, 3]), json!("pi")];
+    for constant in constants {
+        let mut subject = Constant(constant.clone());
+        let card = card_with(&mut subject, &[], Profile::Careful, 6, false);
+        let mut wrong: BTreeMap<&str, u64> = BTreeMap::new();
+        for row in &card.rows {
+            let question = row.name.split('.').next().unwrap_or_default();
+            *wrong.entry(question).or_default() += row.count(Status::Wrong);
+            let half = row.count(Status::Pass) > row.total() / 2;
+            // half of all segments are free, and rays go by
+            let is_guess = row.name.starts_with("occluded") || row.name.starts_with("intersect");
+            assert!(!half || is_guess, "{constant} passes {}: {:?}", row.name, row.counts);
+        }
+        assert!(wrong.values().all(|wrong| *wrong > 0), "{constant}: {wrong:?}");
+    }
+}
+
+/// Law: a question about an algebraic surface shrinks without end of the judge, though it may have no normal where it
+/// is hit any more. Oracle: a program that says of every surface that it is missed.
+#[test]
+fn surfaces_without_a_normal_do_not_stop_the_judge() {
+    let card = card(&mut Constant(json!(null)), &["shapes/algebraic"], Profile::Careful, 4);
+    assert!(card.is_failed());
+}
