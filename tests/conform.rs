@@ -12,5 +12,7 @@ mod harmless;
 mod mistakes;
 #[path = "conform/processes.rs"]
 mod processes;
+#[path = "conform/scenes.rs"]
+mod scenes;
 #[path = "conform/statuses.rs"]
 mod statuses;

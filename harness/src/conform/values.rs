@@ -44,10 +44,12 @@ struct Leaf {
     other: Value,
 }
 
-/// The leaves of an answer: lists of numbers are one.
-fn leaves(answer: &Value) -> Vec<Leaf> {
+/// The leaves of an answer that are judged: lists of numbers are one.
+fn leaves(answer: &Value, rules: &Rules) -> Vec<Leaf> {
     let mut all = Vec::new();
     collect(answer, "", &mut all);
+    let is_free = |leaf: &Leaf| leaf.field.split('.').any(|part| rules.free.contains(&part));
+    all.retain(|leaf| !is_free(leaf));
     all
 }
 
@@ -78,14 +80,11 @@ fn collect(value: &Value, field: &str, all: &mut Vec<Leaf>) {
 /// Judges by our own answer.
 pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) -> Judgement {
     let Ok(right) = ours(question) else { return Judgement::Undecided };
-    let Some(conditions) = conditions(question, &right, profile) else {
+    let Some(conditions) = conditions(question, &right, profile, rules) else {
         return Judgement::Undecided;
     };
-    let theirs = leaves(theirs);
-    let checks = leaves(&right).into_iter().zip(conditions).map(|(leaf, cond)| {
-        if rules.free.iter().any(|free| leaf.field.split('.').any(|part| part == *free)) {
-            return Judgement::Right(0.0);
-        }
+    let theirs = leaves(theirs, rules);
+    let checks = leaves(&right, rules).into_iter().zip(conditions).map(|(leaf, cond)| {
         let Some(their) = theirs.iter().find(|other| other.field == leaf.field) else {
             return missing(&leaf, &theirs, rules);
         };
@@ -151,7 +150,7 @@ fn judge_leaf(
             continue;
         }
         let Ok(other) = ours(&changed) else { continue };
-        let other = leaves(&other).into_iter().find(|leaf| leaf.field == right.field);
+        let other = leaves(&other, rules).into_iter().find(|leaf| leaf.field == right.field);
         let Some(other) = other.and_then(|leaf| leaf.value) else { continue };
         if same(theirs, &other) && !same(numbers, &other) {
             found.push(mistake);
@@ -184,14 +183,19 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 
 /// The condition of each leaf: the sum of its changes over the relative move, for each number of the question.
 /// `None` if a leaf jumps.
-fn conditions(question: &Value, right: &Value, profile: Profile) -> Option<Vec<f64>> {
+fn conditions(
+    question: &Value,
+    right: &Value,
+    profile: Profile,
+    rules: &Rules,
+) -> Option<Vec<f64>> {
     let step = if profile == Profile::Book { profile.margin() } else { MOVE };
-    let right = leaves(right);
+    let right = leaves(right, rules);
     let mut conditions = vec![0.0; right.len()];
     for moved in moved(question, step) {
         // where there is no answer beside it, the number is at the end of its range
         let Ok(other) = ours(&moved) else { continue };
-        let other = leaves(&other);
+        let other = leaves(&other, rules);
         if other.len() != right.len() {
             return None;
         }

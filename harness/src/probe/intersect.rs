@@ -1,18 +1,23 @@
-//! Where a ray meets a shape.
+//! Where a ray meets a shape, or a scene.
+
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::limits;
 use super::numbers::{RayData, Real, SpanData, Triple, triple};
+use super::source::{Built, Source};
 use groundtruth::invalid::{Invalid, Key, direction};
 use groundtruth::kinds::Specification;
-use groundtruth::math::{Ray, Step, Vector};
-use groundtruth::shapes::{Candidate, Context, Instance, Kind, PartPath, Shape};
+use groundtruth::math::{Ray, Span, Step, Vector};
+use groundtruth::shapes::{Candidate, Context, Instance, Kind, PartPath, Shape, Surface};
+use groundtruth::world::DEFAULT_SEED;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Intersect {
-    shape: Kind,
+    shape: Option<Kind>,
+    scene: Option<Source>,
     #[serde(default)]
     transform: Vec<Step>,
     ray: RayData,
@@ -26,6 +31,9 @@ pub struct Intersect {
 /// One hit.
 #[derive(Serialize)]
 pub struct Hit {
+    /// In a scene, the object.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    object: Option<Arc<str>>,
     t: Real,
     point: Triple,
     /// Geometric.
@@ -61,7 +69,12 @@ impl super::Question for Intersect {
         if let Some(leave) = self.leave {
             direction("leave", leave)?;
         }
-        let shape = build(&self.shape, &self.transform)?;
+        let kind = match (&self.shape, &self.scene) {
+            (Some(shape), None) => shape,
+            (None, Some(scene)) => return self.in_scene(scene, &ray, span).map(Hits::Nearest),
+            _ => return Err(Invalid::new("needs either `shape` or `scene`")),
+        };
+        let shape = build(kind, &self.transform)?;
         if self.all {
             limits::all_of(&*shape).map_err(|e| e.inside("all"))?;
             let roots = shape.roots(&ray, span);
@@ -72,28 +85,44 @@ impl super::Question for Intersect {
 }
 
 impl Intersect {
+    /// The first hit in a scene.
+    fn in_scene(&self, scene: &Source, ray: &Ray, span: Span) -> Result<Option<Hit>, Invalid> {
+        if self.all || !self.transform.is_empty() {
+            let field = if self.all { "all" } else { "transform" };
+            return Err(Invalid::field(field, "goes with `shape`, not with `scene`"));
+        }
+        let Built { world, .. } = scene.built(DEFAULT_SEED, |_| Ok(()))?;
+        Ok(world.hit(ray, span).map(|hit| {
+            let object = Some(Arc::clone(&hit.object.name));
+            Hit { object, uv: None, path: hit.path(), ..self.of_surface(hit.t, &hit.surface, ray) }
+        }))
+    }
+
     fn hit(&self, shape: &dyn Shape, ray: &Ray, at: &Candidate) -> Hit {
         let surface = shape.surface(ray, at);
+        let uv = shape.uv(at).map(|uv| uv.map(Real));
+        Hit { uv, path: shape.path(at), ..self.of_surface(at.t, &surface, ray) }
+    }
+
+    fn of_surface(&self, t: f64, surface: &Surface, ray: &Ray) -> Hit {
         let differs = surface.shading != surface.normal;
         Hit {
-            t: Real(at.t),
+            object: None,
+            t: Real(t),
             point: triple(surface.point),
             normal: triple(surface.normal),
             shading_normal: differs.then(|| triple(surface.shading)),
             front: surface.is_front(ray.direction),
             error: Real(surface.error),
-            uv: shape.uv(at).map(|uv| uv.map(Real)),
-            path: shape.path(at),
+            uv: None,
+            path: PartPath::default(),
             leave: self.leave.map(|direction| triple(surface.leave(direction))),
         }
     }
 }
 
 /// The shape seen through the steps, if there are any.
-pub(super) fn build(
-    shape: &Kind,
-    transform: &[Step],
-) -> Result<std::sync::Arc<dyn Shape>, Invalid> {
+pub(super) fn build(shape: &Kind, transform: &[Step]) -> Result<Arc<dyn Shape>, Invalid> {
     limits::buildable(std::iter::once(shape), |_, e| e.inside("shape"))?;
     let mut context = Context::default();
     if transform.is_empty() {

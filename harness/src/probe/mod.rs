@@ -23,12 +23,14 @@ mod project;
 mod radiance;
 mod samples;
 mod texture;
+mod trace;
 mod transform;
 
 // shared by the questions
 mod limits;
 mod lines;
 mod numbers;
+mod source;
 
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -107,6 +109,7 @@ questions! {
     transform::Transform,
     grid::Grid,
     radiance::Radiance,
+    trace::Trace,
 }
 
 impl<'de> Deserialize<'de> for Line {

@@ -1,12 +1,14 @@
-//! Whether a shape stands in the way.
+//! Whether a shape, or an object of a scene, stands in the way.
 
 use serde::Deserialize;
 
 use super::numbers::{RayData, SpanData};
+use super::source::{Built, Source};
 use super::{intersect, limits};
 use groundtruth::invalid::Invalid;
 use groundtruth::math::{Point, Ray, Span, Step};
 use groundtruth::shapes::{Context, Kind};
+use groundtruth::world::DEFAULT_SEED;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -15,6 +17,7 @@ pub struct Occluded {
     #[serde(default)]
     transform: Vec<Step>,
     shapes: Option<Vec<Kind>>,
+    scene: Option<Source>,
     ray: Option<RayData>,
     span: Option<SpanData>,
     segment: Option<Segment>,
@@ -32,6 +35,13 @@ impl super::Question for Occluded {
 
     fn answer(&self) -> Result<bool, Invalid> {
         let (ray, span) = self.way()?;
+        if let Some(scene) = &self.scene {
+            if self.shape.is_some() || self.shapes.is_some() || !self.transform.is_empty() {
+                return Err(Invalid::field("scene", "stands in the place of `shape` and `shapes`"));
+            }
+            let Built { world, .. } = scene.built(DEFAULT_SEED, |_| Ok(()))?;
+            return Ok(world.occluder(&ray, span).is_some());
+        }
         match (&self.shape, &self.shapes) {
             (Some(shape), None) => {
                 let shape = intersect::build(shape, &self.transform)?;
@@ -44,7 +54,7 @@ impl super::Question for Occluded {
                 let problem = "goes with `shape`; in a list, each shape can be an instance";
                 Err(Invalid::field("transform", problem))
             }
-            _ => Err(Invalid::new("needs either `shape` or `shapes`")),
+            _ => Err(Invalid::new("needs `shape`, `shapes` or `scene`")),
         }
     }
 }

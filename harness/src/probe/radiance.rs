@@ -1,21 +1,16 @@
 //! The radiance of a pixel or along a ray.
 
-use std::fmt;
-use std::path::Path;
-
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{self, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
 use super::numbers::{RayData, Triple, color};
+use super::source::{Built, Source};
 use super::{camera_ray, limits};
-use groundtruth::invalid::{Invalid, Key};
+use groundtruth::invalid::Invalid;
 use groundtruth::math::Ray;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, SceneError};
 use groundtruth::trace::RayBudget;
-use groundtruth::world::{self, DEFAULT_SEED, World};
-use groundtruth::{gallery, render, trace};
+use groundtruth::world::{DEFAULT_SEED, World};
+use groundtruth::{render, trace};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -28,36 +23,6 @@ pub struct Radiance {
     max_depth: Option<u32>,
     replicas: Option<u32>,
     seed: Option<u64>,
-}
-
-/// A gallery name, a file, or the scene itself.
-enum Source {
-    Named(String),
-    Inline(Box<Scene>),
-}
-
-impl<'de> Deserialize<'de> for Source {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(SourceVisitor)
-    }
-}
-
-struct SourceVisitor;
-
-impl<'de> Visitor<'de> for SourceVisitor {
-    type Value = Source;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a gallery name, a scene file's path, or a scene")
-    }
-
-    fn visit_str<E: de::Error>(self, name: &str) -> Result<Source, E> {
-        Ok(Source::Named(name.to_owned()))
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Source, A::Error> {
-        Scene::deserialize(MapAccessDeserializer::new(map)).map(|it| Source::Inline(Box::new(it)))
-    }
 }
 
 #[derive(Serialize)]
@@ -146,30 +111,16 @@ impl Radiance {
 
     /// The world, and the number of rays at which tracing must end.
     fn world(&self, seed: u64, looks: &Looks, replicas: f64) -> Result<(World, u64), Invalid> {
-        let outer = |e: Invalid| e.inside("scene");
-        let mut read = None;
-        let (scene, folder) = match &self.scene {
-            Source::Inline(scene) => (&**scene, Path::new("")),
-            Source::Named(name) => {
-                let (scene, folder) = named(name).map_err(outer)?;
-                (&*read.insert(scene), folder)
-            }
-        };
-        let mut scene = scene.clone();
-        if let Some(samples) = self.samples {
-            scene.image.samples = samples;
-        }
         let tracer = self.tracer.as_deref().map(str::parse).transpose();
         let tracer = tracer.map_err(|problem| Invalid::field("tracer", problem))?;
-        let changed = scene.tracer.change(tracer, self.max_depth);
-        changed.map_err(|problem| Invalid::field("max_depth", problem))?;
-        let shapes = scene.objects.iter().map(|object| &object.shape);
-        let here = |index: usize, e: Invalid| {
-            let name = Some(scene.objects[index].name.clone());
-            e.inside("shape").inside(Key::Item(index, name)).inside("objects")
-        };
-        let primitives = limits::buildable(shapes, here).map_err(outer)?;
-        let world = World::build_seeded(&scene, folder, seed).map_err(|e| outer(invalid(e)))?;
+        let built = self.scene.built(seed, |scene| {
+            if let Some(samples) = self.samples {
+                scene.image.samples = samples;
+            }
+            let changed = scene.tracer.change(tracer, self.max_depth);
+            changed.map_err(|problem| Invalid::field("max_depth", problem))
+        })?;
+        let Built { scene, world, primitives } = built;
         if let Looks::AtPixel(pixel) = looks {
             camera_ray::inside(*pixel, world.picture_size())?;
         }
@@ -179,26 +130,6 @@ impl Radiance {
             looks.sample(world, 0, budget)
         })?;
         Ok((world, most))
-    }
-}
-
-fn named(name: &str) -> Result<(Scene, &Path), Invalid> {
-    if let Some(entry) = gallery::find(name) {
-        return Ok(((entry.build)(), Path::new("")));
-    }
-    let path = Path::new(name);
-    if path.extension().is_none() && !path.exists() {
-        return Err(Invalid::new(gallery::unknown(name)));
-    }
-    let (scene, _) = world::read(path).map_err(invalid)?;
-    Ok((scene, path.parent().unwrap_or(Path::new(""))))
-}
-
-/// A scene's error as one of the line; a file's keeps file and line.
-fn invalid(error: SceneError) -> Invalid {
-    match error {
-        SceneError::Invalid { location, invalid } if location.is_unknown() => invalid,
-        other => Invalid::new(other.to_string()),
     }
 }
 

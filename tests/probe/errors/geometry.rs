@@ -92,7 +92,7 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"occluded": {"ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
-        "occluded: needs either `shape` or `shapes`",
+        "occluded: needs `shape`, `shapes` or `scene`",
     ),
     (
         r#"{"occluded": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}}"#,

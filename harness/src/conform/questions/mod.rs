@@ -9,6 +9,7 @@ mod surfaces;
 
 pub use cameras::ray_question;
 pub use optics::outside;
+pub use pictures::families as pictures;
 pub use surfaces::OF_NOISE;
 
 use serde::Serialize;

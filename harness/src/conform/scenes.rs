@@ -1,0 +1,190 @@
+//! Whole scenes: the first hit, what is in the way, and every ray that is cast for a ray.
+
+use serde_json::{Value, json};
+
+use super::family::{Family, Judge};
+use super::judgement::{Judgement, Profile, number, triple};
+use super::questions;
+use super::subject::ours;
+use super::values::{self, Rules};
+use groundtruth::math::Vector;
+
+/// The families, in the scenes of the question `radiance`.
+pub fn families() -> Vec<Family> {
+    let mut all = Vec::new();
+    for pictures in questions::pictures() {
+        let material = pictures.about.trim_start_matches("materials/").to_owned();
+        let is_first = material == "matte";
+        let cases = std::sync::Arc::new(pictures.cases);
+        let mut add = |name: &str, about: &str, chapter, judge, change: fn(&mut Value) -> Value| {
+            let cases = std::sync::Arc::clone(&cases);
+            let changed = move |seed, n| cases(seed + 1, n).iter_mut().map(change).collect();
+            all.push(Family {
+                name: name.to_owned(),
+                about: about.to_owned(),
+                chapter,
+                ordinary: true,
+                share: 0.5,
+                cases: Box::new(changed),
+                judge,
+            });
+        };
+        let name = format!("trace.{material}.rays");
+        add(&name, &pictures.about, pictures.chapter, Judge::Answer(judge_rays), |question| {
+            let data = &mut question["radiance"];
+            json!({"trace": {"scene": data["scene"].take(), "ray": data["ray"].take()}})
+        });
+        if !is_first {
+            continue;
+        }
+        add(
+            "intersect.scene.first_hit",
+            "scenes/hits",
+            "ch03",
+            Judge::Answer(judge_hit),
+            |question| {
+                let data = &mut question["radiance"];
+                json!({"intersect": {"scene": data["scene"].take(), "ray": data["ray"].take()}})
+            },
+        );
+        add(
+            "occluded.scene.segment",
+            "scenes/hits",
+            "ch16",
+            Judge::Answer(judge_occluded),
+            |question| {
+                let data = &mut question["radiance"];
+                let [from, direction] =
+                    ["origin", "direction"].map(|it| triple(&data["ray"][it]).unwrap_or_default());
+                let to: [f64; 3] = std::array::from_fn(|i| from[i] + 0.8 * direction[i]);
+                json!({"occluded": {"scene": data["scene"].take(), "segment": {"from": from, "to": to}}})
+            },
+        );
+    }
+    all
+}
+
+const HITS: Rules = Rules {
+    needed: &["object", "t"],
+    free: &["error", "path", "shading_normal", "point"],
+    questions: &[],
+    answers: &[],
+};
+
+fn judge_hit(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    values::judge(question, answer, profile, &HITS)
+}
+
+fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules { needed: &[], free: &[], questions: &[], answers: &[] };
+    values::judge(question, answer, profile, &RULES)
+}
+
+/// What arrives is judged; where it is wrong, the rays tell why, if the program logs them.
+fn judge_rays(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules =
+        Rules { needed: &["radiance"], free: &["rays"], questions: &[], answers: &[] };
+    let mut judgement = values::judge(question, answer, profile, &RULES);
+    if let Judgement::Wrong(wrong) = &mut judgement
+        && let Some(theirs) = answer["rays"].as_array()
+        && let Ok(right) = ours(question)
+    {
+        let ours = right["rays"].as_array().map_or(&[][..], Vec::as_slice);
+        wrong.expected += &format!("; {}", first_difference(ours, theirs));
+    }
+    judgement
+}
+
+/// How far rays of two programs may be apart, relative to their coordinates: each has a way of its own to leave a
+/// surface, and curved surfaces enlarge what that changes.
+const SAME_RAY: f64 = 0.01;
+
+/// The first of our rays that they do not cast, or that does not meet what it should; else where the shading differs.
+/// Their order may be another, and kinds that they never log are left out.
+pub fn first_difference(ours: &[Value], theirs: &[Value]) -> String {
+    let is_logged = |kind: &Value| theirs.iter().any(|ray| ray["kind"] == *kind);
+    let compared: Vec<(usize, &Value)> =
+        ours.iter().enumerate().filter(|(_, ray)| is_logged(&ray["kind"])).collect();
+    let mut free: Vec<&Value> = theirs.iter().collect();
+    let mut pairs = Vec::new();
+    for (index, ray) in &compared {
+        let nearest = (0..free.len())
+            .filter(|&i| free[i]["kind"] == ray["kind"])
+            .min_by(|&i, &j| apart(ray, free[i]).total_cmp(&apart(ray, free[j])));
+        let shown = described(*index, ray);
+        let Some(at) = nearest else {
+            return format!("first ray that differs: {shown} is not cast");
+        };
+        let their = free.swap_remove(at);
+        if apart(ray, their) > SAME_RAY {
+            let [origin, direction] = ["origin", "direction"].map(|field| &their[field]);
+            return format!(
+                "first ray that differs: {shown}; theirs from {origin} along {direction}"
+            );
+        }
+        if ray["kind"] != "shadow"
+            && let Some(problem) = other_end(ray, their)
+        {
+            return format!("first ray that differs: {shown} {problem}");
+        }
+        pairs.push((*index, *ray, their));
+    }
+    if let Some(extra) = free.first() {
+        let [kind, origin, direction] = ["kind", "origin", "direction"].map(|field| &extra[field]);
+        return format!(
+            "all our rays are cast, and another: {kind} from {origin} along {direction}"
+        );
+    }
+    // the deepest whose light differs: the rays after it agree
+    let differs = |(_, ray, their): &&(usize, &Value, &Value)| {
+        let (right, found) = (triple(&ray["radiance"]), triple(&their["radiance"]));
+        ray["kind"] != "shadow" && right.zip(found).is_some_and(|(a, b)| far(a, b, SAME_RAY))
+    };
+    let count = pairs.len();
+    match pairs.iter().rev().find(differs) {
+        Some((index, ray, _)) => {
+            format!("all {count} rays agree; the shading differs at {}", described(*index, ray))
+        }
+        None => format!("all {count} rays agree; the shading differs"),
+    }
+}
+
+fn described(index: usize, ray: &Value) -> String {
+    let kind = ray["kind"].as_str().unwrap_or_default();
+    let on = ray["object"].as_str().map_or_else(String::new, |object| format!(", to {object}"));
+    let [origin, direction] = ["origin", "direction"].map(|field| &ray[field]);
+    format!("ray {index} ({kind}, depth {}{on}), from {origin} along {direction}", ray["depth"])
+}
+
+/// How far apart two rays are; their directions may have any length.
+fn apart(a: &Value, b: &Value) -> f64 {
+    let rays = [a, b].map(|ray| {
+        let origin = triple(&ray["origin"])?;
+        let direction = Vector::from(triple(&ray["direction"])?).unit()?;
+        Some((Vector::from(origin), Vector::from(direction)))
+    });
+    let [Some((from, along)), Some((other_from, other_along))] = rays else { return f64::INFINITY };
+    let moved = (from - other_from).length() / from.length().max(1.0);
+    moved.max((along - other_along).length())
+}
+
+/// Another distance, or another object.
+fn other_end(ray: &Value, their: &Value) -> Option<String> {
+    let (t, their_t) = (number(&ray["t"]), their.get("t").map(number));
+    match (t, their_t) {
+        (Some(t), Some(Some(found))) if (t - found).abs() > SAME_RAY * t.abs() => {
+            return Some(format!("hits at t = {t:?}; theirs at {found:?}"));
+        }
+        (Some(t), Some(None)) => return Some(format!("hits at t = {t:?}; theirs nothing")),
+        (None, Some(Some(found))) => return Some(format!("hits nothing; theirs at t = {found:?}")),
+        _ => {}
+    }
+    let [object, found] = [&ray["object"], &their["object"]];
+    let differs = !found.is_null() && object != found;
+    differs.then(|| format!("meets {object}; theirs {found}"))
+}
+
+fn far(a: [f64; 3], b: [f64; 3], relative: f64) -> bool {
+    let largest = a.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    a.iter().zip(&b).any(|(a, b)| (a - b).abs() > relative * largest)
+}

@@ -1,0 +1,117 @@
+//! The first ray that differs, in the logs of programs with mistakes.
+
+use harness::conform::{Profile, ours};
+use serde_json::{Value, json};
+
+use super::altered::{Altered, card_with, each, instead};
+
+/// What the card says to be right, of the first failure.
+fn expected(material: &str, alter: fn(&Value, Value) -> Value) -> String {
+    let family = format!("trace.{material}");
+    let card = card_with(&mut Altered(alter), &[&family], Profile::Careful, 12, false);
+    let failure = card.rows[0].failure.as_ref().unwrap_or_else(|| panic!("{family} does not fail"));
+    failure.wrong.expected.clone()
+}
+
+/// Law: an index of refraction that is wrong shows in the first refracted ray, though the order of rays is another and
+/// shadow rays are not logged. Oracle: our own rays with another index.
+#[test]
+fn a_wrong_index_shows_in_the_first_refracted_ray() {
+    let text = expected("dielectric", |question, _| {
+        let mut other = instead(question, |data| {
+            let recipe = &mut data["scene"]["materials"][0]["recipe"]["dielectric"];
+            each(&mut recipe["inside"]["eta"], |eta| 2.0 * eta);
+        });
+        let rays = other["rays"].as_array_mut().expect("a log");
+        rays.reverse();
+        rays.retain(|ray| ray["kind"] != "shadow");
+        other
+    });
+    assert!(text.contains("first ray that differs: ray "), "{text}");
+    assert!(text.contains("(transmitted, depth 1"), "{text}");
+}
+
+/// Law: a ray that is not cast, one that meets another object and one that starts elsewhere are named. Oracle: our
+/// own rays, altered.
+#[test]
+fn rays_that_are_missing_or_end_elsewhere_are_named() {
+    fn darker(answer: &mut Value) {
+        each(&mut answer["radiance"], |x| 0.5 * x + 0.125);
+    }
+    let text = expected("reflective", |_, mut answer| {
+        darker(&mut answer);
+        if let Some(rays) = answer["rays"].as_array_mut() {
+            rays.iter_mut()
+                .filter(|ray| ray["depth"] == 1)
+                .for_each(|ray| each(&mut ray["direction"], |x| -x));
+        }
+        answer
+    });
+    assert!(text.contains("first ray that differs: ray "), "{text}");
+    assert!(text.contains("depth 1"), "{text}");
+    let text = expected("matte", |_, mut answer| {
+        darker(&mut answer);
+        if let Some(first) = answer.pointer_mut("/rays/0") {
+            first["object"] = json!("sky");
+        }
+        answer
+    });
+    assert!(text.contains("first ray that differs: ray 0 (camera"), "{text}");
+    assert!(text.contains("theirs \"sky\""), "{text}");
+    let text = expected("matte", |_, mut answer| {
+        darker(&mut answer);
+        if let Some(first) = answer.pointer_mut("/rays/0") {
+            each(&mut first["origin"], |x| x + 1.0);
+        }
+        answer
+    });
+    assert!(text.contains("ray 0 (camera") && text.contains("; theirs from"), "{text}");
+}
+
+/// Law: if all rays agree, the shading differs, at the deepest ray whose light does. Oracle: our own rays, the light
+/// of one of them altered.
+#[test]
+fn where_all_rays_agree_the_shading_differs() {
+    let text = expected("reflective", |_, mut answer| {
+        each(&mut answer["radiance"], |x| 0.5 * x + 0.125);
+        for ray in answer["rays"].as_array_mut().into_iter().flatten() {
+            each(&mut ray["radiance"], |x| 0.5 * x + 0.125);
+        }
+        answer
+    });
+    let rays_agree = text.contains("rays agree; the shading differs at ray");
+    assert!(rays_agree, "{text}");
+}
+
+/// Law: a scene's first hit is the nearest of its objects' hits. Oracle: the question for each shape alone.
+#[test]
+fn the_first_hit_of_a_scene_is_the_nearest_of_its_objects() {
+    let scene = json!({
+        "image": {"width": 1, "height": 1},
+        "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}},
+        "materials": [{"name": "chalk", "recipe": {"matte": {"cd": 1}}}],
+        "objects": [
+            {"name": "far", "material": "chalk", "shape": {"sphere": {"center": [0, 0, -4], "radius": 1}}},
+            {"name": "near", "material": "chalk", "shape": {"sphere": {"center": [1, 0, 0], "radius": 1}}},
+        ],
+    });
+    for x in -8..=20 {
+        let ray = json!({"origin": [f64::from(x) / 8.0, 0.25, 9.0], "direction": [0, 0, -1]});
+        let hit = |data: Value| ours(&json!({"intersect": data})).expect("an answer");
+        let objects = scene["objects"].as_array().expect("two");
+        let nearest = objects
+            .iter()
+            .map(|object| (hit(json!({"shape": object["shape"], "ray": ray})), &object["name"]))
+            .filter(|(hit, _)| !hit.is_null())
+            .min_by(|(a, _), (b, _)| {
+                a["t"].as_f64().partial_cmp(&b["t"].as_f64()).expect("numbers")
+            });
+        let found = hit(json!({"scene": scene, "ray": ray}));
+        match nearest {
+            None => assert!(found.is_null(), "{found}"),
+            Some((hit, name)) => assert_eq!([&found["t"], &found["object"]], [&hit["t"], name]),
+        }
+        let occluded = ours(&json!({"occluded": {"scene": scene, "ray": ray}})).expect("an answer");
+        assert_eq!(occluded, json!(!found.is_null()));
+    }
+}
