@@ -16,3 +16,5 @@ mod processes;
 mod scenes;
 #[path = "conform/statuses.rs"]
 mod statuses;
+#[path = "conform/streams.rs"]
+mod streams;

@@ -154,11 +154,15 @@ std::string grid(const Json&) { throw Unsupported("grid"); }
 // {"scene": …, "ray": …} -> {"mean": [r, g, b]}
 std::string radiance(const Json&) { throw Unsupported("radiance"); }
 
+// {"scene": …, "ray": …} -> {"radiance": [r, g, b], "rays": [{"kind": "camera", "origin": …, "direction": …}, …]}
+std::string trace(const Json&) { throw Unsupported("trace"); }
+
 const std::map<std::string, std::string (*)(const Json&)> QUESTIONS = {
     {"intersect", intersect}, {"occluded", occluded}, {"camera_ray", camera_ray}, {"project", project},
     {"samples", samples}, {"map", map}, {"lobe", lobe}, {"fresnel", fresnel}, {"light", light},
     {"texture", texture}, {"mapping", mapping}, {"noise", noise}, {"transform", transform}, {"grid", grid},
     {"radiance", radiance},
+    {"trace", trace},
 };
 
 // The protocol: a question is a line, and so is its answer, with the same id.

@@ -75,11 +75,15 @@ def radiance(q):  # {"scene": …, "ray": …} -> {"mean": [r, g, b]}
     raise Unsupported("radiance")
 
 
+def trace(q):  # {"scene": …, "ray": …} -> {"radiance": [r, g, b], "rays": [{"kind": "camera", "origin": …, "direction": …, "t": …}, …]}
+    raise Unsupported("trace")
+
+
 # The protocol: a question is a line, and so is its answer, with the same id.
 
 QUESTIONS = {f.__name__: f for f in (
     intersect, occluded, camera_ray, project, samples, map, lobe, fresnel, light, texture, mapping, noise, transform,
-    grid, radiance)}
+    grid, radiance, trace)}
 
 
 def reply(line):

@@ -124,6 +124,11 @@ fn radiance(_: &Value) -> Answer {
     unsupported("radiance")
 }
 
+/// `{"scene": …, "ray": …}` → {"radiance": [r, g, b], "rays": [{"kind": "camera", "origin": …, "direction": …}, …]}
+fn trace(_: &Value) -> Answer {
+    unsupported("trace")
+}
+
 fn answer(name: &str, q: &Value) -> Answer {
     match name {
         "intersect" => intersect(q),
@@ -141,6 +146,7 @@ fn answer(name: &str, q: &Value) -> Answer {
         "transform" => transform(q),
         "grid" => grid(q),
         "radiance" => radiance(q),
+        "trace" => trace(q),
         _ => unsupported(name),
     }
 }

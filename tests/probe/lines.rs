@@ -33,7 +33,7 @@ fn the_examples_of_the_document_are_true() {
         assert!(wrong.is_none(), "{question}\n{}", wrong.unwrap_or_default());
         count += 1;
     }
-    assert_eq!(count, 65, "examples in docs/probe.md");
+    assert_eq!(count, 68, "examples in docs/probe.md");
 }
 
 /// Law: bytes that are no text get the number of their line, counted with blank ones, and the byte in it, from

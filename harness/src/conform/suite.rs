@@ -173,12 +173,27 @@ fn of_cameras() -> Vec<Family> {
 fn of_samples() -> Vec<Family> {
     let mut all = Vec::new();
     for (tag, chapter, specimens) in kinds(samplers::Kind::ENTRIES) {
+        let for_sets = specimens.clone();
         let case = move |draw: &mut Draw| {
             let side = 2 + draw.below(8);
             let seed = draw.below(1 << 30);
-            let sampler = specimens[draw.below(specimens.len())].clone();
+            let sampler = for_sets[draw.below(for_sets.len())].clone();
             json!({"samples": {"sampler": sampler, "n": side * side, "seed": seed, "sets": 2}})
         };
+        let is_random = !["regular", "hammersley"].contains(&&*tag);
+        if is_random {
+            let sampler = specimens[0].clone();
+            let draws = move |draw: &mut Draw| {
+                let (side, seed) = (2 + draw.below(4), draw.below(1 << 30));
+                let draw = json!({"pixel": [0, 0], "index": 0});
+                json!({"samples": {"sampler": sampler, "n": side * side, "seed": seed, "draw": draw}})
+            };
+            let name = format!("samples.{tag}.stream");
+            let mut family = law(&name, &format!("samplers/{tag}"), chapter, laws::stream, draws);
+            // one case asks 400 questions
+            family.share = 0.08;
+            all.push(family);
+        }
         let name = format!("samples.{tag}.strata");
         all.push(law(&name, &format!("samplers/{tag}"), chapter, laws::stratified, case));
     }

@@ -45,7 +45,7 @@ struct Logged {
     /// Null where nothing is hit, and for shadow rays.
     t: Option<Real>,
     object: Option<Arc<str>>,
-    /// What arrives along it; for a shadow ray, the share of light that passes.
+    /// What arrives along it.
     radiance: Triple,
     /// Of a shadow ray.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -44,7 +44,7 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "al": true}}"#,
-        "column 131: unknown field `al`, expected one of `shape`, `transform`, `ray`, `span`, `all`, `leave`",
+        "column 131: unknown field `al`, expected one of `shape`, `scene`, `transform`, `ray`, `span`, `all`, `leave`",
     ),
     (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 0}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,

@@ -16,7 +16,7 @@ use groundtruth::math::UNIT_ROUNDOFF;
 
 pub use lobes::{density, energy, reciprocity, sample_agrees, shares_add_up};
 pub use noise::{noise_is_smooth, repeats};
-pub use sampling::{Strata, map_and_back, strata_of, stratified};
+pub use sampling::{Strata, map_and_back, strata_of, stratified, stream};
 pub use shapes::{direction_length, light_sample, sides_alternate};
 pub use spaces::{inverse_is_inverse, there_and_back};
 

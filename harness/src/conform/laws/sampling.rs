@@ -1,10 +1,13 @@
 //! Laws of samples and their maps.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::super::family::Asking;
 use super::super::judgement::{Judgement, Profile, numbers};
-use super::{Found, relative, within};
+use super::{Found, LEVEL, TESTS, missing, relative, within};
+use crate::verify::chi_square::goodness_of_fit;
+use crate::verify::correlation::pearson;
+use crate::verify::significance::sidak;
 
 /// Law: the map and its inverse lead back (Suffern, ch. 6, 7). The case is a `map` with `u`.
 pub fn map_and_back(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
@@ -42,40 +45,110 @@ pub fn strata_of(tag: &str) -> Strata {
     }
 }
 
+/// Pixels whose first draws are looked at.
+const PIXELS: u64 = 400;
+/// Cells of the square along an axis.
+const CELLS: usize = 4;
+
+/// Law: what a renderer draws is as good as its sets: the draws of one pixel use up a stratified set, the first draws
+/// of all pixels fill the square evenly (χ²), and those of neighbouring pixels are not correlated (Pearson): so one
+/// sample set in every pixel, or a shuffle that favours some, shows (Suffern, ch. 5). The case is a `samples` with `n`
+/// and a `draw`, of a sampler with random numbers.
+pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+    let asked = &case["samples"];
+    let Some(n) = asked["n"].as_u64() else { return Ok(Judgement::Undecided) };
+    let at = |x: u64, y: u64, index: u64| {
+        let mut question = case.clone();
+        question["samples"]["draw"] = json!({"pixel": [x, y], "index": index});
+        question
+    };
+    let side = 20;
+    let of_pixel: Vec<Value> = (0..n).map(|index| at(3, 5, index)).collect();
+    let of_pixels: Vec<Value> = (0..PIXELS).map(|i| at(i % side, i / side, 0)).collect();
+    let set = ask.ask_all(&of_pixel)?;
+    let first = ask.ask_all(&of_pixels)?;
+    // hundreds of answers are not shown
+    ask.asked.truncate(3);
+    let judgement = judge_sets(&json!([set]), asked, 1);
+    if let Judgement::Wrong(_) = judgement {
+        return Ok(judgement);
+    }
+    let Some(points) = first.iter().map(numbers).collect::<Option<Vec<Vec<f64>>>>() else {
+        return missing("point");
+    };
+    if !points.iter().all(|point| point.len() == 2 && point.iter().all(|x| (0.0..1.0).contains(x)))
+    {
+        return Ok(Judgement::wrong(
+            "outside",
+            f64::INFINITY,
+            "two numbers of at least 0 and below 1",
+        ));
+    }
+    let mut counts = vec![0_u64; CELLS * CELLS];
+    for point in &points {
+        let [x, y] = [point[0], point[1]].map(|x| (x * CELLS as f64) as usize);
+        counts[y * CELLS + x] += 1;
+    }
+    let expected = vec![PIXELS as f64 / counts.len() as f64; counts.len()];
+    let level = sidak(LEVEL, 3 * TESTS);
+    let p = goodness_of_fit(&counts, &expected);
+    if p <= level {
+        let text =
+            format!("first draws of {PIXELS} pixels all over the square: χ² has p = {p:.1e}");
+        return Ok(Judgement::wrong("uneven", f64::INFINITY, text));
+    }
+    for axis in [0, 1] {
+        let along: Vec<f64> = points.iter().map(|point| point[axis]).collect();
+        let beside = pearson(&along[..along.len() - 1], &along[1..]);
+        let text = match beside {
+            None => "draws that differ from pixel to pixel".to_owned(),
+            Some(correlation) if correlation.p <= level => {
+                format!(
+                    "independent draws of neighbouring pixels: their correlation is {:.2}",
+                    correlation.r
+                )
+            }
+            Some(_) => continue,
+        };
+        return Ok(Judgement::wrong("pixels", f64::INFINITY, text));
+    }
+    Ok(Judgement::Right(0.0))
+}
+
 /// Law: the points of each set are in the unit square, are as many as were asked for, and are stratified as the
 /// sampler's name says (Suffern, ch. 5). The case is a `samples` with a square `n`.
 pub fn stratified(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
     let answer = ask.ask(case)?;
     let asked = &case["samples"];
-    let Some(n) = asked["n"].as_u64() else { return Ok(Judgement::Undecided) };
+    Ok(judge_sets(&answer, asked, asked["sets"].as_u64().unwrap_or(1)))
+}
+
+/// Sets of points, as many as expected.
+fn judge_sets(answer: &Value, asked: &Value, expected: u64) -> Judgement {
+    let Some(n) = asked["n"].as_u64() else { return Judgement::Undecided };
     let tag = asked["sampler"].as_object().and_then(|kind| kind.keys().next().cloned());
     let strata = strata_of(tag.as_deref().unwrap_or_default());
     let side = (n as f64).sqrt().round() as usize;
     let Some(sets) = answer.as_array() else {
-        return Ok(Judgement::wrong("no list of sets", f64::INFINITY, "a list of sets of points"));
+        return Judgement::wrong("no list of sets", f64::INFINITY, "a list of sets of points");
     };
-    let expected = asked["sets"].as_u64().unwrap_or(1);
     if sets.len() as u64 != expected {
         let text = format!("{expected} sets");
-        return Ok(Judgement::wrong("number of sets", f64::INFINITY, text));
+        return Judgement::wrong("number of sets", f64::INFINITY, text);
     }
     for set in sets {
         let points = set.as_array().map(|points| points.iter().map(numbers).collect::<Vec<_>>());
         let points: Option<Vec<Vec<f64>>> = points.and_then(|points| points.into_iter().collect());
         let Some(points) = points.filter(|points| points.iter().all(|point| point.len() == 2))
         else {
-            return Ok(Judgement::wrong("no list of points", f64::INFINITY, "points [x, y]"));
+            return Judgement::wrong("no list of points", f64::INFINITY, "points [x, y]");
         };
         if points.len() as u64 != n {
             let text = format!("{n} points in each set");
-            return Ok(Judgement::wrong("number of points", f64::INFINITY, text));
+            return Judgement::wrong("number of points", f64::INFINITY, text);
         }
         if !points.iter().flatten().all(|x| (0.0..1.0).contains(x)) {
-            return Ok(Judgement::wrong(
-                "outside",
-                f64::INFINITY,
-                "numbers of at least 0 and below 1",
-            ));
+            return Judgement::wrong("outside", f64::INFINITY, "numbers of at least 0 and below 1");
         }
         let n = n as usize;
         let row = |x: f64| (x * n as f64) as usize;
@@ -94,14 +167,14 @@ pub fn stratified(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
         };
         if cells && side * side == n && !each_once(points.iter().map(square).collect()) {
             let text = format!("one point in each of {side} × {side} cells");
-            return Ok(Judgement::wrong("cells", f64::INFINITY, text));
+            return Judgement::wrong("cells", f64::INFINITY, text);
         }
         for (axis, name) in [(0, "columns"), (1, "rows")] {
             if rooks && !each_once(points.iter().map(|point| row(point[axis])).collect()) {
                 let text = format!("one point in each of {n} {name}");
-                return Ok(Judgement::wrong(name, f64::INFINITY, text));
+                return Judgement::wrong(name, f64::INFINITY, text);
             }
         }
     }
-    Ok(Judgement::Right(0.0))
+    Judgement::Right(0.0)
 }
