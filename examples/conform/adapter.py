@@ -71,6 +71,8 @@ SHAPES = {"sphere": sphere, "plane": plane, "triangle": triangle}
 
 
 def hits(q, o, d, low, high):
+    if "shape" not in q:
+        raise Unsupported("a whole scene")
     (kind, shape), = q["shape"].items()
     if kind not in SHAPES or "transform" in q:
         raise Unsupported(kind)
