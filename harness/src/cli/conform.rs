@@ -1,5 +1,6 @@
 //! `conform`.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -7,7 +8,8 @@ use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use groundtruth::{film, printable};
-use harness::conform::{self, Card, Limits, Options, Profile, Program, card};
+use harness::conform::family::Family;
+use harness::conform::{self, Card, Limits, Options, Profile, Program, Row, card};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Exit, Outcome, print};
@@ -116,9 +118,16 @@ impl Conform {
         let limits = Limits { answer, start: start.max(answer) };
         let mut program = Program::new(self.program.clone(), limits, interrupted);
         let progress = progress(families.len() as u64);
+        let mut chapters = Chapters::new(&families, profile);
         let card = conform::run(&mut program, &families, &options, &mut |row| {
             progress.inc(1);
             progress.set_message(row.name.clone());
+            if let Some(line) = chapters.finished(row)
+                && !self.json
+            {
+                // a closed pipe ends the printing, not the run
+                progress.suspend(|| print(&line)).ok();
+            }
         });
         progress.finish_and_clear();
         let log = program.log();
@@ -134,7 +143,9 @@ impl Conform {
         self.write(&card)?;
         match self.json {
             true => print(&(serde_json::to_string_pretty(&card.json())? + "\n"))?,
-            false => print(&(card.to_string() + &self.verdict(&card)))?,
+            false => {
+                print(&(chapters.unfinished(&card) + &card::rest(&card) + &self.verdict(&card)))?
+            }
         };
         if !card.is_whole {
             return Ok(Exit::Interrupted);
@@ -181,6 +192,45 @@ impl Conform {
             }
             (_, wrong, _) => format!("{wrong} of {asked} families failed (seed {seed})\n"),
         }
+    }
+}
+
+/// Which rows of which chapters are finished: a chapter is printed with its last row.
+struct Chapters {
+    /// How many rows of each are open, and those that are finished.
+    rows: BTreeMap<&'static str, (usize, Vec<Row>)>,
+    /// What stands above the first line.
+    head: String,
+}
+
+impl Chapters {
+    fn new(families: &[Family], profile: Profile) -> Self {
+        let mut chapters = BTreeMap::new();
+        let asked = families.iter().filter(|family| profile == Profile::Careful || family.ordinary);
+        for family in asked {
+            let (open, _): &mut (usize, Vec<Row>) = chapters.entry(family.chapter).or_default();
+            *open += 1;
+        }
+        Self { rows: chapters, head: card::head() }
+    }
+
+    /// The chapter's line, if this is its last row.
+    fn finished(&mut self, row: &Row) -> Option<String> {
+        let (open, rows) = self.rows.get_mut(row.chapter)?;
+        rows.push(row.clone());
+        *open -= 1;
+        let line =
+            (*open == 0).then(|| card::line(row.chapter, &rows.iter().collect::<Vec<_>>()))?;
+        Some(std::mem::take(&mut self.head) + &line)
+    }
+
+    /// The lines of the chapters that an interruption left open.
+    fn unfinished(&self, card: &Card) -> String {
+        let rows = card.chapters();
+        let is_open = |chapter: &str| self.rows.get(chapter).is_none_or(|(open, _)| *open > 0);
+        let open = rows.iter().filter(|(chapter, _)| is_open(chapter));
+        self.head.clone()
+            + &open.map(|(chapter, rows)| card::line(chapter, rows)).collect::<String>()
     }
 }
 

@@ -13,6 +13,7 @@ use super::mistakes::Name;
 
 pub use junit::junit;
 pub use page::page;
+pub use text::{head, line, rest};
 
 /// What became of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

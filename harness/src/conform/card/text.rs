@@ -3,16 +3,17 @@
 use std::fmt;
 
 use super::{Card, Row, Status};
+use groundtruth::printable;
 
 /// The line above chapters.
-fn head() -> String {
+pub fn head() -> String {
     let columns: String =
         Status::ALL.iter().map(|status| format!("{:>12}", status.name())).collect();
     format!("{:<8}{columns}\n", "chapter")
 }
 
 /// The line of a chapter.
-fn line(chapter: &str, rows: &[&Row]) -> String {
+pub fn line(chapter: &str, rows: &[&Row]) -> String {
     let count = |status: Status| rows.iter().map(|row| row.count(status)).sum::<u64>();
     let shown = |n: u64| if n == 0 { "·".to_owned() } else { n.to_string() };
     let columns: String =
@@ -37,6 +38,7 @@ pub(super) fn failed(row: &Row) -> String {
     }
     if let Some(failure) = &row.failure {
         for (question, answer) in &failure.asked {
+            let answer = printable::text(answer);
             text += &format!("  asked     {question}\n  got       {answer}\n");
         }
         let error = match failure.wrong.error {
@@ -51,7 +53,7 @@ pub(super) fn failed(row: &Row) -> String {
         if *status == Status::Unsupported {
             continue;
         }
-        let count = row.count(*status);
+        let (count, message) = (row.count(*status), printable::text(message));
         text += &format!(
             "{}: {count} {}: {message}\n  asked     {question}\n",
             row.name,
@@ -61,14 +63,18 @@ pub(super) fn failed(row: &Row) -> String {
     text
 }
 
+/// The sum of all chapters, and what failed.
+pub fn rest(card: &Card) -> String {
+    let all: Vec<&Row> = card.rows.iter().collect();
+    line("all", &all) + &card.rows.iter().map(failed).collect::<String>()
+}
+
 impl fmt::Display for Card {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&head())?;
         for (chapter, rows) in self.chapters() {
             f.write_str(&line(chapter, &rows))?;
         }
-        let all: Vec<&Row> = self.rows.iter().collect();
-        f.write_str(&line("all", &all))?;
-        self.rows.iter().try_for_each(|row| f.write_str(&failed(row)))
+        f.write_str(&rest(self))
     }
 }
