@@ -82,7 +82,7 @@ def hits(q, o, d, low, high):
 
 def intersect(q):
     low, high = (float(end) for end in q.get("span", [0, "inf"]))
-    low = -math.inf if "plane" in q["shape"] else low  # mistake: a plane is hit behind the origin
+    low = -math.inf if "plane" in q.get("shape", {}) else low  # mistake: a plane is hit behind the origin
     found = hits(q, q["ray"]["origin"], q["ray"]["direction"], low, high)
     if q.get("all"):
         return found
