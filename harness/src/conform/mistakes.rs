@@ -1,7 +1,7 @@
 //! Mistakes that people make, each with its place in the book; and how wrong answers give them away.
 //!
-//! A judge lists, for one wrong answer, the mistakes that give exactly this answer. What explains *all* wrong
-//! answers of a family is named.
+//! A judge lists, for one wrong answer, the mistakes that give exactly this answer. A family is named by the few
+//! mistakes that explain most of its wrong answers, each with how many it explains.
 
 use std::f64::consts::PI;
 
@@ -39,14 +39,19 @@ mistakes! {
     FAR_ROOT: "the far root", "ch. 3: the smallest t > ε counts", "ch03/three-objects";
     BEHIND: "a hit behind the origin", "ch. 3: hits count for t > ε only";
     UNIT_ASSUMED: "t is counted in a unit direction", "ch. 3, 19: a = d·d, which is 1 only for unit d", "ch21/ellipsoid";
-    NOT_NORMALISED_LENGTH: "the normal is not normalised", "ch. 3: normals are unit";
+    NOT_NORMALISED_LENGTH: "a direction is not normalised", "ch. 3, 9: normals and camera rays are unit";
     NEGATED: "the sign is wrong", "the sign of every component";
     TO_VIEWER: "the normal is turned to the viewer", "docs/probe.md: `normal` is geometric, never turned", "ch28/glass-sphere";
     NORMAL_BY_MATRIX: "the normal is transformed as a vector", "ch. 21: normals go by the inverse transpose", "ch21/ellipsoid";
     NORMAL_UNTRANSFORMED: "the normal is left in object space", "ch. 21: normals go by the inverse transpose";
     INSIDE_MISSED: "hits from inside are missed", "ch. 3: if the near root is behind, test the far root", "ch28/glass-sphere";
+    ONE_SIDED: "back sides are missed", "ch. 3, 19: flat shapes are hit from both sides";
+    CENTER_FORGOTTEN: "the centre is left out of the normal", "ch. 3: normal = (o − c + t d) / r", "ch03/three-objects";
+    NEAREST_ONLY: "the nearest hit alone", "docs/probe.md: `all` asks for every root";
+    SPAN_IGNORED: "the span is ignored", "docs/probe.md: hits count if min < t < max";
+    OCCLUDER_BEYOND: "occluders beyond the end count", "ch. 16: shadow rays end at the light", "ch16/shadows";
+    MISSED: "hits are missed", "ch. 3, 19: is a bound, a border or ε too strict?";
     // numbers
-    NEG: "the negative value", "the sign";
     TIMES_PI: "π times too large", "ch. 13: a Lambertian BRDF is ρ/π", "ch14/set";
     OVER_PI: "π times too small", "ch. 13, 14: π is left out, or divided out twice", "ch14/set";
     TIMES_TWO: "twice as large", "a factor 2";
@@ -78,6 +83,8 @@ mistakes! {
     ETA_SQUARED_TWICE: "ours / η²: 1/η² twice", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
     ETA_INVERTED: "η upside down", "ch. 27, 28: η = η_in / η_out, inverted when the ray is inside", "ch28/snell-window";
     ONLY_S: "light polarised across the plane of incidence alone", "ch. 28: the mean of both polarisations";
+    MEAN_OF_AMPLITUDES: "the mean of the amplitudes, not of their squares", "ch. 28: kr = (r∥² + r⊥²) / 2";
+    REFLECTED_INSTEAD: "the reflected direction for the refracted one", "ch. 27: t leaves behind the surface";
     ONLY_P: "light polarised in the plane of incidence alone", "ch. 28: the mean of both polarisations";
     SCHLICK: "Schlick's approximation", "ch. 28: Fresnel's equations";
     SWAPPED_DIRECTIONS: "wi and wo exchanged", "ch. 13: wo points to the viewer, wi to the light";
@@ -92,8 +99,13 @@ mistakes! {
     CORNERS: "the corner of the pixel for its middle", "ch. 3: x = s (c − hres/2 + 0.5)", "ch03/three-objects";
     UPSIDE_DOWN: "rows from the bottom", "docs/probe.md: row 0 is at the top";
     MIRRORED: "columns from the right", "ch. 9: u = up × w";
+    INTEGER_HALF: "half of an odd number of pixels is rounded down", "ch. 3: hres / 2 is a real number";
+    AXES_SWAPPED: "u and v are exchanged", "ch. 9: u points right, v up";
+    PLACE_DOWN: "the place in the pixel counts from the top", "docs/probe.md: `place` starts at the lower left corner";
     NO_PIXEL_SIZE: "the pixel size is left out", "ch. 3: x = s (c − hres/2 + 0.5)";
     NO_ROLL: "the roll angle is left out", "ch. 9";
+    ROLL_REVERSED: "the camera rolls the other way", "ch. 9: a positive roll turns the camera counterclockwise";
+    ZOOM_INVERTED: "the zoom is upside down", "ch. 9: the pixel size is divided by the zoom";
     NO_ZOOM: "the zoom is left out", "ch. 9: the pixel size is divided by the zoom";
     BACKWARDS: "the camera looks along +w", "ch. 9: the camera looks along −w";
     // samples and maps
@@ -115,8 +127,7 @@ mistakes! {
 }
 
 /// Factors by which whole answers are off.
-static FACTORS: [(&Mistake, f64); 12] = [
-    (&NEG, -1.0),
+static FACTORS: [(&Mistake, f64); 11] = [
     (&TIMES_PI, PI),
     (&OVER_PI, 1.0 / PI),
     (&TIMES_TWO, 2.0),
@@ -153,7 +164,7 @@ pub fn clues(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
             clues.push(mistake);
         }
     };
-    for (mistake, factor) in FACTORS.iter().take(if right.len() == 1 { 11 } else { 12 }) {
+    for (mistake, factor) in &FACTORS {
         let scaled: Vec<f64> = right.iter().map(|x| factor * x).collect();
         candidate(mistake, &scaled);
     }
@@ -195,49 +206,95 @@ pub fn ratio(theirs: &[f64], right: &[f64]) -> Option<f64> {
     (ratio.is_finite() && same(theirs, &scaled)).then_some(ratio)
 }
 
-/// What explains all wrong answers of a family.
+/// What explains wrong answers of a family.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Name {
     /// A known mistake.
-    Known(&'static Mistake),
+    Known {
+        /// The mistake.
+        mistake: &'static Mistake,
+        /// How many wrong answers it explains.
+        explains: usize,
+        /// Of how many.
+        of: usize,
+    },
     /// A constant factor that is none of the known ones.
     Factor(f64),
 }
 
-/// The names of a family's wrong answers: what each of them has in common. Of a single answer, known mistakes
-/// only: one ratio says nothing.
+/// The least share of the wrong answers that a further name has to explain, as a divisor.
+const SHARE: usize = 4;
+/// A factor this close to 1 is an error of rounding or of a constant, and is not named.
+const NEAR_ONE: f64 = 1e-4;
+
+/// The names of a family's wrong answers: in each step the mistake that explains most of those not yet explained,
+/// until none explains a quarter of all. Mistakes that explain the same answers are all named, but factors and
+/// signs only where nothing more specific does. Of a single answer, known mistakes only: one ratio says nothing.
 pub fn names(wrong: &[Wrong]) -> Vec<Name> {
-    let Some((first, rest)) = wrong.split_first() else { return Vec::new() };
-    let is_common = |mistake: &&&Mistake| rest.iter().all(|other| other.clues.contains(mistake));
-    let mut common: Vec<&'static Mistake> = first.clues.iter().filter(is_common).copied().collect();
-    let mut seen = Vec::new();
-    common.retain(|mistake| {
-        !seen.contains(mistake) && {
-            seen.push(*mistake);
-            true
+    let mut open: Vec<usize> = (0..wrong.len()).collect();
+    let mut names = Vec::new();
+    while !open.is_empty() {
+        let best = most_explaining(wrong, &open);
+        let Some(first) = best.first() else { break };
+        let explained = |index: &usize| wrong[*index].clues.contains(first);
+        let count = open.iter().filter(|index| explained(index)).count();
+        if count < wrong.len() && count < wrong.len().div_ceil(SHARE).max(2) {
+            break;
         }
-    });
-    if !common.is_empty() {
-        return common.into_iter().map(Name::Known).collect();
+        open.retain(|index| !explained(index));
+        names.extend(best.into_iter().map(|mistake| {
+            let explains = wrong.iter().filter(|one| one.clues.contains(&mistake)).count();
+            Name::Known { mistake, explains, of: wrong.len() }
+        }));
     }
-    let ratios: Option<Vec<f64>> = wrong.iter().map(|one| one.ratio).collect();
-    match ratios.as_deref() {
-        Some([ratio, others @ ..])
-            if others.len() >= 2 && others.iter().all(|other| same(&[*other], &[*ratio])) =>
-        {
-            vec![Name::Factor(*ratio)]
+    if names.is_empty() {
+        names.extend(common_factor(wrong).map(Name::Factor));
+    }
+    names
+}
+
+/// The mistake that explains most of these answers, and those that explain the same ones.
+fn most_explaining(wrong: &[Wrong], open: &[usize]) -> Vec<&'static Mistake> {
+    let explained = |mistake: &Mistake| -> Vec<usize> {
+        open.iter().copied().filter(|index| wrong[*index].clues.contains(&mistake)).collect()
+    };
+    let mut candidates: Vec<(&'static Mistake, Vec<usize>)> = Vec::new();
+    for mistake in open.iter().flat_map(|index| &wrong[*index].clues) {
+        if !candidates.iter().any(|(known, _)| known == mistake) {
+            candidates.push((mistake, explained(mistake)));
         }
-        _ => Vec::new(),
     }
+    // stable: of equals, the order in which the judges found them
+    candidates.sort_by_key(|(mistake, all)| (std::cmp::Reverse(all.len()), is_generic(mistake)));
+    let Some((first, most)) = candidates.first().cloned() else { return Vec::new() };
+    let is_equal = |(mistake, all): &(&'static Mistake, Vec<usize>)| {
+        *all == most && (is_generic(first) || !is_generic(mistake))
+    };
+    candidates.into_iter().filter(is_equal).map(|(mistake, _)| mistake).collect()
+}
+
+/// Whether a mistake says how the numbers differ, but not what was done.
+fn is_generic(mistake: &Mistake) -> bool {
+    let generic = [&SQUARED, &ROOT, &INVERSE, &COMPLEMENT, &MISSED];
+    generic.contains(&mistake) || FACTORS.iter().any(|(factor, _)| *factor == mistake)
+}
+
+/// The one factor by which all answers are off.
+fn common_factor(wrong: &[Wrong]) -> Option<f64> {
+    let ratios = wrong.iter().map(|one| one.ratio).collect::<Option<Vec<f64>>>()?;
+    let [ratio, others @ ..] = &ratios[..] else { return None };
+    let is_common = others.len() >= 2 && others.iter().all(|other| same(&[*other], &[*ratio]));
+    (is_common && (ratio - 1.0).abs() > NEAR_ONE).then_some(*ratio)
 }
 
 impl std::fmt::Display for Name {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Known(Mistake { name, place, scene }) => {
+            Self::Known { mistake: Mistake { name, place, scene }, explains, of } => {
                 write!(f, "{name} ({place}")?;
                 scene.iter().try_for_each(|scene| write!(f, "; seen in {scene}"))?;
-                write!(f, ")")
+                write!(f, ")")?;
+                if explains < of { write!(f, ", explains {explains} of {of}") } else { Ok(()) }
             }
             Self::Factor(factor) => write!(f, "theirs = ours × {factor:.6}, every time"),
         }

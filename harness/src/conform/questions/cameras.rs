@@ -6,9 +6,10 @@ use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile, numbers, triple};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::{any, change, data, family, kinds, only, remove, round, vector};
+use super::{any, change, data, family, kinds, only, remove, round, swap, vector};
 use crate::verify::Draw;
 use groundtruth::cameras;
+use groundtruth::math::Vector;
 
 pub fn families() -> Vec<Family> {
     let mut all = Vec::new();
@@ -18,11 +19,11 @@ pub fn families() -> Vec<Family> {
         let rays = move |draw: &mut Draw| ray_question(draw, &for_rays);
         let points = move |draw: &mut Draw| {
             let mut question = ray_question(draw, &for_points)["camera_ray"].take();
-            // ahead of the camera, most of them in view
+            // most of them ahead of the camera and in view
             let [eye, at] =
                 ["eye", "look_at"].map(|it| triple(&question["camera"][it]).unwrap_or_default());
             let aside = draw.vector(0.6).to_array();
-            let ahead = draw.between(0.5, 2.0);
+            let ahead = draw.between(0.5, 2.0) * draw.pick(&[1.0, 1.0, 1.0, 1.0, 1.0, -1.0]);
             let point: [f64; 3] =
                 std::array::from_fn(|i| round(eye[i] + ahead * (at[i] - eye[i]) + aside[i]));
             let (camera, image) = (question["camera"].take(), question["image"].take());
@@ -59,7 +60,7 @@ pub fn ray_question(draw: &mut Draw, lenses: &[Value]) -> Value {
     let away = draw.direction().to_array();
     let at = triple(&look_at).unwrap_or_default();
     let eye: [f64; 3] = std::array::from_fn(|i| round(at[i] + 5.0 * away[i]));
-    let size = [4 + 2 * draw.below(12), 4 + 2 * draw.below(9)];
+    let size = [4 + draw.below(24), 4 + draw.below(18)];
     let pixel = size.map(|length| draw.below(length));
     let mut question = json!({
         "camera": {"eye": eye, "look_at": look_at, "lens": any(draw, lenses)},
@@ -81,7 +82,8 @@ pub fn ray_question(draw: &mut Draw, lenses: &[Value]) -> Value {
 /// What turns the film of a question for a ray.
 type Change = fn(&mut Value) -> Option<()>;
 
-const UPSIDE_DOWN: Change = |question| {
+/// The rows alone: the place in a pixel is still counted upwards.
+const ROWS_FROM_BELOW: Change = |question| {
     let data = data(question)?;
     let height = data["image"]["height"].as_f64()?;
     let pixel = data["pixel"][1].as_u64()?;
@@ -89,11 +91,47 @@ const UPSIDE_DOWN: Change = |question| {
     Some(())
 };
 
-const MIRRORED: Change = |question| {
+/// The columns alone: the place in a pixel is still counted to the right.
+const COLUMNS_FROM_RIGHT: Change = |question| {
     let data = data(question)?;
     let width = data["image"]["width"].as_f64()?;
     let pixel = data["pixel"][0].as_u64()?;
     data["pixel"][0] = json!(width as u64 - 1 - pixel);
+    Some(())
+};
+
+const UPSIDE_DOWN: Change = |question| {
+    change(data(question)?, "/place/1", |v| 1.0 - v);
+    ROWS_FROM_BELOW(question)
+};
+
+const MIRRORED: Change = |question| {
+    change(data(question)?, "/place/0", |u| 1.0 - u);
+    COLUMNS_FROM_RIGHT(question)
+};
+
+/// The point `(y, x)` of the film for `(x, y)`, in a picture on its side.
+const AXES_SWAPPED: Change = |question| {
+    let data = data(question)?;
+    let length = |name: &str| data["image"][name].as_u64();
+    let (width, height) = (length("width")?, length("height")?);
+    let [x, y] = [0, 1].map(|i| data["pixel"][i].as_u64());
+    data["pixel"] = json!([height - 1 - y?, width - 1 - x?]);
+    swap(data, "/place/0", "/place/1");
+    swap(data, "/image/width", "/image/height")
+};
+
+/// Half a pixel to the right and up where the number of pixels is odd: in a picture of one more, in the next column.
+const INTEGER_HALF: Change = |question| {
+    let data = data(question)?;
+    let is_odd =
+        |pointer: &&str| data.pointer(pointer).and_then(Value::as_u64).is_some_and(|n| n % 2 == 1);
+    let (wide, high) = (is_odd(&"/image/width"), is_odd(&"/image/height"));
+    let moved = [("/image/width", wide), ("/pixel/0", wide), ("/image/height", high)];
+    for (pointer, _) in moved.into_iter().filter(|(_, is_moved)| *is_moved) {
+        let slot = data.pointer_mut(pointer)?;
+        *slot = json!(slot.as_u64()? + 1);
+    }
     Some(())
 };
 
@@ -109,6 +147,12 @@ const CORNERS: Change = |question| {
 
 const NO_PIXEL_SIZE: Change = |question| change(data(question)?, "/image/pixel_size", |_| 1.0);
 const NO_ROLL: Change = |question| remove(&mut data(question)?["camera"], "roll");
+const ROLL_REVERSED: Change =
+    |question| change(&mut data(question)?["camera"], "/roll", |degrees| -degrees);
+const ROLL_IN_RADIANS: Change =
+    |question| change(&mut data(question)?["camera"], "/roll", groundtruth::math::to_degrees);
+const ZOOM_INVERTED: Change =
+    |question| change(only(&mut data(question)?["camera"]["lens"])?, "/zoom", |zoom| 1.0 / zoom);
 const NO_ZOOM: Change =
     |question| change(only(&mut data(question)?["camera"]["lens"])?, "/zoom", |_| 1.0);
 
@@ -118,16 +162,34 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         free: &[],
         questions: &[
             (&m::UPSIDE_DOWN, UPSIDE_DOWN),
+            (&m::UPSIDE_DOWN, ROWS_FROM_BELOW),
             (&m::MIRRORED, MIRRORED),
+            (&m::MIRRORED, COLUMNS_FROM_RIGHT),
+            (&m::AXES_SWAPPED, AXES_SWAPPED),
             (&m::CORNERS, CORNERS),
+            (&m::INTEGER_HALF, INTEGER_HALF),
+            (&m::PLACE_DOWN, |question| change(data(question)?, "/place/1", |v| 1.0 - v)),
             (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
             (&m::NO_ROLL, NO_ROLL),
+            (&m::ROLL_REVERSED, ROLL_REVERSED),
+            (&m::DEGREES, ROLL_IN_RADIANS),
             (&m::NO_ZOOM, NO_ZOOM),
+            (&m::ZOOM_INVERTED, ZOOM_INVERTED),
         ],
-        answers: &[(&m::BACKWARDS, |_, field, right| {
-            let backwards = triple(&right["direction"])?.map(|x| -x).to_vec();
-            (field == "direction").then_some(backwards)
-        })],
+        answers: &[
+            (&m::BACKWARDS, |_, field, right| {
+                let backwards = triple(&right["direction"])?.map(|x| -x).to_vec();
+                (field == "direction").then_some(backwards)
+            }),
+            (&m::NOT_NORMALISED_LENGTH, |question, field, right| {
+                let lens = &question["camera_ray"]["camera"]["lens"]["pinhole"];
+                let (distance, zoom) = (lens["distance"].as_f64()?, lens["zoom"].as_f64()?);
+                let [x, y] = numbers(&right["film"])?.try_into().ok()?;
+                let length = Vector::new(x / zoom, y / zoom, distance).length();
+                let scaled = triple(&right["direction"])?.map(|x| length * x).to_vec();
+                (field == "direction").then_some(scaled)
+            }),
+        ],
     };
     values::judge(question, answer, profile, &RULES)
 }
@@ -139,7 +201,10 @@ fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         questions: &[
             (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
             (&m::NO_ROLL, NO_ROLL),
+            (&m::ROLL_REVERSED, ROLL_REVERSED),
+            (&m::DEGREES, ROLL_IN_RADIANS),
             (&m::NO_ZOOM, NO_ZOOM),
+            (&m::ZOOM_INVERTED, ZOOM_INVERTED),
         ],
         answers: &[
             (&m::UPSIDE_DOWN, |question, field, right| {

@@ -9,7 +9,7 @@ use super::super::values::{self, Rules};
 use super::{any, data, family, kinds, only, round, square};
 use crate::verify::Draw;
 use groundtruth::lobes::Lobe;
-use groundtruth::math::{Vector, cos, sin};
+use groundtruth::math::{Vector, cos, power, sin};
 
 pub fn families() -> Vec<Family> {
     let mut all = vec![
@@ -50,7 +50,7 @@ fn eta(draw: &mut Draw) -> f64 {
 /// A unit direction above the surface, as three numbers whose squares add up to 1 within rounding.
 pub fn outside(draw: &mut Draw) -> [f64; 3] {
     let z = draw.between(0.05, 1.0);
-    let (phi, sine) = (draw.between(0.0, 6.28), ((1.0 - z) * (1.0 + z)).sqrt());
+    let (phi, sine) = (draw.between(0.0, std::f64::consts::TAU), ((1.0 - z) * (1.0 + z)).sqrt());
     [sine * cos(phi), sine * sin(phi), z]
 }
 
@@ -65,6 +65,16 @@ fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::ONLY_S, |_, field, right| component(field, right, "r_s", "t_s")),
             (&m::ONLY_P, |_, field, right| component(field, right, "r_p", "t_p")),
             (&m::SCHLICK, |question, field, _| schlick(question, field)),
+            (&m::MEAN_OF_AMPLITUDES, |_, field, right| {
+                let mean = 0.5 * (number(&right["r_s"])?.sqrt() + number(&right["r_p"])?.sqrt());
+                (field == "reflected").then_some(vec![mean])
+            }),
+            (&m::REFLECTED_INSTEAD, |question, field, _| {
+                let [wo, n] =
+                    ["wo", "n"].map(|it| triple(&question["fresnel"][it]).map(Vector::from));
+                let (wo, n) = (wo?, n?);
+                (field == "refracted").then(|| (2.0 * n.dot(wo) * n - wo).to_array().to_vec())
+            }),
         ],
     };
     values::judge(question, answer, profile, &RULES)
@@ -118,10 +128,10 @@ fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             }),
         ],
         answers: &[
-            (&m::WITH_COS, |question, field, right| by_cosine(question, field, right, 1)),
-            (&m::WITHOUT_COS, |question, field, right| by_cosine(question, field, right, -1)),
-            (&m::NO_ETA_SQUARED, |question, field, right| by_eta(question, field, right, 2)),
-            (&m::ETA_SQUARED_TWICE, |question, field, right| by_eta(question, field, right, -2)),
+            (&m::WITH_COS, |question, field, right| by_cosine(question, field, right, 1.0)),
+            (&m::WITHOUT_COS, |question, field, right| by_cosine(question, field, right, -1.0)),
+            (&m::NO_ETA_SQUARED, |question, field, right| by_eta(question, field, right, 2.0)),
+            (&m::ETA_SQUARED_TWICE, |question, field, right| by_eta(question, field, right, -2.0)),
         ],
     };
     let question_is_specular = question["lobe"].get("u").is_some();
@@ -134,19 +144,19 @@ fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
 }
 
 /// The value times this power of the cosine of `wi`.
-fn by_cosine(question: &Value, field: &str, right: &Value, power: i32) -> Option<Vec<f64>> {
+fn by_cosine(question: &Value, field: &str, right: &Value, exponent: f64) -> Option<Vec<f64>> {
     let cosine = match question["lobe"].get("wi") {
         Some(wi) => triple(wi)?[2],
         None => triple(&right["sample"]["wi"])?[2],
     };
-    let factor = cosine.abs().powi(power);
+    let factor = power(cosine.abs(), exponent);
     ["f", "pdf", "sample.weight"].contains(&field).then(|| times(factor, right, field))?
 }
 
 /// The value times this power of η, the index of the inside over that of the outside.
-fn by_eta(question: &Value, field: &str, right: &Value, power: i32) -> Option<Vec<f64>> {
+fn by_eta(question: &Value, field: &str, right: &Value, exponent: f64) -> Option<Vec<f64>> {
     let lobe = question["lobe"]["lobe"].as_object()?.values().next()?;
-    times(lobe["eta"].as_f64()?.powi(power), right, field)
+    times(power(lobe["eta"].as_f64()?, exponent), right, field)
 }
 
 fn times(factor: f64, right: &Value, field: &str) -> Option<Vec<f64>> {

@@ -9,8 +9,11 @@ use super::super::values::{self, Rules};
 use super::{data, family, round, vector};
 use crate::verify::Draw;
 
+/// A material's tag, its chapter, and a case of it.
+type Material = (&'static str, &'static str, fn(&mut Draw) -> Value);
+
 pub fn families() -> Vec<Family> {
-    let materials: [(&str, &'static str, fn(&mut Draw) -> Value); 5] = [
+    let materials: [Material; 5] = [
         (
             "matte",
             "ch14",
@@ -31,7 +34,7 @@ pub fn families() -> Vec<Family> {
             json!({"dielectric": {"phong": highlight(), "inside": {"eta": eta}}})
         }),
     ];
-    let radiance = |(name, chapter, material): (&str, &'static str, fn(&mut Draw) -> Value)| {
+    let radiance = |(name, chapter, material): Material| {
         let case = move |draw: &mut Draw| question(draw, material);
         let about = format!("materials/{name}");
         let mut family =

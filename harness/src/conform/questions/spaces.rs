@@ -9,8 +9,11 @@ use super::super::values::{self, Rules};
 use super::{change, data, direction, family, remove, round, vector};
 use crate::verify::Draw;
 
+/// What the steps are, and a case of them.
+type Steps = (&'static str, fn(&mut Draw) -> Value);
+
 pub fn families() -> Vec<Family> {
-    let steps: [(&str, fn(&mut Draw) -> Value); 7] = [
+    let steps: [Steps; 7] = [
         ("translate", |draw| json!([{"translate": vector(draw, 4.0)}])),
         ("scale", |draw| json!([scale(draw)])),
         ("rotate", |draw| json!([rotation(draw)])),

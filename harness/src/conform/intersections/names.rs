@@ -1,0 +1,178 @@
+//! The mistakes that give exactly a wrong hit.
+
+use serde_json::{Value, json};
+
+use super::super::mistakes::{self as m, Mistake, clues, same};
+use super::super::subject::ours;
+use super::question::Question;
+use groundtruth::math::{Transform, Vector};
+use groundtruth::shapes;
+use oracle::{Root, Shape};
+
+type Clues = Vec<&'static Mistake>;
+
+/// What explains hits where there are none, none where there are some, and another number of hits.
+pub fn of_count(question: &Question, theirs: &[&Value], right: &[Root]) -> Clues {
+    let theirs: Vec<f64> = theirs.iter().filter_map(|hit| hit["t"].as_f64()).collect();
+    let line = roots_of_line(question);
+    let mut found = if theirs.is_empty() { vec![&m::MISSED] } else { Vec::new() };
+    if let ([t], []) = (&theirs[..], right) {
+        found.extend(behind(*t, &line));
+    }
+    if let ([], [root]) = (&theirs[..], right)
+        && dot(root.normal, question.ray.direction) > 0.0
+    {
+        found.push(if has_inside(&question.shape) { &m::INSIDE_MISSED } else { &m::ONE_SIDED });
+    }
+    if question.all && theirs.len() == 1 && right.iter().any(|root| same(&theirs, &[root.t])) {
+        found.push(&m::NEAREST_ONLY);
+    }
+    if ignores_span(question, &theirs, &line) {
+        found.push(&m::SPAN_IGNORED);
+    }
+    if let Some(t) = without_square_of_direction(question)
+        && !question.all
+        && (t.is_none() && theirs.is_empty() || t.is_some_and(|t| same(&theirs, &[t])))
+    {
+        found.push(&m::UNIT_ASSUMED);
+    }
+    found
+}
+
+/// What explains the distance of a hit.
+pub fn of_t(question: &Question, t: f64, root: &Root) -> Clues {
+    let mut found = clues(&[t], &[root.t]);
+    let line = roots_of_line(question);
+    let is = |other: f64| same(&[t], &[other]) && !same(&[root.t], &[other]);
+    let length = Vector::from(question.ray.direction).length();
+    if is(root.t * length) || without_square_of_direction(question).flatten().is_some_and(is) {
+        found.push(&m::UNIT_ASSUMED);
+    }
+    if line.iter().any(|other| *other > root.t && is(*other)) {
+        found.push(&m::FAR_ROOT);
+    }
+    if !question.all && ignores_span(question, &[t], &line) {
+        found.push(&m::SPAN_IGNORED);
+    }
+    found.extend(behind(t, &line));
+    found
+}
+
+/// What explains a normal.
+pub fn of_normal(question: &Question, normal: [f64; 3], root: &Root) -> Clues {
+    let right = root.normal;
+    let mut found = clues(&normal, &right);
+    if same(&normal, &right.map(|x| -x)) && dot(right, question.ray.direction) > 0.0 {
+        found.push(&m::TO_VIEWER);
+    }
+    let oracle::Ray { origin, direction } = question.ray;
+    let point = std::array::from_fn(|i| origin[i] + root.t * direction[i]);
+    if let Shape::Sphere { .. } = question.shape
+        && let [Some(theirs), Some(from_origin)] = [unit(normal), unit(point)]
+        && same(&theirs, &from_origin)
+        && !same(&right, &from_origin)
+    {
+        found.push(&m::CENTER_FORGOTTEN);
+    }
+    found.extend(by_transform(question, normal, right));
+    found
+}
+
+/// What explains an occluder where none is between the ends.
+pub fn of_occlusion(question: &Question) -> Clues {
+    let is_beyond = roots_of_line(question).iter().any(|t| *t > 1.0);
+    if is_beyond { vec![&m::OCCLUDER_BEYOND] } else { Vec::new() }
+}
+
+/// Whether the shape is closed, or curved with a concave side: not a flat sheet.
+fn has_inside(shape: &Shape) -> bool {
+    match shape {
+        Shape::Plane { .. }
+        | Shape::Triangle { .. }
+        | Shape::Rectangle { .. }
+        | Shape::Disk { .. }
+        | Shape::Annulus { .. }
+        | Shape::PartAnnulus { .. }
+        | Shape::CutFace { .. } => false,
+        Shape::Instance { of, .. } => has_inside(of),
+        _ => true,
+    }
+}
+
+/// Whether `t` is that of a hit behind the origin.
+fn behind(t: f64, line: &[f64]) -> Option<&'static Mistake> {
+    line.iter().any(|other| *other < 0.0 && same(&[t], &[*other])).then_some(&m::BEHIND)
+}
+
+/// Whether theirs are the hits ahead, of a question that asks for others. A root that is 0 up to rounding, where the
+/// ray starts on the surface, is one of them or not.
+fn ignores_span(question: &Question, theirs: &[f64], line: &[f64]) -> bool {
+    let [min, max] = question.span;
+    let is_asked = |t: &f64| min < *t && *t < max;
+    let size = if min.is_finite() { min } else { 0.0 };
+    let is_there =
+        |t: &f64| line.iter().any(|other| (t - other).abs() <= 1e-5 * other.abs().max(size));
+    let ahead = line.iter().filter(|t| **t > 0.0).count();
+    let all = if question.all { theirs.len() == ahead } else { theirs.len() == 1 };
+    let is_ahead = |t: &f64| *t >= 0.0 && is_there(t);
+    all && theirs.iter().all(is_ahead)
+        && (theirs.iter().any(|t| !is_asked(t)) || min < 0.0 && line.len() > ahead)
+}
+
+/// Their `t` where a sphere's equation is `t² + 2 b t + c = 0`, without `d·d`: `None` for other shapes, and no hit
+/// where it has no root in the span.
+///
+/// Source: Suffern, ch. 3, with `b = (o − c)·d` and `c = |o − c|² − r²`.
+fn without_square_of_direction(question: &Question) -> Option<Option<f64>> {
+    let Shape::Sphere { center, radius } = question.shape else { return None };
+    let [o, d, center] = [question.ray.origin, question.ray.direction, center].map(Vector::from);
+    let from_center = o - center;
+    let (b, c) = (from_center.dot(d), from_center.length_squared() - radius * radius);
+    let root = (b * b - c).sqrt(); // NaN without a root, which no span contains
+    let [min, max] = question.span;
+    Some([-b - root, -b + root].into_iter().find(|t| min < *t && *t < max))
+}
+
+/// All `t` of the whole line.
+fn roots_of_line(question: &Question) -> Vec<f64> {
+    let line = json!({"intersect": {
+        "shape": question.kind,
+        "ray": {"origin": question.ray.origin, "direction": question.ray.direction},
+        "span": ["-inf", "inf"],
+        "all": true,
+    }});
+    let hits = ours(&line).ok();
+    let hits = hits.as_ref().and_then(Value::as_array).into_iter().flatten();
+    hits.filter_map(|hit| hit["t"].as_f64()).collect()
+}
+
+/// The product of numbers that may be points or normals.
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    Vector::from(a).dot(Vector::from(b))
+}
+
+fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
+    Vector::from(v).unit().map(|n| n.to_array())
+}
+
+/// How a normal of an instance can be transformed wrongly. With `n ∝ A⁻ᵀ g`, the gradient is `g ∝ Aᵀ n`.
+fn by_transform(question: &Question, normal: [f64; 3], right: [f64; 3]) -> Clues {
+    let shapes::Kind::Instance(instance) = &question.kind else { return Vec::new() };
+    let Ok(transform) = Transform::from_steps(&instance.transform) else { return Vec::new() };
+    let rows = transform.rows();
+    let linear = |v: [f64; 3], transposed: bool| -> [f64; 3] {
+        let entry = |i: usize, j: usize| if transposed { rows[j][i] } else { rows[i][j] };
+        std::array::from_fn(|i| (0..3).map(|j| entry(i, j) * v[j]).sum())
+    };
+    let Some(local) = unit(linear(right, true)) else { return Vec::new() };
+    let Some(by_matrix) = unit(linear(local, false)) else { return Vec::new() };
+    let is = |other: [f64; 3]| same(&normal, &other) && !same(&right, &other);
+    let mut found = Vec::new();
+    if is(by_matrix) {
+        found.push(&m::NORMAL_BY_MATRIX);
+    }
+    if is(local) {
+        found.push(&m::NORMAL_UNTRANSFORMED);
+    }
+    found
+}

@@ -1,0 +1,77 @@
+//! Mistakes in textures, mappings and the radiance of scenes.
+
+use harness::conform::mistakes as m;
+use serde_json::json;
+
+use super::super::altered::{at, each, instead, only, swap};
+use super::{Planted, planted};
+
+/// All of them.
+pub fn planted_here() -> Vec<Planted> {
+    vec![
+        planted(
+            "colours of the checker exchanged",
+            &["texture.checker3d"],
+            Some(&m::SWAPPED_COLORS),
+            |q, _| {
+                instead(q, |data| {
+                    let it = only(&mut data["texture"]);
+                    let first = it["color1"].take();
+                    it["color1"] = it["color2"].take();
+                    it["color2"] = first;
+                })
+            },
+        ),
+        planted("checker without its size", &["texture.checker3d"], None, |q, _| {
+            instead(q, |data| only(&mut data["texture"])["size"] = json!(1.0))
+        }),
+        planted(
+            "u and v swapped",
+            &["mapping.square", "mapping.spherical"],
+            Some(&m::SWAP_XY),
+            |_, mut a| {
+                swap(&mut a, 0, 1);
+                a
+            },
+        ),
+        planted(
+            "u the other way round",
+            &["mapping.cylindrical"],
+            Some(&m::MIRROR_U),
+            |_, mut a| {
+                at(&mut a, "/0", |u| 1.0 - u);
+                a
+            },
+        ),
+        planted("v from the north pole", &["mapping.spherical"], Some(&m::MIRROR_V), |_, mut a| {
+            at(&mut a, "/1", |v| 1.0 - v);
+            a
+        }),
+        planted("noise of the cell", &["noise.lattice.smooth"], None, |q, _| {
+            // jumps from one thousandth of a cell to the next: almost all neighbours differ
+            instead(q, |data| each(&mut data["point"], |x| 1e4 * x))
+        }),
+        planted("no shadows", &["radiance.matte"], Some(&m::NO_SHADOWS), |q, _| {
+            instead(q, |data| {
+                data["scene"]["lights"].as_array_mut().into_iter().flatten().for_each(|light| {
+                    light["shadows"] = json!(false);
+                });
+            })
+        }),
+        planted("no ambient light", &["radiance.phong"], Some(&m::NO_AMBIENT), |q, _| {
+            instead(q, |data| {
+                if let Some(lights) = data["scene"]["lights"].as_array_mut() {
+                    lights.retain(|light| light["source"].get("ambient").is_none());
+                }
+            })
+        }),
+        planted("max_depth 0", &["radiance.reflective"], None, |q, _| {
+            instead(q, |data| data["scene"]["tracer"]["whitted"]["max_depth"] = json!(0))
+        }),
+        planted("an index of 1", &["radiance.dielectric"], None, |q, _| {
+            instead(q, |data| {
+                data["scene"]["materials"][0]["recipe"]["dielectric"]["inside"]["eta"] = json!(1.0);
+            })
+        }),
+    ]
+}
