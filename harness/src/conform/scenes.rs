@@ -161,7 +161,7 @@ fn apart(a: &Value, b: &Value) -> f64 {
     let rays = [a, b].map(|ray| {
         let origin = triple(&ray["origin"])?;
         let direction = Vector::from(triple(&ray["direction"])?).unit()?;
-        Some((Vector::from(origin), Vector::from(direction)))
+        Some((Vector::from(origin), direction))
     });
     let [Some((from, along)), Some((other_from, other_along))] = rays else { return f64::INFINITY };
     let moved = (from - other_from).length() / from.length().max(1.0);

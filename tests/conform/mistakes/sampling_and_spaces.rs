@@ -13,7 +13,7 @@ pub fn planted_here() -> Vec<Planted> {
     vec![
         planted(
             "a biased shuffle",
-            &["samples.multi_jittered", "samples.n_rooks"],
+            &["samples.multi_jittered.strata", "samples.n_rooks.strata"],
             None,
             |_, mut a| {
                 // one point is copied over another
@@ -24,10 +24,15 @@ pub fn planted_here() -> Vec<Planted> {
                 a
             },
         ),
-        planted("samples of 1", &["samples.jittered", "samples.random"], None, |_, mut a| {
-            a.pointer_mut("/0/0").into_iter().for_each(|point| *point = json!([1.0, 0.5]));
-            a
-        }),
+        planted(
+            "samples of 1",
+            &["samples.jittered.strata", "samples.random.strata"],
+            None,
+            |_, mut a| {
+                a.pointer_mut("/0/0").into_iter().for_each(|point| *point = json!([1.0, 0.5]));
+                a
+            },
+        ),
         planted(
             "too few samples",
             &["samples.hammersley.values", "samples.regular.strata"],

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile, numbers, triple};
 use super::super::mistakes as m;
+use super::super::subject::ours;
 use super::super::values::{self, Rules};
 use super::{any, change, data, family, kinds, only, remove, round, swap, vector};
 use crate::verify::Draw;
@@ -19,13 +20,17 @@ pub fn families() -> Vec<Family> {
         let rays = move |draw: &mut Draw| ray_question(draw, &for_rays);
         let points = move |draw: &mut Draw| {
             let mut question = ray_question(draw, &for_points)["camera_ray"].take();
-            // most of them ahead of the camera and in view
-            let [eye, at] =
-                ["eye", "look_at"].map(|it| triple(&question["camera"][it]).unwrap_or_default());
-            let aside = draw.vector(0.6).to_array();
-            let ahead = draw.between(0.5, 2.0) * draw.pick(&[1.0, 1.0, 1.0, 1.0, 1.0, -1.0]);
+            // through the centre of the lens
+            question.as_object_mut().map(|fields| fields.remove("lens"));
+            // on the ray of a pixel; some behind the camera, some beside
+            let ray = ours(&json!({"camera_ray": question})).unwrap_or_default();
+            let [origin, along] =
+                ["origin", "direction"].map(|it| triple(&ray[it]).unwrap_or_default());
+            let ahead = draw.between(1.0, 8.0) * draw.pick(&[1.0, 1.0, 1.0, 1.0, 1.0, -1.0]);
+            let reach = draw.pick(&[0.0, 0.0, 0.0, 1.0]);
+            let aside = draw.vector(reach).to_array();
             let point: [f64; 3] =
-                std::array::from_fn(|i| round(eye[i] + ahead * (at[i] - eye[i]) + aside[i]));
+                std::array::from_fn(|i| origin[i] + ahead * along[i] + ahead * aside[i]);
             let (camera, image) = (question["camera"].take(), question["image"].take());
             json!({"project": {"camera": camera, "image": image, "point": point}})
         };
