@@ -11,7 +11,7 @@ fn conform(script: &str, arguments: &[&str]) -> Output {
     let groundtruth = env!("CARGO_BIN_EXE_groundtruth");
     Command::new(groundtruth)
         .arg("conform")
-        .args(["--cases", "8", "--timeout", "0.5", "--start-timeout", "5"])
+        .args(["--cases", "24", "--timeout", "0.5", "--start-timeout", "5"])
         .args(arguments)
         .args(["--", "sh", "-c", script])
         .env("P", format!("{groundtruth} probe"))
@@ -19,7 +19,7 @@ fn conform(script: &str, arguments: &[&str]) -> Output {
         .expect("groundtruth starts")
 }
 
-const FEW: [&str; 3] = ["intersect.sphere", "fresnel.cosine", "--json"];
+const FEW: [&str; 3] = ["intersect.sphere.ordinary", "intersect.sphere.grazing", "--json"];
 
 /// How many cases of each status a run counted.
 fn counts(output: &Output) -> std::collections::BTreeMap<String, u64> {

@@ -80,17 +80,20 @@ fn collect(value: &Value, field: &str, all: &mut Vec<Leaf>) {
 /// Judges by our own answer.
 pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) -> Judgement {
     let Ok(right) = ours(question) else { return Judgement::Undecided };
+    let theirs = leaves(theirs, rules);
+    let ours = leaves(&right, rules);
+    let check = |(leaf, cond): (&Leaf, f64)| match theirs.iter().find(|it| it.field == leaf.field) {
+        Some(their) => judge_leaf(question, &right, leaf, their, cond, profile, rules),
+        None => missing(leaf, &theirs, rules),
+    };
+    // what is right for a condition of 1 needs no other: measuring it takes a call for each number
+    if let found @ Judgement::Right(_) = first_wrong(ours.iter().map(|leaf| check((leaf, 0.0)))) {
+        return found;
+    }
     let Some(conditions) = conditions(question, &right, profile, rules) else {
         return Judgement::Undecided;
     };
-    let theirs = leaves(theirs, rules);
-    let checks = leaves(&right, rules).into_iter().zip(conditions).map(|(leaf, cond)| {
-        let Some(their) = theirs.iter().find(|other| other.field == leaf.field) else {
-            return missing(&leaf, &theirs, rules);
-        };
-        judge_leaf(question, &right, &leaf, their, cond, profile, rules)
-    });
-    first_wrong(checks)
+    first_wrong(ours.iter().zip(conditions).map(check))
 }
 
 /// Fields that are not needed may be left out; of what is needed, something may be there in its place.
