@@ -51,7 +51,11 @@ pub fn audit(
     let mut theirs = part.each(|_, _| ())?.not_finite;
     theirs.retain(|entry| rows.contains(&entry.pixel(width)[1]));
     not_finite.sort_unstable();
-    match not_finite.iter().find(|e| !theirs.contains(e)).or(theirs.iter().find(|e| !not_finite.contains(e))) {
+    match not_finite
+        .iter()
+        .find(|e| !theirs.contains(e))
+        .or(theirs.iter().find(|e| !not_finite.contains(e)))
+    {
         Some(entry) => Err(differs(entry.pixel(width)).into()),
         None => Ok(()),
     }

@@ -161,6 +161,10 @@ impl Part {
                 [0, 8, 16].map(|at| u64::from_le_bytes(array(&block[at..at + 8])));
             not_finite.push(NotFinite { seed, channel, bits });
         }
+        if not_finite.iter().any(|entry| entry.channel >= count as u64) {
+            let problem = "its list of values that are not finite names no pixel".to_owned();
+            return Err(FileError::Damaged { path: self.path.clone(), problem });
+        }
         let mut digest = [0; DIGEST];
         self.read_block(&mut file, &mut digest)?;
         if hash.finalize()[..] != digest {

@@ -168,12 +168,11 @@ impl Plan {
 impl Sums {
     fn add_part(&mut self, part: &Part) -> Result<(), MergeError> {
         let (channels, mut overflow) = (&mut self.channels, None);
-        let Rest { not_finite, .. } = part.each(|index, one| {
-            match channels[index].checked_add(one) {
+        let Rest { not_finite, .. } =
+            part.each(|index, one| match channels[index].checked_add(one) {
                 Some(sum) => channels[index] = sum,
                 None => overflow = overflow.or(Some(index)),
-            }
-        })?;
+            })?;
         if let Some(index) = overflow {
             return Err(super::overflow(index, self.header.size[0]).into());
         }

@@ -19,11 +19,7 @@ use toml::{Table, Value};
 ///
 /// # Errors
 /// The scene has custom kinds, or a file cannot be read.
-pub fn scene_digest(
-    scene: &Scene,
-    world: &World,
-    folder: &Path,
-) -> Result<String, Box<dyn Error>> {
+pub fn scene_digest(scene: &Scene, world: &World, folder: &Path) -> Result<String, Box<dyn Error>> {
     let mut scene = scene.clone();
     scene.image.samples = world.samples_per_pixel();
     let mut data: Table = toml::from_str(&scene::to_toml(&scene)?)?;
