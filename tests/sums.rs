@@ -44,9 +44,8 @@ fn ugly() -> impl Strategy<Value = f64> {
         f64::from_bits(0x3af8_0000_0000_0000), // 3·2⁻⁸¹, one and a half
         -f64::from_bits(0x3af8_0000_0000_0000),
     ]);
-    let any_size = (-1.0..1.0_f64, -90..40_i32).prop_map(|(x, e)| {
-        x * f64::from_bits(((e + 1023) as u64) << 52)
-    });
+    let any_size = (-1.0..1.0_f64, -90..40_i32)
+        .prop_map(|(x, e)| x * f64::from_bits(((e + 1023) as u64) << 52));
     prop_oneof![special, any_size, 0.0..10.0_f64]
 }
 
@@ -176,12 +175,15 @@ fn mean_and_standard_error_are_those_of_the_probe() {
         world.reseed(seed);
         sums.add(&render::render(&world), seed).expect("they fit");
     }
+    let folder = tempfile::tempdir().expect("a folder");
+    let export = "export ch18/rectangle --size 12x8 --samples 4 -o scene.toml";
+    commands::expect(0, folder.path(), export);
     let mut has_noise = false;
     for pixel in [[6, 4], [2, 6], [9, 5], [0, 0]] {
         let question = serde_json::json!({"radiance": {
-            "scene": "ch18/rectangle", "size": [12, 8], "samples": 4, "replicas": 10, "seed": 5, "pixel": pixel,
+            "scene": "scene.toml", "replicas": 10, "seed": 5, "pixel": pixel,
         }});
-        let answer = commands::probe(&question.to_string());
+        let answer = commands::probe(folder.path(), &question.to_string());
         let error = sums.standard_error().expect("ten replicas");
         for (name, film) in [("mean", sums.mean()), ("standard_error", error)] {
             for (channel, found) in film.get(pixel).to_array().into_iter().enumerate() {

@@ -47,12 +47,12 @@ impl Header {
         )
     }
 
-    /// Reads the lines before the empty one.
+    /// Reads the lines and the empty one.
     ///
     /// # Errors
     /// What is wrong with them.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let mut lines = text.lines();
+        let mut lines = text.trim_end_matches('\n').lines();
         match lines.next() {
             Some(FORMAT) => {}
             Some(line) if line.starts_with("groundtruth sums ") => {
@@ -74,7 +74,7 @@ impl Header {
             header.set(line).ok_or_else(|| format!("its header has the line `{line}`"))?;
         }
         // one text for each header: so no line is missing, repeated or written in another way
-        match header.text().strip_suffix("\n\n") == Some(text.trim_end_matches('\n')) {
+        match header.text() == text {
             true => Ok(header),
             false => Err("its header is not as this program writes it".to_owned()),
         }
