@@ -118,7 +118,7 @@ impl ChannelSums {
         // the quotient has more than 64 bits, and its last one stands for all that are cut off
         let shift = magnitude.leading_zeros();
         let (dividend, n) = (magnitude << shift, u128::from(n));
-        let quotient = dividend / n | u128::from(!dividend.is_multiple_of(n));
+        let quotient = (dividend / n) | u128::from(!dividend.is_multiple_of(n));
         let mean = quotient as f64 * power_of_two(-FRACTION_BITS - shift as i32);
         if self.sum < 0 { -mean } else { mean }
     }
