@@ -125,6 +125,17 @@ proptest! {
 /// The quotient, the root and the powers of `n` are each rounded, at most five times.
 const SEVERAL_ULPS: f64 = 5.0 * f64::EPSILON;
 
+/// Law: the mean is rounded once where the quotient is just above the middle of two numbers. Oracle: rational numbers.
+#[test]
+fn a_mean_just_above_the_middle_is_rounded_up() {
+    let middle = ((3_i128 << 52) + 1) << 71;
+    for past in [-1, 0, 1] {
+        let sums = ChannelSums { sum: 3 * middle + past, ..ChannelSums::default() };
+        let exact = RBig::from(sums.sum) / RBig::from(3) / unit();
+        assert_eq!(sums.mean(3), exact.to_f64().value(), "{past}");
+    }
+}
+
 /// Law: what does not fit is refused, with its pixel: 2⁴⁷, also as a sum; not what is just below. Oracle: the limit.
 #[test]
 fn a_pixel_that_does_not_fit_is_named() {
