@@ -243,7 +243,8 @@ fn help_speaks_of_every_option() {
     let scene = ["--size", "--samples", "--tracer", "--max-depth", "--seed", "<SCENE>"];
     for (command, options) in [
         ("list", &["--json"][..]),
-        ("render", &["--output", "--crop", "--stereo", "--threads"]),
+        ("render", &["--output", "--crop", "--stereo", "--threads", "--replicas", "--part"]),
+        ("merge", &["--output", "--standard-error", "--audit", "--scene", "not one picture"]),
         ("explain", &["<X>", "<Y>", "--sample", "--all", "--min-share", "--largest", "--json"]),
         ("export", &["--output", "--replace"]),
         ("kinds", &["--page", "--schema", "docs/scene.md"]),
@@ -251,7 +252,8 @@ fn help_speaks_of_every_option() {
     ] {
         let run = run_in(Path::new("."), &[command, "--help"]);
         assert_eq!(run.status, Some(0));
-        let scene = if matches!(command, "list" | "kinds" | "probe") { &[][..] } else { &scene };
+        let scene =
+            if matches!(command, "list" | "kinds" | "probe" | "merge") { &[][..] } else { &scene };
         for option in scene.iter().chain(options) {
             assert!(run.stdout.contains(option), "{command}: {option} in\n{}", run.stdout);
         }

@@ -10,8 +10,10 @@ mod export;
 mod goldens;
 mod kinds;
 mod list;
+mod merge;
 mod probe;
 mod render;
+mod replicas;
 mod report;
 mod scene;
 
@@ -54,6 +56,14 @@ enum Command {
     /// answer; docs/conform.md describes it. The exit status is 0 if nothing failed, 1 if something did, 2 if the
     /// program answers nothing.
     Conform(conform::Conform),
+    /// Add the parts that `render --replicas R --part K/N` wrote, on any machines
+    ///
+    /// Writes the mean of the replicas, and its standard error; the bits depend neither on the division into parts nor
+    /// on their order. The mean of replicas is not one picture with more samples: the expected value is the same, but
+    /// one large set of stratified samples varies less. docs/many-machines.md has scripts. The exit status is 0 if no
+    /// replica is missing; 1 if some are (the commands that render them are printed) or if parts contradict each other;
+    /// 2 if a file is damaged or of another scene.
+    Merge(merge::Merge),
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
@@ -95,6 +105,7 @@ pub fn run() -> ExitCode {
         Command::Export(command) => command.run(),
         Command::Compare(command) => command.run(),
         Command::Conform(command) => command.run(),
+        Command::Merge(command) => command.run(),
         Command::Goldens(command) => command.run(),
         Command::Probe(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -13,6 +13,7 @@ use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::replicas::{self, PartOf};
 use super::scene::{CropArgument, SceneArguments, start_threads};
 use super::{Exit, Outcome};
 
@@ -20,9 +21,18 @@ use super::{Exit, Outcome};
 pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The picture file: .png or .ppm for display, .exr or .pfm for linear radiance
+    /// The picture file: .png or .ppm for display, .exr or .pfm for linear radiance; .sums with
+    /// --replicas
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
+    /// Render R pictures with the seeds --seed, --seed + 1 …, and write their exact sums, for `merge`.
+    /// An existing file of the same scene is continued
+    #[arg(long, value_name = "R", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(conflicts_with_all = ["crop", "stereo"])]
+    replicas: Option<u32>,
+    /// Render only the replicas of part K of N, such as 0/8; K is from 0 to N − 1
+    #[arg(long, value_name = "K/N", requires = "replicas")]
+    part: Option<PartOf>,
     /// Render only a part: X,Y,WxH from the top left
     #[arg(long, value_name = "X,Y,WxH")]
     crop: Option<CropArgument>,
@@ -52,6 +62,23 @@ impl Render {
     pub fn run(&self) -> Outcome {
         let start = Instant::now();
         start_threads(self.threads)?;
+        let is_sums = self.output.extension().is_some_and(|end| end == "sums");
+        if let Some(replicas) = self.replicas {
+            if !is_sums {
+                let problem = "--replicas writes sums: end the name with .sums; `merge` makes a picture of them";
+                return Err(format!("{}: {problem}", self.output.display()).into());
+            }
+            return replicas::render(
+                &self.scene,
+                replicas,
+                self.part.unwrap_or_default(),
+                &self.output,
+            );
+        }
+        if is_sums {
+            let problem = "sums need --replicas R";
+            return Err(format!("{}: {problem}", self.output.display()).into());
+        }
         let (scene, world) = self.scene.load()?;
         let pair = self.pair(&world)?;
         let files = match pair {

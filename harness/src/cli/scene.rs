@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::Path;
 use std::str::FromStr;
 
-use clap::Args;
+use clap::{Args, Parser};
 use groundtruth::film;
 use groundtruth::gallery;
 use groundtruth::render::Crop;
@@ -75,6 +75,39 @@ impl SceneArguments {
             Some(_) => None,
             None => Some(film::folder_of(Path::new(&self.scene))),
         }
+    }
+
+    /// The seed of all random choices.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// The arguments that select this scene and its settings, without the seed.
+    pub fn arguments(&self) -> Vec<String> {
+        let size = self.size.map(|Size { width, height }| format!("{width}x{height}"));
+        let options = [
+            ("--size", size),
+            ("--samples", self.samples.map(|samples| samples.to_string())),
+            ("--tracer", self.tracer.map(|tracer| tracer.name().to_owned())),
+            ("--max-depth", self.max_depth.map(|depth| depth.to_string())),
+        ];
+        let given = options.into_iter().filter_map(|(name, value)| Some([name.to_owned(), value?]));
+        std::iter::once(self.scene.clone()).chain(given.flatten()).collect()
+    }
+
+    /// The scene of such arguments.
+    ///
+    /// # Errors
+    /// They are none.
+    pub fn of_arguments(arguments: &[String]) -> Result<Self, String> {
+        #[derive(Parser)]
+        struct Only {
+            #[command(flatten)]
+            scene: SceneArguments,
+        }
+        let words = std::iter::once("render").chain(arguments.iter().map(String::as_str));
+        let only = Only::try_parse_from(words);
+        only.map(|only| only.scene).map_err(|_| format!("no scene: {}", arguments.join(" ")))
     }
 
     /// Whether the seed is not the default.
