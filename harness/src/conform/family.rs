@@ -57,8 +57,8 @@ pub enum Stop {
     Unsupported(String),
     /// Nothing that can be read.
     Fault(Fault),
-    /// The run was interrupted.
-    Interrupted,
+    /// Nothing came, because it was not asked any more.
+    NotAsked,
 }
 
 /// A law's way to ask: remembers what was asked, so that a broken law can be shown.
@@ -97,7 +97,7 @@ impl<'a> Asking<'a> {
                 Reply::Refused(text) => return Err(Stop::Refused(text)),
                 Reply::Unsupported(text) => return Err(Stop::Unsupported(text)),
                 Reply::Fault(fault) => return Err(Stop::Fault(fault)),
-                Reply::Interrupted => return Err(Stop::Interrupted),
+                Reply::NotAsked => return Err(Stop::NotAsked),
             }
         }
         Ok(answers)

@@ -1,8 +1,8 @@
 //! Whether another program is right: it is asked the questions of the probe, and its answers are judged.
 //!
 //! [`suite::all`] are the families of questions; [`run()`] asks a [`Subject`], which is a [`Program`] or the library
-//! itself ([`Ours`]), and writes a [`Card`]. Judges are exact answers ([`mod@intersections`]), our own answers with a
-//! measured condition ([`mod@values`]), and laws that need neither ([`laws`]).
+//! itself ([`Ours`]), and writes a [`Card`]. Judges are exact answers (of the oracle), our own answers with a measured
+//! condition, and laws that need neither ([`laws`]).
 
 pub mod card;
 mod chapters;

@@ -22,6 +22,8 @@ use groundtruth::printable;
 
 /// How many questions are under way at once.
 pub const WINDOW: usize = 64;
+/// Faults after which the rest of what is asked together is left out.
+pub const MOST_FAULTS: usize = 3;
 /// Bytes of a reply.
 const LONGEST_REPLY: usize = 1 << 20;
 /// How much of the standard error is kept.
@@ -49,7 +51,9 @@ pub struct Program {
     interrupted: Arc<AtomicBool>,
     running: Option<Running>,
     next_id: u64,
-    starts: u64,
+    /// A question that it has answered: the first after a restart, so that the time of the start is told from that
+    /// of an answer.
+    answered: Option<Value>,
     log: Arc<Mutex<Vec<u8>>>,
 }
 
@@ -66,12 +70,7 @@ impl Program {
     /// The program with its arguments; it is started at the first question.
     pub fn new(command: Vec<String>, limits: Limits, interrupted: Arc<AtomicBool>) -> Self {
         let log = Arc::default();
-        Self { command, limits, interrupted, running: None, next_id: 1, starts: 0, log }
-    }
-
-    /// How often it was started.
-    pub fn starts(&self) -> u64 {
-        self.starts
+        Self { command, limits, interrupted, running: None, next_id: 1, answered: None, log }
     }
 
     /// The beginning of what it wrote to its standard error.
@@ -81,7 +80,6 @@ impl Program {
     }
 
     fn start(&mut self) -> Result<(), Fault> {
-        self.starts += 1;
         let (name, arguments) = self.command.split_first().expect("the command line needs one");
         let spawned = Command::new(name)
             .args(arguments)
@@ -114,13 +112,27 @@ impl Program {
         let _ = running.child.wait();
     }
 
-    /// The replies to questions that are under way together, or what went wrong with the replies until then.
-    fn window(&mut self, questions: &[Value]) -> Result<Vec<Reply>, (Fault, Vec<Option<Reply>>)> {
-        let mut replies: Vec<Option<Reply>> = vec![None; questions.len()];
+    /// The replies to questions that are under way together, or what went wrong with the replies until then. Starts
+    /// the program if it does not run.
+    fn window(&mut self, questions: &[Value]) -> Result<Vec<Reply>, Failed> {
+        let none = || vec![None; questions.len()];
         if self.running.is_none() {
-            self.start().map_err(|fault| (fault, replies.clone()))?;
+            self.start().map_err(|fault| (fault, none()))?;
+            if let Some(easy) = self.answered.clone() {
+                self.exchange(&[easy]).map_err(|(fault, _)| (fault, none()))?;
+            }
         }
-        let running = self.running.as_mut().expect("it was started");
+        let replies = self.exchange(questions)?;
+        if self.answered.is_none() {
+            self.answered = questions.first().cloned();
+        }
+        Ok(replies)
+    }
+
+    /// Writes questions and reads their replies.
+    fn exchange(&mut self, questions: &[Value]) -> Result<Vec<Reply>, Failed> {
+        let mut replies: Vec<Option<Reply>> = vec![None; questions.len()];
+        let running = self.running.as_mut().expect("it runs");
         let first = self.next_id;
         self.next_id += questions.len() as u64;
         let numbered = questions.iter().zip(first..);
@@ -135,7 +147,7 @@ impl Program {
             };
             let got = match running.next_line(limit, &self.interrupted) {
                 Ok(Some(line)) => read(&line),
-                Ok(None) => return Ok(replies.into_iter().map(or_interrupted).collect()),
+                Ok(None) => return Ok(replies.into_iter().map(or_not_asked).collect()),
                 Err(fault) => return Err((fault, replies)),
             };
             let (id, reply) = got.map_err(|fault| (fault, replies.clone()))?;
@@ -155,18 +167,29 @@ impl Program {
             running.has_answered = true;
             open -= 1;
         }
-        Ok(replies.into_iter().map(or_interrupted).collect())
+        Ok(replies.into_iter().map(or_not_asked).collect())
     }
 }
 
-fn or_interrupted(reply: Option<Reply>) -> Reply {
-    reply.unwrap_or(Reply::Interrupted)
+/// A fault, and the replies before it.
+type Failed = (Fault, Vec<Option<Reply>>);
+
+fn or_not_asked(reply: Option<Reply>) -> Reply {
+    reply.unwrap_or(Reply::NotAsked)
+}
+
+fn faults(replies: &[Reply]) -> usize {
+    replies.iter().filter(|reply| matches!(reply, Reply::Fault(_))).count()
 }
 
 impl Subject for Program {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let mut all = Vec::with_capacity(questions.len());
         for window in questions.chunks(WINDOW) {
+            if faults(&all) >= MOST_FAULTS {
+                all.extend(window.iter().map(|_| Reply::NotAsked));
+                continue;
+            }
             match self.window(window) {
                 Ok(replies) => all.extend(replies),
                 Err((fault, replies)) => {
@@ -180,7 +203,7 @@ impl Subject for Program {
 }
 
 impl Program {
-    /// Asks again what a failed window left open. If every question is answered alone, nobody is guilty, and the
+    /// Asks again what a failed window left open, until three are guilty. If every question is answered alone, nobody is guilty, and the
     /// fault goes to the first that was open.
     fn one_by_one(
         &mut self,
@@ -196,7 +219,8 @@ impl Program {
         for (question, reply) in window.iter().zip(replies) {
             let reply = match reply {
                 Some(reply) => reply,
-                None if alone => fault.take().map_or(Reply::Interrupted, Reply::Fault),
+                None if faults(&again) >= MOST_FAULTS => Reply::NotAsked,
+                None if alone => fault.take().map_or(Reply::NotAsked, Reply::Fault),
                 None => match self.window(std::slice::from_ref(question)) {
                     Ok(mut replies) => replies.remove(0),
                     Err((guilty, _)) => {
@@ -209,7 +233,7 @@ impl Program {
             again.push(reply);
         }
         if let Some(fault) = fault
-            && !again.contains(&Reply::Interrupted)
+            && !again.contains(&Reply::NotAsked)
         {
             again[first_open] = Reply::Fault(fault);
         }

@@ -11,7 +11,7 @@ use super::card::{Card, Failure, Row, Status};
 use super::family::{Asking, Family, Judge, Stop};
 use super::judgement::{Judgement, Profile, Wrong};
 use super::mistakes::names;
-use super::program::WINDOW;
+use super::program::{MOST_FAULTS, WINDOW};
 use super::shrink;
 use super::subject::{Fault, Reply, Subject};
 
@@ -32,10 +32,8 @@ pub struct Options {
 
 /// Cases of a family in the first round, so that a run that is stopped soon has touched all families.
 const FIRST_ROUND: usize = 2;
-/// Faults after which a family is not asked any more.
-const MOST_FAULTS: u64 = 3;
 /// Faults after which all families of a question are not asked any more.
-const MOST_FAULTS_OF_QUESTION: u64 = 9;
+const MOST_FAULTS_OF_QUESTION: u64 = 6;
 /// Wrong answers of a family that are kept, to find what they have in common.
 const KEPT: usize = 64;
 
@@ -163,7 +161,7 @@ impl<'a> Asked<'a> {
                     let asked = asking.asked;
                     let texts = || asked.into_iter().map(|(q, a)| (q, a.to_string())).collect();
                     self.count(case, judged, texts);
-                    if self.row.faults() >= MOST_FAULTS {
+                    if self.row.faults() >= MOST_FAULTS as u64 {
                         break;
                     }
                 }
@@ -171,7 +169,8 @@ impl<'a> Asked<'a> {
         }
         let unsupported = self.row.counts[Status::Unsupported as usize];
         let is_unsupported = unsupported > 0 && unsupported == self.row.total();
-        self.is_done = to == self.cases.len() || is_unsupported || self.row.faults() >= MOST_FAULTS;
+        self.is_done =
+            to == self.cases.len() || is_unsupported || self.row.faults() >= MOST_FAULTS as u64;
     }
 
     fn count(
@@ -218,7 +217,7 @@ impl<'a> Asked<'a> {
 
 /// The judgement of one case as a status.
 struct Judged {
-    /// `None` if the run was interrupted.
+    /// `None` if it was not asked any more.
     status: Option<Status>,
     error: f64,
     /// Wrong, but right in single precision.
@@ -239,7 +238,7 @@ impl Judged {
             Reply::Refused(text) => Self::from(Err(Stop::Refused(text.clone()))),
             Reply::Unsupported(text) => Self::from(Err(Stop::Unsupported(text.clone()))),
             Reply::Fault(fault) => Self::from(Err(Stop::Fault(fault.clone()))),
-            Reply::Interrupted => Self::from(Err(Stop::Interrupted)),
+            Reply::NotAsked => Self::from(Err(Stop::NotAsked)),
         };
         if let (Some(Status::Wrong), Profile::Careful, Reply::Answer(answer)) =
             (judged.status, profile, reply)
@@ -267,7 +266,7 @@ impl Judged {
                 };
                 plain(Some(status), Some(fault.text().to_owned()))
             }
-            Err(Stop::Interrupted) => plain(None, None),
+            Err(Stop::NotAsked) => plain(None, None),
         }
     }
 }

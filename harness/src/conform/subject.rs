@@ -15,8 +15,8 @@ pub enum Reply {
     Unsupported(String),
     /// Nothing that can be read.
     Fault(Fault),
-    /// The run was interrupted before the question was answered.
-    Interrupted,
+    /// The run was interrupted before the question was answered, or too many before it had no reply.
+    NotAsked,
 }
 
 /// Why there is no reply that can be read.
