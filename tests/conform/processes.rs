@@ -120,8 +120,12 @@ fn a_flood_is_garbled() {
 fn a_refusal_is_refused_and_unsupported_is_no_failure() {
     has_status("$P | sed -u 's/\"answer\":.*/\"error\":\"no\"}/'", "refused");
     let output = conform("$P | sed -u 's/\"answer\":.*/\"unsupported\":\"no\"}/'", &FEW);
-    assert_eq!(output.status.code(), Some(0), "{:?}", counts(&output));
+    // but nothing else is no verdict
+    assert_eq!(output.status.code(), Some(2), "{:?}", counts(&output));
     assert!(counts(&output)["unsupported"] > 0);
+    let some = "$P | sed -u '/\"t\"/!s/\"answer\":.*/\"unsupported\":\"no\"}/'";
+    let output = conform(some, &["intersect.sphere.ordinary", "fresnel.cosine", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{:?}", counts(&output));
 }
 
 #[test]

@@ -150,6 +150,9 @@ impl Conform {
         if !card.is_whole {
             return Ok(Exit::Interrupted);
         }
+        if card.rows.iter().all(Row::is_unsupported) {
+            return Ok(Exit::Unanswered);
+        }
         let failed = match known {
             Some(known) => {
                 let (new, passed) = known.compare(&card);
@@ -177,20 +180,26 @@ impl Conform {
 
     /// The last line.
     fn verdict(&self, card: &Card) -> String {
-        let wrong = card.rows.iter().filter(|row| row.is_failed()).count();
-        let asked = card.rows.iter().filter(|row| row.total() > 0).count();
-        let seed = card.seed;
+        let count = |is: fn(&Row) -> bool| card.rows.iter().filter(|row| is(row)).count();
+        let (wrong, asked) = (count(Row::is_failed), count(|row| row.total() > 0));
+        let unsupported = count(Row::is_unsupported);
+        let (judged, seed) = (asked - unsupported, card.seed);
+        let rest = match unsupported {
+            0 => String::new(),
+            n => format!("; {n} are unsupported"),
+        };
         match (card.is_whole, wrong, self.fresh) {
             (false, ..) => "interrupted: this is what was asked until then\n".to_owned(),
+            _ if judged == 0 => format!("nothing to judge: all {asked} families are unsupported\n"),
             (_, 0, true) => {
-                format!("validated: none of {asked} families failed, with the fresh seed {seed}\n")
-            }
-            (_, 0, false) => {
                 format!(
-                    "none of {asked} families failed; to validate, use --fresh: the default cases can be learnt\n"
+                    "validated: none of {judged} families failed, with the fresh seed {seed}{rest}\n"
                 )
             }
-            (_, wrong, _) => format!("{wrong} of {asked} families failed (seed {seed})\n"),
+            (_, 0, false) => format!(
+                "none of {judged} families failed{rest}; to validate, use --fresh: the default cases can be learnt\n"
+            ),
+            (_, wrong, _) => format!("{wrong} of {judged} families failed (seed {seed}){rest}\n"),
         }
     }
 }

@@ -54,7 +54,7 @@ enum Command {
     ///
     /// The program reads a question on each line of its standard input, as `probe` does, and writes a line with its
     /// answer; docs/conform.md describes it. The exit status is 0 if nothing failed, 1 if something did, 2 if the
-    /// program answers nothing.
+    /// program answers nothing, or supports nothing of what is asked.
     Conform(conform::Conform),
     /// Add the parts that `render --replicas R --part K/N` wrote, on any machines
     ///

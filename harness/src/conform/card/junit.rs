@@ -3,7 +3,7 @@
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::text::failed;
-use super::{Card, Row, Status};
+use super::{Card, Row};
 
 /// JUnit's XML: wrong and refused answers are failures, faults are errors, what is not supported is skipped.
 pub fn junit(card: &Card, command: &str) -> String {
@@ -21,7 +21,7 @@ fn case(row: &Row) -> TestCase {
         TestCaseStatus::non_success(NonSuccessKind::Error)
     } else if row.is_failed() {
         TestCaseStatus::non_success(NonSuccessKind::Failure)
-    } else if row.count(Status::Unsupported) == row.total() {
+    } else if row.is_unsupported() {
         TestCaseStatus::skipped()
     } else {
         TestCaseStatus::success()

@@ -124,6 +124,11 @@ impl Row {
         [Status::Hung, Status::Died, Status::Garbled].map(|status| self.count(status)).iter().sum()
     }
 
+    /// Whether every question was unsupported.
+    pub fn is_unsupported(&self) -> bool {
+        self.count(Status::Unsupported) == self.total() && self.total() > 0
+    }
+
     /// Whether something is wrong: an answer, a refusal, or a fault.
     pub fn is_failed(&self) -> bool {
         self.count(Status::Wrong) + self.count(Status::Refused) + self.faults() > 0
