@@ -123,8 +123,8 @@ fn of_shapes() -> Vec<Family> {
             Some("all_roots") if is_closed(tag) => ("sides", laws::sides_alternate),
             _ => continue,
         };
-        let mut family = Family { judge: Judge::Law(of), share: 0.25, ..nearest };
-        family.name = format!("intersect.{}.{name}", family.about.trim_start_matches("shapes/"));
+        let full_name = format!("intersect.{tag}.{name}");
+        let mut family = Family { name: full_name, judge: Judge::Law(of), share: 0.25, ..nearest };
         let cases = family.cases;
         family.cases = Box::new(move |seed, n| {
             let mut cases = cases(seed ^ 0x5eed, n);

@@ -3,7 +3,7 @@
 use harness::conform::mistakes as m;
 use serde_json::json;
 
-use super::super::altered::{at, each, instead, only, swap};
+use super::super::altered::{at, data, each, instead, only, swap, vector};
 use super::{Planted, planted};
 
 /// All of them.
@@ -20,6 +20,22 @@ pub fn planted_here() -> Vec<Planted> {
                     it["color1"] = it["color2"].take();
                     it["color2"] = first;
                 })
+            },
+        ),
+        planted(
+            "truncated for rounded down",
+            &["texture.checker3d"],
+            Some(&m::TRUNCATED_FLOOR),
+            |q, _| {
+                let checker = &data(q)["texture"]["checker3d"];
+                let size = checker["size"].as_f64().unwrap_or(1.0);
+                let cube = |x: f64| (x / size - 0.000187453738).trunc() as i64;
+                let sum: i64 = vector(&data(q)["point"]).map(cube).into_iter().sum();
+                let color = &checker[if sum % 2 == 0 { "color1" } else { "color2" }];
+                match color.as_f64() {
+                    Some(grey) => json!([grey, grey, grey]),
+                    None => color.clone(),
+                }
             },
         ),
         planted("checker without its size", &["texture.checker3d"], None, |q, _| {

@@ -142,6 +142,14 @@ fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::NO_SIZE, |question| {
                 change(only(&mut data(question)?["texture"])?, "/size", |_| 1.0)
             }),
+            (&m::TRUNCATED_FLOOR, |question| {
+                // up to 0, a truncated number is one more: the cube beside it
+                let size = only(&mut data(question)?["texture"])?["size"].as_f64()?;
+                for axis in ["/point/0", "/point/1", "/point/2"] {
+                    change(data(question)?, axis, |x| if x <= 0.0 { x + size } else { x })?;
+                }
+                Some(())
+            }),
             (&m::SWAP_U, |question| swap(data(question)?, "/uv/0", "/uv/1")),
             (&m::MIRROR_U, |question| change(data(question)?, "/uv/0", |u| 1.0 - u)),
             (&m::MIRROR_V, |question| change(data(question)?, "/uv/1", |v| 1.0 - v)),
