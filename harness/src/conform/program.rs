@@ -6,7 +6,6 @@
 
 use std::collections::BTreeMap;
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::os::unix::process::CommandExt;
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
@@ -14,7 +13,6 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use rustix::process::{Pid, Signal, kill_process_group};
 use serde_json::Value;
 
 use super::subject::{Fault, Reply, Subject};
@@ -81,15 +79,11 @@ impl Program {
 
     fn start(&mut self) -> Result<(), Fault> {
         let (name, arguments) = self.command.split_first().expect("the command line needs one");
-        let spawned = Command::new(name)
-            .args(arguments)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            // a group of its own: its children can be ended with it
-            .process_group(0)
-            .spawn();
-        let mut child = spawned.map_err(|e| Fault::Died(format!("cannot start {name}: {e}")))?;
+        let mut command = Command::new(name);
+        command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        put_into_group(&mut command);
+        let mut child =
+            command.spawn().map_err(|e| Fault::Died(format!("cannot start {name}: {e}")))?;
         let output = child.stdout.take().expect("it is piped");
         let input = child.stdin.take().expect("it is piped");
         let errors = child.stderr.take().expect("it is piped");
@@ -108,7 +102,7 @@ impl Program {
     /// Ends the process and all of its children.
     fn stop(&mut self) {
         let Some(mut running) = self.running.take() else { return };
-        kill_group(&running.child);
+        kill_group(&mut running.child);
         let _ = running.child.wait();
     }
 
@@ -293,10 +287,28 @@ impl Running {
     }
 }
 
-fn kill_group(child: &Child) {
+/// A process group of its own: the program's children can be ended with it.
+#[cfg(unix)]
+fn put_into_group(command: &mut Command) {
+    use std::os::unix::process::CommandExt;
+    command.process_group(0);
+}
+
+/// Other systems have no process groups.
+#[cfg(not(unix))]
+fn put_into_group(_: &mut Command) {}
+
+#[cfg(unix)]
+fn kill_group(child: &mut Child) {
+    use rustix::process::{Pid, Signal, kill_process_group};
     if let Some(group) = Pid::from_raw(child.id().cast_signed()) {
         let _ = kill_process_group(group, Signal::KILL);
     }
+}
+
+#[cfg(not(unix))]
+fn kill_group(child: &mut Child) {
+    let _ = child.kill();
 }
 
 /// A question with its id, which comes first so that it is seen in long lines.
