@@ -107,6 +107,8 @@ fn assert_all_right(subject: &mut dyn Subject) {
     assert!(!card.is_failed(), "{card}");
     assert_eq!(card.count(Status::Unsupported), 0, "{card}");
     assert!(card.count(Status::Pass) > 200, "{card}");
+    let whole = self::card(subject, &[], 1);
+    assert!(!whole.is_failed(), "{whole}");
 }
 
 /// Law: all answers are right. Oracle: the judges.

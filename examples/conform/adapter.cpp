@@ -171,6 +171,7 @@ Hits triangle(const Json& shape, Vector o, Vector d) {
 }
 
 Hits hits(const Json& q, Vector o, Vector d, double low, double high) {
+    if (!q.has("shape")) throw Unsupported("a whole scene");
     const std::string& kind = q["shape"].keys.at(0);
     const Json& shape = q["shape"].items.at(0);
     if (q.has("transform")) throw Unsupported("transform");

@@ -131,7 +131,7 @@ fn hits(q: &Value, o: Vector, d: Vector, [low, high]: [f64; 2]) -> Result<Vec<Hi
             "triangle" => triangle(data, o, d)?,
             other => return unsupported(other),
         },
-        None => return Err(Refusal::Error("no shape".to_owned())),
+        None => return unsupported("a whole scene"),
     };
     all.retain(|(t, _)| low < *t && *t < high);
     Ok(all)

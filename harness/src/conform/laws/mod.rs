@@ -25,7 +25,7 @@ pub type Found = Result<Judgement, Stop>;
 
 /// The probability that any statistical law of a run fails for a right program.
 const LEVEL: f64 = 1e-3;
-/// At least as many statistical tests as a run has.
+/// At least as many statistical tests as a run of 100 cases a family has.
 const TESTS: usize = 1000;
 
 /// Right, or wrong with this symptom if the relative error is more than the profile allows.

@@ -49,6 +49,8 @@ pub fn strata_of(tag: &str) -> Strata {
 const PIXELS: u64 = 400;
 /// Cells of the square along an axis.
 const CELLS: usize = 4;
+/// The fewest points of a set: the book has 83 sets, and fewer points would repeat themselves in so many pixels.
+const FEWEST: u64 = 64;
 
 /// Law: what a renderer draws is as good as its sets: the draws of one pixel use up a stratified set, the first draws
 /// of all pixels fill the square evenly (χ²), and those of neighbouring pixels are not correlated (Pearson): so one
@@ -56,7 +58,9 @@ const CELLS: usize = 4;
 /// and a `draw`, of a sampler with random numbers.
 pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
     let asked = &case["samples"];
-    let Some(n) = asked["n"].as_u64() else { return Ok(Judgement::Undecided) };
+    let Some(n) = asked["n"].as_u64().filter(|n| *n >= FEWEST) else {
+        return Ok(Judgement::Undecided);
+    };
     let at = |x: u64, y: u64, index: u64| {
         let mut question = case.clone();
         question["samples"]["draw"] = json!({"pixel": [x, y], "index": index});

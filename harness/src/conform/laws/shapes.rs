@@ -38,10 +38,14 @@ pub fn direction_length(ask: &mut Asking<'_>, case: &Value, profile: Profile) ->
     Ok(judgement)
 }
 
-/// Law: along a line, a closed body is entered and left in turn (Suffern, ch. 3, 19). The case is an `intersect` with
-/// `all`.
+/// Law: along a line, a closed body is entered and left in turn (Suffern, ch. 3, 19). Where two parts of a body meet,
+/// both may be hit in the same point. The case is an `intersect` with `all`; the law asks it for the whole line.
 pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
-    let answer = ask.ask(case)?;
+    /// Hits of two parts at their seam are nearer to each other than any two walls of a case.
+    const SAME_HIT: f64 = 1e-9;
+    let mut line = case.clone();
+    line["intersect"]["span"] = json!(["-inf", "inf"]);
+    let answer = ask.ask(&line)?;
     let Some(hits) = answer.as_array() else { return missing("list of hits") };
     if hits.is_empty() {
         return Ok(Judgement::Undecided); // whether a ray hits is judged elsewhere
@@ -49,15 +53,21 @@ pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found 
     let Some(direction) = triple(&case["intersect"]["ray"]["direction"]) else {
         return Ok(Judgement::Undecided);
     };
-    let mut enters = Vec::new();
+    let mut enters: Vec<bool> = Vec::new();
+    let mut before = f64::NEG_INFINITY;
     for hit in hits {
+        let Some(t) = number(&hit["t"]) else { return missing("t") };
         let Some(normal) = triple(&hit["normal"]) else { return missing("normal") };
         let cosine =
             Vector::from(normal).dot(Vector::from(direction)) / Vector::from(direction).length();
         if cosine.abs() < 1e-3 {
             return Ok(Judgement::Undecided); // nearly touches
         }
-        enters.push(cosine < 0.0);
+        let is_seam = t - before <= SAME_HIT * t.abs().max(1.0);
+        if !is_seam || enters.last() != Some(&(cosine < 0.0)) {
+            enters.push(cosine < 0.0);
+        }
+        before = t;
     }
     let in_turn = enters.windows(2).all(|pair| pair[0] != pair[1]);
     let is_whole = enters.len().is_multiple_of(2) && enters.first() != Some(&false);
