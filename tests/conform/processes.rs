@@ -11,7 +11,7 @@ fn conform(script: &str, arguments: &[&str]) -> Output {
     let groundtruth = env!("CARGO_BIN_EXE_groundtruth");
     Command::new(groundtruth)
         .arg("conform")
-        .args(["--cases", "24", "--timeout", "0.5", "--start-timeout", "5"])
+        .args(["--cases", "24", "--timeout", "1", "--start-timeout", "5"])
         .args(arguments)
         .args(["--", "sh", "-c", script])
         .env("P", format!("{groundtruth} probe"))
