@@ -58,8 +58,8 @@ enum Command {
     Conform(conform::Conform),
     /// Add the parts that `render --replicas R --part K/N` wrote, on any machines
     ///
-    /// Writes the mean of the replicas, and its standard error; the bits depend neither on the division into parts nor
-    /// on their order. The mean of replicas is not one picture with more samples: the expected value is the same, but
+    /// Writes the mean of the replicas, and its standard error: the same bits for any division into parts and any order
+    /// of them. The mean of replicas is not one picture with more samples: the expected value is the same, but
     /// one large set of stratified samples varies less. docs/many-machines.md has scripts. The exit status is 0 if no
     /// replica is missing; 1 if some are (the commands that render them are printed) or if parts contradict each other;
     /// 2 if a file is damaged or of another scene.

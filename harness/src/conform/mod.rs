@@ -13,6 +13,7 @@ mod judgement;
 mod known;
 mod language;
 pub mod laws;
+mod lines;
 pub mod mistakes;
 mod program;
 mod questions;

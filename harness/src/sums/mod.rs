@@ -1,8 +1,8 @@
 //! Exact sums of replicas: pictures of one scene with other seeds, added on one machine or many.
 //!
 //! A pixel value `x` counts as the integer `k = x·2⁸⁰`, rounded once. For each pixel and channel a film of sums
-//! holds `Σk` and `Σk²`. Sums of integers are associative: their bits depend neither on how the seeds were divided
-//! into parts, nor on the order in which these are added, nor on the machine.
+//! holds `Σk` and `Σk²`. Sums of integers are associative, so their bits are the same for any division into parts,
+//! any order of the parts, and any machine.
 //!
 //! The mean of replicas is not one picture with more samples. Both have the same expected value, but one large set of
 //! stratified samples varies less than the mean of many small sets.

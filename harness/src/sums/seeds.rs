@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Seeds: ascending ranges `[first, last]` that neither overlap nor touch.
+/// Seeds: ascending ranges `[first, last]` with a gap between each two.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Seeds(Vec<[u64; 2]>);
 

@@ -33,6 +33,12 @@ pub fn planted_here() -> Vec<Planted> {
                 a
             },
         ),
+        planted("points that are words", &["samples.regular.values"], None, |_, mut a| {
+            for point in a[0].as_array_mut().into_iter().flatten() {
+                *point = json!(["here", "there"]);
+            }
+            a
+        }),
         planted(
             "too few samples",
             &["samples.hammersley.values", "samples.regular.strata"],

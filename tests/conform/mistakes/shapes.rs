@@ -165,6 +165,21 @@ pub fn planted_here() -> Vec<Planted> {
                 a
             },
         ),
+        planted("fronts called backs", &["intersect.sphere.ordinary"], None, |_, mut a| {
+            if let Some(front) = a["front"].as_bool() {
+                a["front"] = json!(!front);
+            }
+            a
+        }),
+        planted("points half way to the hit", &["intersect.sphere.ordinary"], None, |q, mut a| {
+            let origin = vector(&data(q)["ray"]["origin"]);
+            if a.get("point").is_some() {
+                let point = vector(&a["point"]);
+                a["point"] =
+                    json!(std::array::from_fn::<f64, 3, _>(|i| 0.5 * (origin[i] + point[i])));
+            }
+            a
+        }),
         planted(
             "x of normals mirrored",
             &["intersect.sphere.ordinary"],

@@ -110,8 +110,7 @@ fn schlick(question: &Value, field: &str) -> Option<Vec<f64>> {
 fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &["f", "sample"],
-        // the direction of a mirror has no density: some say 1, some δ
-        free: &["pdf_of_mirror"],
+        free: &[],
         questions: &[
             (&m::SWAPPED_DIRECTIONS, |question| super::swap(data(question)?, "/wi", "/wo")),
             (&m::ETA_INVERTED, |question| {
@@ -134,9 +133,10 @@ fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::ETA_SQUARED_TWICE, |question, field, right| by_eta(question, field, right, -2.0)),
         ],
     };
-    let question_is_specular = question["lobe"].get("u").is_some();
+    // only mirrors and refractions are asked for a sample here
+    let is_specular = question["lobe"].get("u").is_some();
     let mut answer = answer.clone();
-    if question_is_specular && let Some(pdf) = answer.pointer_mut("/sample/pdf") {
+    if is_specular && let Some(pdf) = answer.pointer_mut("/sample/pdf") {
         // mirrors have no density: some programs say 1, some 0, ours that it is infinite
         *pdf = json!("inf");
     }

@@ -9,6 +9,7 @@ use super::super::subject::ours;
 use super::super::values::{self, Rules};
 use super::{change, data, family, round, swap};
 use crate::verify::Draw;
+use groundtruth::math::UNIT_ROUNDOFF;
 
 pub fn families() -> Vec<Family> {
     let mut all = Vec::new();
@@ -43,28 +44,31 @@ pub fn families() -> Vec<Family> {
 
 /// Sets are compared as sets: the order of points is a program's own.
 fn samples(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules { needed: &[], free: &[], questions: &[], answers: &[] };
     let Ok(right) = ours(question) else { return Judgement::Undecided };
     let (theirs, right) = (sorted(answer), sorted(&right));
     if theirs.len() != right.len() {
         let expected = format!("{} points", right.len());
         return Judgement::wrong("number of points", f64::INFINITY, expected);
     }
-    let allowed = RULES.free.len() as f64 + profile.allowed() * groundtruth::math::UNIT_ROUNDOFF;
-    let off = |(a, b): (&[f64; 2], &[f64; 2])| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
-    let worst = theirs.iter().zip(&right).map(off).fold(0.0, f64::max);
-    let error = worst / groundtruth::math::UNIT_ROUNDOFF;
-    if worst <= allowed {
+    let error = farthest(&theirs, &right) / UNIT_ROUNDOFF;
+    if error <= profile.allowed() {
         return Judgement::Right(error);
     }
     let mut judgement = Judgement::wrong("points", error, format!("{right:?}"));
     let swapped = sorted_points(right.iter().map(|&[x, y]| [y, x]).collect());
     if let Judgement::Wrong(wrong) = &mut judgement
-        && theirs.iter().zip(&swapped).map(off).fold(0.0, f64::max) <= 1e-6
+        && farthest(&theirs, &swapped) <= 1e-6
     {
         wrong.clues.push(&m::SWAP_U);
     }
     judgement
+}
+
+/// The largest difference of a coordinate; infinite if one is no number.
+fn farthest(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    let off = |(a, b): (&[f64; 2], &[f64; 2])| [0, 1].map(|axis| (a[axis] - b[axis]).abs());
+    let all = a.iter().zip(b).flat_map(off);
+    all.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
 }
 
 /// The points of the first set, by x and y.

@@ -96,7 +96,6 @@ fn on(mapping: Mapping, draw: &mut Draw) -> Value {
 fn light(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &["radiance", "ambient", "direction"],
-        // how far a light without a place is: some programs say 10¹⁰, some nothing
         free: &["pdf"],
         questions: &[(&m::NO_FALL_OFF, |question| {
             let light = only(&mut data(question)?["light"])?;
