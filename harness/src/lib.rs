@@ -12,4 +12,5 @@ pub mod probe;
 pub mod reference;
 pub mod report;
 pub mod sums;
+pub mod verdict;
 pub mod verify;

@@ -16,6 +16,7 @@ mod render;
 mod replicas;
 mod report;
 mod scene;
+mod verify;
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -64,6 +65,11 @@ enum Command {
     /// replica is missing; 1 if some are (the commands that render them are printed) or if parts contradict each other;
     /// 2 if a file is damaged or of another scene.
     Merge(merge::Merge),
+    /// Judge a picture of a scene by another program: noise or bug, and where
+    ///
+    /// Renders pictures of ours with other seeds, and says whether theirs is farther from them than they are from each
+    /// other. The exit status is 0 if it agrees, 1 if it differs, 2 if it cannot be judged.
+    Verify(verify::Verify),
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
@@ -106,6 +112,7 @@ pub fn run() -> ExitCode {
         Command::Compare(command) => command.run(),
         Command::Conform(command) => command.run(),
         Command::Merge(command) => command.run(),
+        Command::Verify(command) => command.run(),
         Command::Goldens(command) => command.run(),
         Command::Probe(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -10,6 +10,7 @@ use groundtruth::gallery;
 use groundtruth::render::Crop;
 use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, World};
+use harness::compare;
 
 #[derive(Args)]
 pub struct SceneArguments {
@@ -66,6 +67,41 @@ impl SceneArguments {
                 "note: {asked} samples rounded up to {used}, which the sampler's pattern needs"
             );
         }
+        Ok((scene, world))
+    }
+
+    /// The scene with these settings at the size of another picture, and with its samples if they are known.
+    ///
+    /// # Errors
+    /// As `load`, or if the picture has another shape.
+    pub fn load_fitted(
+        &self,
+        size: [u32; 2],
+        samples: Option<u32>,
+    ) -> Result<(Scene, World), Box<dyn Error>> {
+        if self.size.is_some() {
+            return Err("--size: the size is that of the picture; leave it out".into());
+        }
+        let (mut scene, source) = self.open()?;
+        let [width, height] = [scene.image.width, scene.image.height];
+        if !compare::fit(&mut scene, size)? {
+            let [columns, rows] = size;
+            return Err(format!(
+                "the picture has {columns} × {rows} pixels, and {} the shape of {width} × {height}; render it in \
+                 this shape",
+                self.scene
+            )
+            .into());
+        }
+        if let Some(samples) = samples.or(self.samples) {
+            scene.image.samples = samples;
+        }
+        let changed = scene.tracer.change(self.tracer, self.max_depth);
+        changed.map_err(|problem| format!("--max-depth: {problem}"))?;
+        let world = match &source {
+            Some(source) => World::of_source(&scene, source, self.seed)?,
+            None => World::build_seeded(&scene, Path::new(""), self.seed)?,
+        };
         Ok((scene, world))
     }
 

@@ -18,27 +18,42 @@ const PIXELS: usize = 1 << 12;
 /// The shifts by half a pixel with which the scene explains another picture of its size, the best first; `name` is
 /// that of the other picture. None for stereo pairs, whose two images have film points of their own.
 pub fn half_pixel_shifts(world: &mut World, theirs: &Picture, name: &str) -> Vec<Hypothesis> {
+    let shifts = half_pixel_directions(world, theirs, None).into_iter();
+    shifts
+        .map(|(direction, left)| Hypothesis { what: half_pixel_words(direction, name), left })
+        .collect()
+}
+
+/// The directions, x right, y down, in which the film points of the other picture lie from the centres of pixels, each
+/// with the part of the difference that it leaves, the best first. `alike` is a picture of the scene from another seed:
+/// its distance is noise.
+pub fn half_pixel_directions(
+    world: &mut World,
+    theirs: &Picture,
+    alike: Option<&Picture>,
+) -> Vec<([i32; 2], f64)> {
     if world.view.stereo().is_some() || world.picture_size() != theirs.size {
         return Vec::new();
     }
     let theirs = Decoded::new(theirs);
-    let before = distance(world, &theirs, [0, 0]);
+    let noise = alike.map_or(0.0, |alike| distance(world, &Decoded::new(alike), [0, 0]));
+    let before = distance(world, &theirs, [0, 0]) - noise;
     let directions = [-1, 0, 1].into_iter().flat_map(|x| [-1, 0, 1].map(|y| [x, y]));
-    let mut found: Vec<Hypothesis> = directions
+    let mut found: Vec<([i32; 2], f64)> = directions
         .filter(|direction| *direction != [0, 0])
         .map(|direction| {
-            let left = distance(world, &theirs, direction) / before;
-            Hypothesis { what: words(direction, name), left }
+            let left = (distance(world, &theirs, direction) - noise).max(0.0) / before;
+            (direction, left)
         })
-        .filter(|hypothesis| hypothesis.left <= EXPLAINED)
+        .filter(|(_, left)| before > 0.0 && *left <= EXPLAINED)
         .collect();
-    found.sort_by(|a, b| a.left.total_cmp(&b.left));
+    found.sort_by(|a, b| a.1.total_cmp(&b.1));
     found
 }
 
 /// What is said of a picture whose film points lie in this direction from the centres of pixels, x right, y down:
 /// what it shows is shifted the other way.
-fn words([dx, dy]: [i32; 2], name: &str) -> String {
+pub fn half_pixel_words([dx, dy]: [i32; 2], name: &str) -> String {
     let part = |along: i32, [less, more]: [&str; 2]| match along {
         0 => None,
         -1 => Some(format!("half a pixel too far {more}")),
@@ -50,14 +65,20 @@ fn words([dx, dy]: [i32; 2], name: &str) -> String {
     format!("{name} is {parts}{reason}")
 }
 
+/// Makes the world's picture one column or row larger, so that film points lie half a pixel off in this direction;
+/// returns the column and row of its pixel that was the first.
+pub fn shift(world: &mut World, direction: [i32; 2]) -> [u32; 2] {
+    world.image.width += u32::from(direction[0] != 0);
+    world.image.height += u32::from(direction[1] != 0);
+    // a step to the right or down is the next pixel of the larger picture
+    direction.map(|along| u32::from(along == 1))
+}
+
 /// The mean relative distance of radiance, rendered with film points half a pixel off in this direction, from what
 /// each value of the other picture may stand for; black counts as a thousandth of the mean.
 fn distance(world: &mut World, theirs: &Decoded<'_>, direction: [i32; 2]) -> f64 {
     let size = [world.image.width, world.image.height];
-    [world.image.width, world.image.height] =
-        [0, 1].map(|i| size[i] + u32::from(direction[i] != 0));
-    // a step to the right or down is the next pixel of the larger picture
-    let [right, down] = direction.map(|along| u32::from(along == 1));
+    let [right, down] = shift(world, direction);
     let shifted: &World = world;
     let pairs: Vec<([f64; 3], [f32; 3])> = evenly_spread(theirs.picture.size, PIXELS)
         .into_par_iter()

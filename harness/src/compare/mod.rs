@@ -3,6 +3,7 @@
 //! Values are compared as radiance. An 8-bit value stands for all radiance that is rounded or truncated to it,
 //! so that a difference within that interval is none. NaN is the worst difference and equals nothing.
 
+mod change;
 mod differences;
 mod fitted;
 mod half_pixel;
@@ -16,14 +17,14 @@ mod text;
 
 use serde::Serialize;
 
+pub use change::Change;
 pub use differences::Differences;
 pub use fitted::{NoPair, fit};
-pub use half_pixel::half_pixel_shifts;
-pub use hypotheses::Hypothesis;
+pub use half_pixel::{half_pixel_directions, half_pixel_shifts, half_pixel_words, shift};
+pub use hypotheses::{Hypothesis, changes_that_explain, distance_of};
 pub use noise::noise_note;
 pub use page::page;
-use picture::Decoded;
-pub use picture::{Picture, Transfer};
+pub use picture::{Decoded, Picture, Transfer};
 pub use regions::Region;
 
 /// Values of a picture that are no radiance.

@@ -29,6 +29,16 @@ impl Transfer {
             Self::Gamma(gamma) => power(value.max(0.0), gamma),
         }
     }
+
+    /// The display value of a radiance.
+    pub fn encoded(self, radiance: f64) -> f64 {
+        match self {
+            Self::Linear => radiance,
+            Self::Srgb if radiance <= 0.0031308 => 12.92 * radiance,
+            Self::Srgb => 1.055 * power(radiance, 1.0 / 2.4) - 0.055,
+            Self::Gamma(gamma) => power(radiance.max(0.0), 1.0 / gamma),
+        }
+    }
 }
 
 impl std::fmt::Display for Transfer {

@@ -1,0 +1,166 @@
+//! `groundtruth verify`.
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use clap::Args;
+use groundtruth::render::Canvas;
+use groundtruth::world::World;
+use harness::compare::{Picture, Transfer};
+use harness::verdict::{Case, Decision, Strictness, Verdict};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::scene::SceneArguments;
+use super::{Exit, Outcome, print};
+
+#[derive(Args)]
+pub struct Verify {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM. Several are pictures of one program with other
+    /// seeds
+    #[arg(value_name = "IMAGE", required = true)]
+    images: Vec<PathBuf>,
+    /// The samples per pixel of their picture: ours take as many
+    #[arg(long, value_name = "N", value_parser = super::scene::samples(), conflicts_with = "samples")]
+    their_samples: Option<u32>,
+    /// The pictures of ours that are rendered at first; more follow while theirs is among the farthest out
+    #[arg(long, value_name = "R", default_value_t = 8, value_parser = clap::value_parser!(u32).range(3..))]
+    replicas: u32,
+    /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
+    #[arg(long, value_name = "P", default_value_t = 0.01, value_parser = level)]
+    level: f64,
+    /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, the likeliest is taken,
+    /// and named
+    #[arg(long, value_name = "CURVE")]
+    encoding: Option<Transfer>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn level(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(level) if (1e-4..=0.2).contains(&level) => Ok(level),
+        _ => Err("write a number from 0.0001 to 0.2, such as 0.01".to_owned()),
+    }
+}
+
+impl Verify {
+    pub fn run(self) -> Outcome {
+        let pictures = self.pictures()?;
+        let size = pictures[0].size;
+        let (scene, mut world) = self.scene.load_fitted(size, self.their_samples)?;
+        let tone = (scene.image.gamma, scene.image.out_of_gamut);
+        let strictness = Strictness { level: self.level, first: self.replicas as usize };
+        let mut watch = Watch::new(strictness.most())?;
+        let seed = self.scene.seed();
+        let mut case = Case { world: &mut world, strictness, transfer: self.encoding, tone, seed };
+        let verdict = case.verdict(&pictures[0], &mut |world, canvas| watch.render(world, canvas));
+        watch.bar.finish_and_clear();
+        let Some(verdict) = verdict else {
+            eprintln!("interrupted; too few pictures were rendered to say anything");
+            return Ok(Exit::Interrupted);
+        };
+        match self.json {
+            true => print(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
+            false => print(&(verdict.to_string() + &self.advice(&verdict, size)))?,
+        };
+        Ok(match verdict.decision {
+            _ if watch.is_interrupted() => Exit::Interrupted,
+            Decision::Agrees => Exit::Yes,
+            Decision::Differs => Exit::No,
+            Decision::Undecided => Exit::Interrupted,
+        })
+    }
+
+    /// The pictures, all of one size and without values that are no numbers.
+    fn pictures(&self) -> Result<Vec<Picture>, Box<dyn Error>> {
+        let mut pictures: Vec<Picture> = Vec::new();
+        for file in &self.images {
+            // the transfer function is guessed later
+            let picture = Picture::read(file, self.encoding.unwrap_or(Transfer::Srgb))?;
+            let name = file.display();
+            picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
+            let is_number = |color: &[f32; 3]| color.iter().all(|value| value.is_finite());
+            if let Some(at) = picture.values.iter().position(|color| !is_number(color)) {
+                let (width, value) = (picture.size[0] as usize, picture.values[at]);
+                let [x, y] = [at % width, at / width];
+                return Err(format!(
+                    "{name}: pixel {x}, {y} is {value:?}; radiance is finite: find the ray that brings it first"
+                )
+                .into());
+            }
+            if let Some(first) = pictures.first().filter(|first| first.size != picture.size) {
+                let [[w, h], [width, height]] = [first.size, picture.size];
+                return Err(format!(
+                    "{name} has {width} × {height} pixels, {} has {w} × {h}; all pictures must have one size",
+                    self.images[0].display()
+                )
+                .into());
+            }
+            pictures.push(picture);
+        }
+        Ok(pictures)
+    }
+
+    /// The commands that explain the worst pixels.
+    fn advice(&self, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
+        let scene = &self.scene.arguments()[0];
+        let commands: Vec<String> = verdict
+            .regions
+            .iter()
+            .map(|region| {
+                let [x, y] = region.worst;
+                format!("  groundtruth explain {scene} {x} {y} --size {width}x{height}\n")
+            })
+            .collect();
+        if commands.is_empty() {
+            String::new()
+        } else {
+            format!("why ours is so:\n{}", commands.concat())
+        }
+    }
+}
+
+/// Renders our pictures, shows how many there are, and stops when the user interrupts.
+struct Watch {
+    bar: ProgressBar,
+    interrupted: Arc<AtomicBool>,
+}
+
+impl Watch {
+    fn new(most: usize) -> Result<Self, Box<dyn Error>> {
+        let interrupted = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&interrupted);
+        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+        let bar = ProgressBar::new(most as u64);
+        let style = "{spinner} {pos} of at most {len} pictures of ours  {elapsed} elapsed";
+        bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
+        Ok(Self { bar, interrupted })
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed)
+    }
+
+    /// Whether the picture was finished.
+    fn render(&mut self, world: &World, canvas: &Canvas) -> bool {
+        std::thread::scope(|scope| {
+            let rendering = scope.spawn(|| canvas.render(world));
+            while !rendering.is_finished() {
+                if self.is_interrupted() {
+                    canvas.cancel();
+                }
+                self.bar.tick();
+                // returns early when the rendering ends
+                std::thread::park_timeout(Duration::from_millis(5));
+            }
+        });
+        self.bar.inc(1);
+        !canvas.is_cancelled()
+    }
+}

@@ -1,0 +1,126 @@
+//! The areas of a picture over which values are added up: tiles of every side, and objects.
+
+use std::sync::Arc;
+
+use groundtruth::math::Span;
+use groundtruth::render;
+use groundtruth::world::World;
+
+/// The areas of the pictures of one scene.
+#[derive(Clone, Debug)]
+pub struct Areas {
+    /// Columns and rows.
+    pub size: [usize; 2],
+    /// The object that each pixel shows, by its place in `objects`.
+    pub object_of: Vec<u32>,
+    /// The names of the objects that the picture shows, and the number of their pixels.
+    pub objects: Vec<(Arc<str>, u32)>,
+}
+
+/// An area.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Area {
+    /// A square of pixels, cut at the right and lower edge.
+    Tile {
+        /// Its left column and top row.
+        corner: [usize; 2],
+        /// Its side.
+        side: usize,
+    },
+    /// The pixels that show an object, by its place in [`Areas::objects`].
+    Object(usize),
+}
+
+impl Areas {
+    /// Those of a world's picture: a pixel shows the first object that the ray through its centre hits.
+    pub fn of(world: &World) -> Self {
+        let [width, height] = world.picture_size();
+        let mut areas = Self::tiles([width, height].map(|side| side as usize));
+        areas.objects.clear();
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+        areas.object_of = pixels
+            .map(|pixel| {
+                let name = shown(world, pixel);
+                let known = areas.objects.iter().position(|(known, _)| *known == name);
+                let index = known.unwrap_or_else(|| {
+                    areas.objects.push((name, 0));
+                    areas.objects.len() - 1
+                });
+                areas.objects[index].1 += 1;
+                index as u32
+            })
+            .collect();
+        areas
+    }
+
+    /// Tiles only: the whole picture is one object.
+    pub fn tiles(size: [usize; 2]) -> Self {
+        let count = size[0] * size[1];
+        let objects = vec![("the whole picture".into(), count as u32)];
+        Self { size, object_of: vec![0; count], objects }
+    }
+
+    /// The number of levels of tiles: sides 1, 2, 4 … up to one tile that holds the whole picture.
+    pub fn levels(&self) -> usize {
+        let longer = self.size[0].max(self.size[1]);
+        longer.next_power_of_two().trailing_zeros() as usize + 1
+    }
+
+    /// The number of columns and rows of tiles of a level.
+    pub fn grid(&self, level: usize) -> [usize; 2] {
+        self.size.map(|side| side.div_ceil(1 << level))
+    }
+
+    /// Sums over the tiles of a level, from those of the level before it.
+    pub fn coarser(&self, sums: &[f64], level: usize) -> Vec<f64> {
+        let ([width, _], [across, down]) = (self.grid(level - 1), self.grid(level));
+        let mut coarser = vec![0.0; across * down];
+        for (index, sum) in sums.iter().enumerate() {
+            coarser[index / width / 2 * across + index % width / 2] += sum;
+        }
+        coarser
+    }
+
+    /// Sums over the objects.
+    pub fn by_object(&self, values: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.objects.len()];
+        for (object, value) in self.object_of.iter().zip(values) {
+            sums[*object as usize] += value;
+        }
+        sums
+    }
+
+    /// A tile.
+    pub fn tile(&self, level: usize, index: usize) -> Area {
+        let (side, across) = (1 << level, self.grid(level)[0]);
+        Area::Tile { corner: [index % across * side, index / across * side], side }
+    }
+
+    /// The indices of the pixels of an area.
+    pub fn pixels(&self, area: Area) -> Vec<usize> {
+        let width = self.size[0];
+        match area {
+            Area::Object(object) => {
+                let is_it = |index: &usize| self.object_of[*index] as usize == object;
+                (0..self.object_of.len()).filter(is_it).collect()
+            }
+            Area::Tile { corner: [x, y], side } => {
+                let [columns, rows] = [x..(x + side).min(width), y..(y + side).min(self.size[1])];
+                rows.flat_map(|row| columns.clone().map(move |column| row * width + column))
+                    .collect()
+            }
+        }
+    }
+}
+
+/// The name of the object that the centre of a pixel shows.
+fn shown(world: &World, pixel: [u32; 2]) -> Arc<str> {
+    let Some((eye, column)) = world.view.eye_of_column(pixel[0], world.image.width) else {
+        return "the gap between the images".into();
+    };
+    let film = render::film_point(&world.image, [column, pixel[1]], [0.5, 0.5]);
+    let hit = eye
+        .ray(film, [0.0; 2])
+        .and_then(|ray| Some(world.hit(&ray, Span::AHEAD)?.object.name.clone()));
+    hit.unwrap_or_else(|| "the background".into())
+}

@@ -1,0 +1,310 @@
+//! One picture of a scene, from its file to what is said of it.
+
+use groundtruth::film::{Film, OutOfGamut};
+use groundtruth::render::{Canvas, Crop};
+use groundtruth::world::World;
+use rayon::prelude::*;
+
+use super::plants::brighter;
+use super::verdict::{Region, Verdict};
+use super::{
+    Area, Areas, Decision, Judged, Map, Plant, Stored, Strictness, is_edge, planted, smallest_gains,
+};
+use crate::compare::{
+    self, Change, Decoded, Picture, Transfer, changes_that_explain, distance_of,
+    half_pixel_directions, half_pixel_words,
+};
+
+/// A scene, and how strictly its pictures are judged.
+pub struct Case<'a> {
+    /// The scene, at the size of the pictures.
+    pub world: &'a mut World,
+    /// How strictly.
+    pub strictness: Strictness,
+    /// The transfer function of pictures for display, if the user said it.
+    pub transfer: Option<Transfer>,
+    /// The gamma of the scene's picture, and its rule for colours beyond 1.
+    pub tone: (f64, OutOfGamut),
+    /// The seed of the first replica.
+    pub seed: u64,
+}
+
+/// Renders pictures; `None` if the user interrupts.
+pub type Renders<'a> = &'a mut dyn FnMut(&World, &Canvas) -> bool;
+
+/// Regions that are listed at most.
+const REGIONS: usize = 8;
+
+/// The gain that is planted everywhere, and the one in an object.
+const PLANTED: [f64; 2] = [1.02, 1.05];
+
+/// Objects in which a defect is planted have at least so many pixels.
+const SEEN: u32 = 100;
+
+/// Our replicas so far.
+struct Replicas<'a, 'b> {
+    world: &'a mut World,
+    /// In which direction film points are off by half a pixel.
+    direction: [i32; 2],
+    next: u64,
+    films: Vec<Film>,
+    renders: Renders<'b>,
+}
+
+impl Replicas<'_, '_> {
+    /// The next replica.
+    fn render(&mut self) -> Option<Film> {
+        self.world.reseed(self.next);
+        let size @ [width, height] = [self.world.image.width, self.world.image.height];
+        let canvas = match self.direction {
+            [0, 0] => Canvas::new(self.world),
+            direction => {
+                let [x, y] = compare::shift(self.world, direction);
+                Canvas::cropped(Crop { x, y, width, height })
+            }
+        };
+        let is_whole = (self.renders)(self.world, &canvas);
+        [self.world.image.width, self.world.image.height] = size;
+        self.next += 1;
+        is_whole.then(|| canvas.film())
+    }
+
+    /// Renders until there are so many films.
+    fn fill(&mut self, count: usize) -> Option<()> {
+        while self.films.len() < count {
+            let film = self.render()?;
+            self.films.push(film);
+        }
+        Some(())
+    }
+}
+
+impl Case<'_> {
+    /// What is to be said of a picture; `None` if the user interrupted before anything could be.
+    pub fn verdict(&mut self, theirs: &Picture, renders: Renders<'_>) -> Option<Verdict> {
+        let areas = Areas::of(self.world);
+        let (strictness, seed) = (self.strictness, self.seed);
+        let (transfer, tone) = (self.transfer, self.tone);
+        let mut replicas = Replicas {
+            world: self.world,
+            direction: [0, 0],
+            next: seed,
+            films: Vec::new(),
+            renders,
+        };
+        replicas.fill(strictness.first)?;
+        let judge = Judge { areas: &areas, strictness, transfer, tone };
+        let mut known = Vec::new();
+        let (stored, judged, edges) = judge.judged(theirs, &mut replicas, &mut known)?;
+        if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
+            return Some(Verdict::equal(stored, seed + equal as u64, &judged, &areas));
+        }
+        let mut verdict = Verdict::of(stored, &judged, &areas, strictness, edges);
+        match judged.decision {
+            Decision::Differs => {
+                verdict.regions = regions(&judged, &areas);
+                verdict.explained = judge.explained(theirs, &mut replicas, &known, stored);
+            }
+            Decision::Agrees if !judged.is_fixed => {
+                verdict.plants = judge.plants(&mut replicas, &known, &judged);
+                verdict.gains = smallest_gains(&judged.pool, &areas, &judged.ranking);
+            }
+            _ => {}
+        }
+        Some(verdict)
+    }
+}
+
+/// The seed, counted from the first, of a replica that has the same bits.
+fn equal_to(films: &[Film], theirs: &Picture, stored: Stored) -> Option<usize> {
+    films.iter().position(|film| stored.values(film) == theirs.values.as_flattened())
+}
+
+/// How pictures are judged.
+struct Judge<'a> {
+    areas: &'a Areas,
+    strictness: Strictness,
+    transfer: Option<Transfer>,
+    tone: (f64, OutOfGamut),
+}
+
+impl Judge<'_> {
+    /// The most likely way in which the values are stored, the judgement, and the number of pixels on edges that were
+    /// set apart. `known` becomes our replicas, stored alike.
+    fn judged(
+        &self,
+        theirs: &Picture,
+        replicas: &mut Replicas<'_, '_>,
+        known: &mut Vec<Vec<f32>>,
+    ) -> Option<(Stored, Judged, usize)> {
+        let candidates = Stored::candidates(theirs, self.transfer, self.tone);
+        let stored = likeliest(&candidates, theirs, &replicas.films);
+        *known = replicas.films.iter().map(|film| stored.values(film)).collect();
+        let mut values = theirs.values.as_flattened().to_vec();
+        let edges = set_edges_apart(&mut values, replicas.world, known, stored);
+        let next = || replicas.render().map(|film| stored.values(&film));
+        let judged = Judged::of(&values, (self.areas, stored), self.strictness, known, next)?;
+        Some((stored, judged, edges))
+    }
+
+    /// The most harmless change that explains the difference, and whether the picture agrees after it.
+    fn explained(
+        &self,
+        theirs: &Picture,
+        replicas: &mut Replicas<'_, '_>,
+        known: &[Vec<f32>],
+        stored: Stored,
+    ) -> Option<(String, bool)> {
+        let mean = mean_picture(known, theirs);
+        let alike = picture_of(&known[0], theirs);
+        let [ours, alike_decoded] = [&mean, &alike].map(Decoded::new);
+        let noise = distance_of(&ours, &alike_decoded);
+        let as_theirs = Picture { transfer: transfer_of(stored, theirs), ..theirs.clone() };
+        let theirs_decoded = Decoded::new(&as_theirs);
+        let names = ["ours", "theirs"];
+        let found = changes_that_explain(&ours, &theirs_decoded, noise).into_iter().next();
+        if let Some((change, _)) = found {
+            let what = change.words(names, as_theirs.transfer);
+            let changed = change.applied(&as_theirs);
+            let agrees = self.agrees(&changed, replicas);
+            // a factor that is not the whole difference says little
+            if agrees || !matches!(change, Change::Scaled(_)) {
+                return Some((what, agrees));
+            }
+        }
+        let direction = half_pixel_directions(replicas.world, &as_theirs, Some(&alike)).first()?.0;
+        replicas.direction = direction;
+        replicas.films.clear();
+        replicas.fill(self.strictness.first)?;
+        Some((half_pixel_words(direction, "theirs"), self.agrees(&as_theirs, replicas)))
+    }
+
+    fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
+        let judged = self.judged(theirs, replicas, &mut Vec::new());
+        judged.is_some_and(|(_, judged, _)| judged.decision == Decision::Agrees)
+    }
+
+    /// Whether defects in our first replica are found.
+    fn plants(
+        &self,
+        replicas: &mut Replicas<'_, '_>,
+        known: &[Vec<f32>],
+        judged: &Judged,
+    ) -> Vec<Plant> {
+        let (areas, stored, from) =
+            (self.areas, judged.pool.stored, if judged.is_coarse { 2 } else { 0 });
+        let found = |film: &Film| planted(known, stored.values(film), (areas, &judged.pool), from);
+        let film = &replicas.films[0];
+        let percent = |factor: f64| format!("{:.0} %", 100.0 * (factor - 1.0));
+        let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };
+        let mut plants = vec![Plant {
+            what: format!("all {} brighter", percent(PLANTED[0])),
+            found: found(&brighter(film, areas, whole, PLANTED[0])),
+        }];
+        let mut objects: Vec<usize> = (0..areas.objects.len()).collect();
+        objects.retain(|object| areas.objects[*object].1 >= SEEN);
+        objects.sort_by_key(|object| std::cmp::Reverse(areas.objects[*object].1));
+        for object in objects.into_iter().take(3) {
+            let what = format!("{} {} brighter", areas.objects[object].0, percent(PLANTED[1]));
+            let changed = brighter(film, areas, Area::Object(object), PLANTED[1]);
+            if changed != *film {
+                plants.push(Plant { what, found: found(&changed) });
+            }
+        }
+        if replicas.world.view.stereo().is_none() {
+            (replicas.direction, replicas.next) = ([1, 1], replicas.next + 1);
+            if let Some(shifted) = replicas.render() {
+                plants.push(Plant { what: "half a pixel off".to_owned(), found: found(&shifted) });
+            }
+            replicas.direction = [0, 0];
+        }
+        plants
+    }
+}
+
+/// The way of storing with which our replicas are nearest to the picture on average; of equal ones the first.
+fn likeliest(candidates: &[Stored], theirs: &Picture, films: &[Film]) -> Stored {
+    let distance = |stored: &Stored| {
+        let all: Vec<Vec<f32>> = films.par_iter().map(|film| stored.values(film)).collect();
+        let mean = mean_of(&all);
+        let pairs = mean.iter().zip(theirs.values.as_flattened());
+        pairs.map(|(x, y)| (x - f64::from(*y)).abs()).sum::<f64>()
+    };
+    if let [only] = candidates {
+        return *only;
+    }
+    let distances: Vec<(f64, &Stored)> = candidates.iter().map(|it| (distance(it), it)).collect();
+    let nearest = distances.iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    *nearest.expect("there are candidates").1
+}
+
+fn mean_of(all: &[Vec<f32>]) -> Vec<f64> {
+    let count = all.len() as f64;
+    (0..all[0].len()).map(|i| all.iter().map(|it| f64::from(it[i])).sum::<f64>() / count).collect()
+}
+
+/// The mean of our replicas as a picture like theirs.
+fn mean_picture(known: &[Vec<f32>], theirs: &Picture) -> Picture {
+    let mean: Vec<f32> = mean_of(known).into_iter().map(|value| value as f32).collect();
+    picture_of(&mean, theirs)
+}
+
+/// Stored values as a picture like theirs.
+fn picture_of(values: &[f32], theirs: &Picture) -> Picture {
+    let (colors, _) = values.as_chunks::<3>();
+    Picture { values: colors.to_vec(), ..theirs.clone() }
+}
+
+fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {
+    match stored {
+        Stored::Integers { transfer, .. } => transfer,
+        _ => theirs.transfer,
+    }
+}
+
+/// Where all replicas agree against the picture and the pixel is on an edge, the picture gets our value: on which side
+/// it falls is rounding. Returns the number of such pixels.
+fn set_edges_apart(values: &mut [f32], world: &World, known: &[Vec<f32>], stored: Stored) -> usize {
+    let width = world.picture_size()[0] as usize;
+    let first = &known[0];
+    let is_apart = |at: usize, x: f32| {
+        let own = f64::from(first[at]);
+        let agrees = |x: f32| (f64::from(x) - own).abs() <= stored.tolerance(own);
+        known.iter().all(|it| agrees(it[at])) && !agrees(x)
+    };
+    let apart: Vec<usize> = (0..values.len() / 3)
+        .filter(|pixel| (3 * pixel..3 * pixel + 3).any(|at| is_apart(at, values[at])))
+        .collect();
+    let on_edges: Vec<usize> = apart
+        .into_par_iter()
+        .filter(|pixel| is_edge(world, [pixel % width, pixel / width].map(|x| x as u32), stored))
+        .collect();
+    for pixel in &on_edges {
+        values[3 * pixel..3 * pixel + 3].copy_from_slice(&first[3 * pixel..3 * pixel + 3]);
+    }
+    on_edges.len()
+}
+
+/// Where the picture differs, the farthest out first; no two regions share a pixel.
+fn regions(judged: &Judged, areas: &Areas) -> Vec<Region> {
+    let theirs = judged.pool.len() - 1;
+    let map = Map::of(&judged.pool, areas, theirs, judged.ranking.noise[theirs]);
+    let mut taken = vec![false; areas.object_of.len()];
+    let mut regions = Vec::new();
+    let alone: Vec<usize> = map.alone().collect();
+    if judged.is_fixed && !alone.is_empty() {
+        regions.push(Region::of_pixels(&judged.pool, areas, &alone));
+    }
+    for difference in judged.ranking.differences(&judged.pool, areas, theirs) {
+        let pixels = areas.pixels(difference.area);
+        if regions.len() == REGIONS || pixels.iter().any(|pixel| taken[*pixel]) {
+            continue;
+        }
+        pixels.iter().for_each(|pixel| taken[*pixel] = true);
+        regions.push(Region::of_area(&judged.pool, areas, &map, difference));
+    }
+    if regions.is_empty() && !alone.is_empty() {
+        regions.push(Region::of_pixels(&judged.pool, areas, &alone));
+    }
+    regions
+}

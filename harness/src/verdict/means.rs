@@ -1,0 +1,97 @@
+//! Means over the picture and its objects, and how far apart those of two renderers may be.
+
+use serde::Serialize;
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use super::areas::{Area, Areas};
+use super::pool::Pool;
+
+/// The mean of an area in a picture, and that of the others.
+#[derive(Clone, Debug, Serialize)]
+pub struct Means {
+    /// The area's name.
+    pub name: String,
+    /// The number of its pixels.
+    pub pixels: usize,
+    /// In our pictures: red, green, blue, as stored.
+    pub ours: [f64; 3],
+    /// In theirs.
+    pub theirs: [f64; 3],
+    /// Their mean over all channels, relative to ours, less 1; `None` if ours is black.
+    pub relative: Option<f64>,
+    /// The half of the interval of `relative` that noise leaves.
+    pub half: f64,
+}
+
+/// Whether the means are within a margin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Answer {
+    /// All are within it.
+    Agrees,
+    /// One is beyond it.
+    DiffersByMore,
+    /// The noise is too large to say.
+    CannotTell,
+}
+
+impl Means {
+    /// Of the whole picture and of each object, the last picture of a pool against the others. All intervals together
+    /// hold with this confidence, if its noise is `noise` times that of the others.
+    pub fn of(pool: &Pool, areas: &Areas, noise: f64, confidence: f64) -> Vec<Self> {
+        let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };
+        let objects = (0..areas.objects.len())
+            .map(|object| (Area::Object(object), areas.objects[object].0.to_string()));
+        let all: Vec<(Area, String)> =
+            std::iter::once((whole, "the picture".to_owned())).chain(objects).collect();
+        let each = 1.0 - (1.0 - confidence) / all.len() as f64;
+        all.into_iter()
+            .map(|(area, name)| mean(pool, &areas.pixels(area), name, noise, each))
+            .collect()
+    }
+
+    /// Whether the intervals lie within a relative margin.
+    pub fn within(means: &[Self], margin: f64) -> Answer {
+        let [mut all_within, mut one_beyond] = [true, false];
+        for Self { relative, half, .. } in means {
+            // what is black in both is within
+            let apart = relative.map_or(0.0, f64::abs);
+            all_within &= apart + half <= margin;
+            one_beyond |= apart - half > margin;
+        }
+        match (all_within, one_beyond) {
+            (_, true) => Answer::DiffersByMore,
+            (true, _) => Answer::Agrees,
+            _ => Answer::CannotTell,
+        }
+    }
+}
+
+fn mean(pool: &Pool, pixels: &[usize], name: String, noise: f64, confidence: f64) -> Means {
+    let theirs = pool.len() - 1;
+    let of = |picture: usize| {
+        let values = pool.picture(picture);
+        let mut sums = [0.0; 3];
+        for pixel in pixels {
+            for (channel, sum) in sums.iter_mut().enumerate() {
+                let value = f64::from(values[3 * pixel + channel]);
+                *sum += if value.is_finite() { value } else { 0.0 };
+            }
+        }
+        sums.map(|sum| sum / pixels.len() as f64)
+    };
+    let ours: Vec<[f64; 3]> = (0..theirs).map(of).collect();
+    let n = ours.len() as f64;
+    let mean = [0, 1, 2].map(|channel| ours.iter().map(|mean| mean[channel]).sum::<f64>() / n);
+    let total = |mean: &[f64; 3]| mean.iter().sum::<f64>() / 3.0;
+    let level = total(&mean);
+    let squares: f64 = ours.iter().map(|it| (total(it) - level) * (total(it) - level)).sum();
+    // of a picture with their noise, and of the mean of ours
+    let deviation = (squares / (n - 1.0) * (noise * noise + 1.0 / n)).sqrt();
+    let student = StudentsT::new(0.0, 1.0, n - 1.0).expect("there are at least two");
+    let theirs = of(theirs);
+    let relative = (level != 0.0).then(|| total(&theirs) / level - 1.0);
+    let half = student.inverse_cdf(0.5 + 0.5 * confidence) * deviation / level.abs();
+    let half = if deviation == 0.0 { 0.0 } else { half };
+    Means { name, pixels: pixels.len(), ours: mean, theirs, relative, half }
+}

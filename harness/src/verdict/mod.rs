@@ -1,0 +1,153 @@
+//! A picture of one of our scenes by another program, judged: is its difference from ours noise?
+//!
+//! Our replicas, pictures with other seeds, and the picture to be judged make up a [`Pool`]; [`Ranking`] says how far out
+//! each is. More replicas are rendered only while theirs is among the farthest. Scenes without random numbers, and
+//! values on which all replicas agree, are judged by rounding.
+
+mod areas;
+mod case;
+mod edges;
+mod means;
+mod plants;
+mod pool;
+mod ranking;
+mod several;
+mod stored;
+#[expect(clippy::module_inception, reason = "the file of the type of this name")]
+mod verdict;
+
+pub use areas::{Area, Areas};
+pub use case::{Case, Renders};
+pub use edges::is_edge;
+pub use means::{Answer, Means};
+pub use plants::{Plant, planted, smallest_gains};
+pub use pool::{Against, Pool};
+pub use ranking::{Difference, Level, Map, Ranking};
+pub use several::{WelchTest, several};
+pub use stored::{Bright, Stored};
+pub use verdict::{Region, Verdict};
+
+use serde::Serialize;
+
+/// What is said of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Decision {
+    /// Nothing was found.
+    Agrees,
+    /// It is farther out than all of ours.
+    Differs,
+    /// The user interrupted before enough replicas were rendered.
+    Undecided,
+}
+
+/// A picture held against replicas.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// The replicas, and the judged picture as the last.
+    pub pool: Pool,
+    /// Its ranks.
+    pub ranking: Ranking,
+    /// What follows.
+    pub decision: Decision,
+    /// Whether no replica differs from another: the scene has no random numbers that this picture shows.
+    pub is_fixed: bool,
+    /// Whether the noise is so unlike ours that single pixels and pairs of them were left out.
+    pub is_coarse: bool,
+}
+
+/// How strict a judgement is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strictness {
+    /// The probability of a false alarm.
+    pub level: f64,
+    /// The replicas that are rendered at first; at least 3.
+    pub first: usize,
+}
+
+/// A picture that is so many times as far out as the farthest of ours is not judged further.
+const FAR_OUT: f64 = 100.0;
+
+/// … if at least so many of ours are known.
+const ENOUGH: usize = 15;
+
+/// So many of ours must be as far out as theirs for an early end.
+const AS_FAR: usize = 3;
+
+/// Noise from this part of ours to its inverse is like ours.
+const ALIKE: f64 = 0.8;
+
+impl Strictness {
+    /// The most replicas that can change the decision.
+    pub fn most(self) -> usize {
+        ((1.0 / self.level).ceil() as usize).max(self.first + 1) - 1
+    }
+}
+
+impl Judged {
+    /// Judges a picture by its stored values; `replicas` gives the next of our pictures, stored alike, or `None` if the
+    /// user interrupts. `known` are those that exist already. `None` if there are too few to say anything.
+    pub fn of(
+        theirs: &[f32],
+        (areas, stored): (&Areas, Stored),
+        strictness: Strictness,
+        known: &mut Vec<Vec<f32>>,
+        mut replicas: impl FnMut() -> Option<Vec<f32>>,
+    ) -> Option<Self> {
+        let mut wanted = strictness.first;
+        loop {
+            let mut is_interrupted = false;
+            while known.len() < wanted && !is_interrupted {
+                match replicas() {
+                    Some(picture) => known.push(picture),
+                    None => is_interrupted = true,
+                }
+            }
+            if known.len() < 3 {
+                return None;
+            }
+            let judged = Self::now(theirs, (areas, stored), known);
+            let is_over = judged.is_over(strictness, known.len());
+            if is_over || is_interrupted {
+                let decision = judged.decided(strictness, is_over);
+                return Some(Self { decision, ..judged });
+            }
+            wanted = (2 * known.len()).min(strictness.most());
+        }
+    }
+
+    /// A picture held against the replicas that there are.
+    fn now(theirs: &[f32], (areas, stored): (&Areas, Stored), known: &[Vec<f32>]) -> Self {
+        let pictures = known.iter().cloned().chain([theirs.to_vec()]).collect();
+        let pool = Pool::new(areas.size, stored, pictures);
+        let (last, is_fixed) = (known.len(), pool.is_fixed_but_for(known.len()));
+        let mut ranking = Ranking::of(&pool, areas, 0);
+        let is_coarse = !(ALIKE..=1.0 / ALIKE).contains(&ranking.noise[last]);
+        if is_coarse {
+            ranking = Ranking::of(&pool, areas, 2.min(areas.levels() - 1));
+        }
+        Self { pool, ranking, decision: Decision::Undecided, is_fixed, is_coarse }
+    }
+
+    fn is_over(&self, strictness: Strictness, replicas: usize) -> bool {
+        let theirs = replicas;
+        self.is_fixed
+            || replicas >= strictness.most()
+            || self.ranking.as_far_as(theirs) >= AS_FAR
+            || replicas >= ENOUGH && self.ranking.times_as_far(theirs) > FAR_OUT
+    }
+
+    fn decided(&self, strictness: Strictness, is_over: bool) -> Decision {
+        let theirs = self.pool.len() - 1;
+        let is_farthest = self.ranking.as_far_as(theirs) == 0;
+        match (self.is_fixed, is_over) {
+            // the values in which it is alone are the only ones that can differ
+            (true, _) if self.ranking.scores[theirs] > 0.0 => Decision::Differs,
+            (true, _) => Decision::Agrees,
+            (_, false) => Decision::Undecided,
+            _ if is_farthest && self.ranking.times_as_far(theirs) > FAR_OUT => Decision::Differs,
+            _ if self.ranking.probability(theirs) <= strictness.level => Decision::Differs,
+            _ => Decision::Agrees,
+        }
+    }
+}
