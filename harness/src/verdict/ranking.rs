@@ -177,11 +177,12 @@ impl Map {
             let Residuals { difference, variance, varied } =
                 Residuals::of(pool, picture, channel, &mut alone);
             let around = around(&variance, areas.size);
+            let own = own_variance(&difference, areas.size);
             let value = |pixel: usize| {
                 let mean = pool.mean_of_others(picture, 3 * pixel + channel);
                 let rounding = pool.stored.rounding(mean);
                 let variance = variance[pixel].max(SMALLEST_VARIANCE * around[pixel]);
-                variance * factor + rounding * rounding
+                (variance * factor).max(own[pixel]) + rounding * rounding
             };
             let with_floor =
                 (0..pixels).map(|pixel| if varied[pixel] { value(pixel) } else { 0.0 });
@@ -296,6 +297,18 @@ fn detail(pool: &Pool, picture: usize) -> f64 {
         }
     }
     quantile(&ratios, 0.5).unwrap_or(0.0)
+}
+
+/// The variance of a picture's noise around each pixel, from the finest details of its differences: noise has them,
+/// and most errors do not.
+fn own_variance(difference: &[f64], size @ [width, height]: [usize; 2]) -> Vec<f64> {
+    let detail = |pixel: usize| {
+        let (x, y) = (pixel % width, pixel / width);
+        let (right, below) = (usize::from(x + 1 < width), usize::from(y + 1 < height) * width);
+        let [a, b, c, d] = [0, right, below, below + right].map(|step| difference[pixel + step]);
+        0.25 * power(a - b - c + d, 2.0)
+    };
+    around(&(0..difference.len()).map(detail).collect::<Vec<f64>>(), size)
 }
 
 /// The mean over the neighbours of each value, itself among them.
