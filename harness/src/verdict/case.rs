@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::plants::brighter;
 use super::verdict::{Region, Verdict};
 use super::{
-    Area, Areas, Decision, Judged, Map, Plant, Stored, Strictness, is_edge, planted, smallest_gains,
+    Area, Areas, Decision, Judged, Map, Plant, Stored, Strictness, planted, set_apart, smallest_gains,
 };
 use crate::compare::{
     self, Change, Decoded, Picture, Transfer, changes_that_explain, distance_of,
@@ -117,7 +117,8 @@ impl Case<'_> {
 
 /// The seed, counted from the first, of a replica that has the same bits.
 fn equal_to(films: &[Film], theirs: &Picture, stored: Stored) -> Option<usize> {
-    films.iter().position(|film| stored.values(film) == theirs.values.as_flattened())
+    let theirs = read(theirs, stored);
+    films.iter().position(|film| stored.values(film) == theirs)
 }
 
 /// How pictures are judged.
@@ -140,8 +141,8 @@ impl Judge<'_> {
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
         let stored = likeliest(&candidates, theirs, &replicas.films);
         *known = replicas.films.iter().map(|film| stored.values(film)).collect();
-        let mut values = theirs.values.as_flattened().to_vec();
-        let edges = set_edges_apart(&mut values, replicas.world, known, stored);
+        let mut values = read(theirs, stored);
+        let edges = set_apart(&mut values, replicas.world, known, stored);
         let next = || replicas.render().map(|film| stored.values(&film));
         let judged = Judged::of(&values, (self.areas, stored), self.strictness, known, next)?;
         Some((stored, judged, edges))
@@ -155,8 +156,8 @@ impl Judge<'_> {
         known: &[Vec<f32>],
         stored: Stored,
     ) -> Option<(String, bool)> {
-        let mean = mean_picture(known, theirs);
-        let alike = picture_of(&known[0], theirs);
+        let mean: Vec<f32> = mean_of(known).into_iter().map(|value| value as f32).collect();
+        let [mean, alike] = [&mean, &known[0]].map(|values| picture_of(values, theirs.size));
         let [ours, alike_decoded] = [&mean, &alike].map(Decoded::new);
         let noise = distance_of(&ours, &alike_decoded);
         let as_theirs = Picture { transfer: transfer_of(stored, theirs), ..theirs.clone() };
@@ -227,8 +228,8 @@ fn likeliest(candidates: &[Stored], theirs: &Picture, films: &[Film]) -> Stored 
     let distance = |stored: &Stored| {
         let all: Vec<Vec<f32>> = films.par_iter().map(|film| stored.values(film)).collect();
         let mean = mean_of(&all);
-        let pairs = mean.iter().zip(theirs.values.as_flattened());
-        pairs.map(|(x, y)| (x - f64::from(*y)).abs()).sum::<f64>()
+        let pairs = mean.iter().zip(read(theirs, *stored));
+        pairs.map(|(x, y)| (x - f64::from(y)).abs()).sum::<f64>() / mean.iter().sum::<f64>()
     };
     if let [only] = candidates {
         return *only;
@@ -243,16 +244,16 @@ fn mean_of(all: &[Vec<f32>]) -> Vec<f64> {
     (0..all[0].len()).map(|i| all.iter().map(|it| f64::from(it[i])).sum::<f64>() / count).collect()
 }
 
-/// The mean of our replicas as a picture like theirs.
-fn mean_picture(known: &[Vec<f32>], theirs: &Picture) -> Picture {
-    let mean: Vec<f32> = mean_of(known).into_iter().map(|value| value as f32).collect();
-    picture_of(&mean, theirs)
+/// The radiance of a picture whose values are stored in this way.
+fn read(picture: &Picture, stored: Stored) -> Vec<f32> {
+    picture.values.as_flattened().iter().map(|value| stored.read(*value)).collect()
 }
 
-/// Stored values as a picture like theirs.
-fn picture_of(values: &[f32], theirs: &Picture) -> Picture {
+/// Radiance as a picture.
+fn picture_of(values: &[f32], size: [u32; 2]) -> Picture {
     let (colors, _) = values.as_chunks::<3>();
-    Picture { values: colors.to_vec(), ..theirs.clone() }
+    let (values, transfer) = (colors.to_vec(), Transfer::Linear);
+    Picture { size, values, transfer, step: None, notes: Vec::new() }
 }
 
 fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {
@@ -260,29 +261,6 @@ fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {
         Stored::Integers { transfer, .. } => transfer,
         _ => theirs.transfer,
     }
-}
-
-/// Where all replicas agree against the picture and the pixel is on an edge, the picture gets our value: on which side
-/// it falls is rounding. Returns the number of such pixels.
-fn set_edges_apart(values: &mut [f32], world: &World, known: &[Vec<f32>], stored: Stored) -> usize {
-    let width = world.picture_size()[0] as usize;
-    let first = &known[0];
-    let is_apart = |at: usize, x: f32| {
-        let own = f64::from(first[at]);
-        let agrees = |x: f32| (f64::from(x) - own).abs() <= stored.tolerance(own);
-        known.iter().all(|it| agrees(it[at])) && !agrees(x)
-    };
-    let apart: Vec<usize> = (0..values.len() / 3)
-        .filter(|pixel| (3 * pixel..3 * pixel + 3).any(|at| is_apart(at, values[at])))
-        .collect();
-    let on_edges: Vec<usize> = apart
-        .into_par_iter()
-        .filter(|pixel| is_edge(world, [pixel % width, pixel / width].map(|x| x as u32), stored))
-        .collect();
-    for pixel in &on_edges {
-        values[3 * pixel..3 * pixel + 3].copy_from_slice(&first[3 * pixel..3 * pixel + 3]);
-    }
-    on_edges.len()
 }
 
 /// Where the picture differs, the farthest out first; no two regions share a pixel.

@@ -1,18 +1,57 @@
-//! Pixels on an edge: their colour changes when their rays move by a rounding error.
+//! Pixels in which all our replicas agree, and another correct picture need not: on an edge, a rounding error decides;
+//! and samples that differ may have the same mean in each of our stratified sets.
 
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace;
 use groundtruth::world::World;
+use rayon::prelude::*;
 
 use super::stored::Stored;
 
 /// The rays move by so many pixels in each direction.
 const STEP: f64 = 1e-6;
 
+/// Where all replicas agree against a picture and need not, the picture gets our value. Returns the number of such
+/// pixels.
+pub fn set_apart(theirs: &mut [f32], world: &World, known: &[Vec<f32>], stored: Stored) -> usize {
+    let width = world.picture_size()[0] as usize;
+    let ours = &known[0];
+    let is_same = |x: f32, y: f32| {
+        let [x, y] = [x, y].map(f64::from);
+        (x - y).abs() <= stored.tolerance(x)
+    };
+    let is_agreed = |at: usize| known.iter().all(|it| is_same(ours[at], it[at]));
+    let is_fixed = (0..ours.len()).all(is_agreed);
+    let differs = |at: usize| !is_same(ours[at], theirs[at]) && is_agreed(at);
+    let apart: Vec<usize> =
+        (0..theirs.len() / 3).filter(|pixel| (3 * pixel..3 * pixel + 3).any(differs)).collect();
+    let apart: Vec<usize> = apart
+        .into_par_iter()
+        .filter(|pixel| {
+            let at = [pixel % width, pixel / width].map(|x| x as u32);
+            is_edge(world, at, stored) || !is_fixed && samples_differ(world, at, stored)
+        })
+        .collect();
+    for pixel in &apart {
+        theirs[3 * pixel..3 * pixel + 3].copy_from_slice(&ours[3 * pixel..3 * pixel + 3]);
+    }
+    apart.len()
+}
+
+/// Whether the samples of a pixel have different colours.
+fn samples_differ(world: &World, pixel: [u32; 2], stored: Stored) -> bool {
+    let mut samples = (0..world.samples_per_pixel())
+        .map(|index| render::sample(world, pixel, index, &mut ()).to_array());
+    let first = samples.next().unwrap_or_default();
+    samples.any(|sample| {
+        sample.into_iter().zip(first).any(|(x, y)| (x - y).abs() > stored.tolerance(y))
+    })
+}
+
 /// Whether the stored colour of a pixel changes when its rays move by a millionth of a pixel: on which side of an edge
 /// such a pixel falls, a renderer's rounding decides.
-pub fn is_edge(world: &World, pixel: [u32; 2], stored: Stored) -> bool {
+fn is_edge(world: &World, pixel: [u32; 2], stored: Stored) -> bool {
     let value = |color: Rgb| {
         let mut film = groundtruth::film::Film::new(1, 1);
         film.set([0, 0], color);

@@ -18,7 +18,7 @@ mod verdict;
 
 pub use areas::{Area, Areas};
 pub use case::{Case, Renders};
-pub use edges::is_edge;
+pub use edges::set_apart;
 pub use means::{Answer, Means};
 pub use plants::{Plant, planted, smallest_gains};
 pub use pool::{Against, Pool};

@@ -189,6 +189,7 @@ impl Map {
             variances.push(with_floor.collect());
             differences.push(difference);
         }
+        leave_out_bright(pool, picture, &mut differences, &mut variances);
         let three = |all: Vec<Vec<f64>>| <[Vec<f64>; 3]>::try_from(all).expect("three channels");
         Self { differences: three(differences), variances: three(variances), alone }
     }
@@ -251,6 +252,29 @@ impl Map {
     }
 }
 
+/// Noise near the largest value that can be stored is cut on one side: so many standard deviations below it count.
+const NEAR_LARGEST: f64 = 3.0;
+
+/// Leaves out the pixels of which a channel is near the largest value.
+fn leave_out_bright(
+    pool: &Pool,
+    picture: usize,
+    differences: &mut [Vec<f64>],
+    variances: &mut [Vec<f64>],
+) {
+    let largest = pool.stored.largest();
+    for pixel in 0..variances[0].len() {
+        let is_near = (0..3).any(|channel| {
+            let mean = pool.mean_of_others(picture, 3 * pixel + channel);
+            mean + NEAR_LARGEST * variances[channel][pixel].sqrt() > largest
+        });
+        if is_near {
+            differences.iter_mut().for_each(|channel| channel[pixel] = 0.0);
+            variances.iter_mut().for_each(|channel| channel[pixel] = 0.0);
+        }
+    }
+}
+
 /// The differences of a channel of a picture from the mean of the others, where the others vary.
 struct Residuals {
     difference: Vec<f64>,
@@ -277,11 +301,15 @@ impl Residuals {
     }
 }
 
+/// A block's detail counts at most this many times the variance of the others, so that single bright pixels do not
+/// decide.
+const MOST_DETAIL: f64 = 16.0;
+
 /// The square of the finest details of a picture's difference from the others, relative to the variance of these: the
-/// median over blocks of two by two pixels, so that single bright pixels do not count.
+/// mean over blocks of two by two pixels.
 fn detail(pool: &Pool, picture: usize) -> f64 {
     let [width, height] = pool.size;
-    let mut ratios = Vec::new();
+    let (mut sum, mut count) = (0.0, 0.0_f64);
     for channel in 0..3 {
         let Residuals { difference, variance, varied } =
             Residuals::of(pool, picture, channel, &mut vec![0.0; width * height]);
@@ -289,14 +317,15 @@ fn detail(pool: &Pool, picture: usize) -> f64 {
             for x in (0..width - width % 2).step_by(2) {
                 let block = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[i, j]| (y + j) * width + x + i);
                 let total: f64 = block.iter().map(|pixel| variance[*pixel]).sum();
-                if block.iter().all(|pixel| varied[*pixel]) && total > 0.0 {
+                if block.iter().any(|pixel| varied[*pixel]) && total > 0.0 {
                     let [a, b, c, d] = block.map(|pixel| difference[pixel]);
-                    ratios.push(power(a - b - c + d, 2.0) / total);
+                    sum += (power(a - b - c + d, 2.0) / total).min(MOST_DETAIL);
+                    count += 1.0;
                 }
             }
         }
     }
-    quantile(&ratios, 0.5).unwrap_or(0.0)
+    sum / count.max(1.0)
 }
 
 /// The variance of a picture's noise around each pixel, from the finest details of its differences: noise has them,

@@ -73,7 +73,8 @@ impl Stored {
         all
     }
 
-    /// The values of our picture, stored like this: three channels a pixel, row by row from the top left.
+    /// The radiance of our picture's values, as it is read back if it is stored like this: three channels a pixel, row
+    /// by row from the top left.
     pub fn values(self, film: &Film) -> Vec<f32> {
         film.pixels().iter().flat_map(|color| self.color(*color)).collect()
     }
@@ -96,9 +97,25 @@ impl Stored {
                 color.to_array().map(|radiance| {
                     let value = transfer.encoded(radiance.clamp(0.0, 1.0)) / step;
                     let integer = if truncated { value.floor() } else { value.round() };
-                    (integer * step) as f32
+                    self.read((integer * step) as f32)
                 })
             }
+        }
+    }
+
+    /// The radiance of a stored value.
+    pub fn read(self, value: f32) -> f32 {
+        match self {
+            Self::Integers { transfer, .. } => transfer.decoded(f64::from(value)) as f32,
+            Self::Floats { .. } | Self::SharedExponent => value,
+        }
+    }
+
+    /// The largest radiance that can be stored.
+    pub fn largest(self) -> f64 {
+        match self {
+            Self::Integers { .. } => 1.0,
+            Self::Floats { .. } | Self::SharedExponent => f64::INFINITY,
         }
     }
 
@@ -117,7 +134,12 @@ impl Stored {
     /// The length of the interval of radiance that is stored as one value.
     fn interval(self, value: f64) -> f64 {
         match self {
-            Self::Integers { step, .. } => step,
+            Self::Integers { step, transfer, .. } => {
+                let middle = transfer.encoded(value.clamp(0.0, 1.0));
+                let [low, high] =
+                    [-0.5, 0.5].map(|half| transfer.decoded((middle + half * step).max(0.0)));
+                high - low
+            }
             Self::Floats { bits: 24 } => ROUNDING * value.abs(),
             Self::Floats { bits } => value.abs() * f64::from(2_u32.pow(bits - 1)).recip(),
             // of its own magnitude; smaller channels of a colour have larger ones
