@@ -5,7 +5,9 @@ use groundtruth::math::Pcg32;
 use groundtruth::samplers;
 use groundtruth::world::World;
 use harness::compare::Transfer;
-use harness::verdict::{Areas, Bright, Decision, Judged, Stored, Strictness, set_apart};
+use harness::verdict::{
+    Areas, Bright, Decision, Judged, Stored, Strictness, is_alike, is_nearer, noise, set_apart,
+};
 use rayon::prelude::*;
 
 use super::pictures::{films, scene, with_sampler, world};
@@ -38,14 +40,19 @@ struct Shared {
     world: World,
     areas: Areas,
     films: Vec<Film>,
+    /// Of independent samples.
+    independent: Vec<Film>,
 }
 
 impl Shared {
     fn new(name: &str, [side, samples, replicas]: [u32; 3]) -> Self {
         let mut world = world(&scene(name, [side; 2], samples), 1);
         let areas = Areas::of(&world);
-        let films = films(&mut world, (1000..).take(replicas as usize));
-        Self { world, areas, films }
+        let seeds = (1000..).take(replicas as usize);
+        let usual = films(&mut world, seeds.clone());
+        let random = with_sampler(scene(name, [side; 2], samples), samplers::Random {}.into());
+        let independent = films(&mut super::pictures::world(&random, 1), seeds);
+        Self { world, areas, films: usual, independent }
     }
 
     /// The verdict on a picture, with replicas in an order that follows from a seed.
@@ -56,11 +63,20 @@ impl Shared {
             let j = i + random.below((order.len() - i) as u32) as usize;
             order.swap(i, j);
         }
-        let mut next = order.into_iter().map(|index| stored.values(&self.films[index]));
-        let mut known: Vec<_> = next.by_ref().take(STRICTNESS.first).collect();
-        let mut theirs = stored.values(theirs);
-        set_apart(&mut theirs, &self.world, &known, stored);
         let subject = (&self.areas, stored);
+        let mut theirs = stored.values(theirs);
+        let first = |films: &[Film]| -> Vec<Vec<f32>> {
+            order[..STRICTNESS.first].iter().map(|index| stored.values(&films[*index])).collect()
+        };
+        let mut films = &self.films;
+        let usual = noise(&theirs, subject, &first(films));
+        if !is_alike(usual) && is_nearer(noise(&theirs, subject, &first(&self.independent)), usual)
+        {
+            films = &self.independent;
+        }
+        let mut known = first(films);
+        let mut next = order[STRICTNESS.first..].iter().map(|index| stored.values(&films[*index]));
+        set_apart(&mut theirs, &self.world, &known, stored);
         Judged::of(&theirs, subject, STRICTNESS, &mut known, || next.next()).expect("enough")
     }
 }
@@ -130,13 +146,13 @@ fn alarms(scenes: &[&str], each: u64, replicas: u32) -> [u64; 2] {
 
 /// Law: few correct pictures are called wrong, though they are made in other ways than ours: other samplers, other
 /// numbers of samples, 8 bits, half precision, single bright pixels. Oracle: the binomial distribution at the level:
-/// of 3,240, more than 51 have a probability of about 1e-3.
+/// of 3,024, more than 47 have a probability of about 1e-3.
 #[test]
 #[ignore = "cost: cargo test --release --test verdict -- --ignored"]
 fn few_correct_pictures_of_thousands_are_called_wrong() {
-    let [count, alarms] = alarms(&SCENES, 60, 250);
+    let [count, alarms] = alarms(&SCENES, 56, 250);
     println!("{alarms} false alarms of {count}");
-    assert!(alarms <= 51, "{alarms} of {count} correct pictures are called wrong");
+    assert!(alarms <= 47, "{alarms} of {count} correct pictures are called wrong");
 }
 
 /// Law: the same, for few. Oracle: of 108, more than 6 have a probability below 1e-3 at the level.
@@ -149,35 +165,37 @@ fn few_correct_pictures_are_called_wrong() {
 #[test]
 #[ignore = "debug"]
 fn debug() {
-    for (name, sampler, samples) in [
-        ("ch18/environment", true, 16),
-        ("ch25/sphere", false, 4),
-        ("ch25/sphere", true, 16),
-        ("ch26/cornell-box", true, 64),
+    for (name, sampler, samples, stored) in [
+        ("ch18/rectangle", true, 16, FLOATS),
+        ("ch18/rectangle", true, 16, BYTES),
+        ("ch25/sphere", true, 64, FLOATS),
+        ("ch10/near-focus", true, 64, FLOATS),
+        ("ch26/cornell-box", true, 16, FLOATS),
     ] {
         let shared = Shared::new(name, [24, SAMPLES, 100]);
         let mut scene = scene(name, [24; 2], samples);
         if sampler {
             scene = with_sampler(scene, samplers::Random {}.into());
         }
-        for film in films(&mut world(&scene, 1), 50_000..50_003) {
-            let stored = FLOATS;
-            let judged = shared.judged(&film, stored, 1);
+        for (i, film) in films(&mut world(&scene, 1), 50_000..50_060).iter().enumerate() {
+            let judged = shared.judged(&film, stored, i as u64);
             let t = judged.pool.len() - 1;
             let r = &judged.ranking;
-            println!(
-                "{name} {samples} R {t} noise {} coarse {} theirs {:?}",
-                r.noise[t], judged.is_coarse, r.largest[t]
-            );
+            if judged.decision != Decision::Differs {
+                continue;
+            }
+            println!("{name} {samples} R {t} noise {} coarse {}", r.noise[t], judged.is_coarse);
             for k in 0..r.largest[t].len() {
                 let mut v: Vec<f64> = (0..t).map(|q| r.largest[q][k]).collect();
                 v.sort_by(f64::total_cmp);
-                println!(
-                    "   level {k}: theirs {:.2} median {:.2} max {:.2}",
-                    r.largest[t][k],
-                    v[v.len() / 2],
-                    v[v.len() - 1]
-                );
+                if r.largest[t][k] > 0.8 * v[v.len() - 1] {
+                    println!(
+                        "   level {k}: theirs {:.2} median {:.2} max {:.2}",
+                        r.largest[t][k],
+                        v[v.len() / 2],
+                        v[v.len() - 1]
+                    );
+                }
             }
         }
     }

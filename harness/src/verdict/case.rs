@@ -2,13 +2,15 @@
 
 use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::render::{Canvas, Crop};
+use groundtruth::samplers;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
 use super::plants::brighter;
 use super::verdict::{Region, Verdict};
 use super::{
-    Area, Areas, Decision, Judged, Map, Plant, Stored, Strictness, planted, set_apart, smallest_gains,
+    Area, Areas, Decision, Judged, Map, Plant, Stored, Strictness, is_alike, is_nearer, noise,
+    planted, set_apart, smallest_gains,
 };
 use crate::compare::{
     self, Change, Decoded, Picture, Transfer, changes_that_explain, distance_of,
@@ -46,6 +48,7 @@ struct Replicas<'a, 'b> {
     world: &'a mut World,
     /// In which direction film points are off by half a pixel.
     direction: [i32; 2],
+    first: u64,
     next: u64,
     films: Vec<Film>,
     renders: Renders<'b>,
@@ -69,6 +72,15 @@ impl Replicas<'_, '_> {
         is_whole.then(|| canvas.film())
     }
 
+    /// The first ones with another sampler; the former ones are returned.
+    fn resample(&mut self, sampler: Option<samplers::Kind>) -> Option<Vec<Film>> {
+        let (count, former) = (self.films.len(), std::mem::take(&mut self.films));
+        self.world.image.sampler = sampler;
+        self.next = self.first;
+        self.fill(count)?;
+        Some(former)
+    }
+
     /// Renders until there are so many films.
     fn fill(&mut self, count: usize) -> Option<()> {
         while self.films.len() < count {
@@ -88,18 +100,21 @@ impl Case<'_> {
         let mut replicas = Replicas {
             world: self.world,
             direction: [0, 0],
+            first: seed,
             next: seed,
             films: Vec::new(),
             renders,
         };
         replicas.fill(strictness.first)?;
         let judge = Judge { areas: &areas, strictness, transfer, tone };
+        let independent = judge.match_noise(theirs, &mut replicas)?;
         let mut known = Vec::new();
         let (stored, judged, edges) = judge.judged(theirs, &mut replicas, &mut known)?;
         if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
             return Some(Verdict::equal(stored, seed + equal as u64, &judged, &areas));
         }
         let mut verdict = Verdict::of(stored, &judged, &areas, strictness, edges);
+        verdict.independent = independent;
         match judged.decision {
             Decision::Differs => {
                 verdict.regions = regions(&judged, &areas);
@@ -130,6 +145,29 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
+    /// If their noise is unlike ours, ours is made of independent samples if that is nearer to theirs; whether it is.
+    fn match_noise(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<bool> {
+        let before = self.noise(theirs, &replicas.films);
+        if is_alike(before) || replicas.world.samples_per_pixel() == 1 {
+            return Some(false);
+        }
+        let (usual, next) = (replicas.world.image.sampler.clone(), replicas.next);
+        let former = replicas.resample(Some(samplers::Random {}.into()))?;
+        let is_nearer = is_nearer(self.noise(theirs, &replicas.films), before);
+        if !is_nearer {
+            replicas.world.image.sampler = usual;
+            (replicas.films, replicas.next) = (former, next);
+        }
+        Some(is_nearer)
+    }
+
+    fn noise(&self, theirs: &Picture, films: &[Film]) -> f64 {
+        let candidates = Stored::candidates(theirs, self.transfer, self.tone);
+        let stored = likeliest(&candidates, theirs, films);
+        let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
+        noise(&read(theirs, stored), (self.areas, stored), &known)
+    }
+
     /// The most likely way in which the values are stored, the judgement, and the number of pixels on edges that were
     /// set apart. `known` becomes our replicas, stored alike.
     fn judged(

@@ -27,6 +27,7 @@ pub use several::{WelchTest, several};
 pub use stored::{Bright, Stored};
 pub use verdict::{Region, Verdict};
 
+use groundtruth::math::ln;
 use serde::Serialize;
 
 /// What is said of a picture.
@@ -77,6 +78,27 @@ const AS_FAR: usize = 3;
 /// Noise from this part of ours to its inverse is like ours.
 const ALIKE: f64 = 0.8;
 
+/// The noise of a picture relative to that of these replicas, at least three; all are stored alike.
+pub fn noise(theirs: &[f32], (areas, stored): (&Areas, Stored), known: &[Vec<f32>]) -> f64 {
+    Ranking::of(&pool(theirs, (areas, stored), known), areas, 0).noise[known.len()]
+}
+
+/// Whether noise of this part of ours is like ours.
+pub fn is_alike(noise: f64) -> bool {
+    (ALIKE..=1.0 / ALIKE).contains(&noise)
+}
+
+/// Whether noise of the part `a` of some replicas is nearer to theirs than noise of the part `b` of others.
+pub fn is_nearer(a: f64, b: f64) -> bool {
+    ln(a).abs() < ln(b).abs()
+}
+
+/// The replicas, and the judged picture as the last.
+fn pool(theirs: &[f32], (areas, stored): (&Areas, Stored), known: &[Vec<f32>]) -> Pool {
+    let pictures = known.iter().cloned().chain([theirs.to_vec()]).collect();
+    Pool::new(areas.size, stored, pictures)
+}
+
 impl Strictness {
     /// The most replicas that can change the decision.
     pub fn most(self) -> usize {
@@ -118,11 +140,10 @@ impl Judged {
 
     /// A picture held against the replicas that there are.
     fn now(theirs: &[f32], (areas, stored): (&Areas, Stored), known: &[Vec<f32>]) -> Self {
-        let pictures = known.iter().cloned().chain([theirs.to_vec()]).collect();
-        let pool = Pool::new(areas.size, stored, pictures);
+        let pool = pool(theirs, (areas, stored), known);
         let (last, is_fixed) = (known.len(), pool.is_fixed_but_for(known.len()));
         let mut ranking = Ranking::of(&pool, areas, 0);
-        let is_coarse = !(ALIKE..=1.0 / ALIKE).contains(&ranking.noise[last]);
+        let is_coarse = !is_alike(ranking.noise[last]);
         if is_coarse {
             ranking = Ranking::of(&pool, areas, 2.min(areas.levels() - 1));
         }

@@ -39,6 +39,9 @@ pub enum Level {
     Objects,
     /// The number of values in which a picture differs from what all others agree on.
     Alone,
+    /// As `Alone`, but only pixels count whose neighbours differ so too: noise that is unlike that of the others
+    /// reaches a little farther than theirs.
+    AloneInside,
 }
 
 /// An area in which a picture differs from the others.
@@ -67,7 +70,8 @@ impl Ranking {
         };
         let noise: Vec<f64> = details.iter().map(factor).collect();
         let mut levels: Vec<Level> = (from..areas.levels()).map(Level::Tiles).collect();
-        levels.extend([Level::Objects, Level::Alone]);
+        let alone = if from == 0 { Level::Alone } else { Level::AloneInside };
+        levels.extend([Level::Objects, alone]);
         let largest: Vec<Vec<f64>> = all
             .into_par_iter()
             .map(|picture| {
@@ -142,7 +146,7 @@ fn scores(largest: &[Vec<f64>], levels: &[Level], of: &[usize]) -> Vec<f64> {
         let deviation = (squares / (values.len() as f64 - 1.0)).sqrt();
         let deviation = match level {
             // twice the root of a rare event's count has the standard deviation 1
-            Level::Alone => deviation.max(1.0),
+            Level::Alone | Level::AloneInside => deviation.max(1.0),
             _ => deviation,
         };
         for (score, largest) in scores.iter_mut().zip(largest) {
@@ -195,8 +199,11 @@ impl Map {
     }
 
     fn largest(&self, areas: &Areas, level: Level) -> f64 {
-        if level == Level::Alone {
-            return 2.0 * self.alone.iter().sum::<f64>().sqrt();
+        let root_of = |counts: &[f64]| 2.0 * counts.iter().sum::<f64>().sqrt();
+        match level {
+            Level::Alone => return root_of(&self.alone),
+            Level::AloneInside => return root_of(&inside(&self.alone, areas.size)),
+            Level::Tiles(_) | Level::Objects => {}
         }
         self.differences(areas, level).map(|it| it.z.abs()).fold(0.0, f64::max)
     }
@@ -212,7 +219,7 @@ impl Map {
                 (1..=level).fold(values.to_vec(), |sums, level| areas.coarser(&sums, level))
             }
             Level::Objects => areas.by_object(values),
-            Level::Alone => Vec::new(),
+            Level::Alone | Level::AloneInside => Vec::new(),
         };
         (0..3).flat_map(move |channel| {
             let differences = sums(&self.differences[channel]);
@@ -338,6 +345,17 @@ fn own_variance(difference: &[f64], size @ [width, height]: [usize; 2]) -> Vec<f
         0.25 * power(a - b - c + d, 2.0)
     };
     around(&(0..difference.len()).map(detail).collect::<Vec<f64>>(), size)
+}
+
+/// The counts that are not 0 and have no neighbour that is.
+fn inside(counts: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
+    let is_inside = |pixel: usize| {
+        let near = |at: usize, length: usize| at.saturating_sub(1)..=(at + 1).min(length - 1);
+        let (x, y) = (pixel % width, pixel / width);
+        near(y, height).all(|row| near(x, width).all(|column| counts[row * width + column] > 0.0))
+    };
+    let count = |pixel| if is_inside(pixel) { counts[pixel] } else { 0.0 };
+    (0..counts.len()).map(count).collect()
 }
 
 /// The mean over the neighbours of each value, itself among them.

@@ -24,6 +24,8 @@ pub struct Verdict {
     pub noise: f64,
     /// Whether single pixels and pairs of them were left out, because the noise is unlike ours.
     pub coarse: bool,
+    /// Whether ours are made of independent samples, because the noise is nearer to that of these.
+    pub independent: bool,
     /// The number of our pictures that it was held against.
     pub replicas: usize,
     /// The number of these that are at least as far out.
@@ -79,6 +81,7 @@ impl Verdict {
             means: Means::of(&judged.pool, areas, noise, 1.0 - strictness.level),
             noise,
             coarse: judged.is_coarse,
+            independent: false,
             replicas: theirs,
             as_far: judged.ranking.as_far_as(theirs),
             level: strictness.level,
