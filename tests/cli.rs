@@ -141,6 +141,19 @@ const ERRORS: &[(&[&str], &str)] = &[
          them) nor a file; did you mean `ch03/single-sphere`?",
     ),
     (
+        &["describe", "ch03/single-spheres"],
+        "error: no scene `ch03/single-spheres`: neither a gallery name (`groundtruth list` shows \
+         them) nor a file; did you mean `ch03/single-sphere`?",
+    ),
+    (
+        &["describe", "no.toml"],
+        "error: no.toml: cannot be read: No such file or directory (os error 2)",
+    ),
+    (
+        &["describe", "ch03/single-sphere", "--seed", "7"],
+        "error: the seed changes only the noise of a picture, not the scene; leave out --seed",
+    ),
+    (
         &["goldens", "accept", "ch03/single-sphere", "--because", "x", "--samples", "0"],
         "error: invalid value '0' for '--samples <N>': 0 is not in 1..=65536",
     ),
@@ -226,6 +239,7 @@ fn good_commands_have_status_0() {
         &["explain", "ch03/single-sphere", "100", "100"],
         &["explain", "ch28/glass-sphere", "300", "300", "--all", "--json"],
         &["export", "ch14/page-one"],
+        &["describe", "ch14/page-one", small[0], small[1], "--samples", "4"],
         &["--help"],
         &["--version"],
         &["probe"],
@@ -247,6 +261,7 @@ fn help_speaks_of_every_option() {
         ("merge", &["--output", "--standard-error", "--audit", "--scene", "not one picture"]),
         ("explain", &["<X>", "<Y>", "--sample", "--all", "--min-share", "--largest", "--json"]),
         ("export", &["--output", "--replace"]),
+        ("describe", &["another renderer", "formulas"]),
         ("kinds", &["--page", "--schema", "docs/scene.md"]),
         ("probe", &["docs/probe.md"]),
     ] {

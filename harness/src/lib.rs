@@ -1,12 +1,13 @@
 //! The harness of Groundtruth: what judges the tracer, and what others ask it.
 //!
 //! [`compare`] holds two pictures against each other, [`verify`] holds what checks pictures, statistics and
-//! intersections, [`report`] measures what to choose, [`sums`] adds replicas exactly, [`probe`] answers questions in
+//! intersections, [`mod@describe`] puts a scene into words, [`report`] measures what to choose, [`sums`] adds replicas exactly, [`probe`] answers questions in
 //! JSON, [`mod@reference`] says what a scene file can say. The binary
 //! `groundtruth` is the command line of all of it.
 
 pub mod compare;
 pub mod conform;
+pub mod describe;
 mod html;
 pub mod probe;
 pub mod reference;

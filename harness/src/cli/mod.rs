@@ -5,6 +5,7 @@
 
 mod compare;
 mod conform;
+mod describe;
 mod explain;
 mod export;
 mod goldens;
@@ -45,6 +46,11 @@ enum Command {
     Explain(explain::Explain),
     /// Write a scene as a scene file
     Export(export::Export),
+    /// Describe a scene in words and numbers, to build it in another renderer
+    ///
+    /// Prints the conventions, the ray of each film point, every light, material and object with all of its numbers,
+    /// the formulas of light, and what each word means. No file of ours is needed to use it.
+    Describe(describe::Describe),
     /// Compare two pictures, or a picture and a scene
     ///
     /// Prints what differs, where, and which simple change explains it (a flip, a shift by a pixel, an order of
@@ -109,6 +115,7 @@ pub fn run() -> ExitCode {
         Command::Render(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Describe(command) => command.run(),
         Command::Compare(command) => command.run(),
         Command::Conform(command) => command.run(),
         Command::Merge(command) => command.run(),

@@ -105,6 +105,11 @@ impl SceneArguments {
         Ok((scene, world))
     }
 
+    /// The name of the scene, as it was given.
+    pub fn name(&self) -> &str {
+        &self.scene
+    }
+
     /// The folder of a scene file; `None` for a gallery scene.
     pub fn folder(&self) -> Option<&Path> {
         match gallery::find(&self.scene) {

@@ -109,7 +109,7 @@ impl Verify {
 
     /// The commands that explain the worst pixels.
     fn advice(&self, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
-        let scene = &self.scene.arguments()[0];
+        let scene = self.scene.name();
         let commands: Vec<String> = verdict
             .regions
             .iter()

@@ -1,0 +1,151 @@
+//! A scene in plain words and numbers, from which a person can build it in another renderer.
+//!
+//! The settings are read from the scene's data, walked along the [`schema`](groundtruth::scene::schema()), and their
+//! meaning from its doc comments, so that a new kind is described without a word here. Written by hand are the
+//! conventions, the ray of the camera, the tracers, and the formulas of lights and materials.
+
+mod camera;
+mod details;
+mod drawings;
+mod files;
+mod lights;
+mod materials;
+mod page;
+mod picture;
+mod random;
+mod tables;
+mod tracer;
+mod values;
+mod words;
+
+use std::error::Error;
+use std::path::Path;
+
+use serde_json::Value;
+
+use groundtruth::printable;
+use groundtruth::scene::vocabulary::Definition;
+use groundtruth::scene::{self, Intersect, Scene};
+use groundtruth::world::World;
+
+use tables::{field_of_scene, table};
+use values::Values;
+
+pub use details::DETAILS;
+pub use drawings::FORMULAS as DRAWING_FORMULAS;
+pub use lights::FORMULAS as LIGHT_FORMULAS;
+pub use materials::FORMULAS as MATERIAL_FORMULAS;
+
+/// The description of a scene and its world. File names in the scene are relative to `folder`.
+///
+/// # Errors
+/// The scene has a kind of a user's own, or a file cannot be read any more.
+pub fn describe(
+    name: &str,
+    scene: &Scene,
+    world: &World,
+    folder: &Path,
+) -> Result<String, Box<dyn Error>> {
+    let data = data_of(scene)?;
+    let mut to = Values::default();
+    to.page.line(0, &format!("Scene {}: {}", printable::text(name), printable::text(&scene.about)));
+    picture::conventions(&mut to);
+    picture::write(&mut to, scene, world, &data);
+    camera::write(&mut to, scene, world, &data);
+    tracer::write(&mut to, scene, &data);
+    to.page.heading("Background");
+    to.page.say("What a ray has that hits nothing.");
+    to.page.blank();
+    to.value(0, "background", &data["background"], field_of_scene("background"));
+    lights(&mut to, &data);
+    materials(&mut to, &data);
+    objects(&mut to, scene, &data);
+    let Values { mut page, words } = to;
+    files::write(&mut page, &data, folder)?;
+    random::write(&mut page, &data);
+    page.heading("Words");
+    words.write(&mut page);
+    Ok(page.into_text())
+}
+
+/// The data of a scene, as its file says it.
+fn data_of(scene: &Scene) -> Result<Value, Box<dyn Error>> {
+    let mut data: Value = toml::from_str(&scene::to_toml(scene)?)?;
+    // a file leaves out the box
+    data["image"]["filter"] = serde_json::to_value(&scene.image.filter)?;
+    Ok(data)
+}
+
+fn lights(to: &mut Values, data: &Value) {
+    to.page.heading("Lights");
+    if items(data, "lights").is_empty() {
+        return to.page.say("There are none.");
+    }
+    for (number, light) in (1..).zip(items(data, "lights")) {
+        entry(to, "Light", number, table("Light"), light);
+    }
+    formulas(to, "lights", "At a hit, a light of the kind", lights::FORMULAS);
+}
+
+fn materials(to: &mut Values, data: &Value) {
+    to.page.heading("Materials");
+    for (number, material) in (1..).zip(items(data, "materials")) {
+        entry(to, "Material", number, table("Material"), material);
+    }
+    formulas(to, "materials", "A surface of the kind", materials::FORMULAS);
+    if to.words.uses_any_of("textures") || to.words.uses_any_of("bumps") {
+        to.page.say(LOCAL_POINT);
+    }
+}
+
+const LOCAL_POINT: &str = "\
+Textures and bumps are looked up at the local point: the point that is hit, in the coordinates in which the \
+numbers of its shape are given, before the steps of the `instance` shapes and the shifts of the lattices around it.";
+
+const TEXTBOOK: &str = "\
+Some objects are intersected as the book prints it (`textbook`), with its errors: a ray that leaves a surface starts \
+at the hit point itself, and hits at a distance below epsilon are ignored. epsilon is 0.001 where it is left out, and \
+the settings below hold for objects that have none of their own.";
+
+fn objects(to: &mut Values, scene: &Scene, data: &Value) {
+    to.page.heading("Objects");
+    to.page.say(
+        "If a ray hits two objects at the same distance, the first of them in this list counts.",
+    );
+    if scene.intersections() != Some(Intersect::Robust) {
+        to.page.say(TEXTBOOK);
+        to.page.blank();
+        for name in ["intersect", "epsilon"] {
+            if let Some(value) = data.get(name) {
+                to.value(0, name, value, field_of_scene(name));
+            }
+        }
+    }
+    for (number, object) in (1..).zip(items(data, "objects")) {
+        entry(to, "Object", number, table("Object"), object);
+    }
+}
+
+/// One light, material or object.
+fn entry(to: &mut Values, what: &str, number: usize, table: Definition, item: &Value) {
+    to.page.blank();
+    let is_on = item["enabled"] != Value::Bool(false);
+    let off = if is_on { "" } else { ", which is switched off: it is not part of the picture" };
+    to.page.line(0, &format!("{what} {number}{off}"));
+    to.fields(2, table, item);
+}
+
+fn items<'a>(data: &'a Value, list: &str) -> &'a [Value] {
+    data[list].as_array().map_or(&[], Vec::as_slice)
+}
+
+/// The formulas of the kinds of a list that the scene uses.
+fn formulas(to: &mut Values, list: &str, beginning: &str, all: &[(&str, &str)]) {
+    let mut is_first = true;
+    for (tag, formula) in all.iter().filter(|(tag, _)| to.words.uses(list, tag)) {
+        if std::mem::take(&mut is_first) {
+            to.page.blank();
+        }
+        to.page.line(0, &format!("{beginning} `{tag}`: {formula}"));
+    }
+}
