@@ -13,6 +13,7 @@ mod pool;
 mod ranking;
 mod several;
 mod stored;
+mod terms;
 #[expect(clippy::module_inception, reason = "the file of the type of this name")]
 mod verdict;
 
@@ -25,6 +26,7 @@ pub use pool::{Against, Pool};
 pub use ranking::{Difference, Level, Map, Ranking};
 pub use several::{WelchTest, several};
 pub use stored::{Bright, Stored};
+pub use terms::{Factor, factors, terms};
 pub use verdict::{Region, Verdict};
 
 use groundtruth::math::ln;
