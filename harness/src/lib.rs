@@ -8,6 +8,7 @@
 pub mod compare;
 pub mod conform;
 mod html;
+pub mod mistakes;
 pub mod probe;
 pub mod reference;
 pub mod report;
