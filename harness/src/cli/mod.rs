@@ -11,6 +11,7 @@ mod goldens;
 mod kinds;
 mod list;
 mod merge;
+mod mistakes;
 mod probe;
 mod render;
 mod replicas;
@@ -64,6 +65,11 @@ enum Command {
     /// replica is missing; 1 if some are (the commands that render them are printed) or if parts contradict each other;
     /// 2 if a file is damaged or of another scene.
     Merge(merge::Merge),
+    /// List known mistakes of ray tracers, and the scenes that show them
+    ///
+    /// docs/mistakes.md has all of them. A picture that agrees with ours says nothing of mistakes that its scene does
+    /// not show.
+    Mistakes(mistakes::Mistakes),
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
@@ -106,6 +112,7 @@ pub fn run() -> ExitCode {
         Command::Compare(command) => command.run(),
         Command::Conform(command) => command.run(),
         Command::Merge(command) => command.run(),
+        Command::Mistakes(command) => command.run(),
         Command::Goldens(command) => command.run(),
         Command::Probe(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -9,9 +9,13 @@ mod changes;
 mod films;
 mod heard;
 mod light_terms;
+mod page;
 mod path_terms;
 mod recorder;
+mod replicas;
+mod shown;
 mod surface_terms;
+pub mod table;
 
 use std::path::Path;
 
@@ -20,7 +24,12 @@ use groundtruth::scene::Scene;
 
 pub use films::{Films, films};
 pub use heard::{RayHeard, SurfaceHeard, TermHeard};
+pub use page::page;
 pub use recorder::Reweighing;
+pub use replicas::{replica, replicas};
+pub use shown::{
+    Cover, HEADING, Pair, TABLE, fewest_scenes, not_shown_by, pairs, scenes_that_show, shown_by,
+};
 
 /// A mistake of a ray tracer in the style of the book.
 #[derive(Clone, Copy, Debug)]
@@ -92,8 +101,8 @@ impl Eq for Mistake {}
 
 /// All mistakes, by chapter.
 pub fn all() -> Vec<&'static Mistake> {
-    let lists = [surface_terms::ALL, light_terms::ALL, path_terms::ALL, changes::ALL];
-    let mut all: Vec<&Mistake> = lists.into_iter().flatten().collect();
+    let terms = [surface_terms::ALL, light_terms::ALL, path_terms::ALL];
+    let mut all: Vec<&Mistake> = terms.into_iter().chain(changes::ALL).flatten().collect();
     all.sort_by_key(|mistake| mistake.chapter);
     all
 }
