@@ -1,15 +1,15 @@
 //! The recorder's sums without a mistake.
 
-use groundtruth::film::Film;
-use groundtruth::scene::Scene;
-use groundtruth::{gallery, render, world::World};
+use groundtruth::{render, world::World};
 use harness::mistakes::{self, Mistake};
+
+use crate::stage::{bits, small};
 
 /// Columns of the pictures.
 const WIDTH: u32 = 24;
 
 /// One scene of each kind of camera, light, material, filter and tracer.
-const SCENES: [&str; 16] = [
+const SCENES: [&str; 18] = [
     "ch04/checker-mitchell",
     "ch09/tilted-up",
     "ch11/fisheye-180",
@@ -26,20 +26,9 @@ const SCENES: [&str; 16] = [
     "ch27/common-set",
     "ch28/glass-sphere",
     "ch28/snell-window",
+    "ch28/three-filters",
+    "ch29/sky-dome",
 ];
-
-/// A scene of the gallery, in a small size with few samples.
-pub fn small(name: &str, width: u32, samples: u32) -> Scene {
-    let mut scene = (gallery::find(name).unwrap_or_else(|| panic!("no scene {name}")).build)();
-    let height = (scene.image.height * width).div_ceil(scene.image.width).max(1);
-    scene.image.resize(width, height);
-    scene.image.samples = scene.image.samples.min(samples);
-    scene
-}
-
-pub fn bits(film: &Film) -> Vec<[u64; 3]> {
-    film.pixels().iter().map(|pixel| pixel.to_array().map(f64::to_bits)).collect()
-}
 
 /// Law: without a mistake the recorder's picture is the tracer's, bit for bit, also while the pictures of all mistakes
 /// are found beside it. Oracle: `render::render`, which records nothing.

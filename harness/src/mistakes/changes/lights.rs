@@ -1,20 +1,18 @@
-//! Mistakes of lights and shadows (Suffern, ch. 14, 16–18).
+//! Mistakes of lights and shadows (Suffern, ch. 14, 16, 17).
 
 use std::f64::consts::PI;
 use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
-use groundtruth::kinds::{Custom, Resources, Specification};
+use groundtruth::kinds::Custom;
 use groundtruth::lights::{
-    AmbientOccluder, Context, Kind, LampObject, Light, LightContext, LightSample, Segment, Target,
-    Unlit,
+    AmbientOccluder, Context, Kind, Light, LightContext, LightSample, Segment, Target, Unlit,
 };
-use groundtruth::math::{Frame, Point, Vector, maps};
-use groundtruth::rgb::Rgb;
+use groundtruth::math::{Frame, maps};
 use groundtruth::scene::Scene;
-use groundtruth::shapes::{self, SampledSurface, Sampling};
 
+use super::lamps::lamp_light;
 use super::{changed, has_tree_of_rays};
 use crate::mistakes::Mistake;
 
@@ -41,7 +39,7 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::scene(
         16,
         "shadow-rays-without-end",
-        "objects behind a point light block its light",
+        "shadow rays do not end at the lamp: objects behind it, and the lamp itself, block its light",
         shadow_rays_without_end,
     ),
     Mistake::scene(
@@ -50,13 +48,6 @@ pub(super) const ALL: &[Mistake] = &[
         "ambient occlusion draws directions evenly over the hemisphere instead of by the cosine",
         occluder_uniform,
     ),
-    Mistake::scene(
-        18,
-        "no-lamp-area",
-        "the light of area lights lacks the factor of the lamp's area (the density of its samples)",
-        no_lamp_area,
-    ),
-    Mistake::scene(18, "lamp-two-sided", "one-sided lamps shine from both sides", lamp_two_sided),
 ];
 
 fn with_exponent(scene: &Scene, exponent: f64) -> Option<Scene> {
@@ -90,20 +81,8 @@ fn no_shadows(scene: &Scene, _: &Path) -> Option<Scene> {
     })
 }
 
-fn lamp_two_sided(scene: &Scene, _: &Path) -> Option<Scene> {
-    changed(scene, |scene| {
-        let mut any = false;
-        for material in &mut scene.materials {
-            let is_lamp = matches!(material.recipe, groundtruth::materials::Kind::Emissive(_));
-            any |= is_lamp && !material.two_sided;
-            material.two_sided |= is_lamp;
-        }
-        any
-    })
-}
-
 /// What becomes of a sample of a light.
-type Change = Arc<dyn Fn(&LightContext, LightSample) -> LightSample + Send + Sync>;
+pub(super) type Change = Arc<dyn Fn(&LightContext, LightSample) -> LightSample + Send + Sync>;
 
 /// A light with changed samples.
 struct Changed {
@@ -148,7 +127,7 @@ impl Light for Changed {
 }
 
 /// The light with changed samples, as a kind.
-fn with_samples(light: Arc<dyn Light>, change: Change) -> Kind {
+pub(super) fn with_samples(light: Arc<dyn Light>, change: Change) -> Kind {
     Kind::Custom(Custom(Arc::new(Changed { light, change })))
 }
 
@@ -181,7 +160,7 @@ fn lit_from_behind(scene: &Scene, _: &Path) -> Option<Scene> {
     })
 }
 
-fn shadow_rays_without_end(scene: &Scene, _: &Path) -> Option<Scene> {
+fn shadow_rays_without_end(scene: &Scene, folder: &Path) -> Option<Scene> {
     let absorbs = |material: &groundtruth::scene::Material| match &material.recipe {
         groundtruth::materials::Kind::Dielectric(it) => {
             !(it.inside.absorption.is_black() && it.outside.absorption.is_black())
@@ -192,6 +171,7 @@ fn shadow_rays_without_end(scene: &Scene, _: &Path) -> Option<Scene> {
     if scene.materials.iter().any(absorbs) || !scene.camera.medium.absorption.is_black() {
         return None;
     }
+    let original = scene;
     let endless = |_: &LightContext, sample: LightSample| {
         let segment = sample.segment.map(|_| Segment::Infinity);
         LightSample { segment, ..sample }
@@ -199,10 +179,11 @@ fn shadow_rays_without_end(scene: &Scene, _: &Path) -> Option<Scene> {
     changed(scene, |scene| {
         let mut any = false;
         for light in scene.lights.iter_mut().filter(|light| light.enabled && light.shadows) {
-            let built = match light.source {
+            let built = match &light.source {
                 Kind::PointLight(_) | Kind::Spot(_) | Kind::FakeSpherical(_) => {
                     light.source.build(&mut Context::default()).ok()
                 }
+                Kind::Area(area) => lamp_light(original, folder, area),
                 _ => None,
             };
             if let Some(built) = built {
@@ -253,56 +234,6 @@ fn occluder_uniform(scene: &Scene, _: &Path) -> Option<Scene> {
                 light.source = Kind::Custom(Custom(Arc::new(uniform)));
                 any = true;
             }
-        }
-        any
-    })
-}
-
-/// What an area light needs of its object.
-fn lamp_object(scene: &Scene, folder: &Path, name: &str) -> Option<LampObject> {
-    let object = scene.objects.iter().find(|object| object.name == name && object.enabled)?;
-    let material = scene.materials.iter().find(|material| material.name == object.material)?;
-    let recipe = material.recipe.build(&mut Resources::new(folder)).ok()?;
-    let mut context = shapes::Context::new(Resources::new(folder), scene.accel);
-    let shape = object.shape.build(&mut context).ok()?;
-    let emission = recipe.emission().cloned();
-    Some(LampObject { shape, emission, two_sided: material.two_sided })
-}
-
-/// The area of a surface, from the density `d²/(A cosθ')` of a point that is drawn by area.
-fn area(surface: &dyn SampledSurface) -> Option<f64> {
-    /// Farther away than any lamp is large, in directions of which one sees a given point of it.
-    const FAR: f64 = 1e6;
-    let from =
-        [Vector::X, Vector::Y, Vector::Z].into_iter().flat_map(|axis| [FAR * axis, -FAR * axis]);
-    from.map(|vector| Point::ORIGIN + vector + 0.5 * FAR * Vector::new(0.3, 0.2, 0.1)).find_map(
-        |from| {
-            let (at, density) = surface.sample(from, [0.3, 0.6])?;
-            let way = from - at.point;
-            let cosine = at.normal.dot(way.unit()?).abs();
-            (cosine > 0.1).then(|| way.length_squared() / (cosine * density))
-        },
-    )
-}
-
-fn no_lamp_area(scene: &Scene, folder: &Path) -> Option<Scene> {
-    changed(scene, |copy| {
-        let mut any = false;
-        for light in copy.lights.iter_mut().filter(|light| light.enabled) {
-            let Kind::Area(source) = &light.source else { continue };
-            let Some(lamp) = lamp_object(scene, folder, &source.object) else { continue };
-            let Some(area) = lamp.shape.sampled(Sampling::Area).and_then(|it| area(&*it)) else {
-                continue;
-            };
-            let mut context = Context::default();
-            context.objects.insert(source.object.clone(), lamp);
-            let Ok(built) = Specification::build(source, &mut context) else { continue };
-            let weaker = move |_: &LightContext, sample: LightSample| {
-                let radiance: Rgb = sample.radiance / area;
-                LightSample { radiance, ..sample }
-            };
-            light.source = with_samples(built, Arc::new(weaker));
-            any = true;
         }
         any
     })

@@ -162,6 +162,9 @@ fn total_reflection_kr(
     material.respond(at, 1.0_f64.copysign(cos_o), response);
 }
 
+/// The borders of our cells are above the multiples of the size by this share of it.
+const OFFSET: f64 = 0.000_187_453_738;
+
 /// A solid checker whose cells on both sides of 0 have the same number.
 #[derive(Debug)]
 struct Truncated {
@@ -172,7 +175,8 @@ struct Truncated {
 impl Truncated {
     /// The point one cell further on, along axes on which it is negative: ⌊x⌋ + 1 is x truncated there.
     fn moved<'a>(&self, at: &TexturePoint<'a>) -> TexturePoint<'a> {
-        let local = at.local.to_array().map(|x| if x < 0.0 { x + self.size } else { x });
+        let truncated = |x: f64| if x < OFFSET * self.size { x + self.size } else { x };
+        let local = at.local.to_array().map(truncated);
         at.moved_to(Point::from(local))
     }
 }

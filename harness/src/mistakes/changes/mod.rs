@@ -3,6 +3,7 @@
 mod cameras;
 mod edits;
 mod instances;
+mod lamps;
 mod lights;
 mod materials;
 mod skies;
@@ -11,7 +12,7 @@ use groundtruth::scene::{Scene, Tracer};
 
 use super::Mistake;
 
-pub(super) const ALL: [&[Mistake]; 7] = [
+pub(super) const ALL: [&[Mistake]; 8] = [
     &[
         Mistake::scene(24, "one-bounce-less", "rays are traced to one depth less", |scene, _| {
             deeper_by(scene, -1)
@@ -23,6 +24,7 @@ pub(super) const ALL: [&[Mistake]; 7] = [
     cameras::ALL,
     edits::ALL,
     instances::ALL,
+    lamps::ALL,
     lights::ALL,
     materials::ALL,
     skies::ALL,
