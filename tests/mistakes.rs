@@ -1,5 +1,7 @@
 //! Known mistakes: the recorder that weighs terms anew, each mistake, and the table of the scenes that show them.
 
+#[path = "mistakes/cameras.rs"]
+mod cameras;
 #[path = "mistakes/closed_forms.rs"]
 mod closed_forms;
 #[path = "mistakes/glass.rs"]

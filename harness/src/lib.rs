@@ -1,8 +1,8 @@
 //! The harness of Groundtruth: what judges the tracer, and what others ask it.
 //!
 //! [`compare`] holds two pictures against each other, [`verify`] holds what checks pictures, statistics and
-//! intersections, [`report`] measures what to choose, [`sums`] adds replicas exactly, [`probe`] answers questions in
-//! JSON, [`mod@reference`] says what a scene file can say. The binary
+//! intersections, [`mistakes`] renders the pictures of known mistakes, [`report`] measures what to choose, [`sums`] adds
+//! replicas exactly, [`probe`] answers questions in JSON, [`mod@reference`] says what a scene file can say. The binary
 //! `groundtruth` is the command line of all of it.
 
 pub mod compare;

@@ -4,11 +4,9 @@ use std::path::Path;
 
 use groundtruth::film::Film;
 use groundtruth::lights::Ambient;
-use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Light;
 use groundtruth::shapes::{Kind, TessellatedSphere};
-use groundtruth::world::World;
 use groundtruth::{materials, textures};
 use harness::mistakes;
 
@@ -101,63 +99,6 @@ fn other_depths() {
     assert!(at_zero.expect("the scene is valid").is_none());
 }
 
-/// Law: a camera that looks through the corners of pixels is one that stands half a pixel to the left and lower. Oracle:
-/// that camera, orthographic; edges may fall on a pixel's centre.
-#[test]
-fn corners_of_pixels() {
-    let mut scene = small("ch03/three-objects", WIDTH, 1);
-    let film = with("pixel-corner", &scene);
-    let world = World::build(&scene).expect("it is valid");
-    let frame = world.view.frame();
-    let shift = -0.5 * scene.image.pixel_size * (frame.u + frame.v);
-    scene.camera.eye = scene.camera.eye + shift;
-    scene.camera.look_at = scene.camera.look_at + shift;
-    assert!(share_of_differences(&film, &ours(&scene)) < 0.01);
-}
-
-/// Law: with both sides of the same field of view, a picture three times as wide as high shows a square, each column of
-/// which is three columns wide. Oracle: the square picture.
-#[test]
-fn a_picture_without_its_aspect() {
-    let mut scene = small("ch03/three-objects", 48, 1);
-    scene.image.height = 16;
-    let film = with("no-aspect", &scene);
-    scene.image.resize(16, 16);
-    let square = ours(&scene);
-    let mut middle = Film::new(16, 16);
-    for at @ [x, y] in (0..16).flat_map(|x| (0..16).map(move |y| [x, y])) {
-        middle.set(at, film.get([3 * x + 1, y]));
-    }
-    assert!(share_of_differences(&middle, &square) < 0.01);
-}
-
-/// Law: a camera rolled to the other side has an up vector that is rolled back twice. Oracle: an up vector by hand.
-#[test]
-fn roll_to_the_other_side() {
-    let mut scene = small("ch09/rolled", WIDTH, 1);
-    let film = with("roll-reversed", &scene);
-    let world = World::build(&scene).expect("it is valid");
-    let frame = world.view.frame();
-    let twice = 2.0 * scene.camera.roll;
-    let (sin, cos) = (groundtruth::math::sin_degrees(twice), groundtruth::math::cos_degrees(twice));
-    scene.camera.up = sin * frame.u + cos * frame.v;
-    scene.camera.roll = 0.0;
-    assert!(share_of_differences(&film, &ours(&scene)) < 0.05);
-}
-
-/// Law: exchanged eyes are exchanged images. Oracle: the columns of our picture.
-#[test]
-fn exchanged_eyes() {
-    let scene = small("ch12/three-spheres", WIDTH, 1);
-    let world = World::build(&scene).expect("it is valid");
-    let right = render::render(&world);
-    let wrong = with("eyes-exchanged", &scene);
-    let [a, b] = render::eye_images(&world, &right).expect("it is a pair");
-    let [c, d] = render::eye_images(&world, &wrong).expect("it is a pair");
-    assert_eq!([bits(&a), bits(&b)], [bits(&d), bits(&c)]);
-    assert_ne!(bits(&a), bits(&b));
-}
-
 /// Law: a texture upside down on a sphere under ambient light is the picture upside down. Oracle: the rows of our picture,
 /// from the last to the first.
 #[test]
@@ -206,4 +147,18 @@ fn a_turned_sky() {
     let back = groundtruth::math::Vector::new(-way.z(), way.y(), way.x());
     scene.camera.look_at = eye + back;
     assert!(share_of_differences(&film, &ours(&scene)) < 0.02);
+}
+
+/// Law: sums of several octaves without the last are sums of one octave less. Oracle: the scene of that sum.
+#[test]
+fn one_octave_less() {
+    let scene = small("ch31/fbm", WIDTH, 1);
+    let mut twin = scene.clone();
+    for material in &mut twin.materials {
+        let materials::Kind::Matte(matte) = &mut material.recipe else { panic!("{material:?}") };
+        let textures::Paint::Textured(texture) = &mut matte.cd else { continue };
+        let textures::Kind::Fbm(fbm) = &mut **texture else { panic!("{texture:?}") };
+        fbm.noise.octaves -= 1;
+    }
+    assert_eq!(bits(&with("one-octave-less", &scene)), bits(&ours(&twin)));
 }

@@ -70,7 +70,7 @@ fn of_chapter(chapter: u32) -> Result<String, String> {
 }
 
 fn of_scene(scene: &str) -> Result<String, String> {
-    let hidden = mistakes::not_shown_by(scene).ok_or_else(|| gallery::unknown(scene))?;
+    let hidden = mistakes::not_shown_by(scene).ok_or_else(|| unknown(scene))?;
     let shown: Vec<&Mistake> = mistakes::shown_by(scene).iter().map(|pair| pair.mistake).collect();
     let mut text = format!("{scene} shows {} mistakes:\n{}", shown.len(), listed(&shown));
     text += &format!("\nIt does not show {}:\n", hidden.len());
@@ -79,6 +79,13 @@ fn of_scene(scene: &str) -> Result<String, String> {
         text += &format!("{}  {}; {best}\n", mistake.name, mistake.words);
     }
     Ok(text)
+}
+
+/// The error message for what is neither a chapter nor a scene of the gallery.
+fn unknown(scene: &str) -> String {
+    let names: Vec<&str> = gallery::scenes().map(|entry| entry.name).collect();
+    let similar = gallery::did_you_mean(scene, &names);
+    format!("no scene `{scene}` in the gallery (`groundtruth list` shows it){similar}")
 }
 
 /// Measures all scenes, with the progress on a terminal.

@@ -46,5 +46,8 @@ pub fn replicas(original: &Scene, folder: &Path, seed: u64) -> Result<Films, Sce
             _ => films.unchanged.push(mistake),
         }
     }
+    // as in the list of all: both sorts are stable
+    films.altered.sort_by_key(|(mistake, _)| mistake.chapter);
+    films.unchanged.sort_by_key(|mistake| mistake.chapter);
     Ok(films)
 }
