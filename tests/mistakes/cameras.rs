@@ -6,7 +6,7 @@ use groundtruth::cameras::{Fisheye, Kind, ThinLens};
 use groundtruth::film::Film;
 use groundtruth::gallery::parts::*;
 use groundtruth::materials::Emissive;
-use groundtruth::math::{Vector, cos_degrees, sin_degrees};
+use groundtruth::math::{cos_degrees, sin_degrees};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
@@ -108,7 +108,7 @@ fn half_a_field_of_view() {
     scene.camera.lens = Kind::from(Fisheye { fov: 120.0, rectangular: false });
     let world = changed_world("half-field-of-view", &scene);
     let ray = world.view.eyes()[0].ray([1.0, 0.0], [0.0; 2]).expect("the edge is in the picture");
-    let cosine = -Vector::from(world.view.frame().w).dot(ray.direction);
+    let cosine = -world.view.frame().w.dot(ray.direction);
     assert!((cosine - cos_degrees(30.0)).abs() < ROUNDING);
 }
 

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use groundtruth::gallery::parts::*;
 use groundtruth::lights::Environment;
 use groundtruth::materials::Phong;
+use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 
@@ -89,18 +90,8 @@ fn a_roulette_that_is_not_compensated() {
     add(&mut scene, "furnace", inside, glow);
     // the hits of depth 0 to 4 are compensated in full: weights ρ; those of depth 5 and 6 survive with the probability
     // ρ⁶ and 1 after it (the throughput is 1 then), and not compensated their mean weights are ρ·ρ⁶ and ρ·ρ
-    let weights = [rho, rho, rho, rho, rho, rho * rho.powi_by_products(6), rho * rho];
+    let weights = [rho, rho, rho, rho, rho, rho * power(rho, 6.0), rho * rho];
     let expected = weights.iter().rev().fold(1.0, |sum, weight| 1.0 + weight * sum);
     // our own picture is 1.2 % brighter
     expect("roulette-not-compensated", &scene, expected, 0.002);
-}
-
-trait Products {
-    fn powi_by_products(self, n: u32) -> f64;
-}
-
-impl Products for f64 {
-    fn powi_by_products(self, n: u32) -> f64 {
-        (0..n).fold(1.0, |product, _| product * self)
-    }
 }

@@ -21,29 +21,35 @@ pub struct Films {
     pub unchanged: Vec<&'static Mistake>,
 }
 
+/// So many rows are rendered before they are copied to their pictures.
+const ROWS: usize = 32;
+
 /// Renders the picture of a world, and that of each of the mistakes that change terms, with the same random numbers.
+/// Each picture takes 24 bytes a pixel.
 pub fn films(world: &World, mistakes: &[&'static Mistake]) -> Films {
     let mistakes: Vec<&Mistake> =
         mistakes.iter().copied().filter(|mistake| mistake.is_reweighed()).collect();
     let [width, height] = world.picture_size();
-    let rows: Vec<Vec<Vec<Rgb>>> = (0..height)
-        .into_par_iter()
-        .map(|row| row_of_pixels(world, &mistakes, row, width))
-        .collect();
-    let film = |index: usize| {
-        let mut film = Film::new(width, height);
-        for (y, row) in (0..).zip(&rows) {
-            for (x, pixel) in (0..).zip(row) {
-                film.set([x, y], pixel[index]);
+    let mut ours = Film::new(width, height);
+    let mut altered = vec![(Film::new(width, height), false); mistakes.len()];
+    for first in (0..height).step_by(ROWS) {
+        let rows = first..height.min(first + ROWS as u32);
+        let pixels: Vec<([u32; 2], Vec<Rgb>)> = rows
+            .into_par_iter()
+            .flat_map_iter(|row| row_of_pixels(world, &mistakes, row))
+            .collect();
+        for (at, colors) in pixels {
+            ours.set(at, colors[0]);
+            for ((film, is_changed), color) in altered.iter_mut().zip(&colors[1..]) {
+                film.set(at, *color);
+                *is_changed |= bits(*color) != bits(colors[0]);
             }
         }
-        film
-    };
-    let mut films = Films { ours: film(0), altered: Vec::new(), unchanged: Vec::new() };
-    for (index, mistake) in (1..).zip(mistakes) {
-        let is_changed = rows.iter().flatten().any(|pixel| bits(pixel[index]) != bits(pixel[0]));
+    }
+    let mut films = Films { ours, altered: Vec::new(), unchanged: Vec::new() };
+    for (mistake, (film, is_changed)) in mistakes.into_iter().zip(altered) {
         match is_changed {
-            true => films.altered.push((mistake, film(index))),
+            true => films.altered.push((mistake, film)),
             false => films.unchanged.push(mistake),
         }
     }
@@ -59,10 +65,10 @@ fn row_of_pixels(
     world: &World,
     mistakes: &[&'static Mistake],
     row: u32,
-    width: u32,
-) -> Vec<Vec<Rgb>> {
+) -> Vec<([u32; 2], Vec<Rgb>)> {
     let mut recorder = Reweighing::new(world, mistakes);
-    (0..width).map(|column| pixel(world, &mut recorder, [column, row])).collect()
+    let columns = 0..world.picture_size()[0];
+    columns.map(|column| [column, row]).map(|at| (at, pixel(world, &mut recorder, at))).collect()
 }
 
 fn pixel(world: &World, recorder: &mut Reweighing<'_>, at: [u32; 2]) -> Vec<Rgb> {
