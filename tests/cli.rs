@@ -191,6 +191,15 @@ const ERRORS: &[(&[&str], &str)] = &[
          ch27, ch28, ch29, ch30, ch31",
     ),
     (
+        &["mistakes", "glass-sphere"],
+        "error: no scene `glass-sphere` in the gallery (`groundtruth list` shows it); did you mean \
+         `ch28/glass-sphere`?",
+    ),
+    (
+        &["mistakes", "ch07"],
+        "error: no known mistakes of chapter 7; `groundtruth mistakes` lists all",
+    ),
+    (
         &["export", "ch03/single-sphere", "-o", "no/a.toml"],
         "error: no/a.toml: cannot be written: No such file or directory (os error 2)",
     ),
@@ -233,6 +242,10 @@ fn good_commands_have_status_0() {
         &["list", "--json"],
         &["kinds"],
         &["list", "ch24", "ch28"],
+        &["mistakes"],
+        &["mistakes", "ch28"],
+        &["mistakes", "ch28/glass-sphere"],
+        &["mistakes", "--page"],
         &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1]],
         &["render", "ch03/single-sphere", "-o", "b.exr", small[0], small[1], "--crop", "8,6,8x6"],
         &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1], "--threads", "1"],
@@ -263,12 +276,16 @@ fn help_speaks_of_every_option() {
         ("export", &["--output", "--replace"]),
         ("describe", &["another renderer", "formulas"]),
         ("kinds", &["--page", "--schema", "docs/scene.md"]),
+        ("mistakes", &["--page", "--table", "docs/mistakes.md"]),
         ("probe", &["docs/probe.md"]),
     ] {
         let run = run_in(Path::new("."), &[command, "--help"]);
         assert_eq!(run.status, Some(0));
-        let scene =
-            if matches!(command, "list" | "kinds" | "probe" | "merge") { &[][..] } else { &scene };
+        let scene = if matches!(command, "list" | "kinds" | "mistakes" | "probe" | "merge") {
+            &[][..]
+        } else {
+            &scene
+        };
         for option in scene.iter().chain(options) {
             assert!(run.stdout.contains(option), "{command}: {option} in\n{}", run.stdout);
         }

@@ -1,14 +1,16 @@
 //! The harness of Groundtruth: what judges the tracer, and what others ask it.
 //!
-//! [`compare`] holds two pictures against each other, [`verify`] holds what checks pictures, statistics and
-//! intersections, [`mod@describe`] puts a scene into words, [`report`] measures what to choose, [`sums`] adds replicas exactly, [`probe`] answers questions in
-//! JSON, [`mod@reference`] says what a scene file can say. The binary
-//! `groundtruth` is the command line of all of it.
+//! [`compare`] holds two pictures against each other, [`verdict`] judges a picture with noise, [`mistakes`] renders the
+//! pictures of known mistakes, [`verify`] holds what checks pictures, statistics and intersections, [`conform`] and
+//! [`probe`] ask and answer questions, [`mod@describe`] puts a scene into words, [`report`] measures what to choose,
+//! [`sums`] adds replicas exactly, [`mod@reference`] says what a scene file can say. The binary `groundtruth` is the
+//! command line of all of it.
 
 pub mod compare;
 pub mod conform;
 pub mod describe;
 mod html;
+pub mod mistakes;
 pub mod probe;
 pub mod reference;
 pub mod report;

@@ -12,6 +12,7 @@ mod goldens;
 mod kinds;
 mod list;
 mod merge;
+mod mistakes;
 mod probe;
 mod render;
 mod replicas;
@@ -76,6 +77,11 @@ enum Command {
     /// Renders pictures of ours with other seeds, and says whether theirs is farther from them than they are from each
     /// other. The exit status is 0 if it agrees, 1 if it differs, 2 if it cannot be judged.
     Verify(verify::Verify),
+    /// List known mistakes of ray tracers, and the scenes that show them
+    ///
+    /// docs/mistakes.md has all of them. A picture that agrees with ours says nothing of mistakes that its scene does
+    /// not show.
+    Mistakes(mistakes::Mistakes),
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
@@ -120,6 +126,7 @@ pub fn run() -> ExitCode {
         Command::Conform(command) => command.run(),
         Command::Merge(command) => command.run(),
         Command::Verify(command) => command.run(),
+        Command::Mistakes(command) => command.run(),
         Command::Goldens(command) => command.run(),
         Command::Probe(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -1,0 +1,133 @@
+//! Mistakes of cameras (Suffern, ch. 3, 9–12).
+
+use std::path::Path;
+use std::sync::Arc;
+
+use groundtruth::cameras::{Camera, Kind, Viewing};
+use groundtruth::kinds::Custom;
+use groundtruth::math::{Point, Vector};
+use groundtruth::scene::Scene;
+
+use super::changed;
+use crate::mistakes::Mistake;
+
+pub(super) const ALL: &[Mistake] = &[
+    Mistake::scene(
+        3,
+        "pixel-corner",
+        "samples are taken around the lower left corner of each pixel instead of its middle",
+        pixel_corner,
+    ),
+    Mistake::scene(
+        3,
+        "no-aspect",
+        "the picture's height is taken for as large as its width, so that all is stretched",
+        no_aspect,
+    ),
+    Mistake::scene(9, "roll-reversed", "the camera is rolled to the other side", |scene, _| {
+        changed(scene, |scene| {
+            scene.camera.roll = -scene.camera.roll;
+            scene.camera.roll != 0.0
+        })
+    }),
+    Mistake::scene(9, "no-exposure-time", "the exposure time is left out", |scene, _| {
+        changed(scene, |scene| std::mem::replace(&mut scene.camera.exposure_time, 1.0) != 1.0)
+    }),
+    Mistake::scene(
+        10,
+        "not-focused",
+        "the rays of a lens meet on the view plane instead of the focal plane",
+        |scene, _| {
+            changed(scene, |scene| match &mut scene.camera.lens {
+                Kind::ThinLens(lens) => {
+                    std::mem::replace(&mut lens.focal_distance, lens.distance) != lens.distance
+                }
+                _ => false,
+            })
+        },
+    ),
+    Mistake::scene(
+        11,
+        "half-field-of-view",
+        "half of the field of view is taken for the whole",
+        half_field_of_view,
+    ),
+    Mistake::scene(12, "eyes-exchanged", "the images of both eyes are exchanged", |scene, _| {
+        changed(scene, |scene| {
+            let Some(stereo) = &mut scene.camera.stereo else { return false };
+            stereo.viewing = match stereo.viewing {
+                Viewing::Parallel => Viewing::Transverse,
+                Viewing::Transverse => Viewing::Parallel,
+            };
+            true
+        })
+    }),
+];
+
+/// A camera whose film points are first scaled and then moved.
+#[derive(Debug)]
+struct OtherFilm {
+    camera: Arc<dyn Camera>,
+    scale: [f64; 2],
+    shift: [f64; 2],
+}
+
+impl Camera for OtherFilm {
+    fn ray(&self, film: [f64; 2], lens: [f64; 2]) -> Option<(Point, Vector)> {
+        let at = |i: usize| self.scale[i] * film[i] + self.shift[i];
+        self.camera.ray([at(0), at(1)], lens)
+    }
+
+    fn has_lens(&self) -> bool {
+        self.camera.has_lens()
+    }
+
+    fn project(&self, point: Point) -> Option<[f64; 2]> {
+        let film = self.camera.project(point)?;
+        let back = |i: usize| (film[i] - self.shift[i]) / self.scale[i];
+        Some([back(0), back(1)])
+    }
+
+    fn window_shift(&self, eye_shift: f64) -> f64 {
+        self.camera.window_shift(eye_shift)
+    }
+}
+
+/// The scene seen by its camera with another film.
+fn with_film(scene: &Scene, scale: [f64; 2], shift: [f64; 2]) -> Option<Scene> {
+    let camera = scene.camera.lens.build(&mut scene.image.plane()).ok()?;
+    changed(scene, |scene| {
+        scene.camera.lens = Kind::Custom(Custom(Arc::new(OtherFilm { camera, scale, shift })));
+        true
+    })
+}
+
+fn pixel_corner(scene: &Scene, _: &Path) -> Option<Scene> {
+    with_film(scene, [1.0; 2], [-0.5 * scene.image.pixel_size; 2])
+}
+
+fn no_aspect(scene: &Scene, _: &Path) -> Option<Scene> {
+    let [width, height] = [scene.image.width, scene.image.height].map(f64::from);
+    if width == height {
+        return None;
+    }
+    with_film(scene, [1.0, width / height], [0.0; 2])
+}
+
+fn half_field_of_view(scene: &Scene, _: &Path) -> Option<Scene> {
+    changed(scene, |scene| {
+        match &mut scene.camera.lens {
+            Kind::Fisheye(lens) => lens.fov *= 0.5,
+            Kind::SphericalPanorama(lens) => {
+                lens.horizontal_fov *= 0.5;
+                lens.vertical_fov *= 0.5;
+            }
+            Kind::CylindricalPanorama(lens) => {
+                lens.horizontal_fov *= 0.5;
+                lens.vertical_fov *= 0.5;
+            }
+            _ => return false,
+        }
+        true
+    })
+}

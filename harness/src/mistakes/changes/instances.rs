@@ -1,0 +1,122 @@
+//! Mistakes of instances (Suffern, ch. 21).
+
+use std::path::Path;
+use std::sync::Arc;
+
+use groundtruth::kinds::{Custom, Resources};
+use groundtruth::math::{Aabb, Normal, Ray, Span, Transform, Vector};
+use groundtruth::scene::Scene;
+use groundtruth::shapes::{
+    Candidate, Context, Facet, Instance, Kind, PartPath, SampledSurface, Sampling, Shape, Surface,
+};
+
+use super::changed;
+use crate::mistakes::Mistake;
+
+pub(super) const ALL: &[Mistake] = &[Mistake::scene(
+    21,
+    "normal-by-matrix",
+    "the normals of instances are transformed by the matrix instead of its inverse transpose",
+    normal_by_matrix,
+)];
+
+/// An instance whose shading normal is `M n'` instead of `(M⁻¹)ᵀ n'`.
+#[derive(Debug)]
+struct ByMatrix {
+    instance: Arc<dyn Shape>,
+    transform: Transform,
+}
+
+impl ByMatrix {
+    /// `n' = Mᵀ n`, up to its length, so that `M n' = M Mᵀ n`.
+    fn wrong(&self, n: Normal) -> Normal {
+        let rows = self.transform.rows();
+        let n = Vector::from(n).to_array();
+        let column = |j: usize| (0..3).map(|i| rows[i][j] * n[i]).sum();
+        let inner = Vector::new(column(0), column(1), column(2));
+        Normal::new(self.transform.vector(inner)).expect("the matrix is not singular")
+    }
+}
+
+impl Shape for ByMatrix {
+    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.instance.hit(ray, span)
+    }
+
+    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
+        self.instance.shadow_hit(ray, span)
+    }
+
+    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+        let surface = self.instance.surface(ray, at);
+        Surface { shading: self.wrong(surface.shading), ..surface }
+    }
+
+    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
+        self.instance.roots(ray, span)
+    }
+
+    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+        self.instance.uv(at)
+    }
+
+    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
+        self.instance.material_without_uv(own, needs_uv)
+    }
+
+    fn facet(&self, at: &Candidate) -> Option<Facet> {
+        self.instance.facet(at)
+    }
+
+    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
+        self.instance.shifted(at, by)
+    }
+
+    fn texture_space(&self, at: &Candidate) -> Transform {
+        self.instance.texture_space(at)
+    }
+
+    fn path(&self, at: &Candidate) -> PartPath {
+        self.instance.path(at)
+    }
+
+    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
+        self.instance.sampled(sampling)
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.instance.bounds()
+    }
+
+    fn leaves(&self) -> u64 {
+        self.instance.leaves()
+    }
+}
+
+/// The shape with the mistake, if it is an instance; so are the instances in it.
+fn changed_shape(instance: &Instance, context: &mut Context) -> Option<Kind> {
+    let transform = Transform::from_steps(&instance.transform).ok()?;
+    let of = match &*instance.of {
+        Kind::Instance(inner) => changed_shape(inner, context)?,
+        other => other.clone(),
+    };
+    let copy = Kind::from(Instance { of: Box::new(of), ..instance.clone() });
+    let instance = copy.build(context).ok()?;
+    Some(Kind::Custom(Custom(Arc::new(ByMatrix { instance, transform }))))
+}
+
+/// Instances whose parts name materials of their own, and those within compounds, stay as they are.
+fn normal_by_matrix(scene: &Scene, folder: &Path) -> Option<Scene> {
+    let mut context = Context::new(Resources::new(folder), scene.accel);
+    changed(scene, |scene| {
+        let mut any = false;
+        for object in &mut scene.objects {
+            let Kind::Instance(instance) = &object.shape else { continue };
+            if let Some(shape) = changed_shape(instance, &mut context) {
+                object.shape = shape;
+                any = true;
+            }
+        }
+        any
+    })
+}

@@ -1,0 +1,240 @@
+//! Mistakes of lights and shadows (Suffern, ch. 14, 16, 17).
+
+use std::f64::consts::PI;
+use std::fmt;
+use std::path::Path;
+use std::sync::Arc;
+
+use groundtruth::kinds::Custom;
+use groundtruth::lights::{
+    AmbientOccluder, Context, Kind, Light, LightContext, LightSample, Segment, Target, Unlit,
+};
+use groundtruth::math::{Frame, maps};
+use groundtruth::scene::Scene;
+
+use super::lamps::lamp_light;
+use super::{changed, has_tree_of_rays};
+use crate::mistakes::Mistake;
+
+pub(super) const ALL: &[Mistake] = &[
+    Mistake::scene(
+        14,
+        "no-fall-off",
+        "light of point lights does not fall off with distance",
+        |scene, _| with_exponent(scene, 0.0),
+    ),
+    Mistake::scene(
+        14,
+        "linear-fall-off",
+        "light of point lights falls off with 1/d instead of 1/d²",
+        |scene, _| with_exponent(scene, 1.0),
+    ),
+    Mistake::scene(
+        14,
+        "lit-from-behind",
+        "light without shadows that comes from behind a surface counts as light from the front",
+        lit_from_behind,
+    ),
+    Mistake::scene(16, "no-shadows", "objects cast no shadows", no_shadows),
+    Mistake::scene(
+        16,
+        "shadow-rays-without-end",
+        "shadow rays do not end at the lamp: objects behind it, and the lamp itself, block its light",
+        shadow_rays_without_end,
+    ),
+    Mistake::scene(
+        17,
+        "occluder-uniform",
+        "ambient occlusion draws directions evenly over the hemisphere instead of by the cosine",
+        occluder_uniform,
+    ),
+];
+
+fn with_exponent(scene: &Scene, exponent: f64) -> Option<Scene> {
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in &mut scene.lights {
+            let attenuation = match &mut light.source {
+                Kind::PointLight(light) => &mut light.attenuation,
+                Kind::Spot(light) => &mut light.attenuation,
+                Kind::FakeSpherical(light) => &mut light.attenuation,
+                _ => continue,
+            };
+            any |= *attenuation > exponent;
+            *attenuation = attenuation.min(exponent);
+        }
+        any
+    })
+}
+
+fn no_shadows(scene: &Scene, _: &Path) -> Option<Scene> {
+    if !has_tree_of_rays(scene) {
+        return None;
+    }
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in &mut scene.lights {
+            any |= light.enabled && light.shadows;
+            light.shadows = false;
+        }
+        any
+    })
+}
+
+/// What becomes of a sample of a light.
+pub(super) type Change = Arc<dyn Fn(&LightContext, LightSample) -> LightSample + Send + Sync>;
+
+/// A light with changed samples.
+struct Changed {
+    light: Arc<dyn Light>,
+    change: Change,
+}
+
+impl fmt::Debug for Changed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.light.fmt(f)
+    }
+}
+
+impl Light for Changed {
+    fn draws(&self) -> usize {
+        self.light.draws()
+    }
+
+    fn is_ambient(&self) -> bool {
+        self.light.is_ambient()
+    }
+
+    fn object(&self) -> Option<&str> {
+        self.light.object()
+    }
+
+    fn is_sky(&self) -> bool {
+        self.light.is_sky()
+    }
+
+    fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
+        self.light.sample(from, u).map(|sample| (self.change)(from, sample))
+    }
+
+    fn unlit(&self, from: &LightContext, u: &[[f64; 2]]) -> Unlit {
+        self.light.unlit(from, u)
+    }
+
+    fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64 {
+        self.light.pdf(from, to)
+    }
+}
+
+/// The light with changed samples, as a kind.
+pub(super) fn with_samples(light: Arc<dyn Light>, change: Change) -> Kind {
+    Kind::Custom(Custom(Arc::new(Changed { light, change })))
+}
+
+/// A light at a point or in one direction; `None` for other kinds.
+fn single(source: &Kind) -> Option<Arc<dyn Light>> {
+    match source {
+        Kind::PointLight(_) | Kind::Spot(_) | Kind::Directional(_) => {
+            source.build(&mut Context::default()).ok()
+        }
+        _ => None,
+    }
+}
+
+/// Light from behind is mirrored at the plane of the surface: it has the same cosine, without its sign.
+fn lit_from_behind(scene: &Scene, _: &Path) -> Option<Scene> {
+    let mirrored = |from: &LightContext, sample: LightSample| {
+        let cos_i = from.normal.dot(sample.direction);
+        let across = (2.0 * cos_i.min(0.0)) * from.normal;
+        LightSample { direction: sample.direction - across, ..sample }
+    };
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in scene.lights.iter_mut().filter(|light| light.enabled && !light.shadows) {
+            if let Some(built) = single(&light.source) {
+                light.source = with_samples(built, Arc::new(mirrored));
+                any = true;
+            }
+        }
+        any
+    })
+}
+
+fn shadow_rays_without_end(scene: &Scene, folder: &Path) -> Option<Scene> {
+    let absorbs = |material: &groundtruth::scene::Material| match &material.recipe {
+        groundtruth::materials::Kind::Dielectric(it) => {
+            !(it.inside.absorption.is_black() && it.outside.absorption.is_black())
+        }
+        _ => false,
+    };
+    // over a ray without end a medium would absorb all light, which is another mistake
+    if scene.materials.iter().any(absorbs) || !scene.camera.medium.absorption.is_black() {
+        return None;
+    }
+    let original = scene;
+    let endless = |_: &LightContext, sample: LightSample| {
+        let segment = sample.segment.map(|_| Segment::Infinity);
+        LightSample { segment, ..sample }
+    };
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in scene.lights.iter_mut().filter(|light| light.enabled && light.shadows) {
+            let built = match &light.source {
+                Kind::PointLight(_) | Kind::Spot(_) | Kind::FakeSpherical(_) => {
+                    light.source.build(&mut Context::default()).ok()
+                }
+                Kind::Area(area) => lamp_light(original, folder, area),
+                _ => None,
+            };
+            if let Some(built) = built {
+                light.source = with_samples(built, Arc::new(endless));
+                any = true;
+            }
+        }
+        any
+    })
+}
+
+/// An ambient occluder whose directions are distributed evenly.
+#[derive(Debug)]
+struct Uniform {
+    /// Ours, for the radiance of its samples.
+    light: Arc<dyn Light>,
+    max_distance: Option<f64>,
+}
+
+impl Light for Uniform {
+    fn draws(&self) -> usize {
+        1
+    }
+
+    fn is_ambient(&self) -> bool {
+        true
+    }
+
+    fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
+        let direction = Frame::around(from.normal).to_world(maps::hemisphere(u[0], 0.0));
+        let segment = match self.max_distance {
+            None => Segment::Infinity,
+            Some(far) => Segment::To(from.point + far * direction),
+        };
+        let ours = self.light.sample(from, u)?;
+        Some(LightSample { direction, segment: Some(segment), pdf: Some(0.5 / PI), ..ours })
+    }
+}
+
+fn occluder_uniform(scene: &Scene, _: &Path) -> Option<Scene> {
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in &mut scene.lights {
+            if let Kind::AmbientOccluder(AmbientOccluder { max_distance, .. }) = light.source
+                && let Ok(built) = light.source.build(&mut Context::default())
+            {
+                let uniform = Uniform { light: built, max_distance };
+                light.source = Kind::Custom(Custom(Arc::new(uniform)));
+                any = true;
+            }
+        }
+        any
+    })
+}

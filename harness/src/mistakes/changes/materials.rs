@@ -1,0 +1,222 @@
+//! Mistakes of materials (Suffern, ch. 3, 16, 27, 28, 30).
+
+use std::path::Path;
+use std::sync::Arc;
+
+use groundtruth::kinds::{Custom, Resources};
+use groundtruth::lobes::Lobe;
+use groundtruth::materials::{
+    Boundary, Emission, Kind, Material, Reflectance, Response, TexturedField,
+};
+use groundtruth::math::Point;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::textures::{self, Paint, Texel, Texture, TexturePoint};
+
+use super::{changed, has_tree_of_rays};
+use crate::mistakes::Mistake;
+
+pub(super) const ALL: &[Mistake] = &[
+    Mistake::scene(
+        3,
+        "back-sides-black",
+        "the normal is not turned to the viewer on the back of two-sided surfaces",
+        back_sides_black,
+    ),
+    Mistake::scene(
+        27,
+        "glass-casts-no-shadow",
+        "transparent objects cast no shadow",
+        glass_casts_no_shadow,
+    ),
+    Mistake::scene(
+        27,
+        "eta-not-inverted",
+        "the index of refraction is not inverted for rays inside",
+        |scene, folder| with_response(scene, folder, eta_not_inverted),
+    ),
+    Mistake::scene(
+        27,
+        "total-reflection-kr",
+        "total internal reflection is weighted by k_r instead of 1",
+        |scene, folder| with_response(scene, folder, total_reflection_kr),
+    ),
+    Mistake::scene(
+        30,
+        "checker-truncated",
+        "the cells of solid checkers are numbered by truncation instead of rounding down",
+        checker_truncated,
+    ),
+];
+
+fn back_sides_black(scene: &Scene, _: &Path) -> Option<Scene> {
+    changed(scene, |scene| {
+        let any = scene.materials.iter().any(|material| material.two_sided);
+        scene.materials.iter_mut().for_each(|material| material.two_sided = false);
+        any
+    })
+}
+
+fn is_transparent(recipe: &Kind) -> bool {
+    matches!(recipe, Kind::Transparent(_) | Kind::Dielectric(_))
+}
+
+fn glass_casts_no_shadow(scene: &Scene, _: &Path) -> Option<Scene> {
+    if !has_tree_of_rays(scene) {
+        return None;
+    }
+    changed(scene, |scene| {
+        let mut any = false;
+        for material in scene.materials.iter_mut().filter(|it| is_transparent(&it.recipe)) {
+            any |= material.casts_shadows;
+            material.casts_shadows = false;
+        }
+        any
+    })
+}
+
+/// What a surface answers instead of the material, seen under `cos_o`.
+type Respond = fn(&dyn Material, &TexturePoint<'_>, f64, &mut Response);
+
+/// A transparent material with another response.
+#[derive(Debug)]
+struct Changed {
+    material: Arc<dyn Material>,
+    respond: Respond,
+}
+
+impl Material for Changed {
+    fn respond(&self, at: &TexturePoint<'_>, cos_o: f64, response: &mut Response) {
+        (self.respond)(&*self.material, at, cos_o, response);
+    }
+
+    fn emission(&self) -> Option<&Emission> {
+        self.material.emission()
+    }
+
+    fn boundary(&self) -> Option<Boundary> {
+        self.material.boundary()
+    }
+
+    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
+        self.material.textures(at)
+    }
+
+    fn reflectances(&self) -> Vec<Reflectance> {
+        self.material.reflectances()
+    }
+
+    fn transmits(&self) -> bool {
+        self.material.transmits()
+    }
+
+    fn needs_rays(&self) -> bool {
+        self.material.needs_rays()
+    }
+}
+
+/// The scene with another response of its transparent materials.
+fn with_response(scene: &Scene, folder: &Path, respond: Respond) -> Option<Scene> {
+    let mut resources = Resources::new(folder);
+    changed(scene, |scene| {
+        let mut any = false;
+        for material in scene.materials.iter_mut().filter(|it| is_transparent(&it.recipe)) {
+            if let Ok(built) = material.recipe.build(&mut resources) {
+                let changed = Changed { material: built, respond };
+                material.recipe = Kind::Custom(Custom(Arc::new(changed)));
+                any = true;
+            }
+        }
+        any
+    })
+}
+
+/// The lobes invert the index for rays inside; an index inverted before is then the one of rays from outside.
+fn eta_not_inverted(
+    material: &dyn Material,
+    at: &TexturePoint<'_>,
+    cos_o: f64,
+    response: &mut Response,
+) {
+    material.respond(at, cos_o.abs(), response);
+    if cos_o >= 0.0 {
+        return;
+    }
+    for (lobe, _) in &mut response.lobes {
+        match lobe {
+            Lobe::PerfectTransmitter(lobe) => lobe.eta = 1.0 / lobe.eta,
+            Lobe::FresnelTransmitter(lobe) => lobe.eta = 1.0 / lobe.eta,
+            Lobe::FresnelReflector(lobe) => lobe.eta = 1.0 / lobe.eta,
+            _ => {}
+        }
+    }
+}
+
+/// At normal incidence reflection is never total, so that the mirror has the weight `k_r` there.
+fn total_reflection_kr(
+    material: &dyn Material,
+    at: &TexturePoint<'_>,
+    cos_o: f64,
+    response: &mut Response,
+) {
+    material.respond(at, 1.0_f64.copysign(cos_o), response);
+}
+
+/// The borders of our cells are above the multiples of the size by this share of it.
+const OFFSET: f64 = 0.000_187_453_738;
+
+/// A solid checker whose cells on both sides of 0 have the same number.
+#[derive(Debug)]
+struct Truncated {
+    checker: Arc<dyn Texture>,
+    size: f64,
+}
+
+impl Truncated {
+    /// The point one cell further on, along axes on which it is negative: ⌊x⌋ + 1 is x truncated there.
+    fn moved<'a>(&self, at: &TexturePoint<'a>) -> TexturePoint<'a> {
+        let truncated = |x: f64| if x < OFFSET * self.size { x + self.size } else { x };
+        let local = at.local.to_array().map(truncated);
+        at.moved_to(Point::from(local))
+    }
+}
+
+impl Texture for Truncated {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        self.checker.color(&self.moved(at))
+    }
+
+    fn texel(&self, at: &TexturePoint<'_>) -> Option<Texel> {
+        self.checker.texel(&self.moved(at))
+    }
+}
+
+/// The diffuse colour of a material.
+fn diffuse_color(recipe: &mut Kind) -> Option<&mut Paint> {
+    match recipe {
+        Kind::Matte(it) => Some(&mut it.cd),
+        Kind::Phong(it) => Some(&mut it.cd),
+        Kind::Reflective(it) => Some(&mut it.phong.cd),
+        Kind::GlossyReflector(it) => Some(&mut it.phong.cd),
+        Kind::Transparent(it) => Some(&mut it.phong.cd),
+        Kind::Dielectric(it) => Some(&mut it.phong.cd),
+        _ => None,
+    }
+}
+
+fn checker_truncated(scene: &Scene, folder: &Path) -> Option<Scene> {
+    let mut resources = Resources::new(folder);
+    changed(scene, |scene| {
+        let mut any = false;
+        for material in &mut scene.materials {
+            let Some(paint) = diffuse_color(&mut material.recipe) else { continue };
+            let Paint::Textured(texture) = paint else { continue };
+            let textures::Kind::Checker3d(data) = &**texture else { continue };
+            let Ok(checker) = texture.build(&mut resources) else { continue };
+            let truncated = Truncated { checker, size: data.size };
+            **texture = textures::Kind::Custom(Custom(Arc::new(truncated)));
+            any = true;
+        }
+        any
+    })
+}

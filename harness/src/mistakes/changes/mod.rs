@@ -1,0 +1,51 @@
+//! Mistakes that are a change of the scene.
+
+mod cameras;
+mod edits;
+mod instances;
+mod lamps;
+mod lights;
+mod materials;
+mod skies;
+
+use groundtruth::scene::{Scene, Tracer};
+
+use super::Mistake;
+
+pub(super) const ALL: [&[Mistake]; 8] = [
+    &[
+        Mistake::scene(24, "one-bounce-less", "rays are traced to one depth less", |scene, _| {
+            deeper_by(scene, -1)
+        }),
+        Mistake::scene(24, "one-bounce-more", "rays are traced to one depth more", |scene, _| {
+            deeper_by(scene, 1)
+        }),
+    ],
+    cameras::ALL,
+    edits::ALL,
+    instances::ALL,
+    lamps::ALL,
+    lights::ALL,
+    materials::ALL,
+    skies::ALL,
+];
+
+/// A copy with this change, which returns whether it changed something.
+fn changed(scene: &Scene, change: impl FnOnce(&mut Scene) -> bool) -> Option<Scene> {
+    let mut copy = scene.clone();
+    change(&mut copy).then_some(copy)
+}
+
+/// Whether all light comes from the samples of lights: paths also find lamps and the sky by themselves.
+fn has_tree_of_rays(scene: &Scene) -> bool {
+    matches!(scene.tracer, Tracer::RayCast | Tracer::Whitted(_))
+}
+
+fn deeper_by(scene: &Scene, change: i32) -> Option<Scene> {
+    changed(scene, |scene| {
+        let Some(depth) = scene.tracer.max_depth() else { return false };
+        let other = depth.checked_add_signed(change);
+        *depth = other.unwrap_or(*depth);
+        other.is_some()
+    })
+}

@@ -1,0 +1,172 @@
+//! What a mistake may know of a term or a ray.
+
+use groundtruth::lights::LightContext;
+use groundtruth::lobes::{Lobe, Lobes, Normals};
+use groundtruth::math::{Point, Ray, Span, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::{RayKind, ShadingPoint, Term, TermSource};
+use groundtruth::world::World;
+
+/// A surface that a ray met.
+#[derive(Clone, Debug)]
+pub struct SurfaceHeard {
+    /// Along the ray, whose direction is unit.
+    pub t: f64,
+    /// The point.
+    pub point: Point,
+    /// The normals; of a two-sided surface turned to the viewer.
+    pub normals: Normals,
+    /// Unit, towards the viewer.
+    pub wo: Vector,
+    /// The lobes.
+    pub lobes: Lobes,
+}
+
+/// A ray, and the surface that it met.
+#[derive(Clone, Debug)]
+pub struct RaySoFar {
+    /// Its purpose.
+    pub kind: RayKind,
+    /// The ray.
+    pub ray: Ray,
+    /// `None` if it met nothing, or is a shadow ray.
+    pub surface: Option<SurfaceHeard>,
+}
+
+/// A term, for a mistake that changes its value.
+#[derive(Clone, Copy, Debug)]
+pub struct TermHeard<'a> {
+    /// The world.
+    pub world: &'a World,
+    /// The ray along which the term is sent.
+    pub ray: &'a RaySoFar,
+    /// The term as the tracer adds it.
+    pub term: &'a Term,
+    /// The light that arrives, as the program with the mistake finds it.
+    pub arriving: Rgb,
+    /// The ray along which it arrives, if one was cast.
+    pub from: Option<&'a Ray>,
+    /// Whether this is the last of several samples of the pixel.
+    pub is_last_sample: bool,
+}
+
+/// A ray that ends, for a mistake that changes what arrives along it.
+#[derive(Clone, Copy, Debug)]
+pub struct RayHeard<'a> {
+    /// The ray.
+    pub ray: &'a RaySoFar,
+    /// The transmittance of its medium.
+    pub transmittance: Rgb,
+    /// The sum of its terms, as the program with the mistake finds it.
+    pub sum: Rgb,
+    /// Whether this is the last of several samples of the pixel.
+    pub is_last_sample: bool,
+}
+
+impl RayHeard<'_> {
+    /// What arrives without a mistake.
+    pub fn arriving(&self) -> Rgb {
+        self.transmittance * self.sum
+    }
+}
+
+/// A point of a lamp, as seen from a shading point.
+#[derive(Clone, Copy, Debug)]
+pub struct LampHeard {
+    /// The cosine between the lamp's normal and the direction to the shading point, without its sign.
+    pub cosine: f64,
+    /// The squared distance.
+    pub distance_squared: f64,
+}
+
+impl SurfaceHeard {
+    pub(super) fn of(point: &ShadingPoint<'_>, lobes: &Lobes) -> Self {
+        let (t, normals, wo) = (point.hit.t, point.normals, point.wo);
+        Self { t, point: point.hit.surface.point, normals, wo, lobes: lobes.clone() }
+    }
+
+    /// The cosine between the viewer's direction and the true normal; negative on the inner side.
+    pub fn cos_o(&self) -> f64 {
+        self.normals.geometry.dot(self.wo)
+    }
+
+    /// The index of refraction behind the surface over the one in front of it, for the viewer; `None` for opaque
+    /// surfaces.
+    pub fn eta(&self) -> Option<f64> {
+        // only the sign of z counts
+        let wo = Vector::new(0.0, 0.0, self.cos_o());
+        self.lobes.iter().find_map(|(lobe, _)| lobe.relative_eta(wo))
+    }
+
+    /// Whether the viewer sees total internal reflection.
+    pub fn reflects_totally(&self) -> bool {
+        let cos_o = self.cos_o();
+        let passes = |eta: f64| (eta - 1.0) * (eta + 1.0) + cos_o * cos_o >= 0.0;
+        self.eta().is_some_and(|eta| !passes(eta))
+    }
+}
+
+impl TermHeard<'_> {
+    /// Its value without a mistake at this surface.
+    pub fn value(&self) -> Rgb {
+        self.term.weight * self.arriving
+    }
+
+    /// The value times a factor.
+    pub fn times(&self, factor: f64) -> Rgb {
+        factor * self.value()
+    }
+
+    /// The lobe that scatters light straight from a source, and the cosine of the light's angle.
+    pub fn direct(&self) -> Option<(Lobe, f64)> {
+        match self.term.source {
+            TermSource::Direct { lobe, cos_i, .. } => Some((lobe, cos_i)),
+            _ => None,
+        }
+    }
+
+    /// The lobe that sent the ray along which the light arrives.
+    pub fn traced(&self) -> Option<Lobe> {
+        match self.term.source {
+            TermSource::Traced { lobe, .. } => Some(lobe),
+            _ => None,
+        }
+    }
+
+    /// The cosine between the shading normal and the direction of the ray along which the light arrives.
+    pub fn cosine_of_ray(&self) -> Option<f64> {
+        let normal = self.ray.surface.as_ref()?.normals.shading;
+        Some(normal.dot(self.from?.direction.unit()?))
+    }
+
+    /// The direction of the light of a term of direct light. `None` if no ray was cast and the light has more than
+    /// one direction.
+    pub fn to_light(&self) -> Option<Vector> {
+        let TermSource::Direct { light, .. } = self.term.source else { return None };
+        if let Some(ray) = self.from {
+            return ray.direction.unit();
+        }
+        let surface = self.ray.surface.as_ref()?;
+        let light = self.world.lights.iter().find(|placed| placed.index == light)?;
+        let from = LightContext { point: surface.point, normal: surface.normals.shading };
+        let single = light.light.draws() == 0;
+        Some(single.then(|| light.light.sample(&from, &[]))??.direction)
+    }
+
+    /// The point of the lamp from which a term of direct light comes; `None` for other lights.
+    pub fn lamp(&self) -> Option<LampHeard> {
+        let TermSource::Direct { light, .. } = self.term.source else { return None };
+        let light = self.world.lights.iter().find(|placed| placed.index == light)?;
+        let name = light.light.object()?;
+        // the shadow ray ends just in front of the lamp, at t = 1
+        let ray = self.from?;
+        let beyond = Span { min: 1.0 - BEFORE_LAMP, max: f64::INFINITY };
+        let hit = self.world.hit(ray, beyond).filter(|hit| &*hit.object.name == name)?;
+        let cosine = hit.surface.normal.dot(ray.direction.unit()?).abs();
+        let from = self.ray.surface.as_ref()?.point;
+        Some(LampHeard { cosine, distance_squared: hit.surface.point.distance_squared(from) })
+    }
+}
+
+/// The share of a shadow ray, before its end, in which the lamp is looked for, too.
+const BEFORE_LAMP: f64 = 1e-9;

@@ -1,0 +1,88 @@
+//! Mistakes of lights and of samples (Suffern, ch. 4, 14, 18): changed values of terms.
+
+use std::f64::consts::PI;
+
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::{RayKind, TermSource};
+
+use super::{Mistake, RayHeard, TermHeard};
+
+pub(super) const ALL: &[Mistake] = &[
+    Mistake::ray(
+        4,
+        "last-sample-left-out",
+        "the last of n samples of a pixel is left out of the sum, which is divided by n",
+        |ray| if ray.is_last_sample { Rgb::BLACK } else { ray.arriving() },
+    ),
+    Mistake::term(14, "no-ambient", "ambient light is left out", |term| ambient(term, |_| 0.0)),
+    Mistake::term(
+        14,
+        "ambient-for-each-light",
+        "the ambient term is added once for each light",
+        |term| {
+            ambient(term, |term| {
+                let lights = term.world.lights.iter().filter(|light| !light.light.is_ambient());
+                lights.count() as f64
+            })
+        },
+    ),
+    Mistake::term(14, "ambient-over-pi", "the ambient term is divided by π", |term| {
+        ambient(term, |_| 1.0 / PI)
+    }),
+    Mistake::ray(
+        14,
+        "sample-max-to-one",
+        "max-to-one maps each sample of a pixel, before their mean is taken",
+        sample_max_to_one,
+    ),
+    Mistake::term(
+        18,
+        "no-lamp-cosine",
+        "the light of area lights lacks the cosine at the lamp",
+        |term| term.lamp().map_or(term.value(), |lamp| term.times(1.0 / lamp.cosine)),
+    ),
+    Mistake::term(18, "no-lamp-distance", "the light of area lights lacks 1/d²", |term| {
+        term.lamp().map_or(term.value(), |lamp| term.times(lamp.distance_squared))
+    }),
+    Mistake::term(
+        18,
+        "lamp-of-receiver",
+        "the light of area lights is multiplied by the reflectance of the lit surface once more",
+        lamp_of_receiver,
+    ),
+    Mistake::term(
+        18,
+        "last-light-sample-left-out",
+        "the last of n samples of an area light or of the sky is left out of the sum, which is divided by n",
+        |term| match term.term.source {
+            TermSource::Direct { pdf: Some(_), .. } if term.is_last_sample => Rgb::BLACK,
+            _ => term.value(),
+        },
+    ),
+];
+
+/// The value of an ambient term times a factor.
+fn ambient(term: &TermHeard<'_>, factor: impl Fn(&TermHeard<'_>) -> f64) -> Rgb {
+    match term.term.source {
+        TermSource::Ambient { .. } => term.times(factor(term)),
+        _ => term.value(),
+    }
+}
+
+fn sample_max_to_one(ray: &RayHeard<'_>) -> Rgb {
+    let arriving = ray.arriving();
+    let largest = arriving.max();
+    match ray.ray.kind {
+        RayKind::Camera if largest > 1.0 => arriving / largest,
+        _ => arriving,
+    }
+}
+
+fn lamp_of_receiver(term: &TermHeard<'_>) -> Rgb {
+    match (term.term.source, term.lamp()) {
+        (TermSource::Direct { lobe: groundtruth::lobes::Lobe::Lambertian(matte), .. }, Some(_)) => {
+            matte.reflectance * term.value()
+        }
+        _ => term.value(),
+    }
+}

@@ -1,0 +1,65 @@
+//! The page docs/mistakes.md.
+
+use std::fmt::Write;
+
+use super::shown::{Cover, fewest_scenes, scenes_that_show};
+use super::table::{CHANGE, SAMPLES, SHARE, WIDTH};
+use super::{How, Mistake, all};
+
+/// The page, as Markdown.
+pub fn page() -> String {
+    let all = all();
+    let mut page = introduction(all.len());
+    for mistake in &all {
+        let _ = writeln!(page, "{}", row(mistake));
+    }
+    page += "\n## Few scenes that show all mistakes of a chapter\n\n";
+    page += "| chapter | scenes | mistakes that no scene shows |\n| --- | --- | --- |\n";
+    let mut chapters: Vec<u32> = all.iter().map(|mistake| mistake.chapter).collect();
+    chapters.dedup();
+    for chapter in chapters {
+        let Cover { scenes, never_shown } = fewest_scenes(chapter);
+        let scenes: Vec<&str> = scenes.iter().map(|(scene, _)| *scene).collect();
+        let never: Vec<String> = never_shown.iter().map(|it| format!("`{}`", it.name)).collect();
+        let _ = writeln!(page, "| {chapter} | {} | {} |", scenes.join(", "), never.join(", "));
+    }
+    page
+}
+
+fn introduction(count: usize) -> String {
+    let (change, share) = (100.0 * CHANGE, 100.0 * SHARE);
+    format!(
+        "# Known mistakes
+
+The {count} mistakes whose pictures the harness can render. \"The picture agrees with ours if …\" is completed by the
+words in the second column. How the picture is made: *terms* weighs each term that our tracer adds up anew, with the
+same random numbers; *scene* renders a changed scene.
+
+A scene shows a mistake if it changes at least {share} % of the pixels by more than {change} % of the pixel or, where that is
+darker, of the picture's mean. That was measured for every scene of the gallery, {WIDTH} pixels wide with at most {SAMPLES}
+samples per pixel. In brackets: the share of changed pixels. All pairs are in
+[shown.csv](../harness/src/mistakes/shown.csv), with the largest relative change of a channel.
+
+`groundtruth mistakes --table > harness/src/mistakes/shown.csv` measures the table again, and
+`groundtruth mistakes --page > docs/mistakes.md` writes this page.
+
+| mistake | the picture agrees with ours if … | chapter | made by | scenes | best three |
+| --- | --- | --- | --- | --- | --- |
+"
+    )
+}
+
+fn row(mistake: &Mistake) -> String {
+    let Mistake { name, words, chapter, how } = mistake;
+    let how = match how {
+        How::Term(_) | How::Ray(_) => "terms",
+        How::Scene(_) => "scene",
+    };
+    let scenes = scenes_that_show(mistake);
+    let best: Vec<String> = scenes
+        .iter()
+        .take(3)
+        .map(|pair| format!("{} ({:.0} %)", pair.scene, 100.0 * pair.effect.share))
+        .collect();
+    format!("| `{name}` | {words} | {chapter} | {how} | {} | {} |", scenes.len(), best.join(", "))
+}

@@ -1,0 +1,53 @@
+//! The pictures of a scene with another seed: ours, and those of all mistakes.
+
+use std::path::Path;
+
+use groundtruth::film::Film;
+use groundtruth::render;
+use groundtruth::scene::{Scene, SceneError};
+use groundtruth::world::World;
+
+use super::films::{Films, films};
+use super::{Mistake, all, scene};
+
+/// The picture of a mistake with a seed; `None` if the mistake does not apply to the scene. Files that the scene names
+/// are in the folder.
+///
+/// # Errors
+/// If the scene has no world.
+pub fn replica(
+    mistake: &'static Mistake,
+    original: &Scene,
+    folder: &Path,
+    seed: u64,
+) -> Result<Option<Film>, SceneError> {
+    if mistake.is_reweighed() {
+        let world = World::build_seeded(original, folder, seed)?;
+        let films = films(&world, &[mistake]);
+        return Ok(films.altered.into_iter().next().map(|(_, film)| film));
+    }
+    let world = scene(mistake, original, folder).map(|it| World::build_seeded(&it, folder, seed));
+    Ok(world.transpose()?.map(|world| render::render(&world)))
+}
+
+/// The pictures of all mistakes that apply to a scene, with a seed. A mistake whose change gives no valid scene does not
+/// apply.
+///
+/// # Errors
+/// If the scene has no world.
+pub fn replicas(original: &Scene, folder: &Path, seed: u64) -> Result<Films, SceneError> {
+    let world = World::build_seeded(original, folder, seed)?;
+    let all = all();
+    let mut films = films(&world, &all);
+    drop(world);
+    for mistake in all.into_iter().filter(|mistake| !mistake.is_reweighed()) {
+        match replica(mistake, original, folder, seed) {
+            Ok(Some(film)) if film != films.ours => films.altered.push((mistake, film)),
+            _ => films.unchanged.push(mistake),
+        }
+    }
+    // as in the list of all: both sorts are stable
+    films.altered.sort_by_key(|(mistake, _)| mistake.chapter);
+    films.unchanged.sort_by_key(|mistake| mistake.chapter);
+    Ok(films)
+}

@@ -1,0 +1,89 @@
+//! Measures which scenes of the gallery show which mistakes.
+
+use std::path::Path;
+
+use groundtruth::film::Film;
+use groundtruth::gallery::Entry;
+use groundtruth::scene::{Scene, SceneError};
+use groundtruth::world::DEFAULT_SEED;
+
+use super::Mistake;
+use super::replicas::replicas;
+
+/// The width of the measured pictures, in pixels.
+pub const WIDTH: u32 = 48;
+/// The most samples of their pixels.
+pub const SAMPLES: u32 = 4;
+/// A pixel is changed if a channel changes by more than this, relative to the larger of the channel and the picture's
+/// mean.
+pub const CHANGE: f64 = 0.02;
+/// A scene shows a mistake if at least this share of its pixels is changed.
+pub const SHARE: f64 = 0.005;
+
+/// How much a mistake changes a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effect {
+    /// The share of changed pixels.
+    pub share: f64,
+    /// The largest relative change of a channel.
+    pub largest: f64,
+}
+
+impl Effect {
+    /// The effect of replacing a picture by another of its size.
+    pub fn of(ours: &Film, theirs: &Film) -> Self {
+        let channels = |film: &Film| -> Vec<[f64; 3]> {
+            film.pixels().iter().map(|pixel| pixel.to_array()).collect()
+        };
+        let (ours, theirs) = (channels(ours), channels(theirs));
+        let mean = ours.iter().flatten().sum::<f64>() / (3 * ours.len()) as f64;
+        let change = |(a, b): (&[f64; 3], &[f64; 3])| {
+            let relative = |i: usize| match (b[i] - a[i]).abs() {
+                0.0 => 0.0,
+                difference => difference / a[i].max(mean),
+            };
+            relative(0).max(relative(1)).max(relative(2))
+        };
+        let changes: Vec<f64> = ours.iter().zip(&theirs).map(change).collect();
+        let count = changes.iter().filter(|change| **change > CHANGE).count();
+        let largest = changes.iter().copied().fold(0.0, f64::max);
+        Self { share: count as f64 / changes.len() as f64, largest }
+    }
+
+    /// Whether it is large enough to be seen.
+    pub fn is_shown(&self) -> bool {
+        self.share >= SHARE
+    }
+}
+
+/// A scene in the size of the table.
+pub fn small(entry: &Entry) -> Scene {
+    let mut scene = (entry.build)();
+    let image = &mut scene.image;
+    let height = (u64::from(image.height) * u64::from(WIDTH)).div_ceil(u64::from(image.width));
+    image.resize(WIDTH, height.max(1) as u32);
+    image.samples = image.samples.min(SAMPLES);
+    scene
+}
+
+/// The mistakes that a scene of the gallery shows, with their effects.
+///
+/// # Errors
+/// If the scene has no world.
+pub fn shown(entry: &Entry) -> Result<Vec<(&'static Mistake, Effect)>, SceneError> {
+    let films = replicas(&small(entry), Path::new(""), DEFAULT_SEED)?;
+    let effects = films.altered.iter().map(|(it, film)| (*it, Effect::of(&films.ours, film)));
+    Ok(effects.filter(|(_, effect)| effect.is_shown()).collect())
+}
+
+/// The lines of a scene in the table: `scene,mistake,share,largest`.
+///
+/// # Errors
+/// As [`shown`].
+pub fn lines(entry: &Entry) -> Result<String, SceneError> {
+    let line = |(mistake, effect): &(&Mistake, Effect)| {
+        let Effect { share, largest } = effect;
+        format!("{},{},{share:.4},{largest:.3e}\n", entry.name, mistake.name)
+    };
+    Ok(shown(entry)?.iter().map(line).collect())
+}

@@ -1,0 +1,208 @@
+//! Mistakes of shading and lights, on one plane and by hand.
+
+use std::f64::consts::PI;
+
+use groundtruth::gallery::parts::*;
+use groundtruth::lights::{Ambient, AmbientOccluder, PointLight};
+use groundtruth::materials::{Emissive, GlossyReflector, Matte, Phong, Reflective};
+use groundtruth::math::{Step, Vector, cos_degrees, power};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Tracer, Whitted};
+use groundtruth::shapes::{Disk, Instance, Plane};
+use groundtruth::textures::Checker3d;
+
+use crate::stage::*;
+
+/// `k_d`.
+const KD: f64 = 0.5;
+
+fn diffuse() -> Matte {
+    matte(0.0, KD, Rgb::WHITE)
+}
+
+/// Law: each mistake has its own factor in `k_d/π · cosθ_i`. Oracle: that formula without, with another or with a second
+/// cosine.
+#[test]
+fn cosines_of_direct_light() {
+    let (viewer, sun) = (-40.0, 65.0);
+    let scene = lit_plane(diffuse(), viewer, sun);
+    let (cos_i, cos_o) = (cos_degrees(sun), cos_degrees(viewer));
+    expect("no-cosine", &scene, KD / PI, ROUNDING);
+    expect("cosine-twice", &scene, KD / PI * cos_i * cos_i, ROUNDING);
+    expect("cosine-of-viewer", &scene, KD / PI * cos_o, ROUNDING);
+    expect("lambertian-without-pi", &scene, KD * cos_i, ROUNDING);
+}
+
+/// Law: highlights without their cosine, normalised, and by the half vector. Oracle: `(cos α)^e` of the angles between
+/// directions in one plane. With the viewer on the light's side at 70°, `r·ω_o` is negative and `n·h` is not.
+#[test]
+fn highlights() {
+    let (ks, exponent) = (0.25, 10.0);
+    let shiny = |kd: f64| Phong {
+        kd: kd.into(),
+        cd: Rgb::WHITE.into(),
+        ks: ks.into(),
+        exponent: exponent.into(),
+        ..Phong::default()
+    };
+    let (viewer, sun) = (-20.0, 40.0);
+    let cos_i = cos_degrees(sun);
+    let phong = ks * power(cos_degrees(20.0), exponent);
+    let scene = lit_plane(shiny(0.0), viewer, sun);
+    expect("highlight-without-cosine", &scene, phong, ROUNDING);
+    expect("highlight-normalised", &scene, phong * cos_i * 12.0 / (2.0 * PI), ROUNDING);
+    let half = |degrees: f64| ks * power(cos_degrees(degrees), exponent);
+    expect("highlight-of-half-vector", &scene, half(10.0) * cos_i, ROUNDING);
+    let scene = lit_plane(shiny(KD), 70.0, 70.0);
+    let expected = (KD / PI + half(70.0)) * cos_degrees(70.0);
+    expect("highlight-of-half-vector", &scene, expected, ROUNDING);
+}
+
+/// Law: ambient light is left out, added for each of three lights, or divided by π. Oracle: `k_a`.
+#[test]
+fn ambient_light() {
+    let ka = 0.375;
+    let mut scene = plane(matte(ka, 0.0, Rgb::WHITE), 0.0);
+    light(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+    for name in ["a", "b", "c"] {
+        scene.lights.push(directional(name, Vector::Y, 1.0));
+    }
+    expect("no-ambient", &scene, 0.0, 0.0);
+    expect("ambient-for-each-light", &scene, 3.0 * ka, ROUNDING);
+    expect("ambient-over-pi", &scene, ka / PI, ROUNDING);
+}
+
+/// Law: light of a lamp at distance 3 that falls off with 1/d², without it or with 1/d. Oracle: the distance.
+#[test]
+fn fall_off() {
+    let lamp = PointLight {
+        ls: 90.0,
+        color: Rgb::WHITE,
+        location: point(0.0, 3.0, 0.0),
+        attenuation: 2.0,
+    };
+    let mut scene = plane(diffuse(), 30.0);
+    light(&mut scene, lamp);
+    expect("no-fall-off", &scene, 90.0 * KD / PI, ROUNDING);
+    expect("linear-fall-off", &scene, 30.0 * KD / PI, ROUNDING);
+}
+
+/// Law: light from below counts as light from above. Oracle: the light that is above.
+#[test]
+fn light_from_behind() {
+    let scene = lit_plane(diffuse(), 10.0, 115.0);
+    assert_eq!(value(&ours(&scene)), 0.0);
+    expect("lit-from-behind", &scene, KD / PI * cos_degrees(65.0), ROUNDING);
+}
+
+/// Law: a ceiling above a point light blocks it if shadow rays have no end. Oracle: none; it is black.
+#[test]
+fn shadow_rays_that_go_on_behind_the_light() {
+    let mut scene = plane(diffuse(), 80.0);
+    scene.lights.push(point_light("lamp", point(0.0, 1.0, 0.0), 1.0));
+    let ceiling = Disk { center: point(0.0, 1.5, 0.0), normal: Vector::Y, radius: 1.0 };
+    add(&mut scene, "ceiling", ceiling, diffuse());
+    assert!(value(&ours(&scene)) > 0.0);
+    expect("shadow-rays-without-end", &scene, 0.0, 0.0);
+}
+
+/// Law: below a disk whose rim is at the angle θ, by the cosine the share `cos²θ` of directions is open, evenly
+/// `cosθ`. Oracle: these integrals.
+#[test]
+fn ambient_occlusion_under_a_disk() {
+    let mut scene = plane(matte(1.0, 0.0, Rgb::WHITE), 0.0);
+    scene.camera.eye = point(0.0, 0.5, 0.0);
+    scene.image.samples = 4096;
+    light(&mut scene, AmbientOccluder::default());
+    let radius = 3.0_f64.sqrt(); // θ = 60°
+    let disk = Disk { center: point(0.0, 1.0, 0.0), normal: Vector::Y, radius };
+    add(&mut scene, "disk", disk, diffuse());
+    assert!((value(&ours(&scene)) - 0.25).abs() < 0.02);
+    expect("occluder-uniform", &scene, 0.5, 0.04);
+}
+
+/// Law: a mirror below a white sky has its cosine. Oracle: `k_r cosθ`.
+#[test]
+fn mirrors_and_gloss() {
+    let kr = 0.75;
+    let mirror = Reflective { phong: Phong::default(), kr: kr.into(), cr: Rgb::WHITE.into() };
+    let mut scene = plane(mirror, 60.0);
+    scene.background = Rgb::WHITE.into();
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
+    expect("mirror-with-cosine", &scene, kr * 0.5, ROUNDING);
+
+    // straight above, an exponent of 50: (e + 1)/2π cos^e of directions that are all above the surface
+    let e = 50.0;
+    let gloss = GlossyReflector {
+        phong: Phong::default(),
+        kr: kr.into(),
+        cr: Rgb::WHITE.into(),
+        exponent: e.into(),
+        rule: Default::default(),
+    };
+    let mut scene = plane(gloss, 0.0);
+    scene.background = Rgb::WHITE.into();
+    scene.image.samples = 4096;
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
+    // the means of cosθ and of the density over that density
+    expect("gloss-with-cosine", &scene, kr * (e + 1.0) / (e + 2.0), 0.001);
+    let mean = (e + 1.0) * (e + 1.0) / (2.0 * PI * (2.0 * e + 1.0));
+    expect("gloss-without-density", &scene, kr * mean, 0.02);
+}
+
+/// Law: a sample above 1 is mapped before the mean is taken. Oracle: the book's rule for the only sample.
+#[test]
+fn max_to_one_of_samples() {
+    let scene = plane(Emissive::new(4.0, rgb(1.0, 0.5, 0.25)), 20.0);
+    assert_eq!(ours(&scene).get([0, 0]), rgb(4.0, 2.0, 1.0));
+    assert_eq!(with("sample-max-to-one", &scene).get([0, 0]), rgb(1.0, 0.5, 0.25));
+}
+
+/// Law: the normal `M n'` instead of `(M⁻¹)ᵀ n'`. Oracle: the matrix diag(2, 1, 1) times the normal at 30°, by hand.
+#[test]
+fn normal_of_an_instance() {
+    let mut scene = lit_plane(diffuse(), 0.0, 0.0);
+    let flat = Plane { point: point(0.0, 0.0, 0.0), normal: Vector::Y };
+    let steps = vec![Step::RotateZ(-30.0), Step::Scale(vector(2.0, 1.0, 1.0))];
+    scene.objects[0].shape = Instance::new(flat, steps).into();
+    let wrong = [2.0 * 0.5, cos_degrees(30.0)];
+    let cosine = wrong[1] / (wrong[0] * wrong[0] + wrong[1] * wrong[1]).sqrt();
+    let right = [0.25, cos_degrees(30.0)];
+    let right = right[1] / (right[0] * right[0] + right[1] * right[1]).sqrt();
+    assert!((value(&ours(&scene)) - KD / PI * right).abs() < ROUNDING);
+    expect("normal-by-matrix", &scene, KD / PI * cosine, ROUNDING);
+}
+
+/// Law: cells are numbered by truncated quotients. Oracle: Rust's conversion to integers, which truncates.
+#[test]
+fn checker_by_truncation() {
+    let size = 0.75;
+    let colors = [Rgb::WHITE, Rgb::grey(0.25)];
+    let checker = Checker3d { size, color1: colors[0].into(), color2: colors[1].into() };
+    let mut scene = plane(matte(1.0, 0.0, checker), 0.0);
+    light(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+    scene.image.resize(40, 40);
+    scene.image.pixel_size = 0.1;
+    let film = with("checker-truncated", &scene);
+    let world = groundtruth::world::World::build(&scene).expect("it is valid");
+    let mut count = 0;
+    for at in (0..40).flat_map(|x| (0..40).map(move |y| [x, y])) {
+        let sample = groundtruth::render::camera_sample(&world, at, 0).expect("it has one eye");
+        let origin = sample.ray.expect("it sees something").origin;
+        let cell = |x: f64| (x / size - 0.000_187_453_738) as i64;
+        let is_odd = (cell(origin.x()) + cell(0.0) + cell(origin.z())) % 2 != 0;
+        assert_eq!(film.get(at), colors[usize::from(is_odd)], "{at:?}");
+        count += usize::from(is_odd);
+    }
+    assert!((400..1200).contains(&count), "{count} cells are odd");
+}
+
+/// Law: the back of a two-sided plane under light from below is black. Oracle: none.
+#[test]
+fn backs_of_two_sided_surfaces() {
+    let mut scene = lit_plane(diffuse(), 130.0, 120.0);
+    scene.materials[0].two_sided = true;
+    let lit = value(&ours(&scene));
+    assert!((lit - KD / PI * cos_degrees(60.0)).abs() < ROUNDING);
+    expect("back-sides-black", &scene, 0.0, 0.0);
+}

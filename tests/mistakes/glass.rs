@@ -1,0 +1,131 @@
+//! Mistakes of transparent surfaces, on a plane below and above which all is white.
+
+use groundtruth::gallery::parts::*;
+use groundtruth::materials::{Dielectric, Medium, Phong, Transparent};
+use groundtruth::math::{atan2, cos, cos_degrees, exp, power, sin, sin_degrees, to_radians};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Scene, Tracer, Whitted};
+
+use crate::stage::*;
+
+const ETA: f64 = 1.5;
+
+fn white_around(mut scene: Scene) -> Scene {
+    scene.background = Rgb::WHITE.into();
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
+    scene
+}
+
+fn glass(angle: f64) -> Scene {
+    let glass = Dielectric {
+        phong: Phong::default(),
+        inside: Medium::clear(ETA),
+        outside: Medium::default(),
+    };
+    white_around(plane(glass, angle))
+}
+
+/// The angle of refraction, by Snell's law.
+fn refracted(i: f64) -> f64 {
+    let sin_t = sin(i) / ETA;
+    atan2(sin_t, (1.0 - sin_t * sin_t).sqrt())
+}
+
+/// The reflected share of perpendicular polarisation, by Fresnel's sine law.
+fn perpendicular(degrees: f64) -> f64 {
+    let i = to_radians(degrees);
+    let t = refracted(i);
+    let amplitude = sin(i - t) / sin(i + t);
+    amplitude * amplitude
+}
+
+/// The reflected share of unpolarised light: parallel polarisation by the law of tangents.
+fn unpolarised(degrees: f64) -> f64 {
+    let i = to_radians(degrees);
+    let t = refracted(i);
+    let tan = |x: f64| sin(x) / cos(x);
+    let amplitude = tan(i - t) / tan(i + t);
+    0.5 * (perpendicular(degrees) + amplitude * amplitude)
+}
+
+/// Law: a glass plane in white surroundings shows `R + T/η²`, and each mistake changes R, T or the factor. Oracle:
+/// Fresnel's sine and tangent laws, Schlick's formula.
+#[test]
+fn shares_of_a_glass_plane() {
+    for angle in [10.0, 50.0, 75.0] {
+        let (scene, r) = (glass(angle), unpolarised(angle));
+        let sum = |reflected: f64, factor: f64| reflected + (1.0 - reflected) * factor;
+        let squared = ETA * ETA;
+        assert!((value(&ours(&scene)) - sum(r, 1.0 / squared)).abs() < ROUNDING);
+        expect("no-eta-squared", &scene, 1.0, ROUNDING);
+        expect("eta-squared-inverted", &scene, sum(r, squared), ROUNDING);
+        expect("fresnel-swapped", &scene, sum(1.0 - r, 1.0 / squared), ROUNDING);
+        expect(
+            "fresnel-perpendicular-only",
+            &scene,
+            sum(perpendicular(angle), 1.0 / squared),
+            ROUNDING,
+        );
+        let r0 = 0.5 / 2.5 * (0.5 / 2.5);
+        let schlick = r0 + (1.0 - r0) * power(1.0 - cos_degrees(angle), 5.0);
+        expect("schlick", &scene, sum(schlick, 1.0 / squared), ROUNDING);
+        let with_cosine = r * cos_degrees(angle) + (1.0 - r) / squared;
+        expect("mirror-with-cosine", &scene, with_cosine, ROUNDING);
+    }
+}
+
+/// Law: from inside, at 60°, reflection is total: weight 1; black or `k_r` by mistake; and with the index of the outside
+/// there is none. Oracle: the critical angle of 42°.
+#[test]
+fn total_internal_reflection() {
+    let (kr, kt) = (0.25, 0.75);
+    let thin = Transparent {
+        phong: Phong::default(),
+        kr: kr.into(),
+        cr: Rgb::WHITE.into(),
+        kt: kt.into(),
+        eta: ETA,
+    };
+    let scene = white_around(plane(thin, 120.0));
+    assert_eq!(value(&ours(&scene)), 1.0);
+    expect("total-reflection-black", &scene, 0.0, 0.0);
+    expect("total-reflection-kr", &scene, kr, ROUNDING);
+    expect("eta-not-inverted", &scene, kr + kt / (ETA * ETA), ROUNDING);
+    expect("total-reflection-black", &glass(120.0), 0.0, 0.0);
+}
+
+/// Law: with the index of the outside a ray from inside turns towards the normal: the ray that leaves at 60° comes from
+/// 35°. Oracle: Snell's law, by a disk that is white where that ray goes and black elsewhere.
+#[test]
+fn direction_of_an_index_that_is_not_inverted() {
+    let mut scene = glass(150.0);
+    scene.background = Rgb::BLACK.into();
+    let sin_t = sin_degrees(30.0) / ETA;
+    let tan_t = sin_t / (1.0 - sin_t * sin_t).sqrt();
+    // the camera is at +x below, so that the ray goes to −x above
+    let target = groundtruth::shapes::Disk {
+        center: point(-100.0 * tan_t, 100.0, 0.0),
+        normal: groundtruth::math::Vector::Y,
+        radius: 0.01,
+    };
+    let lamp = groundtruth::materials::Emissive::new(1.0, Rgb::WHITE);
+    add(&mut scene, "target", target, lamp);
+    scene.materials.last_mut().expect("it has materials").two_sided = true;
+    assert_eq!(value(&ours(&scene)), 0.0);
+    let transmitted = 1.0 - unpolarised(30.0);
+    expect("eta-not-inverted", &scene, transmitted / (ETA * ETA), ROUNDING);
+}
+
+/// Law: through a body of thickness 2 light is not absorbed, or as by a thickness of 1. Oracle: `e^(−σt)`.
+#[test]
+fn absorption_of_a_body() {
+    let sigma = 0.7;
+    let mut scene = white_around(plane(Phong::default(), 0.0));
+    scene.objects.clear();
+    let inside = Medium { eta: 1.0, absorption: Rgb::grey(sigma) };
+    let tinted = Dielectric { phong: Phong::default(), inside, outside: Medium::default() };
+    add(&mut scene, "body", boxed(point(-1.0, -2.0, -1.0), point(1.0, 0.0, 1.0)), tinted);
+    assert!((value(&ours(&scene)) - exp(-2.0 * sigma)).abs() < ROUNDING);
+    expect("no-absorption", &scene, 1.0, ROUNDING);
+    expect("absorption-without-distance", &scene, exp(-sigma), ROUNDING);
+}
