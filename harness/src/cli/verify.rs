@@ -1,7 +1,7 @@
 //! `groundtruth verify`.
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -58,7 +58,17 @@ impl Verify {
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let mut watch = Watch::new(strictness.most())?;
         let seed = self.scene.seed();
-        let mut case = Case { world: &mut world, strictness, transfer: self.encoding, tone, seed };
+        let interrupted = Arc::clone(&watch.interrupted);
+        let mut case = Case {
+            world: &mut world,
+            scene: &scene,
+            folder: self.scene.folder().unwrap_or(Path::new("")),
+            is_interrupted: &|| interrupted.load(Ordering::Relaxed),
+            strictness,
+            transfer: self.encoding,
+            tone,
+            seed,
+        };
         let verdict = case.verdict(&pictures[0], &mut |world, canvas| watch.render(world, canvas));
         watch.bar.finish_and_clear();
         let Some(verdict) = verdict else {

@@ -1,16 +1,19 @@
 //! One picture of a scene, from its file to what is said of it.
 
+use std::path::Path;
+
 use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::render::{Canvas, Crop};
 use groundtruth::samplers;
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
 use super::plants::brighter;
 use super::verdict::{Region, Verdict};
 use super::{
-    Area, Areas, Decision, Judged, Map, Plant, Stored, Strictness, is_alike, is_nearer, noise,
-    planted, set_apart, smallest_gains,
+    Area, Areas, Decision, Factor, Judged, Map, Plant, Stored, Strictness, Suspects, factors,
+    is_alike, is_nearer, noise, planted, set_apart, smallest_gains, terms,
 };
 use crate::compare::{
     self, Change, Decoded, Picture, Transfer, changes_that_explain, distance_of,
@@ -19,8 +22,14 @@ use crate::compare::{
 
 /// A scene, and how strictly its pictures are judged.
 pub struct Case<'a> {
-    /// The scene, at the size of the pictures.
+    /// The scene's world, at the size of the pictures.
     pub world: &'a mut World,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Where the files are that it names.
+    pub folder: &'a Path,
+    /// Whether the user interrupted.
+    pub is_interrupted: &'a dyn Fn() -> bool,
     /// How strictly.
     pub strictness: Strictness,
     /// The transfer function of pictures for display, if the user said it.
@@ -119,6 +128,10 @@ impl Case<'_> {
             Decision::Differs => {
                 verdict.regions = regions(&judged, &areas);
                 verdict.explained = judge.explained(theirs, &mut replicas, &known, stored);
+                if !matches!(verdict.explained, Some((_, true))) {
+                    let sampler = replicas.world.image.sampler.clone();
+                    self.find_causes(&judged, &areas, sampler, &mut verdict);
+                }
             }
             Decision::Agrees if !judged.is_fixed => {
                 verdict.plants = judge.plants(&mut replicas, &known, &judged);
@@ -128,6 +141,76 @@ impl Case<'_> {
         }
         Some(verdict)
     }
+}
+
+/// Terms are the mean of so many replicas.
+const TERM_REPLICAS: u64 = 4;
+
+/// Differences below this part of our value are no cause.
+const NO_CAUSE: f64 = 1e-3;
+
+impl Case<'_> {
+    /// Finds the known mistakes and the factors of terms that explain a difference.
+    fn find_causes(
+        &mut self,
+        judged: &Judged,
+        areas: &Areas,
+        sampler: Option<samplers::Kind>,
+        verdict: &mut Verdict,
+    ) {
+        let (pool, last) = (&judged.pool, judged.pool.len() - 1);
+        let theirs = pool.picture(last);
+        let mean: Vec<f64> = (0..theirs.len()).map(|at| pool.mean_of_others(last, at)).collect();
+        let level = mean.iter().sum::<f64>() / mean.len() as f64;
+        let map = Map::of(pool, areas, last, judged.ranking.noise[last]);
+        let variance = |at: usize| {
+            let noise = map.variance(&[at / 3], at % 3);
+            let least = NO_CAUSE * mean[at].abs().max(NO_CAUSE * level);
+            noise.max(least * least)
+        };
+        let variances: Vec<f64> = (0..theirs.len()).map(variance).collect();
+
+        let mut sums: Vec<(String, Film)> = Vec::new();
+        for seed in self.seed..self.seed + TERM_REPLICAS {
+            self.world.reseed(seed);
+            for (name, film) in terms(self.world) {
+                match sums.iter_mut().find(|(known, _)| *known == name) {
+                    Some((_, sum)) => *sum = added(sum, &film, 1.0),
+                    None => sums.push((name, film)),
+                }
+            }
+        }
+        let terms: Vec<(String, Film)> = sums
+            .into_iter()
+            .map(|(name, sum)| {
+                (
+                    name,
+                    added(&Film::new(sum.width(), sum.height()), &sum, 1.0 / TERM_REPLICAS as f64),
+                )
+            })
+            .collect();
+        let values: Vec<f64> = theirs.iter().map(|value| f64::from(*value)).collect();
+        let factors = factors(&terms, (&values, &variances), (areas, 2.min(areas.levels() - 1)));
+        verdict.factors = factors.unwrap_or_default().into_iter().filter(Factor::is_off).collect();
+
+        let mut scene = self.scene.clone();
+        scene.image.sampler = sampler;
+        let (folder, is_interrupted, seed) = (self.folder, self.is_interrupted, self.seed);
+        let suspects = Suspects { scene: &scene, folder, seed, is_interrupted };
+        let subject = (areas, pool.stored);
+        verdict.causes = suspects.causes((theirs, &mean, &variances), subject, self.strictness);
+    }
+}
+
+/// A film plus a multiple of another.
+fn added(a: &Film, b: &Film, factor: f64) -> Film {
+    let mut sum = a.clone();
+    for y in 0..a.height() {
+        for x in 0..a.width() {
+            sum.set([x, y], a.get([x, y]) + factor * b.get([x, y]));
+        }
+    }
+    sum
 }
 
 /// The seed, counted from the first, of a replica that has the same bits.

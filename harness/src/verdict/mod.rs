@@ -6,6 +6,7 @@
 
 mod areas;
 mod case;
+mod causes;
 mod edges;
 mod means;
 mod plants;
@@ -19,6 +20,7 @@ mod verdict;
 
 pub use areas::{Area, Areas};
 pub use case::{Case, Renders};
+pub use causes::{Cause, Causes, Suspects};
 pub use edges::set_apart;
 pub use means::{Answer, Means};
 pub use plants::{Plant, planted, smallest_gains};

@@ -6,7 +6,8 @@ use groundtruth::explain::count;
 use serde::Serialize;
 
 use super::{
-    Area, Areas, Decision, Difference, Judged, Map, Means, Plant, Pool, Stored, Strictness,
+    Area, Areas, Cause, Causes, Decision, Difference, Factor, Judged, Map, Means, Plant, Pool,
+    Stored, Strictness,
 };
 
 /// What is said of a picture.
@@ -40,6 +41,10 @@ pub struct Verdict {
     pub regions: Vec<Region>,
     /// The change that explains the difference, and whether the picture agrees after it.
     pub explained: Option<(String, bool)>,
+    /// The terms of which the picture holds another multiple, if these explain it.
+    pub factors: Vec<Factor>,
+    /// The known mistakes that explain the difference.
+    pub causes: Causes,
     /// Defects that would have been found or not.
     pub plants: Vec<Plant>,
     /// For tiles of each side, the gain that would stand out.
@@ -89,6 +94,8 @@ impl Verdict {
             edges,
             regions: Vec::new(),
             explained: None,
+            factors: Vec::new(),
+            causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
         }
@@ -226,6 +233,28 @@ impl Verdict {
                 "but it differs beyond that"
             };
             writeln!(f, "explained: {what}; {rest}")?;
+        }
+        for factor in &self.factors {
+            let meaning = factor.meaning().map_or(String::new(), |name| format!(": {name}"));
+            writeln!(
+                f,
+                "factor: {} count {} ± {} of ours{meaning}",
+                factor.terms.join(" and "),
+                groundtruth::explain::brief(factor.factor),
+                groundtruth::explain::brief(factor.error)
+            )?;
+        }
+        let Causes { explained_by, tried } = &self.causes;
+        for (index, Cause { words, chapter, .. }) in explained_by.iter().enumerate() {
+            let or = if index == 0 {
+                "cause: the picture agrees with ours if"
+            } else {
+                "  or, which this scene cannot tell apart, if"
+            };
+            writeln!(f, "{or} {words} (ch. {chapter})")?;
+        }
+        if explained_by.is_empty() && *tried > 0 {
+            writeln!(f, "cause: none of the {tried} known mistakes that change this picture")?;
         }
         if !self.regions.is_empty() {
             writeln!(f, "where:")?;
