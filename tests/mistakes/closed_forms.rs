@@ -121,6 +121,19 @@ fn ambient_occlusion_under_a_disk() {
     expect("occluder-uniform", &scene, 0.5, 0.04);
 }
 
+/// Law: under a disk that covers nearly all of the sky ambient light has its least amount, or none by mistake. Oracle:
+/// that amount.
+#[test]
+fn least_amount_of_ambient_light() {
+    let mut scene = plane(matte(1.0, 0.0, Rgb::WHITE), 0.0);
+    scene.camera.eye = point(0.0, 0.5, 0.0);
+    light(&mut scene, AmbientOccluder { min_amount: 0.25, ..AmbientOccluder::default() });
+    let disk = Disk { center: point(0.0, 1.0, 0.0), normal: Vector::Y, radius: 1e6 };
+    add(&mut scene, "disk", disk, diffuse());
+    assert_eq!(value(&ours(&scene)), 0.25);
+    expect("no-min-amount", &scene, 0.0, 0.0);
+}
+
 /// Law: a mirror below a white sky has its cosine. Oracle: `k_r cosθ`.
 #[test]
 fn mirrors_and_gloss() {

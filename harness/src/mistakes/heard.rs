@@ -153,7 +153,8 @@ impl TermHeard<'_> {
         Some(single.then(|| light.light.sample(&from, &[]))??.direction)
     }
 
-    /// The point of the lamp from which a term of direct light comes; `None` for other lights.
+    /// The point of the lamp from which a term of direct light comes; `None` for other lights, and if no shadow ray was
+    /// cast to it.
     pub fn lamp(&self) -> Option<LampHeard> {
         let TermSource::Direct { light, .. } = self.term.source else { return None };
         let light = self.world.lights.iter().find(|placed| placed.index == light)?;

@@ -48,6 +48,12 @@ pub(super) const ALL: &[Mistake] = &[
         "ambient occlusion draws directions evenly over the hemisphere instead of by the cosine",
         occluder_uniform,
     ),
+    Mistake::scene(
+        17,
+        "no-min-amount",
+        "ambient light is black where it is occluded, instead of its least amount",
+        no_min_amount,
+    ),
 ];
 
 fn with_exponent(scene: &Scene, exponent: f64) -> Option<Scene> {
@@ -221,6 +227,19 @@ impl Light for Uniform {
         let ours = self.light.sample(from, u)?;
         Some(LightSample { direction, segment: Some(segment), pdf: Some(0.5 / PI), ..ours })
     }
+}
+
+fn no_min_amount(scene: &Scene, _: &Path) -> Option<Scene> {
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in &mut scene.lights {
+            if let Kind::AmbientOccluder(occluder) = &mut light.source {
+                any |= occluder.min_amount > 0.0;
+                (occluder.min_amount, occluder.occluded_color) = (0.0, None);
+            }
+        }
+        any
+    })
 }
 
 fn occluder_uniform(scene: &Scene, _: &Path) -> Option<Scene> {
