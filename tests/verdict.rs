@@ -1,6 +1,18 @@
-//! Pictures judged: false alarms, what is found, and what is said of both.
+//! Pictures judged: false alarms, what is found, which cause is named, and what is said of all that.
 
+#[path = "verdict/alarms.rs"]
+mod alarms;
+#[path = "verdict/cases.rs"]
+mod cases;
+#[path = "verdict/causes.rs"]
+mod causes;
+#[path = "verdict/commands.rs"]
+mod commands;
 #[path = "verdict/pictures.rs"]
 mod pictures;
-#[path = "verdict/rates.rs"]
-mod rates;
+#[path = "verdict/power.rs"]
+mod power;
+#[path = "verdict/shared.rs"]
+mod shared;
+#[path = "verdict/statistic.rs"]
+mod statistic;

@@ -16,6 +16,7 @@ pub struct Texels {
     /// From the top row down, from left to right.
     colors: Vec<[f32; 3]>,
     notes: Vec<String>,
+    transparent: u64,
 }
 
 impl Texels {
@@ -26,7 +27,7 @@ impl Texels {
     pub fn new(width: u32, height: u32, colors: Vec<[f32; 3]>) -> Self {
         assert_eq!(colors.len() as u64, u64::from(width) * u64::from(height), "a colour each");
         assert!(!colors.is_empty(), "an image has at least one texel");
-        Self { width, height, colors, notes: Vec::new() }
+        Self { width, height, colors, notes: Vec::new(), transparent: 0 }
     }
 
     /// The same image, with these notes after those that it has.
@@ -39,6 +40,11 @@ impl Texels {
     /// What was ignored or clamped in its file, in sentences for the user.
     pub fn notes(&self) -> &[String] {
         &self.notes
+    }
+
+    /// The number of texels whose alpha, which is ignored, is below 1 in a file of integers.
+    pub fn transparent(&self) -> u64 {
+        self.transparent
     }
 
     /// The number of columns.

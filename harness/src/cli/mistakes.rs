@@ -50,6 +50,12 @@ fn listed(all: &[&Mistake]) -> String {
     all.iter().map(line).collect()
 }
 
+/// Few scenes that show all mistakes of a chapter such as `ch28`.
+pub fn of_chapter_named(name: &str) -> Outcome {
+    let number = chapter(name).ok_or_else(|| format!("{name}: a chapter is written as ch28"))?;
+    print(&of_chapter(number)?)
+}
+
 fn of_chapter(chapter: u32) -> Result<String, String> {
     let Cover { scenes, never_shown } = mistakes::fewest_scenes(chapter);
     if scenes.is_empty() && never_shown.is_empty() {

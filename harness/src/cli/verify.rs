@@ -7,22 +7,24 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::Args;
+use groundtruth::explain::count;
 use groundtruth::render::Canvas;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
-use harness::verdict::{Case, Decision, Strictness, Verdict};
+use harness::verdict::{Answer, Case, Decision, Region, Strictness, Verdict};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::mistakes;
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, print};
 
 #[derive(Args)]
 pub struct Verify {
     #[command(flatten)]
-    scene: SceneArguments,
+    scene: Option<SceneArguments>,
     /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM. Several are pictures of one program with other
     /// seeds
-    #[arg(value_name = "IMAGE", required = true)]
+    #[arg(value_name = "IMAGE", required_unless_present = "scenes")]
     images: Vec<PathBuf>,
     /// The samples per pixel of their picture: ours take as many
     #[arg(long, value_name = "N", value_parser = super::scene::samples(), conflicts_with = "samples")]
@@ -33,6 +35,13 @@ pub struct Verify {
     /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
     #[arg(long, value_name = "P", default_value_t = 0.01, value_parser = level)]
     level: f64,
+    /// Say also whether the means of the picture and of each object are within this margin, such as 1%; if they are, the
+    /// exit status is 0
+    #[arg(long, value_name = "M", value_parser = margin)]
+    margin: Option<f64>,
+    /// Few scenes of the gallery that together show all known mistakes of a chapter, such as ch28
+    #[arg(long, value_name = "CHAPTER", exclusive = true)]
+    scenes: Option<String>,
     /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, the likeliest is taken,
     /// and named
     #[arg(long, value_name = "CURVE")]
@@ -49,36 +58,61 @@ fn level(text: &str) -> Result<f64, String> {
     }
 }
 
+fn margin(text: &str) -> Result<f64, String> {
+    let part = match text.strip_suffix('%') {
+        Some(percent) => percent.trim().parse().map(|percent: f64| percent / 100.0),
+        None => text.parse(),
+    };
+    match part {
+        Ok(part) if part > 0.0 && part < 1.0 => Ok(part),
+        _ => Err("write a part of the mean, such as 1% or 0.01".to_owned()),
+    }
+}
+
 impl Verify {
     pub fn run(self) -> Outcome {
+        if let Some(chapter) = &self.scenes {
+            return mistakes::of_chapter_named(chapter);
+        }
+        let arguments = self.scene.as_ref().expect("only --scenes goes without a scene");
         let pictures = self.pictures()?;
         let size = pictures[0].size;
-        let (scene, mut world) = self.scene.load_fitted(size, self.their_samples)?;
+        let (scene, mut world) = arguments.load_fitted(size, self.their_samples)?;
         let tone = (scene.image.gamma, scene.image.out_of_gamut);
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let mut watch = Watch::new(strictness.most())?;
-        let seed = self.scene.seed();
+        let seed = arguments.seed();
         let interrupted = Arc::clone(&watch.interrupted);
         let mut case = Case {
             world: &mut world,
             scene: &scene,
-            folder: self.scene.folder().unwrap_or(Path::new("")),
+            folder: arguments.folder().unwrap_or(Path::new("")),
             is_interrupted: &|| interrupted.load(Ordering::Relaxed),
             strictness,
             transfer: self.encoding,
             tone,
             seed,
         };
-        let verdict = case.verdict(&pictures[0], &mut |world, canvas| watch.render(world, canvas));
+        let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
+        let verdict = match &*pictures {
+            [only] => case.verdict(only, renders),
+            several => case.verdict_on_several(several, renders),
+        };
         watch.bar.finish_and_clear();
-        let Some(verdict) = verdict else {
+        let Some(mut verdict) = verdict else {
             eprintln!("interrupted; too few pictures were rendered to say anything");
             return Ok(Exit::Interrupted);
         };
+        if let Some(margin) = self.margin {
+            verdict.hold_to(margin);
+        }
         match self.json {
             true => print(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
-            false => print(&(verdict.to_string() + &self.advice(&verdict, size)))?,
+            false => print(&(verdict.to_string() + &advice(arguments.name(), &verdict, size)))?,
         };
+        if let Some((_, answer)) = verdict.margin {
+            return Ok(if answer == Answer::Agrees { Exit::Yes } else { Exit::No });
+        }
         Ok(match verdict.decision {
             _ if watch.is_interrupted() => Exit::Interrupted,
             Decision::Agrees => Exit::Yes,
@@ -95,6 +129,14 @@ impl Verify {
             let picture = Picture::read(file, self.encoding.unwrap_or(Transfer::Srgb))?;
             let name = file.display();
             picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
+            if picture.transparent > 0 {
+                let pixels = count(picture.transparent as usize, "pixel");
+                return Err(format!(
+                    "{name}: alpha is below 1 in {pixels}; lay the picture over the scene's background, or write it \
+                     without alpha"
+                )
+                .into());
+            }
             let is_number = |color: &[f32; 3]| color.iter().all(|value| value.is_finite());
             if let Some(at) = picture.values.iter().position(|color| !is_number(color)) {
                 let (width, value) = (picture.size[0] as usize, picture.values[at]);
@@ -116,23 +158,28 @@ impl Verify {
         }
         Ok(pictures)
     }
+}
 
-    /// The commands that explain the worst pixels.
-    fn advice(&self, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
-        let scene = self.scene.name();
-        let commands: Vec<String> = verdict
-            .regions
-            .iter()
-            .map(|region| {
-                let [x, y] = region.worst;
-                format!("  groundtruth explain {scene} {x} {y} --size {width}x{height}\n")
-            })
-            .collect();
-        if commands.is_empty() {
-            String::new()
-        } else {
-            format!("why ours is so:\n{}", commands.concat())
-        }
+/// What a picture that agrees does not say, and the commands that explain the worst pixels of one that differs.
+fn advice(scene: &str, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
+    let hidden = harness::mistakes::not_shown_by(scene).unwrap_or_default();
+    if verdict.decision == Decision::Agrees && !hidden.is_empty() {
+        return format!(
+            "this scene cannot show {} of the {} known mistakes: `groundtruth mistakes {scene}` names them, and scenes that \
+             can\n",
+            hidden.len(),
+            harness::mistakes::all().len()
+        );
+    }
+    let explain = |region: &Region| {
+        let [x, y] = region.worst;
+        format!("  groundtruth explain {scene} {x} {y} --size {width}x{height}\n")
+    };
+    let commands: Vec<String> = verdict.regions.iter().map(explain).collect();
+    if commands.is_empty() {
+        String::new()
+    } else {
+        format!("why ours is so:\n{}", commands.concat())
     }
 }
 

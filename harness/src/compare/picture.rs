@@ -79,13 +79,22 @@ pub struct Picture {
     pub step: Option<f64>,
     /// What was ignored in its file.
     pub notes: Vec<String>,
+    /// The number of pixels whose alpha, which is ignored, is below 1.
+    pub transparent: u64,
 }
 
 impl Picture {
     /// A picture of radiance.
     pub fn of_film(film: &Film) -> Self {
         let (size, transfer) = ([film.width(), film.height()], Transfer::Linear);
-        Self { size, values: film.to_f32().collect(), transfer, step: None, notes: Vec::new() }
+        Self {
+            size,
+            values: film.to_f32().collect(),
+            transfer,
+            step: None,
+            notes: Vec::new(),
+            transparent: 0,
+        }
     }
 
     /// Reads a PNG, JPEG, PPM, HDR, EXR or PFM file; display values are taken to be encoded by `transfer`.
@@ -100,7 +109,8 @@ impl Picture {
             true => (Transfer::Linear, None),
             false => (transfer, Some(step_of(&values))),
         };
-        Ok(Self { size, values, transfer, step, notes: texels.notes().to_vec() })
+        let (notes, transparent) = (texels.notes().to_vec(), texels.transparent());
+        Ok(Self { size, values, transfer, step, notes, transparent })
     }
 
     /// The radiance of its values.

@@ -75,8 +75,11 @@ impl Areas {
     pub fn coarser(&self, sums: &[f64], level: usize) -> Vec<f64> {
         let ([width, _], [across, down]) = (self.grid(level - 1), self.grid(level));
         let mut coarser = vec![0.0; across * down];
-        for (index, sum) in sums.iter().enumerate() {
-            coarser[index / width / 2 * across + index % width / 2] += sum;
+        for (row, sums) in sums.chunks_exact(width).enumerate() {
+            let above = &mut coarser[row / 2 * across..];
+            for (column, sum) in sums.iter().enumerate() {
+                above[column / 2] += sum;
+            }
         }
         coarser
     }

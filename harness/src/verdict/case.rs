@@ -3,21 +3,21 @@
 use std::path::Path;
 
 use groundtruth::film::{Film, OutOfGamut};
-use groundtruth::render::{Canvas, Crop};
 use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
 use super::plants::brighter;
-use super::verdict::{Region, Verdict};
+use super::verdict::{Explanation, REGIONS, Region, Verdict};
 use super::{
-    Area, Areas, Decision, Factor, Judged, Map, Plant, Stored, Strictness, Suspects, factors,
-    is_alike, is_nearer, noise, planted, set_apart, smallest_gains, terms,
+    Area, Areas, Decision, Evidence, Factor, Judged, Map, Plant, Renders, Replicas, Stored,
+    Strictness, Suspects, factors, is_alike, is_nearer, noise, planted, set_apart, several,
+    smallest_gains, terms,
 };
 use crate::compare::{
-    self, Change, Decoded, Picture, Transfer, changes_that_explain, distance_of,
-    half_pixel_directions, half_pixel_words,
+    Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
+    half_pixel_words,
 };
 
 /// A scene, and how strictly its pictures are judged.
@@ -40,65 +40,14 @@ pub struct Case<'a> {
     pub seed: u64,
 }
 
-/// Renders pictures; `None` if the user interrupts.
-pub type Renders<'a> = &'a mut dyn FnMut(&World, &Canvas) -> bool;
-
-/// Regions that are listed at most.
-const REGIONS: usize = 8;
-
 /// The gain that is planted everywhere, and the one in an object.
 const PLANTED: [f64; 2] = [1.02, 1.05];
 
 /// Objects in which a defect is planted have at least so many pixels.
 const SEEN: u32 = 100;
 
-/// Our replicas so far.
-struct Replicas<'a, 'b> {
-    world: &'a mut World,
-    /// In which direction film points are off by half a pixel.
-    direction: [i32; 2],
-    first: u64,
-    next: u64,
-    films: Vec<Film>,
-    renders: Renders<'b>,
-}
-
-impl Replicas<'_, '_> {
-    /// The next replica.
-    fn render(&mut self) -> Option<Film> {
-        self.world.reseed(self.next);
-        let size @ [width, height] = [self.world.image.width, self.world.image.height];
-        let canvas = match self.direction {
-            [0, 0] => Canvas::new(self.world),
-            direction => {
-                let [x, y] = compare::shift(self.world, direction);
-                Canvas::cropped(Crop { x, y, width, height })
-            }
-        };
-        let is_whole = (self.renders)(self.world, &canvas);
-        [self.world.image.width, self.world.image.height] = size;
-        self.next += 1;
-        is_whole.then(|| canvas.film())
-    }
-
-    /// The first ones with another sampler; the former ones are returned.
-    fn resample(&mut self, sampler: Option<samplers::Kind>) -> Option<Vec<Film>> {
-        let (count, former) = (self.films.len(), std::mem::take(&mut self.films));
-        self.world.image.sampler = sampler;
-        self.next = self.first;
-        self.fill(count)?;
-        Some(former)
-    }
-
-    /// Renders until there are so many films.
-    fn fill(&mut self, count: usize) -> Option<()> {
-        while self.films.len() < count {
-            let film = self.render()?;
-            self.films.push(film);
-        }
-        Some(())
-    }
-}
+/// Terms are the mean of so many replicas.
+const TERM_REPLICAS: u64 = 4;
 
 impl Case<'_> {
     /// What is to be said of a picture; `None` if the user interrupted before anything could be.
@@ -128,9 +77,17 @@ impl Case<'_> {
             Decision::Differs => {
                 verdict.regions = regions(&judged, &areas);
                 verdict.explained = judge.explained(theirs, &mut replicas, &known, stored);
-                if !matches!(verdict.explained, Some((_, true))) {
-                    let sampler = replicas.world.image.sampler.clone();
-                    self.find_causes(&judged, &areas, sampler, &mut verdict);
+                let is_harmless = |it: &Explanation| it.agrees && !it.is_gain;
+                if !verdict.explained.as_ref().is_some_and(is_harmless) {
+                    let evidence = Evidence::of(&judged, &areas);
+                    let terms = terms(replicas.world, seed..seed + TERM_REPLICAS);
+                    let factors = factors(&terms, &evidence).unwrap_or_default();
+                    verdict.factors = factors.into_iter().filter(Factor::is_off).collect();
+                    let mut scene = self.scene.clone();
+                    scene.image.sampler = replicas.world.image.sampler.clone();
+                    let (folder, is_interrupted) = (self.folder, self.is_interrupted);
+                    let suspects = Suspects { scene: &scene, folder, seed, is_interrupted };
+                    verdict.causes = suspects.causes(&evidence, strictness);
                 }
             }
             Decision::Agrees if !judged.is_fixed => {
@@ -143,74 +100,38 @@ impl Case<'_> {
     }
 }
 
-/// Terms are the mean of so many replicas.
-const TERM_REPLICAS: u64 = 4;
-
-/// Differences below this part of our value are no cause.
-const NO_CAUSE: f64 = 1e-3;
+/// So many of ours are held against several pictures of theirs at least.
+const AGAINST_SEVERAL: usize = 16;
 
 impl Case<'_> {
-    /// Finds the known mistakes and the factors of terms that explain a difference.
-    fn find_causes(
+    /// What is to be said of several pictures of one program with other seeds: nothing is assumed of their noise.
+    /// `None` if the user interrupted before anything could be.
+    pub fn verdict_on_several(
         &mut self,
-        judged: &Judged,
-        areas: &Areas,
-        sampler: Option<samplers::Kind>,
-        verdict: &mut Verdict,
-    ) {
-        let (pool, last) = (&judged.pool, judged.pool.len() - 1);
-        let theirs = pool.picture(last);
-        let mean: Vec<f64> = (0..theirs.len()).map(|at| pool.mean_of_others(last, at)).collect();
-        let level = mean.iter().sum::<f64>() / mean.len() as f64;
-        let map = Map::of(pool, areas, last, judged.ranking.noise[last]);
-        let variance = |at: usize| {
-            let noise = map.variance(&[at / 3], at % 3);
-            let least = NO_CAUSE * mean[at].abs().max(NO_CAUSE * level);
-            noise.max(least * least)
+        theirs: &[Picture],
+        renders: Renders<'_>,
+    ) -> Option<Verdict> {
+        let areas = Areas::of(self.world);
+        let (strictness, seed) = (self.strictness, self.seed);
+        let (transfer, tone) = (self.transfer, self.tone);
+        let mut replicas = Replicas {
+            world: self.world,
+            direction: [0, 0],
+            first: seed,
+            next: seed,
+            films: Vec::new(),
+            renders,
         };
-        let variances: Vec<f64> = (0..theirs.len()).map(variance).collect();
-
-        let mut sums: Vec<(String, Film)> = Vec::new();
-        for seed in self.seed..self.seed + TERM_REPLICAS {
-            self.world.reseed(seed);
-            for (name, film) in terms(self.world) {
-                match sums.iter_mut().find(|(known, _)| *known == name) {
-                    Some((_, sum)) => *sum = added(sum, &film, 1.0),
-                    None => sums.push((name, film)),
-                }
-            }
-        }
-        let terms: Vec<(String, Film)> = sums
-            .into_iter()
-            .map(|(name, sum)| {
-                (
-                    name,
-                    added(&Film::new(sum.width(), sum.height()), &sum, 1.0 / TERM_REPLICAS as f64),
-                )
-            })
-            .collect();
-        let values: Vec<f64> = theirs.iter().map(|value| f64::from(*value)).collect();
-        let factors = factors(&terms, (&values, &variances), (areas, 2.min(areas.levels() - 1)));
-        verdict.factors = factors.unwrap_or_default().into_iter().filter(Factor::is_off).collect();
-
-        let mut scene = self.scene.clone();
-        scene.image.sampler = sampler;
-        let (folder, is_interrupted, seed) = (self.folder, self.is_interrupted, self.seed);
-        let suspects = Suspects { scene: &scene, folder, seed, is_interrupted };
-        let subject = (areas, pool.stored);
-        verdict.causes = suspects.causes((theirs, &mean, &variances), subject, self.strictness);
+        replicas.fill(strictness.first.max(AGAINST_SEVERAL))?;
+        let stored =
+            likeliest(&Stored::candidates(&theirs[0], transfer, tone), &theirs[0], &replicas.films);
+        let mut pictures: Vec<Vec<f32>> =
+            replicas.films.iter().map(|film| stored.values(film)).collect();
+        let ours = pictures.len();
+        pictures.extend(theirs.iter().map(|picture| read(picture, stored)));
+        let tests = several(&pictures[ours..], &pictures[..ours], &areas);
+        Some(Verdict::of_several((stored, &areas, strictness), &pictures, ours, &tests))
     }
-}
-
-/// A film plus a multiple of another.
-fn added(a: &Film, b: &Film, factor: f64) -> Film {
-    let mut sum = a.clone();
-    for y in 0..a.height() {
-        for x in 0..a.width() {
-            sum.set([x, y], a.get([x, y]) + factor * b.get([x, y]));
-        }
-    }
-    sum
 }
 
 /// The seed, counted from the first, of a replica that has the same bits.
@@ -276,7 +197,7 @@ impl Judge<'_> {
         replicas: &mut Replicas<'_, '_>,
         known: &[Vec<f32>],
         stored: Stored,
-    ) -> Option<(String, bool)> {
+    ) -> Option<Explanation> {
         let mean: Vec<f32> = mean_of(known).into_iter().map(|value| value as f32).collect();
         let [mean, alike] = [&mean, &known[0]].map(|values| picture_of(values, theirs.size));
         let [ours, alike_decoded] = [&mean, &alike].map(Decoded::new);
@@ -290,15 +211,18 @@ impl Judge<'_> {
             let changed = change.applied(&as_theirs);
             let agrees = self.agrees(&changed, replicas);
             // a factor that is not the whole difference says little
-            if agrees || !matches!(change, Change::Scaled(_)) {
-                return Some((what, agrees));
+            let is_gain = matches!(change, Change::Scaled(_));
+            if agrees || !is_gain {
+                return Some(Explanation { what, agrees, is_gain });
             }
         }
         let direction = half_pixel_directions(replicas.world, &as_theirs, Some(&alike)).first()?.0;
         replicas.direction = direction;
         replicas.films.clear();
         replicas.fill(self.strictness.first)?;
-        Some((half_pixel_words(direction, "theirs"), self.agrees(&as_theirs, replicas)))
+        let (what, agrees) =
+            (half_pixel_words(direction, "theirs"), self.agrees(&as_theirs, replicas));
+        Some(Explanation { what, agrees, is_gain: false })
     }
 
     fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
@@ -349,7 +273,7 @@ fn likeliest(candidates: &[Stored], theirs: &Picture, films: &[Film]) -> Stored 
     let distance = |stored: &Stored| {
         let all: Vec<Vec<f32>> = films.par_iter().map(|film| stored.values(film)).collect();
         let mean = mean_of(&all);
-        let pairs = mean.iter().zip(read(theirs, *stored));
+        let pairs = mean.iter().zip(read(theirs, *stored)).filter(|(_, theirs)| theirs.is_finite());
         pairs.map(|(x, y)| (x - f64::from(y)).abs()).sum::<f64>() / mean.iter().sum::<f64>()
     };
     if let [only] = candidates {
@@ -374,7 +298,7 @@ fn read(picture: &Picture, stored: Stored) -> Vec<f32> {
 fn picture_of(values: &[f32], size: [u32; 2]) -> Picture {
     let (colors, _) = values.as_chunks::<3>();
     let (values, transfer) = (colors.to_vec(), Transfer::Linear);
-    Picture { size, values, transfer, step: None, notes: Vec::new() }
+    Picture { size, values, transfer, step: None, notes: Vec::new(), transparent: 0 }
 }
 
 fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {

@@ -11,7 +11,8 @@ use groundtruth::scene::Scene;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Areas, Decision, Judged, Stored, Strictness};
+use super::evidence::Evidence;
+use super::{Decision, Judged, Strictness};
 use crate::mistakes::{self, Films, Mistake};
 
 /// A mistake that explains a picture.
@@ -52,9 +53,6 @@ const LEFT: f64 = 0.5;
 /// Changes of two mistakes are alike if they differ by at most this part of either, squared.
 const ALIKE: f64 = 0.02;
 
-/// The level of the tiles over which changes are compared.
-const LEVEL: usize = 2;
-
 /// A scene whose mistaken pictures are rendered.
 pub struct Suspects<'a> {
     /// The scene, at the size of the picture.
@@ -76,22 +74,16 @@ struct Change {
 }
 
 impl Suspects<'_> {
-    /// The mistakes that explain the difference of `theirs` from `mean`, the mean of ours, whose difference has these
-    /// variances: three values a pixel, as radiance.
-    pub fn causes(
-        &self,
-        (theirs, mean, variances): (&[f32], &[f64], &[f64]),
-        (areas, stored): (&Areas, Stored),
-        strictness: Strictness,
-    ) -> Causes {
+    /// The mistakes that explain a picture.
+    pub fn causes(&self, evidence: &Evidence<'_>, strictness: Strictness) -> Causes {
         let Some(films) = self.films() else { return Causes::default() };
-        let weights: Vec<f64> = tiles(areas, |at| variances[at]);
-        let difference = tiles(areas, |at| f64::from(theirs[at]) - mean[at]);
+        let weights = evidence.weights();
+        let difference = evidence.tiles(|at| finite(evidence.theirs[at] - evidence.mean[at]));
         let before = squared(&difference, &weights);
-        let ours = stored.values(&films.ours);
+        let ours = evidence.stored.values(&films.ours);
         let change = |(mistake, film): &(&'static Mistake, Film)| {
-            let altered = stored.values(film);
-            let tiles = tiles(areas, |at| f64::from(altered[at]) - f64::from(ours[at]));
+            let altered = evidence.stored.values(film);
+            let tiles = evidence.tiles(|at| finite(f64::from(altered[at]) - f64::from(ours[at])));
             let rest: Vec<f64> = difference.iter().zip(&tiles).map(|(a, b)| a - b).collect();
             Change { mistake, left: squared(&rest, &weights) / before, tiles }
         };
@@ -103,7 +95,7 @@ impl Suspects<'_> {
             if (self.is_interrupted)() {
                 break;
             }
-            if self.explains(changes[at].mistake, theirs, (areas, stored), strictness) {
+            if self.explains(changes[at].mistake, evidence, strictness) {
                 let is_alike = |other: &&Change| are_alike(&changes[at], other, &weights);
                 let group = changes.iter().filter(is_alike).map(|it| Cause::of(it.mistake));
                 return Causes { explained_by: group.collect(), tried };
@@ -123,40 +115,32 @@ impl Suspects<'_> {
     fn explains(
         &self,
         mistake: &'static Mistake,
-        theirs: &[f32],
-        subject: (&Areas, Stored),
+        Evidence { areas, stored, theirs, .. }: &Evidence<'_>,
         strictness: Strictness,
     ) -> bool {
         let mut seed = self.seed;
         let replicas = || {
             seed += 1;
             let film = mistakes::replica(mistake, self.scene, self.folder, seed).ok().flatten();
-            film.filter(|_| !(self.is_interrupted)()).map(|film| subject.1.values(&film))
+            film.filter(|_| !(self.is_interrupted)()).map(|film| stored.values(&film))
         };
-        let judged = Judged::of(theirs, subject, strictness, &mut Vec::new(), replicas);
+        let theirs: Vec<f32> = theirs.iter().map(|value| *value as f32).collect();
+        let judged = Judged::of(&theirs, (areas, *stored), strictness, &mut Vec::new(), replicas);
         judged.is_some_and(|judged| judged.decision == Decision::Agrees)
     }
 }
 
-/// Sums over tiles, of each channel.
-fn tiles(areas: &Areas, value: impl Fn(usize) -> f64) -> Vec<f64> {
-    let level = LEVEL.min(areas.levels() - 1);
-    let of = |channel: usize| {
-        let pixels = (0..areas.object_of.len()).map(|pixel| value(3 * pixel + channel)).collect();
-        (1..=level).fold(pixels, |sums: Vec<f64>, level| areas.coarser(&sums, level))
-    };
-    (0..3).flat_map(of).collect()
+/// What is no number has no weight.
+fn finite(value: f64) -> f64 {
+    if value.is_finite() { value } else { 0.0 }
 }
 
-/// The sum of squares over variances; where there is no variance, the smallest counts.
-fn squared(values: &[f64], variances: &[f64]) -> f64 {
-    let positive = variances.iter().copied().filter(|variance| *variance > 0.0);
-    let smallest = positive.fold(f64::INFINITY, f64::min);
-    let floor = if smallest.is_finite() { smallest } else { 1.0 };
-    values.iter().zip(variances).map(|(value, variance)| value * value / variance.max(floor)).sum()
+/// The weighted sum of squares.
+fn squared(values: &[f64], weights: &[f64]) -> f64 {
+    values.iter().zip(weights).map(|(value, weight)| weight * value * value).sum()
 }
 
-fn are_alike(a: &Change, b: &Change, variances: &[f64]) -> bool {
+fn are_alike(a: &Change, b: &Change, weights: &[f64]) -> bool {
     let apart: Vec<f64> = a.tiles.iter().zip(&b.tiles).map(|(a, b)| a - b).collect();
-    squared(&apart, variances) <= ALIKE * squared(&a.tiles, variances)
+    squared(&apart, weights) <= ALIKE * squared(&a.tiles, weights)
 }

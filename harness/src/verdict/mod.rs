@@ -8,28 +8,33 @@ mod areas;
 mod case;
 mod causes;
 mod edges;
+mod evidence;
 mod means;
 mod plants;
 mod pool;
 mod ranking;
+mod replicas;
 mod several;
 mod stored;
 mod terms;
+mod text;
 #[expect(clippy::module_inception, reason = "the file of the type of this name")]
 mod verdict;
 
 pub use areas::{Area, Areas};
-pub use case::{Case, Renders};
+pub use case::Case;
 pub use causes::{Cause, Causes, Suspects};
 pub use edges::set_apart;
+pub use evidence::Evidence;
 pub use means::{Answer, Means};
 pub use plants::{Plant, planted, smallest_gains};
 pub use pool::{Against, Pool};
 pub use ranking::{Difference, Level, Map, Ranking};
+pub use replicas::{Renders, Replicas};
 pub use several::{WelchTest, several};
 pub use stored::{Bright, Stored};
 pub use terms::{Factor, factors, terms};
-pub use verdict::{Region, Verdict};
+pub use verdict::{Explanation, Region, Verdict};
 
 use groundtruth::math::ln;
 use serde::Serialize;

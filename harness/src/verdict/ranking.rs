@@ -5,7 +5,6 @@
 //! however the tests depend on each other (Westfall & Young, *Resampling-Based Multiple Testing*, 1993: the largest
 //! statistic; Barnard, in the discussion of Bartlett, "The Spectral Analysis of Point Processes", 1963: the rank).
 
-use groundtruth::math::power;
 use rayon::prelude::*;
 
 use super::areas::{Area, Areas};
@@ -76,7 +75,7 @@ impl Ranking {
             .into_par_iter()
             .map(|picture| {
                 let map = Map::of(pool, areas, picture, noise[picture]);
-                levels.iter().map(|level| map.largest(areas, *level)).collect()
+                map.largest(areas, &levels)
             })
             .collect();
         let everyone: Vec<usize> = (0..pool.len()).collect();
@@ -108,10 +107,10 @@ impl Ranking {
     pub fn differences(&self, pool: &Pool, areas: &Areas, picture: usize) -> Vec<Difference> {
         let map = Map::of(pool, areas, picture, self.noise[picture]);
         let mut found: Vec<(f64, Difference)> = Vec::new();
-        for (at, level) in self.levels.iter().enumerate() {
+        for (at, sums) in map.sums(areas, &self.levels).iter().enumerate() {
             let others = self.largest.iter().enumerate().filter(|(index, _)| *index != picture);
             let limit = others.map(|(_, largest)| largest[at]).fold(0.0, f64::max);
-            for difference in map.differences(areas, *level) {
+            for difference in sums.differences(areas) {
                 if difference.z.abs() > limit {
                     found.push((difference.z.abs() / limit, difference));
                 }
@@ -198,43 +197,41 @@ impl Map {
         Self { differences: three(differences), variances: three(variances), alone }
     }
 
-    fn largest(&self, areas: &Areas, level: Level) -> f64 {
+    /// The largest difference of each level, in standard deviations.
+    fn largest(&self, areas: &Areas, levels: &[Level]) -> Vec<f64> {
         let root_of = |counts: &[f64]| 2.0 * counts.iter().sum::<f64>().sqrt();
-        match level {
-            Level::Alone => return root_of(&self.alone),
-            Level::AloneInside => return root_of(&inside(&self.alone, areas.size)),
-            Level::Tiles(_) | Level::Objects => {}
-        }
-        self.differences(areas, level).map(|it| it.z.abs()).fold(0.0, f64::max)
+        let largest = |sums: Sums| match sums.level {
+            Level::Alone => root_of(&self.alone),
+            Level::AloneInside => root_of(&inside(&self.alone, areas.size)),
+            _ => sums.differences(areas).map(|it| it.z.abs()).fold(0.0, f64::max),
+        };
+        self.sums(areas, levels).into_iter().map(largest).collect()
     }
 
-    /// The differences of all areas of a level, in standard deviations.
-    pub fn differences<'a>(
-        &'a self,
-        areas: &'a Areas,
-        level: Level,
-    ) -> impl Iterator<Item = Difference> + 'a {
-        let sums = move |values: &[f64]| match level {
-            Level::Tiles(level) => {
-                (1..=level).fold(values.to_vec(), |sums, level| areas.coarser(&sums, level))
-            }
-            Level::Objects => areas.by_object(values),
-            Level::Alone | Level::AloneInside => Vec::new(),
+    /// The sums over the areas of each level.
+    fn sums(&self, areas: &Areas, levels: &[Level]) -> Vec<Sums> {
+        let both = |of: &dyn Fn(&[f64]) -> Vec<f64>| {
+            [0, 1, 2].map(|channel| [of(&self.differences[channel]), of(&self.variances[channel])])
         };
-        (0..3).flat_map(move |channel| {
-            let differences = sums(&self.differences[channel]);
-            let variances = sums(&self.variances[channel]);
-            let both = differences.into_iter().zip(variances).enumerate();
-            both.filter(|(_, (_, variance))| *variance > 0.0).map(
-                move |(index, (sum, variance))| {
-                    let area = match level {
-                        Level::Tiles(level) => areas.tile(level, index),
-                        _ => Area::Object(index),
-                    };
-                    Difference { area, channel, z: sum / variance.sqrt() }
-                },
-            )
-        })
+        let mut tiles = both(&<[f64]>::to_vec);
+        let mut at = 0;
+        let mut of_level = |level: &Level| {
+            let channels = match *level {
+                Level::Tiles(level) => {
+                    while at < level {
+                        at += 1;
+                        tiles = tiles
+                            .each_ref()
+                            .map(|both| both.each_ref().map(|it| areas.coarser(it, at)));
+                    }
+                    tiles.clone()
+                }
+                Level::Objects => both(&|values| areas.by_object(values)),
+                Level::Alone | Level::AloneInside => Default::default(),
+            };
+            Sums { level: *level, channels }
+        };
+        levels.iter().map(&mut of_level).collect()
     }
 
     /// The pixels in which all others agree against this picture.
@@ -282,6 +279,30 @@ fn leave_out_bright(
     }
 }
 
+/// Sums over the areas of a level: for each channel, of the differences and of their variances.
+struct Sums {
+    level: Level,
+    channels: [[Vec<f64>; 2]; 3],
+}
+
+impl Sums {
+    /// The differences of all areas, in standard deviations.
+    fn differences<'a>(&'a self, areas: &'a Areas) -> impl Iterator<Item = Difference> + 'a {
+        self.channels.iter().enumerate().flat_map(move |(channel, [differences, variances])| {
+            let both = differences.iter().zip(variances).enumerate();
+            both.filter(|(_, (_, variance))| **variance > 0.0).map(
+                move |(index, (sum, variance))| {
+                    let area = match self.level {
+                        Level::Tiles(level) => areas.tile(level, index),
+                        _ => Area::Object(index),
+                    };
+                    Difference { area, channel, z: sum / variance.sqrt() }
+                },
+            )
+        })
+    }
+}
+
 /// The differences of a channel of a picture from the mean of the others, where the others vary.
 struct Residuals {
     difference: Vec<f64>,
@@ -326,13 +347,17 @@ fn detail(pool: &Pool, picture: usize) -> f64 {
                 let total: f64 = block.iter().map(|pixel| variance[*pixel]).sum();
                 if block.iter().any(|pixel| varied[*pixel]) && total > 0.0 {
                     let [a, b, c, d] = block.map(|pixel| difference[pixel]);
-                    sum += (power(a - b - c + d, 2.0) / total).min(MOST_DETAIL);
+                    sum += (square(a - b - c + d) / total).min(MOST_DETAIL);
                     count += 1.0;
                 }
             }
         }
     }
     sum / count.max(1.0)
+}
+
+fn square(x: f64) -> f64 {
+    x * x
 }
 
 /// The variance of a picture's noise around each pixel, from the finest details of its differences: noise has them,
@@ -342,7 +367,7 @@ fn own_variance(difference: &[f64], size @ [width, height]: [usize; 2]) -> Vec<f
         let (x, y) = (pixel % width, pixel / width);
         let (right, below) = (usize::from(x + 1 < width), usize::from(y + 1 < height) * width);
         let [a, b, c, d] = [0, right, below, below + right].map(|step| difference[pixel + step]);
-        0.25 * power(a - b - c + d, 2.0)
+        0.25 * square(a - b - c + d)
     };
     around(&(0..difference.len()).map(detail).collect::<Vec<f64>>(), size)
 }

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use groundtruth::film::Film;
 use groundtruth::math::Ray;
@@ -15,7 +16,7 @@ use groundtruth::world::World;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::areas::Areas;
+use super::evidence::Evidence;
 
 /// What a term is of.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -100,20 +101,26 @@ impl Recorder for Dividing {
     }
 }
 
-/// The terms of a world's picture, each as a film; their sum is the picture.
-pub fn terms(world: &World) -> Vec<(String, Film)> {
+/// The terms of a world's pictures with these seeds, each as the mean of films; their sum is the mean of the pictures.
+pub fn terms(world: &mut World, seeds: Range<u64>) -> Vec<(String, Film)> {
     let [width, height] = world.picture_size();
-    let pixels: Vec<([u32; 2], Sums)> = (0..height)
-        .into_par_iter()
-        .flat_map_iter(|y| (0..width).map(move |x| ([x, y], pixel(world, [x, y]))))
-        .collect();
-    let mut films = BTreeMap::new();
-    for (at, sums) in pixels {
-        for (key, value) in sums {
-            films.entry(key).or_insert_with(|| Film::new(width, height)).set(at, value);
+    let part = 1.0 / (seeds.end - seeds.start) as f64;
+    let mut films: BTreeMap<Key, Film> = BTreeMap::new();
+    for seed in seeds {
+        world.reseed(seed);
+        let pixels: Vec<([u32; 2], Sums)> = (0..height)
+            .into_par_iter()
+            .flat_map_iter(|y| (0..width).map(move |x| [x, y]))
+            .map(|at| (at, pixel(world, at)))
+            .collect();
+        for (at, sums) in pixels {
+            for (key, value) in sums {
+                let film = films.entry(key).or_insert_with(|| Film::new(width, height));
+                film.set(at, film.get(at) + part * value);
+            }
         }
     }
-    films.into_iter().map(|(key, film): (Key, Film)| (key.name(world), film)).collect()
+    films.into_iter().map(|(key, film)| (key.name(world), film)).collect()
 }
 
 /// The terms of a pixel.
@@ -181,25 +188,18 @@ const SMALLEST: f64 = 1e-4;
 /// A picture is explained by factors if they leave at most this part of the squared difference.
 const LEFT: f64 = 0.2;
 
-/// The factors of the terms of which theirs is the sum, by weighted least squares over tiles of a level: `values` are
-/// radiance, three channels a pixel, `variances` those of the difference from our picture. `None` if factors do not
-/// explain the picture.
-pub fn factors(
-    terms: &[(String, Film)],
-    (theirs, variances): (&[f64], &[f64]),
-    (areas, level): (&Areas, usize),
-) -> Option<Vec<Factor>> {
-    let tiled = |values: &[f64]| tiles(values, areas, level);
-    let weights: Vec<f64> =
-        tiled(variances).iter().map(|v| if *v > 0.0 { 1.0 / v } else { 0.0 }).collect();
-    let total: f64 = theirs.iter().sum();
+/// The factors of the terms of which a picture is the sum, by weighted least squares over tiles. `None` if factors do
+/// not explain it.
+pub fn factors(terms: &[(String, Film)], evidence: &Evidence<'_>) -> Option<Vec<Factor>> {
+    let weights = evidence.weights();
+    let total: f64 = evidence.mean.iter().sum();
     let mut groups: Vec<(Vec<String>, Vec<f64>)> = Vec::new();
     for (name, film) in terms {
         let values: Vec<f64> = film.pixels().iter().flat_map(|color| color.to_array()).collect();
         if values.iter().sum::<f64>() < SMALLEST * total {
             continue;
         }
-        let tiles = tiled(&values);
+        let tiles = evidence.tiles(|at| values[at]);
         match groups.iter_mut().find(|(_, group)| cosine(group, &tiles, &weights) > ALIKE) {
             Some((names, group)) => {
                 names.push(name.clone());
@@ -208,7 +208,8 @@ pub fn factors(
             None => groups.push((vec![name.clone()], tiles)),
         }
     }
-    let theirs = tiled(theirs);
+    let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
+    let theirs = evidence.tiles(|at| finite(evidence.theirs[at]));
     let columns: Vec<&[f64]> = groups.iter().map(|(_, values)| &**values).collect();
     let (solution, covariance) = least_squares(&columns, &theirs, &weights)?;
     let left = |factors: &[f64]| -> f64 {
@@ -232,15 +233,6 @@ pub fn factors(
         share: values.iter().sum::<f64>() / whole,
     };
     Some(groups.iter().enumerate().map(factor).collect())
-}
-
-/// Sums over the tiles of a level, of each channel.
-fn tiles(values: &[f64], areas: &Areas, level: usize) -> Vec<f64> {
-    let of = |channel: usize| {
-        let pixels: Vec<f64> = values.iter().skip(channel).step_by(3).copied().collect();
-        (1..=level).fold(pixels, |sums, level| areas.coarser(&sums, level))
-    };
-    (0..3).flat_map(of).collect()
 }
 
 /// The cosine of the angle between two pictures.

@@ -1,13 +1,11 @@
-//! What is said of a picture, as data and as text.
-
-use std::fmt;
+//! What is said of a picture, as data.
 
 use groundtruth::explain::count;
 use serde::Serialize;
 
 use super::{
-    Area, Areas, Cause, Causes, Decision, Difference, Factor, Judged, Map, Means, Plant, Pool,
-    Stored, Strictness,
+    Answer, Area, Areas, Causes, Decision, Difference, Factor, Judged, Map, Means, Plant, Pool,
+    Ranking, Stored, Strictness, WelchTest,
 };
 
 /// What is said of a picture.
@@ -17,6 +15,8 @@ pub struct Verdict {
     pub decision: Decision,
     /// What was assumed of how the picture stores its values.
     pub assumed: String,
+    /// The number of pictures that were judged.
+    pub pictures: usize,
     /// The seed of the replica that has the same bits.
     pub equal_to_seed: Option<u64>,
     /// The means of the picture and of its objects.
@@ -37,10 +37,12 @@ pub struct Verdict {
     pub fixed: bool,
     /// Pixels on edges that were set apart.
     pub edges: usize,
+    /// A relative margin for the means, and whether they are within it.
+    pub margin: Option<(f64, Answer)>,
     /// Where it differs.
     pub regions: Vec<Region>,
-    /// The change that explains the difference, and whether the picture agrees after it.
-    pub explained: Option<(String, bool)>,
+    /// The change that explains the difference.
+    pub explained: Option<Explanation>,
     /// The terms of which the picture holds another multiple, if these explain it.
     pub factors: Vec<Factor>,
     /// The known mistakes that explain the difference.
@@ -49,6 +51,17 @@ pub struct Verdict {
     pub plants: Vec<Plant>,
     /// For tiles of each side, the gain that would stand out.
     pub gains: Vec<(usize, Option<f64>)>,
+}
+
+/// A simple change that explains a difference.
+#[derive(Clone, Debug, Serialize)]
+pub struct Explanation {
+    /// What is different about the picture.
+    pub what: String,
+    /// Whether it agrees but for that.
+    pub agrees: bool,
+    /// Whether it is a factor of all radiance.
+    pub is_gain: bool,
 }
 
 /// A region in which a picture differs.
@@ -82,6 +95,7 @@ impl Verdict {
         Self {
             decision: judged.decision,
             assumed: stored.to_string(),
+            pictures: 1,
             equal_to_seed: None,
             means: Means::of(&judged.pool, areas, noise, 1.0 - strictness.level),
             noise,
@@ -92,6 +106,7 @@ impl Verdict {
             level: strictness.level,
             fixed: judged.is_fixed,
             edges,
+            margin: None,
             regions: Vec::new(),
             explained: None,
             factors: Vec::new(),
@@ -101,6 +116,11 @@ impl Verdict {
         }
     }
 
+    /// Says also whether the means of the picture and of its objects are within a relative margin of ours.
+    pub fn hold_to(&mut self, margin: f64) {
+        self.margin = Some((margin, Means::within(&self.means, margin)));
+    }
+
     /// That of a picture with the bits of one of ours.
     pub fn equal(stored: Stored, seed: u64, judged: &Judged, areas: &Areas) -> Self {
         let strictness = Strictness { level: 0.01, first: judged.pool.len() };
@@ -108,6 +128,60 @@ impl Verdict {
         Self { decision: Decision::Agrees, equal_to_seed: Some(seed), ..verdict }
     }
 }
+
+impl Verdict {
+    /// That of several pictures by Welch's tests; `pictures` are so many of ours, and then theirs.
+    pub fn of_several(
+        (stored, areas, strictness): (Stored, &Areas, Strictness),
+        pictures: &[Vec<f32>],
+        ours: usize,
+        tests: &[WelchTest],
+    ) -> Self {
+        let theirs = pictures.len() - ours;
+        let mean = (0..pictures[0].len()).map(|at| {
+            let sum: f64 = pictures[ours..].iter().map(|picture| f64::from(picture[at])).sum();
+            (sum / theirs as f64) as f32
+        });
+        let with_mean = pictures[..ours].iter().cloned().chain([mean.collect()]).collect();
+        let pool = Pool::new(areas.size, stored, with_mean);
+        let noise = Ranking::of(&pool, areas, 0).noise[ours];
+        let is_off = |test: &&WelchTest| test.probability <= strictness.level;
+        let mut regions: Vec<Region> = Vec::new();
+        let mut taken = vec![false; areas.object_of.len()];
+        for test in tests.iter().filter(is_off) {
+            let pixels = areas.pixels(test.area);
+            if regions.len() < REGIONS && !pixels.iter().any(|pixel| taken[*pixel]) {
+                pixels.iter().for_each(|pixel| taken[*pixel] = true);
+                regions.push(Region::of_pixels(&pool, areas, &pixels));
+            }
+        }
+        Self {
+            decision: if regions.is_empty() { Decision::Agrees } else { Decision::Differs },
+            assumed: stored.to_string(),
+            pictures: theirs,
+            equal_to_seed: None,
+            means: Means::of(&pool, areas, noise, 1.0 - strictness.level),
+            noise,
+            coarse: false,
+            independent: false,
+            replicas: ours,
+            as_far: 0,
+            level: strictness.level,
+            fixed: false,
+            edges: 0,
+            margin: None,
+            regions,
+            explained: None,
+            factors: Vec::new(),
+            causes: Causes::default(),
+            plants: Vec::new(),
+            gains: Vec::new(),
+        }
+    }
+}
+
+/// Regions that are listed at most.
+pub(super) const REGIONS: usize = 8;
 
 impl Region {
     /// An area, with its pixel that is farthest out.
@@ -168,151 +242,4 @@ fn shown_by(areas: &Areas, pixels: &[usize]) -> String {
     pixels.iter().for_each(|pixel| counts[areas.object_of[*pixel] as usize] += 1);
     let most = (0..counts.len()).max_by_key(|object| counts[*object]).unwrap_or_default();
     areas.objects[most].0.to_string()
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "assumed: {}", self.assumed)?;
-        if let Some(seed) = self.equal_to_seed {
-            return writeln!(f, "agrees: it is our picture with --seed {seed}, bit for bit");
-        }
-        if let Some(whole) = self.means.first() {
-            writeln!(
-                f,
-                "mean: {}, ours {}{}",
-                brief(whole.theirs),
-                brief(whole.ours),
-                apart(whole)
-            )?;
-        }
-        if !self.fixed {
-            let noise = self.noise;
-            let note = if self.coarse {
-                ": unlike ours, so areas below 4 × 4 pixels were left out"
-            } else {
-                ""
-            };
-            writeln!(f, "noise: {noise:.2} of that of our pictures{note}")?;
-        }
-        if self.edges > 0 {
-            let pixels = count(self.edges, "pixel");
-            writeln!(f, "set apart: {pixels} on edges, where a rounding error decides")?;
-        }
-        match self.decision {
-            Decision::Agrees if self.fixed => {
-                writeln!(f, "agrees: no value differs by more than rounding")?
-            }
-            Decision::Agrees => writeln!(
-                f,
-                "agrees: {} of our {} pictures with other seeds are as far out",
-                self.as_far, self.replicas
-            )?,
-            Decision::Undecided => writeln!(
-                f,
-                "interrupted: {} of {} pictures with other seeds are as far out so far",
-                self.as_far, self.replicas
-            )?,
-            Decision::Differs if self.fixed => writeln!(f, "differs: the scene has no noise")?,
-            Decision::Differs => writeln!(
-                f,
-                "differs: it is farther out than all {} of our pictures with other seeds",
-                self.replicas
-            )?,
-        }
-        self.explanation(f)?;
-        self.power(f)
-    }
-}
-
-impl Verdict {
-    fn explanation(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some((what, agrees)) = &self.explained {
-            let rest = if *agrees {
-                "the picture agrees but for that"
-            } else {
-                "but it differs beyond that"
-            };
-            writeln!(f, "explained: {what}; {rest}")?;
-        }
-        for factor in &self.factors {
-            let meaning = factor.meaning().map_or(String::new(), |name| format!(": {name}"));
-            writeln!(
-                f,
-                "factor: {} count {} ± {} of ours{meaning}",
-                factor.terms.join(" and "),
-                groundtruth::explain::brief(factor.factor),
-                groundtruth::explain::brief(factor.error)
-            )?;
-        }
-        let Causes { explained_by, tried } = &self.causes;
-        for (index, Cause { words, chapter, .. }) in explained_by.iter().enumerate() {
-            let or = if index == 0 {
-                "cause: the picture agrees with ours if"
-            } else {
-                "  or, which this scene cannot tell apart, if"
-            };
-            writeln!(f, "{or} {words} (ch. {chapter})")?;
-        }
-        if explained_by.is_empty() && *tried > 0 {
-            writeln!(f, "cause: none of the {tried} known mistakes that change this picture")?;
-        }
-        if !self.regions.is_empty() {
-            writeln!(f, "where:")?;
-        }
-        for Region { name, bounds: [x, y, w, h], z, ours, theirs, worst: [wx, wy] } in &self.regions
-        {
-            let z = z.map_or(String::new(), |z| format!("{z:+.1} standard deviations, "));
-            writeln!(
-                f,
-                "  {name} in {x},{y},{w}x{h}: {z}{} and ours {}, the worst at ({wx}, {wy})",
-                brief(*theirs),
-                brief(*ours)
-            )?;
-        }
-        Ok(())
-    }
-
-    fn power(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names = |found: bool| {
-            let plants = self.plants.iter().filter(|plant| plant.found == found);
-            plants.map(|plant| plant.what.as_str()).collect::<Vec<_>>().join("; ")
-        };
-        for (found, title) in [(true, "would have been seen"), (false, "would not have been seen")]
-        {
-            let names = names(found);
-            if !names.is_empty() {
-                writeln!(f, "{title}, with {} pictures: {names}", self.replicas)?;
-            }
-        }
-        let gains: Vec<String> = self
-            .gains
-            .iter()
-            .filter_map(|(side, gain)| Some(format!("{side}×{side}: {}", percent((*gain)?))))
-            .collect();
-        if !gains.is_empty() {
-            writeln!(f, "the smallest gain that stands out in a tile: {}", gains.join(", "))?;
-        }
-        Ok(())
-    }
-}
-
-fn percent(part: f64) -> String {
-    match 100.0 * part {
-        large if large >= 10.0 => format!("{large:.0} %"),
-        small => format!("{small:.2} %"),
-    }
-}
-
-/// A relative difference and its interval.
-fn apart(Means { relative, half, .. }: &Means) -> String {
-    let percent = |part: f64| format!("{:.2}", 100.0 * part);
-    relative.map_or(String::new(), |relative| {
-        let sign = if relative < 0.0 { "−" } else { "+" };
-        format!(", {sign}{} % ± {} %", percent(relative.abs()), percent(*half))
-    })
-}
-
-fn brief(color: [f64; 3]) -> String {
-    let [r, g, b] = color.map(groundtruth::explain::brief);
-    format!("({r}, {g}, {b})")
 }

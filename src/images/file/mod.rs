@@ -308,30 +308,33 @@ fn integers(
             colors(pairs.iter().map(|pair| u16::from_ne_bytes(*pair)), channels, &table)
         }
     };
-    Ok(Texels::new(width, height, colors?))
+    let (colors, transparent) = colors?;
+    Ok(Texels { transparent, ..Texels::new(width, height, colors) })
 }
 
+/// The colours of samples, and the number of those whose alpha is not the largest value.
 fn colors(
     samples: impl Iterator<Item = u16>,
     channels: usize,
     table: &[f32],
-) -> Result<Vec<[f32; 3]>, Problem> {
+) -> Result<(Vec<[f32; 3]>, u64), Problem> {
+    let opaque = table.last().copied();
     let mut values = samples.map(|sample| {
         table.get(usize::from(sample)).copied().ok_or_else(|| {
             let largest = table.len() - 1;
             format!("found a sample of {sample}, but the largest value (maxval) is {largest}")
         })
     });
-    let mut colors = Vec::with_capacity(values.size_hint().0 / channels);
+    let (mut colors, mut transparent) = (Vec::with_capacity(values.size_hint().0 / channels), 0);
     while let Some(first) = values.next() {
         let mut next = || values.next().expect("texels have all their channels");
         let first = first?;
         colors.push(if channels < 3 { [first; 3] } else { [first, next()?, next()?] });
         if channels.is_multiple_of(2) {
-            next()?;
+            transparent += u64::from(Some(next()?) != opaque);
         }
     }
-    Ok(colors)
+    Ok((colors, transparent))
 }
 
 /// Radiance from a file; fails unless it is finite. Negative values, which filters leave beside bright

@@ -1,0 +1,182 @@
+//! What is said of a picture, as text: what was assumed, the means, the noise, the decision, and then why.
+
+use std::fmt;
+
+use groundtruth::explain::{brief, count};
+
+use super::verdict::{Explanation, Region, Verdict};
+use super::{Answer, Cause, Causes, Decision, Means};
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "assumed: {}", self.assumed)?;
+        if let Some(seed) = self.equal_to_seed {
+            return writeln!(f, "agrees: it is our picture with --seed {seed}, bit for bit");
+        }
+        if let Some(whole) = self.means.first() {
+            let [theirs, ours] = [whole.theirs, whole.ours].map(color);
+            writeln!(f, "mean: {theirs}, ours {ours}{}", apart(whole))?;
+        }
+        if !self.fixed {
+            writeln!(f, "noise: {:.2} of that of our pictures{}", self.noise, self.about_noise())?;
+        }
+        if self.edges > 0 {
+            let pixels = count(self.edges, "pixel");
+            writeln!(
+                f,
+                "set apart: {pixels}, where all of ours agree and a correct picture need not"
+            )?;
+        }
+        writeln!(f, "{}", self.decision_in_words())?;
+        self.margin(f)?;
+        self.explanation(f)?;
+        self.places(f)?;
+        self.power(f)
+    }
+}
+
+impl Verdict {
+    fn about_noise(&self) -> &'static str {
+        match (self.independent, self.coarse) {
+            (false, false) => "",
+            (true, false) => "; ours have independent samples, as theirs seems to have",
+            (_, true) => "; it is unlike ours, so areas below 4 × 4 pixels do not count",
+        }
+    }
+
+    fn decision_in_words(&self) -> String {
+        let Self { as_far, replicas, pictures, .. } = self;
+        match (self.decision, self.fixed, *pictures > 1) {
+            (Decision::Agrees, true, _) => {
+                "agrees: no value differs by more than rounding".to_owned()
+            }
+            (Decision::Agrees, _, true) => {
+                format!("agrees: no object and no large tile of {pictures} pictures differs")
+            }
+            (Decision::Agrees, ..) => format!(
+                "agrees: {as_far} of {replicas} pictures of ours with other seeds are as far out"
+            ),
+            (Decision::Differs, true, _) => {
+                "differs: by more than rounding, and the scene has no noise".to_owned()
+            }
+            (Decision::Differs, _, true) => {
+                format!(
+                    "differs: the means of {pictures} pictures are too far from ours for their noise"
+                )
+            }
+            (Decision::Differs, ..) => format!(
+                "differs: it is farther out than all {replicas} pictures of ours with other seeds"
+            ),
+            (Decision::Undecided, ..) => format!(
+                "interrupted: so far, {as_far} of {replicas} pictures of ours with other seeds are as far out"
+            ),
+        }
+    }
+
+    fn margin(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some((margin, answer)) = self.margin else { return Ok(()) };
+        let words = match answer {
+            Answer::Agrees => "all means are within it",
+            Answer::DiffersByMore => "a mean is beyond it",
+            Answer::CannotTell => {
+                "cannot tell: the noise is too large; take more samples, or several pictures"
+            }
+        };
+        writeln!(f, "margin of {}: {words}", percent(margin))?;
+        let beyond =
+            |it: &&Means| it.relative.is_some_and(|relative| relative.abs() + it.half > margin);
+        for means in self.means.iter().filter(beyond) {
+            writeln!(f, "  {}{}", means.name, apart(means))?;
+        }
+        Ok(())
+    }
+
+    fn explanation(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(Explanation { what, agrees, is_gain }) = &self.explained {
+            let rest = if *agrees { "it agrees but for that" } else { "it differs beyond that" };
+            writeln!(f, "explained: {what}; {rest}")?;
+            if *is_gain {
+                writeln!(
+                    f,
+                    "  a program that has the same samples in every pixel moves all pixels together: judge three \
+                     pictures with other seeds"
+                )?;
+            }
+        }
+        for factor in &self.factors {
+            let [times, error] = [factor.factor, factor.error].map(brief);
+            let meaning = factor.meaning().map_or(String::new(), |name| format!(": {name}"));
+            writeln!(
+                f,
+                "factor: {} counts {times} ± {error} of ours{meaning}",
+                factor.terms.join(" and ")
+            )?;
+        }
+        let Causes { explained_by, tried } = &self.causes;
+        for (index, Cause { words, chapter, .. }) in explained_by.iter().enumerate() {
+            let or = match index {
+                0 => "cause: the picture agrees with ours if",
+                _ => "  or, which this scene cannot tell apart, if",
+            };
+            writeln!(f, "{or} {words} (ch. {chapter})")?;
+        }
+        if explained_by.is_empty() && *tried > 0 {
+            writeln!(f, "cause: none of the {tried} known mistakes that change this picture")?;
+        }
+        Ok(())
+    }
+
+    fn places(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.regions.is_empty() {
+            writeln!(f, "where:")?;
+        }
+        for Region { name, bounds: [x, y, w, h], z, ours, theirs, worst: [wx, wy] } in &self.regions
+        {
+            let z = z.map_or(String::new(), |z| format!("{z:+.1} standard deviations, "));
+            let [theirs, ours] = [*theirs, *ours].map(color);
+            writeln!(
+                f,
+                "  {name} in {x},{y},{w}x{h}: {z}{theirs}, ours {ours}, the worst at {wx},{wy}"
+            )?;
+        }
+        Ok(())
+    }
+
+    fn power(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (found, title) in [(true, "would have been seen"), (false, "would not have been seen")]
+        {
+            let plants = self.plants.iter().filter(|plant| plant.found == found);
+            let names: Vec<&str> = plants.map(|plant| plant.what.as_str()).collect();
+            if !names.is_empty() {
+                writeln!(f, "{title}, with {} pictures: {}", self.replicas, names.join("; "))?;
+            }
+        }
+        let gain = |(side, gain): &(usize, Option<f64>)| {
+            Some(format!("{side}×{side}: {}", percent((*gain)?)))
+        };
+        let gains: Vec<String> = self.gains.iter().filter_map(gain).collect();
+        if !gains.is_empty() {
+            writeln!(f, "the smallest gain in a tile that stands out: {}", gains.join(", "))?;
+        }
+        Ok(())
+    }
+}
+
+fn percent(part: f64) -> String {
+    match 100.0 * part {
+        large if large >= 10.0 => format!("{large:.0} %"),
+        small => format!("{small:.2} %"),
+    }
+}
+
+/// A relative difference and its interval.
+fn apart(Means { relative, half, .. }: &Means) -> String {
+    relative.map_or(String::new(), |relative| {
+        let sign = if relative < 0.0 { "−" } else { "+" };
+        format!(", {sign}{:.2} % ± {:.2} %", 100.0 * relative.abs(), 100.0 * half)
+    })
+}
+
+fn color(channels: [f64; 3]) -> String {
+    format!("({})", channels.map(brief).join(", "))
+}

@@ -1,0 +1,281 @@
+//! What is said of whole pictures.
+
+use std::path::Path;
+
+use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::math::Pcg32;
+use groundtruth::scene::Scene;
+use harness::compare::{Picture, Transfer};
+use harness::verdict::{Answer, Areas, Case, Decision, Strictness, Verdict, noise};
+
+use super::pictures::{films, scene, world};
+use super::shared::FLOATS;
+
+const SIZE: [u32; 2] = [48, 48];
+
+const SAMPLES: u32 = 16;
+
+pub fn verdict(scene: &Scene, theirs: &[Picture], strictness: Strictness) -> Verdict {
+    let mut world = world(scene, 1);
+    let mut case = Case {
+        world: &mut world,
+        scene,
+        folder: Path::new(""),
+        is_interrupted: &|| false,
+        strictness,
+        transfer: None,
+        tone: (scene.image.gamma, scene.image.out_of_gamut),
+        seed: 1,
+    };
+    let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
+        canvas.render(world);
+        true
+    };
+    let verdict = match theirs {
+        [only] => case.verdict(only, renders),
+        several => case.verdict_on_several(several, renders),
+    };
+    verdict.expect("nobody interrupts")
+}
+
+const STRICTNESS: Strictness = Strictness { level: 0.05, first: 8 };
+
+/// A scene with noise, soft shadows and edges.
+fn noisy() -> Scene {
+    scene("ch18/rectangle", SIZE, SAMPLES)
+}
+
+fn theirs(scene: &Scene, seed: u64) -> Film {
+    films(&mut world(scene, 1), std::iter::once(seed)).remove(0)
+}
+
+fn judged(theirs: &Picture) -> Verdict {
+    verdict(&noisy(), std::slice::from_ref(theirs), STRICTNESS)
+}
+
+/// The picture with the value at each position taken from another; at the edge it is repeated.
+fn moved(film: &Film, from: impl Fn(i64, i64) -> [i64; 2]) -> Picture {
+    let [width, height] = [film.width(), film.height()].map(i64::from);
+    let mut changed = film.clone();
+    for y in 0..height {
+        for x in 0..width {
+            let [from_x, from_y] = from(x, y);
+            let source = [from_x.clamp(0, width - 1), from_y.clamp(0, height - 1)];
+            changed.set([x as u32, y as u32], film.get(source.map(|along| along as u32)));
+        }
+    }
+    Picture::of_film(&changed)
+}
+
+fn scaled(film: &Film, factor: f64) -> Picture {
+    let mut picture = Picture::of_film(film);
+    picture
+        .values
+        .iter_mut()
+        .flatten()
+        .for_each(|value| *value = (f64::from(*value) * factor) as f32);
+    picture
+}
+
+/// Law: each harmless change is named, and the picture agrees but for it. Oracle: the change that was made.
+#[test]
+fn harmless_changes_are_named_before_anything_else() {
+    let film = theirs(&noisy(), 500);
+    let last = i64::from(SIZE[0]) - 1;
+    let changes = [
+        (moved(&film, |x, y| [x, last - y]), "the rows of theirs are upside down"),
+        (moved(&film, |x, y| [last - x, y]), "left and right of theirs are exchanged"),
+        (moved(&film, |x, y| [y, x]), "rows and columns of theirs are exchanged"),
+        (moved(&film, |x, y| [x + 1, y]), "theirs is one pixel too far left"),
+        (scaled(&film, std::f64::consts::PI), "theirs is ours divided by 1/π"),
+        (scaled(&film, 0.5), "theirs is ours divided by 2"),
+    ];
+    for (picture, expected) in changes {
+        let verdict = judged(&picture);
+        assert_eq!(verdict.decision, Decision::Differs, "{expected}");
+        let explained = verdict.explained.expect(expected);
+        assert_eq!(explained.what, expected);
+        assert!(explained.agrees, "{expected}: {explained:?}");
+    }
+}
+
+/// Law: film points at the corners of pixels are named. Oracle: a picture of our own with one column and row more, whose
+/// pixels lie half a pixel off.
+#[test]
+fn corners_for_centres_are_named() {
+    let mut larger = noisy();
+    [larger.image.width, larger.image.height] = SIZE.map(|side| side + 1);
+    let film = theirs(&larger, 500);
+    let mut theirs = Film::new(SIZE[0], SIZE[1]);
+    for y in 0..SIZE[1] {
+        for x in 0..SIZE[0] {
+            theirs.set([x, y], film.get([x + 1, y + 1]));
+        }
+    }
+    let verdict = judged(&Picture::of_film(&theirs));
+    let explained = verdict.explained.expect("the shift");
+    assert!(
+        explained.what.contains("half a pixel too far left and half a pixel too far up"),
+        "{explained:?}"
+    );
+    assert!(explained.agrees);
+}
+
+/// Law: pictures in 8 bits agree, and their transfer function is named. Oracle: the files that `film::write` writes
+/// and, for sRGB, the formula of IEC 61966-2-1.
+#[test]
+fn transfer_functions_are_assumed_and_named() {
+    let film = theirs(&noisy(), 500);
+    let folder = tempfile::tempdir().expect("a folder");
+    for gamma in [1.0, 1.8, 2.2] {
+        let file = folder.path().join("theirs.png");
+        let tone = Tone { exposure: 1.0, gamma, out_of_gamut: OutOfGamut::MaxToOne };
+        film::write(&film, &tone, &file).expect("written");
+        let verdict = judged(&Picture::read(&file, Transfer::Srgb).expect("a picture"));
+        assert_eq!(verdict.decision, Decision::Agrees, "gamma {gamma}: {verdict}");
+        assert!(
+            verdict.assumed.starts_with(&format!("gamma {gamma}, rounded to 8 bits")),
+            "{verdict}"
+        );
+    }
+    let encoded = |truncated: bool| {
+        let code = |radiance: f64| {
+            let radiance = radiance.clamp(0.0, 1.0);
+            let value = match radiance {
+                dark if dark <= 0.0031308 => 12.92 * dark,
+                bright => 1.055 * bright.powf(1.0 / 2.4) - 0.055,
+            };
+            let code = 255.0 * value;
+            (if truncated { code.floor() } else { code.round() } / 255.0) as f32
+        };
+        let values = film.pixels().iter().map(|color| color.to_array().map(code)).collect();
+        Picture {
+            values,
+            transfer: Transfer::Srgb,
+            step: Some(1.0 / 255.0),
+            ..Picture::of_film(&film)
+        }
+    };
+    for (truncated, expected) in [
+        (false, "sRGB, rounded to 8 bits, channels above 1 clamped"),
+        (true, "sRGB, truncated to 8 bits, channels above 1 clamped"),
+    ] {
+        let verdict = judged(&encoded(truncated));
+        assert_eq!(
+            (verdict.decision, &*verdict.assumed),
+            (Decision::Agrees, expected),
+            "{verdict}"
+        );
+    }
+}
+
+/// Law: a picture that is one of ours is said to be that, and a correct one from another seed agrees, with what would
+/// have been seen. Oracle: the seeds.
+#[test]
+fn our_own_pictures_agree() {
+    let equal = judged(&Picture::of_film(&theirs(&noisy(), 3)));
+    assert_eq!((equal.decision, equal.equal_to_seed), (Decision::Agrees, Some(3)));
+    let honest = judged(&Picture::of_film(&theirs(&noisy(), 500)));
+    assert_eq!((honest.decision, honest.equal_to_seed), (Decision::Agrees, None), "{honest}");
+    assert!(honest.plants.iter().any(|plant| plant.what == "half a pixel off" && plant.found));
+    assert!(!honest.fixed);
+}
+
+/// Law: in a scene without random numbers, rounding agrees, and a single other pixel differs and is named. Oracle: the
+/// pixel that was changed.
+#[test]
+fn a_scene_without_noise_is_judged_by_rounding() {
+    let scene = scene("ch14/set", SIZE, 1);
+    let film = theirs(&scene, 500);
+    let rounded = scaled(&film, 1.0 + 1e-6);
+    let verdict = |picture: &Picture| verdict(&scene, std::slice::from_ref(picture), STRICTNESS);
+    let agrees = verdict(&rounded);
+    assert!(agrees.fixed && agrees.decision == Decision::Agrees, "{agrees}");
+    let mut changed = rounded;
+    let at = changed.index([20, 30]);
+    changed.values[at][1] += 0.01;
+    let differs = verdict(&changed);
+    assert!(differs.fixed && differs.decision == Decision::Differs, "{differs}");
+    assert_eq!(differs.regions[0].worst, [20, 30]);
+    assert_eq!(differs.edges, 0);
+}
+
+/// Law: of several pictures nothing is assumed of their noise: gains that differ from picture to picture, with the mean
+/// 1, agree, where one picture alone differs; a gain of all of them differs. Oracle: the gains.
+#[test]
+fn several_pictures_may_have_any_noise() {
+    let scene = noisy();
+    let gains = [0.99, 1.004, 0.995, 1.009, 1.002];
+    let with = |common: f64| -> Vec<Picture> {
+        let films = films(&mut world(&scene, 1), 500..505);
+        films.iter().zip(gains).map(|(film, gain)| scaled(film, gain * common)).collect()
+    };
+    assert_eq!(judged(&with(1.0)[0]).decision, Decision::Differs);
+    let agrees = verdict(&scene, &with(1.0), STRICTNESS);
+    assert_eq!(agrees.decision, Decision::Agrees, "{agrees}");
+    let differs = verdict(&scene, &with(1.3), STRICTNESS);
+    assert_eq!(differs.decision, Decision::Differs, "{differs}");
+}
+
+/// Law: a margin has three answers. Oracle: the gain that was made, and the noise of few samples.
+#[test]
+fn a_margin_has_three_answers() {
+    let answer = |scene: &Scene, gain: f64, margin: f64| {
+        let picture = scaled(&theirs(scene, 500), gain);
+        let mut verdict = verdict(scene, &[picture], STRICTNESS);
+        verdict.hold_to(margin);
+        verdict.margin.expect("it was asked").1
+    };
+    assert_eq!(answer(&noisy(), 1.01, 0.3), Answer::Agrees);
+    assert_eq!(answer(&noisy(), 2.0, 0.3), Answer::DiffersByMore);
+    let few = scene("ch26/cornell-box", [16, 16], 4);
+    assert_eq!(answer(&few, 1.0, 0.001), Answer::CannotTell);
+}
+
+/// Law: values of a picture that is stored in half precision or with a shared exponent agree. Oracle: the definitions
+/// of both, by division.
+#[test]
+fn coarse_numbers_agree() {
+    let film = theirs(&noisy(), 500);
+    let picture = Picture::of_film(&film);
+    let half = |value: f32| {
+        let unit = f64::from(value).log2().floor().exp2() / 1024.0;
+        ((f64::from(value) / unit).round() * unit) as f32
+    };
+    let shared = |color: [f32; 3]| {
+        let largest = color.into_iter().fold(0.0_f32, f32::max);
+        let unit = (f64::from(largest).log2().floor() + 1.0).exp2() / 256.0;
+        color.map(|value| ((f64::from(value) / unit).floor() * unit) as f32)
+    };
+    let halves = picture.values.iter().map(|color| color.map(half)).collect();
+    let shared = picture.values.iter().map(|color| shared(*color)).collect();
+    for (values, expected) in [(halves, "half precision"), (shared, "shared exponent")] {
+        let verdict = judged(&Picture { values, ..picture.clone() });
+        assert_eq!(verdict.decision, Decision::Agrees, "{verdict}");
+        assert!(verdict.assumed.contains(expected), "{}", verdict.assumed);
+    }
+}
+
+/// Law: the noise factor is the ratio of standard deviations. Oracle: a picture whose difference from the mean of many
+/// of ours is doubled.
+#[test]
+fn the_noise_factor_is_that_of_the_noise() {
+    let scene = noisy();
+    let all = films(&mut world(&scene, 1), 600..664);
+    let areas = Areas::of(&world(&scene, 1));
+    let random = &mut Pcg32::new(3, 3);
+    for factor in [0.5, 1.0, 2.0] {
+        let film = &all[16 + random.below(48) as usize];
+        let mut theirs = film.clone();
+        for y in 0..SIZE[1] {
+            for x in 0..SIZE[0] {
+                let mean = groundtruth::render::mean(all.iter().map(|it| it.get([x, y])));
+                theirs.set([x, y], mean + factor * (film.get([x, y]) - mean));
+            }
+        }
+        let known: Vec<Vec<f32>> = all[..16].iter().map(|film| FLOATS.values(film)).collect();
+        let noise = noise(&FLOATS.values(&theirs), (&areas, FLOATS), &known);
+        // squares of details beyond a limit count as the limit, which lowers large factors
+        assert!((noise / factor - 1.0).abs() < 0.25, "{noise}, not {factor}");
+    }
+}

@@ -1,0 +1,105 @@
+//! The command `verify`: its exit statuses and its errors.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use groundtruth::film::{self, Film, OutOfGamut, Tone};
+
+use super::pictures::{films, scene, world};
+
+const SCENE: &str = "ch18/rectangle";
+
+fn run(arguments: &[&str]) -> Output {
+    let command = Command::new(env!("CARGO_BIN_EXE_groundtruth")).args(arguments).output();
+    command.expect("the program runs")
+}
+
+/// The exit status, and what was printed.
+fn verify(arguments: &[&str]) -> (i32, String) {
+    let output = run(&[&["verify"], arguments].concat());
+    let printed = [output.stdout, output.stderr].concat();
+    (output.status.code().expect("a status"), String::from_utf8(printed).expect("UTF-8"))
+}
+
+fn picture(samples: u32, seed: u64) -> Film {
+    films(&mut world(&scene(SCENE, [32, 32], samples), 1), std::iter::once(seed)).remove(0)
+}
+
+fn written(film: &Film, folder: &Path, name: &str) -> String {
+    let file = folder.join(name);
+    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    film::write(film, &tone, &file).expect("written");
+    file.to_str().expect("UTF-8").to_owned()
+}
+
+/// Law: the exit status is 0 for a correct picture, 1 for a wrong one, 2 for one that cannot be judged. Oracle: which
+/// picture it is.
+#[test]
+fn every_exit_status() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let correct = written(&picture(16, 501), folder.path(), "correct.pfm");
+    let few = ["--their-samples", "16", "--level", "0.05"];
+    let (status, text) = verify(&[&[SCENE, &*correct], &few[..]].concat());
+    assert_eq!(status, 0, "{text}");
+    for part in [
+        "assumed: radiance",
+        "mean: ",
+        "noise: ",
+        "agrees: ",
+        "would have been seen",
+        "cannot show",
+    ] {
+        assert!(text.contains(part), "no {part:?} in {text}");
+    }
+    let mut film = picture(16, 501);
+    for x in 0..32 {
+        film.set([x, 20], 2.0 * film.get([x, 20]));
+    }
+    let different = written(&film, folder.path(), "different.pfm");
+    let (status, text) = verify(&[&[SCENE, &*different], &few[..]].concat());
+    assert_eq!(status, 1, "{text}");
+    for part in ["differs: ", "where:", "groundtruth explain ch18/rectangle", "--size 32x32"] {
+        assert!(text.contains(part), "no {part:?} in {text}");
+    }
+    let margin = [SCENE, &*different, "--margin", "50%"];
+    assert_eq!(verify(&[&margin[..], &few[..]].concat()).0, 0);
+    let (status, json) = verify(&[&[SCENE, &*different, "--json"], &few[..]].concat());
+    assert_eq!(status, 1);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json["decision"], "differs");
+    let (status, text) = verify(&["--scenes", "ch28"]);
+    assert_eq!(status, 0);
+    assert!(text.contains("schlick"), "{text}");
+}
+
+/// Law: bad input is refused with status 2, and the error says what to do. Oracle: what is wrong with it.
+#[test]
+fn bad_input_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let correct = written(&picture(1, 500), folder.path(), "correct.pfm");
+    let mut film = picture(1, 500);
+    film.set([3, 4], groundtruth::rgb::Rgb::new(f64::NAN, 0.0, 0.0));
+    let not_finite = written(&film, folder.path(), "nan.pfm");
+    let wide = written(&Film::new(32, 20), folder.path(), "wide.pfm");
+    let transparent = folder.path().join("alpha.png");
+    let mut pixels = image::RgbaImage::from_pixel(32, 32, image::Rgba([9, 9, 9, 255]));
+    pixels.put_pixel(2, 5, image::Rgba([9, 9, 9, 100]));
+    pixels.save(&transparent).expect("written");
+    let transparent = transparent.to_str().expect("UTF-8");
+    let bad: [(&[&str], &str); 9] = [
+        (&[SCENE, &not_finite], "pixel 3, 4 is [NaN"),
+        (&[SCENE, &wide], "32 × 20 pixels"),
+        (&[SCENE, &correct, &wide], "all pictures must have one size"),
+        (&[SCENE, &correct, "--their-samples", "0"], "--their-samples"),
+        (&[SCENE, &correct, "--size", "32x32"], "leave it out"),
+        (&[SCENE, transparent], "alpha"),
+        (&["ch18/rectangel", &correct], "ch18/rectangle"),
+        (&["ch11/stereo-pair-that-is-none", &correct], "ch11"),
+        (&["--scenes", "glass"], "ch28"),
+    ];
+    for (arguments, expected) in bad {
+        let (status, text) = verify(arguments);
+        assert_eq!(status, 2, "{arguments:?}: {text}");
+        assert!(text.contains(expected), "{arguments:?}: no {expected:?} in {text}");
+    }
+}

@@ -1,0 +1,81 @@
+//! Many judgements with one pool of replicas.
+
+use super::pictures::{films, scene, with_sampler, world};
+use groundtruth::film::Film;
+use groundtruth::math::Pcg32;
+use groundtruth::samplers;
+use groundtruth::world::World;
+use harness::compare::Transfer;
+use harness::verdict::{
+    Areas, Bright, Judged, Stored, Strictness, is_alike, is_nearer, noise, set_apart,
+};
+
+pub const LEVEL: f64 = 0.01;
+
+pub const STRICTNESS: Strictness = Strictness { level: LEVEL, first: 8 };
+
+pub const FLOATS: Stored = Stored::Floats { bits: 24 };
+
+pub const BYTES: Stored = Stored::Integers {
+    step: 1.0 / 255.0,
+    transfer: Transfer::Srgb,
+    truncated: false,
+    bright: Bright::Clamped,
+};
+
+/// The pool from which each judgement takes its replicas, in another order.
+pub struct Shared {
+    pub areas: Areas,
+    films: Vec<Film>,
+    /// Of independent samples.
+    independent: Vec<Film>,
+}
+
+impl Shared {
+    pub fn new(name: &str, [side, samples, replicas]: [u32; 3]) -> Self {
+        let mut world = world(&scene(name, [side; 2], samples), 1);
+        let areas = Areas::of(&world);
+        let seeds = (1000..).take(replicas as usize);
+        let usual = films(&mut world, seeds.clone());
+        let random = with_sampler(scene(name, [side; 2], samples), samplers::Random {}.into());
+        let independent = films(&mut super::pictures::world(&random, 1), seeds);
+        Self { areas, films: usual, independent }
+    }
+
+    /// For pictures whose noise is ours.
+    pub fn usual(name: &str, [side, samples, replicas]: [u32; 3]) -> Self {
+        let mut world = world(&scene(name, [side; 2], samples), 1);
+        let areas = Areas::of(&world);
+        let usual = films(&mut world, (1000..).take(replicas as usize));
+        Self { areas, films: usual, independent: Vec::new() }
+    }
+
+    /// The replicas in an order that follows from a seed.
+    fn order(&self, seed: u64) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.films.len()).collect();
+        Pcg32::new(seed, 9).shuffle(&mut order);
+        order
+    }
+
+    /// The verdict on a picture, with replicas in an order that follows from a seed.
+    pub fn judged(&self, world: &World, theirs: &Film, stored: Stored, seed: u64) -> Judged {
+        let order = self.order(seed);
+        let subject = (&self.areas, stored);
+        let mut theirs = stored.values(theirs);
+        let first = |films: &[Film]| -> Vec<Vec<f32>> {
+            order[..STRICTNESS.first].iter().map(|index| stored.values(&films[*index])).collect()
+        };
+        let mut films = &self.films;
+        let usual = noise(&theirs, subject, &first(films));
+        if !self.independent.is_empty()
+            && !is_alike(usual)
+            && is_nearer(noise(&theirs, subject, &first(&self.independent)), usual)
+        {
+            films = &self.independent;
+        }
+        let mut known = first(films);
+        let mut next = order[STRICTNESS.first..].iter().map(|index| stored.values(&films[*index]));
+        set_apart(&mut theirs, world, &known, stored);
+        Judged::of(&theirs, subject, STRICTNESS, &mut known, || next.next()).expect("enough")
+    }
+}
