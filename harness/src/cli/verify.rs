@@ -8,10 +8,11 @@ use std::time::Duration;
 
 use clap::Args;
 use groundtruth::explain::count;
+use groundtruth::film;
 use groundtruth::render::Canvas;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
-use harness::verdict::{Answer, Case, Decision, Region, Strictness, Verdict};
+use harness::verdict::{self, Answer, Case, Decision, Region, Strictness, Verdict};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::mistakes;
@@ -46,6 +47,9 @@ pub struct Verify {
     /// and named
     #[arg(long, value_name = "CURVE")]
     encoding: Option<Transfer>,
+    /// Write a page with the verdict, both pictures, their difference and the map of z
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -106,18 +110,23 @@ impl Verify {
         if let Some(margin) = self.margin {
             verdict.hold_to(margin);
         }
+        let words = verdict.to_string() + &advice(arguments.name(), &verdict, size);
+        if let Some(file) = &self.output {
+            let name = format!("{} and {}", self.images[0].display(), arguments.name());
+            let html = verdict::page(&verdict, &name, &words);
+            film::replace(file, html.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
+        }
         match self.json {
             true => print(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
-            false => print(&(verdict.to_string() + &advice(arguments.name(), &verdict, size)))?,
+            false => print(&words)?,
         };
-        if let Some((_, answer)) = verdict.margin {
-            return Ok(if answer == Answer::Agrees { Exit::Yes } else { Exit::No });
-        }
-        Ok(match verdict.decision {
+        Ok(match (verdict.margin, verdict.decision) {
             _ if watch.is_interrupted() => Exit::Interrupted,
-            Decision::Agrees => Exit::Yes,
-            Decision::Differs => Exit::No,
-            Decision::Undecided => Exit::Interrupted,
+            (Some((_, Answer::Agrees)), _) => Exit::Yes,
+            (Some(_), _) => Exit::No,
+            (None, Decision::Agrees) => Exit::Yes,
+            (None, Decision::Differs) => Exit::No,
+            (None, Decision::Undecided) => Exit::Interrupted,
         })
     }
 

@@ -58,6 +58,16 @@ pub struct Pair<'a> {
 impl Pair<'_> {
     /// The part of the page.
     pub fn html(&self) -> String {
+        let mut html = self.views();
+        if !self.comparison.is_same() {
+            html.push_str("<h3>Regions</h3>\n<p>Each with its worst pixel framed.</p>\n");
+            self.comparison.listed().for_each(|region| self.region(&mut html, region));
+        }
+        html
+    }
+
+    /// Both pictures, one over the other, and their differences.
+    pub fn views(&self) -> String {
         let [a, b] = self.names.map(escaped);
         let [shown_a, shown_b] = [0, 1].map(|i| self.image(i, &with_marked(&self.shown[i])));
         let mut html = format!(
@@ -68,8 +78,6 @@ impl Pair<'_> {
         );
         if !self.comparison.is_same() {
             self.differences(&mut html);
-            html.push_str("<h3>Regions</h3>\n<p>Each with its worst pixel framed.</p>\n");
-            self.comparison.listed().for_each(|region| self.region(&mut html, region));
         }
         html
     }

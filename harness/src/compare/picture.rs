@@ -97,6 +97,12 @@ impl Picture {
         }
     }
 
+    /// A picture of radiance: three values a pixel, row by row from the top left.
+    pub fn of_radiance(values: &[f32], size: [u32; 2]) -> Self {
+        let (values, transfer) = (values.as_chunks::<3>().0.to_vec(), Transfer::Linear);
+        Self { size, values, transfer, step: None, notes: Vec::new(), transparent: 0 }
+    }
+
     /// Reads a PNG, JPEG, PPM, HDR, EXR or PFM file; display values are taken to be encoded by `transfer`.
     ///
     /// # Errors

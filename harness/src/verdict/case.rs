@@ -199,7 +199,8 @@ impl Judge<'_> {
         stored: Stored,
     ) -> Option<Explanation> {
         let mean: Vec<f32> = mean_of(known).into_iter().map(|value| value as f32).collect();
-        let [mean, alike] = [&mean, &known[0]].map(|values| picture_of(values, theirs.size));
+        let [mean, alike] =
+            [&mean, &known[0]].map(|values| Picture::of_radiance(values, theirs.size));
         let [ours, alike_decoded] = [&mean, &alike].map(Decoded::new);
         let noise = distance_of(&ours, &alike_decoded);
         let as_theirs = Picture { transfer: transfer_of(stored, theirs), ..theirs.clone() };
@@ -292,13 +293,6 @@ fn mean_of(all: &[Vec<f32>]) -> Vec<f64> {
 /// The radiance of a picture whose values are stored in this way.
 fn read(picture: &Picture, stored: Stored) -> Vec<f32> {
     picture.values.as_flattened().iter().map(|value| stored.read(*value)).collect()
-}
-
-/// Radiance as a picture.
-fn picture_of(values: &[f32], size: [u32; 2]) -> Picture {
-    let (colors, _) = values.as_chunks::<3>();
-    let (values, transfer) = (colors.to_vec(), Transfer::Linear);
-    Picture { size, values, transfer, step: None, notes: Vec::new(), transparent: 0 }
 }
 
 fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {

@@ -58,14 +58,17 @@ impl Ranking {
     /// Ranks the pictures of a pool; `from` is the first level of tiles that counts.
     pub fn of(pool: &Pool, areas: &Areas, from: usize) -> Self {
         let all = 0..pool.len();
-        let details: Vec<f64> =
+        let details: Vec<Option<f64>> =
             all.clone().into_par_iter().map(|picture| detail(pool, picture)).collect();
-        let usual = quantile(&details, 0.5).expect("a pool has pictures");
+        let known: Vec<f64> = details.iter().flatten().copied().collect();
+        let usual = quantile(&known, 0.5).unwrap_or_default();
         let others = 1.0 / (pool.len() as f64 - 1.0);
-        let factor = |detail: &f64| match usual {
-            0.0 => 1.0,
+        let factor = |detail: &Option<f64>| match detail {
             // the difference from the mean of the others has its noise too
-            usual => (detail / usual * (1.0 + others) - others).max(0.01).sqrt(),
+            Some(detail) if usual > 0.0 => {
+                (detail / usual * (1.0 + others) - others).max(0.01).sqrt()
+            }
+            _ => 1.0,
         };
         let noise: Vec<f64> = details.iter().map(factor).collect();
         let mut levels: Vec<Level> = (from..areas.levels()).map(Level::Tiles).collect();
@@ -333,11 +336,14 @@ impl Residuals {
 /// decide.
 const MOST_DETAIL: f64 = 16.0;
 
+/// Fewer blocks say nothing of the noise.
+const FEW_BLOCKS: u32 = 16;
+
 /// The square of the finest details of a picture's difference from the others, relative to the variance of these: the
-/// mean over blocks of two by two pixels.
-fn detail(pool: &Pool, picture: usize) -> f64 {
+/// mean over blocks of two by two pixels. `None` if there are few such blocks.
+fn detail(pool: &Pool, picture: usize) -> Option<f64> {
     let [width, height] = pool.size;
-    let (mut sum, mut count) = (0.0, 0.0_f64);
+    let (mut sum, mut count) = (0.0, 0_u32);
     for channel in 0..3 {
         let Residuals { difference, variance, varied } =
             Residuals::of(pool, picture, channel, &mut vec![0.0; width * height]);
@@ -348,12 +354,12 @@ fn detail(pool: &Pool, picture: usize) -> f64 {
                 if block.iter().any(|pixel| varied[*pixel]) && total > 0.0 {
                     let [a, b, c, d] = block.map(|pixel| difference[pixel]);
                     sum += (square(a - b - c + d) / total).min(MOST_DETAIL);
-                    count += 1.0;
+                    count += 1;
                 }
             }
         }
     }
-    sum / count.max(1.0)
+    (count >= FEW_BLOCKS).then(|| sum / f64::from(count))
 }
 
 fn square(x: f64) -> f64 {

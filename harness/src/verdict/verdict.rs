@@ -3,6 +3,8 @@
 use groundtruth::explain::count;
 use serde::Serialize;
 
+use crate::compare::Picture;
+
 use super::{
     Answer, Area, Areas, Causes, Decision, Difference, Factor, Judged, Map, Means, Plant, Pool,
     Ranking, Stored, Strictness, WelchTest,
@@ -51,6 +53,32 @@ pub struct Verdict {
     pub plants: Vec<Plant>,
     /// For tiles of each side, the gain that would stand out.
     pub gains: Vec<(usize, Option<f64>)>,
+    /// The pictures.
+    #[serde(skip)]
+    pub evidence: Option<Pictures>,
+}
+
+/// What a verdict is about, for the eye.
+#[derive(Clone, Debug)]
+pub struct Pictures {
+    /// The mean of ours.
+    pub ours: Picture,
+    /// Theirs.
+    pub theirs: Picture,
+    /// For each pixel, the largest difference of a channel, in standard deviations.
+    pub z: Vec<f64>,
+}
+
+impl Pictures {
+    fn of(pool: &Pool, areas: &Areas, noise: f64) -> Self {
+        let (theirs, size) = (pool.len() - 1, areas.size.map(|side| side as u32));
+        let mean: Vec<f32> = (0..pool.picture(theirs).len())
+            .map(|at| pool.mean_of_others(theirs, at) as f32)
+            .collect();
+        let [ours, shown] =
+            [&mean, pool.picture(theirs)].map(|values| Picture::of_radiance(values, size));
+        Self { ours, theirs: shown, z: Map::of(pool, areas, theirs, noise).pixels() }
+    }
 }
 
 /// A simple change that explains a difference.
@@ -113,6 +141,7 @@ impl Verdict {
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
+            evidence: Some(Pictures::of(&judged.pool, areas, noise)),
         }
     }
 
@@ -176,6 +205,7 @@ impl Verdict {
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
+            evidence: Some(Pictures::of(&pool, areas, noise)),
         }
     }
 }

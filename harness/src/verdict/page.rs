@@ -1,0 +1,104 @@
+//! A verdict as one HTML page that needs nothing beside it, and no script.
+
+use std::fmt::Write;
+
+use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::rgb::Rgb;
+
+use super::verdict::{Region, Verdict};
+use crate::compare::pair::{self, Pair};
+use crate::compare::{Comparison, Picture};
+use crate::html::escaped;
+
+const STYLE: &str = "\
+body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
+pre { overflow-x: auto; white-space: pre-wrap; }
+table { border-collapse: collapse; }
+th, td { text-align: right; padding: 0.1em 0.8em; border-bottom: 1px solid #ddd; }
+th:first-child, td:first-child { text-align: left; }
+.map { position: relative; width: max-content; }
+.map img { width: 40em; border: 1px solid #999; }
+.map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
+";
+
+/// Differences of so many standard deviations are black or white in the map.
+const FARTHEST: f64 = 6.0;
+
+/// The page of a verdict on a picture with this name; `words` are what the command prints.
+pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
+    let title = escaped(name);
+    let mut html = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{title}</title>\n\
+         <style>\n{STYLE}{}</style>\n<h1>{title}</h1>\n<pre>{}</pre>\n",
+        pair::STYLE,
+        escaped(words)
+    );
+    if let Some(evidence) = &verdict.evidence {
+        let pictures = [&evidence.ours, &evidence.theirs];
+        html += &views(pictures);
+        html += &map(verdict, &evidence.z, pictures[0].size);
+    }
+    html += &table(verdict);
+    html + "</html>\n"
+}
+
+/// Both pictures, flipped and side by side, and their difference.
+fn views(pictures: [&Picture; 2]) -> String {
+    let Ok(comparison) = Comparison::of(pictures[0], pictures[1], 0.0) else {
+        return String::new();
+    };
+    let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
+    let names = ["the mean of ours", "theirs"];
+    let (shown, commands) = (pictures.map(Picture::radiance), &|_| Vec::new());
+    Pair { names, pictures, shown, tone, comparison: &comparison, commands }.views()
+}
+
+/// The map of z, with the regions framed.
+fn map(verdict: &Verdict, z: &[f64], [width, height]: [u32; 2]) -> String {
+    let mut film = Film::new(width, height);
+    for (index, z) in z.iter().enumerate() {
+        let grey = 0.5 + 0.5 * (z / FARTHEST).clamp(-1.0, 1.0);
+        film.set([index as u32 % width, index as u32 / width], Rgb::grey(grey));
+    }
+    let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    let frames: String =
+        verdict.regions.iter().map(|region| frame(region, [width, height])).collect();
+    format!(
+        "<h3>Map of z</h3>\n<p>The difference of each pixel in standard deviations: grey is 0, white and black are \
+         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed.</p>\n\
+         <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{frames}</div>\n",
+        data_uri(&film, &plain)
+    )
+}
+
+fn frame(Region { bounds: [x, y, w, h], name, .. }: &Region, [width, height]: [u32; 2]) -> String {
+    let percent = |part: usize, of: u32| 100.0 * part as f64 / f64::from(of);
+    format!(
+        "<i title=\"{}\" style=\"left:{:.3}%;top:{:.3}%;width:{:.3}%;height:{:.3}%\"></i>",
+        escaped(name),
+        percent(*x, width),
+        percent(*y, height),
+        percent(*w, width),
+        percent(*h, height)
+    )
+}
+
+/// The means of the picture and of its objects.
+fn table(verdict: &Verdict) -> String {
+    let mut html = "<h3>Means</h3>\n<table>\n<tr><th>area<th>pixels<th>ours<th>theirs<th>relative difference</tr>\n".to_owned();
+    for means in &verdict.means {
+        let mean = |color: [f64; 3]| color.map(groundtruth::explain::brief).join(", ");
+        let relative = means.relative.map_or("ours is black".to_owned(), |relative| {
+            format!("{:+.2} % ± {:.2} %", 100.0 * relative, 100.0 * means.half)
+        });
+        let _ = writeln!(
+            html,
+            "<tr><td>{}<td>{}<td>{}<td>{}<td>{relative}</tr>",
+            escaped(&means.name),
+            means.pixels,
+            mean(means.ours),
+            mean(means.theirs)
+        );
+    }
+    html + "</table>\n"
+}
