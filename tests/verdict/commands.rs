@@ -103,3 +103,24 @@ fn bad_input_is_refused() {
         assert!(text.contains(expected), "{arguments:?}: no {expected:?} in {text}");
     }
 }
+
+/// Law: docs/verify.md shows what its commands print. Oracle: the program.
+#[test]
+fn the_document_shows_what_is_printed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/verify.md");
+    let document = std::fs::read_to_string(file).expect("it is there");
+    let mut count = 0;
+    for block in document.split("```console\n$ groundtruth ").skip(1) {
+        let (block, _) = block.split_once("```").expect("it ends");
+        let (command, shown) = block.split_once('\n').expect("a command");
+        let output = Command::new(env!("CARGO_BIN_EXE_groundtruth"))
+            .args(command.split(' '))
+            .current_dir(&folder)
+            .output();
+        let printed = String::from_utf8(output.expect("it runs").stdout).expect("UTF-8");
+        assert_eq!(printed, shown, "{command}");
+        count += 1;
+    }
+    assert_eq!(count, 4, "two pictures, each rendered and judged");
+}

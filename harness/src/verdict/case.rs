@@ -79,14 +79,15 @@ impl Case<'_> {
                 verdict.explained = judge.explained(theirs, &mut replicas, &known, stored);
                 let is_harmless = |it: &Explanation| it.agrees && !it.is_gain;
                 if !verdict.explained.as_ref().is_some_and(is_harmless) {
-                    let evidence = Evidence::of(&judged, &areas);
+                    let evidence = Evidence::of(&judged, &areas, &read(theirs, stored));
                     let terms = terms(replicas.world, seed..seed + TERM_REPLICAS);
                     let factors = factors(&terms, &evidence).unwrap_or_default();
                     verdict.factors = factors.into_iter().filter(Factor::is_off).collect();
                     let mut scene = self.scene.clone();
                     scene.image.sampler = replicas.world.image.sampler.clone();
                     let (folder, is_interrupted) = (self.folder, self.is_interrupted);
-                    let suspects = Suspects { scene: &scene, folder, seed, is_interrupted };
+                    let world = &*replicas.world;
+                    let suspects = Suspects { scene: &scene, world, folder, seed, is_interrupted };
                     verdict.causes = suspects.causes(&evidence, strictness);
                 }
             }

@@ -8,11 +8,12 @@ use std::path::Path;
 
 use groundtruth::film::Film;
 use groundtruth::scene::Scene;
+use groundtruth::world::World;
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::evidence::Evidence;
-use super::{Decision, Judged, Strictness};
+use super::{Decision, Judged, Strictness, set_apart};
 use crate::mistakes::{self, Films, Mistake};
 
 /// A mistake that explains a picture.
@@ -57,6 +58,8 @@ const ALIKE: f64 = 0.02;
 pub struct Suspects<'a> {
     /// The scene, at the size of the picture.
     pub scene: &'a Scene,
+    /// Its world.
+    pub world: &'a World,
     /// Where the files are that it names.
     pub folder: &'a Path,
     /// The seed of the first replica.
@@ -119,13 +122,19 @@ impl Suspects<'_> {
         strictness: Strictness,
     ) -> bool {
         let mut seed = self.seed;
-        let replicas = || {
+        let mut replicas = || {
             seed += 1;
             let film = mistakes::replica(mistake, self.scene, self.folder, seed).ok().flatten();
             film.filter(|_| !(self.is_interrupted)()).map(|film| stored.values(&film))
         };
-        let theirs: Vec<f32> = theirs.iter().map(|value| *value as f32).collect();
-        let judged = Judged::of(&theirs, (areas, *stored), strictness, &mut Vec::new(), replicas);
+        let mut theirs: Vec<f32> = theirs.iter().map(|value| *value as f32).collect();
+        let mut known: Vec<Vec<f32>> =
+            std::iter::from_fn(&mut replicas).take(strictness.first).collect();
+        if known.len() < strictness.first {
+            return false;
+        }
+        set_apart(&mut theirs, self.world, &known, *stored);
+        let judged = Judged::of(&theirs, (areas, *stored), strictness, &mut known, replicas);
         judged.is_some_and(|judged| judged.decision == Decision::Agrees)
     }
 }

@@ -26,10 +26,10 @@ const LEAST: f64 = 1e-3;
 const LEVEL: usize = 2;
 
 impl<'a> Evidence<'a> {
-    /// That of the last picture of a judgement.
-    pub fn of(judged: &Judged, areas: &'a Areas) -> Self {
+    /// That of a judgement; `theirs` is the judged picture with no pixel set apart.
+    pub fn of(judged: &Judged, areas: &'a Areas, theirs: &[f32]) -> Self {
         let (pool, last) = (&judged.pool, judged.pool.len() - 1);
-        let theirs: Vec<f64> = pool.picture(last).iter().map(|value| f64::from(*value)).collect();
+        let theirs: Vec<f64> = theirs.iter().map(|value| f64::from(*value)).collect();
         let mean: Vec<f64> = (0..theirs.len()).map(|at| pool.mean_of_others(last, at)).collect();
         let level = mean.iter().sum::<f64>() / mean.len() as f64;
         let map = Map::of(pool, areas, last, judged.ranking.noise[last]);

@@ -164,11 +164,15 @@ const KNOWN: [(f64, &str); 7] = [
     (1.0 / 2.25, "1/1.5², of the index of glass"),
 ];
 
+/// A factor is named if its error is at most this part of what it is called.
+const CERTAIN: f64 = 0.05;
+
 impl Factor {
     /// What the factor is, if it is known and certain enough.
     pub fn meaning(&self) -> Option<&'static str> {
         let is_it = |value: &f64| {
-            (self.factor - value).abs() <= (3.0 * self.error).max(0.01) && self.error < 0.05
+            let apart = (self.factor - value).abs();
+            apart <= 3.0 * self.error && self.error <= CERTAIN * value.max(0.1)
         };
         KNOWN.iter().find(|(value, _)| is_it(value)).map(|(_, name)| *name)
     }
