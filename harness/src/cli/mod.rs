@@ -12,6 +12,7 @@ mod goldens;
 mod kinds;
 mod list;
 mod merge;
+mod part;
 mod probe;
 mod render;
 mod replicas;
