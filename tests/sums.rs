@@ -4,6 +4,11 @@
 mod commands;
 #[path = "sums/damage.rs"]
 mod damage;
+#[path = "sums/interrupt.rs"]
+#[cfg(unix)]
+mod interrupt;
+#[path = "sums/seeds.rs"]
+mod seeds;
 
 use std::path::Path;
 

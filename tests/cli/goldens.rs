@@ -25,6 +25,24 @@ fn goldens_are_checked_by_name_and_by_chapter() {
     assert!(found[..of_chapter].iter().all(|name| name.starts_with("ch03/")), "{found:?}");
 }
 
+/// Law: the parts of a check are disjoint and together are all, also if there are more parts than goldens; a part
+/// that is none has status 2. Oracle: the whole list.
+#[test]
+fn the_parts_of_a_check_are_disjoint_and_together_all() {
+    let all = checked(&["ch03"]);
+    assert!(all.len() > 2, "{all:?}");
+    for count in [1, 2, all.len() + 1] {
+        let part = |k| checked(&["ch03", "--part", &format!("{k}/{count}")]);
+        let mut found: Vec<String> = (0..count).flat_map(part).collect();
+        found.sort();
+        assert_eq!(found, all, "{count} parts");
+    }
+    for part in ["2/2", "0/0", "1"] {
+        let arguments = ["goldens", "check", "ch03", "--folder", FOLDER, "--part", part];
+        assert_eq!(run_in(Path::new("."), &arguments).status, Some(2), "{part}");
+    }
+}
+
 /// Law: for an unknown name, similar names are suggested, and the status is 2.
 #[test]
 fn an_unknown_golden_gets_a_suggestion() {

@@ -1,10 +1,10 @@
 //! The commands `render --replicas` and `merge`: parts, and every exit status.
 
 use std::fs;
+use std::hash::{BuildHasher, RandomState};
 use std::io::Write;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
+use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ pub struct Run {
     pub stderr: String,
 }
 
-fn command(folder: &Path, line: &str) -> Command {
+pub fn command(folder: &Path, line: &str) -> Command {
     let mut command = Command::new(GROUNDTRUTH);
     command.current_dir(folder).args(line.split_whitespace()).stdin(Stdio::null());
     command
@@ -93,6 +93,22 @@ fn any_division_and_any_order_give_the_same_bytes() {
     expect(0, at, &format!("merge {whole} -o b.exr"));
     expect(0, at, &format!("merge {} -o a.exr", seven.join(" ")));
     assert_eq!(read(at, "a.exr"), read(at, "b.exr"));
+}
+
+/// Law: 64 parts in any order give the bytes of one part. Oracle: one part; orders drawn at random.
+#[test]
+fn many_parts_in_random_order_give_the_same_bytes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    let whole = &parts(at, "whole", 1, 100)[0];
+    let mut files = parts(at, "a", 64, 100);
+    for _ in 0..4 {
+        let order = RandomState::new();
+        files.sort_by_cached_key(|file| order.hash_one(file));
+        let files = files.join(" ");
+        expect(0, at, &format!("merge {files} -o mean.sums"));
+        assert_eq!(read(at, "mean.sums"), read(at, whole), "{files}");
+    }
 }
 
 /// Law: what is missing is printed as commands, and with what these render nothing is missing. Oracle: the commands.
@@ -245,49 +261,4 @@ fn bad_arguments_have_status_2() {
         expect(2, at, &format!("merge {line}"));
     }
     assert_eq!(fs::read_dir(at).expect("there").count(), 0);
-}
-
-/// Many replicas of a tenth of a second or less each.
-const SLOW: &str = "render ch18/rectangle --size 60x40 --samples 4 --seed 1 --replicas 60";
-
-/// Starts a rendering, and signals it after some time.
-fn interrupted(folder: &Path, signal: &str, after: Duration) -> Option<i32> {
-    let mut child: Child = command(folder, &format!("{SLOW} -o a.sums"))
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("it starts");
-    std::thread::sleep(after);
-    let kill = Command::new("kill").args([signal, &child.id().to_string()]).status();
-    assert!(kill.expect("kill starts").success());
-    child.wait().expect("it ends").code()
-}
-
-/// Law: a part that was interrupted by either signal is valid, and continued it is that of one run; the status is 130.
-/// Oracle: the bytes of one run.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_part_is_valid_and_is_continued() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = folder.path();
-    let start = Instant::now();
-    expect(0, at, &format!("{SLOW} -o whole.sums"));
-    let whole = start.elapsed();
-    for signal in ["-INT", "-TERM"] {
-        let mut share = whole / 3;
-        // on a busy machine it may have ended before, or not have begun
-        let is_partial = (0..20).any(|_| {
-            let _ = fs::remove_file(at.join("a.sums"));
-            let status = interrupted(at, signal, share);
-            if status == Some(130) && at.join("a.sums").exists() {
-                return true;
-            }
-            share = if status == Some(0) { share / 2 } else { share + share / 4 };
-            false
-        });
-        assert!(is_partial, "it was never interrupted between two replicas");
-        let run = expect(1, at, "merge a.sums -o mean.exr");
-        assert!(!run.stdout.starts_with("60 of") && run.stdout.contains(" of 60 replicas"));
-        expect(0, at, &format!("{SLOW} -o a.sums"));
-        assert_eq!(read(at, "a.sums"), read(at, "whole.sums"), "{signal}");
-    }
 }

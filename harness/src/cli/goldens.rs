@@ -12,6 +12,7 @@ use harness::verify::golden::{Finding, GoldenSettings, Goldens as Folder, Status
 use harness::verify::review;
 
 use super::list::is_in;
+use super::part::PartOf;
 use super::scene::{Size, samples};
 use super::{Exit, Outcome, print};
 
@@ -39,6 +40,10 @@ enum Command {
 struct Check {
     /// Goldens to check, such as ch24/hall-of-mirrors, or chapters, such as ch24; all if left out
     names: Vec<String>,
+    /// Check only every N-th of them, from K on, such as 0/8, so that N machines share the work; K is from 0 to
+    /// N − 1
+    #[arg(long, value_name = "K/N")]
+    part: Option<PartOf>,
 }
 
 #[derive(Args)]
@@ -93,8 +98,12 @@ fn open(folder: &Path) -> Result<Folder, Box<dyn Error>> {
     Ok(goldens)
 }
 
-/// The findings for these names and chapters; for all if there are none.
-fn findings(goldens: &Folder, names: &[String]) -> Result<Vec<Finding>, Box<dyn Error>> {
+/// The findings for a part of these names and chapters; of all goldens if there are none.
+fn findings(
+    goldens: &Folder,
+    names: &[String],
+    part: PartOf,
+) -> Result<Vec<Finding>, Box<dyn Error>> {
     let known = goldens.names();
     let wanted = |name: &str, known: &str| name == known || is_in(known, name);
     for name in names {
@@ -106,12 +115,12 @@ fn findings(goldens: &Folder, names: &[String]) -> Result<Vec<Finding>, Box<dyn 
     }
     // each once, in the manifest's order
     let wanted = |known: &&String| names.is_empty() || names.iter().any(|name| wanted(name, known));
-    known.iter().filter(wanted).map(|name| Ok(goldens.check(name)?)).collect()
+    part.of_list(known.iter().filter(wanted)).map(|name| Ok(goldens.check(name)?)).collect()
 }
 
 impl Check {
     fn run(&self, folder: &Path) -> Outcome {
-        let findings = findings(&open(folder)?, &self.names)?;
+        let findings = findings(&open(folder)?, &self.names, self.part.unwrap_or_default())?;
         let text: String = findings.iter().map(line).collect();
         print(&text)?;
         let bad: Vec<&Finding> = findings.iter().filter(|f| f.status != Status::Same).collect();
@@ -161,7 +170,7 @@ fn line(finding: &Finding) -> String {
 
 impl Review {
     fn run(&self, folder: &Path) -> Outcome {
-        let mut findings = findings(&open(folder)?, &self.names)?;
+        let mut findings = findings(&open(folder)?, &self.names, PartOf::default())?;
         if self.names.is_empty() && !self.all {
             findings.retain(|finding| finding.status != Status::Same);
         }
@@ -209,7 +218,7 @@ impl Accept {
 
 /// The goldens that differ by rounding only.
 fn drifted(goldens: &Folder) -> Result<Vec<String>, Box<dyn Error>> {
-    let findings = findings(goldens, &[])?;
+    let findings = findings(goldens, &[], PartOf::default())?;
     let drifted = findings.into_iter().filter(|finding| finding.status == Status::Drift);
     Ok(drifted.map(|finding| finding.name).collect())
 }

@@ -13,6 +13,7 @@ mod kinds;
 mod list;
 mod merge;
 mod mistakes;
+mod part;
 mod probe;
 mod render;
 mod replicas;

@@ -13,7 +13,8 @@ use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::replicas::{self, PartOf};
+use super::part::PartOf;
+use super::replicas;
 use super::scene::{CropArgument, SceneArguments, start_threads};
 use super::{Exit, Outcome};
 

@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::path::Path;
-use std::str::FromStr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -14,52 +13,9 @@ use harness::sums::{self, Header, Part, Seeds, Sums};
 use indicatif::{ProgressBar, ProgressStyle};
 use signal_hook::consts::{SIGINT, SIGTERM};
 
+use super::part::PartOf;
 use super::scene::SceneArguments;
 use super::{Exit, Outcome};
-
-/// `K/N`: one of N parts, counted from 0.
-#[derive(Clone, Copy)]
-pub struct PartOf {
-    index: u32,
-    count: u32,
-}
-
-/// All replicas in one part.
-impl Default for PartOf {
-    fn default() -> Self {
-        Self { index: 0, count: 1 }
-    }
-}
-
-impl FromStr for PartOf {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let numbers =
-            text.split_once('/').and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
-        match numbers {
-            Some((index, count)) if index < count => Ok(Self { index, count }),
-            Some((_, count)) if count > 0 => {
-                Err(format!("the parts of {count} are 0/{count} to {}/{count}", count - 1))
-            }
-            _ => Err("a part is written as 0/8".to_owned()),
-        }
-    }
-}
-
-impl PartOf {
-    /// Its contiguous share of the seeds from `first` on.
-    fn seeds(self, first: u64, replicas: u32) -> Result<Seeds, String> {
-        let PartOf { index, count } = self;
-        if count > replicas {
-            return Err(format!("--part: {replicas} replicas have at most {replicas} parts"));
-        }
-        let start = |part: u32| u64::from(part) * u64::from(replicas) / u64::from(count);
-        let [start, end] = [start(index), start(index + 1)];
-        let seeds = first.checked_add(start).and_then(|first| Seeds::range(first, end - start));
-        seeds.ok_or_else(|| "--seed: the seeds of the replicas do not fit in 64 bits".to_owned())
-    }
-}
 
 /// A part that is under way is written this often, for machines that lose their power.
 const SAVED_EVERY: Duration = Duration::from_secs(60);

@@ -48,7 +48,7 @@ pub fn audit(
             return Err(differs(pixel).into());
         }
     }
-    let mut theirs = part.each(|_, _| ())?.not_finite;
+    let mut theirs = part.checked()?.not_finite;
     theirs.retain(|entry| rows.contains(&entry.pixel(width)[1]));
     not_finite.sort_unstable();
     match not_finite

@@ -3,7 +3,7 @@
 use super::Seeds;
 
 /// The first line; the number is that of the format.
-const FORMAT: &str = "groundtruth sums 1";
+const FORMAT: &str = "groundtruth sums 2";
 
 /// What the sums of a file are of.
 #[derive(Clone, Debug, PartialEq, Eq)]
