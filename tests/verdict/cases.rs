@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
-use groundtruth::math::Pcg32;
+use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use harness::compare::{Picture, Transfer};
 use harness::verdict::{Answer, Areas, Case, Decision, Strictness, Verdict, noise};
@@ -143,7 +143,7 @@ fn transfer_functions_are_assumed_and_named() {
             let radiance = radiance.clamp(0.0, 1.0);
             let value = match radiance {
                 dark if dark <= 0.0031308 => 12.92 * dark,
-                bright => 1.055 * bright.powf(1.0 / 2.4) - 0.055,
+                bright => 1.055 * power(bright, 1.0 / 2.4) - 0.055,
             };
             let code = 255.0 * value;
             (if truncated { code.floor() } else { code.round() } / 255.0) as f32
@@ -238,13 +238,24 @@ fn a_margin_has_three_answers() {
 fn coarse_numbers_agree() {
     let film = theirs(&noisy(), 500);
     let picture = Picture::of_film(&film);
+    // the power of two at most as large as a value
+    let below = |value: f32| {
+        let mut unit = 1.0;
+        while unit > f64::from(value) && unit > 1e-30 {
+            unit *= 0.5;
+        }
+        while 2.0 * unit <= f64::from(value) {
+            unit *= 2.0;
+        }
+        unit
+    };
     let half = |value: f32| {
-        let unit = f64::from(value).log2().floor().exp2() / 1024.0;
+        let unit = below(value) / 1024.0;
         ((f64::from(value) / unit).round() * unit) as f32
     };
     let shared = |color: [f32; 3]| {
         let largest = color.into_iter().fold(0.0_f32, f32::max);
-        let unit = (f64::from(largest).log2().floor() + 1.0).exp2() / 256.0;
+        let unit = below(largest) / 128.0;
         color.map(|value| ((f64::from(value) / unit).floor() * unit) as f32)
     };
     let halves = picture.values.iter().map(|color| color.map(half)).collect();

@@ -305,7 +305,7 @@ fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {
 
 /// Where the picture differs, the farthest out first; no two regions share a pixel.
 fn regions(judged: &Judged, areas: &Areas) -> Vec<Region> {
-    let theirs = judged.pool.len() - 1;
+    let theirs = judged.pool.count() - 1;
     let map = Map::of(&judged.pool, areas, theirs, judged.ranking.noise[theirs]);
     let mut taken = vec![false; areas.object_of.len()];
     let mut regions = Vec::new();

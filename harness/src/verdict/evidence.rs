@@ -28,7 +28,7 @@ const LEVEL: usize = 2;
 impl<'a> Evidence<'a> {
     /// That of a judgement; `theirs` is the judged picture with no pixel set apart.
     pub fn of(judged: &Judged, areas: &'a Areas, theirs: &[f32]) -> Self {
-        let (pool, last) = (&judged.pool, judged.pool.len() - 1);
+        let (pool, last) = (&judged.pool, judged.pool.count() - 1);
         let theirs: Vec<f64> = theirs.iter().map(|value| f64::from(*value)).collect();
         let mean: Vec<f64> = (0..theirs.len()).map(|at| pool.mean_of_others(last, at)).collect();
         let level = mean.iter().sum::<f64>() / mean.len() as f64;

@@ -68,7 +68,7 @@ impl Means {
 }
 
 fn mean(pool: &Pool, pixels: &[usize], name: String, noise: f64, confidence: f64) -> Means {
-    let theirs = pool.len() - 1;
+    let theirs = pool.count() - 1;
     let of = |picture: usize| {
         let values = pool.picture(picture);
         let mut sums = [0.0; 3];

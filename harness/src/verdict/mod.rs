@@ -170,7 +170,7 @@ impl Judged {
     }
 
     fn decided(&self, strictness: Strictness, is_over: bool) -> Decision {
-        let theirs = self.pool.len() - 1;
+        let theirs = self.pool.count() - 1;
         let is_farthest = self.ranking.as_far_as(theirs) == 0;
         match (self.is_fixed, is_over) {
             // the values in which it is alone are the only ones that can differ

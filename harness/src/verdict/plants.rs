@@ -41,7 +41,7 @@ pub fn brighter(film: &Film, areas: &Areas, area: Area, factor: f64) -> Film {
 /// For each side of tiles, the gain in one tile of that side that would be farther out than any picture of ours is,
 /// with the tile of median noise; `None` where the median tile is black or has no noise.
 pub fn smallest_gains(pool: &Pool, areas: &Areas, ranking: &Ranking) -> Vec<(usize, Option<f64>)> {
-    let theirs = pool.len() - 1;
+    let theirs = pool.count() - 1;
     let map = Map::of(pool, areas, theirs, 1.0);
     let of = |(side, limit): (usize, f64)| {
         let level = side.trailing_zeros() as usize;

@@ -71,7 +71,7 @@ impl Pool {
     }
 
     /// The number of pictures.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.pictures.len()
     }
 
@@ -87,7 +87,7 @@ impl Pool {
             Agreement::All => Against::Same,
             Agreement::AllBut(other) if other as usize == picture => Against::Alone,
             Agreement::AllBut(_) | Agreement::Few => {
-                let n = self.len() as f64;
+                let n = self.count() as f64;
                 let own = f64::from(self.pictures[picture][index]) - self.mean[index];
                 // without the picture itself: of the mean, and of the sum of squares
                 let difference = own * n / (n - 1.0);
@@ -99,7 +99,7 @@ impl Pool {
 
     /// The mean of all other pictures at a value.
     pub fn mean_of_others(&self, picture: usize, index: usize) -> f64 {
-        let n = self.len() as f64;
+        let n = self.count() as f64;
         let own = f64::from(self.pictures[picture][index]);
         self.mean[index] - (own - self.mean[index]) / (n - 1.0)
     }

@@ -57,12 +57,12 @@ pub struct Difference {
 impl Ranking {
     /// Ranks the pictures of a pool; `from` is the first level of tiles that counts.
     pub fn of(pool: &Pool, areas: &Areas, from: usize) -> Self {
-        let all = 0..pool.len();
+        let all = 0..pool.count();
         let details: Vec<Option<f64>> =
             all.clone().into_par_iter().map(|picture| detail(pool, picture)).collect();
         let known: Vec<f64> = details.iter().flatten().copied().collect();
         let usual = quantile(&known, 0.5).unwrap_or_default();
-        let others = 1.0 / (pool.len() as f64 - 1.0);
+        let others = 1.0 / (pool.count() as f64 - 1.0);
         let factor = |detail: &Option<f64>| match detail {
             // the difference from the mean of the others has its noise too
             Some(detail) if usual > 0.0 => {
@@ -81,7 +81,7 @@ impl Ranking {
                 map.largest(areas, &levels)
             })
             .collect();
-        let everyone: Vec<usize> = (0..pool.len()).collect();
+        let everyone: Vec<usize> = (0..pool.count()).collect();
         let scores = scores(&largest, &levels, &everyone);
         Self { noise, largest, scores, levels }
     }
@@ -177,7 +177,7 @@ impl Map {
         let pixels = areas.size[0] * areas.size[1];
         let mut alone = vec![0.0; pixels];
         // its own noise, and that of the mean of the others
-        let factor = noise * noise + 1.0 / (pool.len() as f64 - 1.0);
+        let factor = noise * noise + 1.0 / (pool.count() as f64 - 1.0);
         let (mut differences, mut variances) = (Vec::new(), Vec::new());
         for channel in 0..3 {
             let Residuals { difference, variance, varied } =

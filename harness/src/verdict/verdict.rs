@@ -71,7 +71,7 @@ pub struct Pictures {
 
 impl Pictures {
     fn of(pool: &Pool, areas: &Areas, noise: f64) -> Self {
-        let (theirs, size) = (pool.len() - 1, areas.size.map(|side| side as u32));
+        let (theirs, size) = (pool.count() - 1, areas.size.map(|side| side as u32));
         let mean: Vec<f32> = (0..pool.picture(theirs).len())
             .map(|at| pool.mean_of_others(theirs, at) as f32)
             .collect();
@@ -118,7 +118,7 @@ impl Verdict {
         strictness: Strictness,
         edges: usize,
     ) -> Self {
-        let theirs = judged.pool.len() - 1;
+        let theirs = judged.pool.count() - 1;
         let noise = judged.ranking.noise[theirs];
         Self {
             decision: judged.decision,
@@ -152,7 +152,7 @@ impl Verdict {
 
     /// That of a picture with the bits of one of ours.
     pub fn equal(stored: Stored, seed: u64, judged: &Judged, areas: &Areas) -> Self {
-        let strictness = Strictness { level: 0.01, first: judged.pool.len() };
+        let strictness = Strictness { level: 0.01, first: judged.pool.count() };
         let verdict = Self::of(stored, judged, areas, strictness, 0);
         Self { decision: Decision::Agrees, equal_to_seed: Some(seed), ..verdict }
     }
@@ -229,7 +229,7 @@ impl Region {
 
     /// Pixels in which all our pictures agree against it.
     pub fn of_pixels(pool: &Pool, areas: &Areas, pixels: &[usize]) -> Self {
-        let theirs = pool.len() - 1;
+        let theirs = pool.count() - 1;
         let apart = |pixel: usize| {
             let values = (3 * pixel..3 * pixel + 3)
                 .map(|at| f64::from(pool.picture(theirs)[at]) - pool.mean_of_others(theirs, at));
@@ -242,7 +242,7 @@ impl Region {
     }
 
     fn new(pool: &Pool, areas: &Areas, pixels: &[usize], name: String, worst: usize) -> Self {
-        let (theirs, width, count) = (pool.len() - 1, areas.size[0], pixels.len() as f64);
+        let (theirs, width, count) = (pool.count() - 1, areas.size[0], pixels.len() as f64);
         let mean = |value: &dyn Fn(usize) -> f64, channel: usize| {
             pixels.iter().map(|pixel| value(3 * pixel + channel)).sum::<f64>() / count
         };
