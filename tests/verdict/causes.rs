@@ -46,20 +46,19 @@ fn is_named(pair: &Pair, [side, samples]: [u32; 2]) -> (bool, String) {
         mistake.name == "pixel-corner" && explained.iter().any(|it| it.contains("half a pixel"));
     let is_found =
         verdict.decision == Decision::Differs && (named.contains(&mistake.name) || is_shift);
-    (
-        is_found,
-        format!("{name}, {}: {:?}, {named:?}, {explained:?}", mistake.name, verdict.decision),
-    )
+    let what = mistake.name;
+    Some((is_found, format!("{name}, {what}: {:?}, {named:?}, {explained:?}", verdict.decision)))
 }
 
-/// The number of pairs that are named, printed.
-fn named(pairs: &[&Pair], size: [u32; 2]) -> usize {
-    let outcomes = pairs.iter().map(|pair| {
-        let (is_found, words) = is_named(pair, size);
+/// The numbers of pairs that are named and of those that change the picture; each is printed.
+fn named(pairs: &[&Pair], size: [u32; 2]) -> [usize; 2] {
+    let [mut count, mut tried] = [0, 0];
+    for (is_found, words) in pairs.iter().filter_map(|pair| is_named(pair, size)) {
         println!("{} {words}", if is_found { "named" } else { "MISSED" });
-        is_found
-    });
-    outcomes.filter(|is_found| *is_found).count()
+        tried += 1;
+        count += usize::from(is_found);
+    }
+    [count, tried]
 }
 
 /// Law: the picture of a known mistake, with another seed, is rejected, and the mistake is named, alone or with those that
@@ -67,9 +66,8 @@ fn named(pairs: &[&Pair], size: [u32; 2]) -> usize {
 #[test]
 #[ignore = "cost: cargo test --release --test verdict -- --ignored"]
 fn known_mistakes_are_named() {
-    let pairs = pairs(60, 1);
-    let named = named(&pairs, [96, 16]);
-    assert!(named >= 54, "{named} of {}", pairs.len());
+    let [named, tried] = named(&pairs(64, 1), [96, 16]);
+    assert!(tried >= 60 && 10 * named >= 9 * tried, "{named} of {tried}");
 }
 
 /// Law: the same, for three mistakes of terms and of the scene.
@@ -84,7 +82,7 @@ fn a_known_mistake_is_named() {
         pair("ch18/rectangle", "no-lamp-cosine"),
         pair("ch24/hall-of-mirrors", "mirror-with-cosine"),
     ];
-    assert_eq!(named(&pairs, [48, 16]), pairs.len());
+    assert_eq!(named(&pairs, [48, 16]), [pairs.len(); 2]);
 }
 
 /// Law: a mistake that is on no list is none of the known ones, and has its region. Oracle: the sphere whose colour was

@@ -65,7 +65,8 @@ fn defects(areas: &Areas) -> Vec<Defect<'_>> {
         (
             "a patch of 16 × 16, 1.3 times as bright",
             Box::new(|world, seed| {
-                let corner = [0, 1].map(|along| (hash(&[seed, along]) % 112) as u32);
+                let last = u64::from(world.image.width) - 16;
+                let corner = [0, 1].map(|along| (hash(&[seed, along]) % (last + 1)) as u32);
                 let is_inside = |at: [u32; 2]| {
                     at.iter().zip(corner).all(|(at, corner)| (corner..corner + 16).contains(at))
                 };
@@ -117,10 +118,10 @@ fn defects_are_found_in_nearly_all_pictures() {
     }
 }
 
-/// Law: the same, for few seeds and smaller pictures with fewer samples, in which larger gains stand out.
+/// Law: the same, for two seeds and smaller pictures.
 #[test]
 fn defects_are_found() {
-    for (what, times) in found(&["ch18/rectangle"], [128, 4], 3) {
-        assert_eq!(times, 3, "{what}");
+    for (what, times) in found(&["ch18/rectangle"], [64, 16], 2) {
+        assert_eq!(times, 2, "{what}");
     }
 }
