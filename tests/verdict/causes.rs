@@ -31,13 +31,13 @@ fn pairs(count: usize, seed: u64) -> Vec<&'static Pair> {
 
 /// Whether the picture of a mistake with another seed is rejected, and the mistake named, or an equal one; and what was
 /// said.
-fn is_named(pair: &Pair, [side, samples]: [u32; 2]) -> (bool, String) {
+fn is_named(pair: &Pair, [side, samples]: [u32; 2]) -> Option<(bool, String)> {
     let Pair { scene: name, mistake, .. } = *pair;
     let mut scene = scene(name, [side; 2], samples);
     scene.image.samples = samples;
     let film =
         mistakes::replica(mistake, &scene, Path::new(""), 9_000).expect("a scene of the gallery");
-    let Some(film) = film else { return (true, "does not apply at this size".to_owned()) };
+    let film = film?;
     let verdict = verdict(&scene, &[Picture::of_film(&film)], STRICTNESS);
     let named: Vec<&str> = verdict.causes.explained_by.iter().map(|cause| cause.name).collect();
     let explained = verdict.explained.as_ref().map(|it| it.what.clone());
