@@ -6,7 +6,7 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use harness::compare::{Picture, Transfer};
-use harness::verdict::{Answer, Areas, Case, Decision, Strictness, Verdict, noise};
+use harness::verdict::{Answer, Areas, Case, Decision, Means, Strictness, Verdict, noise};
 
 use super::pictures::{films, scene, world};
 use super::shared::FLOATS;
@@ -217,19 +217,54 @@ fn several_pictures_may_have_any_noise() {
     assert_eq!(differs.decision, Decision::Differs, "{differs}");
 }
 
-/// Law: a margin has three answers. Oracle: the gain that was made, and the noise of few samples.
+/// Law: a margin has three answers: within it, beyond it, and that the noise is too large; one area is enough for the
+/// last two. Oracle: intervals by hand.
 #[test]
 fn a_margin_has_three_answers() {
-    let answer = |scene: &Scene, gain: f64, margin: f64| {
-        let picture = scaled(&theirs(scene, 500), gain);
-        let mut verdict = verdict(scene, &[picture], STRICTNESS);
-        verdict.hold_to(margin);
-        verdict.margin.expect("it was asked").1
+    let area = |relative: Option<f64>, half: f64| Means {
+        name: "an area".to_owned(),
+        pixels: 1,
+        ours: [1.0; 3],
+        theirs: [1.0; 3],
+        relative,
+        half,
     };
-    assert_eq!(answer(&noisy(), 1.01, 0.3), Answer::Agrees);
-    assert_eq!(answer(&noisy(), 2.0, 0.3), Answer::DiffersByMore);
-    let few = scene("ch26/cornell-box", [16, 16], 4);
-    assert_eq!(answer(&few, 1.0, 0.001), Answer::CannotTell);
+    let within = area(Some(-0.004), 0.005);
+    for (other, expected) in [
+        (area(Some(0.0), 0.0099), Answer::Agrees),
+        (area(None, 0.0), Answer::Agrees),
+        (area(Some(0.004), 0.007), Answer::CannotTell),
+        (area(Some(0.012), 0.005), Answer::CannotTell),
+        (area(Some(0.016), 0.005), Answer::DiffersByMore),
+        (area(Some(-0.016), 0.005), Answer::DiffersByMore),
+    ] {
+        let all = [within.clone(), other];
+        assert_eq!(Means::within(&all, 0.01), expected, "{:?}", all[1]);
+    }
+}
+
+/// Law: the interval of the mean contains the difference that was made, and is about as wide as the noise. Oracle: a gain
+/// of 10 %; the means of 40 pictures of ours.
+#[test]
+fn means_have_intervals() {
+    let scene = noisy();
+    let of = |film: &Film| {
+        let all = film.pixels().iter().flat_map(|color| color.to_array());
+        all.sum::<f64>() / (3 * film.pixels().len()) as f64
+    };
+    let means: Vec<f64> = films(&mut world(&scene, 1), 700..740).iter().map(of).collect();
+    let mean = means.iter().sum::<f64>() / 40.0;
+    let squares: f64 = means.iter().map(|it| (it - mean) * (it - mean)).sum();
+    let deviation = (squares / 39.0).sqrt() / mean;
+    let whole = judged(&scaled(&theirs(&scene, 500), 1.1)).means.swap_remove(0);
+    let relative = whole.relative.expect("ours is not black");
+    assert!((relative - 0.1).abs() <= whole.half, "{relative} ± {}", whole.half);
+    // at most some ten deviations: Student's t of few degrees, for all areas together
+    assert!(
+        whole.half > deviation && whole.half < 20.0 * deviation,
+        "{} for {deviation}",
+        whole.half
+    );
 }
 
 /// Law: values of a picture that is stored in half precision or with a shared exponent agree. Oracle: the definitions
