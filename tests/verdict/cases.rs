@@ -15,7 +15,19 @@ const SIZE: [u32; 2] = [48, 48];
 
 const SAMPLES: u32 = 16;
 
+/// The verdict, if nobody interrupts.
 pub fn verdict(scene: &Scene, theirs: &[Picture], strictness: Strictness) -> Verdict {
+    interrupted(scene, theirs, strictness, usize::MAX).expect("nobody interrupts")
+}
+
+/// The verdict, if the user interrupts after so many pictures of ours.
+fn interrupted(
+    scene: &Scene,
+    theirs: &[Picture],
+    strictness: Strictness,
+    after: usize,
+) -> Option<Verdict> {
+    let mut rendered = 0;
     let mut world = world(scene, 1);
     let mut case = Case {
         world: &mut world,
@@ -29,13 +41,13 @@ pub fn verdict(scene: &Scene, theirs: &[Picture], strictness: Strictness) -> Ver
     };
     let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
         canvas.render(world);
-        true
+        rendered += 1;
+        rendered <= after
     };
-    let verdict = match theirs {
+    match theirs {
         [only] => case.verdict(only, renders),
         several => case.verdict_on_several(several, renders),
-    };
-    verdict.expect("nobody interrupts")
+    }
 }
 
 const STRICTNESS: Strictness = Strictness { level: 0.05, first: 8 };
@@ -198,6 +210,32 @@ fn a_scene_without_noise_is_judged_by_rounding() {
     assert!(differs.fixed && differs.decision == Decision::Differs, "{differs}");
     assert_eq!(differs.regions[0].worst, [20, 30]);
     assert_eq!(differs.edges, 0);
+}
+
+/// Law: who interrupts is told what is known by then, which is nothing with fewer than three pictures of ours. Oracle:
+/// the number of pictures.
+#[test]
+fn an_interruption_ends_with_what_is_known() {
+    let theirs = [Picture::of_film(&theirs(&noisy(), 500))];
+    let after = |count| interrupted(&noisy(), &theirs, STRICTNESS, count);
+    assert!(after(2).is_none());
+    let verdict = after(5).expect("five are enough to say something");
+    assert_eq!((verdict.decision, verdict.replicas), (Decision::Undecided, 5));
+    let text = verdict.to_string();
+    assert!(text.contains("interrupted: so far, ") && text.contains(" of 5 pictures"), "{text}");
+}
+
+/// Law: several pictures of a scene without noise are judged one by one. Oracle: the one that was changed.
+#[test]
+fn several_pictures_without_noise_are_judged_one_by_one() {
+    let scene = scene("ch14/set", SIZE, 1);
+    let same = Picture::of_film(&theirs(&scene, 500));
+    let mut changed = same.clone();
+    let at = changed.index([20, 30]);
+    changed.values[at][1] += 0.01;
+    let decision = |all: &[Picture]| verdict(&scene, all, STRICTNESS).decision;
+    assert_eq!(decision(&[same.clone(), same.clone()]), Decision::Agrees);
+    assert_eq!(decision(&[same, changed]), Decision::Differs);
 }
 
 /// Law: of several pictures nothing is assumed of their noise: gains that differ from picture to picture, with the mean

@@ -46,6 +46,9 @@ const PLANTED: [f64; 2] = [1.02, 1.05];
 /// Objects in which a defect is planted have at least so many pixels.
 const SEEN: u32 = 100;
 
+/// A plant makes the picture at least this many times as bright.
+const LEAST_GAIN: f64 = 1.0001;
+
 /// Terms are the mean of so many replicas.
 const TERM_REPLICAS: u64 = 4;
 
@@ -55,17 +58,10 @@ impl Case<'_> {
         let areas = Areas::of(self.world);
         let (strictness, seed) = (self.strictness, self.seed);
         let (transfer, tone) = (self.transfer, self.tone);
-        let mut replicas = Replicas {
-            world: self.world,
-            direction: [0, 0],
-            first: seed,
-            next: seed,
-            films: Vec::new(),
-            renders,
-        };
-        replicas.fill(strictness.first)?;
+        let mut replicas = Replicas::new(self.world, seed, renders);
+        replicas.fill(strictness.first);
         let judge = Judge { areas: &areas, strictness, transfer, tone };
-        let independent = judge.match_noise(theirs, &mut replicas)?;
+        let independent = judge.match_noise(theirs, &mut replicas);
         let mut known = Vec::new();
         let (stored, judged, edges) = judge.judged(theirs, &mut replicas, &mut known)?;
         if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
@@ -105,6 +101,20 @@ impl Case<'_> {
 const AGAINST_SEVERAL: usize = 16;
 
 impl Case<'_> {
+    /// As [`Case::verdict_on_several`], for a scene without random numbers: each picture is judged by itself, and the
+    /// first that does not agree is said.
+    fn verdict_on_each(&mut self, theirs: &[Picture], renders: Renders<'_>) -> Option<Verdict> {
+        let mut last = None;
+        for picture in theirs {
+            let verdict = self.verdict(picture, renders)?;
+            if verdict.decision != Decision::Agrees {
+                return Some(verdict);
+            }
+            last = Some(verdict);
+        }
+        last
+    }
+
     /// What is to be said of several pictures of one program with other seeds: nothing is assumed of their noise.
     /// `None` if the user interrupted before anything could be.
     pub fn verdict_on_several(
@@ -115,17 +125,17 @@ impl Case<'_> {
         let areas = Areas::of(self.world);
         let (strictness, seed) = (self.strictness, self.seed);
         let (transfer, tone) = (self.transfer, self.tone);
-        let mut replicas = Replicas {
-            world: self.world,
-            direction: [0, 0],
-            first: seed,
-            next: seed,
-            films: Vec::new(),
-            renders,
-        };
-        replicas.fill(strictness.first.max(AGAINST_SEVERAL))?;
-        let stored =
-            likeliest(&Stored::candidates(&theirs[0], transfer, tone), &theirs[0], &replicas.films);
+        let mut replicas = Replicas::new(self.world, seed, renders);
+        replicas.fill(strictness.first.max(AGAINST_SEVERAL));
+        if replicas.films.len() < 3 {
+            return None;
+        }
+        if replicas.films.windows(2).all(|two| two[0] == two[1]) {
+            let renders = replicas.renders;
+            return self.verdict_on_each(theirs, renders);
+        }
+        let candidates = Stored::candidates(&theirs[0], transfer, tone);
+        let stored = likeliest(&candidates, &theirs[0], &replicas.films);
         let mut pictures: Vec<Vec<f32>> =
             replicas.films.iter().map(|film| stored.values(film)).collect();
         let ours = pictures.len();
@@ -151,19 +161,24 @@ struct Judge<'a> {
 
 impl Judge<'_> {
     /// If their noise is unlike ours, ours is made of independent samples if that is nearer to theirs; whether it is.
-    fn match_noise(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<bool> {
+    fn match_noise(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
+        let count = replicas.films.len();
+        if count < self.strictness.first || replicas.world.samples_per_pixel() == 1 {
+            return false;
+        }
         let before = self.noise(theirs, &replicas.films);
-        if is_alike(before) || replicas.world.samples_per_pixel() == 1 {
-            return Some(false);
+        if is_alike(before) {
+            return false;
         }
         let (usual, next) = (replicas.world.image.sampler.clone(), replicas.next);
-        let former = replicas.resample(Some(samplers::Random {}.into()))?;
-        let is_nearer = is_nearer(self.noise(theirs, &replicas.films), before);
+        let former = replicas.resample(Some(samplers::Random {}.into()));
+        let is_nearer =
+            replicas.films.len() == count && is_nearer(self.noise(theirs, &replicas.films), before);
         if !is_nearer {
             replicas.world.image.sampler = usual;
             (replicas.films, replicas.next) = (former, next);
         }
-        Some(is_nearer)
+        is_nearer
     }
 
     fn noise(&self, theirs: &Picture, films: &[Film]) -> f64 {
@@ -181,6 +196,9 @@ impl Judge<'_> {
         replicas: &mut Replicas<'_, '_>,
         known: &mut Vec<Vec<f32>>,
     ) -> Option<(Stored, Judged, usize)> {
+        if replicas.films.len() < 3 {
+            return None;
+        }
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
         let stored = likeliest(&candidates, theirs, &replicas.films);
         *known = replicas.films.iter().map(|film| stored.values(film)).collect();
@@ -221,7 +239,10 @@ impl Judge<'_> {
         let direction = half_pixel_directions(replicas.world, &as_theirs, Some(&alike)).first()?.0;
         replicas.direction = direction;
         replicas.films.clear();
-        replicas.fill(self.strictness.first)?;
+        replicas.fill(self.strictness.first);
+        if replicas.films.len() < self.strictness.first {
+            return None;
+        }
         let (what, agrees) =
             (half_pixel_words(direction, "theirs"), self.agrees(&as_theirs, replicas));
         Some(Explanation { what, agrees, is_gain: false })
@@ -255,7 +276,9 @@ impl Judge<'_> {
         for object in objects.into_iter().take(3) {
             let what = format!("{} {} brighter", areas.objects[object].0, percent(PLANTED[1]));
             let changed = brighter(film, areas, Area::Object(object), PLANTED[1]);
-            if changed != *film {
+            let brightness = |film: &Film| film.pixels().iter().map(|it| it.max()).sum::<f64>();
+            // of an object that is black there is nothing to see
+            if brightness(&changed) > LEAST_GAIN * brightness(film) {
                 plants.push(Plant { what, found: found(&changed) });
             }
         }

@@ -20,14 +20,19 @@ pub struct Replicas<'a, 'b> {
     pub first: u64,
     /// The seed of the next.
     pub next: u64,
-    /// Those that were asked for first.
+    /// Those that were rendered first.
     pub films: Vec<Film>,
     /// How they are rendered.
     pub renders: Renders<'b>,
 }
 
-impl Replicas<'_, '_> {
-    /// The next replica.
+impl<'a, 'b> Replicas<'a, 'b> {
+    /// None so far, of a scene's world; `seed` is that of the first.
+    pub fn new(world: &'a mut World, seed: u64, renders: Renders<'b>) -> Self {
+        Self { world, direction: [0, 0], first: seed, next: seed, films: Vec::new(), renders }
+    }
+
+    /// The next replica; `None` if the user interrupts.
     pub fn render(&mut self) -> Option<Film> {
         self.world.reseed(self.next);
         let size @ [width, height] = [self.world.image.width, self.world.image.height];
@@ -44,21 +49,20 @@ impl Replicas<'_, '_> {
         is_whole.then(|| canvas.film())
     }
 
-    /// The first ones with another sampler; the former ones are returned.
-    pub fn resample(&mut self, sampler: Option<samplers::Kind>) -> Option<Vec<Film>> {
+    /// Renders the first ones with another sampler; the former ones are returned.
+    pub fn resample(&mut self, sampler: Option<samplers::Kind>) -> Vec<Film> {
         let (count, former) = (self.films.len(), std::mem::take(&mut self.films));
         self.world.image.sampler = sampler;
         self.next = self.first;
-        self.fill(count)?;
-        Some(former)
+        self.fill(count);
+        former
     }
 
-    /// Renders until there are so many films.
-    pub fn fill(&mut self, count: usize) -> Option<()> {
+    /// Renders until there are so many films, or the user interrupts.
+    pub fn fill(&mut self, count: usize) {
         while self.films.len() < count {
-            let film = self.render()?;
+            let Some(film) = self.render() else { return };
             self.films.push(film);
         }
-        Some(())
     }
 }
