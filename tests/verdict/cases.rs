@@ -216,7 +216,7 @@ fn a_scene_without_noise_is_judged_by_rounding() {
 /// the number of pictures.
 #[test]
 fn an_interruption_ends_with_what_is_known() {
-    let theirs = [Picture::of_film(&theirs(&noisy(), 500))];
+    let theirs = [scaled(&theirs(&noisy(), 500), 1.05)];
     let after = |count| interrupted(&noisy(), &theirs, STRICTNESS, count);
     assert!(after(2).is_none());
     let verdict = after(5).expect("five are enough to say something");

@@ -1,7 +1,7 @@
 //! A picture beside the mean of ours, from which causes are inferred.
 
 use super::areas::Areas;
-use super::ranking::Map;
+use super::map::Map;
 use super::{Judged, Stored};
 
 /// A picture beside ours: three values a pixel, as radiance.

@@ -3,8 +3,9 @@
 use groundtruth::film::Film;
 
 use super::areas::{Area, Areas};
+use super::map::Map;
 use super::pool::Pool;
-use super::ranking::{Map, Ranking};
+use super::ranking::Ranking;
 
 /// A planted defect.
 #[derive(Clone, Debug, serde::Serialize)]

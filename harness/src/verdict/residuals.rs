@@ -1,0 +1,101 @@
+//! What is left of a picture without the mean of the others, and its noise.
+
+use super::pool::{Against, Pool};
+
+/// The neighbours of a value whose variance counts: so many to either side.
+const REACH: usize = 2;
+
+/// The differences of a channel of a picture from the mean of the others, where the others vary.
+pub struct Residuals {
+    /// The value less the mean of the others; 0 where these agree.
+    pub difference: Vec<f64>,
+    /// Of the others.
+    pub variance: Vec<f64>,
+    /// Whether the others vary.
+    pub varied: Vec<bool>,
+}
+
+impl Residuals {
+    /// `alone` counts the values in which all others agree against the picture.
+    pub fn of(pool: &Pool, picture: usize, channel: usize, alone: &mut [f64]) -> Self {
+        let pixels = pool.size[0] * pool.size[1];
+        let (mut difference, mut variance, mut varied) =
+            (vec![0.0; pixels], vec![0.0; pixels], vec![false; pixels]);
+        for pixel in 0..pixels {
+            match pool.against(picture, 3 * pixel + channel) {
+                Against::Varied { difference: d, variance: v } => {
+                    (difference[pixel], variance[pixel], varied[pixel]) = (d, v, true);
+                }
+                Against::Alone => alone[pixel] += 1.0,
+                Against::Same | Against::Nothing => {}
+            }
+        }
+        Self { difference, variance, varied }
+    }
+}
+
+/// A block's detail counts at most this many times the variance of the others, so that single bright pixels do not
+/// decide.
+const MOST_DETAIL: f64 = 16.0;
+
+/// Fewer blocks say nothing of the noise.
+const FEW_BLOCKS: u32 = 16;
+
+/// The square of the finest details of a picture's difference from the others, relative to the variance of these: the
+/// mean over blocks of two by two pixels. `None` if there are few such blocks.
+pub fn detail(pool: &Pool, picture: usize) -> Option<f64> {
+    let [width, height] = pool.size;
+    let (mut sum, mut count) = (0.0, 0_u32);
+    for channel in 0..3 {
+        let Residuals { difference, variance, varied } =
+            Residuals::of(pool, picture, channel, &mut vec![0.0; width * height]);
+        for y in (0..height - height % 2).step_by(2) {
+            for x in (0..width - width % 2).step_by(2) {
+                let block = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[i, j]| (y + j) * width + x + i);
+                let total: f64 = block.iter().map(|pixel| variance[*pixel]).sum();
+                if block.iter().any(|pixel| varied[*pixel]) && total > 0.0 {
+                    let [a, b, c, d] = block.map(|pixel| difference[pixel]);
+                    sum += (square(a - b - c + d) / total).min(MOST_DETAIL);
+                    count += 1;
+                }
+            }
+        }
+    }
+    (count >= FEW_BLOCKS).then(|| sum / f64::from(count))
+}
+
+fn square(x: f64) -> f64 {
+    x * x
+}
+
+/// The variance of a picture's noise around each pixel, from the finest details of its differences: noise has them,
+/// and most errors do not.
+pub fn own_variance(difference: &[f64], size @ [width, height]: [usize; 2]) -> Vec<f64> {
+    let detail = |pixel: usize| {
+        let (x, y) = (pixel % width, pixel / width);
+        let (right, below) = (usize::from(x + 1 < width), usize::from(y + 1 < height) * width);
+        let [a, b, c, d] = [0, right, below, below + right].map(|step| difference[pixel + step]);
+        0.25 * square(a - b - c + d)
+    };
+    around(&(0..difference.len()).map(detail).collect::<Vec<f64>>(), size)
+}
+
+/// The mean over the neighbours of each value, itself among them.
+pub fn around(values: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
+    let rows = averaged(values, width, height, [1, width]);
+    averaged(&rows, height, width, [width, 1])
+}
+
+/// The mean over the neighbours along lines of this length, whose values are `step` apart and which begin `next` apart.
+fn averaged(values: &[f64], length: usize, lines: usize, [step, next]: [usize; 2]) -> Vec<f64> {
+    let mut means = vec![0.0; values.len()];
+    for line in 0..lines {
+        for at in 0..length {
+            let near = at.saturating_sub(REACH)..=(at + REACH).min(length - 1);
+            let count = near.clone().count() as f64;
+            let sum: f64 = near.map(|other| values[line * next + other * step]).sum();
+            means[line * next + at * step] = sum / count;
+        }
+    }
+    means
+}
