@@ -209,7 +209,7 @@ fn a_scene_without_noise_is_judged_by_rounding() {
     let differs = verdict(&changed);
     assert!(differs.fixed && differs.decision == Decision::Differs, "{differs}");
     assert_eq!(differs.regions[0].worst, [20, 30]);
-    assert_eq!(differs.edges, 0);
+    assert_eq!(differs.set_apart, 0);
 }
 
 /// Law: who interrupts is told what is known by then, which is nothing with fewer than three pictures of ours. Oracle:

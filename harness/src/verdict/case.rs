@@ -63,11 +63,11 @@ impl Case<'_> {
         let judge = Judge { areas: &areas, strictness, transfer, tone };
         let independent = judge.match_noise(theirs, &mut replicas);
         let mut known = Vec::new();
-        let (stored, judged, edges) = judge.judged(theirs, &mut replicas, &mut known)?;
+        let (stored, judged, apart) = judge.judged(theirs, &mut replicas, &mut known)?;
         if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
             return Some(Verdict::equal(stored, seed + equal as u64, &judged, &areas));
         }
-        let mut verdict = Verdict::of(stored, &judged, &areas, strictness, edges);
+        let mut verdict = Verdict::of(stored, &judged, &areas, strictness, apart);
         verdict.independent = independent;
         match judged.decision {
             Decision::Differs => {
@@ -188,8 +188,8 @@ impl Judge<'_> {
         noise(&read(theirs, stored), (self.areas, stored), &known)
     }
 
-    /// The most likely way in which the values are stored, the judgement, and the number of pixels on edges that were
-    /// set apart. `known` becomes our replicas, stored alike.
+    /// The most likely way in which the values are stored, the judgement, and the number of pixels that were set
+    /// apart. `known` becomes our replicas, stored alike.
     fn judged(
         &self,
         theirs: &Picture,
@@ -203,10 +203,10 @@ impl Judge<'_> {
         let stored = likeliest(&candidates, theirs, &replicas.films);
         *known = replicas.films.iter().map(|film| stored.values(film)).collect();
         let mut values = read(theirs, stored);
-        let edges = set_apart(&mut values, replicas.world, known, stored);
+        let apart = set_apart(&mut values, replicas.world, known, stored);
         let next = || replicas.render().map(|film| stored.values(&film));
         let judged = Judged::of(&values, (self.areas, stored), self.strictness, known, next)?;
-        Some((stored, judged, edges))
+        Some((stored, judged, apart))
     }
 
     /// The most harmless change that explains the difference, and whether the picture agrees after it.

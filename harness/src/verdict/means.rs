@@ -13,7 +13,7 @@ pub struct Means {
     pub name: String,
     /// The number of its pixels.
     pub pixels: usize,
-    /// In our pictures: red, green, blue, as stored.
+    /// In our pictures: the radiance of red, green and blue.
     pub ours: [f64; 3],
     /// In theirs.
     pub theirs: [f64; 3],

@@ -4,10 +4,10 @@
 //! each is. More replicas are rendered only while theirs is among the farthest. Scenes without random numbers, and
 //! values on which all replicas agree, are judged by rounding.
 
+mod apart;
 mod areas;
 mod case;
 mod causes;
-mod edges;
 mod evidence;
 mod map;
 mod means;
@@ -24,10 +24,10 @@ mod text;
 #[expect(clippy::module_inception, reason = "the file of the type of this name")]
 mod verdict;
 
+pub use apart::set_apart;
 pub use areas::{Area, Areas};
 pub use case::Case;
 pub use causes::{Cause, Causes, Suspects};
-pub use edges::set_apart;
 pub use evidence::Evidence;
 pub use map::Map;
 pub use means::{Answer, Means};

@@ -33,11 +33,8 @@ pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
         pair::STYLE,
         escaped(words)
     );
-    if let Some(evidence) = &verdict.evidence {
-        let pictures = [&evidence.ours, &evidence.theirs];
-        html += &views(pictures);
-        html += &map(verdict, &evidence.z, pictures[0].size);
-    }
+    html += &views([&verdict.shown.ours, &verdict.shown.theirs]);
+    html += &map(verdict, &verdict.shown.z, verdict.shown.ours.size);
     html += &table(verdict);
     html + "</html>\n"
 }

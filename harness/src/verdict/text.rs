@@ -20,8 +20,8 @@ impl fmt::Display for Verdict {
         if !self.fixed {
             writeln!(f, "noise: {:.2} of that of our pictures{}", self.noise, self.about_noise())?;
         }
-        if self.edges > 0 {
-            let pixels = count(self.edges, "pixel");
+        if self.set_apart > 0 {
+            let pixels = count(self.set_apart, "pixel");
             writeln!(
                 f,
                 "set apart: {pixels}, where all of ours agree and a correct picture need not"

@@ -37,8 +37,8 @@ pub struct Verdict {
     pub level: f64,
     /// Whether the scene has no random numbers that show.
     pub fixed: bool,
-    /// Pixels on edges that were set apart.
-    pub edges: usize,
+    /// The number of pixels that were set apart: all of ours agree there, and a correct picture need not.
+    pub set_apart: usize,
     /// A relative margin for the means, and whether they are within it.
     pub margin: Option<(f64, Answer)>,
     /// Where it differs.
@@ -55,7 +55,7 @@ pub struct Verdict {
     pub gains: Vec<(usize, Option<f64>)>,
     /// The pictures.
     #[serde(skip)]
-    pub evidence: Option<Pictures>,
+    pub shown: Pictures,
 }
 
 /// What a verdict is about, for the eye.
@@ -101,7 +101,7 @@ pub struct Region {
     pub bounds: [usize; 4],
     /// In standard deviations; `None` where all our pictures agree.
     pub z: Option<f64>,
-    /// The mean of our pictures: red, green, blue, as stored.
+    /// The mean of our pictures: red, green, blue.
     pub ours: [f64; 3],
     /// The mean of theirs.
     pub theirs: [f64; 3],
@@ -116,7 +116,7 @@ impl Verdict {
         judged: &Judged,
         areas: &Areas,
         strictness: Strictness,
-        edges: usize,
+        set_apart: usize,
     ) -> Self {
         let theirs = judged.pool.count() - 1;
         let noise = judged.ranking.noise[theirs];
@@ -133,7 +133,7 @@ impl Verdict {
             as_far: judged.ranking.as_far_as(theirs),
             level: strictness.level,
             fixed: judged.is_fixed,
-            edges,
+            set_apart,
             margin: None,
             regions: Vec::new(),
             explained: None,
@@ -141,7 +141,7 @@ impl Verdict {
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
-            evidence: Some(Pictures::of(&judged.pool, areas, noise)),
+            shown: Pictures::of(&judged.pool, areas, noise),
         }
     }
 
@@ -197,7 +197,7 @@ impl Verdict {
             as_far: 0,
             level: strictness.level,
             fixed: false,
-            edges: 0,
+            set_apart: 0,
             margin: None,
             regions,
             explained: None,
@@ -205,7 +205,7 @@ impl Verdict {
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
-            evidence: Some(Pictures::of(&pool, areas, noise)),
+            shown: Pictures::of(&pool, areas, noise),
         }
     }
 }
