@@ -34,6 +34,7 @@ fn interrupted(
         scene,
         folder: Path::new(""),
         is_interrupted: &|| false,
+        so_far: &|_| {},
         strictness,
         transfer: None,
         tone: (scene.image.gamma, scene.image.out_of_gamut),

@@ -76,6 +76,6 @@ impl Shared {
         let mut known = first(films);
         let mut next = order[STRICTNESS.first..].iter().map(|index| stored.values(&films[*index]));
         set_apart(&mut theirs, world, &known, stored);
-        Judged::of(&theirs, subject, STRICTNESS, &mut known, || next.next()).expect("enough")
+        Judged::of(&theirs, subject, STRICTNESS, &mut known, |_| next.next()).expect("enough")
     }
 }

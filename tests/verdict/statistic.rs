@@ -140,7 +140,7 @@ fn factors_of_terms_are_found() {
     }
     let mut known = known;
     let strictness = Strictness { level: 0.05, first: 16 };
-    let judged = Judged::of(&theirs, (&areas, FLOATS), strictness, &mut known, || None);
+    let judged = Judged::of(&theirs, (&areas, FLOATS), strictness, &mut known, |_| None);
     let evidence = Evidence::of(&judged.expect("enough"), &areas, &theirs);
     let factors = factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it");
     for factor in &factors {

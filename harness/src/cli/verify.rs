@@ -12,7 +12,7 @@ use groundtruth::film;
 use groundtruth::render::Canvas;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
-use harness::verdict::{self, Answer, Case, Decision, Region, Strictness, Verdict};
+use harness::verdict::{self, Answer, Case, Decision, Judged, Region, Strictness, Verdict};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::mistakes;
@@ -86,12 +86,13 @@ impl Verify {
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let mut watch = Watch::new(strictness.most())?;
         let seed = arguments.seed();
-        let interrupted = Arc::clone(&watch.interrupted);
+        let (interrupted, bar) = (Arc::clone(&watch.interrupted), watch.bar.clone());
         let mut case = Case {
             world: &mut world,
             scene: &scene,
             folder: arguments.folder().unwrap_or(Path::new("")),
             is_interrupted: &|| interrupted.load(Ordering::Relaxed),
+            so_far: &|judged| bar.set_message(so_far(judged)),
             strictness,
             transfer: self.encoding,
             tone,
@@ -192,6 +193,15 @@ fn advice(scene: &str, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
     }
 }
 
+/// What is known while more replicas are rendered.
+fn so_far(judged: &Judged) -> String {
+    let replicas = judged.pool.count() - 1;
+    format!(
+        "; so far {} of {replicas} are as far out as theirs",
+        judged.ranking.as_far_as(replicas)
+    )
+}
+
 /// Renders our pictures, shows how many there are, and stops when the user interrupts.
 struct Watch {
     bar: ProgressBar,
@@ -204,7 +214,7 @@ impl Watch {
         let flag = Arc::clone(&interrupted);
         ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
         let bar = ProgressBar::new(most as u64);
-        let style = "{spinner} {pos} of at most {len} pictures of ours  {elapsed} elapsed";
+        let style = "{spinner} {pos} of at most {len} pictures of ours  {elapsed} elapsed{msg}";
         bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
         Ok(Self { bar, interrupted })
     }

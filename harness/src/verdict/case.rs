@@ -30,6 +30,8 @@ pub struct Case<'a> {
     pub folder: &'a Path,
     /// Whether the user interrupted.
     pub is_interrupted: &'a dyn Fn() -> bool,
+    /// Is told what is known so far, before more replicas are rendered.
+    pub so_far: &'a dyn Fn(&Judged),
     /// How strictly.
     pub strictness: Strictness,
     /// The transfer function of pictures for display, if the user said it.
@@ -60,7 +62,7 @@ impl Case<'_> {
         let (transfer, tone) = (self.transfer, self.tone);
         let mut replicas = Replicas::new(self.world, seed, renders);
         replicas.fill(strictness.first);
-        let judge = Judge { areas: &areas, strictness, transfer, tone };
+        let judge = Judge { areas: &areas, strictness, transfer, tone, so_far: self.so_far };
         let independent = judge.match_noise(theirs, &mut replicas);
         let mut known = Vec::new();
         let (stored, judged, apart) = judge.judged(theirs, &mut replicas, &mut known)?;
@@ -157,6 +159,7 @@ struct Judge<'a> {
     strictness: Strictness,
     transfer: Option<Transfer>,
     tone: (f64, OutOfGamut),
+    so_far: &'a dyn Fn(&Judged),
 }
 
 impl Judge<'_> {
@@ -204,7 +207,10 @@ impl Judge<'_> {
         *known = replicas.films.iter().map(|film| stored.values(film)).collect();
         let mut values = read(theirs, stored);
         let apart = set_apart(&mut values, replicas.world, known, stored);
-        let next = || replicas.render().map(|film| stored.values(&film));
+        let next = |so_far: Option<&Judged>| {
+            so_far.into_iter().for_each(self.so_far);
+            replicas.render().map(|film| stored.values(&film))
+        };
         let judged = Judged::of(&values, (self.areas, stored), self.strictness, known, next)?;
         Some((stored, judged, apart))
     }

@@ -134,7 +134,7 @@ impl Suspects<'_> {
             return false;
         }
         set_apart(&mut theirs, self.world, &known, *stored);
-        let judged = Judged::of(&theirs, (areas, *stored), strictness, &mut known, replicas);
+        let judged = Judged::of(&theirs, (areas, *stored), strictness, &mut known, |_| replicas());
         judged.is_some_and(|judged| judged.decision == Decision::Agrees)
     }
 }

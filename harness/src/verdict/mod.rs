@@ -122,19 +122,21 @@ impl Strictness {
 
 impl Judged {
     /// Judges a picture by its stored values; `replicas` gives the next of our pictures, stored alike, or `None` if the
-    /// user interrupts. `known` are those that exist already. `None` if there are too few to say anything.
+    /// user interrupts; it is told what is known so far. `known` are those that exist already. `None` if there are too few
+    /// to say anything.
     pub fn of(
         theirs: &[f32],
         (areas, stored): (&Areas, Stored),
         strictness: Strictness,
         known: &mut Vec<Vec<f32>>,
-        mut replicas: impl FnMut() -> Option<Vec<f32>>,
+        mut replicas: impl FnMut(Option<&Self>) -> Option<Vec<f32>>,
     ) -> Option<Self> {
+        let mut so_far: Option<Self> = None;
         let mut wanted = strictness.first;
         loop {
             let mut is_interrupted = false;
             while known.len() < wanted && !is_interrupted {
-                match replicas() {
+                match replicas(so_far.as_ref()) {
                     Some(picture) => known.push(picture),
                     None => is_interrupted = true,
                 }
@@ -148,6 +150,7 @@ impl Judged {
                 let decision = judged.decided(strictness, is_over);
                 return Some(Self { decision, ..judged });
             }
+            so_far = Some(judged);
             wanted = (2 * known.len()).min(strictness.most());
         }
     }
