@@ -86,13 +86,14 @@ fn bad_input_is_refused() {
     pixels.put_pixel(2, 5, image::Rgba([9, 9, 9, 100]));
     pixels.save(&transparent).expect("written");
     let transparent = transparent.to_str().expect("UTF-8");
-    let bad: [(&[&str], &str); 9] = [
+    let bad: [(&[&str], &str); 10] = [
         (&[SCENE, &not_finite], "pixel 3, 4 is [NaN"),
         (&[SCENE, &wide], "32 × 20 pixels"),
         (&[SCENE, &correct, &wide], "all pictures must have one size"),
         (&[SCENE, &correct, "--their-samples", "0"], "--their-samples"),
         (&[SCENE, &correct, "--size", "32x32"], "leave it out"),
         (&[SCENE, transparent], "alpha"),
+        (&[SCENE, &correct, "--seed", "18446744073709551615"], "--seed: ours have"),
         (&["ch18/rectangel", &correct], "ch18/rectangle"),
         (&["ch11/stereo-pair-that-is-none", &correct], "ch11"),
         (&["--scenes", "glass"], "ch28"),

@@ -87,7 +87,7 @@ fn of_scene(scene: &str) -> Result<String, String> {
     Ok(text)
 }
 
-/// The error message for what is neither a chapter nor a scene of the gallery.
+/// What is said of a name that the gallery does not have.
 fn unknown(scene: &str) -> String {
     let names: Vec<&str> = gallery::scenes().map(|entry| entry.name).collect();
     let similar = gallery::did_you_mean(scene, &names);

@@ -80,10 +80,10 @@ pub struct Strictness {
     pub first: usize,
 }
 
-/// A picture that is so many times as far out as the farthest of ours is not judged further.
+/// A picture that is so many times as far out as the farthest of enough of ours is not judged further.
 const FAR_OUT: f64 = 100.0;
 
-/// … if at least so many of ours are known.
+/// So many of ours are enough for that.
 const ENOUGH: usize = 15;
 
 /// So many of ours must be as far out as theirs for an early end.
