@@ -59,7 +59,7 @@ fn an_interrupted_part_is_valid_and_is_continued() {
 }
 
 /// Replicas of a second or more each.
-const SLOWER: &str = "render ch18/rectangle --size 120x80 --samples 25 --seed 1";
+const SLOWER: &str = "render ch18/rectangle --size 120x80 --samples 64 --seed 1";
 
 /// Law: after a second signal the replica under way is cancelled at once, and never added: the part holds the finished
 /// replicas only, and the status is 130. Oracle: the mean of as many replicas, rendered by themselves.
@@ -84,16 +84,18 @@ fn a_second_signal_drops_the_replica_under_way() {
         std::thread::sleep(Duration::from_millis(50));
         send("-INT", &child);
         let status = child.wait().expect("it ends").code();
-        let is_at_once = first.elapsed() < one / 2;
-        share = if status.is_none() { share + share / 4 } else { share };
+        let took = first.elapsed();
         if status != Some(130) {
+            share = if status == Some(0) { share / 2 } else { share + share / 4 };
             return false;
         }
         let run = expect(1, at, "merge a.sums -o a.pfm");
         let count = if run.stdout.starts_with("1 of 3") { "one" } else { "two" };
         let expected = read(at, &format!("{count}.pfm"));
         assert!(read(at, "a.pfm") == expected, "it holds an unfinished replica: {}", run.stdout);
-        count == "one" && is_at_once
+        // one that ended by itself may have had less time than the first: the machine was busier then
+        share = if count == "two" { share / 2 } else { share };
+        count == "one" && took < one * 3 / 4
     });
     assert!(is_cancelled, "no replica was ever cancelled");
     expect(0, at, &format!("{SLOWER} --replicas 3 -o a.sums"));
