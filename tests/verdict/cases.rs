@@ -6,7 +6,7 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use harness::compare::{Picture, Transfer};
-use harness::verdict::{Answer, Areas, Case, Decision, Means, Strictness, Verdict, noise};
+use harness::verdict::{Answer, Areas, Case, Decision, Means, Strictness, Subject, Verdict, noise};
 
 use super::pictures::{films, scene, world};
 use super::shared::FLOATS;
@@ -39,6 +39,7 @@ fn interrupted(
         transfer: None,
         tone: (scene.image.gamma, scene.image.out_of_gamut),
         seed: 1,
+        reference: None,
     };
     let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
         canvas.render(world);
@@ -358,7 +359,8 @@ fn the_noise_factor_is_that_of_the_noise() {
             }
         }
         let known: Vec<Vec<f32>> = all[..16].iter().map(|film| FLOATS.values(film)).collect();
-        let noise = noise(&FLOATS.values(&theirs), (&areas, FLOATS), &known);
+        let subject = Subject { areas: &areas, stored: FLOATS, reference: None };
+        let noise = noise(&FLOATS.values(&theirs), subject, &known);
         // squares of details beyond a limit count as the limit, which lowers large factors
         assert!((noise / factor - 1.0).abs() < 0.25, "{noise}, not {factor}");
     }

@@ -105,6 +105,53 @@ fn bad_input_is_refused() {
     }
 }
 
+/// Law: with `--reference` the mean of its replicas is what pictures are held against, and no replica of ours is in
+/// it; one of another scene, size, number of samples, or for integers, or a damaged one, is refused with status 2.
+/// Oracle: a picture that is a replica of the reference, and none of ours then; what is wrong.
+#[test]
+fn a_reference_is_held_against() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let sums = |name: &str, settings: &str| {
+        let file = folder.path().join(name).to_str().expect("UTF-8").to_owned();
+        let line = format!("render {settings} --replicas 6 --seed 500 -o");
+        let arguments: Vec<&str> = line.split(' ').chain([&*file]).collect();
+        assert!(run(&arguments).status.success());
+        file
+    };
+    let usual = sums("usual.sums", "ch18/rectangle --size 32x32 --samples 16");
+    let theirs = written(&picture(16, 501), folder.path(), "theirs.pfm");
+    let few = [SCENE, &theirs, "--their-samples", "16", "--level", "0.05", "--seed", "500"];
+    let (status, text) = verify(&few);
+    assert!(status == 0 && text.contains("--seed 501, bit for bit"), "{text}");
+    let with = |file: &str| verify(&[&few[..], &["--reference", file]].concat());
+    let (status, text) = with(&usual);
+    assert_eq!(status, 0, "{text}");
+    assert!(text.contains("the mean of 6 others of ours\nagrees"), "{text}");
+    let display = folder.path().join("theirs.png");
+    image::RgbImage::new(32, 32).save(&display).expect("written");
+    let display = display.to_str().expect("UTF-8");
+    for (file, expected) in [
+        (sums("samples.sums", "ch18/rectangle --size 32x32 --samples 25"), "samples a replica (25"),
+        (sums("size.sums", "ch18/rectangle --size 40x40 --samples 16"), "size (40x40, not 32x32)"),
+        (sums("scene.sums", "ch18/disk --size 32x32 --samples 16"), "another scene"),
+        (theirs.clone(), "no file of sums"),
+    ] {
+        let (status, text) = with(&file);
+        assert_eq!(status, 2, "{text}");
+        assert!(text.contains(expected), "no {expected:?} in {text}");
+    }
+    for (pictures, expected) in [
+        (vec![display], "leave it out, or write EXR"),
+        (vec![&theirs, &*theirs], "for one picture"),
+    ] {
+        let (status, text) = verify(
+            &[&[SCENE], &pictures[..], &["--their-samples", "16", "--reference", &usual]].concat(),
+        );
+        assert_eq!(status, 2, "{text}");
+        assert!(text.contains(expected), "no {expected:?} in {text}");
+    }
+}
+
 /// Law: docs/verify.md shows what its commands print. Oracle: the program.
 #[test]
 fn the_document_shows_what_is_printed() {

@@ -7,7 +7,7 @@ use groundtruth::samplers;
 use groundtruth::world::World;
 use harness::compare::Transfer;
 use harness::verdict::{
-    Areas, Bright, Judged, Stored, Strictness, is_alike, is_nearer, noise, set_apart,
+    Areas, Bright, Judged, Stored, Strictness, Subject, is_alike, is_nearer, noise, set_apart,
 };
 
 pub const LEVEL: f64 = 0.01;
@@ -60,7 +60,7 @@ impl Shared {
     /// The verdict on a picture, with replicas in an order that follows from a seed.
     pub fn judged(&self, world: &World, theirs: &Film, stored: Stored, seed: u64) -> Judged {
         let order = self.order(seed);
-        let subject = (&self.areas, stored);
+        let subject = Subject { areas: &self.areas, stored, reference: None };
         let mut theirs = stored.values(theirs);
         let first = |films: &[Film]| -> Vec<Vec<f32>> {
             order[..STRICTNESS.first].iter().map(|index| stored.values(&films[*index])).collect()

@@ -4,7 +4,8 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use harness::compare::{Picture, Transfer};
 use harness::verdict::{
-    Area, Areas, Bright, Evidence, Judged, Pool, Ranking, Stored, Strictness, factors, terms,
+    Area, Areas, Bright, Evidence, Judged, Level, Map, Mean, Pool, Ranking, Stored, Strictness,
+    Subject, factors, terms,
 };
 use harness::verify::chi_square;
 
@@ -24,20 +25,63 @@ fn noise(random: &mut Pcg32) -> Vec<f32> {
 }
 
 /// Law: of exchangeable pictures the last is as likely to be the farthest out, or the second, third or fourth, as any
-/// other. (Pictures that are nowhere far out may share a rank.) Oracle: the uniform distribution, χ² at level 1e-3.
+/// other, held against the mean of the others or that of pictures outside the pool. (Pictures that are nowhere far out
+/// may share a rank.) Oracle: the uniform distribution, χ² at level 1e-3, of two tests.
 #[test]
 fn each_rank_is_as_likely() {
+    for outside in [0, 5] {
+        let counts = ranks(outside);
+        let p = chi_square::goodness_of_fit(&counts, &[125.0, 125.0, 125.0, 125.0, 500.0]);
+        assert!(p > 0.5e-3, "{outside} outside, {counts:?}: p = {p}");
+    }
+}
+
+/// How often the last of 8 pictures is as far out as 0, 1, 2, 3 or more others, in 1,000 pools that are held against
+/// the mean of this many others.
+fn ranks(outside: u32) -> [u64; 5] {
     const PICTURES: usize = 8;
     let areas = Areas::tiles([9, 7]);
     let random = &mut Pcg32::new(11, 5);
     let mut counts = [0_u64; 5];
     for _ in 0..1000 {
         let pictures = (0..PICTURES).map(|_| noise(random)).collect();
-        let pool = Pool::new([9, 7], FLOATS, pictures);
+        let mut mean = vec![0.0; 9 * 7 * 3];
+        for _ in 0..outside {
+            let values = mean.iter_mut().zip(noise(random));
+            values.for_each(|(sum, value)| *sum += f64::from(value) / f64::from(outside));
+        }
+        let mean = (outside > 0).then(|| Mean { values: mean, pictures: f64::from(outside) });
+        let pool = Pool::new([9, 7], FLOATS, pictures).against_mean(mean);
         counts[Ranking::of(&pool, &areas, 0).as_far_as(PICTURES - 1).min(4)] += 1;
     }
-    let p = chi_square::goodness_of_fit(&counts, &[125.0, 125.0, 125.0, 125.0, 500.0]);
-    assert!(p > 1e-3, "{counts:?}: p = {p}");
+    counts
+}
+
+/// Law: a picture with little noise is farther out from the mean of many pictures than from that of few, as the
+/// variance of the difference is less: that of its own noise and of the mean's. Oracle: the closed form, within a fifth.
+#[test]
+fn the_mean_of_many_shows_more() {
+    const REPLICAS: f64 = 8.0;
+    const OUTSIDE: f64 = 200.0;
+    const NOISE: f64 = 0.1;
+    let areas = Areas::tiles([32, 32]);
+    let random = &mut Pcg32::new(12, 5);
+    let mut normal = |mean: f64, deviation: f64| -> Vec<f64> {
+        let unit = |_| (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0;
+        (0..3 * 32 * 32).map(unit).map(|x| mean + deviation * x).collect()
+    };
+    let single = |values: Vec<f64>| values.into_iter().map(|x| x as f32).collect::<Vec<f32>>();
+    let mut pictures: Vec<Vec<f32>> = (0..8).map(|_| single(normal(10.0, 1.0))).collect();
+    pictures.push(single(normal(10.5, NOISE)));
+    let mean = Mean { values: normal(10.0, 1.0 / OUTSIDE.sqrt()), pictures: OUTSIDE };
+    let whole =
+        |pool: &Pool| Map::of(pool, &areas, 8, NOISE).largest(&areas, &[Level::Tiles(5)])[0];
+    let pool = Pool::new([32, 32], FLOATS, pictures);
+    let few = whole(&pool);
+    let many = whole(&pool.against_mean(Some(mean)));
+    let own = NOISE * NOISE;
+    let expected = ((own + 1.0 / REPLICAS) / (own + 1.0 / OUTSIDE)).sqrt();
+    assert!((many / few / expected - 1.0).abs() < 0.2, "{many} and {few}, not {expected} times");
 }
 
 /// Law: tiles have the sums of their pixels, and objects of theirs. Oracle: brute force.
@@ -140,7 +184,8 @@ fn factors_of_terms_are_found() {
     }
     let mut known = known;
     let strictness = Strictness { level: 0.05, first: 16 };
-    let judged = Judged::of(&theirs, (&areas, FLOATS), strictness, &mut known, |_| None);
+    let subject = Subject { areas: &areas, stored: FLOATS, reference: None };
+    let judged = Judged::of(&theirs, subject, strictness, &mut known, |_| None);
     let evidence = Evidence::of(&judged.expect("enough"), &areas, &theirs);
     let factors = factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it");
     for factor in &factors {

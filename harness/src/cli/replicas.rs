@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use groundtruth::film;
 use groundtruth::render::Canvas;
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::sums::{self, Header, Part, Seeds, Sums};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -84,18 +85,26 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
 /// The header of sums of a scene without any replica, and its world.
 pub fn open(arguments: &SceneArguments) -> Result<(Header, World), Box<dyn Error>> {
     let (scene, world) = arguments.load()?;
+    Ok((header(arguments, &scene, &world)?, world))
+}
+
+/// The header of sums of a scene that was loaded with these arguments, without any replica.
+pub fn header(
+    arguments: &SceneArguments,
+    scene: &Scene,
+    world: &World,
+) -> Result<Header, Box<dyn Error>> {
     let folder = arguments.folder().unwrap_or(Path::new(""));
-    let header = Header {
+    Ok(Header {
         program: env!("CARGO_PKG_VERSION").to_owned(),
-        scene: sums::scene_digest(&scene, &world, folder)?,
+        scene: sums::scene_digest(scene, world, folder)?,
         size: world.picture_size(),
         samples: world.samples_per_pixel(),
         arguments: Vec::new(),
         wanted: Seeds::default(),
         seeds: Seeds::default(),
         not_finite: 0,
-    };
-    Ok((header, world))
+    })
 }
 
 /// The sums of an existing part, to be continued.

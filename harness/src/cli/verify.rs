@@ -10,14 +10,18 @@ use clap::Args;
 use groundtruth::explain::count;
 use groundtruth::film;
 use groundtruth::render::Canvas;
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
-use harness::verdict::{self, Answer, Case, Decision, Judged, Region, Strictness, Verdict};
+use harness::sums::Part;
+use harness::verdict::{
+    self, Answer, Case, Decision, Judged, Reference, Region, Strictness, Verdict,
+};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::mistakes;
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, print};
+use super::{mistakes, replicas};
 
 #[derive(Args)]
 pub struct Verify {
@@ -36,6 +40,10 @@ pub struct Verify {
     /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
     #[arg(long, value_name = "P", default_value_t = 0.01, value_parser = level)]
     level: f64,
+    /// Hold all pictures against the mean of these sums of the scene, which `render --replicas` or `merge` wrote: it
+    /// shows smaller differences of a picture with little noise. Ours have other seeds
+    #[arg(long, value_name = "FILE")]
+    reference: Option<PathBuf>,
     /// Say also whether the means of the picture and of each object are within this margin, such as 1%; if they are, the
     /// exit status is 0
     #[arg(long, value_name = "M", value_parser = margin)]
@@ -87,7 +95,9 @@ impl Verify {
         let (scene, mut world) = arguments.load_fitted(size, self.their_samples)?;
         let tone = (scene.image.gamma, scene.image.out_of_gamut);
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
-        let seed = arguments.seed();
+        let reference = self.reference(arguments, (&scene, &world), &pictures)?;
+        let asked = arguments.seed();
+        let seed = reference.as_ref().map_or(asked, |reference| reference.first_free(asked));
         if seed > LAST_SEED {
             return Err(format!(
                 "--seed: ours have the seeds after it too; at most {LAST_SEED} fits"
@@ -106,6 +116,7 @@ impl Verify {
             transfer: self.encoding,
             tone,
             seed,
+            reference: reference.as_ref(),
         };
         let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
         let verdict = match &*pictures {
@@ -140,6 +151,32 @@ impl Verify {
             (None, Decision::Differs) => Exit::No,
             (None, Decision::Undecided) => Exit::Interrupted,
         })
+    }
+
+    /// The mean that pictures are held against, if there is one.
+    fn reference(
+        &self,
+        arguments: &SceneArguments,
+        (scene, world): (&Scene, &World),
+        pictures: &[Picture],
+    ) -> Result<Option<Reference>, Box<dyn Error>> {
+        let Some(file) = &self.reference else { return Ok(None) };
+        if pictures.len() > 1 {
+            return Err(
+                "--reference: it is for one picture; leave it out, or judge each by itself".into(),
+            );
+        }
+        if pictures[0].step.is_some() {
+            return Err(format!(
+                "--reference: {} has integers, whose mean is not that of radiance; leave it out, or write EXR or PFM",
+                self.images[0].display()
+            )
+            .into());
+        }
+        let sums = Part::open(file)?.read()?;
+        let scene = replicas::header(arguments, scene, world)?;
+        let problem = |problem| format!("{}: {problem}", file.display());
+        Ok(Some(Reference::new(&sums, &scene).map_err(problem)?))
     }
 
     /// The pictures, all of one size and without values that are no numbers.

@@ -11,9 +11,9 @@ use rayon::prelude::*;
 use super::plants::brighter;
 use super::verdict::{Explanation, REGIONS, Region, Verdict};
 use super::{
-    Area, Areas, Decision, Evidence, Factor, Judged, Map, Plant, Renders, Replicas, Stored,
-    Strictness, Suspects, factors, is_alike, is_nearer, noise, planted, set_apart, several,
-    smallest_gains, terms,
+    Area, Areas, Decision, Evidence, Factor, Judged, Map, Plant, Reference, Renders, Replicas,
+    Stored, Strictness, Subject, Suspects, factors, is_alike, is_nearer, noise, planted, set_apart,
+    several, smallest_gains, terms,
 };
 use crate::compare::{
     Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
@@ -40,6 +40,8 @@ pub struct Case<'a> {
     pub tone: (f64, OutOfGamut),
     /// The seed of the first replica.
     pub seed: u64,
+    /// A mean of other pictures of ours, if one was rendered before.
+    pub reference: Option<&'a Reference>,
 }
 
 /// The gain that is planted everywhere, and the one in an object.
@@ -62,7 +64,8 @@ impl Case<'_> {
         let (transfer, tone) = (self.transfer, self.tone);
         let mut replicas = Replicas::new(self.world, seed, renders);
         replicas.fill(strictness.first);
-        let judge = Judge { areas: &areas, strictness, transfer, tone, so_far: self.so_far };
+        let (so_far, reference) = (self.so_far, self.reference);
+        let judge = Judge { areas: &areas, strictness, transfer, tone, so_far, reference };
         let independent = judge.match_noise(theirs, &mut replicas);
         let mut known = Vec::new();
         let (stored, judged, apart) = judge.judged(theirs, &mut replicas, &mut known)?;
@@ -160,6 +163,7 @@ struct Judge<'a> {
     transfer: Option<Transfer>,
     tone: (f64, OutOfGamut),
     so_far: &'a dyn Fn(&Judged),
+    reference: Option<&'a Reference>,
 }
 
 impl Judge<'_> {
@@ -188,7 +192,8 @@ impl Judge<'_> {
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
         let stored = likeliest(&candidates, theirs, films);
         let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
-        noise(&read(theirs, stored), (self.areas, stored), &known)
+        let subject = Subject { areas: self.areas, stored, reference: None };
+        noise(&read(theirs, stored), subject, &known)
     }
 
     /// The most likely way in which the values are stored, the judgement, and the number of pixels that were set
@@ -206,12 +211,15 @@ impl Judge<'_> {
         let stored = likeliest(&candidates, theirs, &replicas.films);
         *known = replicas.films.iter().map(|film| stored.values(film)).collect();
         let mut values = read(theirs, stored);
+        // it is no mean of pictures whose film points are off
+        let reference = self.reference.filter(|_| replicas.direction == [0, 0]);
         let apart = set_apart(&mut values, replicas.world, known, stored);
         let next = |so_far: Option<&Judged>| {
             so_far.into_iter().for_each(self.so_far);
             replicas.render().map(|film| stored.values(&film))
         };
-        let judged = Judged::of(&values, (self.areas, stored), self.strictness, known, next)?;
+        let subject = Subject { areas: self.areas, stored, reference };
+        let judged = Judged::of(&values, subject, self.strictness, known, next)?;
         Some((stored, judged, apart))
     }
 

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::evidence::Evidence;
-use super::{Decision, Judged, Strictness, set_apart};
+use super::{Decision, Judged, Strictness, Subject, set_apart};
 use crate::mistakes::{self, Films, Mistake};
 
 /// A mistake that explains a picture.
@@ -134,7 +134,8 @@ impl Suspects<'_> {
             return false;
         }
         set_apart(&mut theirs, self.world, &known, *stored);
-        let judged = Judged::of(&theirs, (areas, *stored), strictness, &mut known, |_| replicas());
+        let subject = Subject { areas, stored: *stored, reference: None };
+        let judged = Judged::of(&theirs, subject, strictness, &mut known, |_| replicas());
         judged.is_some_and(|judged| judged.decision == Decision::Agrees)
     }
 }

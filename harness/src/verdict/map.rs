@@ -22,7 +22,7 @@ impl Map {
         let pixels = areas.size[0] * areas.size[1];
         let mut alone = vec![0.0; pixels];
         // its own noise, and that of the mean of the others
-        let factor = noise * noise + 1.0 / (pool.count() as f64 - 1.0);
+        let factor = noise * noise + pool.variance_of_mean();
         let (mut differences, mut variances) = (Vec::new(), Vec::new());
         for channel in 0..3 {
             let Residuals { difference, variance, varied } =

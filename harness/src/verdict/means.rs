@@ -69,25 +69,27 @@ impl Means {
 
 fn mean(pool: &Pool, pixels: &[usize], name: String, noise: f64, confidence: f64) -> Means {
     let theirs = pool.count() - 1;
-    let of = |picture: usize| {
-        let values = pool.picture(picture);
+    let of_values = |value: &dyn Fn(usize) -> f64| {
         let mut sums = [0.0; 3];
         for pixel in pixels {
             for (channel, sum) in sums.iter_mut().enumerate() {
-                let value = f64::from(values[3 * pixel + channel]);
+                let value = value(3 * pixel + channel);
                 *sum += if value.is_finite() { value } else { 0.0 };
             }
         }
         sums.map(|sum| sum / pixels.len() as f64)
     };
+    let of = |picture: usize| of_values(&|at| f64::from(pool.picture(picture)[at]));
     let ours: Vec<[f64; 3]> = (0..theirs).map(of).collect();
     let n = ours.len() as f64;
     let mean = [0, 1, 2].map(|channel| ours.iter().map(|mean| mean[channel]).sum::<f64>() / n);
     let total = |mean: &[f64; 3]| mean.iter().sum::<f64>() / 3.0;
+    let middle = total(&mean);
+    let squares: f64 = ours.iter().map(|it| (total(it) - middle) * (total(it) - middle)).sum();
+    let mean = pool.reference().map_or(mean, |mean| of_values(&|at| mean.values[at]));
     let level = total(&mean);
-    let squares: f64 = ours.iter().map(|it| (total(it) - level) * (total(it) - level)).sum();
     // of a picture with their noise, and of the mean of ours
-    let deviation = (squares / (n - 1.0) * (noise * noise + 1.0 / n)).sqrt();
+    let deviation = (squares / (n - 1.0) * (noise * noise + pool.variance_of_mean())).sqrt();
     let student = StudentsT::new(0.0, 1.0, n - 1.0).expect("there are at least two");
     let theirs = of(theirs);
     let relative = (level != 0.0).then(|| total(&theirs) / level - 1.0);

@@ -15,6 +15,7 @@ mod page;
 mod plants;
 mod pool;
 mod ranking;
+mod reference;
 mod replicas;
 mod residuals;
 mod several;
@@ -35,6 +36,7 @@ pub use page::page;
 pub use plants::{Plant, planted, smallest_gains};
 pub use pool::{Against, Pool};
 pub use ranking::{Difference, Level, Ranking};
+pub use reference::{Mean, Reference};
 pub use replicas::{Renders, Replicas};
 pub use several::{WelchTest, several};
 pub use stored::{Bright, Stored};
@@ -54,6 +56,17 @@ pub enum Decision {
     Differs,
     /// The user interrupted before enough replicas were rendered.
     Undecided,
+}
+
+/// What pictures are of and are held against, besides our replicas.
+#[derive(Clone, Copy, Debug)]
+pub struct Subject<'a> {
+    /// Their areas.
+    pub areas: &'a Areas,
+    /// How their values are stored.
+    pub stored: Stored,
+    /// A mean of other pictures of ours, if one was rendered before.
+    pub reference: Option<&'a Reference>,
 }
 
 /// A picture held against replicas.
@@ -93,8 +106,8 @@ const AS_FAR: usize = 3;
 const ALIKE: f64 = 0.8;
 
 /// The noise of a picture relative to that of these replicas, at least three; all are stored alike.
-pub fn noise(theirs: &[f32], (areas, stored): (&Areas, Stored), known: &[Vec<f32>]) -> f64 {
-    Ranking::of(&pool(theirs, (areas, stored), known), areas, 0).noise[known.len()]
+pub fn noise(theirs: &[f32], subject: Subject<'_>, known: &[Vec<f32>]) -> f64 {
+    Ranking::of(&pool(theirs, subject, known), subject.areas, 0).noise[known.len()]
 }
 
 /// Whether noise of this part of ours is like ours.
@@ -108,9 +121,11 @@ pub fn is_nearer(a: f64, b: f64) -> bool {
 }
 
 /// The replicas, and the judged picture as the last.
-fn pool(theirs: &[f32], (areas, stored): (&Areas, Stored), known: &[Vec<f32>]) -> Pool {
+fn pool(theirs: &[f32], subject: Subject<'_>, known: &[Vec<f32>]) -> Pool {
+    let Subject { areas, stored, reference } = subject;
     let pictures = known.iter().cloned().chain([theirs.to_vec()]).collect();
-    Pool::new(areas.size, stored, pictures)
+    let mean = reference.map(|reference| reference.mean(stored));
+    Pool::new(areas.size, stored, pictures).against_mean(mean)
 }
 
 impl Strictness {
@@ -126,7 +141,7 @@ impl Judged {
     /// to say anything.
     pub fn of(
         theirs: &[f32],
-        (areas, stored): (&Areas, Stored),
+        subject: Subject<'_>,
         strictness: Strictness,
         known: &mut Vec<Vec<f32>>,
         mut replicas: impl FnMut(Option<&Self>) -> Option<Vec<f32>>,
@@ -144,7 +159,7 @@ impl Judged {
             if known.len() < 3 {
                 return None;
             }
-            let judged = Self::now(theirs, (areas, stored), known);
+            let judged = Self::now(theirs, subject, known);
             let is_over = judged.is_over(strictness, known.len());
             if is_over || is_interrupted {
                 let decision = judged.decided(strictness, is_over);
@@ -156,8 +171,8 @@ impl Judged {
     }
 
     /// A picture held against the replicas that there are.
-    fn now(theirs: &[f32], (areas, stored): (&Areas, Stored), known: &[Vec<f32>]) -> Self {
-        let pool = pool(theirs, (areas, stored), known);
+    fn now(theirs: &[f32], subject: Subject<'_>, known: &[Vec<f32>]) -> Self {
+        let (pool, areas) = (pool(theirs, subject, known), subject.areas);
         let (last, is_fixed) = (known.len(), pool.is_fixed_but_for(known.len()));
         let mut ranking = Ranking::of(&pool, areas, 0);
         let is_coarse = !is_alike(ranking.noise[last]);

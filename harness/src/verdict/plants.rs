@@ -24,7 +24,7 @@ pub fn planted(
     from: usize,
 ) -> bool {
     let pictures = std::iter::once(changed).chain(ours[1..].iter().cloned()).collect();
-    let pool = Pool::new(areas.size, pool.stored, pictures);
+    let pool = Pool::new(areas.size, pool.stored, pictures).against_mean(pool.reference().cloned());
     let ranking = Ranking::of(&pool, areas, from);
     ranking.as_far_as(0) == 0
 }

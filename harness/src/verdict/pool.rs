@@ -1,5 +1,6 @@
 //! Pictures of one scene from different seeds, and each of them held against all others.
 
+use super::reference::Mean;
 use super::stored::Stored;
 
 /// Pictures of one size, as their stored values. Which of them is judged makes no difference to what is done with any.
@@ -15,6 +16,8 @@ pub struct Pool {
     /// For each value, the sum of the squares of the differences from the mean.
     squares: Vec<f64>,
     agreement: Vec<Agreement>,
+    /// What all pictures are held against, instead of the mean of the others.
+    reference: Option<Mean>,
 }
 
 /// Which pictures have the same value.
@@ -67,7 +70,23 @@ impl Pool {
             });
         }
         let agreement = (0..values).map(|i| agreement(&pictures, i, stored)).collect();
-        Self { size, stored, pictures, mean, squares, agreement }
+        Self { size, stored, pictures, mean, squares, agreement, reference: None }
+    }
+
+    /// Holds each picture against this mean of others, if there is one.
+    #[must_use]
+    pub fn against_mean(self, reference: Option<Mean>) -> Self {
+        Self { reference, ..self }
+    }
+
+    /// The mean that pictures are held against.
+    pub fn reference(&self) -> Option<&Mean> {
+        self.reference.as_ref()
+    }
+
+    /// The variance of the mean that a picture is held against, in units of that of one picture.
+    pub fn variance_of_mean(&self) -> f64 {
+        1.0 / self.reference.as_ref().map_or(self.count() as f64 - 1.0, |mean| mean.pictures)
     }
 
     /// The number of pictures.
@@ -92,13 +111,20 @@ impl Pool {
                 // without the picture itself: of the mean, and of the sum of squares
                 let difference = own * n / (n - 1.0);
                 let squares = (self.squares[index] - own * difference).max(0.0);
+                let difference = match &self.reference {
+                    Some(mean) => f64::from(self.pictures[picture][index]) - mean.values[index],
+                    None => difference,
+                };
                 Against::Varied { difference, variance: squares / (n - 2.0) }
             }
         }
     }
 
-    /// The mean of all other pictures at a value.
+    /// The mean of all other pictures at a value, or that of the reference.
     pub fn mean_of_others(&self, picture: usize, index: usize) -> f64 {
+        if let Some(mean) = &self.reference {
+            return mean.values[index];
+        }
         let n = self.count() as f64;
         let own = f64::from(self.pictures[picture][index]);
         self.mean[index] - (own - self.mean[index]) / (n - 1.0)

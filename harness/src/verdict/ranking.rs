@@ -58,7 +58,7 @@ impl Ranking {
             all.clone().into_par_iter().map(|picture| detail(pool, picture)).collect();
         let known: Vec<f64> = details.iter().flatten().copied().collect();
         let usual = quantile(&known, 0.5).unwrap_or_default();
-        let others = 1.0 / (pool.count() as f64 - 1.0);
+        let others = pool.variance_of_mean();
         let factor = |detail: &Option<f64>| match detail {
             // the difference from the mean of the others has its noise too
             Some(detail) if usual > 0.0 => {

@@ -20,6 +20,12 @@ impl fmt::Display for Verdict {
         if !self.fixed {
             writeln!(f, "noise: {:.2} of that of our pictures{}", self.noise, self.about_noise())?;
         }
+        if let Some(pictures) = self.reference {
+            writeln!(
+                f,
+                "reference: all pictures are held against the mean of {pictures} others of ours"
+            )?;
+        }
         if self.set_apart > 0 {
             let pixels = count(self.set_apart, "pixel");
             writeln!(

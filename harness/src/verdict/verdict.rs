@@ -33,6 +33,8 @@ pub struct Verdict {
     pub replicas: usize,
     /// The number of these that are at least as far out.
     pub as_far: usize,
+    /// The number of our pictures in the mean that it was held against, if that was rendered before.
+    pub reference: Option<u64>,
     /// The level at which it was decided.
     pub level: f64,
     /// Whether the scene has no random numbers that show.
@@ -131,6 +133,7 @@ impl Verdict {
             independent: false,
             replicas: theirs,
             as_far: judged.ranking.as_far_as(theirs),
+            reference: judged.pool.reference().map(|mean| mean.pictures as u64),
             level: strictness.level,
             fixed: judged.is_fixed,
             set_apart,
@@ -195,6 +198,7 @@ impl Verdict {
             independent: false,
             replicas: ours,
             as_far: 0,
+            reference: None,
             level: strictness.level,
             fixed: false,
             set_apart: 0,
