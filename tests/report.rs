@@ -12,6 +12,8 @@ mod samplers;
 mod textbook;
 #[path = "report/textures.rs"]
 mod textures;
+#[path = "report/times.rs"]
+mod times;
 
 use std::process::Command;
 use std::sync::LazyLock;

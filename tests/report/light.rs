@@ -85,14 +85,16 @@ fn efficiency_is_one_over_variance_and_time() {
 /// Law: unbiased choices have the mean of the reference; ray_cast is darker in the two scenes where mirrors
 /// or glass carry light on, because what it leaves out is not negative. Oracle: every strategy sums the
 /// same paths. Half of a 95 % interval is about two standard errors; five are allowed for means of skewed
-/// values.
+/// values. Rare bright paths make some intervals as wide as the mean; most are narrow enough to find a bias.
 #[test]
 fn choices_without_bias_have_the_mean_of_the_reference() {
+    let mut halves = Vec::new();
     for (scene, choice) in choices() {
         let [value, low, high] = ends(&choice["bias"]);
         let half = 0.5 * (high - low);
         let name = (text(&scene["scene"]), text(&choice["choice"]));
-        assert!(half > 0.0 && half < 1.0, "{name:?}: {value} ± {half}");
+        assert!(half > 0.0, "{name:?}: {value} ± {half}");
+        halves.push(half);
         let is_path = ["path_trace", "global_trace", "path"].contains(&text(&choice["tracer"]));
         assert_eq!(choice["unbiased"], is_path, "{name:?}");
         if is_path {
@@ -103,6 +105,9 @@ fn choices_without_bias_have_the_mean_of_the_reference() {
             assert!(high < -0.1, "{name:?}: {value} ± {half}");
         }
     }
+    halves.sort_by(f64::total_cmp);
+    let median = halves[halves.len() / 2];
+    assert!(median < 0.2, "half of the intervals are wider than {median}: {halves:?}");
 }
 
 /// Law: a larger depth limit leaves out less light: the bias is never positive, and its size falls with the

@@ -198,6 +198,25 @@ mod tests {
         assert!(!tolerance.accepts(&Film::new(8, 6), &other));
     }
 
+    /// Law: the allowed difference is a part of the larger value, and of the floor where both are below it; which
+    /// picture is expected makes no difference. Oracle: values to either side of the limits by hand.
+    #[test]
+    fn the_tolerance_is_symmetric_and_has_a_floor() {
+        let tolerance = Tolerance { relative: 0.25, floor: 0.5, share: 0.0, cluster: 0 };
+        // ¼ of 4 is 1; ¼ of the floor is 0.125
+        let pairs = [
+            (3.0, 4.0, true),
+            (2.9, 4.0, false),
+            (0.0, 0.125, true),
+            (0.0, 0.126, false),
+            (0.375, 0.5, true),
+        ];
+        for (a, b, agree) in pairs {
+            assert_eq!(tolerance.accepts(&grey(a), &grey(b)), agree, "{a} and {b}");
+            assert_eq!(tolerance.accepts(&grey(b), &grey(a)), agree, "{b} and {a}");
+        }
+    }
+
     #[test]
     fn a_thin_line_is_a_cluster_though_few_pixels_differ() {
         let tolerance = Tolerance { relative: 0.01, floor: 1e-3, share: 0.2, cluster: 3 };

@@ -116,17 +116,28 @@ fn exr_keeps_linear_radiance() {
     }
 }
 
-/// Law: PNG has the bytes of the tone, the top left pixel first. Oracle: another reader.
+/// Law: PNG has the bytes that are shown, the top left pixel first. Oracle: another reader, and `255 x^(1/γ)` rounded
+/// by hand; 2 becomes 1 first, and takes the other channels along.
 #[test]
 fn png_has_the_shown_bytes_from_the_top_left() {
+    let by_hand: [(f64, [[u8; 3]; 4]); 3] = [
+        (2.2, [[11, 31, 90], [123, 136, 186], [217, 243, 255], [255, 186, 0]]),
+        (2.0, [[8, 26, 81], [114, 128, 180], [213, 242, 255], [255, 180, 0]]),
+        (0.5, [[0, 0, 3], [10, 16, 64], [125, 207, 255], [255, 64, 0]]),
+    ];
+    let colors =
+        [[0.001, 0.01, 0.1], [0.2, 0.25, 0.5], [0.7, 0.9, 1.0], [2.0, 1.0, 0.0]].map(Rgb::from);
+    let mut film = Film::new(2, 2);
+    pixels(2, 2).zip(colors).for_each(|(at, color)| film.set(at, color));
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("picture.PNG");
-    let tone = Tone { gamma: 2.2, ..PLAIN };
-    write(&uneven(), &tone, &path).expect("it can be written");
-    let read = image::open(&path).expect("it can be read").to_rgb8();
-    assert_eq!(read.dimensions(), (5, 3));
-    for [x, y] in pixels(5, 3) {
-        assert_eq!(read.get_pixel(x, y).0, tone.to_bytes(uneven().get([x, y])), "({x}, {y})");
+    for (gamma, expected) in by_hand {
+        write(&film, &Tone { gamma, ..PLAIN }, &path).expect("it can be written");
+        let read = image::open(&path).expect("it can be read").to_rgb8();
+        assert_eq!(read.dimensions(), (2, 2));
+        for ([x, y], bytes) in pixels(2, 2).zip(expected) {
+            assert_eq!(read.get_pixel(x, y).0, bytes, "gamma {gamma} at ({x}, {y})");
+        }
     }
 }
 

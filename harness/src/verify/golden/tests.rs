@@ -162,6 +162,18 @@ fn the_digest_depends_on_every_bit_and_on_the_size() {
     let mut pixel = Film::new(1, 1);
     pixel.set([0, 0], Rgb::new(1.0, 0.5, 0.0));
     assert_eq!(digest(&pixel), "9352f72dc1c9740aa7ec80aaf12bcf7124f4f5fbc6a6edb0dfe70e29f736a301");
+    // `struct.pack('<2I18f', w, h, *[k/8 for k in range(18)])` in the same way: rows from the top, red before green
+    for (w, h, expected) in [
+        (2, 3, "bf4e0bf23f66d6cd945d7eba5f5920f8d9b27435812b7207db31f01be443188e"),
+        (3, 2, "5ac8c1ab80315c5561e2b25784d62408034dea1bf6ba692aa138cac8c9a5a3aa"),
+    ] {
+        let mut film = Film::new(w, h);
+        for i in 0..6 {
+            let channel = |c: u32| f64::from(3 * i + c) / 8.0;
+            film.set([i % w, i / w], Rgb::new(channel(0), channel(1), channel(2)));
+        }
+        assert_eq!(digest(&film), expected, "{w} × {h}");
+    }
 }
 
 #[test]
