@@ -6,6 +6,8 @@
 mod paths;
 #[path = "same_text.rs"]
 mod same_text;
+#[path = "explain/shares.rs"]
+mod shares;
 #[path = "explain/sources.rs"]
 mod sources;
 #[path = "explain/unlit.rs"]

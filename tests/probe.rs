@@ -4,6 +4,8 @@
 mod answers;
 #[path = "probe/errors.rs"]
 mod errors;
+#[path = "probe/eyes.rs"]
+mod eyes;
 #[path = "probe/grid.rs"]
 mod grid;
 #[path = "probe/inside.rs"]

@@ -193,6 +193,27 @@ proptest! {
         prop_assert!(close(&answer["direction"], &(to_light / distance).to_array(), ROUNDING));
     }
 
+    /// Law: a lamp shines from its outer side, to which its normal points, and from the other only if it is
+    /// two-sided, with the same radiance. Oracle: the side of the disk's plane on which the point is.
+    #[test]
+    fn lamps_shine_from_their_sides(x in -3.0..3.0_f64, y in 0.1..5.0_f64, u in (0.0..1.0_f64, 0.0..1.0_f64)) {
+        for (side, two_sided) in [(1.0, false), (1.0, true), (-1.0, false), (-1.0, true)] {
+            for sampling in ["area", "solid_angle"] {
+                let answer = ask(&json!({"light": {
+                    "light": {"area": {"object": "lamp", "sampling": sampling}},
+                    "lamp": {"shape": {"rectangle": {"corner": [-1, 0, -1], "a": [0, 0, 2], "b": [2, 0, 0]}},
+                        "material": {"emissive": {"ls": 4}}, "two_sided": two_sided},
+                    "from": [x, side * y, 0.5], "normal": [0, -side, 0], "u": [[u.0, u.1]]}}));
+                if side > 0.0 || two_sided {
+                    prop_assert!(close(&answer["radiance"], &[4.0; 3], 1e-14), "{sampling}: {answer}");
+                } else {
+                    let is_dark = answer.is_null() || close(&answer["radiance"], &[0.0; 3], 0.0);
+                    prop_assert!(is_dark, "{sampling}, from behind: {answer}");
+                }
+            }
+        }
+    }
+
     /// Law: cubes that share a face differ in colour, cubes that share an edge do not.
     #[test]
     fn neighbours_on_a_checker_differ(

@@ -56,6 +56,36 @@ fn replicas_are_pixels_of_other_seeds() {
     assert_eq!(answer["replicas"], 3);
 }
 
+/// Law: the radiance at a pixel is what the renderer gives it, bit for bit, with an exposure time and a filter too.
+/// Oracle: the renderer, and for the exposure time a second picture: twice the time is twice the value.
+#[test]
+fn exposure_and_filter_are_those_of_the_picture() {
+    let scene = |exposure: f64| {
+        json!({
+            "image": {"width": 3, "height": 3, "samples": 9, "filter": {"mitchell": {}}},
+            "camera": {"eye": [0, 0, 5], "lens": {"pinhole": {"distance": 3}}, "exposure_time": exposure},
+            "materials": [{"name": "lamp", "recipe": {"emissive": {"ls": 0.75}}}],
+            "objects": [{"name": "ball", "material": "lamp", "shape": {"sphere": {
+                "center": [0, 0, 0], "radius": 1.1}}}],
+        })
+    };
+    let mut values = Vec::new();
+    for exposure in [0.375, 0.75] {
+        let data: groundtruth::scene::Scene =
+            serde_json::from_value(scene(exposure)).expect("a scene");
+        let world = World::build_seeded(&data, Path::new(""), 5).expect("it is valid");
+        for pixel in [[0, 0], [1, 0], [2, 1]] {
+            let answer = ask(&json!({"radiance": {"scene": scene(exposure), "pixel": pixel,
+                "replicas": 1, "seed": 5}}));
+            let expected = render::pixel(&world, pixel).to_array();
+            assert_eq!(numbers(&answer["mean"]), expected, "{pixel:?}, exposure {exposure}");
+            values.push(expected[0]);
+        }
+    }
+    assert!(values[1] != 0.0 && values[1] != 0.375 * 0.75, "the pixel is at the rim: {values:?}");
+    assert_eq!(values[..3].iter().map(|value| 2.0 * value).collect::<Vec<_>>(), values[3..]);
+}
+
 /// Law: random samples of a pixel of which a share p is white have the standard error
 /// `√(p (1 − p)/(n R))`, and their mean is within 5 standard errors of p (significance 6e-7). The estimate
 /// from R = 1024 replicas is good to `1/√(2 (R − 1))`, 2.2 %; five times that is allowed.

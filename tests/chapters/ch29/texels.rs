@@ -1,8 +1,12 @@
 //! From texture coordinates to texels.
 
-use groundtruth::math::Pcg32;
+use std::sync::LazyLock;
+
+use groundtruth::kinds::Resources;
+use groundtruth::math::{Normal, Pcg32, Point};
 use groundtruth::rgb::Rgb;
-use groundtruth::textures::{Filtering, Image, Rule, Wrap};
+use groundtruth::shapes::Surface;
+use groundtruth::textures::{Filtering, Image, Kind, Rule, TexturePoint, Wrap};
 use proptest::prelude::*;
 
 use super::{by_uv, image_file, linear};
@@ -12,6 +16,16 @@ use crate::support::laws;
 const SINGLE: f64 = 4.0 * f32::EPSILON as f64;
 
 const SIZE: [u32; 2] = [5, 4];
+
+/// For each texel, an image that is white there and black elsewhere.
+static SINGLE_TEXELS: LazyLock<Vec<([u32; 2], tempfile::NamedTempFile)>> = LazyLock::new(|| {
+    let [width, height] = SIZE;
+    let all = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
+    let white = |at: [u32; 2]| {
+        image_file(SIZE, |column, row| [if [column, row] == at { u16::MAX } else { 0 }; 3])
+    };
+    all.map(|at| (at, white(at))).collect()
+});
 
 /// An image whose texels encode their index: red the column, green the row.
 fn numbered() -> tempfile::NamedTempFile {
@@ -120,6 +134,35 @@ proptest! {
         let color = by_uv(&filtered(&file, Filtering::Bilinear, Rule::Even));
         let repeated = by_tents(even, &exact, |i, n| i.rem_euclid(n) as u32);
         assert_close(color([u, v]), repeated, &format!("repeated, at ({u}, {v})"));
+    }
+
+    /// Law: the texel that an explanation names for a bilinear look-up is that of the largest weight, at every border
+    /// and however the image goes on beyond it. Oracle: the weight of a texel is the value of an image that is white
+    /// there and black elsewhere.
+    #[test]
+    fn the_texel_of_a_bilinear_look_up_has_the_largest_weight((u, v) in (-1.5..2.5_f64, -1.5..2.5_f64)) {
+        let texels = SINGLE_TEXELS.iter();
+        for rule in [Rule::Even, Rule::Book] {
+            for wrap in [Wrap::Repeat, Wrap::Clamp, Wrap::Mirror] {
+                let image = |file| {
+                    let image = filtered(file, Filtering::Bilinear, rule);
+                    Image { wrap_u: Some(wrap), wrap_v: Some(wrap), ..image }
+                };
+                let weights = texels.clone().map(|(at, file)| (at, by_uv(&image(file))([u, v]).r));
+                let weights: Vec<(&[u32; 2], f64)> = weights.collect();
+                let largest = weights.iter().map(|(_, weight)| *weight).fold(0.0, f64::max);
+                let texture = Kind::from(image(&SINGLE_TEXELS[0].1)).build(&mut Resources::default());
+                let surface = Surface::new(Point::ORIGIN, 0.0, Normal::Y);
+                let at = TexturePoint::with_uv(&surface, [u, v]);
+                let found = texture.expect("an image").texel(&at).expect("an image has texels");
+                let (_, weight) = weights
+                    .iter()
+                    .find(|(at, _)| **at == [found.column, found.row])
+                    .expect("it is in the image");
+                // of equal weights, any
+                prop_assert!(*weight >= largest - SINGLE, "{rule:?}, {wrap:?}: {found:?} has {weight} of {largest}");
+            }
+        }
     }
 
     /// Law: an image of one colour has this colour everywhere, bit for bit. Oracle: the colour of its nearest

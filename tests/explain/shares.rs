@@ -1,0 +1,149 @@
+//! What each term adds to its sample, and where the path of the light ends.
+
+use std::path::Path;
+
+use groundtruth::explain::{self, RecordedRay};
+use groundtruth::math::{acos, sin_cos, to_degrees, to_radians};
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::RecordedTerm;
+use groundtruth::world::from_toml;
+
+use super::{UNDER_WATER, all, nested_glass_of};
+
+/// The tree of the only pixel of a scene file.
+fn tree_of(text: &str) -> RecordedRay {
+    let (scene, world) = from_toml(text, Path::new("scene.toml")).expect("it is valid");
+    explain::sample(&scene, &world, [0, 0], 0).ray.expect("the camera sees all its film")
+}
+
+/// The radiance of a ray if one term of the tree, by its ray's number and its place there, were left out.
+fn without(ray: &RecordedRay, left_out: (usize, usize)) -> Rgb {
+    let value = |(index, term): (usize, &RecordedTerm)| match term.ray {
+        _ if (ray.number, index) == left_out => Rgb::BLACK,
+        Some(number) => term.weight * without(ray.child(number).expect("a child"), left_out),
+        None => term.value,
+    };
+    ray.transmittance * ray.terms.iter().enumerate().map(value).sum()
+}
+
+/// Law: the contribution of every term is its share of the sample, in media that colour the light too. Oracle: the
+/// sample with and without the term, added up again.
+#[test]
+fn each_term_adds_what_the_sample_has_less_without_it() {
+    for root in [nested_glass_of(Rgb::new(0.3, 0.05, 0.7)), tree_of(UNDER_WATER)] {
+        let sample = without(&root, (usize::MAX, 0));
+        let mut count = 0;
+        for ray in all(&root) {
+            for (index, term) in ray.terms.iter().enumerate() {
+                let expected = sample + -1.0 * without(&root, (ray.number, index));
+                let apart = (term.contribution + -1.0 * expected).map(f64::abs).max();
+                assert!(apart < 1e-14, "ray {}: {term:?}, not {expected:?}", ray.number);
+                let share = expected.average() / sample.average();
+                assert!(
+                    (term.share - share).abs() < 1e-13,
+                    "ray {}: {term:?}, not {share}",
+                    ray.number
+                );
+                count += u32::from(share > 0.0);
+            }
+        }
+        assert!(count >= 2, "only {count} terms add light");
+    }
+}
+
+/// A mirror over a bright floor that mirrors a little itself.
+const MIRRORED_FLOOR: &str = r#"
+background = 0.5
+[image]
+width = 1
+height = 1
+[camera]
+eye = [0, 1, 0]
+look_at = [0, 1, -1]
+lens = { pinhole = { distance = 1 } }
+[tracer.whitted]
+max_depth = 4
+[[lights]]
+name = "sun"
+shadows = false
+source = { directional = { ls = 6, direction = [0, 1, 2] } }
+[[materials]]
+name = "mirror"
+recipe.reflective = { kr = 0.9 }
+[[materials]]
+name = "floor"
+recipe.reflective = { kr = 0.1, phong = { ka = 0, kd = 0.8, cd = 1, ks = 0, exponent = 1 } }
+[[objects]]
+name = "mirror"
+material = "mirror"
+shape.rectangle = { corner = [-1, 0, -2], a = [2, 0, 0], b = [0, 1.4, 1.4] }
+[[objects]]
+name = "floor"
+material = "floor"
+shape.plane = { point = [0, 0, 0], normal = [0, 1, 0] }
+"#;
+
+/// Law: the path of the light ends at a hit inside the tree whose own light exceeds that of each ray after it, and the
+/// text shows no ray beyond it. Oracle: a floor that shines by its own light nine times as much as it mirrors.
+#[test]
+fn the_path_of_the_light_may_end_inside_the_tree() {
+    let root = tree_of(MIRRORED_FLOOR);
+    let path: Vec<&RecordedRay> =
+        std::iter::successors(Some(&root), |ray| ray.largest_child()).collect();
+    let last = path.last().expect("the camera's ray is there");
+    let name = |ray: &RecordedRay| ray.hit.as_ref().map(|hit| hit.object.to_string());
+    let names: Vec<_> = path.iter().map(|ray| name(ray)).collect();
+    assert_eq!(names, [Some("mirror".to_owned()), Some("floor".to_owned())]);
+    let onward = last.children.iter().filter(|child| child.share > 0.0).count();
+    assert!(onward > 0, "the floor mirrors something: {last:?}");
+    let (scene, world) = from_toml(MIRRORED_FLOOR, Path::new("scene.toml")).expect("it is valid");
+    let explained = explain::pixel(&scene, &world, [0, 0], None).expect("few rays");
+    let shown = |largest| explained.text(0.0, largest).matches("contributes").count();
+    assert_eq!((shown(true), shown(false)), (2, all(&root).len()));
+}
+
+/// Law: the angle of incidence is that to the true normal, wherever the shading normals lean. Oracle: a triangle
+/// that is turned by a known angle from the ray.
+#[test]
+fn the_angle_of_incidence_is_to_the_true_normal() {
+    for degrees in [0.0_f64, 20.0, 65.0] {
+        for lean in [0.0, 0.3, -0.5] {
+            let (sin, cos) = sin_cos(to_radians(degrees));
+            // turned about the y axis; its normal is (sin, 0, cos)
+            let corner = |x: f64, y: f64| format!("[{}, {y}, {}]", x * cos, -x * sin);
+            let corners = [corner(-3.0, -3.0), corner(3.0, -3.0), corner(0.0, 4.0)].join(", ");
+            let normal = format!("[{}, {lean}, {cos}]", sin + lean);
+            let text = format!(
+                r#"
+[image]
+width = 1
+height = 1
+[camera]
+eye = [0, 0, 5]
+look_at = [0, 0, 0]
+lens = {{ pinhole = {{ distance = 1 }} }}
+[[materials]]
+name = "white"
+recipe.matte = {{ kd = 1, cd = 1 }}
+[[objects]]
+name = "triangle"
+material = "white"
+shape.triangle = {{ vertices = [{corners}], normals = [{normal}, {normal}, {normal}] }}
+"#
+            );
+            let root = tree_of(&text);
+            let hit = root.hit.expect("it is met");
+            let towards = -root.ray.direction.z();
+            let along = root.ray.direction.x();
+            let expected = to_degrees(acos((cos * towards - sin * along).abs()));
+            let found = hit.angle_of_incidence;
+            assert!(
+                (found - expected).abs() < 1e-6,
+                "{degrees}°, lean {lean}: {found}°, not {expected}°"
+            );
+            // rounded, it may differ from the true one by a bit
+            let cosine = hit.shading_normal.dot(hit.normal);
+            assert_eq!(cosine > 1.0 - 1e-12, lean == 0.0, "{degrees}°, lean {lean}");
+        }
+    }
+}
