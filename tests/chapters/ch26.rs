@@ -5,6 +5,7 @@ mod direct;
 mod furnace;
 mod outline;
 mod paths;
+mod roulette;
 
 use groundtruth::explain::omissions;
 use groundtruth::gallery;

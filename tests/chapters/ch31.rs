@@ -3,6 +3,7 @@
 mod bump_cases;
 mod bumps;
 mod furnace;
+mod leaning;
 mod noise;
 mod oracle;
 mod statistics;

@@ -4,5 +4,6 @@ mod convergence;
 mod discrepancy;
 mod draws;
 mod independence;
+mod path_keys;
 pub mod patterns;
 mod sequences;

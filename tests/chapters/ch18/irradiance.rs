@@ -42,7 +42,7 @@ fn a_parallel_disk_gives_its_closed_form() {
 
 /// The share of the cosine-weighted sky that is filled by a sphere whose centre is `distance` radii away at
 /// this angle from the normal: `cosθ/H²` above the horizon; cut by the horizon, Howell's catalogue, B-43.
-fn sphere_share(distance: f64, angle: f64) -> f64 {
+pub fn sphere_share(distance: f64, angle: f64) -> f64 {
     let (h, half) = (distance, FRAC_PI_2 - acos(1.0 / distance));
     if angle <= FRAC_PI_2 - half {
         return cos(angle) / (h * h);

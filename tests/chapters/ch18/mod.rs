@@ -10,6 +10,7 @@ mod lamps;
 mod penumbra;
 mod polygon;
 mod sky;
+mod sphere;
 
 use groundtruth::lights::Area;
 use groundtruth::materials::Matte;

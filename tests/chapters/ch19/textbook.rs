@@ -13,7 +13,7 @@ use crate::support::camera_ray;
 const LOST_BY_ROUNDING: f64 = 1e-9;
 
 /// Rays from a few sizes away towards the inside of a shape's box.
-fn easy_rays(shape: &dyn Shape, count: usize) -> Vec<Ray> {
+pub fn easy_rays(shape: &dyn Shape, count: usize) -> Vec<Ray> {
     let bounds = shape.bounds();
     let (center, size) = if bounds.is_bounded() {
         (bounds.center(), bounds.extent().length())

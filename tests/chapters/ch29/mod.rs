@@ -2,6 +2,7 @@
 
 mod mappings;
 mod materials;
+mod one_texel;
 mod sky;
 mod sky_light;
 mod texels;

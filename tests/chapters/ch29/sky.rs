@@ -15,7 +15,7 @@ use harness::verify::significance::sidak;
 
 pub const DOMES: [Dome; 4] =
     [Dome::Spherical, Dome::Hemispherical, Dome::LightProbe, Dome::Panoramic];
-const FILTERINGS: [Filtering; 2] = [Filtering::Nearest, Filtering::Bilinear];
+pub const FILTERINGS: [Filtering; 2] = [Filtering::Nearest, Filtering::Bilinear];
 
 /// EXR files store radiance without any tone mapping.
 const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
@@ -51,7 +51,8 @@ pub fn image(name: &str, dome: Dome, filtering: Filtering) -> Image {
     Image { filtering, ..Image::of_file(written(name, SIZE, ragged), dome) }
 }
 
-fn sky(image: &Image) -> Arc<ImageSky> {
+/// The sky of an image, built.
+pub fn sky(image: &Image) -> Arc<ImageSky> {
     let built = Background::from(image.clone()).build(&mut Resources::default());
     match built.expect("it is valid") {
         Sky::Image(sky) => sky,

@@ -22,7 +22,8 @@ impl Asked for LocalPoint {
     }
 }
 
-fn local_point() -> Texture {
+/// The texture of local points.
+pub fn local_point() -> Texture {
     Texture::Custom(Custom(Arc::new(LocalPoint)))
 }
 

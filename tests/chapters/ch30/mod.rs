@@ -2,6 +2,7 @@
 
 mod checkers;
 mod instances;
+mod lamps;
 mod layers;
 mod materials;
 mod wires;
