@@ -233,12 +233,12 @@ impl Inspector {
     fn parts(&mut self, ui: &mut Ui) -> bool {
         let parts = self.splits.show(ui, ui.max_rect());
         let changed = part(ui, ("scene", parts.scene), |ui| {
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
+            ScrollArea::both().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
         });
         let resampled = part(ui, ("explanation", parts.explanation), |ui| {
             let (rendering, tone) = (&self.rendering, &self.picture.tone);
             let shown = (rendering, self.theirs.as_ref(), self.generation);
-            self.selection.show(ui, shown, tone, &mut self.wanted)
+            self.selection.show(ui, shown, tone, (&mut self.wanted, &mut self.splits))
         });
         let framed = part(ui, ("picture", parts.picture), |ui| {
             let size = self.rendering.size();

@@ -30,7 +30,7 @@ const KEYS: [(&str, &str); 15] = [
     ("L", "follow the light: the next ray on the path of the largest share"),
     ("wheel, pinch", "zoom in and out under the mouse"),
     ("drag", "move the picture; a bar between two parts: resize them"),
-    ("double click", "on a bar: its usual place"),
+    ("double click", "on a bar: its default place"),
     ("T", "with --compare: flip between ours and theirs"),
     ("W", "with --compare: ours at the left of a line, theirs at its right; drag the line"),
     ("D", "with --compare: theirs less ours"),
